@@ -1,0 +1,58 @@
+//! All pictures into one folder.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+use std::{env, fs, io};
+
+use common::output;
+use tests::stages::{STAGES, Stage};
+
+use crate::save::{Format, save};
+
+/// Draws every picture at the book's size, as PNG and as PPM, and says where
+/// it is, how large, and how long it took to trace.
+pub(crate) fn all() -> Result<(), Box<dyn Error>> {
+    let folder = folder()?;
+    let mut report = format!("The pictures are in {}\n", shown(&folder).display());
+    for stage in STAGES {
+        report += &draw(stage, &folder)?;
+    }
+    Ok(output::to_stdout(|out| out.write_all(report.as_bytes()))?)
+}
+
+/// Where the pictures go: `target/pictures` of this workspace.
+pub(crate) fn folder() -> io::Result<PathBuf> {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folder = workspace.canonicalize()?.join("target").join("pictures");
+    fs::create_dir_all(&folder)?;
+    Ok(folder)
+}
+
+fn draw(stage: Stage, folder: &Path) -> Result<String, Box<dyn Error>> {
+    let start = Instant::now();
+    let picture = (stage.picture)(stage.book_width);
+    let traced = start.elapsed();
+    let mut line = format!(
+        "  {:<14} {} × {}  {:4.1} ms to trace  ",
+        stage.name,
+        picture.width(),
+        picture.height(),
+        1e3 * traced.as_secs_f64()
+    );
+    for format in [Format::Png, Format::Ppm] {
+        let path = folder.join(stage.name).with_extension(format.extension());
+        save(&picture, format, &path)?;
+        let kilobytes = fs::metadata(&path)?.len() as f64 / 1e3;
+        line += &format!("  .{} {kilobytes:6.1} kB", format.extension());
+    }
+    Ok(line + "\n")
+}
+
+/// `path` as seen from the folder that the reader is in, if it is below that.
+fn shown(path: &Path) -> &Path {
+    env::current_dir()
+        .ok()
+        .and_then(|here| path.strip_prefix(here).ok())
+        .unwrap_or(path)
+}

@@ -1,0 +1,61 @@
+//! `cargo rtrace`: the reader's companion.
+
+mod draw;
+mod save;
+mod show;
+mod terminal;
+
+use std::error::Error;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// The pictures of Ray Tracing in One Weekend, chapter by chapter.
+///
+/// Without a command: draws all of them into target/pictures, as PNG and as
+/// PPM files.
+#[derive(Parser)]
+#[command(name = "rtrace", bin_name = "cargo rtrace")]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Draw one picture: in the terminal, into a file, or into a viewer
+    Show(show::Arguments),
+}
+
+fn main() -> ExitCode {
+    let done = match Cli::parse().command {
+        None => draw::all(),
+        Some(Command::Show(arguments)) => show::show(&arguments),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("rtrace: {error}");
+            exit_code(&*error)
+        }
+    }
+}
+
+/// A command line that can't be followed, as opposed to a failure on the way.
+#[derive(Debug)]
+struct Misuse(&'static str);
+
+impl std::fmt::Display for Misuse {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.0)
+    }
+}
+
+impl Error for Misuse {}
+
+fn exit_code(error: &(dyn Error + 'static)) -> ExitCode {
+    match error.downcast_ref::<Misuse>() {
+        Some(_) => ExitCode::from(2),
+        None => ExitCode::FAILURE,
+    }
+}

@@ -1,0 +1,41 @@
+//! Picture files.
+
+use std::path::Path;
+
+use common::output::{self, OutputError};
+use common::rtweekend::Picture;
+use tests::png;
+
+/// What a picture file holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Format {
+    /// Compressed, for viewers and pages.
+    Png,
+    /// The book's own: P3, a text of numbers.
+    Ppm,
+}
+
+impl Format {
+    /// The format that the name of a file asks for.
+    pub(crate) fn of(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_ascii_lowercase();
+        [Self::Png, Self::Ppm]
+            .into_iter()
+            .find(|format| extension == format.extension())
+    }
+
+    pub(crate) fn extension(self) -> &'static str {
+        match self {
+            Self::Png => "png",
+            Self::Ppm => "ppm",
+        }
+    }
+}
+
+/// Writes `picture` to `path`, whole or not at all.
+pub(crate) fn save(picture: &Picture, format: Format, path: &Path) -> Result<(), OutputError> {
+    output::to_file(path, |out| match format {
+        Format::Png => out.write_all(&png::encode(picture)),
+        Format::Ppm => picture.write_p3(out),
+    })
+}

@@ -1,0 +1,117 @@
+//! One picture, wherever the reader wants it.
+
+use std::error::Error;
+use std::io::{self, IsTerminal};
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use common::output;
+use common::rtweekend::Picture;
+use tests::stages::{self, STAGES, Stage};
+
+use crate::save::{Format, save};
+use crate::{Misuse, draw, terminal};
+
+/// What `cargo rtrace show` is told.
+#[derive(Args)]
+pub(crate) struct Arguments {
+    /// Which picture
+    #[arg(value_name = "CHAPTER", value_parser = stage_parser())]
+    stage: Stage,
+
+    /// Width in pixels, from 1 to 16384 [default: as in the book]
+    #[arg(long, value_name = "N", value_parser = parse_width, allow_hyphen_values = true)]
+    width: Option<u32>,
+
+    /// A .png or .ppm file, or - to print the numbers (P3); without it the
+    /// terminal shows the picture
+    #[arg(long, short, value_name = "FILE", value_parser = parse_destination)]
+    output: Option<Destination>,
+
+    /// Open the picture in the system's viewer
+    #[arg(long)]
+    open: bool,
+}
+
+/// Draws the picture, then prints, saves, opens or shows it.
+pub(crate) fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let Arguments {
+        stage,
+        width,
+        output,
+        open,
+    } = arguments;
+    let picture = || (stage.picture)(width.unwrap_or(stage.book_width));
+    match output {
+        Some(Destination::Stdout) if *open => {
+            Err(Misuse("--open needs a file: name one with --output, or leave --output out").into())
+        }
+        Some(Destination::Stdout) => Ok(output::to_stdout(|out| picture().write_p3(out))?),
+        Some(Destination::File(path, format)) => save_and_say(&picture(), *format, path, *open),
+        None if *open => {
+            let path = draw::folder()?.join(stage.name).with_extension("png");
+            save_and_say(&picture(), Format::Png, &path, true)
+        }
+        None if io::stdout().is_terminal() => {
+            Ok(output::to_stdout(|out| terminal::show(&picture(), out))?)
+        }
+        None => Err(Misuse(
+            "there is no terminal here to show the picture in: \
+             name a file with --output, or print the numbers with --output -",
+        )
+        .into()),
+    }
+}
+
+/// Where a picture goes if not to the terminal.
+#[derive(Clone, Debug)]
+enum Destination {
+    Stdout,
+    File(PathBuf, Format),
+}
+
+fn save_and_say(
+    picture: &Picture,
+    format: Format,
+    path: &Path,
+    open: bool,
+) -> Result<(), Box<dyn Error>> {
+    save(picture, format, path)?;
+    let (width, height) = (picture.width(), picture.height());
+    let said = format!("{width} × {height} pixels in {}\n", path.display());
+    output::to_stdout(|out| out.write_all(said.as_bytes()))?;
+    if open {
+        open::that_detached(path).map_err(|cause| {
+            format!(
+                "no viewer opened {}: {cause}\nOpen it by hand.",
+                path.display()
+            )
+        })?;
+    }
+    Ok(())
+}
+
+fn stage_parser() -> impl TypedValueParser<Value = Stage> {
+    PossibleValuesParser::new(STAGES.map(|stage| stage.name))
+        .map(|name| stages::find(&name).expect("only names of stages are accepted"))
+}
+
+fn parse_width(text: &str) -> Result<u32, String> {
+    let widest = Picture::MAX_WIDTH;
+    text.parse()
+        .ok()
+        .filter(|width| (1..=widest).contains(width))
+        .ok_or_else(|| format!("choose a whole number of pixels from 1 to {widest}, such as 400"))
+}
+
+fn parse_destination(text: &str) -> Result<Destination, String> {
+    if text == "-" {
+        return Ok(Destination::Stdout);
+    }
+    let path = PathBuf::from(text);
+    match Format::of(&path) {
+        Some(format) => Ok(Destination::File(path, format)),
+        None => Err("the name must end in .png or .ppm, or be - for standard output".to_owned()),
+    }
+}

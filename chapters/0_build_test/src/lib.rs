@@ -1,0 +1,17 @@
+//! # Build test
+//!
+//! No ray yet: red grows to the right and green grows downwards. If this
+//! picture appears, toolchain and viewer work, and the rest will too.
+
+use common::rtweekend::*;
+
+/// A square of `width` × `width` pixels, black at the upper left and yellow at
+/// the lower right.
+pub fn picture(width: u32) -> Picture {
+    // The last column and row are full red and full green, so there is one step
+    // less than there are pixels. A picture of a single pixel stays black.
+    let last = f64::from((width - 1).max(1));
+    Picture::paint(width, width, |i, j| {
+        Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)
+    })
+}

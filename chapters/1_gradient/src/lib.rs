@@ -1,0 +1,24 @@
+//! # Chapter 1: rays, a camera and a gradient
+//!
+//! Nothing to hit yet. Each ray returns the color of the sky in its direction.
+
+use common::rtweekend::*;
+
+/// The picture at `width` pixels wide.
+pub fn picture(width: u32) -> Picture {
+    render(width, ray_color)
+}
+
+/// White at the bottom, blue at the top, a linear blend (*lerp*) in between.
+///
+/// The height y of the unit direction lies between −1 and 1; equation (2) of
+/// the notes wants a weight between 0 and 1. A direction of length zero has no
+/// color: the result is NaN.
+pub fn ray_color(ray: &Ray) -> Color {
+    let white = Color::new(1.0, 1.0, 1.0);
+    let blue = Color::new(0.5, 0.7, 1.0);
+
+    let unit_direction = ray.direction.normalize();
+    let a = 0.5 * (unit_direction.y + 1.0);
+    (1.0 - a) * white + a * blue
+}

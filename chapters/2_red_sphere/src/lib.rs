@@ -1,0 +1,33 @@
+//! # Chapter 2: a red sphere
+//!
+//! A ray and a sphere make a quadratic equation. Its discriminant alone says
+//! whether they meet, and that is enough to color the sphere red.
+
+use common::rtweekend::*;
+
+/// The picture at `width` pixels wide.
+pub fn picture(width: u32) -> Picture {
+    render(width, ray_color)
+}
+
+/// Red where the ray meets a sphere of radius ½ at z = −1, sky elsewhere.
+pub fn ray_color(ray: &Ray) -> Color {
+    if hit_sphere(Point3::new(0.0, 0.0, -1.0), 0.5, ray) {
+        return Color::new(1.0, 0.0, 0.0);
+    }
+    sky(ray)
+}
+
+/// Whether the whole line through `ray` meets the sphere; a tangent does.
+///
+/// The line goes both ways, so a sphere *behind* the origin counts as well.
+/// That is the limit of this chapter: it asks whether there is a root, not
+/// where. Source: equations (11)–(15) of the notes.
+pub fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> bool {
+    let oc = center - ray.origin;
+    let a = ray.direction.dot(ray.direction);
+    let b = -2.0 * ray.direction.dot(oc);
+    let c = oc.dot(oc) - radius * radius;
+    let discriminant = b * b - 4.0 * a * c;
+    discriminant >= 0.0
+}

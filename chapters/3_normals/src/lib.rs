@@ -1,0 +1,44 @@
+//! # Chapter 3: surface normals
+//!
+//! The roots of the quadratic say *where* the ray meets the sphere. The normal
+//! at that point becomes its color, since there is no light yet.
+
+use common::rtweekend::*;
+
+/// The picture at `width` pixels wide.
+pub fn picture(width: u32) -> Picture {
+    render(width, ray_color)
+}
+
+/// The unit normal as a color where the sphere is in front, sky elsewhere.
+///
+/// Each component of the normal, from −1 to 1, is mapped to 0 to 1.
+pub fn ray_color(ray: &Ray) -> Color {
+    let center = Point3::new(0.0, 0.0, -1.0);
+    if let Some(t) = hit_sphere(center, 0.5, ray)
+        && t > 0.0
+    {
+        let normal = (ray.at(t) - center).normalize();
+        return 0.5 * (normal + Vec3::ONE);
+    }
+    sky(ray)
+}
+
+/// The nearer root `t` of |C − P(t)|² = r², if the line of the ray meets the
+/// sphere; a tangent does.
+///
+/// `t` counts lengths of `ray.direction`: a distance only if that is a unit
+/// vector. A negative `t` lies behind the origin. From inside the sphere the
+/// nearer root is the one behind; this chapter never looks for the other.
+/// Source: equations (12)–(15) of the notes.
+pub fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
+    let oc = center - ray.origin;
+    let a = ray.direction.dot(ray.direction);
+    let b = -2.0 * ray.direction.dot(oc);
+    let c = oc.dot(oc) - radius * radius;
+    let discriminant = b * b - 4.0 * a * c;
+    if discriminant < 0.0 {
+        return None;
+    }
+    Some((-b - discriminant.sqrt()) / (2.0 * a))
+}

@@ -1,0 +1,76 @@
+//! What it means to be hit.
+
+use common::rtweekend::*;
+
+/// Anything that a ray can hit: a sphere, or a list of such things.
+///
+/// `Sync`, because threads look at one world together. Nobody changes it while
+/// they do, so nothing needs to be counted or locked.
+pub trait Hittable: Sync {
+    /// The nearest hit with `t_min` < `t` < `t_max`, if there is one.
+    ///
+    /// Both ends are left out: a ray that starts on a surface does not hit it
+    /// at `t` = 0.
+    fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit<'_>>;
+}
+
+/// Something with an outside.
+pub trait Surface: Sync {
+    /// The unit normal at `point` of the surface, pointing out.
+    fn outward_normal(&self, point: Point3) -> Vec3;
+}
+
+/// Where a ray hits, and what: all that it takes to find the nearest of many.
+///
+/// The rest is worked out once, for the winner, by [`Hit::record`].
+#[derive(Clone, Copy)]
+pub struct Hit<'a> {
+    /// The ray parameter, in lengths of the ray's direction.
+    pub t: f64,
+    /// What the ray hits there.
+    pub surface: &'a dyn Surface,
+}
+
+impl Hit<'_> {
+    /// All there is to know about the hit that `ray` made.
+    pub fn record(&self, ray: &Ray) -> HitRecord {
+        let point = ray.at(self.t);
+        let mut record = HitRecord {
+            t: self.t,
+            point,
+            normal: Vec3::ZERO,
+            front_face: false,
+        };
+        record.set_face_normal(ray, self.surface.outward_normal(point));
+        record
+    }
+}
+
+/// A hit in full, as coloring needs it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HitRecord {
+    /// The ray parameter, in lengths of the ray's direction.
+    pub t: f64,
+    /// The point on the surface.
+    pub point: Point3,
+    /// The unit normal at that point, always against the ray.
+    pub normal: Vec3,
+    /// Whether the ray came from outside.
+    pub front_face: bool,
+}
+
+impl HitRecord {
+    /// Sets `front_face`, and `normal` to whichever of `outward_normal` and its
+    /// opposite points against `ray`.
+    ///
+    /// `outward_normal` must have unit length. A ray that only grazes the
+    /// surface, at a right angle to the normal, counts as coming from inside.
+    pub fn set_face_normal(&mut self, ray: &Ray, outward_normal: Vec3) {
+        self.front_face = ray.direction.dot(outward_normal) < 0.0;
+        self.normal = if self.front_face {
+            outward_normal
+        } else {
+            -outward_normal
+        };
+    }
+}

@@ -1,0 +1,37 @@
+//! # Chapter 5: a list of things to hit
+//!
+//! A sphere on the ground, which is a much larger sphere. Where a ray meets
+//! both, the nearer one wins.
+
+mod hittable;
+mod hittable_list;
+mod sphere;
+
+pub use hittable::{Hit, HitRecord, Hittable, Surface};
+pub use hittable_list::HittableList;
+pub use sphere::Sphere;
+
+use common::rtweekend::*;
+
+/// The picture at `width` pixels wide.
+pub fn picture(width: u32) -> Picture {
+    let world = world();
+    render(width, |ray| ray_color(ray, &world))
+}
+
+/// A small sphere, and below it a large one for the ground.
+pub fn world() -> HittableList {
+    let mut world = HittableList::default();
+    world.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5));
+    world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0));
+    world
+}
+
+/// The normal of the nearest hit in front of the ray as a color, or the sky.
+pub fn ray_color(ray: &Ray, world: &dyn Hittable) -> Color {
+    if let Some(hit) = world.hit(ray, 0.0, f64::INFINITY) {
+        let record = hit.record(ray);
+        return 0.5 * (record.normal + Vec3::ONE);
+    }
+    sky(ray)
+}

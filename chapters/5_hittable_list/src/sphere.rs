@@ -1,0 +1,47 @@
+//! A sphere, inside and out.
+
+use common::rtweekend::*;
+
+use crate::hittable::{Hit, Hittable, Surface};
+
+/// All points at distance `radius` from `center`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    center: Point3,
+    radius: f64,
+}
+
+impl Sphere {
+    /// A sphere; a negative `radius` counts as 0, as in the book.
+    pub fn new(center: Point3, radius: f64) -> Self {
+        Self {
+            center,
+            radius: radius.max(0.0),
+        }
+    }
+}
+
+impl Hittable for Sphere {
+    /// The nearer root if it lies in the interval, else the farther one: from
+    /// inside the sphere, the nearer root is behind the ray.
+    fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit<'_>> {
+        let oc = self.center - ray.origin;
+        let a = ray.direction.length_squared();
+        let h = ray.direction.dot(oc);
+        let c = oc.length_squared() - self.radius * self.radius;
+        let discriminant = h * h - a * c;
+        if discriminant < 0.0 {
+            return None;
+        }
+        let sqrtd = discriminant.sqrt();
+
+        let hit_at = |t: f64| (t_min < t && t < t_max).then_some(Hit { t, surface: self });
+        hit_at((h - sqrtd) / a).or_else(|| hit_at((h + sqrtd) / a))
+    }
+}
+
+impl Surface for Sphere {
+    fn outward_normal(&self, point: Point3) -> Vec3 {
+        (point - self.center) * (1.0 / self.radius)
+    }
+}

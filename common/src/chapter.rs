@@ -1,0 +1,93 @@
+//! The `main` of a chapter.
+
+use std::env;
+use std::ffi::OsString;
+use std::io::{self, IsTerminal};
+use std::path::Path;
+use std::process::ExitCode;
+
+use crate::output;
+use crate::picture::Picture;
+
+/// Draws a picture and prints it as P3 text, or writes it to the file that is
+/// named on the command line.
+///
+/// The exit code is 0 when all went well, 1 if the picture could not be
+/// written, and 2 if the command line asks for something else; the message on
+/// standard error names the fix.
+pub fn main(picture: impl FnOnce() -> Picture) -> ExitCode {
+    let arguments: Vec<OsString> = env::args_os().skip(1).collect();
+    let destination = match destination(&arguments, io::stdout().is_terminal()) {
+        Ok(destination) => destination,
+        Err(problem) => {
+            eprintln!("{}: {problem}\n\n{}", program(), usage());
+            return ExitCode::from(2);
+        }
+    };
+    let written = match destination {
+        Destination::Help => output::to_stdout(|out| out.write_all(usage().as_bytes())),
+        Destination::Stdout => output::to_stdout(|out| picture().write_p3(out)),
+        Destination::File(path) => output::to_file(path, |out| picture().write_p3(out)),
+    };
+    match written {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{}: {error}", program());
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Where the picture goes, or the usage instead of it.
+enum Destination<'a> {
+    Help,
+    Stdout,
+    File(&'a Path),
+}
+
+fn destination(arguments: &[OsString], terminal: bool) -> Result<Destination<'_>, String> {
+    match arguments {
+        [] if terminal => Err("the picture is a megabyte of numbers: send it to a file".to_owned()),
+        [] => Ok(Destination::Stdout),
+        [option] if option == "-" => Ok(Destination::Stdout),
+        [option] if option == "-h" || option == "--help" => Ok(Destination::Help),
+        [option] if option.to_string_lossy().starts_with('-') => {
+            Err(format!("there is no option {}", option.display()))
+        }
+        [path] if promises_another_format(Path::new(path)) => Err(format!(
+            "{} would not be what its name says: this program writes .ppm files",
+            path.display()
+        )),
+        [path] => Ok(Destination::File(Path::new(path))),
+        _ => Err("one file name is enough".to_owned()),
+    }
+}
+
+fn promises_another_format(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| {
+        ["png", "jpg", "jpeg", "gif", "bmp", "webp"]
+            .iter()
+            .any(|other| extension.eq_ignore_ascii_case(other))
+    })
+}
+
+fn usage() -> String {
+    let name = program();
+    format!(
+        "\
+cargo run -p {name} > {name}.ppm
+    prints the picture as plain PPM (P3)
+cargo run -p {name} -- {name}.ppm
+    writes the file itself; PowerShell needs this, as its > changes the text
+cargo rtrace show {name}
+    shows the picture, at any width, or saves it as .png\n"
+    )
+}
+
+fn program() -> String {
+    let path = env::current_exe().unwrap_or_default();
+    path.file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
+}

@@ -1,0 +1,29 @@
+//! Colors: what a ray returns, and what a picture stores.
+
+use crate::ray::Ray;
+use crate::vec3::Vec3;
+
+/// Red, green and blue, each from 0 to 1.
+pub type Color = Vec3;
+
+/// The background: white below, blue above, blended by how steeply `ray` climbs.
+///
+/// Chapter 1 is about this function and writes it out; the later chapters take
+/// it from here. A direction of length zero has no color: the result is NaN.
+pub fn sky(ray: &Ray) -> Color {
+    let unit_direction = ray.direction.normalize();
+    let a = 0.5 * (unit_direction.y + 1.0);
+    (1.0 - a) * Color::new(1.0, 1.0, 1.0) + a * Color::new(0.5, 0.7, 1.0)
+}
+
+/// Stores `color` as the three bytes of `pixel`: red, green, blue.
+///
+/// Each component is scaled by 255.999 and cut off, as in the book, so that 1.0
+/// becomes 255 and the 256 levels share the interval [0, 1] almost evenly. A
+/// component outside the interval becomes the nearest level and NaN becomes 0;
+/// the book's C++ prints such numbers as they come, and no viewer accepts them.
+pub fn write_color(pixel: &mut [u8; 3], color: Color) {
+    *pixel = color
+        .to_array()
+        .map(|component| (255.999 * component) as u8);
+}

@@ -1,0 +1,135 @@
+//! How a picture leaves a program: whole, or not at all.
+
+use std::fmt;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::process;
+
+/// Writes to standard output.
+///
+/// A reader that has seen enough and closes the pipe, as `head` does, is no
+/// error.
+///
+/// # Errors
+/// Any other failure to write, such as a full disk behind `>`.
+pub fn to_stdout(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), OutputError> {
+    let mut stdout = BufWriter::new(io::stdout().lock());
+    match write(&mut stdout).and_then(|()| stdout.flush()) {
+        Err(cause) if cause.kind() != ErrorKind::BrokenPipe => {
+            Err(OutputError { place: None, cause })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Writes the file at `path`, which exists afterwards in full or not at all: if
+/// anything goes wrong, a file that was there before stays as it was.
+///
+/// # Errors
+/// Any failure to create, write or rename the file.
+pub fn to_file(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), OutputError> {
+    let written = match fs::metadata(path) {
+        Ok(found) if found.is_dir() => Err(ErrorKind::IsADirectory.into()),
+        Ok(found) if found.permissions().readonly() => Err(ErrorKind::PermissionDenied.into()),
+        // A device or a pipe can't be replaced by a file: write into it.
+        Ok(found) if !found.is_file() => OpenOptions::new()
+            .write(true)
+            .open(path)
+            .and_then(|file| write_and_flush(file, write)),
+        // Follow a link, so that what it points to is replaced and not the link.
+        Ok(_) => fs::canonicalize(path).and_then(|target| replace(&target, write)),
+        Err(_) => replace(path, write),
+    };
+    written.map_err(|cause| OutputError {
+        place: Some(path.to_owned()),
+        cause,
+    })
+}
+
+/// Why nothing was written, and what helps.
+#[derive(Debug)]
+pub struct OutputError {
+    /// The file, or `None` for standard output.
+    place: Option<PathBuf>,
+    cause: io::Error,
+}
+
+impl fmt::Display for OutputError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.place {
+            Some(path) => write!(f, "cannot write {}: {}", path.display(), self.cause)?,
+            None => write!(f, "cannot write to standard output: {}", self.cause)?,
+        }
+        match self.advice() {
+            Some(advice) => write!(f, "\n{advice}"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl std::error::Error for OutputError {}
+
+impl OutputError {
+    fn advice(&self) -> Option<String> {
+        let path = self.place.as_deref();
+        let folder = path.and_then(folder_of);
+        match (self.cause.kind(), folder) {
+            (ErrorKind::NotFound | ErrorKind::NotADirectory, Some(folder)) => Some(format!(
+                "Is {} a folder? Create it first, or name another one.",
+                folder.display()
+            )),
+            (ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem, _) => {
+                Some("Choose a file and a folder that you may write to.".to_owned())
+            }
+            (ErrorKind::StorageFull | ErrorKind::QuotaExceeded, _) => {
+                Some("Free some space, or write to another disk.".to_owned())
+            }
+            (ErrorKind::IsADirectory, _) => {
+                Some("That is a folder: name a file inside it.".to_owned())
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Writes beside `path` under another name, then renames.
+fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let Some(name) = path.file_name() else {
+        return Err(ErrorKind::IsADirectory.into());
+    };
+    let partial = path.with_file_name(format!(
+        ".{}.{}.partial",
+        name.to_string_lossy(),
+        process::id()
+    ));
+    let done = File::create_new(&partial)
+        .and_then(|file| write_and_flush(file, write))
+        .and_then(|()| fs::rename(&partial, path));
+    if done.is_err() {
+        // The first failure is the one to report, whether or not this works.
+        let _ = fs::remove_file(&partial);
+    }
+    done
+}
+
+fn write_and_flush(
+    file: File,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut out = BufWriter::with_capacity(1 << 16, file);
+    write(&mut out)?;
+    out.flush()
+}
+
+/// The folder that `path` is in; `.` for a bare file name.
+fn folder_of(path: &Path) -> Option<&Path> {
+    path.parent()
+        .map(|folder| match folder.as_os_str().is_empty() {
+            true => Path::new("."),
+            false => folder,
+        })
+}

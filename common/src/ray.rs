@@ -1,0 +1,28 @@
+//! A ray, and where it is at the ray parameter `t`.
+
+use crate::vec3::{Point3, Vec3};
+
+/// The half-line P(t) = A + t·b of equation (1) in the notes, which call its
+/// origin A and its direction b at first, Q and d once spheres arrive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// Where the ray starts, at `t` = 0.
+    pub origin: Point3,
+    /// How far the ray goes for each unit of `t`; it need not be a unit vector.
+    pub direction: Vec3,
+}
+
+impl Ray {
+    /// The ray from `origin` along `direction`.
+    pub const fn new(origin: Point3, direction: Vec3) -> Self {
+        Self { origin, direction }
+    }
+
+    /// The point at ray parameter `t`: behind the origin where `t` is negative.
+    ///
+    /// `t` counts lengths of `direction`, so it is a distance only if that is
+    /// a unit vector.
+    pub fn at(&self, t: f64) -> Point3 {
+        self.origin + t * self.direction
+    }
+}

@@ -1,0 +1,1 @@
+//! The real programs, with good and bad input.

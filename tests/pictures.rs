@@ -1,0 +1,191 @@
+//! Each picture is the book's, to the last bit.
+
+use std::path::Path;
+
+use common::rtweekend::*;
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{ExtendedColorType, ImageEncoder};
+use insta::internals::SnapshotContents;
+use insta::{Comparator, Snapshot, assert_binary_snapshot};
+use sha2::{Digest, Sha256};
+use tests::comparison::Comparison;
+use tests::stages::{self, STAGES};
+use tests::{diff_page, png};
+
+/// The pictures in the book are the snapshots: one file is shown and compared.
+const PICTURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/notes/pictures");
+
+mod every_pixel_of_the_snapshot_is_drawn_by {
+    macro_rules! stages {
+        ($($stage:ident)*) => {
+            pub(super) const NAMES: &[&str] = &[$(stringify!($stage)),*];
+            $(
+                #[test]
+                fn $stage() {
+                    super::assert_picture(stringify!($stage));
+                }
+            )*
+        };
+    }
+    stages! { build_test gradient red_sphere normals half_b_sphere hittable_list }
+}
+
+#[test]
+fn no_stage_goes_without_a_snapshot() {
+    assert_eq!(
+        STAGES.map(|stage| stage.name),
+        every_pixel_of_the_snapshot_is_drawn_by::NAMES,
+        "name the new stage in the list above this test"
+    );
+}
+
+#[test]
+fn the_text_of_each_picture_has_the_sum_of_the_books_own() {
+    for line in include_str!("reference_sums.txt").lines() {
+        if line.starts_with('#') {
+            continue;
+        }
+        let [expected, name, width] = line.split(' ').collect::<Vec<_>>()[..] else {
+            panic!("reference_sums.txt has a line that is not `sum stage width`: {line}");
+        };
+        let stage = stages::find(name).expect("reference_sums.txt names stages");
+        let picture = (stage.picture)(width.parse().expect("a width is a number"));
+        let actual = sha256(&p3(&picture));
+        assert_eq!(
+            actual, expected,
+            "{name} at {width} wide is not what the book's C++ draws.\n\
+             Usual cause: another order of operations, a fused multiply-add, or v / s for v * (1.0 / s)."
+        );
+    }
+}
+
+#[test]
+fn the_number_of_threads_changes_no_byte() {
+    let camera = Camera::new(101);
+    let world = hittable_list::world();
+    let paint = |threads| {
+        Picture::paint_with_threads(threads, camera.image_width, camera.image_height, |i, j| {
+            hittable_list::ray_color(&camera.ray(i, j), &world)
+        })
+    };
+    for threads in [2, 3, 7, 56, 1000] {
+        assert_eq!(
+            Comparison::of(&paint(1), &paint(threads)),
+            Comparison::Equal,
+            "with {threads} threads"
+        );
+    }
+}
+
+#[test]
+fn chapters_3_and_4_draw_the_same_picture_at_any_width() {
+    for width in [1, 2, 3, 50, 333] {
+        assert_eq!(
+            Comparison::of(&normals::picture(width), &half_b_sphere::picture(width)),
+            Comparison::Equal,
+            "at {width} wide"
+        );
+    }
+}
+
+#[test]
+fn a_snapshot_may_be_compressed_in_another_way_but_not_show_another_picture() {
+    let picture = gradient::picture(40);
+    let stored = png::encode(&picture);
+
+    let mut other_file = Vec::new();
+    PngEncoder::new_with_quality(
+        &mut other_file,
+        CompressionType::Uncompressed,
+        FilterType::NoFilter,
+    )
+    .write_image(picture.rgb(), 40, 22, ExtendedColorType::Rgb8)
+    .expect("memory takes it");
+    assert_ne!(stored, other_file);
+    assert_eq!(compare_files(&stored, &other_file), Comparison::Equal);
+
+    let mut rgb = picture.rgb().to_vec();
+    rgb[3 * (40 * 7 + 5) + 1] ^= 1;
+    let other_picture = Picture::from_rgb(40, 22, rgb).expect("the size is the same");
+    let comparison = compare_files(&stored, &png::encode(&other_picture));
+    assert!(
+        comparison.to_string().starts_with(
+            "1 of 880 pixels differ, in columns 5 to 5 and rows 7 to 7; \
+             the first is column 5, row 7:"
+        ),
+        "{comparison}"
+    );
+}
+
+/// Compares the picture of the stage with its snapshot.
+fn assert_picture(name: &str) {
+    let stage = stages::find(name).expect("the stage is in the list of stages");
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(PICTURES);
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.set_comparator(Box::new(SamePixels));
+    settings.bind(|| {
+        let picture = (stage.picture)(stage.book_width);
+        assert_binary_snapshot!(&format!("{name}.png"), png::encode(&picture));
+    });
+}
+
+/// Compares the pixels of two PNG snapshots, and explains a difference.
+#[derive(Clone)]
+struct SamePixels;
+
+impl Comparator for SamePixels {
+    fn matches(&self, reference: &Snapshot, test: &Snapshot) -> bool {
+        let [expected, actual] = [reference, test].map(file_of);
+        let comparison = compare_files(expected, actual);
+        if comparison == Comparison::Equal {
+            return true;
+        }
+        let name = test.snapshot_name().unwrap_or("picture");
+        let page = diff_page::write(
+            &Path::new(env!("CARGO_TARGET_TMPDIR")).join("picture-diff"),
+            name,
+            &png::decode(expected).expect("the snapshot is a PNG file"),
+            &png::decode(actual).expect("the picture was just encoded"),
+        )
+        .expect("the target folder takes the page");
+        println!(
+            "\nThe picture of `{name}` is not its snapshot: {comparison}.\n\
+             See both, and the difference: {}\n\
+             If you want the new picture: INSTA_UPDATE=always cargo test --test pictures\n",
+            page.display()
+        );
+        false
+    }
+
+    fn dyn_clone(&self) -> Box<dyn Comparator> {
+        Box::new(self.clone())
+    }
+}
+
+fn file_of(snapshot: &Snapshot) -> &[u8] {
+    match snapshot.contents() {
+        SnapshotContents::Binary(Some(file)) => file,
+        _ => panic!("the .png file of a snapshot is missing: restore it, or accept a new one"),
+    }
+}
+
+fn compare_files(expected: &[u8], actual: &[u8]) -> Comparison {
+    let [expected, actual] =
+        [expected, actual].map(|file| png::decode(file).expect("a snapshot is a PNG file"));
+    Comparison::of(&expected, &actual)
+}
+
+fn p3(picture: &Picture) -> Vec<u8> {
+    let mut text = Vec::new();
+    picture.write_p3(&mut text).expect("memory takes it");
+    text
+}
+
+fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes)
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
+}

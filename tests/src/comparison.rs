@@ -1,0 +1,109 @@
+//! Where two pictures differ.
+
+use std::fmt;
+
+use common::rtweekend::Picture;
+
+/// What sets `actual` apart from `expected`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Comparison {
+    /// Every pixel is the same.
+    Equal,
+    /// The sizes differ: width and height in pixels, expected first.
+    Size((u32, u32), (u32, u32)),
+    /// The sizes are the same, some pixels are not.
+    Pixels(Difference),
+}
+
+/// How many pixels differ, and where.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Difference {
+    /// How many pixels differ in at least one component.
+    pub count: usize,
+    /// How many pixels the picture has.
+    pub total: usize,
+    /// The first and last column in which a pixel differs.
+    pub columns: (u32, u32),
+    /// The first and last row in which a pixel differs.
+    pub rows: (u32, u32),
+    /// Column and row of the first pixel that differs, in reading order.
+    pub first: (u32, u32),
+    /// Its red, green and blue as they should be.
+    pub expected: [u8; 3],
+    /// Its red, green and blue as they are.
+    pub actual: [u8; 3],
+}
+
+impl Comparison {
+    /// Compares pixel by pixel, to the last bit.
+    pub fn of(expected: &Picture, actual: &Picture) -> Self {
+        let sizes = [expected, actual].map(|picture| (picture.width(), picture.height()));
+        if sizes[0] != sizes[1] {
+            return Self::Size(sizes[0], sizes[1]);
+        }
+        let mut difference: Option<Difference> = None;
+        for (i, j, expected, actual) in differing_pixels(expected, actual) {
+            let found = difference.get_or_insert(Difference {
+                count: 0,
+                total: sizes[0].0 as usize * sizes[0].1 as usize,
+                columns: (i, i),
+                rows: (j, j),
+                first: (i, j),
+                expected,
+                actual,
+            });
+            found.count += 1;
+            found.columns = (found.columns.0.min(i), found.columns.1.max(i));
+            found.rows.1 = j;
+        }
+        difference.map_or(Self::Equal, Self::Pixels)
+    }
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Equal => write!(f, "the pictures are equal"),
+            Self::Size((width, height), (actual_width, actual_height)) => write!(
+                f,
+                "the size is {actual_width} × {actual_height}, expected {width} × {height}"
+            ),
+            Self::Pixels(difference) => difference.fmt(f),
+        }
+    }
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            count,
+            total,
+            columns,
+            rows,
+            first,
+            expected,
+            actual,
+        } = self;
+        write!(
+            f,
+            "{count} of {total} pixels differ, in columns {} to {} and rows {} to {}; \
+             the first is column {}, row {}: expected {expected:?}, got {actual:?}",
+            columns.0, columns.1, rows.0, rows.1, first.0, first.1
+        )
+    }
+}
+
+/// Column, row, expected and actual color of each pixel that differs, row by
+/// row. The pictures must be of the same size.
+pub fn differing_pixels<'a>(
+    expected: &'a Picture,
+    actual: &'a Picture,
+) -> impl Iterator<Item = (u32, u32, [u8; 3], [u8; 3])> + 'a {
+    let width = expected.width();
+    let (expected, _) = expected.rgb().as_chunks::<3>();
+    let (actual, _) = actual.rgb().as_chunks::<3>();
+    (0u32..)
+        .zip(expected.iter().zip(actual))
+        .filter(|(_, (expected, actual))| expected != actual)
+        .map(move |(n, (&expected, &actual))| (n % width, n / width, expected, actual))
+}

@@ -1,0 +1,53 @@
+//! Every picture of the book, in reading order.
+
+use common::rtweekend::Picture;
+
+/// A package that draws one picture of the book.
+#[derive(Clone, Copy, Debug)]
+pub struct Stage {
+    /// The name of the package.
+    pub name: &'static str,
+    /// How wide the book shows the picture, in pixels.
+    pub book_width: u32,
+    /// Draws the picture at any width, in pixels.
+    pub picture: fn(u32) -> Picture,
+}
+
+/// All stages, the build test first.
+pub const STAGES: [Stage; 6] = [
+    Stage {
+        name: "build_test",
+        book_width: 256,
+        picture: build_test::picture,
+    },
+    Stage {
+        name: "gradient",
+        book_width: 400,
+        picture: gradient::picture,
+    },
+    Stage {
+        name: "red_sphere",
+        book_width: 400,
+        picture: red_sphere::picture,
+    },
+    Stage {
+        name: "normals",
+        book_width: 400,
+        picture: normals::picture,
+    },
+    Stage {
+        name: "half_b_sphere",
+        book_width: 400,
+        picture: half_b_sphere::picture,
+    },
+    Stage {
+        name: "hittable_list",
+        book_width: 400,
+        picture: hittable_list::picture,
+    },
+];
+
+/// The stage of that name.
+pub fn find(name: &str) -> Option<Stage> {
+    STAGES.into_iter().find(|stage| stage.name == name)
+}
