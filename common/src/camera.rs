@@ -77,6 +77,7 @@ impl Camera {
 
     /// The ray from the eye through the center of the pixel in column `i` and
     /// row `j`. Its direction is as long as the way to that point: `t` = 1 there.
+    #[inline]
     pub fn ray(&self, i: u32, j: u32) -> Ray {
         let pixel_center =
             self.pixel00 + f64::from(i) * self.pixel_delta_u + f64::from(j) * self.pixel_delta_v;

@@ -10,6 +10,7 @@ pub type Color = Vec3;
 ///
 /// Chapter 1 is about this function and writes it out; the later chapters take
 /// it from here. A direction of length zero has no color: the result is NaN.
+#[inline]
 pub fn sky(ray: &Ray) -> Color {
     let unit_direction = ray.direction.normalize();
     let a = 0.5 * (unit_direction.y + 1.0);
@@ -22,6 +23,7 @@ pub fn sky(ray: &Ray) -> Color {
 /// becomes 255 and the 256 levels share the interval [0, 1] almost evenly. A
 /// component outside the interval becomes the nearest level and NaN becomes 0;
 /// the book's C++ prints such numbers as they come, and no viewer accepts them.
+#[inline]
 pub fn write_color(pixel: &mut [u8; 3], color: Color) {
     *pixel = color
         .to_array()

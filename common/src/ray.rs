@@ -14,6 +14,7 @@ pub struct Ray {
 
 impl Ray {
     /// The ray from `origin` along `direction`.
+    #[inline]
     pub const fn new(origin: Point3, direction: Vec3) -> Self {
         Self { origin, direction }
     }
@@ -22,6 +23,7 @@ impl Ray {
     ///
     /// `t` counts lengths of `direction`, so it is a distance only if that is
     /// a unit vector.
+    #[inline]
     pub fn at(&self, t: f64) -> Point3 {
         self.origin + t * self.direction
     }

@@ -2,6 +2,8 @@
 
 use common::rtweekend::*;
 
+use crate::sphere::Sphere;
+
 /// Anything that a ray can hit: a sphere, or a list of such things.
 ///
 /// `Sync`, because threads look at one world together. Nobody changes it while
@@ -14,21 +16,17 @@ pub trait Hittable: Sync {
     fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit<'_>>;
 }
 
-/// Something with an outside.
-pub trait Surface: Sync {
-    /// The unit normal at `point` of the surface, pointing out.
-    fn outward_normal(&self, point: Point3) -> Vec3;
-}
-
-/// Where a ray hits, and what: all that it takes to find the nearest of many.
+/// Where a ray hits, and which sphere: all that it takes to find the nearest of
+/// many.
 ///
-/// The rest is worked out once, for the winner, by [`Hit::record`].
-#[derive(Clone, Copy)]
+/// The rest is worked out once, for the winner, by [`Hit::record`]. Everything
+/// in this scene is a sphere in the end, so the hit names one.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<'a> {
     /// The ray parameter, in lengths of the ray's direction.
     pub t: f64,
     /// What the ray hits there.
-    pub surface: &'a dyn Surface,
+    pub sphere: &'a Sphere,
 }
 
 impl Hit<'_> {
@@ -41,7 +39,7 @@ impl Hit<'_> {
             normal: Vec3::ZERO,
             front_face: false,
         };
-        record.set_face_normal(ray, self.surface.outward_normal(point));
+        record.set_face_normal(ray, self.sphere.outward_normal(point));
         record
     }
 }

@@ -7,7 +7,7 @@ mod hittable;
 mod hittable_list;
 mod sphere;
 
-pub use hittable::{Hit, HitRecord, Hittable, Surface};
+pub use hittable::{Hit, HitRecord, Hittable};
 pub use hittable_list::HittableList;
 pub use sphere::Sphere;
 

@@ -2,7 +2,7 @@
 
 use common::rtweekend::*;
 
-use crate::hittable::{Hit, Hittable, Surface};
+use crate::hittable::{Hit, Hittable};
 
 /// All points at distance `radius` from `center`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +18,14 @@ impl Sphere {
             center,
             radius: radius.max(0.0),
         }
+    }
+
+    /// The unit normal at `point` of the surface, pointing out.
+    ///
+    /// Dividing by the radius makes it a unit vector without a square root, as
+    /// far as `point` really is on the surface.
+    pub fn outward_normal(&self, point: Point3) -> Vec3 {
+        (point - self.center) * (1.0 / self.radius)
     }
 }
 
@@ -35,13 +43,7 @@ impl Hittable for Sphere {
         }
         let sqrtd = discriminant.sqrt();
 
-        let hit_at = |t: f64| (t_min < t && t < t_max).then_some(Hit { t, surface: self });
+        let hit_at = |t: f64| (t_min < t && t < t_max).then_some(Hit { t, sphere: self });
         hit_at((h - sqrtd) / a).or_else(|| hit_at((h + sqrtd) / a))
-    }
-}
-
-impl Surface for Sphere {
-    fn outward_normal(&self, point: Point3) -> Vec3 {
-        (point - self.center) * (1.0 / self.radius)
     }
 }
