@@ -1,6 +1,8 @@
 //! The camera maps pixels to rays as the book's does.
 
 use common::rtweekend::*;
+use tests::laws::Verdict;
+use tests::mappings;
 
 #[test]
 fn the_height_is_rounded_down_and_at_least_one() {
@@ -21,23 +23,43 @@ fn the_height_is_rounded_down_and_at_least_one() {
 }
 
 #[test]
-fn every_ray_starts_at_the_eye_and_meets_the_viewport_at_t_1() {
-    let camera = Camera::new(7);
-    for (i, j) in [(0, 0), (6, 2), (3, 1)] {
-        let ray = camera.ray(i, j);
-        assert_eq!(ray.origin, Point3::ZERO);
-        assert_eq!(ray.at(1.0).z, -1.0);
+fn the_ray_of_a_pixel_goes_through_its_center() {
+    let ray =
+        |[width, height]: [u32; 2], [i, j]: [u32; 2]| Camera::with_size(width, height).ray(i, j);
+    for size in [[1, 1], [7, 5], [16, 9], [400, 225], [5, 7], [3840, 2160]] {
+        let [width, height] = size;
+        for pixel in [
+            [0, 0],
+            [width - 1, 0],
+            [0, height - 1],
+            [width / 2, height / 3],
+        ] {
+            assert_holds(mappings::the_ray_of_a_pixel_goes_through_its_center(
+                &ray, size, pixel,
+            ));
+        }
     }
 }
 
 #[test]
-fn columns_run_to_the_right_and_rows_downwards() {
-    let camera = Camera::new(16);
-    let [upper_left, right, below] = [(0, 0), (1, 0), (0, 1)].map(|(i, j)| camera.ray(i, j));
-    assert!(right.direction.x > upper_left.direction.x);
-    assert_eq!(right.direction.y, upper_left.direction.y);
-    assert!(below.direction.y < upper_left.direction.y);
-    assert_eq!(below.direction.x, upper_left.direction.x);
+fn dot_multiplies_equal_letters() {
+    let dot = |u: Vec3, v: Vec3| u.dot(v);
+    for vectors in [
+        [[1, 2, 3], [5, 7, 11]],
+        [[1, 0, 0], [0, 1, 0]],
+        [[0, 1, 0], [0, 0, 1]],
+        [[0, 0, 1], [1, 0, 0]],
+        [[-4, 9, 2], [3, -8, 6]],
+    ] {
+        assert_holds(mappings::dot_multiplies_equal_letters(&dot, vectors));
+    }
+}
+
+#[test]
+fn a_swapped_letter_in_dot_breaks_its_law() {
+    let swapped = |u: Vec3, v: Vec3| u.x * v.x + u.y * v.y + u.z * u.z;
+    let verdict = mappings::dot_multiplies_equal_letters(&swapped, [[1, 2, 3], [5, 7, 11]]);
+    assert!(verdict.is_err());
 }
 
 #[test]
@@ -85,5 +107,11 @@ fn the_sky_of_the_prelude_is_the_gradient_of_chapter_1() {
     for (i, j) in [(0, 0), (15, 8), (30, 16), (4, 11)] {
         let ray = camera.ray(i, j);
         assert_eq!(sky(&ray), gradient::ray_color(&ray));
+    }
+}
+
+fn assert_holds(verdict: Verdict) {
+    if let Err(broken) = verdict {
+        panic!("\n\nA law is broken.\n\n{broken}\n");
     }
 }

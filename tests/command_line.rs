@@ -51,7 +51,7 @@ fn a_chapter_explains_itself_when_asked_and_when_misunderstood() {
         &["one file name"],
     );
     assert_refused(
-        program("gradient").arg("--width"),
+        program("gradient").args(["--width", "3"]),
         &["no option --width", "cargo rtrace"],
     );
     assert_eq!(names_in(folder.path()), [""; 0]);
@@ -342,13 +342,31 @@ mod on_unix {
         let link = folder.path().join("link.ppm");
         fs::write(&target, "old").expect("a file");
         std::os::unix::fs::symlink(&target, &link).expect("a link");
+        fs::set_permissions(&target, Permissions::from_mode(0o640)).expect("the mode is set");
         assert_success(&run(program("normals").arg(&link)));
+        let mode = fs::metadata(&target)
+            .expect("the file")
+            .permissions()
+            .mode();
+        assert_eq!(mode & 0o777, 0o640, "the file keeps its permissions");
         assert!(
             fs::read(&target)
                 .expect("the file")
                 .starts_with(b"P3\n400 225\n")
         );
         assert!(fs::symlink_metadata(&link).expect("the link").is_symlink());
+    }
+
+    #[test]
+    fn a_link_to_nothing_is_named_and_stays() {
+        let folder = TempDir::new().expect("a folder");
+        let link = folder.path().join("link.ppm");
+        std::os::unix::fs::symlink(folder.path().join("nothing"), &link).expect("a link");
+        assert_failed(
+            program("normals").arg(&link),
+            &["link.ppm", "link to nothing"],
+        );
+        assert!(link.is_symlink());
     }
 
     #[test]
@@ -380,6 +398,14 @@ mod on_unix {
             lines[2].contains("\x1b[48;2;255;0;0m"),
             "the sphere is red: {screen}"
         );
+    }
+
+    #[test]
+    fn at_a_terminal_without_colors_rtrace_wants_a_file() {
+        let (output, screen) = run_in_terminal(show("red_sphere").env("TERM", "dumb"));
+        assert_eq!(output.status.code(), Some(2));
+        assert_eq!(screen, "");
+        assert!(text(&output.stderr).contains("--output"));
     }
 
     #[test]

@@ -1,147 +1,336 @@
-//! What each chapter's intersection promises, and where its promise ends.
+//! Each chapter's intersection, under the laws that it is old enough for.
+//!
+//! The laws and their bounds are in `src/laws.rs`, `src/intervals.rs` and
+//! `src/hits.rs`; the rays and spheres come from `src/strategies.rs`.
 
+use ::hittable_list::{HitRecord, Hittable, HittableList, Sphere};
 use common::rtweekend::*;
-use hittable_list::{Hittable, HittableList, Sphere};
 use proptest::prelude::*;
+use tests::case::Case;
+use tests::laws::Verdict;
+use tests::trial::holds;
+use tests::worlds::{World, worlds};
+use tests::{hits, intervals, laws, strategies, trial};
 
-fn point() -> impl Strategy<Value = Point3> {
-    let coordinate = || -10.0..10.0;
-    (coordinate(), coordinate(), coordinate()).prop_map(|(x, y, z)| Point3::new(x, y, z))
+/// A test for each law that is named, with the name of the law.
+macro_rules! laws_hold_for {
+    ($solve:expr => $($law:ident)*) => {
+        $(
+            #[test]
+            fn $law() {
+                trial::judge(laws::$law, &$solve);
+            }
+        )*
+    };
 }
 
-proptest! {
-    #[test]
-    fn half_b_is_the_full_formula_to_the_last_bit(
-        center in point(), radius in 0.0..10.0, origin in point(), direction in point(),
-    ) {
-        let ray = Ray::new(origin, direction);
-        let full = normals::hit_sphere(center, radius, &ray);
-        let half = half_b_sphere::hit_sphere(center, radius, &ray);
-        prop_assert_eq!(full.map(f64::to_bits), half.map(f64::to_bits));
+mod red_sphere {
+    use super::*;
+
+    /// Chapter 2 only says whether there is a root: any number stands for it.
+    fn decide(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
+        ::red_sphere::hit_sphere(center, radius, ray).then_some(0.0)
+    }
+
+    laws_hold_for! { decide =>
+        the_line_hits_exactly_when_there_is_a_root
     }
 
     #[test]
-    fn the_red_sphere_is_hit_exactly_when_there_is_a_root(
-        center in point(), radius in 0.0..10.0, origin in point(), direction in point(),
-    ) {
-        let ray = Ray::new(origin, direction);
-        prop_assert_eq!(
-            red_sphere::hit_sphere(center, radius, &ray),
-            normals::hit_sphere(center, radius, &ray).is_some()
+    fn it_hits_exactly_when_chapter_3_has_a_root() {
+        holds(&strategies::anywhere(), |case| {
+            laws::it_hits_exactly_when_the_other_does(&decide, &::normals::hit_sphere, case)
+        });
+    }
+
+    #[test]
+    fn a_tangent_is_a_hit() {
+        holds(&strategies::tangents(), |case| {
+            laws::it_hits_exactly_when_the_other_does(&decide, &|_, _, _| Some(0.0), case)
+        });
+    }
+}
+
+mod normals {
+    use super::*;
+
+    laws_hold_for! { ::normals::hit_sphere =>
+        the_line_hits_exactly_when_there_is_a_root
+        the_point_lies_on_the_sphere
+        the_root_is_the_nearer_one_to_the_digits_that_remain
+        a_tangent_is_a_hit_to_the_last_bit
+        the_two_roots_add_and_multiply_to_the_coefficients
+        a_scene_in_another_unit_has_the_same_digits
+        a_scene_in_a_mirror_has_the_same_bits
+        a_scene_that_is_moved_has_almost_the_same_root
+        finite_input_never_gives_nan
+    }
+}
+
+mod half_b_sphere {
+    use super::*;
+
+    laws_hold_for! { ::half_b_sphere::hit_sphere =>
+        the_line_hits_exactly_when_there_is_a_root
+        the_point_lies_on_the_sphere
+        the_root_is_the_nearer_one_to_the_digits_that_remain
+        a_tangent_is_a_hit_to_the_last_bit
+        the_two_roots_add_and_multiply_to_the_coefficients
+        a_scene_in_another_unit_has_the_same_digits
+        a_scene_in_a_mirror_has_the_same_bits
+        a_scene_that_is_moved_has_almost_the_same_root
+        finite_input_never_gives_nan
+    }
+
+    #[test]
+    fn it_is_the_full_formula_to_the_last_bit() {
+        holds(&strategies::anywhere(), |case| {
+            laws::half_b_is_the_full_formula_to_the_last_bit(
+                &::half_b_sphere::hit_sphere,
+                &::normals::hit_sphere,
+                case,
+            )
+        });
+    }
+}
+
+mod hittable_list_sphere {
+    use super::*;
+
+    fn hit(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
+        let sphere = Sphere::new(center, radius);
+        sphere.hit(ray, t_min, t_max).map(|hit| hit.t)
+    }
+
+    /// On the whole line, the nearest root is the nearer one.
+    pub(super) fn nearer(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
+        hit(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY)
+    }
+
+    laws_hold_for! { nearer =>
+        the_line_hits_exactly_when_there_is_a_root
+        the_point_lies_on_the_sphere
+        the_root_is_the_nearer_one_to_the_digits_that_remain
+        a_tangent_is_a_hit_to_the_last_bit
+        the_two_roots_add_and_multiply_to_the_coefficients
+        a_scene_in_another_unit_has_the_same_digits
+        a_scene_in_a_mirror_has_the_same_bits
+        a_scene_that_is_moved_has_almost_the_same_root
+        finite_input_never_gives_nan
+    }
+
+    #[test]
+    fn the_nearest_root_in_the_interval_is_returned() {
+        holds(
+            &strategies::with_interval(strategies::anywhere()),
+            |asked| intervals::the_nearest_root_in_the_interval_is_returned(&hit, asked),
         );
     }
-}
 
-/// A ray along the axis of the scene: every number below is exact.
-fn ahead() -> Ray {
-    Ray::new(Point3::ZERO, Vec3::new(0.0, 0.0, -1.0))
-}
+    #[test]
+    fn no_t_outside_the_interval_is_returned() {
+        let cases = prop_oneof![strategies::anywhere(), strategies::specks()];
+        holds(&strategies::with_interval(cases), |asked| {
+            intervals::no_t_outside_the_interval_is_returned(&hit, asked)
+        });
+    }
 
-const IN_FRONT: Point3 = Point3::new(0.0, 0.0, -1.0);
-const BEHIND: Point3 = Point3::new(0.0, 0.0, 1.0);
+    #[test]
+    fn the_normal_is_a_unit_vector() {
+        for_each_record(|case, _, record| hits::the_normal_is_a_unit_vector(case, record.normal));
+    }
 
-#[test]
-fn the_nearer_root_is_half_a_unit_away() {
-    assert_eq!(normals::hit_sphere(IN_FRONT, 0.5, &ahead()), Some(0.5));
-    assert_eq!(
-        half_b_sphere::hit_sphere(IN_FRONT, 0.5, &ahead()),
-        Some(0.5)
-    );
-}
+    #[test]
+    fn the_normal_points_against_the_ray() {
+        for_each_record(|case, _, record| {
+            hits::the_normal_points_against_the_ray(case, record.normal)
+        });
+    }
 
-#[test]
-fn chapter_2_cannot_tell_a_sphere_behind_the_camera_from_one_in_front() {
-    let camera = Camera::new(64);
-    for j in 0..camera.image_height {
-        for i in 0..camera.image_width {
-            let ray = camera.ray(i, j);
-            assert_eq!(
-                red_sphere::hit_sphere(IN_FRONT, 0.5, &ray),
-                red_sphere::hit_sphere(BEHIND, 0.5, &ray),
-                "column {i}, row {j}"
-            );
-        }
+    #[test]
+    fn the_front_face_is_where_the_ray_enters() {
+        for_each_record(|case, nearer, record| {
+            hits::the_front_face_is_where_the_ray_enters(case, nearer, record.front_face)
+        });
+    }
+
+    /// Applies `law` to the record of each root. The nearer one is what an
+    /// endless range finds, the farther one what a range behind it finds.
+    fn for_each_record(law: impl Fn(&Case, bool, &HitRecord) -> Verdict) {
+        holds(&strategies::anywhere(), |case| {
+            let sphere = Sphere::new(case.center, case.radius);
+            let mut t_min = f64::NEG_INFINITY;
+            for nearer in [true, false] {
+                let Some(hit) = sphere.hit(&case.ray, t_min, f64::INFINITY) else {
+                    return Ok(());
+                };
+                law(case, nearer, &hit.record(&case.ray))?;
+                t_min = hit.t;
+            }
+            Ok(())
+        });
     }
 }
 
-#[test]
-fn from_chapter_3_on_a_sphere_behind_the_camera_has_a_negative_root() {
-    assert_eq!(normals::hit_sphere(BEHIND, 0.5, &ahead()), Some(-1.5));
-    assert_eq!(half_b_sphere::hit_sphere(BEHIND, 0.5, &ahead()), Some(-1.5));
-    assert_eq!(nearest(&Sphere::new(BEHIND, 0.5), &ahead()), None);
-}
+mod hittable_list {
+    use super::*;
+    use tests::worlds;
 
-#[test]
-fn from_inside_only_chapter_5_finds_the_root_ahead() {
-    assert_eq!(normals::hit_sphere(Point3::ZERO, 2.0, &ahead()), Some(-2.0));
-    assert_eq!(
-        nearest(&Sphere::new(Point3::ZERO, 2.0), &ahead()),
-        Some(2.0)
-    );
-}
-
-#[test]
-fn a_tangent_is_a_hit() {
-    let beside = Ray::new(Point3::new(0.5, 0.0, 0.0), Vec3::new(0.0, 0.0, -1.0));
-    assert!(red_sphere::hit_sphere(IN_FRONT, 0.5, &beside));
-    assert_eq!(normals::hit_sphere(IN_FRONT, 0.5, &beside), Some(1.0));
-    assert_eq!(half_b_sphere::hit_sphere(IN_FRONT, 0.5, &beside), Some(1.0));
-    assert_eq!(nearest(&Sphere::new(IN_FRONT, 0.5), &beside), Some(1.0));
-}
-
-#[test]
-fn both_ends_of_the_interval_are_left_out() {
-    let sphere = Sphere::new(IN_FRONT, 0.5);
-    let hit = |t_min, t_max| sphere.hit(&ahead(), t_min, t_max).map(|hit| hit.t);
-    assert_eq!(hit(0.0, 0.5), None);
-    assert_eq!(hit(0.5, 1.5), None);
-    assert_eq!(hit(0.5, 2.0), Some(1.5));
-    assert_eq!(hit(0.0, 0.5_f64.next_up()), Some(0.5));
-}
-
-#[test]
-fn the_normal_points_against_the_ray_on_either_side() {
-    for (center, front_face) in [(IN_FRONT, true), (Point3::ZERO, false)] {
-        let sphere = Sphere::new(center, 0.5);
-        let hit = sphere
-            .hit(&ahead(), 0.0, f64::INFINITY)
-            .expect("the sphere is ahead");
-        let record = hit.record(&ahead());
-        assert_eq!(record.front_face, front_face);
-        assert_eq!(record.point, Point3::new(0.0, 0.0, -0.5));
-        assert_eq!(record.normal, Vec3::new(0.0, 0.0, 1.0));
+    #[test]
+    fn the_nearest_of_all_members_is_returned() {
+        for_flat_and_nested_lists(worlds::the_nearest_of_all_members_is_returned);
     }
-}
 
-#[test]
-fn the_nearest_of_a_list_wins_in_any_order() {
-    let far = Sphere::new(Point3::new(0.0, 0.0, -5.0), 0.5);
-    let near = Sphere::new(IN_FRONT, 0.5);
-    for order in [[far, near], [near, far]] {
+    #[test]
+    fn the_order_of_members_does_not_matter() {
+        for_flat_and_nested_lists(worlds::the_order_of_members_does_not_matter);
+    }
+
+    #[test]
+    fn a_list_of_one_is_that_one() {
+        holds(&worlds(), |world| {
+            let (center, radius) = world.spheres[0];
+            let sphere = Sphere::new(center, radius);
+            let alone = World {
+                spheres: vec![(center, radius)],
+                ..world.clone()
+            };
+            worlds::both_find_the_same(&flat, &|world| nearest(&sphere, world), &alone)
+        });
+    }
+
+    #[test]
+    fn a_nested_list_is_the_flat_list() {
+        holds(&worlds(), |world| {
+            worlds::both_find_the_same(&nested, &flat, world)
+        });
+    }
+
+    #[test]
+    fn an_empty_list_is_missed() {
+        let empty = HittableList::default();
+        let ahead = Ray::new(Point3::ZERO, Vec3::NEG_Z);
+        assert_eq!(empty.hit(&ahead, f64::NEG_INFINITY, f64::INFINITY), None);
+    }
+
+    #[test]
+    fn of_two_that_are_equally_near_the_first_is_hit() {
         let mut list = HittableList::default();
-        let mut nested = HittableList::default();
-        for sphere in order {
-            list.add(sphere);
-            let mut inner = HittableList::default();
-            inner.add(sphere);
-            nested.add(inner);
+        list.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5));
+        list.add(Sphere::new(Point3::new(0.0, 0.0, -2.0), 1.5));
+        let ahead = Ray::new(Point3::ZERO, Vec3::NEG_Z);
+        let hit = list
+            .hit(&ahead, 0.0, f64::INFINITY)
+            .expect("both are ahead");
+        assert_eq!(*hit.sphere, Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5));
+    }
+
+    fn for_flat_and_nested_lists(law: fn(&worlds::Search, &World) -> Verdict) {
+        holds(&worlds(), |world| law(&flat, world));
+        holds(&worlds(), |world| law(&nested, world));
+    }
+
+    fn flat(world: &World) -> Option<f64> {
+        let mut list = HittableList::default();
+        for &(center, radius) in &world.spheres {
+            list.add(Sphere::new(center, radius));
         }
-        assert_eq!(nearest(&list, &ahead()), Some(0.5));
-        assert_eq!(nearest(&nested, &ahead()), Some(0.5));
+        nearest(&list, world)
+    }
+
+    /// Each sphere in a list with all that follow it.
+    fn nested(world: &World) -> Option<f64> {
+        let mut list = HittableList::default();
+        for &(center, radius) in world.spheres.iter().rev() {
+            let mut outer = HittableList::default();
+            outer.add(Sphere::new(center, radius));
+            outer.add(list);
+            list = outer;
+        }
+        nearest(&list, world)
+    }
+
+    fn nearest(thing: &dyn Hittable, world: &World) -> Option<f64> {
+        thing
+            .hit(&world.ray, world.t_min, world.t_max)
+            .map(|hit| hit.t)
     }
 }
 
-#[test]
-fn an_empty_list_is_missed() {
-    assert_eq!(nearest(&HittableList::default(), &ahead()), None);
-}
+mod every_chapter {
+    use super::*;
 
-#[test]
-fn a_negative_radius_counts_as_zero() {
-    let point = Sphere::new(IN_FRONT, -1.0);
-    assert_eq!(point, Sphere::new(IN_FRONT, 0.0));
-}
+    #[test]
+    fn solves_the_cases_that_were_once_special() {
+        for case in regressions() {
+            trial::one_case(&::normals::hit_sphere, &case);
+            trial::one_case(&::half_b_sphere::hit_sphere, &case);
+            trial::one_case(&hittable_list_sphere::nearer, &case);
+        }
+    }
 
-fn nearest(thing: &dyn Hittable, ray: &Ray) -> Option<f64> {
-    thing.hit(ray, 0.0, f64::INFINITY).map(|hit| hit.t)
+    /// What the chapters say to input that is no ray or no sphere. None of it
+    /// is checked for: a scene has no such things.
+    #[test]
+    fn answers_nonsense_without_a_panic() {
+        let ahead = Ray::new(Point3::ZERO, Vec3::NEG_Z);
+        let center = Point3::new(0.0, 0.0, -1.0);
+        let nowhere = Ray::new(Point3::ZERO, Vec3::ZERO);
+        let lost = Ray::new(Point3::new(f64::NAN, 0.0, 0.0), Vec3::NEG_Z);
+        let endless = Ray::new(Point3::ZERO, Vec3::new(0.0, 0.0, f64::NEG_INFINITY));
+        let too_long = Ray::new(Point3::ZERO, Vec3::new(0.0, 0.0, -1e200));
+
+        // A discriminant of NaN is not negative, so chapters 3 and 4 go on and
+        // return NaN. Their `t > 0.0` then draws the sky.
+        for (ray, radius) in [
+            (nowhere, 0.5),
+            (lost, 0.5),
+            (endless, 0.5),
+            (too_long, 0.5),
+            (ahead, f64::NAN),
+        ] {
+            for hit_sphere in [::normals::hit_sphere, ::half_b_sphere::hit_sphere] {
+                let t = hit_sphere(center, radius, &ray).expect("a root, of a kind");
+                assert!(t.is_nan(), "{t} for {ray:?} and radius {radius}");
+            }
+        }
+        // To chapter 2 a NaN is a miss, a direction of zero is a hit.
+        assert!(!::red_sphere::hit_sphere(center, 0.5, &lost));
+        assert!(!::red_sphere::hit_sphere(center, 0.5, &endless));
+        assert!(!::red_sphere::hit_sphere(center, 0.5, &too_long));
+        assert!(!::red_sphere::hit_sphere(center, f64::NAN, &ahead));
+        assert!(::red_sphere::hit_sphere(center, 0.5, &nowhere));
+
+        // Chapter 5 asks whether t lies in the range, and NaN lies in none.
+        let sphere = Sphere::new(center, 0.5);
+        for ray in [nowhere, lost, endless, too_long] {
+            assert_eq!(sphere.hit(&ray, 0.0, f64::INFINITY), None);
+        }
+        assert_eq!(sphere.hit(&ahead, f64::NAN, f64::INFINITY), None);
+        assert_eq!(sphere.hit(&ahead, 0.0, f64::NAN), None);
+        // A radius that is negative or NaN counts as 0, as in the book.
+        for radius in [-1.0, f64::NAN] {
+            assert_eq!(Sphere::new(center, radius), Sphere::new(center, 0.0));
+        }
+        // A sphere without end contains every ray, and its surface is nowhere.
+        assert_eq!(
+            Sphere::new(center, f64::INFINITY).hit(&ahead, 0.0, f64::INFINITY),
+            None
+        );
+    }
+
+    fn regressions() -> Vec<Case> {
+        include_str!("regressions.txt")
+            .lines()
+            .filter(|line| !line.is_empty() && !line.starts_with('#'))
+            .map(|line| {
+                let numbers: Vec<f64> = line
+                    .split_whitespace()
+                    .map(|number| number.parse().expect("regressions.txt holds numbers"))
+                    .collect();
+                let numbers = numbers.try_into().expect("a case is ten numbers");
+                Case::from_numbers(numbers)
+            })
+            .collect()
+    }
 }

@@ -15,7 +15,7 @@ use crate::save::{Format, save};
 pub(crate) fn all() -> Result<(), Box<dyn Error>> {
     let folder = folder()?;
     let mut report = format!("The pictures are in {}\n", shown(&folder).display());
-    for stage in STAGES {
+    for &stage in STAGES {
         report += &draw(stage, &folder)?;
     }
     Ok(output::to_stdout(|out| out.write_all(report.as_bytes()))?)

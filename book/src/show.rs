@@ -1,5 +1,6 @@
 //! One picture, wherever the reader wants it.
 
+use std::env;
 use std::error::Error;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
@@ -53,11 +54,9 @@ pub(crate) fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             let path = draw::folder()?.join(stage.name).with_extension("png");
             save_and_say(&picture(), Format::Png, &path, true)
         }
-        None if io::stdout().is_terminal() => {
-            Ok(output::to_stdout(|out| terminal::show(&picture(), out))?)
-        }
+        None if can_show_colors() => Ok(output::to_stdout(|out| terminal::show(&picture(), out))?),
         None => Err(Misuse(
-            "there is no terminal here to show the picture in: \
+            "there is no terminal with colors here to show the picture in: \
              name a file with --output, or print the numbers with --output -",
         )
         .into()),
@@ -92,8 +91,12 @@ fn save_and_say(
     Ok(())
 }
 
+fn can_show_colors() -> bool {
+    io::stdout().is_terminal() && env::var_os("TERM").is_none_or(|term| term != "dumb")
+}
+
 fn stage_parser() -> impl TypedValueParser<Value = Stage> {
-    PossibleValuesParser::new(STAGES.map(|stage| stage.name))
+    PossibleValuesParser::new(STAGES.iter().map(|stage| stage.name))
         .map(|name| stages::find(&name).expect("only names of stages are accepted"))
 }
 

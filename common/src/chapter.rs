@@ -46,20 +46,21 @@ enum Destination<'a> {
 }
 
 fn destination(arguments: &[OsString], terminal: bool) -> Result<Destination<'_>, String> {
+    let is_option = |argument: &&OsString| argument.to_string_lossy().starts_with('-');
     match arguments {
         [] if terminal => Err("the picture is a megabyte of numbers: send it to a file".to_owned()),
         [] => Ok(Destination::Stdout),
-        [option] if option == "-" => Ok(Destination::Stdout),
+        [dash] if dash == "-" => Ok(Destination::Stdout),
         [option] if option == "-h" || option == "--help" => Ok(Destination::Help),
-        [option] if option.to_string_lossy().starts_with('-') => {
-            Err(format!("there is no option {}", option.display()))
-        }
         [path] if promises_another_format(Path::new(path)) => Err(format!(
             "{} would not be what its name says: this program writes .ppm files",
             path.display()
         )),
-        [path] => Ok(Destination::File(Path::new(path))),
-        _ => Err("one file name is enough".to_owned()),
+        [path] if !is_option(&path) => Ok(Destination::File(Path::new(path))),
+        several => Err(match several.iter().find(is_option) {
+            Some(option) => format!("there is no option {}", option.display()),
+            None => "one file name is enough".to_owned(),
+        }),
     }
 }
 

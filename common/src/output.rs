@@ -1,7 +1,7 @@
 //! How a picture leaves a program: whole, or not at all.
 
 use std::fmt;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, Permissions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process;
@@ -41,8 +41,10 @@ pub fn to_file(
             .open(path)
             .and_then(|file| write_and_flush(file, write)),
         // Follow a link, so that what it points to is replaced and not the link.
-        Ok(_) => fs::canonicalize(path).and_then(|target| replace(&target, write)),
-        Err(_) => replace(path, write),
+        Ok(found) => fs::canonicalize(path)
+            .and_then(|target| replace(&target, Some(found.permissions()), write)),
+        Err(cause) if path.is_symlink() => Err(cause),
+        Err(_) => replace(path, None, write),
     };
     written.map_err(|cause| OutputError {
         place: Some(path.to_owned()),
@@ -78,6 +80,9 @@ impl OutputError {
         let path = self.place.as_deref();
         let folder = path.and_then(folder_of);
         match (self.cause.kind(), folder) {
+            (ErrorKind::NotFound, _) if path.is_some_and(Path::is_symlink) => {
+                Some("That is a link to nothing: name another file.".to_owned())
+            }
             (ErrorKind::NotFound | ErrorKind::NotADirectory, Some(folder)) => Some(format!(
                 "Is {} a folder? Create it first, or name another one.",
                 folder.display()
@@ -97,7 +102,11 @@ impl OutputError {
 }
 
 /// Writes beside `path` under another name, then renames.
-fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+fn replace(
+    path: &Path,
+    permissions: Option<Permissions>,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
     let Some(name) = path.file_name() else {
         return Err(ErrorKind::IsADirectory.into());
     };
@@ -108,6 +117,7 @@ fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
     ));
     let done = File::create_new(&partial)
         .and_then(|file| write_and_flush(file, write))
+        .and_then(|()| permissions.map_or(Ok(()), |same| fs::set_permissions(&partial, same)))
         .and_then(|()| fs::rename(&partial, path));
     if done.is_err() {
         // The first failure is the one to report, whether or not this works.

@@ -3,7 +3,17 @@
 //! The checks live in a library, so that the ones that judge our chapters also
 //! judge a reader's own. The `*.rs` files beside this folder apply them.
 
+pub mod case;
+pub mod causes;
 pub mod comparison;
 pub mod diff_page;
+pub mod hits;
+pub mod intervals;
+pub mod laws;
+pub mod mappings;
+pub mod oracle;
 pub mod png;
 pub mod stages;
+pub mod strategies;
+pub mod trial;
+pub mod worlds;

@@ -14,7 +14,7 @@ pub struct Stage {
 }
 
 /// All stages, the build test first.
-pub const STAGES: [Stage; 6] = [
+pub const STAGES: &[Stage] = &[
     Stage {
         name: "build_test",
         book_width: 256,
@@ -49,5 +49,5 @@ pub const STAGES: [Stage; 6] = [
 
 /// The stage of that name.
 pub fn find(name: &str) -> Option<Stage> {
-    STAGES.into_iter().find(|stage| stage.name == name)
+    STAGES.iter().copied().find(|stage| stage.name == name)
 }

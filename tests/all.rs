@@ -1,0 +1,6 @@
+//! All tests, in the order in which a mistake is best understood.
+
+mod camera;
+mod command_line;
+mod pictures;
+mod quadratic;

@@ -1,0 +1,111 @@
+//! What holds for a solver with a range of `t`, as `Sphere::hit` of chapter 5
+//! and every method of chapter 6 has.
+//!
+//! The range is open: a root at `t_min` or `t_max` does not count. The bounds
+//! are those of [`laws`](crate::laws).
+
+use common::rtweekend::*;
+
+use crate::case::{Case, WithInterval};
+use crate::causes;
+use crate::laws::{BAND, Broken, Verdict, root_bound};
+
+/// A function from center, radius, ray, `t_min` and `t_max` to the nearest root
+/// between the two.
+pub type RangeSolver<'a> = dyn Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 'a;
+
+/// A law for a solver with a range.
+pub type RangeLaw = fn(&RangeSolver, &WithInterval) -> Verdict;
+
+/// Every law for a solver with a range.
+pub const NEAREST_IN_RANGE: [RangeLaw; 2] = [
+    no_t_outside_the_interval_is_returned,
+    the_nearest_root_in_the_interval_is_returned,
+];
+
+/// Whatever the input, NaN and infinity included, a `t` that is returned lies
+/// between the ends. So it is never NaN.
+pub fn no_t_outside_the_interval_is_returned(solve: &RangeSolver, asked: &WithInterval) -> Verdict {
+    let WithInterval { t_min, t_max, .. } = *asked;
+    match asked.solve(solve) {
+        Some(t) if !(t_min < t && t < t_max) => Err(Broken {
+            law: "a hit lies inside the open interval (t_min, t_max)",
+            found: format!("t = {t:?}"),
+            allowed: format!("{t_min:?} < t < {t_max:?}, or a miss"),
+            cause: if t.is_nan() {
+                "`t <= t_min || t_max <= t` lets NaN pass: say `t_min < t && t < t_max`".to_owned()
+            } else {
+                "one end is not tested, <= stands for <, or the farther root is not tested at all"
+                    .to_owned()
+            },
+            page: "chapter 5: both roots are tried, and each must lie in the range",
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// The root that is returned is the nearest in the interval, and it is found
+/// if there is one. Silent where rounding may carry a root across an end, or
+/// decide about the hit.
+pub fn the_nearest_root_in_the_interval_is_returned(
+    solve: &RangeSolver,
+    asked: &WithInterval,
+) -> Verdict {
+    let WithInterval { case, t_min, t_max } = asked;
+    let exact = case.exact();
+    let margin = exact.discriminant_margin();
+    let bound = root_bound(case, margin);
+    let near_an_end = [exact.nearer_root(), exact.farther_root()]
+        .into_iter()
+        .flatten()
+        .any(|root| {
+            let root = root.rounded();
+            (root - t_min).abs() <= bound || (root - t_max).abs() <= bound
+        });
+    if !case.is_well_scaled() || margin.abs() <= BAND || near_an_end {
+        return Ok(());
+    }
+    let found = asked.solve(solve);
+    let expected = exact
+        .nearest_root_in(*t_min, *t_max)
+        .map(|root| root.rounded());
+    match (found, expected) {
+        (None, None) => Ok(()),
+        (Some(t), Some(root)) if (t - root).abs() <= bound => Ok(()),
+        _ => Err(Broken {
+            law: "the nearest root in the open interval (t_min, t_max) is returned",
+            found: format!("{found:?}"),
+            allowed: format!("{expected:?} ± {bound:.1e}"),
+            cause: usual_cause(case, found, expected),
+            page: "chapter 5: both roots are tried, the nearer one first",
+        }),
+    }
+}
+
+impl WithInterval {
+    /// The answer of `solve` to this case.
+    pub fn solve(&self, solve: &RangeSolver) -> Option<f64> {
+        let Case {
+            center,
+            radius,
+            ray,
+        } = &self.case;
+        solve(*center, *radius, ray, self.t_min, self.t_max)
+    }
+}
+
+fn usual_cause(case: &Case, found: Option<f64>, expected: Option<f64>) -> String {
+    let inside_out = "only the nearer root is tried: from inside a sphere it is behind the ray";
+    match (found, expected) {
+        (None, Some(root))
+            if case
+                .exact()
+                .nearer_root()
+                .is_some_and(|near| near.rounded() < root) =>
+        {
+            inside_out.to_owned()
+        }
+        (None, _) => causes::of_decision(case, false),
+        (Some(t), _) => causes::of_root(case, t),
+    }
+}

@@ -1,0 +1,247 @@
+//! Puts a law to the test, and reports a broken one so that it teaches.
+
+use std::env;
+use std::fmt::Debug;
+
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+
+use crate::case::{Case, WithInterval};
+use crate::intervals::{NEAREST_IN_RANGE, RangeSolver};
+use crate::laws::{Broken, Law, NEARER_ROOT, Solver, Verdict};
+use crate::strategies;
+
+/// Puts `solve` under every law for a nearer root.
+///
+/// This is what a reader calls from a test of their own:
+///
+/// ```
+/// use common::rtweekend::*;
+///
+/// /// Your own function, as you typed it.
+/// fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
+///     let oc = center - ray.origin;
+///     let a = ray.direction.length_squared();
+///     let h = ray.direction.dot(oc);
+///     let c = oc.length_squared() - radius * radius;
+///     let discriminant = h * h - a * c;
+///     (discriminant >= 0.0).then(|| (h - discriminant.sqrt()) / a)
+/// }
+///
+/// tests::trial::nearer_root(&hit_sphere);
+/// ```
+///
+/// # Panics
+/// If a law is broken: the message says which, by what, and what usually makes
+/// it so.
+///
+/// ```should_panic
+/// # use common::rtweekend::*;
+/// tests::trial::nearer_root(&|_center, _radius, _ray: &Ray| None);
+/// ```
+pub fn nearer_root(solve: &Solver) {
+    for law in NEARER_ROOT {
+        judge(law, solve);
+    }
+}
+
+/// Puts `solve` under one law, with cases from everywhere.
+///
+/// # Panics
+/// If the law is broken.
+pub fn judge(law: Law, solve: &Solver) {
+    holds(&strategies::anywhere(), |case| law(solve, case));
+}
+
+/// Puts `solve` under every law, with this one case.
+///
+/// # Panics
+/// If a law is broken.
+pub fn one_case(solve: &Solver, case: &Case) {
+    for law in NEARER_ROOT {
+        if let Err(broken) = law(solve, case) {
+            panic!("{}", report(case, &broken, ""));
+        }
+    }
+}
+
+/// Puts a solver with a range under every law for one.
+///
+/// # Panics
+/// If a law is broken.
+pub fn nearest_in_range(solve: &RangeSolver) {
+    let strategy = strategies::with_interval(strategies::anywhere());
+    for law in NEAREST_IN_RANGE {
+        holds(&strategy, |asked| law(solve, asked));
+    }
+}
+
+/// Puts a solver with a range under every law, with this one case.
+///
+/// # Panics
+/// If a law is broken.
+pub fn one_interval(solve: &RangeSolver, asked: &WithInterval) {
+    for law in NEAREST_IN_RANGE {
+        if let Err(broken) = law(solve, asked) {
+            panic!("{}", report(asked, &broken, ""));
+        }
+    }
+}
+
+/// Tries `law` on as many values of `strategy` as [`cases`] says.
+///
+/// # Panics
+/// If the law is broken, with the simplest case that was found.
+pub fn holds<T: Simplify>(strategy: &impl Strategy<Value = T>, law: impl Fn(&T) -> Verdict) {
+    let (mut runner, seed) = runner();
+    for _ in 0..cases() {
+        let mut tree = strategy
+            .new_tree(&mut runner)
+            .expect("no strategy here filters anything out");
+        if law(&tree.current()).is_err() {
+            shrink(&mut tree, &law);
+            let simplest = simplified(tree.current(), &law);
+            let broken = law(&simplest).expect_err("simplifying keeps the law broken");
+            panic!("{}", report(&simplest, &broken, &seed));
+        }
+    }
+}
+
+/// How many cases a law is tried on: 1000, or what the environment variable
+/// `PROPTEST_CASES` says.
+pub fn cases() -> u32 {
+    env::var("PROPTEST_CASES")
+        .ok()
+        .and_then(|number| number.parse().ok())
+        .unwrap_or(1000)
+}
+
+/// A value that laws are tried on, and that people will read.
+pub trait Simplify: Clone + Debug {
+    /// Values like this one, each with one thing simpler, the simplest first.
+    fn simpler(&self) -> Vec<Self>;
+
+    /// The body of a test that tries this value again.
+    fn as_test(&self) -> String;
+}
+
+impl Simplify for Case {
+    fn simpler(&self) -> Vec<Self> {
+        let numbers = self.numbers();
+        let mut cases = Vec::new();
+        for (at, &number) in numbers.iter().enumerate() {
+            for simpler in simpler_numbers(number) {
+                let mut changed = numbers;
+                changed[at] = simpler;
+                cases.push(Self::from_numbers(changed));
+            }
+        }
+        cases
+    }
+
+    fn as_test(&self) -> String {
+        format!("{self}\ntests::trial::one_case(&hit_sphere, &Case {{ center, radius, ray }});")
+    }
+}
+
+impl Simplify for WithInterval {
+    fn simpler(&self) -> Vec<Self> {
+        let cases = self
+            .case
+            .simpler()
+            .into_iter()
+            .map(|case| Self { case, ..*self });
+        let low = simpler_numbers(self.t_min)
+            .into_iter()
+            .map(|t_min| Self { t_min, ..*self });
+        let high = simpler_numbers(self.t_max)
+            .into_iter()
+            .map(|t_max| Self { t_max, ..*self });
+        low.chain(high).chain(cases).collect()
+    }
+
+    fn as_test(&self) -> String {
+        format!(
+            "{self}\nlet case = Case {{ center, radius, ray }};\n\
+             tests::trial::one_interval(&hit, &WithInterval {{ case, t_min, t_max }});"
+        )
+    }
+}
+
+/// Numbers that take fewer digits to write than `number`, near it or not.
+fn simpler_numbers(number: f64) -> Vec<f64> {
+    let digits = |x: f64| format!("{:e}", x.abs()).len();
+    let size = if number == 0.0 {
+        0.0
+    } else {
+        number.abs().log10().floor()
+    };
+    let rounded = (0..=3).map(|keep| {
+        let unit = 10f64.powf(size - f64::from(keep));
+        (number / unit).round() * unit
+    });
+    [0.0, 1.0, -1.0, number.round()]
+        .into_iter()
+        .chain(rounded)
+        .filter(|simpler| {
+            simpler.is_finite()
+                && (digits(*simpler), simpler.abs()) < (digits(number), number.abs())
+        })
+        .collect()
+}
+
+/// Lets proptest make the value smaller as long as the law stays broken.
+fn shrink<T>(tree: &mut impl ValueTree<Value = T>, law: &impl Fn(&T) -> Verdict) {
+    const STEPS: usize = 2000;
+    for _ in 0..STEPS {
+        let moved = if law(&tree.current()).is_err() {
+            tree.simplify()
+        } else {
+            tree.complicate()
+        };
+        if !moved {
+            break;
+        }
+    }
+    while law(&tree.current()).is_ok() && tree.complicate() {}
+}
+
+/// Replaces the value by simpler ones as long as the law stays broken.
+fn simplified<T: Simplify>(mut value: T, law: &impl Fn(&T) -> Verdict) -> T {
+    const ROUNDS: usize = 200;
+    for _ in 0..ROUNDS {
+        match value
+            .simpler()
+            .into_iter()
+            .find(|simpler| law(simpler).is_err())
+        {
+            Some(simpler) => value = simpler,
+            None => break,
+        }
+    }
+    value
+}
+
+/// The same cases in every run, so that a failure is never luck; or, with the
+/// environment variable `PROPTEST_SEED`, the cases of another seed.
+fn runner() -> (TestRunner, String) {
+    let seed = env::var("PROPTEST_SEED").unwrap_or_default();
+    let mut bytes = [0; 32];
+    for (byte, letter) in bytes.iter_mut().zip(seed.bytes()) {
+        *byte = letter;
+    }
+    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &bytes);
+    (TestRunner::new_with_rng(Config::default(), rng), seed)
+}
+
+fn report(value: &impl Simplify, broken: &Broken, seed: &str) -> String {
+    let indented = value.as_test().replace('\n', "\n    ");
+    let seed = match seed {
+        "" => String::new(),
+        seed => format!("\n\nFound with PROPTEST_SEED={seed}"),
+    };
+    format!(
+        "\n\nA law is broken.\n\n{broken}\n\nThe simplest case that was found, as a test:\n\n\
+         #[test]\nfn this_case_is_right() {{\n    {indented}\n}}{seed}\n"
+    )
+}
