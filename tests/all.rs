@@ -2,5 +2,6 @@
 
 mod camera;
 mod command_line;
+mod slips;
 mod pictures;
 mod quadratic;

@@ -1,0 +1,520 @@
+//! Each slip is caught: by the book's picture, by a probe, or by a law.
+
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+use common::rtweekend::*;
+use hittable_list::{HittableList, Sphere};
+use tests::comparison::{Comparison, differing_pixels};
+use tests::slips::{self, Ball, Chapter, PROBES, Probe, Program, Slip, Unseen};
+
+/// The book shows the table, so it stands where the book finds it.
+const NOTES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/notes/slips");
+
+#[test]
+fn a_program_without_a_slip_is_the_chapter_to_the_last_bit() {
+    for chapter in Chapter::ALL {
+        let stage = chapter.stage();
+        for width in [1, 2, 3, 50, 110, stage.book_width] {
+            assert_eq!(
+                Comparison::of(
+                    &(stage.picture)(width),
+                    &Program::right(chapter).run(width).picture()
+                ),
+                Comparison::Equal,
+                "{} at {width} wide: the steps in tests/src/slips/program.rs are not those of the chapter",
+                stage.name
+            );
+        }
+    }
+}
+
+#[test]
+fn a_program_without_a_slip_hits_what_the_chapter_hits_in_every_probe() {
+    for probe in PROBES {
+        let camera = probe
+            .put_to(Program::right(Chapter::HittableList))
+            .expect("chapter 5 takes any number of spheres")
+            .camera(probe.width);
+        for &Ball { center, radius } in probe.spheres.into_iter().flatten() {
+            for ray in &rays(&camera) {
+                let hit = |chapter| Program::right(chapter).hit_sphere(center, radius, ray);
+                let [red, full, half] =
+                    [Chapter::RedSphere, Chapter::Normals, Chapter::HalfBSphere].map(hit);
+                assert_eq!(red.is_some(), red_sphere::hit_sphere(center, radius, ray));
+                assert_eq!(full, normals::hit_sphere(center, radius, ray));
+                assert_eq!(half, half_b_sphere::hit_sphere(center, radius, ray));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_program_without_a_slip_draws_every_probe_as_chapter_5_does() {
+    for probe in PROBES {
+        let program = probe
+            .put_to(Program::right(Chapter::HittableList))
+            .expect("chapter 5 takes any number of spheres");
+        let mut world = HittableList::default();
+        for ball in program.world {
+            world.add(Sphere::new(ball.center, ball.radius));
+        }
+        let camera = program.camera(probe.width);
+        let picture = Picture::paint(camera.image_width, camera.image_height, |i, j| {
+            hittable_list::ray_color(&camera.ray(i, j), &world)
+        });
+        assert_eq!(
+            Comparison::of(&picture, &program.run(probe.width).picture()),
+            Comparison::Equal,
+            "probe {}",
+            probe.name
+        );
+    }
+}
+
+#[test]
+fn the_names_are_distinct_and_lasting() {
+    let names: BTreeSet<&str> = slips::all().map(|slip| slip.name).collect();
+    assert_eq!(names.len(), slips::all().count(), "two slips share a name");
+    for name in names {
+        assert!(
+            name.bytes()
+                .all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-'),
+            "{name} is awkward to type"
+        );
+    }
+}
+
+#[test]
+fn every_slip_is_caught_and_the_table_says_by_what() {
+    let mut table = String::new();
+    let mut complaints = String::new();
+    for chapter in Chapter::ALL {
+        let exams = exams(chapter);
+        write_head(&mut table, chapter, &exams);
+        for slip in slips::all().filter(|slip| slip.chapters.contains(&chapter)) {
+            let verdicts: Vec<Verdict> = exams
+                .iter()
+                .map(|exam| exam.judge(slip.program(chapter)))
+                .collect();
+            write_row(&mut table, slip, chapter, &verdicts);
+            let seen = verdicts.iter().any(|verdict| *verdict != Verdict::Same);
+            let complaint = match (seen, slip.unseen_in(chapter)) {
+                (false, None) => "is not caught: add a probe, or say why nothing can show it",
+                (true, Some(_)) => "is caught, but the catalogue says that nothing shows it",
+                _ => continue,
+            };
+            writeln!(complaints, "{} in {chapter:?} {complaint}", slip.name)
+                .expect("a string takes it");
+        }
+    }
+    assert!(complaints.is_empty(), "\n{complaints}");
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(NOTES);
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!("caught", table));
+}
+
+#[test]
+fn what_no_picture_shows_a_law_does() {
+    let by_law: Vec<&str> = slips::all()
+        .filter(|slip| {
+            let mut reasons = slip.unseen.iter();
+            reasons.any(|(_, why)| matches!(why, Unseen::OnlyByLaw(_)))
+        })
+        .map(|slip| slip.name)
+        .collect();
+    let laws = [
+        ("ray-normalized", rays_meet_the_viewport_at_1 as Law),
+        ("tangent-missed", a_tangent_is_a_hit),
+        ("normal-inward", the_front_face_is_outside),
+        ("point-without-origin", a_ray_starts_at_its_origin),
+        ("range-closed", the_ends_of_the_interval_are_left_out),
+    ];
+    assert_eq!(by_law, laws.map(|(name, _)| name));
+    for (name, law) in laws {
+        let slip = slips::find(name).expect("the list above is made of slips");
+        for &chapter in slip.chapters {
+            assert!(law(&Program::right(chapter)), "{chapter:?} is right");
+            assert!(
+                slip.unseen_in(chapter).is_none() || !law(&slip.program(chapter)),
+                "{name} in {chapter:?} keeps the law"
+            );
+        }
+    }
+}
+
+type Law = fn(&Program) -> bool;
+
+const IN_FRONT: Ball = Ball::new(0.0, 0.0, -1.0, 0.5);
+const FORWARD: Vec3 = Vec3::new(0.0, 0.0, -1.0);
+
+fn rays_meet_the_viewport_at_1(program: &Program) -> bool {
+    (program.ray)(&Camera::new(64), 3, 5).at(1.0).z == -1.0
+}
+
+fn a_tangent_is_a_hit(program: &Program) -> bool {
+    let beside = Ray::new(Point3::new(0.5, 0.0, 0.0), FORWARD);
+    program
+        .hit_sphere(IN_FRONT.center, IN_FRONT.radius, &beside)
+        .is_some()
+}
+
+fn the_front_face_is_outside(program: &Program) -> bool {
+    let nearest_point = Point3::new(0.0, 0.0, -0.5);
+    (program.outward)(program, nearest_point, IN_FRONT).dot(FORWARD) < 0.0
+}
+
+fn a_ray_starts_at_its_origin(program: &Program) -> bool {
+    let origin = Point3::new(1.0, 2.0, 3.0);
+    (program.at)(program, &Ray::new(origin, FORWARD), 0.0) == origin
+}
+
+fn the_ends_of_the_interval_are_left_out(program: &Program) -> bool {
+    let ahead = Ray::new(Point3::ZERO, FORWARD);
+    program.hit(IN_FRONT, &ahead, 0.5, 1.5).is_none()
+}
+
+#[test]
+fn one_wrong_sign_loses_the_sphere_and_leaves_the_gradient() {
+    use Chapter::{HalfBSphere, Normals};
+    for (name, chapter) in [
+        ("minus-h", HalfBSphere),
+        ("plus-b", Normals),
+        ("b-sign", Normals),
+        ("oc-reversed", Normals),
+        ("oc-reversed", HalfBSphere),
+        ("focal-length-added", Normals),
+        ("focal-length-added", HalfBSphere),
+        ("radius-added", HalfBSphere),
+        ("b-not-doubled", Normals),
+        ("discriminant-with-four", HalfBSphere),
+    ] {
+        assert_eq!(draw(name, chapter), gradient::picture(400), "{name}");
+    }
+}
+
+#[test]
+fn a_sphere_behind_the_camera_tells_wrong_signs_from_a_wrong_discriminant() {
+    const BEHIND: &[Ball] = &[Ball::new(0.0, 0.0, 1.0, 0.5)];
+    let found = |name: &str| {
+        let program = Program {
+            world: BEHIND,
+            ..slip(name).program(Chapter::HalfBSphere)
+        };
+        differing(&program.run(400).picture(), &gradient::picture(400))
+    };
+    assert_eq!(found("minus-h"), DISC);
+    assert_eq!(found("oc-reversed"), DISC);
+    assert_eq!(found("focal-length-added"), DISC);
+    assert_eq!(found("discriminant-with-four"), 0);
+    assert_eq!(found("radius-added"), 0);
+}
+
+#[test]
+fn chapter_2_shows_no_sign_but_a_missing_four_paints_everything_red() {
+    let red = red_sphere::picture(400);
+    for name in ["oc-reversed", "b-sign", "focal-length-added"] {
+        assert_eq!(draw(name, Chapter::RedSphere), red, "{name}");
+    }
+    let flooded = draw("discriminant-without-four", Chapter::RedSphere);
+    let (pixels, _) = flooded.rgb().as_chunks::<3>();
+    assert!(pixels.iter().all(|pixel| *pixel == [255, 0, 0]));
+}
+
+#[test]
+fn a_radius_that_is_not_squared_makes_the_disc_three_times_as_large() {
+    let sky = gradient::picture(400);
+    assert_eq!(differing(&red_sphere::picture(400), &sky), DISC);
+    let swollen = draw("radius-not-squared", Chapter::RedSphere);
+    assert_eq!(differing(&swollen, &sky), 39_768);
+}
+
+#[test]
+fn a_swapped_letter_in_dot_hides_until_the_last_chapter() {
+    let name = "dot-with-swapped-letter";
+    for chapter in [Chapter::RedSphere, Chapter::Normals, Chapter::HalfBSphere] {
+        let right = (chapter.stage().picture)(400);
+        assert_eq!(draw(name, chapter), right, "{chapter:?}");
+    }
+    assert_eq!(
+        draw(name, Chapter::HittableList),
+        draw("faces-swapped", Chapter::HittableList)
+    );
+}
+
+#[test]
+fn an_upside_down_picture_tells_a_flipped_viewport_from_a_flipped_sky() {
+    for chapter in Chapter::ALL.into_iter().skip(1) {
+        let flipped = draw("rows-from-below", chapter);
+        assert_eq!(
+            draw("viewport-upside-down", chapter),
+            flipped,
+            "{chapter:?}"
+        );
+        // The red disc is its own mirror image. Colored normals are not.
+        assert_eq!(
+            draw("white-and-blue-swapped", chapter) == flipped,
+            chapter <= Chapter::RedSphere,
+            "{chapter:?}"
+        );
+    }
+}
+
+#[test]
+fn slips_that_draw_the_same_picture_are_known_as_a_set() {
+    use Chapter::{BuildTest, HittableList, Normals};
+    for (chapter, one, other) in [
+        (BuildTest, "columns-first", "red-and-green-swapped"),
+        (BuildTest, "rows-from-below", "green-upwards"),
+        (Normals, "focal-length-two", "viewport-height-one"),
+        (HittableList, "closest-ignored", "farthest-wins"),
+        (HittableList, "minus-h", "oc-reversed"),
+    ] {
+        assert_eq!(
+            draw(one, chapter),
+            draw(other, chapter),
+            "{one} and {other}"
+        );
+    }
+}
+
+#[test]
+fn two_slips_make_a_program_that_has_both() {
+    let minus_h = slip("minus-h").program(Chapter::HalfBSphere);
+    let both = (slip("range-loosened").alter)(minus_h);
+    let picture = both.run(400).picture();
+    let gradient = gradient::picture(400);
+    // The rim is back, the middle is not: there t is less than -1.
+    let ring = differing(&picture, &gradient);
+    assert!(0 < ring && ring < DISC, "{ring} pixels");
+    assert_eq!(both.run(400).pixel(CENTER), [191, 217, 255]);
+}
+
+#[test]
+fn a_few_pixels_at_the_books_width_tell_slips_apart() {
+    use Chapter::{Gradient, HalfBSphere, HittableList, Normals};
+    for (name, chapter, place, color) in [
+        (
+            "direction-not-normalized",
+            Gradient,
+            UPPER_LEFT,
+            [128, 179, 255],
+        ),
+        (
+            "direction-not-normalized",
+            Gradient,
+            LOWER_RIGHT,
+            [255, 255, 255],
+        ),
+        (
+            "divided-by-length-squared",
+            Gradient,
+            UPPER_LEFT,
+            [179, 210, 255],
+        ),
+        ("viewport-not-centered", Gradient, CENTER, [220, 234, 255]),
+        ("times-255", Gradient, CENTER, [191, 216, 255]),
+        ("stale-boolean", Normals, CENTER, [255, 127, 127]),
+        ("minus-one-is-true", Normals, CENTER, [255, 127, 127]),
+        ("minus-one-is-true", Normals, UPPER_LEFT, [16, 190, 127]),
+        ("far-root", Normals, CENTER, [129, 127, 0]),
+        ("divided-by-a", Normals, CENTER, [255, 127, 127]),
+        ("divided-by-two-a", HalfBSphere, CENTER, [128, 127, 255]),
+        ("normal-from-point", Normals, CENTER, [128, 127, 0]),
+        ("center-added", Normals, CENTER, [128, 127, 0]),
+        ("normal-not-unit", Normals, CENTER, [128, 127, 191]),
+        ("normal-not-mapped", Normals, CENTER, [1, 0, 255]),
+        ("normal-only-halved", Normals, CENTER, [0, 0, 127]),
+        ("normal-only-shifted", Normals, CENTER, [257, 255, 511]),
+        ("normal-channels-reversed", Normals, CENTER, [255, 127, 128]),
+        ("faces-swapped", HittableList, CENTER, [127, 127, 0]),
+        ("minus-h", HittableList, UPPER_LEFT, [129, -1, 127]),
+        (
+            "range-not-tested",
+            HittableList,
+            UPPER_LEFT,
+            [214, 208, 177],
+        ),
+    ] {
+        let output = slip(name).program(chapter).run(400);
+        assert_eq!(output.pixel(place), color, "{name} in {chapter:?}");
+    }
+}
+
+#[test]
+fn the_text_of_a_program_without_a_slip_is_the_p3_of_its_picture() {
+    for chapter in Chapter::ALL {
+        let output = Program::right(chapter).run(31);
+        let mut text = Vec::new();
+        output
+            .picture()
+            .write_p3(&mut text)
+            .expect("memory takes it");
+        assert_eq!(output.to_string().into_bytes(), text, "{chapter:?}");
+    }
+}
+
+#[test]
+fn the_text_of_a_slip_has_the_numbers_that_a_picture_cannot_hold() {
+    let text = |name, chapter| slip(name).program(chapter).run(16).to_string();
+    assert!(text("times-256", Chapter::BuildTest).ends_with("\n256 256 0\n"));
+    assert!(text("normal-not-mapped", Chapter::Normals).contains('-'));
+    assert!(text("header-swapped", Chapter::Gradient).starts_with("P3\n9 16\n255\n"));
+}
+
+#[test]
+fn a_probe_says_what_to_change() {
+    let lines = |name, chapter| {
+        let probe = slips::find_probe(name).expect("it is the name of a probe");
+        probe.lines(chapter)
+    };
+    assert_eq!(
+        lines("far", Chapter::Normals),
+        "image_width = 128\nfocal_length = 1000\ncenter = (0.4, 0.2, -800), radius = 0.5"
+    );
+    assert_eq!(
+        lines("behind", Chapter::HittableList),
+        "image_width = 128\nworld.add(sphere((0.3, 0.2, 1), 0.5))"
+    );
+    assert_eq!(lines("odd-width", Chapter::Gradient), "image_width = 227");
+}
+
+/// Pixels of the disc in the book's pictures of one sphere.
+const DISC: usize = 13_254;
+
+/// Where these pixels of a picture 400 × 225 are printed.
+const UPPER_LEFT: u32 = 0;
+const CENTER: u32 = 112 * 400 + 200;
+const LOWER_RIGHT: u32 = 225 * 400 - 1;
+
+fn slip(name: &str) -> &'static Slip {
+    slips::find(name).unwrap_or_else(|| panic!("there is no slip {name}"))
+}
+
+/// What someone who made that slip gets at the book's width.
+fn draw(name: &str, chapter: Chapter) -> Picture {
+    slip(name)
+        .program(chapter)
+        .run(chapter.stage().book_width)
+        .picture()
+}
+
+fn differing(one: &Picture, other: &Picture) -> usize {
+    differing_pixels(one, other).count()
+}
+
+/// A picture that is compared: the book's, or a probe's.
+struct Exam {
+    name: &'static str,
+    probe: Option<Probe>,
+    width: u32,
+    right: Picture,
+}
+
+#[derive(PartialEq)]
+enum Verdict {
+    Same,
+    Size,
+    /// The share of pixels that differ, and the largest difference in levels.
+    Pixels(f64, u8),
+}
+
+/// The exams that the chapter has spheres for, the book's picture first.
+fn exams(chapter: Chapter) -> Vec<Exam> {
+    let stage = chapter.stage();
+    let right = Program::right(chapter);
+    let book = Exam {
+        name: "book",
+        probe: None,
+        width: stage.book_width,
+        right: right.run(stage.book_width).picture(),
+    };
+    let probes = PROBES.into_iter().filter_map(|probe| {
+        Some(Exam {
+            name: probe.name,
+            probe: Some(probe),
+            width: probe.width,
+            right: probe.put_to(right)?.run(probe.width).picture(),
+        })
+    });
+    std::iter::once(book).chain(probes).collect()
+}
+
+impl Exam {
+    fn judge(&self, program: Program) -> Verdict {
+        let program = match self.probe {
+            None => program,
+            Some(probe) => probe
+                .put_to(program)
+                .expect("a slip leaves room for spheres"),
+        };
+        let wrong = program.run(self.width).picture();
+        match Comparison::of(&self.right, &wrong) {
+            Comparison::Equal => Verdict::Same,
+            Comparison::Size(..) => Verdict::Size,
+            Comparison::Pixels(difference) => Verdict::Pixels(
+                difference.count as f64 / difference.total as f64,
+                largest_difference(&self.right, &wrong),
+            ),
+        }
+    }
+}
+
+fn largest_difference(right: &Picture, wrong: &Picture) -> u8 {
+    let levels = right.rgb().iter().zip(wrong.rgb());
+    levels
+        .map(|(right, wrong)| right.abs_diff(*wrong))
+        .max()
+        .unwrap_or(0)
+}
+
+const NAME_WIDTH: usize = 27;
+const VERDICT_WIDTH: usize = 12;
+
+fn write_head(table: &mut String, chapter: Chapter, exams: &[Exam]) {
+    write!(table, "\n{:NAME_WIDTH$}", chapter.stage().name).expect("a string takes it");
+    for exam in exams {
+        write!(table, "{:>VERDICT_WIDTH$}", exam.name).expect("a string takes it");
+    }
+    table.push('\n');
+}
+
+/// One slip: a point where the picture is the right one, else the percentage of
+/// pixels that differ; `±1` after it if no level is farther off.
+fn write_row(table: &mut String, slip: &Slip, chapter: Chapter, verdicts: &[Verdict]) {
+    write!(table, "{:NAME_WIDTH$}", slip.name).expect("a string takes it");
+    for verdict in verdicts {
+        let text = match verdict {
+            Verdict::Same => ".   ".to_owned(),
+            Verdict::Size => "size   ".to_owned(),
+            Verdict::Pixels(share, largest) => {
+                percent(*share) + if *largest == 1 { " ±1" } else { "   " }
+            }
+        };
+        write!(table, "{text:>VERDICT_WIDTH$}").expect("a string takes it");
+    }
+    table.push_str(match slip.unseen_in(chapter) {
+        None => "",
+        Some(Unseen::Equivalent(_)) => "  equivalent",
+        Some(Unseen::OnlyByLaw(_)) => "  only a law",
+    });
+    while table.ends_with(' ') {
+        table.pop();
+    }
+    table.push('\n');
+}
+
+fn percent(share: f64) -> String {
+    match 100.0 * share {
+        tiny if tiny < 0.05 => "<0.1".to_owned(),
+        percent => format!("{percent:.1}"),
+    }
+}
+
+fn rays(camera: &Camera) -> Vec<Ray> {
+    (0..camera.image_height)
+        .flat_map(|j| (0..camera.image_width).map(move |i| camera.ray(i, j)))
+        .collect()
+}

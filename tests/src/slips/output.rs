@@ -1,0 +1,79 @@
+//! What a program prints, right or wrong.
+
+use std::fmt;
+
+use common::rtweekend::{Camera, Picture};
+
+use super::program::Program;
+
+/// The output of a [`Program`]: the numbers of a P3 file, traced when asked for.
+///
+/// A single pixel costs no more than its own ray, so that a large picture can be
+/// looked at here and there.
+#[derive(Clone, Copy)]
+pub struct Output {
+    program: Program,
+    camera: Camera,
+}
+
+impl Output {
+    pub(super) fn new(program: Program, width: u32) -> Self {
+        Self {
+            program,
+            camera: program.camera(width),
+        }
+    }
+
+    /// Width and height as the header tells them.
+    pub fn size(&self) -> (u32, u32) {
+        (self.program.header)(self.camera.image_width, self.camera.image_height)
+    }
+
+    /// The `n`th printed pixel as red, green and blue.
+    ///
+    /// The right program prints 0 to 255, a wrong one may print what no picture
+    /// can hold. C++ converts to `int` in the same way, except that numbers
+    /// beyond ±2³¹ and NaN become −2³¹ on some processors.
+    pub fn pixel(&self, n: u32) -> [i32; 3] {
+        let Camera {
+            image_width: width,
+            image_height: height,
+            ..
+        } = self.camera;
+        let (i, j) = (self.program.order)(n, width, height);
+        let color = (self.program.color)(&self.program, &self.camera, i, j).to_array();
+        self.program
+            .channels
+            .map(|channel| (self.program.level)(color[channel]))
+    }
+
+    /// All pixels in the order in which they are printed.
+    pub fn pixels(&self) -> impl Iterator<Item = [i32; 3]> + '_ {
+        (0..self.camera.image_width * self.camera.image_height).map(|n| self.pixel(n))
+    }
+
+    /// The picture that the same program draws in Rust, where a conversion to a
+    /// byte stops at 0 and 255.
+    pub fn picture(&self) -> Picture {
+        let (width, height) = self.size();
+        let rgb = self
+            .pixels()
+            .flatten()
+            .map(|level| level.clamp(0, 255) as u8)
+            .collect();
+        Picture::from_rgb(width, height, rgb)
+            .expect("a header may swap width and height, but not change their product")
+    }
+}
+
+/// The P3 file of the book's C++, which prints what it gets, 256 and −127 too.
+impl fmt::Display for Output {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (width, height) = self.size();
+        write!(f, "P3\n{width} {height}\n255\n")?;
+        for [red, green, blue] in self.pixels() {
+            writeln!(f, "{red} {green} {blue}")?;
+        }
+        Ok(())
+    }
+}
