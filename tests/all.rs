@@ -1,7 +1,9 @@
-//! All tests, in the order in which a mistake is best understood.
+//! All tests. A file tests what its name says; each begins by saying how.
 
 mod camera;
 mod command_line;
-mod slips;
+mod oracle;
 mod pictures;
 mod quadratic;
+mod slips;
+mod stability;

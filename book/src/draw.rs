@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use std::{env, fs, io};
+use std::{env, fs};
 
 use common::output;
 use tests::stages::{STAGES, Stage};
@@ -22,10 +22,17 @@ pub(crate) fn all() -> Result<(), Box<dyn Error>> {
 }
 
 /// Where the pictures go: `target/pictures` of this workspace.
-pub(crate) fn folder() -> io::Result<PathBuf> {
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let folder = workspace.canonicalize()?.join("target").join("pictures");
-    fs::create_dir_all(&folder)?;
+pub(crate) fn folder() -> Result<PathBuf, Box<dyn Error>> {
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let workspace = package.parent().unwrap_or(package);
+    let folder = workspace.join("target").join("pictures");
+    fs::create_dir_all(&folder).map_err(|cause| {
+        format!(
+            "cannot create the folder {}: {cause}\n\
+             Remove what is in its way. If the workspace was moved, run cargo inside it.",
+            folder.display()
+        )
+    })?;
     Ok(folder)
 }
 

@@ -6,6 +6,7 @@ mod show;
 mod terminal;
 
 use std::error::Error;
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -35,7 +36,8 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("rtrace: {error}");
+            // If even this can't be written, there is nobody left to tell.
+            let _ = writeln!(io::stderr(), "rtrace: {error}");
             exit_code(&*error)
         }
     }

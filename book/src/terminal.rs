@@ -8,7 +8,8 @@ use image::{Rgb, RgbImage, imageops};
 /// Shows `picture`, reduced as far as the terminal asks.
 ///
 /// The character is the upper half block: its own color is the upper pixel, its
-/// background the lower one. The terminal must know 24-bit colors.
+/// background the lower one. The terminal must know 24-bit colors, as all but
+/// the oldest do; on Windows that is Windows Terminal.
 pub(crate) fn show(picture: &Picture, out: &mut dyn Write) -> io::Result<()> {
     let (columns, lines) = terminal_size::terminal_size().map_or((80, 24), |(width, height)| {
         (width.0.into(), height.0.into())
@@ -26,7 +27,7 @@ pub(crate) fn show(picture: &Picture, out: &mut dyn Write) -> io::Result<()> {
         }
         writeln!(out, "\x1b[0m")?;
     }
-    out.flush()
+    Ok(())
 }
 
 /// The picture at its own size if it fits into `columns` × `rows` pixels, else

@@ -2,7 +2,7 @@
 
 use std::env;
 use std::ffi::OsString;
-use std::io::{self, IsTerminal};
+use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -20,7 +20,7 @@ pub fn main(picture: impl FnOnce() -> Picture) -> ExitCode {
     let destination = match destination(&arguments, io::stdout().is_terminal()) {
         Ok(destination) => destination,
         Err(problem) => {
-            eprintln!("{}: {problem}\n\n{}", program(), usage());
+            complain(&format!("{problem}\n\n{}", usage()));
             return ExitCode::from(2);
         }
     };
@@ -32,7 +32,7 @@ pub fn main(picture: impl FnOnce() -> Picture) -> ExitCode {
     match written {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("{}: {error}", program());
+            complain(&error.to_string());
             ExitCode::FAILURE
         }
     }
@@ -52,7 +52,7 @@ fn destination(arguments: &[OsString], terminal: bool) -> Result<Destination<'_>
         [] => Ok(Destination::Stdout),
         [dash] if dash == "-" => Ok(Destination::Stdout),
         [option] if option == "-h" || option == "--help" => Ok(Destination::Help),
-        [path] if promises_another_format(Path::new(path)) => Err(format!(
+        [path] if !is_option(&path) && promises_another_format(Path::new(path)) => Err(format!(
             "{} would not be what its name says: this program writes .ppm files",
             path.display()
         )),
@@ -65,11 +65,13 @@ fn destination(arguments: &[OsString], terminal: bool) -> Result<Destination<'_>
 }
 
 fn promises_another_format(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| {
-        ["png", "jpg", "jpeg", "gif", "bmp", "webp"]
-            .iter()
-            .any(|other| extension.eq_ignore_ascii_case(other))
-    })
+    path.extension()
+        .is_some_and(|extension| !extension.eq_ignore_ascii_case("ppm"))
+}
+
+fn complain(about: &str) {
+    // If even this can't be written, there is nobody left to tell.
+    let _ = writeln!(io::stderr(), "{}: {about}", program());
 }
 
 fn usage() -> String {
@@ -79,7 +81,7 @@ fn usage() -> String {
 cargo run -p {name} > {name}.ppm
     prints the picture as plain PPM (P3)
 cargo run -p {name} -- {name}.ppm
-    writes the file itself; PowerShell needs this, as its > changes the text
+    writes the file itself; PowerShell before 7.4 needs this: its > changes the text
 cargo rtrace show {name}
     shows the picture, at any width, or saves it as .png\n"
     )

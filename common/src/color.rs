@@ -6,7 +6,8 @@ use crate::vec3::Vec3;
 /// Red, green and blue, each from 0 to 1.
 pub type Color = Vec3;
 
-/// The background: white below, blue above, blended by how steeply `ray` climbs.
+/// The background: the steeper `ray` climbs, the bluer. Straight down it would
+/// be white, straight up blue; the picture shows what lies between.
 ///
 /// Chapter 1 is about this function and writes it out; the later chapters take
 /// it from here. A direction of length zero has no color: the result is NaN.
@@ -21,8 +22,9 @@ pub fn sky(ray: &Ray) -> Color {
 ///
 /// Each component is scaled by 255.999 and cut off, as in the book, so that 1.0
 /// becomes 255 and the 256 levels share the interval [0, 1] almost evenly. A
-/// component outside the interval becomes the nearest level and NaN becomes 0;
-/// the book's C++ prints such numbers as they come, and no viewer accepts them.
+/// component outside the interval becomes the nearest level and NaN becomes 0.
+/// (The book's C++ prints a number outside as it is: the file is then no valid
+/// picture.)
 #[inline]
 pub fn write_color(pixel: &mut [u8; 3], color: Color) {
     *pixel = color

@@ -33,6 +33,7 @@ pub fn to_file(
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), OutputError> {
     let written = match fs::metadata(path) {
+        _ if path.as_os_str().is_empty() => Err(ErrorKind::InvalidInput.into()),
         Ok(found) if found.is_dir() => Err(ErrorKind::IsADirectory.into()),
         Ok(found) if found.permissions().readonly() => Err(ErrorKind::PermissionDenied.into()),
         // A device or a pipe can't be replaced by a file: write into it.
@@ -66,40 +67,39 @@ impl fmt::Display for OutputError {
             Some(path) => write!(f, "cannot write {}: {}", path.display(), self.cause)?,
             None => write!(f, "cannot write to standard output: {}", self.cause)?,
         }
-        match self.advice() {
-            Some(advice) => write!(f, "\n{advice}"),
-            None => Ok(()),
-        }
+        write!(f, "\n{}", self.advice())
     }
 }
 
 impl std::error::Error for OutputError {}
 
 impl OutputError {
-    fn advice(&self) -> Option<String> {
-        let path = self.place.as_deref();
-        let folder = path.and_then(folder_of);
-        match (self.cause.kind(), folder) {
-            (ErrorKind::NotFound, _) if path.is_some_and(Path::is_symlink) => {
-                Some("That is a link to nothing: name another file.".to_owned())
+    fn advice(&self) -> String {
+        let Some(path) = &self.place else {
+            return match self.cause.kind() {
+                ErrorKind::StorageFull | ErrorKind::QuotaExceeded => MAKE_ROOM.to_owned(),
+                _ => "Send it somewhere else.".to_owned(),
+            };
+        };
+        match self.cause.kind() {
+            ErrorKind::NotFound if path.is_symlink() => {
+                "That is a link to nothing: name another file.".to_owned()
             }
-            (ErrorKind::NotFound | ErrorKind::NotADirectory, Some(folder)) => Some(format!(
+            ErrorKind::NotFound | ErrorKind::NotADirectory => format!(
                 "Is {} a folder? Create it first, or name another one.",
-                folder.display()
-            )),
-            (ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem, _) => {
-                Some("Choose a file and a folder that you may write to.".to_owned())
+                folder_of(path).display()
+            ),
+            ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
+                "Choose a file and a folder that you may write to.".to_owned()
             }
-            (ErrorKind::StorageFull | ErrorKind::QuotaExceeded, _) => {
-                Some("Free some space, or write to another disk.".to_owned())
-            }
-            (ErrorKind::IsADirectory, _) => {
-                Some("That is a folder: name a file inside it.".to_owned())
-            }
-            _ => None,
+            ErrorKind::StorageFull | ErrorKind::QuotaExceeded => MAKE_ROOM.to_owned(),
+            ErrorKind::IsADirectory => "That is a folder: name a file inside it.".to_owned(),
+            _ => "Try another file, or another folder.".to_owned(),
         }
     }
 }
+
+const MAKE_ROOM: &str = "Free some space, or write to another disk.";
 
 /// Writes beside `path` under another name, then renames.
 fn replace(
@@ -107,14 +107,7 @@ fn replace(
     permissions: Option<Permissions>,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
-    let Some(name) = path.file_name() else {
-        return Err(ErrorKind::IsADirectory.into());
-    };
-    let partial = path.with_file_name(format!(
-        ".{}.{}.partial",
-        name.to_string_lossy(),
-        process::id()
-    ));
+    let partial = path.with_file_name(format!(".{}.partial", process::id()));
     let done = File::create_new(&partial)
         .and_then(|file| write_and_flush(file, write))
         .and_then(|()| permissions.map_or(Ok(()), |same| fs::set_permissions(&partial, same)))
@@ -136,10 +129,9 @@ fn write_and_flush(
 }
 
 /// The folder that `path` is in; `.` for a bare file name.
-fn folder_of(path: &Path) -> Option<&Path> {
-    path.parent()
-        .map(|folder| match folder.as_os_str().is_empty() {
-            true => Path::new("."),
-            false => folder,
-        })
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
 }

@@ -15,10 +15,6 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// The widest picture that the programs here agree to make. At 16:9 it
-    /// takes 453 MB of memory.
-    pub const MAX_WIDTH: u32 = 16_384;
-
     /// Paints the pixel in column `i` and row `j` with `color_at(i, j)`.
     ///
     /// Large pictures are shared out to all processors. A pixel depends on
@@ -29,7 +25,7 @@ impl Picture {
         Self::paint_with_threads(available.min(worthwhile), width, height, color_at)
     }
 
-    /// The same picture, painted in `threads` bands of rows at once.
+    /// The same picture, painted in at most `threads` bands of rows at once.
     pub fn paint_with_threads(
         threads: usize,
         width: u32,
@@ -84,8 +80,8 @@ impl Picture {
     /// Those of `out`.
     pub fn write_p3(&self, out: &mut dyn Write) -> io::Result<()> {
         write!(out, "P3\n{} {}\n255\n", self.width, self.height)?;
-        // Formatting a number costs far more than tracing a ray, and there are
-        // only 256 of them: format each once, then copy.
+        // Formatting the three numbers of a pixel takes longer than tracing its
+        // ray, and there are only 256 of them: format each once, then copy.
         let decimals: [String; 256] = std::array::from_fn(|level| level.to_string());
         let mut text = Vec::with_capacity("255 255 255\n".len() * self.width as usize);
         for row in self.rgb.chunks_exact(3 * self.width as usize) {
@@ -98,12 +94,13 @@ impl Picture {
             }
             out.write_all(&text)?;
         }
-        out.flush()
+        Ok(())
     }
 }
 
-/// Below this a second thread takes longer to start than it saves.
-const PIXELS_WORTH_A_THREAD: usize = 1 << 16;
+/// So many pixels take about a quarter of a millisecond. A thread for fewer
+/// would save less than it costs to start.
+const PIXELS_WORTH_A_THREAD: usize = 1 << 14;
 
 fn pixel_count(width: u32, height: u32) -> usize {
     width as usize * height as usize

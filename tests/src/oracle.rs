@@ -197,8 +197,8 @@ impl Root<'_> {
         (digits, self.of.exponent - shift.cast_signed() - 1)
     }
 
-    /// The exponent of a power of two that |(h ∓ √D) / a| is not below, if it
-    /// is not zero, and less than a factor of 8 above.
+    /// The exponent of a power of two not above |(h ∓ √D) / a|, unless that is
+    /// zero, and within a factor of 8 of it.
     fn lower_bound(&self) -> isize {
         let Exact {
             a,

@@ -4,7 +4,8 @@ use std::io::Cursor;
 
 use common::rtweekend::Picture;
 use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder, ImageError, ImageFormat, ImageReader};
+use image::error::{UnsupportedError, UnsupportedErrorKind};
+use image::{DynamicImage, ExtendedColorType, ImageEncoder, ImageError, ImageFormat, ImageReader};
 
 /// The bytes of a PNG file that holds `picture`.
 ///
@@ -26,11 +27,18 @@ pub fn encode(picture: &Picture) -> Vec<u8> {
 /// The picture that a PNG file holds, whatever its compression.
 ///
 /// # Errors
-/// If `bytes` are not a complete PNG file.
+/// If `bytes` are not a complete PNG file of three bytes a pixel.
 pub fn decode(bytes: &[u8]) -> Result<Picture, ImageError> {
-    let rgb = ImageReader::with_format(Cursor::new(bytes), ImageFormat::Png)
-        .decode()?
-        .into_rgb8();
+    let image = ImageReader::with_format(Cursor::new(bytes), ImageFormat::Png).decode()?;
+    // Dropping an alpha channel or half of 16 bits would hide a difference.
+    let DynamicImage::ImageRgb8(rgb) = image else {
+        return Err(ImageError::Unsupported(
+            UnsupportedError::from_format_and_kind(
+                ImageFormat::Png.into(),
+                UnsupportedErrorKind::Color(image.color().into()),
+            ),
+        ));
+    };
     let (width, height) = rgb.dimensions();
     Ok(Picture::from_rgb(width, height, rgb.into_raw())
         .expect("the decoder returns three bytes for each pixel"))

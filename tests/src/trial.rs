@@ -60,7 +60,7 @@ pub fn judge(law: Law, solve: &Solver) {
 pub fn one_case(solve: &Solver, case: &Case) {
     for law in NEARER_ROOT {
         if let Err(broken) = law(solve, case) {
-            panic!("{}", report(case, &broken, ""));
+            panic!("{}", report(case, &broken));
         }
     }
 }
@@ -83,7 +83,7 @@ pub fn nearest_in_range(solve: &RangeSolver) {
 pub fn one_interval(solve: &RangeSolver, asked: &WithInterval) {
     for law in NEAREST_IN_RANGE {
         if let Err(broken) = law(solve, asked) {
-            panic!("{}", report(asked, &broken, ""));
+            panic!("{}", report(asked, &broken));
         }
     }
 }
@@ -93,18 +93,37 @@ pub fn one_interval(solve: &RangeSolver, asked: &WithInterval) {
 /// # Panics
 /// If the law is broken, with the simplest case that was found.
 pub fn holds<T: Simplify>(strategy: &impl Strategy<Value = T>, law: impl Fn(&T) -> Verdict) {
-    let (mut runner, seed) = runner();
-    for _ in 0..cases() {
-        let mut tree = strategy
-            .new_tree(&mut runner)
-            .expect("no strategy here filters anything out");
+    if let Some((value, broken)) = first_broken(strategy, cases(), law) {
+        panic!("{}", report(&value, &broken));
+    }
+}
+
+/// Tries `law` on `count` values of `strategy`. If it is broken, returns how, and
+/// the simplest value that was found to break it.
+pub fn first_broken<T: Simplify>(
+    strategy: &impl Strategy<Value = T>,
+    count: u32,
+    law: impl Fn(&T) -> Verdict,
+) -> Option<(T, Broken)> {
+    let mut runner = runner();
+    for _ in 0..count {
+        let mut tree = new_tree(strategy, &mut runner);
         if law(&tree.current()).is_err() {
             shrink(&mut tree, &law);
             let simplest = simplified(tree.current(), &law);
             let broken = law(&simplest).expect_err("simplifying keeps the law broken");
-            panic!("{}", report(&simplest, &broken, &seed));
+            return Some((simplest, broken));
         }
     }
+    None
+}
+
+/// The first `count` values of `strategy`, the same in every run.
+pub fn samples<T: Debug>(strategy: &impl Strategy<Value = T>, count: u32) -> Vec<T> {
+    let mut runner = runner();
+    (0..count)
+        .map(|_| new_tree(strategy, &mut runner).current())
+        .collect()
 }
 
 /// How many cases a law is tried on: 1000, or what the environment variable
@@ -222,21 +241,30 @@ fn simplified<T: Simplify>(mut value: T, law: &impl Fn(&T) -> Verdict) -> T {
     value
 }
 
-/// The same cases in every run, so that a failure is never luck; or, with the
-/// environment variable `PROPTEST_SEED`, the cases of another seed.
-fn runner() -> (TestRunner, String) {
-    let seed = env::var("PROPTEST_SEED").unwrap_or_default();
-    let mut bytes = [0; 32];
-    for (byte, letter) in bytes.iter_mut().zip(seed.bytes()) {
+/// The same cases in every run, so that a failure is never luck; or the cases
+/// of another seed, with the environment variable `PROPTEST_SEED`.
+fn runner() -> TestRunner {
+    let mut seed = [0; 32];
+    for (byte, letter) in seed.iter_mut().zip(chosen_seed().bytes()) {
         *byte = letter;
     }
-    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &bytes);
-    (TestRunner::new_with_rng(Config::default(), rng), seed)
+    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &seed);
+    TestRunner::new_with_rng(Config::default(), rng)
 }
 
-fn report(value: &impl Simplify, broken: &Broken, seed: &str) -> String {
+fn chosen_seed() -> String {
+    env::var("PROPTEST_SEED").unwrap_or_default()
+}
+
+fn new_tree<S: Strategy>(strategy: &S, runner: &mut TestRunner) -> S::Tree {
+    strategy
+        .new_tree(runner)
+        .expect("no strategy here filters anything out")
+}
+
+fn report(value: &impl Simplify, broken: &Broken) -> String {
     let indented = value.as_test().replace('\n', "\n    ");
-    let seed = match seed {
+    let seed = match chosen_seed().as_str() {
         "" => String::new(),
         seed => format!("\n\nFound with PROPTEST_SEED={seed}"),
     };

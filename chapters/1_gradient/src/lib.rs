@@ -9,7 +9,8 @@ pub fn picture(width: u32) -> Picture {
     render(width, ray_color)
 }
 
-/// White at the bottom, blue at the top, a linear blend (*lerp*) in between.
+/// A linear blend (*lerp*) between white, straight down, and blue, straight up.
+/// The picture shows a part of it: it looks neither so far down nor so far up.
 ///
 /// The height y of the unit direction lies between −1 and 1; equation (2) of
 /// the notes wants a weight between 0 and 1. A direction of length zero has no

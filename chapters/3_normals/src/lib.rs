@@ -29,7 +29,9 @@ pub fn ray_color(ray: &Ray) -> Color {
 ///
 /// `t` counts lengths of `ray.direction`: a distance only if that is a unit
 /// vector. A negative `t` lies behind the origin. From inside the sphere the
-/// nearer root is the one behind; this chapter never looks for the other.
+/// nearer root is the one behind; this chapter never looks for the other. The
+/// sign of `radius` does not matter; a direction of length zero gives NaN. The
+/// smaller and farther the sphere, the fewer digits are left.
 /// Source: equations (12)–(15) of the notes.
 pub fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
     let oc = center - ray.origin;

@@ -11,16 +11,17 @@ use crate::sphere::Sphere;
 pub trait Hittable: Sync {
     /// The nearest hit with `t_min` < `t` < `t_max`, if there is one.
     ///
-    /// Both ends are left out: a ray that starts on a surface does not hit it
-    /// at `t` = 0.
+    /// Both ends are left out, so a ray that starts on a surface does not hit it
+    /// at `t` = 0. Where rounding turns that 0 into 1e-17, it still does.
     fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit<'_>>;
 }
 
 /// Where a ray hits, and which sphere: all that it takes to find the nearest of
 /// many.
 ///
-/// The rest is worked out once, for the winner, by [`Hit::record`]. Everything
-/// in this scene is a sphere in the end, so the hit names one.
+/// The rest is worked out once, for the winner, by [`Hit::record`]. Whatever a
+/// ray hits in this scene is a sphere in the end, so a hit names one; a scene
+/// with other shapes would need something more general here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<'a> {
     /// The ray parameter, in lengths of the ray's direction.
@@ -33,13 +34,14 @@ impl Hit<'_> {
     /// All there is to know about the hit that `ray` made.
     pub fn record(&self, ray: &Ray) -> HitRecord {
         let point = ray.at(self.t);
+        let outward_normal = self.sphere.outward_normal(point);
         let mut record = HitRecord {
             t: self.t,
             point,
-            normal: Vec3::ZERO,
-            front_face: false,
+            normal: outward_normal,
+            front_face: true,
         };
-        record.set_face_normal(ray, self.sphere.outward_normal(point));
+        record.set_face_normal(ray, outward_normal);
         record
     }
 }

@@ -7,7 +7,7 @@ use crate::hittable::{Hit, Hittable};
 /// A list of hittable things, other lists among them.
 ///
 /// The book keeps `shared_ptr`s here. Each thing has one owner, this list, so a
-/// `Box` does: it is there because things of several types differ in size.
+/// `Box` does: it is there because a sphere and a list differ in size.
 #[derive(Default)]
 pub struct HittableList {
     objects: Vec<Box<dyn Hittable>>,

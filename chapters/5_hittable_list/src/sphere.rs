@@ -23,7 +23,8 @@ impl Sphere {
     /// The unit normal at `point` of the surface, pointing out.
     ///
     /// Dividing by the radius makes it a unit vector without a square root, as
-    /// far as `point` really is on the surface.
+    /// far as `point` really is on the surface. A sphere of radius 0 is a point
+    /// and has no normal: the result is NaN.
     pub fn outward_normal(&self, point: Point3) -> Vec3 {
         (point - self.center) * (1.0 / self.radius)
     }
