@@ -1,10 +1,10 @@
 //! The real programs, with good input and bad.
 
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::LazyLock;
-use std::{env, fs};
+use std::{env, fs, thread};
 
 use common::rtweekend::Picture;
 use tempfile::TempDir;
@@ -44,8 +44,14 @@ fn a_chapter_explains_itself_when_asked_and_when_misunderstood() {
     assert!(text(&help.stdout).contains("cargo run -p gradient > gradient.ppm"));
 
     let folder = TempDir::new().expect("a folder");
-    let png = folder.path().join("picture.PNG");
-    assert_refused(program("gradient").arg(&png), &["picture.PNG", ".ppm"]);
+    for name in ["picture.PNG", "picture.tiff"] {
+        let path = folder.path().join(name);
+        assert_refused(program("gradient").arg(&path), &[name, ".ppm"]);
+    }
+    assert_failed(
+        program("gradient").arg(""),
+        &["cannot write", "another file"],
+    );
     assert_refused(
         program("gradient").args(["a.ppm", "b.ppm"]),
         &["one file name"],
@@ -224,7 +230,6 @@ mod on_unix {
     use std::io::{BufRead, BufReader};
     use std::os::unix::fs::PermissionsExt;
     use std::os::unix::process::CommandExt;
-    use std::thread;
     use std::time::Duration;
 
     use rustix::fs::{Mode, OFlags};
@@ -264,6 +269,7 @@ mod on_unix {
         };
         for command in [
             program("normals").stdout(full()),
+            program("normals").arg("-").stdout(full()),
             program("normals").arg("--help").stdout(full()),
             program("rtrace").stdout(full()),
             show("normals").args(["-o", "-"]).stdout(full()),
@@ -273,17 +279,34 @@ mod on_unix {
                 &["standard output", "No space left", "Free some space"],
             );
         }
-        assert_failed(
-            program("normals").arg("/dev/full"),
-            &["/dev/full", "No space left"],
-        );
     }
 
     #[test]
-    fn a_device_is_written_to_and_stays_a_device() {
-        assert_success(&run(program("normals").arg("/dev/null")));
-        let kind = fs::metadata("/dev/null").expect("a device").file_type();
+    fn a_pipe_with_a_name_is_written_to_and_stays_a_pipe() {
+        let folder = TempDir::new().expect("a folder");
+        let pipe = folder.path().join("pipe.ppm");
+        let made = Command::new("mkfifo").arg(&pipe).status();
+        assert!(made.expect("mkfifo starts").success());
+        let reader = thread::spawn({
+            let pipe = pipe.clone();
+            move || fs::read(pipe).expect("the pipe is read")
+        });
+        assert_success(&run(program("normals").arg(&pipe)));
+        assert!(reader.join().expect("the pipe was read") == p3(&normals::picture(400)));
+        let kind = fs::metadata(&pipe).expect("the pipe").file_type();
         assert!(!kind.is_file());
+    }
+
+    #[test]
+    fn a_picture_that_memory_cannot_hold_is_refused() {
+        let mut shell = Command::new("sh");
+        shell
+            .args(["-c", "ulimit -v 400000; exec \"$0\" \"$@\""])
+            .arg(path_of("rtrace"))
+            .args(["show", "gradient", "--width", "16384", "--output", "-"]);
+        if cfg!(target_os = "linux") {
+            assert_refused(&mut shell, &["no memory for 805 MB", "smaller width"]);
+        }
     }
 
     #[test]
@@ -430,7 +453,7 @@ mod on_unix {
         let seen = folder.path().join("seen");
         fs::write(
             &viewer,
-            format!("#!/bin/sh\ncp \"$1\" {}\n", seen.display()),
+            format!("#!/bin/sh\ncp \"$1\" '{}'\n", seen.display()),
         )
         .expect("a viewer");
         fs::set_permissions(&viewer, Permissions::from_mode(0o755)).expect("the mode is set");
@@ -485,6 +508,8 @@ mod on_unix {
             .stderr(Stdio::piped())
             .spawn()
             .expect("the program starts");
+        // The command holds the terminal too; only when nobody does, the reader
+        // sees the end.
         command.stdout(Stdio::null());
         let output = child.wait_with_output().expect("the program ends");
         (output, reader.join().expect("the screen was read"))
@@ -536,7 +561,14 @@ fn path_of(name: &str) -> PathBuf {
 }
 
 fn run(command: &mut Command) -> Output {
-    command.output().expect("the program starts")
+    loop {
+        match command.output() {
+            // A program that was just copied may still be open for writing in
+            // a process that another test is starting at this moment.
+            Err(error) if error.kind() == ErrorKind::ExecutableFileBusy => thread::yield_now(),
+            output => return output.expect("the program starts"),
+        }
+    }
 }
 
 fn assert_success(output: &Output) {

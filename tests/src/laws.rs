@@ -75,11 +75,12 @@ impl fmt::Display for Broken {
 pub const BAND: f64 = 24.0 * U;
 
 /// Every law for a nearer root, in the order in which they teach most.
-pub const NEARER_ROOT: [Law; 9] = [
+pub const NEARER_ROOT: [Law; 10] = [
     the_line_hits_exactly_when_there_is_a_root,
     the_point_lies_on_the_sphere,
     the_root_is_the_nearer_one_to_the_digits_that_remain,
-    a_tangent_is_a_hit_to_the_last_bit,
+    a_tangent_is_a_hit,
+    the_root_of_a_tangent_is_exact,
     the_two_roots_add_and_multiply_to_the_coefficients,
     a_scene_in_another_unit_has_the_same_digits,
     a_scene_in_a_mirror_has_the_same_bits,
@@ -188,33 +189,33 @@ pub fn root_bound(case: &Case, margin: f64) -> f64 {
     case.t_scale() * (sqrt_part + 18.0 * U)
 }
 
-/// Where a ray touches the sphere and every number is exact, the root is exact
-/// as well. Says nothing about other cases.
-pub fn a_tangent_is_a_hit_to_the_last_bit(solve: &Solver, case: &Case) -> Verdict {
-    let exact = case.exact();
-    let small_integers = case
-        .numbers()
-        .iter()
-        .all(|number| number.fract() == 0.0 && number.abs() < 4096.0);
-    if !small_integers || exact.discriminant().is_ne() {
-        return Ok(());
+/// A ray that touches the sphere hits it. Says nothing unless every number is a
+/// small integer, so that no operation rounds.
+pub fn a_tangent_is_a_hit(solve: &Solver, case: &Case) -> Verdict {
+    match (exact_tangent(case), case.solve(solve)) {
+        (Some(root), None) => Err(Broken {
+            law: "a tangent is a hit",
+            found: "a miss".to_owned(),
+            allowed: format!("a hit, at t = {root:?}"),
+            cause: "`discriminant <= 0.0` where it should say `discriminant < 0.0`".to_owned(),
+            page: "chapter 2: what happens at a discriminant of zero",
+        }),
+        _ => Ok(()),
     }
-    let (Some(root), found) = (exact.nearer_root(), case.solve(solve)) else {
-        return Ok(());
-    };
-    if found == Some(root.rounded()) {
-        return Ok(());
+}
+
+/// Where a ray touches the sphere and no operation rounds, the root is exact.
+pub fn the_root_of_a_tangent_is_exact(solve: &Solver, case: &Case) -> Verdict {
+    match (exact_tangent(case), case.solve(solve)) {
+        (Some(root), Some(t)) if t != root => Err(Broken {
+            law: "the root of a tangent is exact where no operation rounds",
+            found: format!("t = {t:?}"),
+            allowed: format!("t = {root:?}"),
+            cause: causes::of_root(case, t),
+            page: "equation (12) of the notes: with D = 0 both roots are the same",
+        }),
+        _ => Ok(()),
     }
-    Err(Broken {
-        law: "a tangent is a hit, with one root",
-        found: format!("{found:?}"),
-        allowed: format!("Some({:?}), since no operation rounds here", root.rounded()),
-        cause: match found {
-            None => "`discriminant <= 0.0` where it should say `< 0.0`".to_owned(),
-            Some(t) => causes::of_root(case, t),
-        },
-        page: "chapter 2: what happens at a discriminant of zero",
-    })
 }
 
 /// With the farther root from the ray turned round, t₁ + t₂ = 2h/a and
@@ -398,6 +399,16 @@ impl Case {
     pub fn solve(&self, solve: &Solver) -> Option<f64> {
         solve(self.center, self.radius, &self.ray)
     }
+}
+
+/// The root of a case of small integers with D = 0 and a root that is an
+/// integer too; `None` for any other case.
+fn exact_tangent(case: &Case) -> Option<f64> {
+    let is_small_integer = |number: &f64| number.fract() == 0.0 && number.abs() < 4096.0;
+    let exact = case.exact();
+    let root = exact.nearer_root()?.rounded();
+    let rounds_nowhere = case.numbers().iter().chain([&root]).all(is_small_integer);
+    (rounds_nowhere && exact.discriminant().is_eq()).then_some(root)
 }
 
 fn same_bits(

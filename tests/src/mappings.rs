@@ -1,5 +1,5 @@
-//! What holds for the two functions that everything else rests on: the dot
-//! product, and the camera's map from pixels to rays.
+//! What holds for the small functions that everything else rests on: the dot
+//! product, the point on a ray, and the camera's map from pixels to rays.
 
 use common::rtweekend::*;
 
@@ -31,6 +31,50 @@ pub fn dot_multiplies_equal_letters(
         cause: "a letter is swapped: u.x*v.x + u.y*v.y + u.z*v.z".to_owned(),
         page: "equation (5) of the notes",
     })
+}
+
+/// P(t) = A + t·b, equation (1): at 0 the origin, at 1 one direction further on.
+///
+/// With small whole numbers, nothing rounds.
+pub fn the_point_at_t_is_t_directions_from_the_origin(at: &dyn Fn(&Ray, f64) -> Point3) -> Verdict {
+    let ray = Ray::new(Point3::new(1.0, -2.0, 3.0), Vec3::new(5.0, 7.0, -11.0));
+    let expected = [
+        (0.0, ray.origin),
+        (1.0, Point3::new(6.0, 5.0, -8.0)),
+        (-2.0, Point3::new(-9.0, -16.0, 25.0)),
+    ];
+    for (t, expected) in expected {
+        let found = at(&ray, t);
+        if found != expected {
+            return Err(Broken {
+                law: "the point at t is t directions away from the origin",
+                found: format!("{found:?} at t = {t} of {ray:?}"),
+                allowed: format!("{expected:?}"),
+                cause: "the origin is left out, or the direction is changed first".to_owned(),
+                page: "equation (1) of the notes",
+            });
+        }
+    }
+    Ok(())
+}
+
+/// A picture of 16:9 is 9w/16 high, rounded down, and at least 1.
+pub fn the_height_is_rounded_down_and_at_least_one(height: &dyn Fn(u32) -> u32) -> Verdict {
+    for width in 1..=2000 {
+        let (found, expected) = (height(width), (9 * width / 16).max(1));
+        if found != expected {
+            return Err(Broken {
+                law: "the height of a picture is rounded down, and at least 1",
+                found: format!("{found} rows at {width} wide"),
+                allowed: format!("{expected}"),
+                cause: "the height is rounded to nearest, or the ratio 16/9 is that of integers, \
+                        or nothing keeps it from being 0"
+                    .to_owned(),
+                page: "chapter 1: the size of the picture",
+            });
+        }
+    }
+    Ok(())
 }
 
 /// The ray of pixel (i, j) starts at the eye and meets the viewport at t = 1 in
