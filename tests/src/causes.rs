@@ -3,6 +3,8 @@
 //! A wrong root is seldom a random number. It is the right answer to another
 //! formula, and the formulas that people write by mistake are known.
 
+use common::rtweekend::*;
+
 use crate::case::Case;
 
 /// What the code probably says if `hit_sphere` returns `t` for `case`.
@@ -12,17 +14,24 @@ pub fn of_root(case: &Case, t: f64) -> String {
                 turned"
             .to_owned();
     }
+    known_mistake(case, t)
+        .unwrap_or(
+            "no formula that is known here gives this t: compare a, b and c with equations (13) \
+             to (15), letter by letter",
+        )
+        .to_owned()
+}
+
+/// The mistake that makes `hit_sphere` return `t` for `case`, if it is known.
+pub fn known_mistake(case: &Case, t: f64) -> Option<&'static str> {
+    let same = |one: f64, other: f64| (one - other).abs() <= 1e-9 * one.abs();
+    let oc = case.center - case.ray.origin;
+    let right = Quadratic::of(case, oc).nearer_root();
     wrong_roots(case)
         .into_iter()
-        .find(|(wrong, _)| (wrong - t).abs() <= 1e-9 * wrong.abs())
-        .map_or_else(
-            || {
-                "no formula that is known here gives this t: compare a, b and c with equations \
-                 (13) to (15), letter by letter"
-                    .to_owned()
-            },
-            |(_, mistake)| mistake.to_owned(),
-        )
+        // By chance, as where a is 1, a mistake may lead to the right root.
+        .find(|&(wrong, _)| same(wrong, t) && !same(wrong, right))
+        .map(|(_, mistake)| mistake)
 }
 
 /// What the code probably says if `hit_sphere` decides for a hit, or a miss,
@@ -42,9 +51,11 @@ pub fn of_decision(case: &Case, hit: bool) -> String {
 
 /// The roots that common mistakes return.
 fn wrong_roots(case: &Case) -> Vec<(f64, &'static str)> {
-    let Quadratic { a, h, c } = Quadratic::of(case);
-    let root = (h * h - a * c).sqrt();
-    let (near, far) = ((h - root) / a, (h + root) / a);
+    let right = Quadratic::of(case, case.center - case.ray.origin);
+    let added = Quadratic::of(case, case.center + case.ray.origin);
+    let left_out = Quadratic::of(case, case.center);
+    let Quadratic { a, h, c } = right;
+    let (near, far) = (right.nearer_root(), 2.0 * h / a - right.nearer_root());
     vec![
         (
             far,
@@ -58,6 +69,14 @@ fn wrong_roots(case: &Case) -> Vec<(f64, &'static str)> {
         (
             -near,
             "the sign of the whole root, or oc and the root both turned round",
+        ),
+        (
+            added.nearer_root(),
+            "oc is center + origin where it should be center − origin",
+        ),
+        (
+            left_out.nearer_root(),
+            "the origin of the ray is left out of oc = center − origin",
         ),
         (2.0 * near, "/ a where the full formula divides by 2a"),
         (near / 2.0, "/ (2a) where half-b divides by a"),
@@ -116,7 +135,9 @@ fn wrong_roots(case: &Case) -> Vec<(f64, &'static str)> {
 
 /// The discriminants that common mistakes compute.
 fn wrong_discriminants(case: &Case) -> Vec<(f64, &'static str)> {
-    let Quadratic { a, h, c } = Quadratic::of(case);
+    let added = Quadratic::of(case, case.center + case.ray.origin);
+    let left_out = Quadratic::of(case, case.center);
+    let Quadratic { a, h, c } = Quadratic::of(case, case.center - case.ray.origin);
     let r = case.radius;
     let oc_squared = c + r * r;
     vec![
@@ -133,6 +154,14 @@ fn wrong_discriminants(case: &Case) -> Vec<(f64, &'static str)> {
             "r² is added in c, not subtracted",
         ),
         (h - a * c, "h is not squared"),
+        (
+            added.discriminant(),
+            "oc is center + origin where it should be center − origin",
+        ),
+        (
+            left_out.discriminant(),
+            "the origin of the ray is left out of oc = center − origin",
+        ),
     ]
 }
 
@@ -144,12 +173,19 @@ struct Quadratic {
 }
 
 impl Quadratic {
-    fn of(case: &Case) -> Self {
-        let oc = case.center - case.ray.origin;
+    fn of(case: &Case, oc: Vec3) -> Self {
         Self {
             a: case.a(),
             h: case.ray.direction.dot(oc),
             c: oc.length_squared() - case.radius * case.radius,
         }
+    }
+
+    fn discriminant(&self) -> f64 {
+        self.h * self.h - self.a * self.c
+    }
+
+    fn nearer_root(&self) -> f64 {
+        (self.h - self.discriminant().sqrt()) / self.a
     }
 }

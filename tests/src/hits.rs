@@ -11,12 +11,15 @@ use crate::laws::{Broken, Verdict};
 /// that of the root (see [`root_bound`](crate::laws::root_bound)) times
 /// √D/(r·√(a·M)). The coordinates of the point and the center round on top,
 /// and the division by r rounds twice.
+///
+/// A sphere of radius 0 can be hit, but it is a point, and a point has no
+/// normal: nothing is claimed for it here or below.
 pub fn the_normal_is_a_unit_vector(case: &Case, normal: Vec3) -> Verdict {
     let (m, r) = (case.m(), case.radius);
     let coordinates = case.center.length() + case.ray.origin.length() + 3.0 * m.sqrt();
     let bound = U * (43.0 * m / (r * r) + 4.0 * coordinates / r + 6.0);
     let length = normal.length();
-    if (length - 1.0).abs() <= bound || !case.is_well_scaled() {
+    if (length - 1.0).abs() <= bound || r == 0.0 || !case.is_well_scaled() {
         return Ok(());
     }
     Err(Broken {
@@ -30,9 +33,6 @@ pub fn the_normal_is_a_unit_vector(case: &Case, normal: Vec3) -> Verdict {
 
 /// The normal of a hit never points along the ray, on either side of the
 /// surface. Holds to the last bit: turning a vector turns its dot product.
-///
-/// A sphere of radius 0 can be hit, but it is a point, and a point has no
-/// normal: nothing is claimed for it.
 pub fn the_normal_points_against_the_ray(case: &Case, normal: Vec3) -> Verdict {
     let along = case.ray.direction.dot(normal);
     if along <= 0.0 || case.radius == 0.0 {

@@ -197,7 +197,10 @@ pub fn a_tangent_is_a_hit(solve: &Solver, case: &Case) -> Verdict {
             law: "a tangent is a hit",
             found: "a miss".to_owned(),
             allowed: format!("a hit, at t = {root:?}"),
-            cause: "`discriminant <= 0.0` where it should say `discriminant < 0.0`".to_owned(),
+            cause:
+                "`discriminant <= 0.0` where it should say `discriminant < 0.0`, if this is the \
+                    only law that is broken"
+                    .to_owned(),
             page: "chapter 2: what happens at a discriminant of zero",
         }),
         _ => Ok(()),
@@ -283,8 +286,12 @@ pub fn a_scene_in_another_unit_has_the_same_digits(solve: &Solver, case: &Case) 
         found,
         expected,
         "t scales with the scene: lengths × 8 and directions ÷ 16 make it t × 128",
-        "a number with a unit, such as 0.001, is compared with one without; or the radius is \
-         not squared, or the direction is made a unit vector"
+        found
+            .and_then(|t| causes::known_mistake(&scaled, t))
+            .unwrap_or(
+                "a number with a unit, such as 0.001, is compared with one without; or the radius \
+                 is not squared, or the direction is made a unit vector",
+            )
             .to_owned(),
     )
 }
@@ -367,15 +374,18 @@ pub fn half_b_is_the_full_formula_to_the_last_bit(
     if !case.is_well_scaled() {
         return Ok(());
     }
-    let found = case.solve(half);
+    let (found, expected) = (case.solve(half), case.solve(full));
+    let mistake = |t: Option<f64>| causes::known_mistake(case, t?);
+    let cause = match (mistake(found), mistake(expected)) {
+        (Some(mistake), _) => format!("in half-b, {mistake}"),
+        (None, Some(mistake)) => format!("in the full formula, {mistake}"),
+        (None, None) => "one of the two breaks other laws as well: start there".to_owned(),
+    };
     same_bits(
         found,
-        case.solve(full),
+        expected,
         "half-b returns what the full formula returns, to the last bit",
-        found.map_or_else(
-            || causes::of_decision(case, false),
-            |t| causes::of_root(case, t),
-        ),
+        cause,
     )
 }
 

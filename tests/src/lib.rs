@@ -13,6 +13,7 @@ pub mod laws;
 pub mod mappings;
 pub mod oracle;
 pub mod png;
+pub mod simplify;
 pub mod slips;
 pub mod stages;
 pub mod strategies;

@@ -9,6 +9,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use crate::case::{Case, WithInterval};
 use crate::intervals::{NEAREST_IN_RANGE, RangeSolver};
 use crate::laws::{Broken, Law, NEARER_ROOT, Solver, Verdict};
+use crate::simplify::{Simplify, simplified};
 use crate::strategies;
 
 /// Puts `solve` under every law for a nearer root.
@@ -135,80 +136,6 @@ pub fn cases() -> u32 {
         .unwrap_or(1000)
 }
 
-/// A value that laws are tried on, and that people will read.
-pub trait Simplify: Clone + Debug {
-    /// Values like this one, each with one thing simpler, the simplest first.
-    fn simpler(&self) -> Vec<Self>;
-
-    /// The body of a test that tries this value again.
-    fn as_test(&self) -> String;
-}
-
-impl Simplify for Case {
-    fn simpler(&self) -> Vec<Self> {
-        let numbers = self.numbers();
-        let mut cases = Vec::new();
-        for (at, &number) in numbers.iter().enumerate() {
-            for simpler in simpler_numbers(number) {
-                let mut changed = numbers;
-                changed[at] = simpler;
-                cases.push(Self::from_numbers(changed));
-            }
-        }
-        cases
-    }
-
-    fn as_test(&self) -> String {
-        format!("{self}\ntests::trial::one_case(&hit_sphere, &Case {{ center, radius, ray }});")
-    }
-}
-
-impl Simplify for WithInterval {
-    fn simpler(&self) -> Vec<Self> {
-        let cases = self
-            .case
-            .simpler()
-            .into_iter()
-            .map(|case| Self { case, ..*self });
-        let low = simpler_numbers(self.t_min)
-            .into_iter()
-            .map(|t_min| Self { t_min, ..*self });
-        let high = simpler_numbers(self.t_max)
-            .into_iter()
-            .map(|t_max| Self { t_max, ..*self });
-        low.chain(high).chain(cases).collect()
-    }
-
-    fn as_test(&self) -> String {
-        format!(
-            "{self}\nlet case = Case {{ center, radius, ray }};\n\
-             tests::trial::one_interval(&hit, &WithInterval {{ case, t_min, t_max }});"
-        )
-    }
-}
-
-/// Numbers that take fewer digits to write than `number`, near it or not.
-fn simpler_numbers(number: f64) -> Vec<f64> {
-    let digits = |x: f64| format!("{:e}", x.abs()).len();
-    let size = if number == 0.0 {
-        0.0
-    } else {
-        number.abs().log10().floor()
-    };
-    let rounded = (0..=3).map(|keep| {
-        let unit = 10f64.powf(size - f64::from(keep));
-        (number / unit).round() * unit
-    });
-    [0.0, 1.0, -1.0, number.round()]
-        .into_iter()
-        .chain(rounded)
-        .filter(|simpler| {
-            simpler.is_finite()
-                && (digits(*simpler), simpler.abs()) < (digits(number), number.abs())
-        })
-        .collect()
-}
-
 /// Lets proptest make the value smaller as long as the law stays broken.
 fn shrink<T>(tree: &mut impl ValueTree<Value = T>, law: &impl Fn(&T) -> Verdict) {
     const STEPS: usize = 2000;
@@ -223,22 +150,6 @@ fn shrink<T>(tree: &mut impl ValueTree<Value = T>, law: &impl Fn(&T) -> Verdict)
         }
     }
     while law(&tree.current()).is_ok() && tree.complicate() {}
-}
-
-/// Replaces the value by simpler ones as long as the law stays broken.
-fn simplified<T: Simplify>(mut value: T, law: &impl Fn(&T) -> Verdict) -> T {
-    const ROUNDS: usize = 200;
-    for _ in 0..ROUNDS {
-        match value
-            .simpler()
-            .into_iter()
-            .find(|simpler| law(simpler).is_err())
-        {
-            Some(simpler) => value = simpler,
-            None => break,
-        }
-    }
-    value
 }
 
 /// The same cases in every run, so that a failure is never luck; or the cases

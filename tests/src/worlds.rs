@@ -6,8 +6,8 @@ use proptest::prelude::*;
 
 use crate::case::{Case, WithInterval};
 use crate::laws::{Broken, Verdict};
+use crate::simplify::Simplify;
 use crate::strategies;
-use crate::trial::Simplify;
 
 /// Spheres, a ray, and a range of `t`.
 #[derive(Clone, Debug, PartialEq)]
