@@ -40,6 +40,19 @@ fn the_ray_of_a_pixel_goes_through_its_center() {
     }
 }
 
+/// The book's eye is at the origin, where a sign of it can't be seen.
+#[test]
+fn a_ray_starts_at_the_eye_wherever_that_is() {
+    // 4 × 2 pixels are unit squares, so no number is rounded.
+    let moved = Camera {
+        center: Point3::new(1.0, 2.0, 3.0),
+        ..Camera::with_size(4, 2)
+    };
+    let ray = moved.ray(3, 1);
+    assert_eq!(ray.origin, moved.center);
+    assert_eq!(ray.at(1.0), Point3::new(1.5, -0.5, -1.0));
+}
+
 #[test]
 fn dot_multiplies_equal_letters() {
     let dot = |u: Vec3, v: Vec3| u.dot(v);

@@ -55,6 +55,30 @@ fn a_build_test_of_one_pixel_is_black() {
     );
 }
 
+/// A color is (n + 1) / 2, so n can be read from it up to two roundings.
+#[test]
+fn normals_have_length_one_and_point_against_the_ray() {
+    let camera = Camera::new(60);
+    let world = hittable_list::world();
+    for j in 0..camera.image_height {
+        for i in 0..camera.image_width {
+            let ray = camera.ray(i, j);
+            let colors = [
+                normals::ray_color(&ray),
+                half_b_sphere::ray_color(&ray),
+                hittable_list::ray_color(&ray, &world),
+            ];
+            for color in colors.into_iter().filter(|&color| color != sky(&ray)) {
+                let normal = 2.0 * color - Vec3::ONE;
+                let off = (normal.length() - 1.0).abs();
+                assert!(off <= 8.0 * f64::EPSILON, "column {i}, row {j}: {off:e}");
+                let along = ray.direction.dot(normal);
+                assert!(along < 0.0, "column {i}, row {j}: d·n = {along}");
+            }
+        }
+    }
+}
+
 /// The sphere of chapters 2 to 4 is at z = −1; these rays start beyond it.
 #[test]
 fn from_chapter_3_on_a_sphere_behind_the_ray_is_not_drawn() {

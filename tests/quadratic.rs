@@ -33,6 +33,7 @@ mod red_sphere {
     }
 
     laws_hold_for! { decide =>
+        a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses
         the_line_hits_exactly_when_there_is_a_root
         a_tangent_is_a_hit
     }
@@ -49,6 +50,7 @@ mod normals {
     use super::*;
 
     laws_hold_for! { ::normals::hit_sphere =>
+        a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses
         the_line_hits_exactly_when_there_is_a_root
         the_point_lies_on_the_sphere
         the_root_is_the_nearer_one_to_the_digits_that_remain
@@ -66,6 +68,7 @@ mod half_b_sphere {
     use super::*;
 
     laws_hold_for! { ::half_b_sphere::hit_sphere =>
+        a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses
         the_line_hits_exactly_when_there_is_a_root
         the_point_lies_on_the_sphere
         the_root_is_the_nearer_one_to_the_digits_that_remain
@@ -104,6 +107,7 @@ mod hittable_list_sphere {
     }
 
     laws_hold_for! { nearer =>
+        a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses
         the_line_hits_exactly_when_there_is_a_root
         the_point_lies_on_the_sphere
         the_root_is_the_nearer_one_to_the_digits_that_remain

@@ -421,6 +421,7 @@ impl Samples {
             Chapter::BuildTest | Chapter::Gradient => &[],
             // Chapter 2 has no root, but it has to decide, on tangents too.
             Chapter::RedSphere => &[
+                laws::a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses,
                 laws::the_line_hits_exactly_when_there_is_a_root,
                 laws::a_tangent_is_a_hit,
             ],

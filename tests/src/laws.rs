@@ -75,7 +75,8 @@ impl fmt::Display for Broken {
 pub const BAND: f64 = 24.0 * U;
 
 /// Every law for a nearer root, in the order in which they teach most.
-pub const NEARER_ROOT: [Law; 10] = [
+pub const NEARER_ROOT: [Law; 11] = [
+    a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses,
     the_line_hits_exactly_when_there_is_a_root,
     the_point_lies_on_the_sphere,
     the_root_is_the_nearer_one_to_the_digits_that_remain,
@@ -87,6 +88,45 @@ pub const NEARER_ROOT: [Law; 10] = [
     a_scene_that_is_moved_has_almost_the_same_root,
     finite_input_never_gives_nan,
 ];
+
+/// A ray built to hit hits, and one built to miss misses. This law needs no
+/// oracle: it aims from the origin of the case.
+///
+/// With n at a right angle to oc, the line to C + k·r·n passes C at a distance
+/// of k·r·|oc|/√(oc·oc + k²r²). At k = 0.9 that is less than r. At k = 1.2 and
+/// from two radii away or more it is at least 1.03·r. Silent from nearer, and
+/// from a million radii away, where rounding begins to see a part of that.
+pub fn a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses(
+    solve: &Solver,
+    case: &Case,
+) -> Verdict {
+    let oc = case.center - case.ray.origin;
+    let radii_away = oc.length() / case.radius;
+    if !case.is_well_scaled() || !(2.0..=1e6).contains(&radii_away) {
+        return Ok(());
+    }
+    let sideways = case.radius * oc.normalize().any_orthonormal_vector();
+    for (k, should_hit) in [(0.9, true), (1.2, false)] {
+        let aimed = case.with_ray(case.ray.origin, oc + k * sideways);
+        let found = aimed.solve(solve);
+        if found.is_some() != should_hit {
+            return Err(Broken {
+                law: "a ray aimed at the sphere hits it, and one aimed past it misses",
+                found: format!(
+                    "{found:?} for a ray in the direction {:?}",
+                    aimed.ray.direction
+                ),
+                allowed: format!(
+                    "a {}: it passes the center at {k} radii or a little less",
+                    if should_hit { "hit" } else { "miss" }
+                ),
+                cause: causes::of_decision(&aimed, found.is_some()),
+                page: "chapter 2: what the discriminant says",
+            });
+        }
+    }
+    Ok(())
+}
 
 /// Outside the band where rounding may decide, `solve` returns a root exactly
 /// where there is one. Two-sided: a solver that always or never hits breaks it.

@@ -14,7 +14,9 @@ use crate::strategies;
 
 /// Puts `solve` under every law for a nearer root.
 ///
-/// This is what a reader calls from a test of their own:
+/// This is what a reader calls from a test of their own, in a package that has
+/// `common` and `tests` among its `[dev-dependencies]`, as
+/// `{ path = "…/common" }` and `{ path = "…/tests" }`:
 ///
 /// ```
 /// use common::rtweekend::*;
