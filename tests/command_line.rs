@@ -56,10 +56,14 @@ fn a_chapter_explains_itself_when_asked_and_when_misunderstood() {
         program("gradient").args(["a.ppm", "b.ppm"]),
         &["one file name"],
     );
-    assert_refused(
-        program("gradient").args(["--width", "3"]),
-        &["no option --width", "cargo rtrace"],
-    );
+    for arguments in [&["--width"][..], &["--width", "3"], &["a.ppm", "--width"]] {
+        assert_refused(
+            program("gradient")
+                .args(arguments)
+                .current_dir(folder.path()),
+            &["no option --width", "cargo rtrace"],
+        );
+    }
     assert_eq!(names_in(folder.path()), [""; 0]);
 }
 
@@ -291,7 +295,11 @@ mod on_unix {
             let pipe = pipe.clone();
             move || fs::read(pipe).expect("the pipe is read")
         });
-        assert_success(&run(program("normals").arg(&pipe)));
+        let output = run(program("normals").arg(&pipe));
+        // If the program has not opened the pipe, the reader still waits for
+        // someone who does.
+        let _ = rustix::fs::open(&pipe, OFlags::WRONLY | OFlags::NONBLOCK, Mode::empty());
+        assert_success(&output);
         assert!(reader.join().expect("the pipe was read") == p3(&normals::picture(400)));
         let kind = fs::metadata(&pipe).expect("the pipe").file_type();
         assert!(!kind.is_file());
