@@ -90,7 +90,7 @@ fn the_names_are_distinct_and_lasting() {
 
 #[test]
 fn every_slip_is_caught_and_the_table_says_by_what() {
-    let mut table = String::new();
+    let mut table = LEGEND.to_owned();
     let mut complaints = String::new();
     let samples = Samples::new();
     for chapter in Chapter::ALL {
@@ -535,6 +535,14 @@ fn largest_difference(right: &Picture, wrong: &Picture) -> u8 {
         .max()
         .unwrap_or(0)
 }
+
+const LEGEND: &str = "\
+Each slip in each chapter in which it can be made: the percentage of pixels that
+differ from the right picture at the book's size and in each probe scene, and
+the first law that it breaks. A point is the right picture, ±1 a difference of
+one level at most, `size` a picture of another size. What each slip is, and why
+an (equivalent) one is that, says tests/src/slips/catalogue.
+";
 
 const NAME_WIDTH: usize = 27;
 const VERDICT_WIDTH: usize = 12;
