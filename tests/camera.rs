@@ -88,6 +88,27 @@ fn pixels_are_squares_even_where_the_picture_is_not_quite_16_to_9() {
     }
 }
 
+/// The book divides a vector by multiplying with the reciprocal. Dividing each
+/// component gives another last bit at some widths, these among them.
+#[test]
+fn the_steps_from_pixel_to_pixel_are_products_with_a_reciprocal() {
+    for (width, height) in [(7_u32, 3_u32), (9, 5), (13, 7), (49, 27)] {
+        let camera = Camera::new(width);
+        assert_eq!(camera.image_height, height);
+        let (w, h) = (f64::from(width), f64::from(height));
+        assert_eq!(
+            camera.pixel_delta_u,
+            Vec3::new(2.0 * (w / h) * (1.0 / w), 0.0, 0.0)
+        );
+        assert_eq!(camera.pixel_delta_v, Vec3::new(0.0, -2.0 * (1.0 / h), 0.0));
+    }
+}
+
+#[test]
+fn the_largest_picture_has_all_its_rows() {
+    assert_eq!(Camera::new(16_384).image_height, 9216);
+}
+
 #[test]
 fn the_grid_is_inset_by_half_a_pixel() {
     // 4 × 2 pixels on a viewport 4 wide and 2 high: each pixel is a unit square.

@@ -29,19 +29,29 @@ fn red_green_and_blue_are_stored_in_this_order() {
 
 #[test]
 fn the_sky_is_white_straight_down_blue_straight_up_and_half_way_between() {
-    let towards = |y: f64, z: f64| sky(&Ray::new(Point3::ZERO, Vec3::new(0.0, y, z)));
-    assert_eq!(towards(-3.0, 0.0), Color::new(1.0, 1.0, 1.0));
-    assert_eq!(towards(2.0, 0.0), Color::new(0.5, 0.7, 1.0));
-    assert_eq!(towards(0.0, -1.0), Color::new(0.75, 0.85, 1.0));
+    for sky in [sky, gradient::ray_color] {
+        let towards = |y: f64, z: f64| sky(&Ray::new(Point3::ZERO, Vec3::new(0.0, y, z)));
+        assert_eq!(towards(-3.0, 0.0), Color::new(1.0, 1.0, 1.0));
+        assert_eq!(towards(2.0, 0.0), Color::new(0.5, 0.7, 1.0));
+        assert_eq!(towards(0.0, -1.0), Color::new(0.75, 0.85, 1.0));
+    }
 }
 
+/// To the bit: the eight bits of a picture would hide another formula.
 #[test]
-fn the_sky_of_the_prelude_is_the_gradient_of_chapter_1() {
+fn the_sky_is_the_books_formula_for_a_direction_and_not_for_a_place() {
     let camera = Camera::new(31);
     for j in 0..camera.image_height {
         for i in 0..camera.image_width {
-            let ray = camera.ray(i, j);
-            assert_eq!(sky(&ray), gradient::ray_color(&ray));
+            let direction = camera.ray(i, j).direction;
+            let reciprocal = 1.0 / direction.length();
+            let a = 0.5 * (direction.y * reciprocal + 1.0);
+            let expected = [0.5, 0.7, 1.0].map(|blue| (1.0 - a) * 1.0 + a * blue);
+            for origin in [Point3::ZERO, Point3::new(3.0, -5.0, 7.0)] {
+                let ray = Ray::new(origin, direction);
+                assert_eq!(sky(&ray).to_array(), expected, "column {i}, row {j}");
+                assert_eq!(gradient::ray_color(&ray).to_array(), expected);
+            }
         }
     }
 }
@@ -110,14 +120,44 @@ fn a_sphere_that_the_ray_touches_only_at_its_origin_is_not_drawn() {
     assert_eq!(half_b_sphere::ray_color(&in_front), sky(&in_front));
 }
 
-/// However near: the range of t starts at 0, not at 0.001.
+/// However near or far: the range of t starts at 0, not at 0.001, and has no end.
+/// The rays are oblique, so that near and far side have other normals.
 #[test]
-fn what_is_close_to_the_eye_is_drawn() {
+fn what_is_close_to_the_eye_or_far_from_it_is_drawn() {
     let world = hittable_list::world();
-    let close = Ray::new(Point3::new(0.0, 0.0, -0.499_999), Vec3::new(0.0, 0.0, -1.0));
-    assert_eq!(
-        hittable_list::ray_color(&close, &world),
-        Color::new(0.5, 0.5, 1.0)
+    let towards = Vec3::new(0.1, -0.2, -1.0);
+    let on_the_surface = Point3::new(0.0, 0.0, -0.5);
+    for t in [1e-9, 1e-4, 0.01, 1e5] {
+        let ray = Ray::new(on_the_surface - t * towards, towards);
+        // The normal there is (0, 0, 1). From 1e5 away t has four digits less.
+        let expected = Color::new(0.5, 0.5, 1.0);
+        for color in [
+            normals::ray_color(&ray),
+            half_b_sphere::ray_color(&ray),
+            hittable_list::ray_color(&ray, &world),
+        ] {
+            assert!(
+                (color - expected).abs().max_element() < 1e-4,
+                "{color} from {t} directions away, where {expected} is right"
+            );
+        }
+    }
+}
+
+/// P(t) − C needs the origin of the ray in P. At the book's eye that is 0.
+#[test]
+fn a_moved_eye_sees_the_same_normals_in_chapters_3_to_5() {
+    let ray = Ray::new(Point3::new(0.3, 0.2, 2.0), Vec3::new(-0.05, -0.1, -1.0));
+    let color = normals::ray_color(&ray);
+    let normal = 2.0 * color - Vec3::ONE;
+    // The point that has this normal lies on the ray.
+    let point = Point3::new(0.0, 0.0, -1.0) + 0.5 * normal;
+    let t = (point - ray.origin).z / ray.direction.z;
+    assert!(
+        (ray.at(t) - point).length() < 1e-12,
+        "{point} is not on {ray:?}"
     );
-    assert_eq!(normals::ray_color(&close), Color::new(0.5, 0.5, 1.0));
+    assert_eq!(half_b_sphere::ray_color(&ray), color);
+    let in_a_list = hittable_list::ray_color(&ray, &hittable_list::world());
+    assert!((in_a_list - color).length() < 1e-12);
 }

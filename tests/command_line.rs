@@ -29,19 +29,21 @@ fn a_chapter_prints_its_picture() {
 #[test]
 fn a_chapter_writes_the_file_that_it_is_told_to_and_nothing_else() {
     let folder = TempDir::new().expect("a folder");
-    let path = folder.path().join("normals.ppm");
+    let path = folder.path().join("normals.PPM");
     for _first_then_again in 0..2 {
         assert_success(&run(program("normals").arg(&path)));
         assert!(fs::read(&path).expect("the file is there") == p3(&normals::picture(400)));
-        assert_eq!(names_in(folder.path()), ["normals.ppm"]);
+        assert_eq!(names_in(folder.path()), ["normals.PPM"]);
     }
 }
 
 #[test]
 fn a_chapter_explains_itself_when_asked_and_when_misunderstood() {
-    let help = run(program("gradient").arg("--help"));
-    assert_success(&help);
-    assert!(text(&help.stdout).contains("cargo run -p gradient > gradient.ppm"));
+    for option in ["-h", "--help"] {
+        let help = run(program("gradient").arg(option));
+        assert_success(&help);
+        assert!(text(&help.stdout).contains("cargo run -p gradient > gradient.ppm"));
+    }
 
     let folder = TempDir::new().expect("a folder");
     for name in ["picture.PNG", "picture.tiff"] {
@@ -341,6 +343,48 @@ mod on_unix {
             assert_eq!(fs::read(&path).expect("the file"), b"kept");
             assert_eq!(names_in(folder.path()), ["kept.ppm"]);
         }
+    }
+
+    /// So small that it waits in a buffer until the end.
+    #[test]
+    fn a_disk_that_is_full_at_the_very_end_is_noticed() {
+        let folder = TempDir::new().expect("a folder");
+        let mut shell = Command::new("sh");
+        shell
+            .args(["-c", "ulimit -f 1; trap '' XFSZ; exec \"$0\" \"$@\""])
+            .arg(path_of("rtrace"))
+            .args(["show", "normals", "--width", "30", "-o"])
+            .arg(folder.path().join("small.ppm"));
+        assert_failed(&mut shell, &["small.ppm", "large"]);
+        assert_eq!(names_in(folder.path()), [""; 0]);
+    }
+
+    #[test]
+    fn any_failure_of_standard_output_is_reported() {
+        let folder = TempDir::new().expect("a folder");
+        let path = folder.path().join("redirected.ppm");
+        let mut shell = Command::new("sh");
+        shell
+            .args(["-c", "ulimit -f 64; trap '' XFSZ; exec \"$0\" > \"$1\""])
+            .arg(path_of("normals"))
+            .arg(&path);
+        assert_failed(&mut shell, &["standard output", "large"]);
+    }
+
+    /// The new file takes the place of the old one in one step, and is written
+    /// in the same folder, because a step can't lead to another disk.
+    #[test]
+    fn a_file_is_replaced_not_rewritten() {
+        let folder = TempDir::new().expect("a folder");
+        let path = folder.path().join("normals.ppm");
+        fs::write(&path, "old").expect("a file");
+        let mut old = File::open(&path).expect("the old file");
+        assert_success(&run(program("normals")
+            .arg(&path)
+            .env("TMPDIR", "/nonexistent")));
+        let mut still_old = String::new();
+        old.read_to_string(&mut still_old).expect("the old file");
+        assert_eq!(still_old, "old");
     }
 
     #[test]

@@ -58,7 +58,8 @@ fn the_text_of_each_picture_has_the_sum_of_the_books_own() {
             actual == expected,
             "{name} at {width} wide is not what the book's C++ draws{}.\n\
              If its snapshot differs too, start there. If only this differs, look for another \
-             order of operations, a fused multiply-add, or v / s for v * (1.0 / s).",
+             order of operations, a fused multiply-add, f32 somewhere, v / s for v * (1.0 / s), or the \
+             text: P3, width and height, 255, each on its line, then a pixel a line.",
             same_as.map_or(String::new(), |(_, name, _)| format!(
                 ": it is exactly the picture of {name}"
             ))
@@ -124,6 +125,12 @@ fn a_snapshot_may_be_compressed_in_another_way_but_not_show_another_picture() {
     );
 }
 
+#[test]
+fn bytes_that_are_not_three_a_pixel_are_no_picture() {
+    assert_eq!(Picture::from_rgb(2, 2, vec![0; 11]), None);
+    assert!(Picture::from_rgb(2, 2, vec![0; 12]).is_some());
+}
+
 /// Compares the picture of the stage with its snapshot.
 fn assert_picture(name: &str) {
     let stage = stages::find(name).expect("the stage is in the list of stages");
@@ -163,7 +170,7 @@ impl Comparator for SamePixels {
         println!(
             "\nThe picture of `{name}` is not its snapshot: {comparison}.\n\
              See both, and the difference: {}\n\
-             If you want the new one: INSTA_UPDATE=always cargo test the_snapshot_is_drawn_by::{name}\n\
+             Only if you meant to change it: INSTA_UPDATE=always cargo test the_snapshot_is_drawn_by::{name}\n\
              (in PowerShell, first $env:INSTA_UPDATE = 'always')\n",
             page.display()
         );

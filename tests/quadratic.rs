@@ -84,7 +84,7 @@ mod half_b_sphere {
     #[test]
     fn it_is_the_full_formula_to_the_last_bit() {
         holds(&strategies::anywhere(), |case| {
-            laws::half_b_is_the_full_formula_to_the_last_bit(
+            laws::two_chapters_agree_to_the_last_bit(
                 &::half_b_sphere::hit_sphere,
                 &::normals::hit_sphere,
                 case,
@@ -134,6 +134,43 @@ mod hittable_list_sphere {
         holds(&strategies::with_interval(cases), |asked| {
             intervals::no_t_outside_the_interval_is_returned(&hit, asked)
         });
+    }
+
+    #[test]
+    fn the_farther_root_is_the_nearer_one_of_the_ray_turned_round() {
+        holds(
+            &strategies::with_interval(strategies::anywhere()),
+            |asked| {
+                intervals::the_farther_root_is_the_nearer_one_of_the_ray_turned_round(&hit, asked)
+            },
+        );
+    }
+
+    #[test]
+    fn it_is_the_half_b_of_chapter_4_to_the_last_bit() {
+        holds(&strategies::anywhere(), |case| {
+            laws::two_chapters_agree_to_the_last_bit(&nearer, &::half_b_sphere::hit_sphere, case)
+        });
+    }
+
+    #[test]
+    fn the_record_is_that_of_the_hit() {
+        let ray = Ray::new(Point3::new(0.5, 1.0, 3.0), Vec3::new(0.0, -0.25, -2.0));
+        let sphere = Sphere::new(Point3::new(0.25, 0.5, -1.0), 1.5);
+        let hit = sphere.hit(&ray, 0.0, f64::INFINITY).expect("it is ahead");
+        let record = hit.record(&ray);
+        assert_eq!(record.t, hit.t);
+        assert_eq!(record.point, ray.at(hit.t));
+        assert!(record.front_face);
+    }
+
+    /// As the book does. 49 · (1/49) is not 1.
+    #[test]
+    fn a_normal_is_a_product_with_the_reciprocal_of_the_radius() {
+        let sphere = Sphere::new(Point3::ZERO, 49.0);
+        let normal = sphere.outward_normal(Point3::new(49.0, 0.0, 0.0));
+        assert_eq!(normal.x, 49.0 * (1.0 / 49.0));
+        assert_ne!(normal.x, 1.0);
     }
 
     #[test]

@@ -25,7 +25,8 @@ fn a_program_without_a_slip_is_the_chapter_to_the_last_bit() {
                     &Program::right(chapter).run(width).picture()
                 ),
                 Comparison::Equal,
-                "{} at {width} wide: the steps in tests/src/slips/program.rs are not those of the chapter",
+                "{} at {width} wide: the steps in tests/src/slips/program.rs are not those of the \
+                 chapter. If another test fails too, it is the chapter that is wrong",
                 stage.name
             );
         }

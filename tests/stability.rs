@@ -323,7 +323,11 @@ fn sphere(case: &Case) -> Sphere {
 
 fn assert_between(low: f64, value: f64, high: f64) {
     assert!(
-        (low..=high).contains(&value),
-        "{value} is not from {low} to {high}: if a method has become better, tell so here"
+        value >= low,
+        "{value} is less than {low}: has the method become better? Say so here"
+    );
+    assert!(
+        value <= high,
+        "{value} is more than {high}: the method has become worse"
     );
 }

@@ -37,6 +37,15 @@ pub fn known_mistake(case: &Case, t: f64) -> Option<&'static str> {
 /// What the code probably says if `hit_sphere` decides for a hit, or a miss,
 /// and should not.
 pub fn of_decision(case: &Case, hit: bool) -> String {
+    let right = Quadratic::of(case, case.center - case.ray.origin);
+    if !hit && right.nearer_root() < 0.0 {
+        return "a test for t > 0 or h > 0 inside hit_sphere, where the nearer root is behind the \
+                ray: the line goes both ways, and such a test belongs to the caller"
+            .to_owned();
+    }
+    if hit && (-1e-6..0.0).contains(&right.discriminant()) {
+        return "the discriminant is compared with a small number instead of 0".to_owned();
+    }
     let found: Vec<&str> = wrong_discriminants(case)
         .into_iter()
         .filter(|(wrong, _)| (*wrong >= 0.0) == hit)
@@ -56,10 +65,30 @@ fn wrong_roots(case: &Case) -> Vec<(f64, &'static str)> {
     let left_out = Quadratic::of(case, case.center);
     let Quadratic { a, h, c } = right;
     let (near, far) = (right.nearer_root(), 2.0 * h / a - right.nearer_root());
+    let h_is_negative = h < 0.0;
+    let inside = near < 0.0 && far > 0.0;
     vec![
         (
             far,
-            "+ √discriminant where it should be −: this is the farther root",
+            if inside {
+                "the farther root is returned where the nearer one is behind the ray: that choice \
+                 comes with t_min, in chapter 5. Or + √discriminant stands where it should be −"
+            } else {
+                "+ √discriminant where it should be −: this is the farther root"
+            },
+        ),
+        (
+            if h_is_negative && near < 0.0 {
+                0.0
+            } else {
+                f64::NAN
+            },
+            "t is kept from being negative: the line goes both ways, and what lies behind is the \
+             caller's business",
+        ),
+        (
+            if h_is_negative { -far } else { f64::NAN },
+            "an absolute value hides the sign of h, or of b",
         ),
         (
             -far,
@@ -80,6 +109,10 @@ fn wrong_roots(case: &Case) -> Vec<(f64, &'static str)> {
         ),
         (2.0 * near, "/ a where the full formula divides by 2a"),
         (near / 2.0, "/ (2a) where half-b divides by a"),
+        (
+            (h - (h * h - a.sqrt() * c).sqrt()) / a.sqrt(),
+            "a is the length of the direction where it should be its square",
+        ),
         (
             near * a * a,
             "/ 2.0 * a divides by 2 and multiplies by a: it needs / (2.0 * a)",
@@ -142,6 +175,14 @@ fn wrong_discriminants(case: &Case) -> Vec<(f64, &'static str)> {
     let oc_squared = c + r * r;
     vec![
         (a * c - h * h, "the sign of the test is turned round"),
+        (
+            (h * h - a * c).abs(),
+            "an absolute value hides a negative discriminant",
+        ),
+        (
+            h * h - a.sqrt() * c,
+            "a is the length of the direction where it should be its square",
+        ),
         (h * h - 4.0 * a * c, "h*h − 4ac where half-b has h*h − ac"),
         (
             4.0 * h * h - a * c,

@@ -404,27 +404,29 @@ pub fn finite_input_never_gives_nan(solve: &Solver, case: &Case) -> Verdict {
     }
 }
 
-/// `half` and `full` agree to the last bit. The factors 2 and 4 that half-b
-/// leaves out are powers of two: they never round.
-pub fn half_b_is_the_full_formula_to_the_last_bit(
-    half: &Solver,
-    full: &Solver,
+/// Chapters 3, 4 and 5 return the same root to the last bit. The factors 2 and 4
+/// that half-b leaves out are powers of two: they never round.
+pub fn two_chapters_agree_to_the_last_bit(
+    later: &Solver,
+    earlier: &Solver,
     case: &Case,
 ) -> Verdict {
     if !case.is_well_scaled() {
         return Ok(());
     }
-    let (found, expected) = (case.solve(half), case.solve(full));
+    let (found, expected) = (case.solve(later), case.solve(earlier));
     let mistake = |t: Option<f64>| causes::known_mistake(case, t?);
     let cause = match (mistake(found), mistake(expected)) {
-        (Some(mistake), _) => format!("in half-b, {mistake}"),
-        (None, Some(mistake)) => format!("in the full formula, {mistake}"),
-        (None, None) => "one of the two breaks other laws as well: start there".to_owned(),
+        (Some(mistake), _) => format!("in the later chapter, {mistake}"),
+        (None, Some(mistake)) => format!("in the earlier chapter, {mistake}"),
+        (None, None) => "one of the two breaks other laws as well: start there. If not, both are \
+                         right, but one has another order of operations or a fused mul_add"
+            .to_owned(),
     };
     same_bits(
         found,
         expected,
-        "half-b returns what the full formula returns, to the last bit",
+        "the full formula, half-b and the sphere of the list return the same t, to the last bit",
         cause,
     )
 }

@@ -35,22 +35,29 @@ pub fn dot_multiplies_equal_letters(
 
 /// P(t) = A + t·b, equation (1): at 0 the origin, at 1 one direction further on.
 ///
-/// With small whole numbers, nothing rounds.
+/// With small whole numbers, nothing rounds. The last ray tells a product that
+/// is rounded before the sum from a fused one: 10 · 0.1 is 1 to an `f64`, though
+/// `0.1` is a little more than a tenth.
 pub fn the_point_at_t_is_t_directions_from_the_origin(at: &dyn Fn(&Ray, f64) -> Point3) -> Verdict {
     let ray = Ray::new(Point3::new(1.0, -2.0, 3.0), Vec3::new(5.0, 7.0, -11.0));
+    let rounding = Ray::new(Point3::splat(-1.0), Vec3::splat(10.0));
     let expected = [
-        (0.0, ray.origin),
-        (1.0, Point3::new(6.0, 5.0, -8.0)),
-        (-2.0, Point3::new(-9.0, -16.0, 25.0)),
+        (ray, 0.0, ray.origin),
+        (ray, 1.0, Point3::new(6.0, 5.0, -8.0)),
+        (ray, -2.0, Point3::new(-9.0, -16.0, 25.0)),
+        (rounding, 0.1, Point3::ZERO),
     ];
-    for (t, expected) in expected {
+    for (ray, t, expected) in expected {
         let found = at(&ray, t);
         if found != expected {
             return Err(Broken {
                 law: "the point at t is t directions away from the origin",
                 found: format!("{found:?} at t = {t} of {ray:?}"),
                 allowed: format!("{expected:?}"),
-                cause: "the origin is left out, or the direction is changed first".to_owned(),
+                cause:
+                    "the origin is left out, the direction is changed first, or the product and \
+                        the sum are fused"
+                        .to_owned(),
                 page: "equation (1) of the notes",
             });
         }
