@@ -8,6 +8,7 @@ use common::rtweekend::*;
 use proptest::prelude::*;
 use tests::case::Case;
 use tests::laws::Verdict;
+use tests::simplify::Simplify;
 use tests::trial::holds;
 use tests::worlds::{World, worlds};
 use tests::{hits, intervals, laws, strategies, trial};
@@ -195,18 +196,45 @@ mod hittable_list_sphere {
     /// Applies `law` to the record of each root. The nearer one is what an
     /// endless range finds, the farther one what a range behind it finds.
     fn for_each_record(law: impl Fn(&Case, bool, &HitRecord) -> Verdict) {
-        holds(&strategies::anywhere(), |case| {
-            let sphere = Sphere::new(case.center, case.radius);
-            let mut t_min = f64::NEG_INFINITY;
-            for nearer in [true, false] {
-                let Some(hit) = sphere.hit(&case.ray, t_min, f64::INFINITY) else {
-                    return Ok(());
-                };
-                law(case, nearer, &hit.record(&case.ray))?;
-                t_min = hit.t;
-            }
-            Ok(())
-        });
+        holds(
+            &strategies::anywhere().prop_map(Recorded),
+            |Recorded(case)| {
+                let sphere = Sphere::new(case.center, case.radius);
+                let mut t_min = f64::NEG_INFINITY;
+                for nearer in [true, false] {
+                    let Some(hit) = sphere.hit(&case.ray, t_min, f64::INFINITY) else {
+                        return Ok(());
+                    };
+                    law(case, nearer, &hit.record(&case.ray))?;
+                    t_min = hit.t;
+                }
+                Ok(())
+            },
+        );
+    }
+
+    /// A case of which the records matter.
+    #[derive(Clone, Debug)]
+    struct Recorded(Case);
+
+    impl Simplify for Recorded {
+        fn simpler(&self) -> Vec<Self> {
+            self.0.simpler().into_iter().map(Self).collect()
+        }
+
+        fn as_test(&self) -> String {
+            format!(
+                "{}\nlet sphere = Sphere::new(center, radius);\n\
+                 let nearer = sphere.hit(&ray, f64::NEG_INFINITY, f64::INFINITY).unwrap();\n\
+                 let farther = sphere.hit(&ray, nearer.t, f64::INFINITY).unwrap();\n\
+                 for (hit, front_face) in [(nearer, true), (farther, false)] {{\n    \
+                 let record = hit.record(&ray);\n    \
+                 assert!((record.normal.length() - 1.0).abs() < 1e-9);\n    \
+                 assert!(ray.direction.dot(record.normal) <= 0.0);\n    \
+                 assert_eq!(record.front_face, front_face);\n}}",
+                self.0
+            )
+        }
     }
 }
 
