@@ -165,6 +165,20 @@ mod hittable_list_sphere {
         assert!(record.front_face);
     }
 
+    #[test]
+    fn a_ray_at_a_right_angle_to_the_normal_counts_as_coming_from_inside() {
+        let along = Ray::new(Point3::ZERO, Vec3::X);
+        let mut record = HitRecord {
+            t: 1.0,
+            point: Point3::X,
+            normal: Vec3::Y,
+            front_face: true,
+        };
+        record.set_face_normal(&along, Vec3::Y);
+        assert!(!record.front_face);
+        assert_eq!(record.normal, -Vec3::Y);
+    }
+
     /// As the book does. 49 · (1/49) is not 1.
     #[test]
     fn a_normal_is_a_product_with_the_reciprocal_of_the_radius() {
