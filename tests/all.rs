@@ -7,4 +7,5 @@ mod oracle;
 mod pictures;
 mod quadratic;
 mod slips;
+mod speed;
 mod stability;

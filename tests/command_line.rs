@@ -308,14 +308,23 @@ mod on_unix {
     }
 
     #[test]
-    fn a_picture_that_memory_cannot_hold_is_refused() {
-        let mut shell = Command::new("sh");
-        shell
-            .args(["-c", "ulimit -v 400000; exec \"$0\" \"$@\""])
-            .arg(path_of("rtrace"))
-            .args(["show", "gradient", "--width", "16384", "--output", "-"]);
+    fn a_picture_that_memory_cannot_hold_is_refused_as_png_and_printed_as_text() {
+        let limited = |output: &str| {
+            let mut shell = Command::new("sh");
+            shell
+                .args(["-c", "ulimit -v 60000; exec \"$0\" \"$@\""])
+                .arg(path_of("rtrace"))
+                .args(["show", "gradient", "--width", "6000", "--output", output]);
+            shell
+        };
         if cfg!(target_os = "linux") {
-            assert_refused(&mut shell, &["no memory for 805 MB", "smaller width"]);
+            let folder = TempDir::new().expect("a folder");
+            let png = folder.path().join("picture.png");
+            assert_refused(
+                &mut limited(&png.to_string_lossy()),
+                &["no memory for 60 MB", "smaller width", ".ppm"],
+            );
+            assert_success(&run(limited("-").stdout(Stdio::null())));
         }
     }
 

@@ -69,18 +69,20 @@ fn the_text_of_each_picture_has_the_sum_of_the_books_own() {
 
 #[test]
 fn the_number_of_threads_changes_no_byte() {
-    let camera = Camera::new(101);
-    let world = hittable_list::world();
-    let paint = |threads| {
-        Picture::paint_with_threads(threads, camera.image_width, camera.image_height, |i, j| {
-            hittable_list::ray_color(&camera.ray(i, j), &world)
-        })
+    // Large enough for three strips, and no multiple of anything.
+    let picture = hittable_list::picture(263);
+    let text = |threads| {
+        let mut text = Vec::new();
+        picture
+            .write_p3_with_threads(threads, &mut text)
+            .expect("memory takes it");
+        text
     };
-    for threads in [2, 3, 7, 56, 1000] {
-        assert_equal(
-            &paint(1),
-            &paint(threads),
-            &format!("one thread and {threads}"),
+    for threads in [2, 3, 7, 100] {
+        assert!(text(1) == text(threads), "the text of {threads} threads");
+        assert!(
+            picture.rgb_with_threads(1) == picture.rgb_with_threads(threads),
+            "the bytes of {threads} threads"
         );
     }
 }
@@ -107,12 +109,12 @@ fn a_snapshot_may_be_compressed_in_another_way_but_not_show_another_picture() {
         CompressionType::Uncompressed,
         FilterType::NoFilter,
     )
-    .write_image(picture.rgb(), 40, 22, ExtendedColorType::Rgb8)
+    .write_image(&picture.rgb(), 40, 22, ExtendedColorType::Rgb8)
     .expect("memory takes it");
     assert_ne!(stored, other_file);
     assert_eq!(compare_files(&stored, &other_file), Comparison::Equal);
 
-    let mut rgb = picture.rgb().to_vec();
+    let mut rgb = picture.rgb();
     rgb[3 * (40 * 7 + 5) + 1] ^= 1;
     let other_picture = Picture::from_rgb(40, 22, rgb).expect("the size is the same");
     let comparison = compare_files(&stored, &png::encode(&other_picture));

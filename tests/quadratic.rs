@@ -302,7 +302,7 @@ mod hittable_list {
         let hit = list
             .hit(&ahead, 0.0, f64::INFINITY)
             .expect("both are ahead");
-        assert_eq!(*hit.sphere, Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5));
+        assert_eq!(hit.sphere, Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5));
     }
 
     fn for_flat_and_nested_lists(law: fn(&worlds::Search, &World) -> Verdict) {

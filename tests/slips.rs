@@ -64,7 +64,7 @@ fn a_program_without_a_slip_draws_every_probe_as_chapter_5_does() {
             world.add(Sphere::new(ball.center, ball.radius));
         }
         let camera = program.camera(probe.width);
-        let picture = Picture::paint(camera.image_width, camera.image_height, |i, j| {
+        let picture = Picture::paint(camera.image_width, camera.image_height, move |i, j| {
             hittable_list::ray_color(&camera.ray(i, j), &world)
         });
         assert_eq!(
@@ -178,7 +178,8 @@ fn chapter_2_shows_no_sign_but_a_missing_four_paints_everything_red() {
         assert_eq!(draw(name, Chapter::RedSphere), red, "{name}");
     }
     let flooded = draw("discriminant-without-four", Chapter::RedSphere);
-    let (pixels, _) = flooded.rgb().as_chunks::<3>();
+    let rgb = flooded.rgb();
+    let (pixels, _) = rgb.as_chunks::<3>();
     assert!(pixels.iter().all(|pixel| *pixel == [255, 0, 0]));
 }
 
@@ -530,9 +531,9 @@ impl Exam {
 }
 
 fn largest_difference(right: &Picture, wrong: &Picture) -> u8 {
-    let levels = right.rgb().iter().zip(wrong.rgb());
+    let levels = right.rgb().into_iter().zip(wrong.rgb());
     levels
-        .map(|(right, wrong)| right.abs_diff(*wrong))
+        .map(|(right, wrong)| right.abs_diff(wrong))
         .max()
         .unwrap_or(0)
 }

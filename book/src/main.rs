@@ -1,6 +1,7 @@
 //! `cargo rtrace`: the reader's companion.
 
 mod draw;
+mod race;
 mod save;
 mod show;
 mod terminal;
@@ -26,12 +27,15 @@ struct Cli {
 enum Command {
     /// Draw one picture: in the terminal, into a file, or into a viewer
     Show(show::Arguments),
+    /// Draw the pictures in turns with the book's program in C++, and measure
+    Race(race::Arguments),
 }
 
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
         None => draw::all(),
         Some(Command::Show(arguments)) => show::show(&arguments),
+        Some(Command::Race(arguments)) => race::race(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -45,11 +49,11 @@ fn main() -> ExitCode {
 
 /// A command line that can't be followed, as opposed to a failure on the way.
 #[derive(Debug)]
-struct Misuse(&'static str);
+struct Misuse(String);
 
 impl std::fmt::Display for Misuse {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.0)
+        f.write_str(&self.0)
     }
 }
 

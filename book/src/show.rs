@@ -35,8 +35,9 @@ pub(crate) struct Arguments {
     open: bool,
 }
 
-/// The widest picture that this program agrees to make, in pixels. The square
-/// one takes 805 MB of memory, the others 453 MB.
+/// The widest picture that this program agrees to make, in pixels. As a PNG
+/// file the square one takes 805 MB of memory, the others 453 MB; as text they
+/// take next to nothing.
 const WIDEST: u32 = 16_384;
 
 /// Draws the picture, then prints, saves, opens or shows it.
@@ -48,10 +49,16 @@ pub(crate) fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         open,
     } = arguments;
     let picture = || (stage.picture)(width.unwrap_or(stage.book_width));
+    if !matches!(
+        output,
+        Some(Destination::Stdout | Destination::File(_, Format::Ppm))
+    ) {
+        check_memory(&picture())?;
+    }
     match output {
-        Some(Destination::Stdout) if *open => {
-            Err(Misuse("--open needs a file: name one with --output, or leave --output out").into())
-        }
+        Some(Destination::Stdout) if *open => Err(misuse(
+            "--open needs a file: name one with --output, or leave --output out",
+        )),
         Some(Destination::Stdout) => Ok(output::to_stdout(|out| picture().write_p3(out))?),
         Some(Destination::File(path, format)) => save_and_say(&picture(), *format, path, *open),
         None if *open => {
@@ -59,12 +66,15 @@ pub(crate) fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             save_and_say(&picture(), Format::Png, &path, true)
         }
         None if can_show_colors() => Ok(output::to_stdout(|out| terminal::show(&picture(), out))?),
-        None => Err(Misuse(
+        None => Err(misuse(
             "there is no terminal with colors here to show the picture in: \
              name a file with --output, or print the numbers with --output -",
-        )
-        .into()),
+        )),
     }
+}
+
+fn misuse(what: &str) -> Box<dyn Error> {
+    Misuse(what.to_owned()).into()
 }
 
 /// Where a picture goes if not to the terminal.
@@ -105,22 +115,21 @@ fn stage_parser() -> impl TypedValueParser<Value = Stage> {
 }
 
 fn parse_width(text: &str) -> Result<u32, String> {
-    let width = text
-        .parse()
+    text.parse()
         .ok()
         .filter(|width| (1..=WIDEST).contains(width))
-        .ok_or_else(|| {
-            format!("choose a whole number of pixels from 1 to {WIDEST}, such as 400")
-        })?;
-    // No picture here is higher than it is wide.
-    let bytes = 3 * width as usize * width as usize;
-    match Vec::<u8>::new().try_reserve_exact(bytes) {
-        Ok(()) => Ok(width),
-        Err(_) => Err(format!(
-            "there is no memory for {} MB: choose a smaller width",
+        .ok_or_else(|| format!("choose a whole number of pixels from 1 to {WIDEST}, such as 400"))
+}
+
+/// Refuses a picture that does not fit into memory, unless it is to be printed.
+fn check_memory(picture: &Picture) -> Result<(), Misuse> {
+    let bytes = 3 * picture.width() as usize * picture.height() as usize;
+    Vec::<u8>::new().try_reserve_exact(bytes).map_err(|_| {
+        Misuse(format!(
+            "there is no memory for {} MB: choose a smaller width, or a .ppm file",
             bytes / 1_000_000
-        )),
-    }
+        ))
+    })
 }
 
 fn destination_parser() -> impl TypedValueParser<Value = Destination> {

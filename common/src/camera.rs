@@ -1,15 +1,30 @@
 //! The book's camera: which ray belongs to which pixel.
 
 use crate::color::Color;
+use crate::many::{Pixels, Rays};
 use crate::picture::Picture;
 use crate::ray::Ray;
 use crate::vec3::{Point3, Vec3};
 
 /// Draws what the book's camera sees in a picture `width` pixels wide.
-pub fn render(width: u32, ray_color: impl Fn(&Ray) -> Color + Sync) -> Picture {
+pub fn render(width: u32, ray_color: impl Fn(&Ray) -> Color + Send + Sync + 'static) -> Picture {
     let camera = Camera::new(width);
-    Picture::paint(camera.image_width, camera.image_height, |i, j| {
-        ray_color(&camera.ray(i, j))
+    Picture::paint(
+        camera.image_width,
+        camera.image_height,
+        #[inline(always)]
+        move |i, j| ray_color(&camera.ray(i, j)),
+    )
+}
+
+/// Draws the same from what becomes of many rays at a time.
+pub fn render_many(width: u32, paint: impl Fn(&Rays) -> Pixels + Send + Sync + 'static) -> Picture {
+    let camera = Camera::new(width);
+    Picture::paint_many(camera.image_width, camera.image_height, move |i, j| {
+        paint(&Rays::from_fn(
+            #[inline(always)]
+            |k| camera.ray(i + k as u32, j),
+        ))
     })
 }
 

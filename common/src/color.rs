@@ -11,7 +11,7 @@ pub type Color = Vec3;
 ///
 /// Chapter 1 is about this function and writes it out; the later chapters take
 /// it from here. A direction of length zero has no color: the result is NaN.
-#[inline]
+#[inline(always)]
 pub fn sky(ray: &Ray) -> Color {
     let unit_direction = ray.direction.normalize();
     let a = 0.5 * (unit_direction.y + 1.0);
@@ -27,7 +27,11 @@ pub fn sky(ray: &Ray) -> Color {
 /// picture.)
 #[inline]
 pub fn write_color(pixel: &mut [u8; 3], color: Color) {
-    *pixel = color
-        .to_array()
-        .map(|component| (255.999 * component) as u8);
+    *pixel = color.to_array().map(level);
+}
+
+/// The level of a single component.
+#[inline(always)]
+pub(crate) fn level(component: f64) -> u8 {
+    (255.999 * component) as u8
 }

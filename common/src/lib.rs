@@ -10,15 +10,19 @@
 mod camera;
 pub mod chapter;
 mod color;
+mod in_order;
+mod many;
 pub mod output;
 mod picture;
 mod ray;
+mod text;
 mod vec3;
 
 /// The prelude of every chapter.
 pub mod rtweekend {
-    pub use crate::camera::{Camera, render};
+    pub use crate::camera::{Camera, render, render_many};
     pub use crate::color::{Color, sky, write_color};
+    pub use crate::many::{Many, Pixels, Rays};
     pub use crate::picture::Picture;
     pub use crate::ray::Ray;
     pub use crate::vec3::{Point3, Vec3};

@@ -1,61 +1,78 @@
-//! A picture in memory, and the text that the book calls an image.
+//! A picture, and the text that the book calls an image.
 
+use std::fmt;
 use std::io::{self, Write};
-use std::num::NonZero;
 use std::thread;
 
-use crate::color::{Color, write_color};
+use crate::color::Color;
+use crate::in_order::in_order;
+use crate::many::{MANY, Pixels};
+use crate::text::push_pixels;
 
 /// Rows of pixels from top to bottom, each pixel three bytes: red, green, blue.
-#[derive(Clone, Debug, PartialEq, Eq)]
+///
+/// A picture knows its size and how to paint any part of itself. It is painted
+/// when someone asks for its bytes or its text, and never held as a whole to be
+/// printed, so even a very large one takes little memory.
 pub struct Picture {
     width: u32,
     height: u32,
-    rgb: Vec<u8>,
+    paint: Box<Paint>,
 }
 
-impl Picture {
-    /// Paints the pixel in column `i` and row `j` with `color_at(i, j)`.
-    ///
-    /// Large pictures are shared out to all processors. A pixel depends on
-    /// nothing but its place, so the result is the same for any number of them.
-    pub fn paint(width: u32, height: u32, color_at: impl Fn(u32, u32) -> Color + Sync) -> Self {
-        let worthwhile = pixel_count(width, height) / PIXELS_WORTH_A_THREAD + 1;
-        let available = thread::available_parallelism().map_or(1, NonZero::get);
-        Self::paint_with_threads(available.min(worthwhile), width, height, color_at)
-    }
+/// Paints a block of pixels: many in a row, from a column and row on.
+type Paint = dyn Fn(u32, u32) -> Pixels + Send + Sync;
 
-    /// The same picture, painted in at most `threads` bands of rows at once.
-    pub fn paint_with_threads(
-        threads: usize,
+impl Picture {
+    /// A picture whose pixel in column `i` and row `j` has the color
+    /// `color_at(i, j)`.
+    ///
+    /// A pixel depends on nothing but its place, so the picture is the same
+    /// whoever paints which part of it. Places a little to the right of the
+    /// picture may be asked for as well; nobody sees them.
+    pub fn paint(
         width: u32,
         height: u32,
-        color_at: impl Fn(u32, u32) -> Color + Sync,
+        color_at: impl Fn(u32, u32) -> Color + Send + Sync + 'static,
     ) -> Self {
-        debug_assert!(width > 0 && height > 0 && threads > 0, "nothing to paint");
-        let mut rgb = vec![0; 3 * pixel_count(width, height)];
-        let rows = (height as usize).div_ceil(threads);
-        let paint_band = |index: usize, band: &mut [u8]| {
-            paint_rows(band, width, (index * rows) as u32, &color_at);
-        };
-        let mut bands = rgb.chunks_mut(rows * 3 * width as usize).enumerate();
-        // The last band is painted right here: a picture that needs one thread
-        // only starts none, which also lets it run where threads do not exist.
-        let last = bands.next_back();
-        thread::scope(|scope| {
-            for (index, band) in bands {
-                scope.spawn(move || paint_band(index, band));
-            }
-            if let Some((index, band)) = last {
-                paint_band(index, band);
-            }
-        });
-        Self { width, height, rgb }
+        Self::paint_many(width, height, move |i, j| {
+            Pixels::paint(
+                #[inline(always)]
+                |k| color_at(i + k as u32, j),
+            )
+        })
+    }
+
+    /// A picture whose pixels from column `i` on in row `j` are
+    /// `pixels_at(i, j)`.
+    pub fn paint_many(
+        width: u32,
+        height: u32,
+        pixels_at: impl Fn(u32, u32) -> Pixels + Send + Sync + 'static,
+    ) -> Self {
+        debug_assert!(width > 0 && height > 0, "nothing to paint");
+        Self {
+            width,
+            height,
+            paint: Box::new(pixels_at),
+        }
     }
 
     /// A picture from its bytes, or `None` if their number is not 3·width·height.
     pub fn from_rgb(width: u32, height: u32, rgb: Vec<u8>) -> Option<Self> {
-        (rgb.len() == 3 * pixel_count(width, height)).then_some(Self { width, height, rgb })
+        (rgb.len() == 3 * width as usize * height as usize).then(|| Self {
+            width,
+            height,
+            paint: Box::new(move |i, j| {
+                let (all, _) = rgb.as_chunks::<3>();
+                let row = &all[width as usize * j as usize..][..width as usize];
+                let mut pixels = Pixels::BLACK;
+                for (k, &[red, green, blue]) in row[i as usize..].iter().take(MANY).enumerate() {
+                    (pixels.red[k], pixels.green[k], pixels.blue[k]) = (red, green, blue);
+                }
+                pixels
+            }),
+        })
     }
 
     /// Pixels in a row.
@@ -68,9 +85,28 @@ impl Picture {
         self.height
     }
 
-    /// All bytes: three a pixel, row by row from the top.
-    pub fn rgb(&self) -> &[u8] {
-        &self.rgb
+    /// Paints the picture and returns all bytes: three a pixel, row by row from
+    /// the top.
+    pub fn rgb(&self) -> Vec<u8> {
+        self.rgb_with_threads(self.threads())
+    }
+
+    /// The same bytes, painted by that many threads.
+    pub fn rgb_with_threads(&self, threads: usize) -> Vec<u8> {
+        let mut rgb = Vec::with_capacity(3 * self.width as usize * self.height as usize);
+        let paint = |strip, bytes: &mut Vec<u8>| {
+            for (pixels, columns) in self.blocks(strip) {
+                for k in 0..columns {
+                    bytes.extend([pixels.red[k], pixels.green[k], pixels.blue[k]]);
+                }
+            }
+        };
+        in_order(self.strips(), threads, paint, |bytes| {
+            rgb.extend_from_slice(bytes);
+            Ok(())
+        })
+        .expect("memory takes it");
+        rgb
     }
 
     /// Writes the picture as the book does: a P3 (plain PPM) text with a pixel
@@ -79,38 +115,72 @@ impl Picture {
     /// # Errors
     /// Those of `out`.
     pub fn write_p3(&self, out: &mut dyn Write) -> io::Result<()> {
+        self.write_p3_with_threads(self.threads(), out)
+    }
+
+    /// Writes the same text, painted and put into words by that many threads.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_p3_with_threads(&self, threads: usize, out: &mut dyn Write) -> io::Result<()> {
         write!(out, "P3\n{} {}\n255\n", self.width, self.height)?;
-        // Formatting the three numbers of a pixel takes longer than tracing its
-        // ray, and there are only 256 of them: format each once, then copy.
-        let decimals: [String; 256] = std::array::from_fn(|level| level.to_string());
-        let mut text = Vec::with_capacity("255 255 255\n".len() * self.width as usize);
-        for row in self.rgb.chunks_exact(3 * self.width as usize) {
-            text.clear();
-            for pixel in row.chunks_exact(3) {
-                for (&level, separator) in pixel.iter().zip(b"  \n") {
-                    text.extend_from_slice(decimals[usize::from(level)].as_bytes());
-                    text.push(*separator);
-                }
+        let describe = |strip, text: &mut Vec<u8>| {
+            for (pixels, columns) in self.blocks(strip) {
+                push_pixels(text, &pixels, columns);
             }
-            out.write_all(&text)?;
+        };
+        in_order(self.strips(), threads, describe, |text| out.write_all(text))
+    }
+
+    /// How many threads the picture is worth: one for a small picture, at most
+    /// as many as there are processors.
+    fn threads(&self) -> usize {
+        match (self.strips() / STRIPS_WORTH_A_THREAD).min(MOST_THREADS) {
+            // To ask the system how many there are takes as long as a strip.
+            0 | 1 => 1,
+            several => thread::available_parallelism().map_or(1, |most| several.min(most.get())),
         }
-        Ok(())
+    }
+
+    fn strips(&self) -> usize {
+        (self.blocks_in_row() * self.height as usize).div_ceil(STRIP)
+    }
+
+    /// Paints a strip: its blocks in reading order, each with the number of its
+    /// columns that lie in the picture.
+    fn blocks(&self, strip: usize) -> impl Iterator<Item = (Pixels, usize)> {
+        let in_row = self.blocks_in_row();
+        let end = (in_row * self.height as usize).min((strip + 1) * STRIP);
+        (strip * STRIP..end).map(move |n| {
+            let (i, j) = (n % in_row * MANY, n / in_row);
+            let columns = MANY.min(self.width as usize - i);
+            ((self.paint)(i as u32, j as u32), columns)
+        })
+    }
+
+    fn blocks_in_row(&self) -> usize {
+        (self.width as usize).div_ceil(MANY)
     }
 }
 
-/// So many pixels take about a quarter of a millisecond. A thread for fewer
-/// would save less than it costs to start.
-const PIXELS_WORTH_A_THREAD: usize = 1 << 14;
+/// Blocks in a strip, which is what a thread paints in one go.
+const STRIP: usize = 128;
 
-fn pixel_count(width: u32, height: u32) -> usize {
-    width as usize * height as usize
+/// So many strips take about half a millisecond. A thread for fewer would save
+/// less than it costs to start.
+const STRIPS_WORTH_A_THREAD: usize = 8;
+
+/// More threads than this would only wait for the one that writes.
+const MOST_THREADS: usize = 8;
+
+impl PartialEq for Picture {
+    fn eq(&self, other: &Self) -> bool {
+        self.width == other.width && self.height == other.height && self.rgb() == other.rgb()
+    }
 }
 
-fn paint_rows(band: &mut [u8], width: u32, first_row: u32, color_at: &impl Fn(u32, u32) -> Color) {
-    let (pixels, _) = band.as_chunks_mut::<3>();
-    for (row, j) in pixels.chunks_exact_mut(width as usize).zip(first_row..) {
-        for (pixel, i) in row.iter_mut().zip(0..) {
-            write_color(pixel, color_at(i, j));
-        }
+impl fmt::Debug for Picture {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Picture of {} × {} pixels", self.width, self.height)
     }
 }

@@ -47,7 +47,8 @@ fn difference_picture(expected: &Picture, actual: &Picture) -> Option<Picture> {
     if let Comparison::Size(..) = Comparison::of(expected, actual) {
         return None;
     }
-    let (pixels, _) = expected.rgb().as_chunks::<3>();
+    let rgb = expected.rgb();
+    let (pixels, _) = rgb.as_chunks::<3>();
     let mut rgb: Vec<u8> = pixels
         .iter()
         .flat_map(|pixel| {

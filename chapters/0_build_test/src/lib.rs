@@ -11,7 +11,7 @@ pub fn picture(width: u32) -> Picture {
     // The last column and row are full red and full green, so there is one step
     // less than there are pixels. A picture of a single pixel stays black.
     let last = f64::from((width - 1).max(1));
-    Picture::paint(width, width, |i, j| {
+    Picture::paint(width, width, move |i, j| {
         Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)
     })
 }

@@ -18,11 +18,16 @@ impl HittableList {
     pub fn add(&mut self, object: impl Hittable + 'static) {
         self.objects.push(Box::new(object));
     }
+
+    /// All that was added, in this order.
+    pub fn objects(&self) -> &[Box<dyn Hittable>] {
+        &self.objects
+    }
 }
 
 impl Hittable for HittableList {
     /// The nearest hit of all. Where two are equally near, the first one added.
-    fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit<'_>> {
+    fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
         let mut nearest = None;
         let mut closest_so_far = t_max;
         for object in &self.objects {

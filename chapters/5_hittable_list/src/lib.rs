@@ -5,10 +5,12 @@
 
 mod hittable;
 mod hittable_list;
+mod many;
 mod sphere;
 
 pub use hittable::{Hit, HitRecord, Hittable};
 pub use hittable_list::HittableList;
+pub use many::{HitMany, Hits, paint};
 pub use sphere::Sphere;
 
 use common::rtweekend::*;
@@ -16,7 +18,7 @@ use common::rtweekend::*;
 /// The picture at `width` pixels wide.
 pub fn picture(width: u32) -> Picture {
     let world = world();
-    render(width, |ray| ray_color(ray, &world))
+    render_many(width, move |rays| paint(rays, &world))
 }
 
 /// A small sphere, and below it a large one for the ground.
@@ -28,6 +30,7 @@ pub fn world() -> HittableList {
 }
 
 /// The normal of the nearest hit in front of the ray as a color, or the sky.
+#[inline(always)] // Lets the compiler trace several rays at once.
 pub fn ray_color(ray: &Ray, world: &dyn Hittable) -> Color {
     if let Some(hit) = world.hit(ray, 0.0, f64::INFINITY) {
         let record = hit.record(ray);

@@ -1,0 +1,265 @@
+//! Our programs against the book's own in C++.
+
+use std::error::Error;
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Instant, SystemTime};
+use std::{env, io, thread};
+
+use clap::Args;
+use common::output;
+use tests::rival;
+use tests::speed::{self, Heat, Spread};
+use tests::stages::STAGES;
+
+use crate::draw;
+
+/// What `cargo rtrace race` is told.
+#[derive(Args)]
+pub(crate) struct Arguments {
+    /// How often each picture is drawn; an odd number has a median
+    #[arg(long, value_name = "N", default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..))]
+    rounds: u32,
+
+    /// Keep the result in book/notes/speed, as numbers, table and chart
+    #[arg(long)]
+    record: bool,
+}
+
+/// Width in pixels, and whether the text goes into a file.
+const COURSES: [(u32, bool); 3] = [(3840, false), (3840, true), (400, false)];
+
+/// Draws each picture in turns with the C++ program, and says how long it took.
+pub(crate) fn race(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let folder = draw::folder()?.with_file_name("race");
+    let rival = rival::build(&folder);
+    if let Err(cause) = &rival {
+        say(&format!(
+            "THE C++ PROGRAM IS LEFT OUT, it can't be built: {cause}\n"
+        ))?;
+    }
+    if cfg!(debug_assertions) {
+        say("This is not the release build: its times say little.\n")?;
+    }
+    let machine = machine();
+    say(&format!("{machine}\n"))?;
+    let mut heats = Vec::new();
+    for (width, to_file) in COURSES {
+        for stage in &STAGES[1..] {
+            let heat = run_heat(
+                stage.name,
+                width,
+                to_file,
+                arguments.rounds,
+                rival.as_deref().ok(),
+                &folder,
+            )?;
+            say(&format!("{}\n", shown(&heat, rival.is_ok())))?;
+            heats.push(heat);
+        }
+    }
+    say_where_time_goes(rival.as_deref().ok())?;
+    if arguments.record && rival.is_ok() {
+        record(&machine, &heats)?;
+    }
+    Ok(())
+}
+
+fn run_heat(
+    stage: &str,
+    width: u32,
+    to_file: bool,
+    rounds: u32,
+    rival: Option<&Path>,
+    folder: &Path,
+) -> io::Result<Heat> {
+    let width_text = width.to_string();
+    let destination = || match to_file {
+        true => File::create(folder.join("picture.ppm")).map(Stdio::from),
+        false => Ok(Stdio::null()),
+    };
+    let ourselves = env::current_exe()?;
+    let (mut ours, mut theirs) = (Vec::new(), Vec::new());
+    for _ in 0..rounds {
+        let mut command = Command::new(&ourselves);
+        command.args(["show", stage, "--width", &width_text, "--output", "-"]);
+        ours.push(milliseconds(command.stdout(destination()?))?);
+        if let Some(rival) = rival {
+            let mut command = Command::new(rival);
+            command.args([stage, &width_text]);
+            theirs.push(milliseconds(command.stdout(destination()?))?);
+        }
+    }
+    theirs.extend(rival.is_none().then_some(f64::NAN));
+    Ok(Heat {
+        stage: stage.to_owned(),
+        width,
+        to: if to_file { "file" } else { "nowhere" }.to_owned(),
+        ours: Spread::of(ours),
+        rival: Spread::of(theirs),
+    })
+}
+
+/// How long the command takes from start to end.
+fn milliseconds(command: &mut Command) -> io::Result<f64> {
+    let start = Instant::now();
+    let status = command.status()?;
+    let took = 1e3 * start.elapsed().as_secs_f64();
+    match status.success() {
+        true => Ok(took),
+        false => Err(io::Error::other(format!("{command:?} failed"))),
+    }
+}
+
+fn shown(heat: &Heat, with_rival: bool) -> String {
+    let Heat {
+        stage,
+        width,
+        to,
+        ours,
+        rival,
+    } = heat;
+    let mut line = format!(
+        "{stage:<14} {width:>4} wide to {to:<8} {:8.2} ms ({:.2} to {:.2})",
+        ours.median, ours.least, ours.greatest
+    );
+    if with_rival {
+        line += &format!(
+            "  C++ {:8.2} ms ({:.2} to {:.2})  ratio {:5.1}",
+            rival.median,
+            rival.least,
+            rival.greatest,
+            heat.ratio()
+        );
+    }
+    line
+}
+
+/// Prints how much of the time is tracing, on one thread, and how many
+/// instructions a small picture takes, if valgrind is there to count them.
+fn say_where_time_goes(rival: Option<&Path>) -> Result<(), Box<dyn Error>> {
+    for stage in &STAGES[1..] {
+        let picture = (stage.picture)(3840);
+        let least = |work: &dyn Fn()| {
+            let time = || {
+                let start = Instant::now();
+                work();
+                1e3 * start.elapsed().as_secs_f64()
+            };
+            (0..5).map(|_| time()).fold(f64::INFINITY, f64::min)
+        };
+        let traced = least(&|| drop(picture.rgb_with_threads(1)));
+        let printed = least(&|| {
+            let _ = picture.write_p3_with_threads(1, &mut io::sink());
+        });
+        let mut line = format!(
+            "{:<14} 3840 wide, one thread: {traced:.0} ms for the bytes, {printed:.0} ms for the text",
+            stage.name
+        );
+        if let Some(rival) = rival {
+            let mut command = Command::new(rival);
+            command
+                .args([stage.name, "3840", "sum"])
+                .stdout(Stdio::null());
+            let times = (0..5)
+                .map(|_| milliseconds(&mut command))
+                .collect::<io::Result<Vec<_>>>()?;
+            line += &format!("; C++ {:.0} ms without text", Spread::of(times).least);
+        }
+        let ourselves = env::current_exe()?;
+        let ours = instructions(
+            &ourselves,
+            &["show", stage.name, "--width", "400", "--output", "-"],
+        );
+        if let Some(count) = ours {
+            line += &format!("; {count} instructions at 400 wide");
+        }
+        if let Some(count) = rival.and_then(|rival| instructions(rival, &[stage.name, "400"])) {
+            line += &format!(", C++ {count}");
+        }
+        say(&(line + "\n"))?;
+    }
+    Ok(())
+}
+
+/// Counted by valgrind; `None` without it. It knows AVX2 but not AVX-512.
+fn instructions(program: &Path, arguments: &[&str]) -> Option<String> {
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .arg(program)
+        .args(arguments)
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .output()
+        .ok()?;
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    let (_, count) = said.lines().find_map(|line| line.split_once("refs:"))?;
+    Some(count.trim().to_owned())
+}
+
+/// Writes the numbers, and what is drawn from them.
+fn record(machine: &str, heats: &[Heat]) -> Result<(), Box<dyn Error>> {
+    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/notes/speed"));
+    fs::create_dir_all(&folder)?;
+    let mut numbers = format!(
+        "# {machine}\n\
+         # Picture, width in pixels, where the text went; then in milliseconds the median,\n\
+         # the least and the greatest time of our program, and the same of the C++ program.\n"
+    );
+    for heat in heats {
+        numbers += &(heat.line() + "\n");
+    }
+    // What is drawn must come from what is written, which is rounded.
+    let heats: Vec<Heat> = heats
+        .iter()
+        .map(|heat| heat.line().parse())
+        .collect::<Result<_, _>>()?;
+    fs::write(folder.join("heats.txt"), numbers)?;
+    fs::write(folder.join("table.md"), speed::table(&heats))?;
+    fs::write(folder.join("chart.svg"), speed::chart(&heats))?;
+    Ok(())
+}
+
+/// The date, the processor and how many of it there are.
+fn machine() -> String {
+    let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let model = info
+        .lines()
+        .find_map(|line| line.strip_prefix("model name")?.split_once(": "))
+        .map_or(env::consts::ARCH, |(_, name)| name);
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    let days = SystemTime::UNIX_EPOCH
+        .elapsed()
+        .map_or(0, |since| since.as_secs() / 86_400);
+    let [year, month, day] = date(days);
+    format!(
+        "{year}-{month:02}-{day:02}, {model}, {threads} threads, {}",
+        env::consts::OS
+    )
+}
+
+/// Year, month and day of the Gregorian calendar, from the days since 1970.
+fn date(mut days: u64) -> [u64; 3] {
+    let leap =
+        |year: u64| year.is_multiple_of(4) && !year.is_multiple_of(100) || year.is_multiple_of(400);
+    let mut year = 1970;
+    while days >= 365 + u64::from(leap(year)) {
+        days -= 365 + u64::from(leap(year));
+        year += 1;
+    }
+    let february = 28 + u64::from(leap(year));
+    let mut month = 1;
+    for length in [31, february, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31] {
+        if days < length {
+            break;
+        }
+        days -= length;
+        month += 1;
+    }
+    [year, month, days + 1]
+}
+
+fn say(what: &str) -> Result<(), output::OutputError> {
+    output::to_stdout(|out| out.write_all(what.as_bytes()))
+}

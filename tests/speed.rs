@@ -1,0 +1,181 @@
+//! The rival draws the same bytes, and the chart shows what was measured.
+
+use std::io::ErrorKind;
+use std::path::Path;
+use std::process::Command;
+
+use common::rtweekend::*;
+use tests::rival;
+use tests::speed::{self, Heat, Spread};
+use tests::stages::STAGES;
+
+/// What `cargo rtrace race --record` wrote.
+const RECORDED: &str = include_str!("../book/notes/speed/heats.txt");
+
+#[test]
+fn the_books_program_in_cpp_draws_the_same_bytes() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("rival");
+    let program = match rival::build(&folder) {
+        Ok(program) => program,
+        Err(cause) if cause.kind() == ErrorKind::NotFound => {
+            println!("LEFT OUT: there is no C++ compiler to build tests/rival/book.cc ({cause})");
+            return;
+        }
+        Err(cause) => panic!("tests/rival/book.cc does not compile:\n{cause}"),
+    };
+    // The build test has no part in the race.
+    for stage in &STAGES[1..] {
+        for width in [1, 63, 64, 65, 131, 257] {
+            let drawn = Command::new(&program)
+                .args([stage.name, &width.to_string()])
+                .output()
+                .expect("the program starts");
+            assert!(
+                drawn.stdout == p3(&(stage.picture)(width), 1),
+                "{} at {width} wide is not what the C++ draws",
+                stage.name
+            );
+        }
+    }
+}
+
+/// A block of 64 pixels may hang over the edge of the picture, a strip of blocks
+/// may end within a row.
+#[test]
+fn every_width_and_every_number_of_threads_gives_what_a_loop_over_pixels_gives() {
+    let world = hittable_list::world();
+    for width in [1, 2, 63, 64, 65, 127, 128, 129, 300] {
+        let camera = Camera::new(width);
+        let mut expected = format!("P3\n{width} {}\n255\n", camera.image_height);
+        let mut bytes = Vec::new();
+        for j in 0..camera.image_height {
+            for i in 0..width {
+                let mut pixel = [0; 3];
+                write_color(
+                    &mut pixel,
+                    hittable_list::ray_color(&camera.ray(i, j), &world),
+                );
+                let [red, green, blue] = pixel;
+                expected += &format!("{red} {green} {blue}\n");
+                bytes.extend(pixel);
+            }
+        }
+        let picture = hittable_list::picture(width);
+        assert!(picture.rgb() == bytes, "the bytes at {width} wide");
+        for threads in [1, 2, 5] {
+            assert!(
+                p3(&picture, threads) == expected.as_bytes(),
+                "the text at {width} wide from {threads} threads"
+            );
+        }
+    }
+}
+
+#[test]
+fn every_level_becomes_the_number_that_print_makes_of_it() {
+    let levels: Vec<u8> = (0..=255).flat_map(|n| [n, 255 - n, n / 2]).collect();
+    let expected: String = levels
+        .as_chunks::<3>()
+        .0
+        .iter()
+        .map(|[red, green, blue]| format!("{red} {green} {blue}\n"))
+        .collect();
+    let picture = Picture::from_rgb(256, 1, levels).expect("three bytes a pixel");
+    assert_eq!(
+        String::from_utf8(p3(&picture, 1)).expect("text"),
+        format!("P3\n256 1\n255\n{expected}")
+    );
+}
+
+#[test]
+fn many_hits_are_the_hits_one_by_one_in_nested_lists_too() {
+    use hittable_list::{Hit, HitMany, Hits, Hittable, HittableList, Sphere};
+    let mut inner = HittableList::default();
+    inner.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5));
+    let mut list = HittableList::default();
+    list.add(inner);
+    list.add(Sphere::new(Point3::new(0.25, 0.0, -1.0), 0.5));
+    let camera = Camera::new(64);
+    for j in 0..camera.image_height {
+        let rays = Rays::from_fn(|k| camera.ray(k as u32, j));
+        let nowhere = Hit {
+            t: f64::INFINITY,
+            sphere: Sphere::new(Point3::ZERO, 0.0),
+        };
+        let mut nearest = Hits::from_fn(|_| nowhere);
+        list.hit_many(&rays, &mut nearest);
+        for k in 0..64 {
+            let alone = list.hit(&rays.get(k), 0.0, f64::INFINITY);
+            assert_eq!(
+                nearest.get(k),
+                alone.unwrap_or(nowhere),
+                "ray {k} of row {j}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_writer_that_fails_ends_the_picture_on_any_number_of_threads() {
+    struct Full;
+    impl std::io::Write for Full {
+        fn write(&mut self, text: &[u8]) -> std::io::Result<usize> {
+            match text.len() {
+                ..100 => Ok(text.len()),
+                _ => Err(ErrorKind::StorageFull.into()),
+            }
+        }
+        fn flush(&mut self) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+    for threads in [1, 2, 7] {
+        let written = gradient::picture(1000).write_p3_with_threads(threads, &mut Full);
+        assert_eq!(
+            written.expect_err("it is full").kind(),
+            ErrorKind::StorageFull
+        );
+    }
+}
+
+#[test]
+fn the_chart_and_the_table_show_the_recorded_numbers() {
+    let heats: Vec<Heat> = RECORDED
+        .lines()
+        .filter(|line| !line.starts_with('#'))
+        .map(|line| line.parse().expect("a line is a heat"))
+        .collect();
+    let advice = "run `cargo run --release -p rtrace -- race --record`";
+    assert!(
+        speed::chart(&heats) == include_str!("../book/notes/speed/chart.svg"),
+        "the chart shows other numbers than book/notes/speed/heats.txt: {advice}"
+    );
+    assert!(
+        speed::table(&heats) == include_str!("../book/notes/speed/table.md"),
+        "the table shows other numbers than book/notes/speed/heats.txt: {advice}"
+    );
+}
+
+#[test]
+fn a_heat_is_read_as_it_was_written() {
+    let spread = Spread::of(vec![3.5, 1.25, 2.0]);
+    let heat = Heat {
+        stage: "normals".to_owned(),
+        width: 400,
+        to: "file".to_owned(),
+        ours: spread,
+        rival: Spread::of(vec![30.0, 20.0, 25.0]),
+    };
+    assert_eq!(spread.median, 2.0);
+    assert_eq!(heat.ratio(), 12.5);
+    assert_eq!(heat.line().parse(), Ok(heat));
+    assert!("normals 400 file 1 2".parse::<Heat>().is_err());
+}
+
+fn p3(picture: &Picture, threads: usize) -> Vec<u8> {
+    let mut text = Vec::new();
+    picture
+        .write_p3_with_threads(threads, &mut text)
+        .expect("memory takes it");
+    text
+}

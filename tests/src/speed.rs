@@ -1,0 +1,174 @@
+//! What a race against C++ measured: as a line of text, as a table, as a chart.
+
+use std::fmt::Write;
+use std::str::FromStr;
+
+/// Our program and the C++ rival drew the same picture in turns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Heat {
+    /// The picture.
+    pub stage: String,
+    /// Its width in pixels.
+    pub width: u32,
+    /// Where the text went: `nowhere`, or into a `file`.
+    pub to: String,
+    /// How long our program took, from start to end.
+    pub ours: Spread,
+    /// How long the rival took.
+    pub rival: Spread,
+}
+
+/// What came out when something was measured several times, in milliseconds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// Half took less, half took more.
+    pub median: f64,
+    /// The shortest time.
+    pub least: f64,
+    /// The longest time.
+    pub greatest: f64,
+}
+
+impl Spread {
+    /// The spread of an odd number of `times`.
+    pub fn of(mut times: Vec<f64>) -> Self {
+        times.sort_by(f64::total_cmp);
+        Self {
+            median: times[times.len() / 2],
+            least: times[0],
+            greatest: times[times.len() - 1],
+        }
+    }
+}
+
+impl Heat {
+    /// How many times as long the rival takes.
+    pub fn ratio(&self) -> f64 {
+        self.rival.median / self.ours.median
+    }
+
+    /// The heat as a line, which [`Heat::from_str`] reads.
+    pub fn line(&self) -> String {
+        let Self {
+            stage,
+            width,
+            to,
+            ours,
+            rival,
+        } = self;
+        format!(
+            "{stage} {width} {to} {:.2} {:.2} {:.2} {:.2} {:.2} {:.2}",
+            ours.median, ours.least, ours.greatest, rival.median, rival.least, rival.greatest
+        )
+    }
+}
+
+impl FromStr for Heat {
+    type Err = String;
+
+    fn from_str(line: &str) -> Result<Self, String> {
+        let words: Vec<&str> = line.split(' ').collect();
+        let [stage, width, to, times @ ..] = &words[..] else {
+            return Err(format!("a heat has nine words: {line}"));
+        };
+        let times: Vec<f64> = times.iter().filter_map(|time| time.parse().ok()).collect();
+        let [a, b, c, d, e, f] = times[..] else {
+            return Err(format!("a heat has six times: {line}"));
+        };
+        let spread = |median, least, greatest| Spread {
+            median,
+            least,
+            greatest,
+        };
+        Ok(Self {
+            stage: (*stage).to_owned(),
+            width: width
+                .parse()
+                .map_err(|_| format!("{width} is no width: {line}"))?,
+            to: (*to).to_owned(),
+            ours: spread(a, b, c),
+            rival: spread(d, e, f),
+        })
+    }
+}
+
+/// The heats as a table in Markdown.
+pub fn table(heats: &[Heat]) -> String {
+    let mut table = "\
+| picture | wide | to | Rust, ms | least to greatest | C++, ms | least to greatest | C++ ÷ Rust |
+|---|---:|---|---:|---|---:|---|---:|
+"
+    .to_owned();
+    for heat in heats {
+        let Heat {
+            stage,
+            width,
+            to,
+            ours,
+            rival,
+        } = heat;
+        let _ = writeln!(
+            table,
+            "| {stage} | {width} | {to} | {:.1} | {:.1} to {:.1} | {:.0} | {:.0} to {:.0} | {:.1} |",
+            ours.median,
+            ours.least,
+            ours.greatest,
+            rival.median,
+            rival.least,
+            rival.greatest,
+            heat.ratio()
+        );
+    }
+    table
+}
+
+/// The large pictures that went nowhere, as bars in an SVG picture.
+///
+/// Text is text, and the colors follow the reader's light or dark theme.
+pub fn chart(heats: &[Heat]) -> String {
+    let drawn: Vec<&Heat> = heats
+        .iter()
+        .filter(|heat| heat.width == 3840 && heat.to == "nowhere")
+        .collect();
+    let longest = drawn
+        .iter()
+        .map(|heat| heat.rival.median)
+        .fold(1.0, f64::max);
+    let bar = |time: f64| 400.0 * time / longest;
+    let height = 44 * drawn.len() + 40;
+    let mut svg = format!(
+        "\
+<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 {height}\" role=\"img\" font-family=\"sans-serif\" font-size=\"13\">
+<title>Milliseconds to draw a picture 3840 pixels wide as text</title>
+<style>
+text {{ fill: #222 }} .ours {{ fill: #b7410e }} .rival {{ fill: #8a94a0 }}
+@media (prefers-color-scheme: dark) {{ text {{ fill: #ddd }} .ours {{ fill: #f0834d }} .rival {{ fill: #77818c }} }}
+</style>
+<text x=\"8\" y=\"20\">Milliseconds for a picture 3840 pixels wide as text, median</text>
+"
+    );
+    for (heat, row) in drawn.iter().zip(0..) {
+        let y = 44 * row + 34;
+        let (ours, rival) = (heat.ours.median, heat.rival.median);
+        let _ = write!(
+            svg,
+            "\
+<text x=\"8\" y=\"{}\">{}</text>
+<rect class=\"ours\" x=\"120\" y=\"{y}\" width=\"{:.1}\" height=\"15\"/>
+<text x=\"{:.1}\" y=\"{}\">{ours:.0} Rust</text>
+<rect class=\"rival\" x=\"120\" y=\"{}\" width=\"{:.1}\" height=\"15\"/>
+<text x=\"{:.1}\" y=\"{}\">{rival:.0} C++</text>
+",
+            y + 20,
+            heat.stage,
+            bar(ours),
+            bar(ours) + 126.0,
+            y + 12,
+            y + 17,
+            bar(rival),
+            bar(rival) + 126.0,
+            y + 29,
+        );
+    }
+    svg + "</svg>\n"
+}
