@@ -1,11 +1,14 @@
 //! All tests. A file tests what its name says; each begins by saying how.
 
 mod camera;
+mod check;
+mod check_command;
 mod color;
 mod command_line;
 mod oracle;
 mod pictures;
 mod quadratic;
+mod reading;
 mod slips;
 mod speed;
 mod stability;

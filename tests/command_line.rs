@@ -578,13 +578,13 @@ mod on_unix {
 }
 
 /// The program of that name, as `cargo run` would start it.
-fn program(name: &str) -> Command {
+pub(crate) fn program(name: &str) -> Command {
     let mut command = Command::new(path_of(name));
     command.stdin(Stdio::null());
     command
 }
 
-fn program_with(name: &str, arguments: &[&str]) -> Command {
+pub(crate) fn program_with(name: &str, arguments: &[&str]) -> Command {
     let mut command = program(name);
     command.args(arguments);
     command
@@ -596,7 +596,7 @@ fn show(stage: &str) -> Command {
 
 /// Where cargo puts the programs. `cargo test` builds a package's programs only
 /// for the tests of that very package, so they are built here, once.
-fn path_of(name: &str) -> PathBuf {
+pub(crate) fn path_of(name: &str) -> PathBuf {
     static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
         let test = env::current_exe().expect("this test is a program");
         let folder = test
@@ -621,7 +621,7 @@ fn path_of(name: &str) -> PathBuf {
     FOLDER.join(name).with_extension(env::consts::EXE_EXTENSION)
 }
 
-fn run(command: &mut Command) -> Output {
+pub(crate) fn run(command: &mut Command) -> Output {
     loop {
         match command.output() {
             // A program that was just copied may still be open for writing in
@@ -632,14 +632,14 @@ fn run(command: &mut Command) -> Output {
     }
 }
 
-fn assert_success(output: &Output) {
+pub(crate) fn assert_success(output: &Output) {
     assert_eq!(text(&output.stderr), "", "nothing to complain about");
     assert_eq!(output.status.code(), Some(0));
 }
 
 /// A command line that can't be followed: exit code 2, nothing printed, and a
 /// message with all of `words`.
-fn assert_refused(command: &mut Command, words: &[&str]) {
+pub(crate) fn assert_refused(command: &mut Command, words: &[&str]) {
     assert_exit(command, 2, words);
 }
 
@@ -658,7 +658,7 @@ fn assert_exit(command: &mut Command, code: i32, words: &[&str]) {
     }
 }
 
-fn names_in(folder: &Path) -> Vec<String> {
+pub(crate) fn names_in(folder: &Path) -> Vec<String> {
     let mut names: Vec<String> = fs::read_dir(folder)
         .expect("the folder is there")
         .map(|entry| {
@@ -673,12 +673,12 @@ fn names_in(folder: &Path) -> Vec<String> {
     names
 }
 
-fn p3(picture: &Picture) -> Vec<u8> {
+pub(crate) fn p3(picture: &Picture) -> Vec<u8> {
     let mut text = Vec::new();
     picture.write_p3(&mut text).expect("memory takes it");
     text
 }
 
-fn text(bytes: &[u8]) -> String {
+pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }

@@ -109,12 +109,12 @@ fn a_snapshot_may_be_compressed_in_another_way_but_not_show_another_picture() {
         CompressionType::Uncompressed,
         FilterType::NoFilter,
     )
-    .write_image(&picture.rgb(), 40, 22, ExtendedColorType::Rgb8)
+    .write_image(picture.rgb(), 40, 22, ExtendedColorType::Rgb8)
     .expect("memory takes it");
     assert_ne!(stored, other_file);
     assert_eq!(compare_files(&stored, &other_file), Comparison::Equal);
 
-    let mut rgb = picture.rgb();
+    let mut rgb = picture.rgb().to_vec();
     rgb[3 * (40 * 7 + 5) + 1] ^= 1;
     let other_picture = Picture::from_rgb(40, 22, rgb).expect("the size is the same");
     let comparison = compare_files(&stored, &png::encode(&other_picture));

@@ -531,9 +531,9 @@ impl Exam {
 }
 
 fn largest_difference(right: &Picture, wrong: &Picture) -> u8 {
-    let levels = right.rgb().into_iter().zip(wrong.rgb());
+    let levels = right.rgb().iter().zip(wrong.rgb());
     levels
-        .map(|(right, wrong)| right.abs_diff(wrong))
+        .map(|(right, wrong)| right.abs_diff(*wrong))
         .max()
         .unwrap_or(0)
 }

@@ -6,7 +6,6 @@ use std::time::Instant;
 use std::{env, fs};
 
 use common::output;
-use common::rtweekend::Picture;
 use tests::stages::{STAGES, Stage};
 
 use crate::save::{Format, save};
@@ -40,15 +39,13 @@ pub(crate) fn folder() -> Result<PathBuf, Box<dyn Error>> {
 fn draw(stage: Stage, folder: &Path) -> Result<String, Box<dyn Error>> {
     let start = Instant::now();
     let picture = (stage.picture)(stage.book_width);
-    let rgb = picture.rgb();
+    picture.rgb();
     let traced = start.elapsed();
-    let (width, height) = (picture.width(), picture.height());
-    let picture = Picture::from_rgb(width, height, rgb).expect("these are its bytes");
     let mut line = format!(
         "  {:<14} {} × {}  {:4.1} ms to trace  ",
         stage.name,
-        width,
-        height,
+        picture.width(),
+        picture.height(),
         1e3 * traced.as_secs_f64()
     );
     for format in [Format::Png, Format::Ppm] {

@@ -1,9 +1,12 @@
 //! `cargo rtrace`: the reader's companion.
 
+mod check;
 mod draw;
+mod probes;
 mod race;
 mod save;
 mod show;
+mod slips;
 mod terminal;
 
 use std::error::Error;
@@ -29,6 +32,12 @@ enum Command {
     Show(show::Arguments),
     /// Draw the pictures in turns with the book's program in C++, and measure
     Race(race::Arguments),
+    /// Check your own picture, and learn which mistake draws it
+    Check(check::Arguments),
+    /// List the small scenes that show what the book's picture can't
+    Probes(probes::Arguments),
+    /// List the mistakes that are known, or draw one
+    Slips(slips::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -36,6 +45,9 @@ fn main() -> ExitCode {
         None => draw::all(),
         Some(Command::Show(arguments)) => show::show(&arguments),
         Some(Command::Race(arguments)) => race::race(&arguments),
+        Some(Command::Check(arguments)) => return check::check(&arguments),
+        Some(Command::Probes(arguments)) => probes::list(&arguments),
+        Some(Command::Slips(arguments)) => slips::slips(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -58,6 +70,10 @@ impl std::fmt::Display for Misuse {
 }
 
 impl Error for Misuse {}
+
+fn misuse(what: &str) -> Box<dyn Error> {
+    Misuse(what.to_owned()).into()
+}
 
 fn exit_code(error: &(dyn Error + 'static)) -> ExitCode {
     match error.downcast_ref::<Misuse>() {

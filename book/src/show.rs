@@ -12,7 +12,7 @@ use common::rtweekend::Picture;
 use tests::stages::{self, STAGES, Stage};
 
 use crate::save::{Format, save};
-use crate::{Misuse, draw, terminal};
+use crate::{Misuse, draw, misuse, terminal};
 
 /// What `cargo rtrace show` is told.
 #[derive(Args)]
@@ -71,10 +71,6 @@ pub(crate) fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
              name a file with --output, or print the numbers with --output -",
         )),
     }
-}
-
-fn misuse(what: &str) -> Box<dyn Error> {
-    Misuse(what.to_owned()).into()
 }
 
 /// Where a picture goes if not to the terminal.

@@ -34,7 +34,7 @@ pub(crate) fn show(picture: &Picture, out: &mut dyn Write) -> io::Result<()> {
 /// as large as fits, with its shape kept.
 fn reduced(picture: &Picture, columns: u32, rows: u32) -> RgbImage {
     let (width, height) = (picture.width(), picture.height());
-    let image = RgbImage::from_raw(width, height, picture.rgb())
+    let image = RgbImage::from_raw(width, height, picture.rgb().to_vec())
         .expect("a picture has as many bytes as its size says");
     let scale = f64::min(
         f64::from(columns) / f64::from(width),

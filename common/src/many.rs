@@ -81,6 +81,16 @@ impl Pixels {
         blue: [0; MANY],
     };
 
+    /// Pixels of known bytes, three each, for at most [`MANY`] of them.
+    pub(crate) fn from_rgb(rgb: &[u8]) -> Self {
+        let mut pixels = Self::BLACK;
+        let (all, _) = rgb.as_chunks::<3>();
+        for (k, &[red, green, blue]) in all.iter().enumerate() {
+            (pixels.red[k], pixels.green[k], pixels.blue[k]) = (red, green, blue);
+        }
+        pixels
+    }
+
     /// Pixels of the colors `color(0)`, `color(1)` and so on.
     #[inline]
     pub fn paint(color: impl Fn(usize) -> Color) -> Self {

@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::io::{self, Write};
+use std::sync::OnceLock;
 use std::thread;
 
 use crate::color::Color;
@@ -12,12 +13,14 @@ use crate::text::push_pixels;
 /// Rows of pixels from top to bottom, each pixel three bytes: red, green, blue.
 ///
 /// A picture knows its size and how to paint any part of itself. It is painted
-/// when someone asks for its bytes or its text, and never held as a whole to be
-/// printed, so even a very large one takes little memory.
+/// when someone asks for its bytes, which it then keeps, or for its text. To be
+/// printed it is never held as a whole, so even a very large one takes little
+/// memory.
 pub struct Picture {
     width: u32,
     height: u32,
     paint: Box<Paint>,
+    rgb: OnceLock<Vec<u8>>,
 }
 
 /// Paints a block of pixels: many in a row, from a column and row on.
@@ -55,6 +58,7 @@ impl Picture {
             width,
             height,
             paint: Box::new(pixels_at),
+            rgb: OnceLock::new(),
         }
     }
 
@@ -63,15 +67,8 @@ impl Picture {
         (rgb.len() == 3 * width as usize * height as usize).then(|| Self {
             width,
             height,
-            paint: Box::new(move |i, j| {
-                let (all, _) = rgb.as_chunks::<3>();
-                let row = &all[width as usize * j as usize..][..width as usize];
-                let mut pixels = Pixels::BLACK;
-                for (k, &[red, green, blue]) in row[i as usize..].iter().take(MANY).enumerate() {
-                    (pixels.red[k], pixels.green[k], pixels.blue[k]) = (red, green, blue);
-                }
-                pixels
-            }),
+            paint: Box::new(|_, _| unreachable!("nothing is painted where the bytes are known")),
+            rgb: OnceLock::from(rgb),
         })
     }
 
@@ -85,13 +82,13 @@ impl Picture {
         self.height
     }
 
-    /// Paints the picture and returns all bytes: three a pixel, row by row from
-    /// the top.
-    pub fn rgb(&self) -> Vec<u8> {
-        self.rgb_with_threads(self.threads())
+    /// All bytes: three a pixel, row by row from the top.
+    pub fn rgb(&self) -> &[u8] {
+        self.rgb
+            .get_or_init(|| self.rgb_with_threads(self.threads()))
     }
 
-    /// The same bytes, painted by that many threads.
+    /// The same bytes, painted anew by that many threads.
     pub fn rgb_with_threads(&self, threads: usize) -> Vec<u8> {
         let mut rgb = Vec::with_capacity(3 * self.width as usize * self.height as usize);
         let paint = |strip, bytes: &mut Vec<u8>| {
@@ -154,7 +151,13 @@ impl Picture {
         (strip * STRIP..end).map(move |n| {
             let (i, j) = (n % in_row * MANY, n / in_row);
             let columns = MANY.min(self.width as usize - i);
-            ((self.paint)(i as u32, j as u32), columns)
+            let pixels = match self.rgb.get() {
+                Some(rgb) => {
+                    Pixels::from_rgb(&rgb[3 * (j * self.width as usize + i)..][..3 * columns])
+                }
+                None => (self.paint)(i as u32, j as u32),
+            };
+            (pixels, columns)
         })
     }
 

@@ -95,14 +95,15 @@ impl fmt::Display for Difference {
 
 /// Column, row, expected and actual color of each pixel that differs, row by
 /// row. The pictures must be of the same size.
-pub fn differing_pixels(
-    expected: &Picture,
-    actual: &Picture,
-) -> impl Iterator<Item = (u32, u32, [u8; 3], [u8; 3])> + use<> {
+pub fn differing_pixels<'a>(
+    expected: &'a Picture,
+    actual: &'a Picture,
+) -> impl Iterator<Item = (u32, u32, [u8; 3], [u8; 3])> + 'a {
     let width = expected.width();
-    let pixels = |picture: &Picture| picture.rgb().as_chunks::<3>().0.to_vec();
+    let (expected, _) = expected.rgb().as_chunks::<3>();
+    let (actual, _) = actual.rgb().as_chunks::<3>();
     (0u32..)
-        .zip(pixels(expected).into_iter().zip(pixels(actual)))
+        .zip(expected.iter().zip(actual))
         .filter(|(_, (expected, actual))| expected != actual)
-        .map(move |(n, (expected, actual))| (n % width, n / width, expected, actual))
+        .map(move |(n, (&expected, &actual))| (n % width, n / width, expected, actual))
 }

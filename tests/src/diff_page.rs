@@ -43,12 +43,11 @@ pub fn write(
 
 /// Differing pixels in red on a faint gray copy of what was expected, or `None`
 /// if the sizes differ.
-fn difference_picture(expected: &Picture, actual: &Picture) -> Option<Picture> {
+pub fn difference_picture(expected: &Picture, actual: &Picture) -> Option<Picture> {
     if let Comparison::Size(..) = Comparison::of(expected, actual) {
         return None;
     }
-    let rgb = expected.rgb();
-    let (pixels, _) = rgb.as_chunks::<3>();
+    let (pixels, _) = expected.rgb().as_chunks::<3>();
     let mut rgb: Vec<u8> = pixels
         .iter()
         .flat_map(|pixel| {

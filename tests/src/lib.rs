@@ -5,7 +5,9 @@
 
 pub mod case;
 pub mod causes;
+pub mod check;
 pub mod comparison;
+pub mod diagnosis;
 pub mod diff_page;
 pub mod hits;
 pub mod intervals;
@@ -13,6 +15,7 @@ pub mod laws;
 pub mod mappings;
 pub mod oracle;
 pub mod png;
+pub mod reading;
 pub mod rival;
 pub mod simplify;
 pub mod slips;

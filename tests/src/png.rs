@@ -15,7 +15,7 @@ pub fn encode(picture: &Picture) -> Vec<u8> {
     let mut bytes = Vec::new();
     PngEncoder::new(&mut bytes)
         .write_image(
-            &picture.rgb(),
+            picture.rgb(),
             picture.width(),
             picture.height(),
             ExtendedColorType::Rgb8,

@@ -336,8 +336,12 @@ const BUILD_TEST: Program = Program {
     chapter: Chapter::BuildTest,
     image_height: |width, _| width as u32,
     color: |_, camera, i, j| {
-        let last = f64::from((camera.image_width - 1).max(1));
-        Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)
+        let part = |n: u32, size: u32| f64::from(n) / f64::from((size - 1).max(1));
+        Color::new(
+            part(i, camera.image_width),
+            part(j, camera.image_height),
+            0.0,
+        )
     },
     ..GRADIENT
 };

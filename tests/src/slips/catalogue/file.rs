@@ -50,7 +50,7 @@ pub(super) const SLIPS: &[Slip] = &[
         evidence: &[],
         page: "build_test.html",
         alter: |right| Program {
-            color: |_, camera, i, j| ramp(camera, j, i),
+            color: |_, camera, i, j| ramp(camera, j.into(), i.into()),
             ..right
         },
         unseen: &[],
@@ -64,7 +64,10 @@ pub(super) const SLIPS: &[Slip] = &[
         evidence: &["#879"],
         page: "build_test.html",
         alter: |right| Program {
-            color: |_, camera, i, j| ramp(camera, i, camera.image_height - 1 - j),
+            color: |_, camera, i, j| {
+                let from_below = f64::from(camera.image_height) - 1.0 - f64::from(j);
+                ramp(camera, i.into(), from_below)
+            },
             ..right
         },
         unseen: &[],
@@ -78,7 +81,7 @@ pub(super) const SLIPS: &[Slip] = &[
         evidence: &["PR #1184"],
         page: "build_test.html",
         alter: |right| Program {
-            color: |_, camera, i, j| ramp(camera, i, j) + Color::new(0.0, 0.0, 0.25),
+            color: |_, camera, i, j| ramp(camera, i.into(), j.into()) + Color::new(0.0, 0.0, 0.25),
             ..right
         },
         unseen: &[],
@@ -235,7 +238,7 @@ pub(super) const SLIPS: &[Slip] = &[
         evidence: &[],
         page: "build_test.html",
         alter: |right| Program {
-            level: |component| 255 * component as i32,
+            level: |component| 255_i32.saturating_mul(component as i32),
             ..right
         },
         unseen: &[],
@@ -271,7 +274,13 @@ pub(super) const SLIPS: &[Slip] = &[
     },
 ];
 
-fn ramp(camera: &Camera, i: u32, j: u32) -> Color {
-    let last = f64::from((camera.image_width - 1).max(1));
-    Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)
+/// Red by column and green by row, full in the last of each. Fractions, because
+/// together with another slip a column or row may be one that does not exist.
+fn ramp(camera: &Camera, i: f64, j: f64) -> Color {
+    let last = |size: u32| f64::from((size - 1).max(1));
+    Color::new(
+        i / last(camera.image_width),
+        j / last(camera.image_height),
+        0.0,
+    )
 }

@@ -9,7 +9,7 @@ mod sphere;
 use super::program::{Chapter, Program};
 
 /// A mistake: the right program with one step replaced.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Slip {
     /// What it is called, on the command line and in tables. It never changes.
     pub name: &'static str,

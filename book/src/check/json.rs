@@ -1,0 +1,113 @@
+//! The result for programs.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+use tests::check::{Check, Finding};
+use tests::diagnosis::{Conversion, Explains, Scene, Set};
+use tests::slips::Slip;
+
+use super::Judged;
+
+/// One object. Names of slips, probes, causes and verdicts never change.
+pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
+    let verdict = match &judged.check {
+        Check::Right(_) => "right",
+        Check::Wrong(finding) if finding.levels <= 1 => "within-one-level",
+        Check::Wrong(_) => "wrong",
+        Check::NotAPicture { .. } => "not-a-picture",
+    };
+    let cause = match &judged.check {
+        Check::NotAPicture { cause, .. } => {
+            json!({ "name": cause.name, "problem": cause.problem, "fix": cause.fix })
+        }
+        _ => Value::Null,
+    };
+    let finding = judged.check.finding();
+    let sets = finding
+        .map(|finding| &finding.diagnosis.sets[..])
+        .unwrap_or_default();
+    let object = json!({
+        "chapter": judged.scene.chapter.stage().name,
+        "probe": judged.scene.probe.map(|probe| probe.name),
+        "picture": judged.source.to_string(),
+        "size": size(&judged.check),
+        "verdict": verdict,
+        "exit_code": judged.check.exit_code(),
+        "cause": cause,
+        "difference": finding.map(difference),
+        "diagnosis": sets.iter().map(|set| diagnosis(&judged.scene, set)).collect::<Value>(),
+        "sights": finding.map(|finding| &finding.diagnosis.sights),
+        "report": report.map(|page| page.display().to_string()),
+    });
+    format!("{object:#}\n")
+}
+
+fn size(check: &Check) -> Option<[u32; 2]> {
+    match check {
+        Check::Right(right) => Some([right.width, right.height]),
+        other => other
+            .finding()
+            .map(|finding| [finding.yours.width(), finding.yours.height()]),
+    }
+}
+
+fn difference(finding: &Finding) -> Value {
+    let Some(difference) = &finding.difference else {
+        return Value::Null;
+    };
+    json!({
+        "pixels": difference.count,
+        "of": difference.total,
+        "levels": finding.levels,
+        "columns": difference.columns,
+        "rows": difference.rows,
+        "first": {
+            "column": difference.first.0,
+            "row": difference.first.1,
+            "expected": difference.expected,
+            "got": difference.actual,
+        },
+    })
+}
+
+fn diagnosis(scene: &Scene, set: &Set) -> Value {
+    let explains = match set.explains {
+        Explains::All => "all",
+        Explains::AllButOneLevel => "all-but-one-level",
+        Explains::Most => "most",
+    };
+    let conversion = match set.conversion {
+        Conversion::Printed => "printed",
+        Conversion::Clamped => "clamped",
+        Conversion::Wrapped => "wrapped",
+    };
+    let names = |mistake: &Vec<&Slip>| mistake.iter().map(|slip| slip.name).collect::<Value>();
+    let probe = set.telling.as_ref().map(|telling| {
+        let group = |group: &Vec<usize>| group.iter().map(|&n| names(&set.mistakes[n])).collect();
+        json!({
+            "name": telling.probe.name,
+            "change": telling.probe.lines(scene.chapter).lines().collect::<Vec<_>>(),
+            "tells_apart": telling.groups.iter().map(group).collect::<Vec<Value>>(),
+        })
+    });
+    json!({
+        "explains": explains,
+        "pixels_compared": set.fit.compared,
+        "pixels_off": set.fit.off,
+        "pixels_far_off": set.fit.far,
+        "conversion": conversion,
+        "mistakes": set.mistakes.iter().map(|mistake| mistake.iter().map(|slip| slip_as_json(slip)).collect()).collect::<Vec<Value>>(),
+        "probe": probe,
+    })
+}
+
+fn slip_as_json(slip: &Slip) -> Value {
+    json!({
+        "name": slip.name,
+        "probably": slip.wrong,
+        "should_be": slip.right,
+        "why": slip.explanation,
+        "page": slip.page,
+    })
+}

@@ -1,0 +1,118 @@
+//! Judges a reader's own picture, and names the mistake.
+
+mod input;
+mod json;
+mod map;
+mod page;
+mod text;
+
+use std::error::Error;
+use std::ffi::OsString;
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use common::output;
+use tests::check::{self, Check};
+use tests::diagnosis::Scene;
+use tests::slips::{self, Chapter, PROBES, Probe};
+use tests::stages::STAGES;
+
+use input::Source;
+
+/// What `cargo rtrace check` is told.
+#[derive(Args)]
+pub(crate) struct Arguments {
+    /// Which picture it should be
+    #[arg(value_name = "CHAPTER", value_parser = chapter_parser())]
+    chapter: Chapter,
+
+    /// Your picture: a .ppm (P3 or P6) or .png file, or - for standard input
+    #[arg(value_name = "PICTURE", required_unless_present = "program")]
+    picture: Option<PathBuf>,
+
+    /// Your own program, which prints the picture to standard output
+    #[arg(last = true, value_name = "PROGRAM", conflicts_with = "picture")]
+    program: Vec<OsString>,
+
+    /// The picture shows the scene of this probe (see `cargo rtrace probes`)
+    #[arg(long, value_name = "NAME", value_parser = probe_parser())]
+    probe: Option<Probe>,
+
+    /// Accept components that are up to N levels off
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    tolerance: u8,
+
+    /// Write a page that shows both pictures into this folder
+    #[arg(long, value_name = "DIR")]
+    report: Option<PathBuf>,
+
+    /// Print the result for programs
+    #[arg(long)]
+    json: bool,
+}
+
+/// A picture after it has been judged.
+pub(crate) struct Judged<'a> {
+    pub(crate) scene: Scene,
+    pub(crate) source: Source<'a>,
+    pub(crate) check: Check,
+}
+
+/// Judges the picture and prints the result: 0 is right, 1 wrong, and 2 is not a
+/// picture, or no answer at all.
+pub(crate) fn check(arguments: &Arguments) -> ExitCode {
+    match try_check(arguments) {
+        Ok(code) => ExitCode::from(code),
+        Err(error) => {
+            // If even this can't be written, there is nobody left to tell.
+            let _ = writeln!(io::stderr(), "rtrace: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
+    let scene = Scene::new(arguments.chapter, arguments.probe)
+        .ok_or("this chapter has no place for the spheres of that probe; `cargo rtrace probes CHAPTER` lists those it has")?;
+    let source = match &arguments.picture {
+        Some(path) => Source::of(path),
+        None => Source::Program(&arguments.program),
+    };
+    let check = match source.read() {
+        Ok(bytes) => check::check(&scene, &bytes, arguments.tolerance),
+        Err(cause) => Check::NotAPicture {
+            cause,
+            finding: None,
+        },
+    };
+    let judged = Judged {
+        scene,
+        source,
+        check,
+    };
+    let report = match &arguments.report {
+        Some(folder) => Some(page::write(folder, &judged)?),
+        None => None,
+    };
+    let said = if arguments.json {
+        json::json(&judged, report.as_deref())
+    } else {
+        text::text(&judged, report.as_deref(), text::Style::of_stdout())
+    };
+    output::to_stdout(|out| out.write_all(said.as_bytes()))?;
+    Ok(judged.check.exit_code())
+}
+
+/// Takes the name of a chapter.
+pub(crate) fn chapter_parser() -> impl TypedValueParser<Value = Chapter> {
+    PossibleValuesParser::new(STAGES.iter().map(|stage| stage.name))
+        .map(|name| Chapter::find(&name).expect("only names of chapters are accepted"))
+}
+
+fn probe_parser() -> impl TypedValueParser<Value = Probe> {
+    PossibleValuesParser::new(PROBES.map(|probe| probe.name))
+        .map(|name| slips::find_probe(&name).expect("only names of probes are accepted"))
+}

@@ -1,0 +1,281 @@
+//! What a reader reads in the terminal.
+
+use std::env;
+use std::fmt::Write;
+use std::io::{self, IsTerminal};
+use std::path::Path;
+
+use tests::check::{Check, Finding};
+use tests::diagnosis::{Conversion, Explains, Scene, Set};
+use tests::slips::Slip;
+
+use super::{Judged, map};
+
+/// Mistakes of one set that are shown in full; of the others only the name.
+const SHOWN_IN_FULL: usize = 6;
+
+/// Bold and color, or neither.
+#[derive(Clone, Copy)]
+pub(crate) struct Style {
+    colored: bool,
+}
+
+impl Style {
+    /// Plain where nobody looks, where the terminal can't, and where the reader
+    /// does not want it.
+    pub(crate) fn of_stdout() -> Self {
+        let wanted = env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+        let able = env::var_os("TERM").is_none_or(|term| term != "dumb");
+        Self {
+            colored: wanted && able && io::stdout().is_terminal(),
+        }
+    }
+
+    /// Neither bold nor color.
+    pub(crate) fn plain() -> Self {
+        Self { colored: false }
+    }
+
+    pub(crate) fn bold(self, text: &str) -> String {
+        self.wrapped("1", text)
+    }
+
+    pub(crate) fn dim(self, text: &str) -> String {
+        self.wrapped("2", text)
+    }
+
+    fn red(self, text: &str) -> String {
+        self.wrapped("31", text)
+    }
+
+    fn green(self, text: &str) -> String {
+        self.wrapped("32", text)
+    }
+
+    fn wrapped(self, code: &str, text: &str) -> String {
+        if self.colored {
+            format!("\x1b[{code}m{text}\x1b[0m")
+        } else {
+            text.to_owned()
+        }
+    }
+}
+
+/// The whole result.
+pub(crate) fn text(judged: &Judged, report: Option<&Path>, style: Style) -> String {
+    let mut text = headline(judged, style);
+    if let Some(finding) = judged.check.finding() {
+        text += &whereabouts(finding, style);
+        text += &diagnosis(&judged.scene, finding, style);
+    }
+    if let Some(page) = report {
+        writeln!(text, "\nThe page is {}", page.display()).expect("a string takes it");
+    }
+    text
+}
+
+/// Right, wrong, or why it is no picture.
+pub(crate) fn headline(judged: &Judged, style: Style) -> String {
+    let source = &judged.source;
+    let name = scene_name(&judged.scene);
+    match &judged.check {
+        Check::Right(right) => {
+            let all = u64::from(right.width) * u64::from(right.height);
+            let (width, height, off) = (right.width, right.height, right.off);
+            let how = match right.levels {
+                0 => format!("all {all} pixels of {name} at {width} × {height}, to the last bit"),
+                levels => format!(
+                    "{off} of {all} pixels of {name} are off, by no more than {levels}, which is tolerated"
+                ),
+            };
+            format!("{source} is {}: {how}.\n", style.green("right"))
+        }
+        Check::Wrong(finding) => {
+            let verdict = match finding.levels {
+                0 | 1 => style.red("right within one level, but not to the last bit"),
+                _ => style.red("wrong"),
+            };
+            format!("{source} is {verdict}: {}.\n", counts(&name, finding))
+        }
+        Check::NotAPicture { cause, finding } => {
+            let verdict = match finding {
+                None => style.red("not a picture"),
+                Some(_) => style.red("not a valid picture of this chapter"),
+            };
+            format!("{source} is {verdict}: {}.\n{}\n", cause.problem, cause.fix)
+        }
+    }
+}
+
+fn scene_name(scene: &Scene) -> String {
+    let chapter = scene.chapter.stage().name;
+    match scene.probe {
+        None => chapter.to_owned(),
+        Some(probe) => format!("{chapter} with the probe {}", probe.name),
+    }
+}
+
+fn counts(name: &str, finding: &Finding) -> String {
+    let (width, height) = (finding.right.width(), finding.right.height());
+    let Some(difference) = &finding.difference else {
+        return format!("no pixel differs from {name} at {width} × {height}");
+    };
+    let (count, total) = (difference.count, difference.total);
+    let share = 100.0 * count as f64 / total as f64;
+    format!(
+        "{count} of {total} pixels ({share:.1} %) are not those of {name} at {width} × {height}"
+    )
+}
+
+fn whereabouts(finding: &Finding, style: Style) -> String {
+    let Some(difference) = &finding.difference else {
+        return "\nBut for that, it is the right picture in this size.\n".to_owned();
+    };
+    let (columns, rows, first) = (difference.columns, difference.rows, difference.first);
+    let label = |label: &str| style.dim(&format!("{label:<7}"));
+    let mut text = format!(
+        "\n  {} columns {} to {}, rows {} to {}; no component is off by more than {}\n",
+        label("where"),
+        columns.0,
+        columns.1,
+        rows.0,
+        rows.1,
+        finding.levels
+    );
+    for line in map::map(&finding.right, &finding.yours) {
+        writeln!(text, "          {line}").expect("a string takes it");
+    }
+    writeln!(
+        text,
+        "  {} column {}, row {}: expected {:?}, got {:?}",
+        label("first"),
+        first.0,
+        first.1,
+        difference.expected,
+        difference.actual
+    )
+    .expect("a string takes it");
+    text
+}
+
+fn diagnosis(scene: &Scene, finding: &Finding, style: Style) -> String {
+    let mut text = String::new();
+    for set in &finding.diagnosis.sets {
+        write!(text, "\n{}\n", style.bold(&title(set, finding))).expect("a string takes it");
+        for mistake in set.mistakes.iter().take(SHOWN_IN_FULL) {
+            text += &in_full(mistake, style);
+        }
+        if set.mistakes.len() > SHOWN_IN_FULL {
+            let others: Vec<String> = set.mistakes[SHOWN_IN_FULL..]
+                .iter()
+                .map(|mistake| names(mistake))
+                .collect();
+            writeln!(text, "\n  Also: {}.", others.join("; ")).expect("a string takes it");
+        }
+        text += &telling(scene, set);
+    }
+    let sights = &finding.diagnosis.sights;
+    if finding.difference.is_some() && !finding.diagnosis.sets.iter().any(Set::is_enough) {
+        let known = match finding.diagnosis.sets.is_empty() {
+            true => "No mistake in the catalogue draws this picture.",
+            false => "No mistake in the catalogue draws all of this picture.",
+        };
+        write!(text, "\n{}", style.bold(known)).expect("a string takes it");
+        text.push_str(if sights.is_empty() {
+            "\n"
+        } else {
+            " What can be seen:\n"
+        });
+        for sight in sights {
+            writeln!(text, "  {sight}").expect("a string takes it");
+        }
+    }
+    text
+}
+
+/// How well a set of mistakes explains the picture.
+pub(crate) fn title(set: &Set, finding: &Finding) -> String {
+    let several = set.mistakes.len() > 1;
+    let both = set.mistakes[0].len() > 1;
+    let who = match (several, both) {
+        (false, false) => "One mistake draws",
+        (true, false) => "Each of these mistakes draws",
+        (false, true) => "Two mistakes together draw",
+        (true, true) => "Each of these pairs of mistakes draws",
+    };
+    let (far, off, compared) = (set.fit.far, set.fit.off, set.fit.compared);
+    let what = match set.explains {
+        Explains::All if compared == finding.right.rgb().len() / 3 => {
+            "exactly this picture".to_owned()
+        }
+        Explains::All => format!("this picture in all {compared} pixels that were compared"),
+        Explains::AllButOneLevel => {
+            format!("this picture, but for one level in {off} of {compared} pixels")
+        }
+        Explains::Most if far > 0 => {
+            format!("most of this picture, but not all: {far} of {compared} pixels are still wrong")
+        }
+        Explains::Most => format!(
+            "most of this picture, but not all: {off} of {compared} pixels are still a level off"
+        ),
+    };
+    let wrapped = match set.conversion {
+        Conversion::Wrapped => {
+            " (if levels beyond 255 begin again at 0, as with a cast to a byte in C)"
+        }
+        _ => "",
+    };
+    format!("{who} {what}{wrapped}:")
+}
+
+fn in_full(mistake: &[&Slip], style: Style) -> String {
+    let mut text = String::new();
+    for slip in mistake {
+        let label = |label: &str| style.dim(&format!("{label:<9}"));
+        write!(
+            text,
+            "\n  {}\n    {} {}\n    {} {}\n    {} {}\n    {} {}\n",
+            style.bold(slip.name),
+            label("probably"),
+            slip.wrong,
+            label("should be"),
+            slip.right,
+            label("why"),
+            slip.explanation,
+            label("page"),
+            slip.page
+        )
+        .expect("a string takes it");
+    }
+    text
+}
+
+pub(crate) fn names(mistake: &[&Slip]) -> String {
+    let names: Vec<&str> = mistake.iter().map(|slip| slip.name).collect();
+    names.join(" and ")
+}
+
+/// How to find out which mistake of a set it is.
+pub(crate) fn telling(scene: &Scene, set: &Set) -> String {
+    if set.mistakes.len() < 2 {
+        return String::new();
+    }
+    let Some(telling) = &set.telling else {
+        return "\n  This picture can't tell them apart, and no probe can: look for each.\n"
+            .to_owned();
+    };
+    let groups: Vec<String> = telling
+        .groups
+        .iter()
+        .map(|group| {
+            let names: Vec<String> = group.iter().map(|&n| names(&set.mistakes[n])).collect();
+            names.join(", ")
+        })
+        .collect();
+    let (name, probe) = (scene.chapter.stage().name, telling.probe.name);
+    format!(
+        "\n  This picture can't tell them apart. The probe {probe} can: {}.\n  Change your program to\n    {}\n  and then: cargo rtrace check {name} --probe {probe} PICTURE\n",
+        groups.join(" | "),
+        telling.probe.lines(scene.chapter).replace('\n', "\n    "),
+    )
+}

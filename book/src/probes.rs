@@ -1,0 +1,35 @@
+//! The probes, and what a reader changes to draw them.
+
+use std::error::Error;
+use std::fmt::Write;
+
+use clap::Args;
+use common::output;
+use tests::diagnosis::Scene;
+use tests::slips::{Chapter, PROBES};
+
+use crate::check::chapter_parser;
+
+/// What `cargo rtrace probes` is told.
+#[derive(Args)]
+pub(crate) struct Arguments {
+    /// The chapter that you are at
+    #[arg(value_name = "CHAPTER", value_parser = chapter_parser(), default_value = "hittable_list")]
+    chapter: Chapter,
+}
+
+/// Lists the probes that the chapter has spheres for.
+pub(crate) fn list(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let chapter = arguments.chapter;
+    let name = chapter.stage().name;
+    let mut text = format!(
+        "Probes for {name}. Change your program as it says, draw, and then:\n  cargo rtrace check {name} --probe NAME PICTURE\n"
+    );
+    for probe in PROBES {
+        if Scene::new(chapter, Some(probe)).is_some() {
+            let lines = probe.lines(chapter).replace('\n', "\n    ");
+            write!(text, "\n{}\n  {}\n    {lines}\n", probe.name, probe.shows)?;
+        }
+    }
+    Ok(output::to_stdout(|out| out.write_all(text.as_bytes()))?)
+}

@@ -1,0 +1,79 @@
+//! P6: the same header, and then bytes.
+
+use super::tokens::Tokens;
+use super::{Cause, Reading, header};
+
+/// Reads a P6 file.
+pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
+    let mut tokens = Tokens::after_magic(bytes);
+    let header = header::read(bytes, &mut tokens)?;
+    // Exactly one byte of white space ends the header.
+    let body = bytes.get(tokens.at() + 1..).unwrap_or_default();
+    if is_numbers(body) && !fits(header, body) {
+        return Err(Cause::new(
+            "p6-over-text",
+            "the header says P6, which is followed by bytes, but numbers as text follow",
+            "Write P3 in the first line.",
+        ));
+    }
+    if header[2] != 255 {
+        return Err(header::wrong_maximum(header, body.len() as u64));
+    }
+    let (width, height) = header::size(header)?;
+    let wanted = 3 * width as usize * height as usize;
+    if body.len() != wanted {
+        return Err(miscounted(wanted, body));
+    }
+    let (pixels, _) = body.as_chunks::<3>();
+    Ok(Reading {
+        width,
+        height,
+        pixels: pixels.iter().map(|pixel| pixel.map(i16::from)).collect(),
+    })
+}
+
+/// Whether the body has the bytes that the header promises. A dark picture may
+/// look like text, but only by chance like text of just this length.
+fn fits([width, height, _]: header::Header, body: &[u8]) -> bool {
+    let pixels = width
+        .checked_mul(height)
+        .and_then(|pixels| pixels.checked_mul(3));
+    pixels == i64::try_from(body.len()).ok()
+}
+
+fn is_numbers(body: &[u8]) -> bool {
+    !body.is_empty()
+        && body
+            .iter()
+            .all(|byte| byte.is_ascii_digit() || byte.is_ascii_whitespace() || *byte == b'-')
+}
+
+/// Why there are not three bytes a pixel.
+fn miscounted(wanted: usize, body: &[u8]) -> Cause {
+    let found = body.len();
+    let problem = format!("the picture needs {wanted} bytes after the header, but {found} follow");
+    let translated = body.windows(2).filter(|pair| pair == b"\r\n").count();
+    if translated > 0 && found - translated == wanted {
+        return Cause::new(
+            "line-endings",
+            format!(
+                "{problem}: each byte 10 has become 13 and 10, as if it were the end of a line"
+            ),
+            "Open the file, or standard output, in binary mode: \"wb\" in C and Python, _setmode(_fileno(stdout), _O_BINARY) on Windows.",
+        );
+    }
+    if body.windows(3).any(|three| three == "\u{fffd}".as_bytes()) {
+        return Cause::new(
+            "text-conversion",
+            format!("{problem}: bytes have passed through something that took them for UTF-8 text"),
+            "PowerShell's > does that. Let the program write the file itself, or print P3.",
+        );
+    }
+    if found < wanted {
+        let fix = "Was the file cut off? Let the program end by itself, and flush its output.";
+        Cause::new("too-few-bytes", problem, fix)
+    } else {
+        let fix = "One byte a level, three a pixel, nothing after the last: no text, no new line.";
+        Cause::new("too-many-bytes", problem, fix)
+    }
+}

@@ -1,0 +1,52 @@
+//! Why some bytes are no picture.
+
+use std::fmt;
+
+use super::{MOST_BYTES, MOST_PIXELS};
+
+/// What keeps a file from being a picture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cause {
+    /// What the cause is called, for programs. It never changes.
+    pub name: &'static str,
+    /// What is wrong, and where.
+    pub problem: String,
+    /// What to do about it.
+    pub fix: String,
+}
+
+impl Cause {
+    /// A cause by its name, the problem and the fix.
+    pub fn new(name: &'static str, problem: impl Into<String>, fix: impl Into<String>) -> Self {
+        Self {
+            name,
+            problem: problem.into(),
+            fix: fix.into(),
+        }
+    }
+
+    /// A file of more than [`MOST_BYTES`].
+    pub fn too_large() -> Self {
+        Self::new(
+            "too-large",
+            format!("the file has more than {MOST_BYTES} bytes"),
+            "Draw a smaller picture: 400 pixels wide, as in the book.",
+        )
+    }
+
+    pub(super) fn absurd_size(width: i64, height: i64) -> Self {
+        Self::new(
+            "absurd-size",
+            format!(
+                "the header promises {width} × {height} pixels, and no more than {MOST_PIXELS} are read"
+            ),
+            "The header is \"P3\", then width and height, then 255. Are the first two numbers what they should be?",
+        )
+    }
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}\n{}", self.problem, self.fix)
+    }
+}

@@ -1,0 +1,113 @@
+//! What is neither PPM nor PNG.
+
+use super::Cause;
+
+const REDIRECT: &str = "PowerShell before 7.4 does this to what > writes. Let the program write the file itself, or type: cmd /c \"program > picture.ppm\"";
+
+/// Marks of an encoding that a shell has put on the text.
+///
+/// # Errors
+/// If there is one.
+pub(super) fn text_encoding(bytes: &[u8]) -> Result<(), Cause> {
+    let zeros = |odd: usize| {
+        bytes
+            .iter()
+            .skip(odd)
+            .step_by(2)
+            .take(4)
+            .filter(|&&byte| byte == 0)
+    };
+    let two_bytes = bytes.len() >= 8 && (zeros(0).count() == 4 || zeros(1).count() == 4);
+    match bytes {
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => {
+            Err(Cause::new("utf-16", "the file is text in UTF-16", REDIRECT))
+        }
+        [b'P' | 0, ..] if two_bytes => Err(Cause::new(
+            "utf-16",
+            "the file is text with two bytes a letter, as in UTF-16",
+            REDIRECT,
+        )),
+        [0xef, 0xbb, 0xbf, ..] => Err(Cause::new(
+            "byte-order-mark",
+            "the file begins with a byte-order mark (EF BB BF)",
+            format!("A picture begins with its P at once. {REDIRECT}"),
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// Formats that are recognized only to say that they are not read.
+const FORMATS: [(&[u8], &str); 9] = [
+    (b"\xff\xd8\xff", "JPEG, which changes colors"),
+    (b"GIF8", "GIF, which has no more than 256 colors"),
+    (b"BM", "BMP"),
+    (b"RIFF", "WebP"),
+    (b"II*\0", "TIFF"),
+    (b"MM\0*", "TIFF"),
+    (b"%PDF", "PDF"),
+    (b"qoif", "QOI"),
+    (b"PF", "PFM"),
+];
+
+/// Why bytes that begin like neither P3, P6 nor PNG are no picture.
+pub(super) fn cause(bytes: &[u8]) -> Cause {
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        return Cause::new(
+            "empty",
+            "there is nothing in it",
+            "Did the program stop with an error, or print to standard error? The picture goes to standard output.",
+        );
+    }
+    if let Some((_, format)) = FORMATS.iter().find(|(magic, _)| bytes.starts_with(magic)) {
+        return Cause::new(
+            "other-format",
+            format!("this is {format}"),
+            "Save it as PPM (P3 or P6) or PNG.",
+        );
+    }
+    if let [b'P', kind @ (b'1' | b'2' | b'4' | b'5' | b'7'), ..] = bytes {
+        return Cause::new(
+            "other-format",
+            format!(
+                "P{} is another kind of picture, without the three colors of P3",
+                char::from(*kind)
+            ),
+            "Write P3 in the first line, and three numbers a pixel.",
+        );
+    }
+    let text = bytes.trim_ascii_start();
+    if text.starts_with(b"P3") || text.starts_with(b"P6") {
+        return Cause::new(
+            "header",
+            "white space stands before the first letter",
+            "The file begins with its P at once.",
+        );
+    }
+    if text.starts_with(b"p3") || text.starts_with(b"p6") {
+        return Cause::new(
+            "header",
+            "the first letter is a small p",
+            "Write P3, with a capital P.",
+        );
+    }
+    if text
+        .first()
+        .is_some_and(|byte| byte.is_ascii_digit() || *byte == b'-')
+    {
+        return Cause::new(
+            "missing-header",
+            "the file begins with a number: its first line is missing",
+            "The header is \"P3\\n400 225\\n255\\n\", and then the pixels.",
+        );
+    }
+    let line: String = String::from_utf8_lossy(&text[..text.len().min(160)])
+        .chars()
+        .take_while(|letter| !letter.is_control())
+        .take(40)
+        .collect();
+    Cause::new(
+        "not-a-picture",
+        format!("it begins with {line:?}, and a picture begins with P3, P6 or the mark of a PNG"),
+        "Send only the picture to standard output, the header first. Messages go to standard error.",
+    )
+}

@@ -1,0 +1,97 @@
+//! Three numbers: width, height and the highest level.
+
+use super::tokens::Tokens;
+use super::{Cause, MOST_PIXELS};
+
+/// Width, height and maximum as they stand in the file.
+pub(super) type Header = [i64; 3];
+
+/// Reads the three numbers.
+pub(super) fn read(bytes: &[u8], tokens: &mut Tokens) -> Result<Header, Cause> {
+    if bytes.get(2).is_some_and(u8::is_ascii_alphanumeric) {
+        return Err(Cause::new(
+            "header",
+            "the first two letters are not followed by white space",
+            ORDER,
+        ));
+    }
+    let mut header = [0; 3];
+    for (number, what) in header.iter_mut().zip(["width", "height", "maximum"]) {
+        let token = tokens.next().ok_or_else(|| {
+            Cause::new(
+                "header",
+                format!("the file ends before the {what}, inside the header"),
+                ORDER,
+            )
+        })?;
+        *number = token.number().ok_or_else(|| token.cause(bytes))?;
+    }
+    Ok(header)
+}
+
+/// The size that the header promises, if a picture can have it.
+pub(super) fn size([width, height, _]: Header) -> Result<(u32, u32), Cause> {
+    if width < 0 || height < 0 {
+        return Err(Cause::new(
+            "negative-size",
+            format!("the header promises {width} × {height} pixels"),
+            "Print width and height after they are computed.",
+        ));
+    }
+    if width == 0 || height == 0 {
+        return Err(Cause::new(
+            "no-pixels",
+            format!("the header promises {width} × {height} pixels, which is none"),
+            "Keep the height at 1 or more, as the book does: image_height = (image_height < 1) ? 1 : image_height. (Slip height-may-be-zero.)",
+        ));
+    }
+    match (u32::try_from(width), u32::try_from(height)) {
+        (Ok(width), Ok(height)) if u64::from(width) * u64::from(height) <= MOST_PIXELS => {
+            Ok((width, height))
+        }
+        _ => Err(Cause::absurd_size(width, height)),
+    }
+}
+
+/// Why the third number is not 255, from how many numbers follow it.
+pub(super) fn wrong_maximum(header: Header, following: u64) -> Cause {
+    let [first, second, third] = header;
+    let pixels = |width: i64, height: i64| match (u64::try_from(width), u64::try_from(height)) {
+        (Ok(width), Ok(height)) => width.saturating_mul(height),
+        _ => 0,
+    };
+    // A number too few in the header is taken from the pixels.
+    if pixels(first, second).saturating_mul(3) == following.saturating_add(1) {
+        return Cause::new(
+            "missing-header-number",
+            format!(
+                "after the size {first} × {second} comes {third} where the maximum, 255, should be"
+            ),
+            ORDER,
+        );
+    }
+    let row = pixels(first, 3);
+    if second == 255 && row > 0 && (following + 1).is_multiple_of(row) {
+        return Cause::new(
+            "missing-header-number",
+            format!("the header has {first} and 255: width or height is missing"),
+            ORDER,
+        );
+    }
+    let fits = |width, height| pixels(width, height).saturating_mul(3) == following;
+    if (first == 255 && fits(second, third)) || (second == 255 && fits(first, third)) {
+        return Cause::new(
+            "swapped-header-numbers",
+            format!("the header says {first}, {second}, {third}: its numbers are in another order"),
+            ORDER,
+        );
+    }
+    Cause::new(
+        "wrong-maximum",
+        format!("the highest level is said to be {third}"),
+        "Write 255 after the size, and levels from 0 to 255: int(255.999 * r).",
+    )
+}
+
+const ORDER: &str =
+    "The header is P3 (or P6), then width and height, then 255, such as \"P3\\n400 225\\n255\\n\".";

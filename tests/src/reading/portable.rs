@@ -1,0 +1,81 @@
+//! PNG, read by the image library within limits.
+
+use std::io::{Cursor, ErrorKind};
+
+use image::codecs::png::PngDecoder;
+use image::{DynamicImage, ImageDecoder, ImageError, Limits};
+
+use super::{Cause, MOST_PIXELS, Reading};
+
+const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+
+/// Reads a PNG file of three or four channels, or gray.
+pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
+    if !bytes.starts_with(SIGNATURE) && bytes.len() >= SIGNATURE.len() {
+        return Err(Cause::new(
+            "line-endings",
+            "this was a PNG file, but its line endings have been changed on the way",
+            "Copy it as binary: a PNG is not text.",
+        ));
+    }
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(8 * MOST_PIXELS);
+    let decoder = PngDecoder::with_limits(Cursor::new(bytes), limits).map_err(cause)?;
+    let (width, height) = decoder.dimensions();
+    if u64::from(width) * u64::from(height) > MOST_PIXELS {
+        return Err(Cause::absurd_size(width.into(), height.into()));
+    }
+    let image = DynamicImage::from_decoder(decoder).map_err(cause)?;
+    Ok(Reading {
+        width,
+        height,
+        pixels: pixels(image)?,
+    })
+}
+
+/// The levels, if nothing is lost by taking three bytes a pixel.
+fn pixels(image: DynamicImage) -> Result<Vec<[i16; 3]>, Cause> {
+    match image {
+        DynamicImage::ImageRgb8(image) => {
+            Ok(image.pixels().map(|pixel| pixel.0.map(i16::from)).collect())
+        }
+        DynamicImage::ImageLuma8(image) => {
+            Ok(image.pixels().map(|pixel| [pixel.0[0].into(); 3]).collect())
+        }
+        DynamicImage::ImageRgba8(image) if image.pixels().all(|pixel| pixel.0[3] == 255) => {
+            let opaque = |[red, green, blue, _]: [u8; 4]| [red, green, blue].map(i16::from);
+            Ok(image.pixels().map(|pixel| opaque(pixel.0)).collect())
+        }
+        other => Err(Cause::new(
+            "png-kind",
+            format!("this PNG has pixels of the kind {:?}", other.color()),
+            "Save it with three bytes a pixel (8-bit RGB) and without transparency.",
+        )),
+    }
+}
+
+fn cause(error: ImageError) -> Cause {
+    match error {
+        ImageError::Limits(_) => Cause::new(
+            "absurd-size",
+            format!("this PNG needs more memory than {MOST_PIXELS} pixels do"),
+            "Save a smaller picture: 400 pixels wide, as in the book.",
+        ),
+        ImageError::IoError(error) if error.kind() == ErrorKind::UnexpectedEof => truncated(),
+        // The library reports an end inside of a chunk as a defect of the format.
+        error if error.to_string().to_lowercase().contains("eof") => truncated(),
+        error => Cause::new(
+            "broken-png",
+            format!("this PNG can't be read: {error}"),
+            "Save or copy it once more.",
+        ),
+    }
+}
+
+fn truncated() -> Cause {
+    Cause::new(
+        "truncated-png",
+        "this PNG ends too early",
+        "Was it copied in full, and did the program end by itself? Save or copy it once more.",
+    )
+}

@@ -1,0 +1,173 @@
+//! The words of a PPM text.
+
+use super::Cause;
+
+/// Words between white space, each with its place in the file. What follows a
+/// `#` up to the end of the line is a comment.
+#[derive(Clone)]
+pub(super) struct Tokens<'a> {
+    bytes: &'a [u8],
+    at: usize,
+}
+
+/// A word of the text.
+#[derive(Clone, Copy)]
+pub(super) struct Token<'a> {
+    pub(super) word: &'a [u8],
+    start: usize,
+}
+
+impl<'a> Tokens<'a> {
+    /// The words after the two letters that say which format it is.
+    pub(super) fn after_magic(bytes: &'a [u8]) -> Self {
+        Self { bytes, at: 2 }
+    }
+
+    /// Where the last word ended.
+    pub(super) fn at(&self) -> usize {
+        self.at
+    }
+}
+
+impl<'a> Iterator for Tokens<'a> {
+    type Item = Token<'a>;
+
+    fn next(&mut self) -> Option<Token<'a>> {
+        loop {
+            let byte = *self.bytes.get(self.at)?;
+            if byte == b'#' {
+                let line = self.bytes[self.at..]
+                    .iter()
+                    .take_while(|byte| !b"\r\n".contains(byte));
+                self.at += line.count();
+            } else if is_space(byte) {
+                self.at += 1;
+            } else {
+                break;
+            }
+        }
+        let start = self.at;
+        let rest = &self.bytes[start..];
+        let length = rest.iter().position(|&byte| is_space(byte));
+        self.at += length.unwrap_or(rest.len());
+        Some(Token {
+            word: &self.bytes[start..self.at],
+            start,
+        })
+    }
+}
+
+impl Token<'_> {
+    /// The number that the word is; far beyond 16 bits it stops growing, since
+    /// no size and no level is that large.
+    pub(super) fn number(&self) -> Option<i64> {
+        let (negative, digits) = match self.word {
+            [b'-', digits @ ..] => (true, digits),
+            [b'+', digits @ ..] => (false, digits),
+            digits => (false, digits),
+        };
+        if digits.is_empty() {
+            return None;
+        }
+        let mut number: i64 = 0;
+        for digit in digits {
+            if !digit.is_ascii_digit() {
+                return None;
+            }
+            number = (10 * number + i64::from(digit - b'0')).min(i64::from(u32::MAX));
+        }
+        Some(if negative { -number } else { number })
+    }
+
+    /// The word as a message can show it: short and harmless.
+    pub(super) fn shown(&self) -> String {
+        const LONGEST: usize = 24;
+        let shown: String = String::from_utf8_lossy(&self.word[..self.word.len().min(4 * LONGEST)])
+            .chars()
+            .map(|letter| if letter.is_control() { '·' } else { letter })
+            .take(LONGEST)
+            .collect();
+        if self.word.len() > LONGEST {
+            shown + "…"
+        } else {
+            shown
+        }
+    }
+
+    /// Where the word is, for a message.
+    pub(super) fn place(&self, bytes: &[u8]) -> String {
+        let lines = bytes[..self.start].iter().filter(|&&byte| byte == b'\n');
+        format!("line {}, byte {}", lines.count() + 1, self.start)
+    }
+
+    /// Why the word is no number, though one should be there.
+    pub(super) fn cause(&self, bytes: &[u8]) -> Cause {
+        let problem = |what: &str| {
+            let (word, place) = (self.shown(), self.place(bytes));
+            format!("{place}: {word:?} {what}")
+        };
+        let text = String::from_utf8_lossy(self.word);
+        let lower = text.trim_start_matches(['-', '+']).to_ascii_lowercase();
+        if self.word.contains(&0x1b) {
+            Cause::new(
+                "text-in-body",
+                problem("has terminal colors in it"),
+                NO_TEXT,
+            )
+        } else if ["nan", "inf", "1.#"]
+            .iter()
+            .any(|odd| lower.starts_with(odd))
+        {
+            Cause::new(
+                "not-a-number",
+                problem(
+                    "is what a division by zero, or the square root of a negative number, prints",
+                ),
+                "Convert to int before printing, and look for 0 / 0: a direction of length zero, or a width of 1 without a guard.",
+            )
+        } else if text.parse::<f64>().is_ok() {
+            Cause::new(
+                "fractions",
+                problem("is not a whole number"),
+                "Scale and cut off before printing: int(255.999 * r).",
+            )
+        } else if text.contains("\\n") {
+            Cause::new(
+                "line-endings",
+                problem("has the two characters \\ and n in it instead of a new line"),
+                "Write \"\\n\" between double quotes, in the language's own way.",
+            )
+        } else if text.contains([',', ';', '(', '[', '{']) {
+            Cause::new(
+                "separators",
+                problem("has more than digits in it"),
+                "Separate the numbers by spaces and new lines alone, without commas or brackets.",
+            )
+        } else if self.word == b"P3" || self.word == b"P6" {
+            Cause::new(
+                "second-picture",
+                problem("begins a second picture"),
+                "Write into a new file: >> appends to what is there, > replaces it.",
+            )
+        } else if self
+            .word
+            .iter()
+            .any(|byte| !byte.is_ascii() || *byte < b' ')
+        {
+            Cause::new(
+                "binary-in-text",
+                problem("is not text"),
+                "P3 is followed by numbers as text. For bytes the header is P6.",
+            )
+        } else {
+            Cause::new("text-in-body", problem("stands among the numbers"), NO_TEXT)
+        }
+    }
+}
+
+const NO_TEXT: &str = "Only the picture goes to standard output. Send progress and messages to standard error: std::clog, eprintln!, sys.stderr.";
+
+fn is_space(byte: u8) -> bool {
+    // The vertical tab and the form feed are white space to a PPM as well.
+    matches!(byte, b' ' | b'\t'..=b'\r')
+}
