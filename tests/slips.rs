@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
+use std::path::Path;
 
 use common::rtweekend::*;
 use hittable_list::{HittableList, Sphere};
@@ -85,6 +86,19 @@ fn the_names_are_distinct_and_lasting() {
             name.bytes()
                 .all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-'),
             "{name} is awkward to type"
+        );
+    }
+}
+
+#[test]
+fn every_slip_leads_to_a_file_that_has_it_right() {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    for slip in slips::all() {
+        assert!(
+            workspace.join(slip.page).is_file(),
+            "{}: {}",
+            slip.name,
+            slip.page
         );
     }
 }

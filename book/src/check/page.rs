@@ -94,7 +94,7 @@ fn slip_as_html(slip: &Slip) -> String {
     format!(
         "<h3>{name}</h3>\n<dl><dt>probably</dt><dd><code>{wrong}</code></dd>\
          <dt>should be</dt><dd><code>{right}</code></dd>\
-         <dt>why</dt><dd>{explanation}</dd><dt>page</dt><dd>{page}</dd></dl>\n"
+         <dt>why</dt><dd>{explanation}</dd><dt>read</dt><dd>{page}</dd></dl>\n"
     )
 }
 

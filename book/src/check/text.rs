@@ -242,7 +242,7 @@ fn in_full(mistake: &[&Slip], style: Style) -> String {
             slip.right,
             label("why"),
             slip.explanation,
-            label("page"),
+            label("read"),
             slip.page
         )
         .expect("a string takes it");

@@ -24,7 +24,7 @@ pub struct Slip {
     /// Who made it: issues of `RayTracing/raytracing.github.io`, or of another
     /// repository if that is named. Often empty: few people report a slip.
     pub evidence: &'static [&'static str],
-    /// The page of the book that has the line right.
+    /// The file of this workspace that has the line right.
     pub page: &'static str,
     /// Replaces the step.
     pub alter: fn(Program) -> Program,
