@@ -3,6 +3,9 @@
 use std::io::ErrorKind;
 use std::path::Path;
 use std::process::Command;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
 
 use common::rtweekend::*;
 use tests::rival;
@@ -69,6 +72,28 @@ fn every_width_and_every_number_of_threads_gives_what_a_loop_over_pixels_gives()
             );
         }
     }
+}
+
+/// Where there are no threads to be had, as in a browser, one must do.
+#[test]
+fn one_thread_starts_no_other_and_two_share_the_work() {
+    let here = thread::current().id();
+    let elsewhere = Arc::new(AtomicBool::new(false));
+    let seen = Arc::clone(&elsewhere);
+    let picture = Picture::paint(400, 225, move |_, _| {
+        seen.fetch_or(thread::current().id() != here, Ordering::Relaxed);
+        Color::ZERO
+    });
+    picture.rgb_with_threads(1);
+    assert!(
+        !elsewhere.load(Ordering::Relaxed),
+        "one thread was asked for"
+    );
+    picture.rgb_with_threads(2);
+    assert!(
+        elsewhere.load(Ordering::Relaxed),
+        "two threads were asked for"
+    );
 }
 
 #[test]
