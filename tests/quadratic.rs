@@ -25,6 +25,25 @@ macro_rules! laws_hold_for {
     };
 }
 
+/// The same for all laws of a nearer root, `laws::NEARER_ROOT`.
+macro_rules! every_law_holds_for {
+    ($solve:expr) => {
+        laws_hold_for! { $solve =>
+            a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses
+            the_line_hits_exactly_when_there_is_a_root
+            the_point_lies_on_the_sphere
+            the_root_is_the_nearer_one_to_the_digits_that_remain
+            a_tangent_is_a_hit
+            the_root_of_a_tangent_is_exact
+            the_two_roots_add_and_multiply_to_the_coefficients
+            a_scene_in_another_unit_has_the_same_digits
+            a_scene_in_a_mirror_has_the_same_bits
+            a_scene_that_is_moved_has_almost_the_same_root
+            finite_input_never_gives_nan
+        }
+    };
+}
+
 mod red_sphere {
     use super::*;
 
@@ -50,37 +69,13 @@ mod red_sphere {
 mod normals {
     use super::*;
 
-    laws_hold_for! { ::normals::hit_sphere =>
-        a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses
-        the_line_hits_exactly_when_there_is_a_root
-        the_point_lies_on_the_sphere
-        the_root_is_the_nearer_one_to_the_digits_that_remain
-        a_tangent_is_a_hit
-        the_root_of_a_tangent_is_exact
-        the_two_roots_add_and_multiply_to_the_coefficients
-        a_scene_in_another_unit_has_the_same_digits
-        a_scene_in_a_mirror_has_the_same_bits
-        a_scene_that_is_moved_has_almost_the_same_root
-        finite_input_never_gives_nan
-    }
+    every_law_holds_for! { ::normals::hit_sphere }
 }
 
 mod half_b_sphere {
     use super::*;
 
-    laws_hold_for! { ::half_b_sphere::hit_sphere =>
-        a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses
-        the_line_hits_exactly_when_there_is_a_root
-        the_point_lies_on_the_sphere
-        the_root_is_the_nearer_one_to_the_digits_that_remain
-        a_tangent_is_a_hit
-        the_root_of_a_tangent_is_exact
-        the_two_roots_add_and_multiply_to_the_coefficients
-        a_scene_in_another_unit_has_the_same_digits
-        a_scene_in_a_mirror_has_the_same_bits
-        a_scene_that_is_moved_has_almost_the_same_root
-        finite_input_never_gives_nan
-    }
+    every_law_holds_for! { ::half_b_sphere::hit_sphere }
 
     #[test]
     fn it_is_the_full_formula_to_the_last_bit() {
@@ -107,19 +102,7 @@ mod hittable_list_sphere {
         hit(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY)
     }
 
-    laws_hold_for! { nearer =>
-        a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses
-        the_line_hits_exactly_when_there_is_a_root
-        the_point_lies_on_the_sphere
-        the_root_is_the_nearer_one_to_the_digits_that_remain
-        a_tangent_is_a_hit
-        the_root_of_a_tangent_is_exact
-        the_two_roots_add_and_multiply_to_the_coefficients
-        a_scene_in_another_unit_has_the_same_digits
-        a_scene_in_a_mirror_has_the_same_bits
-        a_scene_that_is_moved_has_almost_the_same_root
-        finite_input_never_gives_nan
-    }
+    every_law_holds_for! { nearer }
 
     #[test]
     fn the_nearest_root_in_the_interval_is_returned() {
