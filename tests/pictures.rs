@@ -128,6 +128,21 @@ fn a_snapshot_may_be_compressed_in_another_way_but_not_show_another_picture() {
 }
 
 #[test]
+fn pictures_are_equal_if_size_and_bytes_are() {
+    let picture = |width, height, level| {
+        Picture::from_rgb(width, height, vec![level; 12]).expect("12 bytes are 4 pixels")
+    };
+    assert_eq!(picture(2, 2, 7), picture(2, 2, 7));
+    assert_ne!(picture(2, 2, 7), picture(2, 2, 8));
+    assert_ne!(picture(4, 1, 7), picture(1, 4, 7));
+    assert_ne!(picture(4, 1, 7), picture(2, 2, 7));
+    let wider = Picture::from_rgb(5, 2, vec![0; 30]).expect("30 bytes are 10 pixels");
+    let narrower = Picture::from_rgb(4, 2, vec![0; 24]).expect("24 bytes are 8 pixels");
+    assert_ne!(wider, narrower);
+    assert_eq!(format!("{wider:?}"), "Picture of 5 × 2 pixels");
+}
+
+#[test]
 fn bytes_that_are_not_three_a_pixel_are_no_picture() {
     assert_eq!(Picture::from_rgb(2, 2, vec![0; 11]), None);
     assert!(Picture::from_rgb(2, 2, vec![0; 12]).is_some());
