@@ -141,6 +141,19 @@ fn many_hits_are_the_hits_one_by_one_in_nested_lists_too() {
 }
 
 #[test]
+fn a_hit_that_was_found_is_hit_again_inside_the_open_interval_only() {
+    use hittable_list::{Hit, Hittable, Sphere};
+    let hit = Hit {
+        t: 1.0,
+        sphere: Sphere::new(Point3::ZERO, 1.0),
+    };
+    let ray = Ray::new(Point3::ZERO, Vec3::NEG_Z);
+    assert_eq!(hit.hit(&ray, 0.0, 2.0), Some(hit));
+    assert_eq!(hit.hit(&ray, 1.0, 2.0), None);
+    assert_eq!(hit.hit(&ray, 0.0, 1.0), None);
+}
+
+#[test]
 fn a_writer_that_fails_ends_the_picture_on_any_number_of_threads() {
     struct Full;
     impl std::io::Write for Full {
