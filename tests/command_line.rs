@@ -293,14 +293,21 @@ mod on_unix {
         let pipe = folder.path().join("pipe.ppm");
         let made = Command::new("mkfifo").arg(&pipe).status();
         assert!(made.expect("mkfifo starts").success());
-        let reader = thread::spawn({
-            let pipe = pipe.clone();
-            move || fs::read(pipe).expect("the pipe is read")
+        // Held open here, so that the reader need not wait for a program that
+        // opens it too; when all have closed it, the reader sees the end.
+        let held = File::options()
+            .read(true)
+            .write(true)
+            .open(&pipe)
+            .expect("the pipe");
+        let mut reading = File::open(&pipe).expect("the pipe");
+        let reader = thread::spawn(move || {
+            let mut text = Vec::new();
+            reading.read_to_end(&mut text).expect("the pipe is read");
+            text
         });
         let output = run(program("normals").arg(&pipe));
-        // If the program has not opened the pipe, the reader still waits for
-        // someone who does.
-        let _ = rustix::fs::open(&pipe, OFlags::WRONLY | OFlags::NONBLOCK, Mode::empty());
+        drop(held);
         assert_success(&output);
         assert!(reader.join().expect("the pipe was read") == p3(&normals::picture(400)));
         let kind = fs::metadata(&pipe).expect("the pipe").file_type();
