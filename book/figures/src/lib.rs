@@ -1,0 +1,1 @@
+//! The figures of the book: pure functions from numbers to SVG.
