@@ -5,6 +5,7 @@ mod check;
 mod check_command;
 mod color;
 mod command_line;
+mod methods;
 mod oracle;
 mod pictures;
 mod quadratic;

@@ -3,10 +3,17 @@
 //! Every serious way to intersect a ray with a sphere, in one place and over
 //! one signature.
 
+mod double_double;
+mod error_free;
+mod exact;
 mod method;
 mod plain;
 mod single;
 
+pub use double_double::double_double;
+pub use exact::exact;
 pub use method::{METHODS, Method, Solve, find};
-pub use plain::{full_b, half_b, half_b_q};
-pub use single::{SingleRay, half_b_f32};
+pub use plain::{
+    adaptive_q, cross_q, full_b, haines, haines_q, half_b, half_b_q, kahan_q, scaled_q,
+};
+pub use single::{SingleRay, cross_q_f32, half_b_f32, half_b_q_f32, widened_half_b_q_f32};

@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 
 use crate::single::SingleRay;
-use crate::{plain, single};
+use crate::{double_double, exact, plain, single};
 
 /// A way to find where a ray meets a sphere.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +29,18 @@ pub const METHODS: &[Method] = &[
     double("full_b", plain::full_b),
     double("half_b", plain::half_b),
     double("half_b_q", plain::half_b_q),
+    double("haines", plain::haines),
+    double("haines_q", plain::haines_q),
+    double("kahan_q", plain::kahan_q),
+    double("cross_q", plain::cross_q),
+    double("adaptive_q", plain::adaptive_q),
+    double("scaled_q", plain::scaled_q),
+    double("double_double", double_double::double_double),
+    double("exact", exact::exact),
     single("half_b_f32", single::half_b_f32),
+    single("half_b_q_f32", single::half_b_q_f32),
+    single("cross_q_f32", single::cross_q_f32),
+    single("widened_half_b_q_f32", single::widened_half_b_q_f32),
 ];
 
 /// The method of that name.
