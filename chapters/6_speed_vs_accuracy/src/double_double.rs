@@ -99,6 +99,11 @@ impl Double {
         self.high > x || (self.high == x && self.low > 0.0)
     }
 
+    /// How far above `x` it is, rounded; `x` may be infinite.
+    pub(crate) fn minus(self, x: f64) -> f64 {
+        (self.high - x) + self.low
+    }
+
     /// One step of Newton's method from the root that hardware finds.
     fn sqrt(self) -> Self {
         let root = self.high.sqrt();

@@ -3,13 +3,16 @@
 //! Every serious way to intersect a ray with a sphere, in one place and over
 //! one signature.
 
+mod certified;
 mod double_double;
 mod error_free;
 mod exact;
 mod method;
 mod plain;
+mod refined;
 mod single;
 
+pub use certified::{Stage, certified_hit, certified_t, stage_of_hit, stage_of_t};
 pub use double_double::double_double;
 pub use exact::exact;
 pub use method::{METHODS, Method, Solve, find};

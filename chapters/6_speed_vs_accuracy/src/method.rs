@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 
 use crate::single::SingleRay;
-use crate::{double_double, exact, plain, single};
+use crate::{certified, double_double, exact, plain, single};
 
 /// A way to find where a ray meets a sphere.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +35,8 @@ pub const METHODS: &[Method] = &[
     double("cross_q", plain::cross_q),
     double("adaptive_q", plain::adaptive_q),
     double("scaled_q", plain::scaled_q),
+    double("certified_hit", certified::certified_hit),
+    double("certified_t", certified::certified_t),
     double("double_double", double_double::double_double),
     double("exact", exact::exact),
     single("half_b_f32", single::half_b_f32),
