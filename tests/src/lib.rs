@@ -3,6 +3,7 @@
 //! The checks live in a library, so that the ones that judge our chapters also
 //! judge a reader's own. The `*.rs` files beside this folder apply them.
 
+pub mod accuracy;
 pub mod case;
 pub mod causes;
 pub mod check;
@@ -22,5 +23,6 @@ pub mod slips;
 pub mod speed;
 pub mod stages;
 pub mod strategies;
+pub mod timings;
 pub mod trial;
 pub mod worlds;

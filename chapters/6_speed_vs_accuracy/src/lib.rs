@@ -9,7 +9,9 @@ mod error_free;
 mod exact;
 mod method;
 mod plain;
+mod question;
 mod refined;
+mod regimes;
 mod single;
 
 pub use certified::{Stage, certified_hit, certified_t, stage_of_hit, stage_of_t};
@@ -19,4 +21,6 @@ pub use method::{METHODS, Method, Solve, find};
 pub use plain::{
     adaptive_q, cross_q, full_b, haines, haines_q, half_b, half_b_q, kahan_q, scaled_q,
 };
+pub use question::{Precision, Question};
+pub use regimes::{REGIMES, Random, Regime, find_regime};
 pub use single::{SingleRay, cross_q_f32, half_b_f32, half_b_q_f32, widened_half_b_q_f32};

@@ -1,0 +1,302 @@
+//! Where rays come from: the seven situations in which every method is tried.
+//!
+//! The questions are random, and the same on every machine: only operations that
+//! round alike everywhere make them, + − × ÷ and √. Each is made for one of two precisions, because the
+//! hard places of `f32` lie elsewhere than those of `f64`, and all its numbers
+//! are numbers of that precision.
+
+use std::ops::RangeInclusive;
+
+use common::rtweekend::*;
+
+use crate::question::{Precision, Question};
+
+/// A situation that rays and spheres are in, from mild to hard.
+#[derive(Clone, Copy, Debug)]
+pub struct Regime {
+    /// A word, for tables.
+    pub name: &'static str,
+    /// A few words, for charts.
+    pub title: &'static str,
+    /// What a level means; empty if there is only one.
+    pub level: &'static str,
+    levels: [(i32, i32); 2],
+    question: fn(&mut Random, level: i32) -> Question,
+}
+
+/// All regimes, the book's first.
+pub const REGIMES: [Regime; 7] = [
+    Regime {
+        name: "book",
+        title: "the book’s camera rays",
+        level: "",
+        levels: [(0, 0); 2],
+        question: |random, _| book(random),
+    },
+    Regime {
+        name: "grazing",
+        title: "grazing rays",
+        level: "the line passes the center at (1 ± 10⁻ᵏ) radii",
+        levels: [(1, 15), (1, 7)],
+        question: grazing,
+    },
+    Regime {
+        name: "far",
+        title: "a sphere far away",
+        level: "the ray starts 10ᵏ radii away",
+        levels: [(1, 15), (1, 6)],
+        question: far,
+    },
+    Regime {
+        name: "near_surface",
+        title: "rays that leave the surface",
+        level: "the sphere has a radius of 10ᵏ",
+        levels: [(0, 9), (0, 4)],
+        question: near_surface,
+    },
+    Regime {
+        name: "ground",
+        title: "above a huge ground",
+        level: "the ground has a radius of 10ᵏ",
+        levels: [(2, 9), (2, 6)],
+        question: ground,
+    },
+    Regime {
+        name: "inside",
+        title: "from inside",
+        level: "the ray starts at (1 − 10⁻ᵏ) radii from the center",
+        levels: [(0, 12), (0, 5)],
+        question: inside,
+    },
+    Regime {
+        name: "exponents",
+        title: "very large and very small numbers",
+        level: "lengths in space from 2⁻ᵏ to 2ᵏ, and so the direction’s",
+        levels: [(500, 500), (60, 60)],
+        question: exponents,
+    },
+];
+
+/// The regime of that name.
+pub fn find_regime(name: &str) -> Option<Regime> {
+    REGIMES.into_iter().find(|regime| regime.name == name)
+}
+
+impl Regime {
+    /// So many questions from all levels alike, always the same for one `seed`.
+    pub fn questions(&self, precision: Precision, seed: u64, count: usize) -> Vec<Question> {
+        let levels = self.levels(precision);
+        self.make(precision, seed, count, |random| {
+            let span = levels.end() - levels.start() + 1;
+            levels.start() + random.below(span.unsigned_abs()).cast_signed()
+        })
+    }
+
+    /// So many questions from one level.
+    pub fn questions_at(
+        &self,
+        level: i32,
+        precision: Precision,
+        seed: u64,
+        count: usize,
+    ) -> Vec<Question> {
+        self.make(precision, seed, count, |_| level)
+    }
+
+    /// From the mildest level to the hardest.
+    pub fn levels(&self, precision: Precision) -> RangeInclusive<i32> {
+        let [double, single] = self.levels;
+        match precision {
+            Precision::Double => double.0..=double.1,
+            Precision::Single => single.0..=single.1,
+        }
+    }
+
+    fn make(
+        &self,
+        precision: Precision,
+        seed: u64,
+        count: usize,
+        level: impl Fn(&mut Random) -> i32,
+    ) -> Vec<Question> {
+        let mut random = Random::new(seed);
+        let mut question = || {
+            let level = level(&mut random);
+            (self.question)(&mut random, level).rounded(precision)
+        };
+        (0..count).map(|_| question()).collect()
+    }
+}
+
+/// A pixel of the picture 3840 wide, and one of the two spheres of the book.
+fn book(random: &mut Random) -> Question {
+    let camera = Camera::new(3840);
+    let ray = camera.ray(
+        random.below(camera.image_width),
+        random.below(camera.image_height),
+    );
+    let (center, radius) = match random.below(2) {
+        0 => (Point3::new(0.0, 0.0, -1.0), 0.5),
+        _ => (Point3::new(0.0, -100.5, -1.0), 100.0),
+    };
+    Question {
+        center,
+        radius,
+        ray,
+    }
+}
+
+/// From 3 radii away, along a line that just meets the sphere or just misses.
+fn grazing(random: &mut Random, level: i32) -> Question {
+    let miss_by = 1.0 + random.sign() / power_of_ten(level);
+    aimed(random, 3.0, miss_by)
+}
+
+/// At a point that is within 1.2 radii of the center of a far sphere.
+fn far(random: &mut Random, level: i32) -> Question {
+    let miss_by = random.between(0.0, 1.2);
+    aimed(random, power_of_ten(level), miss_by)
+}
+
+/// From a point of the surface, as exactly as its coordinates can be on it, in
+/// the direction that the book's matte surfaces scatter: normal + unit vector.
+fn near_surface(random: &mut Random, level: i32) -> Question {
+    let (center, radius) = sphere(random, power_of_ten(level));
+    let normal = random.direction();
+    let ray = Ray::new(center + radius * normal, normal + random.direction());
+    Question {
+        center,
+        radius,
+        ray,
+    }
+}
+
+/// In any direction, from 0.01 to 10 above a sphere as large as an Earth.
+fn ground(random: &mut Random, level: i32) -> Question {
+    let radius = power_of_ten(level);
+    let height = random.between(0.01, 10.0);
+    Question {
+        center: Point3::new(0.0, -(radius + height), 0.0),
+        radius,
+        ray: Ray::new(Point3::ZERO, random.direction()),
+    }
+}
+
+/// In any direction, from the center or from a little below the surface.
+fn inside(random: &mut Random, level: i32) -> Question {
+    let size = random.between(0.5, 2.0);
+    let (center, radius) = sphere(random, size);
+    let depth = 1.0 - 1.0 / power_of_ten(level);
+    let origin = center + radius * depth * random.direction();
+    let ray = Ray::new(origin, random.direction());
+    Question {
+        center,
+        radius,
+        ray,
+    }
+}
+
+/// An ordinary ray and sphere, in a very large or very small unit of length,
+/// and the direction in another one.
+fn exponents(random: &mut Random, level: i32) -> Question {
+    let miss_by = random.between(0.0, 1.2);
+    let Question {
+        center,
+        radius,
+        ray,
+    } = aimed(random, 3.0, miss_by);
+    let mut unit =
+        || power_of_two(random.below(2 * level.unsigned_abs() + 1).cast_signed() - level);
+    let (length, stretch) = (unit(), unit());
+    Question {
+        center: length * center,
+        radius: length * radius,
+        ray: Ray::new(length * ray.origin, stretch * ray.direction),
+    }
+}
+
+/// A ray that starts `away` radii before a sphere of ordinary size, and whose
+/// line passes the center at `miss_by` radii.
+fn aimed(random: &mut Random, away: f64, miss_by: f64) -> Question {
+    let size = random.between(0.5, 2.0);
+    let (center, radius) = sphere(random, size);
+    let forward = random.direction();
+    let sideways = forward.cross(random.direction()).normalize();
+    let closest = center + radius * miss_by * sideways;
+    let length = random.between(0.5, 2.0);
+    let ray = Ray::new(closest - radius * away * forward, length * forward);
+    Question {
+        center,
+        radius,
+        ray,
+    }
+}
+
+/// A sphere within a few radii of the origin.
+fn sphere(random: &mut Random, radius: f64) -> (Point3, f64) {
+    let mut coordinate = || radius * random.between(-2.0, 2.0);
+    let center = Point3::new(coordinate(), coordinate(), coordinate());
+    (center, radius)
+}
+
+/// 10 to a power from 0 to 22, which an `f64` holds exactly.
+fn power_of_ten(exponent: i32) -> f64 {
+    (0..exponent).fold(1.0, |power, _| 10.0 * power)
+}
+
+/// 2 to a power from −1022 to 1023.
+fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((1023 + exponent) as u64) << 52)
+}
+
+/// Random numbers, the same on every machine.
+///
+/// Source: SplitMix64 of Steele, Lea and Flood, "Fast splittable pseudorandom
+/// number generators" (2014).
+#[derive(Clone, Debug)]
+pub struct Random(u64);
+
+impl Random {
+    /// The sequence that belongs to `seed`.
+    pub fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    /// Any 64 bits.
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// A whole number from 0 to `end` − 1.
+    pub fn below(&mut self, end: u32) -> u32 {
+        ((u64::from(end) * (self.bits() >> 32)) >> 32) as u32
+    }
+
+    /// A number from `low` to `high`.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        let share = (self.bits() >> 11) as f64 / (1_u64 << 53) as f64;
+        low + (high - low) * share
+    }
+
+    /// 1 or −1.
+    pub fn sign(&mut self) -> f64 {
+        if self.below(2) == 0 { 1.0 } else { -1.0 }
+    }
+
+    /// A unit vector in any direction: that of a point in a ball.
+    pub fn direction(&mut self) -> Vec3 {
+        loop {
+            let [x, y, z] = [(); 3].map(|()| self.between(-1.0, 1.0));
+            let point = Vec3::new(x, y, z);
+            let square = point.length_squared();
+            // Near the center few digits would say where the point is.
+            if (0.01..=1.0).contains(&square) {
+                return point / square.sqrt();
+            }
+        }
+    }
+}
