@@ -2,6 +2,7 @@
 
 mod check;
 mod draw;
+mod hit;
 mod probes;
 mod race;
 mod save;
@@ -34,6 +35,8 @@ enum Command {
     Race(race::Arguments),
     /// Check your own picture, and learn which mistake draws it
     Check(check::Arguments),
+    /// Look at one ray and one sphere through every method of chapter 6
+    Hit(hit::Arguments),
     /// List the small scenes that show what the book's picture can't
     Probes(probes::Arguments),
     /// List the mistakes that are known, or draw one
@@ -46,6 +49,7 @@ fn main() -> ExitCode {
         Some(Command::Show(arguments)) => show::show(&arguments),
         Some(Command::Race(arguments)) => race::race(&arguments),
         Some(Command::Check(arguments)) => return check::check(&arguments),
+        Some(Command::Hit(arguments)) => hit::hit(&arguments),
         Some(Command::Probes(arguments)) => probes::list(&arguments),
         Some(Command::Slips(arguments)) => slips::slips(&arguments),
     };

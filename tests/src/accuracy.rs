@@ -118,10 +118,7 @@ pub fn sweeps(cases: usize, seed: u64) -> String {
 /// How exact `method` is on `questions`.
 pub fn of(method: &Method, questions: &[Question]) -> Accuracy {
     let precision = Precision::of(method);
-    let truths: Vec<_> = questions
-        .iter()
-        .map(|question| Truth::of(question, precision))
-        .collect();
+    let truths = truths(questions, precision);
     judge(method, questions, &truths)
 }
 
@@ -169,10 +166,7 @@ fn rows(
     questions: &[Question],
     write_row: impl Fn(&mut String, &Method, &Accuracy),
 ) -> String {
-    let truths: Vec<_> = questions
-        .iter()
-        .map(|question| Truth::of(question, precision))
-        .collect();
+    let truths = truths(questions, precision);
     let mut text = String::new();
     for method in METHODS {
         if Precision::of(method) == precision {
@@ -180,6 +174,15 @@ fn rows(
         }
     }
     text
+}
+
+fn truths(questions: &[Question], precision: Precision) -> Vec<Option<Truth>> {
+    let truth = |question: &Question| {
+        let exact = Exact::new(question.center, question.radius, &question.ray)
+            .expect("regimes make finite questions");
+        Truth::of(&exact, precision, 0.0, f64::INFINITY)
+    };
+    questions.iter().map(truth).collect()
 }
 
 fn judge(method: &Method, questions: &[Question], truths: &[Option<Truth>]) -> Accuracy {
@@ -211,7 +214,7 @@ fn judge(method: &Method, questions: &[Question], truths: &[Option<Truth>]) -> A
 /// The nearest root, kept so that an error takes a few operations instead of
 /// long integers.
 #[derive(Clone, Copy, Debug)]
-struct Truth {
+pub struct Truth {
     /// The `f64` nearest to the root.
     nearest: f64,
     /// How far the root is above that, in ulps of the precision.
@@ -221,17 +224,16 @@ struct Truth {
 }
 
 impl Truth {
-    /// The nearest root with t > 0, if there is one.
-    fn of(question: &Question, precision: Precision) -> Option<Self> {
-        let exact = exact(question.center, question.radius, &question.ray);
-        let root = exact.nearest_root_in(0.0, f64::INFINITY)?;
+    /// The nearest root of `exact` between `t_min` and `t_max`, if there is one.
+    pub fn of(exact: &Exact, precision: Precision, t_min: f64, t_max: f64) -> Option<Self> {
+        let root = exact.nearest_root_in(t_min, t_max)?;
         let nearest = root.rounded();
         let is_below = root < nearest;
-        let below = if is_below {
-            nearest.next_down()
-        } else {
-            nearest
-        };
+        // The ulp is that of the root, also where it rounds to a power of two.
+        let below = toward_zero(
+            nearest.abs(),
+            is_below == (nearest > 0.0) && root != nearest,
+        );
         let ulp_of_double = below.next_up() - below;
         let ulp = match precision {
             Precision::Double => ulp_of_double,
@@ -248,9 +250,20 @@ impl Truth {
         })
     }
 
-    fn error_in_ulps(&self, t: f64) -> f64 {
+    /// The `f64` nearest to the root.
+    pub fn nearest(&self) -> f64 {
+        self.nearest
+    }
+
+    /// How far `t` is from the root, in units of the last place that a number of
+    /// the precision near the root has.
+    pub fn error_in_ulps(&self, t: f64) -> f64 {
         ((t - self.nearest) / self.ulp - self.rest).abs()
     }
+}
+
+fn toward_zero(size: f64, by_a_step: bool) -> f64 {
+    if by_a_step { size.next_down() } else { size }
 }
 
 /// The greatest `f32` not above `t`, which is not negative.
@@ -278,10 +291,6 @@ fn off_the_surface(question: &Question, t: f64, precision: Precision) -> f64 {
     (above_one / ((1.0 + above_one).sqrt() + 1.0)).abs()
 }
 
-fn exact(center: Point3, radius: f64, ray: &Ray) -> Exact {
-    Exact::new(center, radius, ray).expect("regimes make finite questions")
-}
-
 /// The value that the share `p` of `sorted` does not exceed, in three digits;
 /// nothing if there is none.
 fn quantile(sorted: &[f64], p: f64) -> String {
@@ -292,7 +301,7 @@ fn quantile(sorted: &[f64], p: f64) -> String {
 }
 
 /// Such as 0.41, 158, 1.3e-16.
-pub(crate) fn three_digits(value: f64) -> String {
+pub fn three_digits(value: f64) -> String {
     let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
     if rounded == 0.0 || (1e-3..1e6).contains(&rounded) {
         format!("{rounded}")

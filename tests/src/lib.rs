@@ -22,6 +22,7 @@ pub mod simplify;
 pub mod slips;
 pub mod speed;
 pub mod stages;
+pub mod strain;
 pub mod strategies;
 pub mod timings;
 pub mod trial;

@@ -1,0 +1,127 @@
+//! Rays and spheres under a microscope: what every method makes of them.
+
+mod one;
+mod table;
+
+use std::error::Error;
+use std::path::PathBuf;
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use common::rtweekend::*;
+use speed_vs_accuracy::{METHODS, Method, Question, find};
+
+use crate::misuse;
+
+/// What `cargo rtrace hit` is told.
+#[derive(Args)]
+pub(crate) struct Arguments {
+    /// Where the ray starts
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true, required_unless_present = "csv")]
+    origin: Option<Vec3>,
+
+    /// Where the ray points; t counts lengths of it
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true, required_unless_present = "csv")]
+    direction: Option<Vec3>,
+
+    /// The center of the sphere
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true, required_unless_present = "csv")]
+    center: Option<Vec3>,
+
+    /// The radius of the sphere
+    #[arg(long, value_name = "R", value_parser = finite, allow_hyphen_values = true, required_unless_present = "csv")]
+    radius: Option<f64>,
+
+    /// A hit must have a greater t than this
+    #[arg(long, value_name = "T", value_parser = bound, default_value = "0", allow_hyphen_values = true)]
+    t_min: f64,
+
+    /// A hit must have a lesser t than this
+    #[arg(long, value_name = "T", value_parser = bound, default_value = "inf", allow_hyphen_values = true)]
+    t_max: f64,
+
+    /// Many rays and spheres, a row each, from a file with the columns ox, oy,
+    /// oz, dx, dy, dz, cx, cy, cz and r, or from standard input if it is -;
+    /// prints row,method,t
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["origin", "direction", "center", "radius"])]
+    csv: Option<PathBuf>,
+
+    /// Only this method [default: all]
+    #[arg(long, value_name = "NAME", value_parser = method_parser())]
+    method: Option<Method>,
+}
+
+/// Prints what the methods answer.
+pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let range = (arguments.t_min, arguments.t_max);
+    let methods = match &arguments.method {
+        Some(method) => std::slice::from_ref(method),
+        None => METHODS,
+    };
+    match arguments {
+        Arguments {
+            csv: Some(path), ..
+        } => table::print(path, methods, range),
+        Arguments {
+            origin: Some(origin),
+            direction: Some(direction),
+            center: Some(center),
+            radius: Some(radius),
+            ..
+        } => {
+            let question = Question {
+                center: *center,
+                radius: *radius,
+                ray: Ray::new(*origin, *direction),
+            };
+            one::print(&question, methods, range)
+        }
+        _ => Err(misuse(
+            "a ray and a sphere are needed: --origin, --direction, --center and --radius",
+        )),
+    }
+}
+
+/// `t` in as few digits as lead back to it in the precision of `method`.
+fn shortest(method: &Method, t: f64) -> String {
+    match method.solve {
+        speed_vs_accuracy::Solve::Double(_) => format!("{t:?}"),
+        speed_vs_accuracy::Solve::Single(_) => format!("{:?}", t as f32),
+    }
+}
+
+/// The `f64` nearest to the decimal number in `text`.
+fn finite(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        Ok(number)
+            if number.is_infinite() && text.contains(|digit: char| digit.is_ascii_digit()) =>
+        {
+            Err("is too large for a number: the largest is 1.7976931348623157e308".to_owned())
+        }
+        _ => Err("is no number such as 0.5, -3 or 1e-9".to_owned()),
+    }
+}
+
+fn bound(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(number) if !number.is_nan() => Ok(number),
+        _ => Err("is no number such as 0.001, and not inf".to_owned()),
+    }
+}
+
+fn vector(text: &str) -> Result<Vec3, String> {
+    let numbers: Vec<f64> = text
+        .split(',')
+        .map(|number| finite(number).map_err(|problem| format!("{:?} {problem}", number.trim())))
+        .collect::<Result<_, _>>()?;
+    match numbers[..] {
+        [x, y, z] => Ok(Vec3::new(x, y, z)),
+        _ => Err("three numbers with commas between them are needed, such as 0,0,-1".to_owned()),
+    }
+}
+
+fn method_parser() -> impl TypedValueParser<Value = Method> {
+    PossibleValuesParser::new(METHODS.iter().map(|method| method.name))
+        .map(|name| find(&name).expect("only names of methods are accepted"))
+}
