@@ -6,6 +6,7 @@
 
 use speed_vs_accuracy::{Method, Precision, Question};
 
+use crate::accuracy::three_digits;
 use crate::oracle::Exact;
 
 /// Why `method` may err on `question`: each reason a sentence, the worst first.
@@ -18,6 +19,9 @@ pub fn reasons(method: &Method, question: &Question) -> Vec<String> {
         return vec![format!("{} has no such numbers", precision.name())];
     };
     let habits = habits(method.name);
+    if let Some(reason) = exponent(habits, precision, &question) {
+        return vec![reason];
+    }
     let mut found: Vec<(f64, String)> = [
         discriminant(habits, &question, &exact),
         constant(habits, &exact),
@@ -29,13 +33,8 @@ pub fn reasons(method: &Method, question: &Question) -> Vec<String> {
     .collect();
     found.sort_by(|(one, _), (other, _)| other.total_cmp(one));
     let digits = habits.digits;
-    let cancelled = found
-        .into_iter()
-        .map(|(lost, what)| format!("{what}: {} of {digits:.0} digits", shown(lost, digits)));
-    exponent(habits, precision, &question)
-        .into_iter()
-        .chain(cancelled)
-        .collect()
+    let sentence = |(lost, what)| format!("{what}: {} of {digits:.0} digits", shown(lost, digits));
+    found.into_iter().map(sentence).collect()
 }
 
 /// How a method computes, as far as it matters here.
@@ -88,9 +87,10 @@ fn habits(name: &str) -> Habits {
             ..distance
         },
         "haines_q" | "cross_q" => distance,
+        "half_b_q" | "kahan_q" => plain,
         "scaled_q" => Habits {
             any_exponent: true,
-            ..distance
+            ..plain
         },
         "adaptive_q" => Habits {
             plain_constant: false,
@@ -117,7 +117,7 @@ fn habits(name: &str) -> Habits {
             any_exponent: true,
             ..plain
         },
-        _ => plain,
+        other => panic!("say here how {other} computes"),
     }
 }
 
@@ -129,7 +129,10 @@ fn discriminant(habits: Habits, question: &Question, exact: &Exact) -> Option<(f
     match habits.discriminant {
         Discriminant::Difference => Some((
             -margin.log10(),
-            format!("h² − a·c cancels, from {} radii away", rounded(away)),
+            format!(
+                "h² − a·c cancels, {} radii from the center",
+                three_digits(away)
+            ),
         )),
         Discriminant::Distance => {
             // (r² − l²)/r² is D/(a·M) times M/r², and l has an error that grows
@@ -137,7 +140,10 @@ fn discriminant(habits: Habits, question: &Question, exact: &Exact) -> Option<(f
             let from_radius = margin * (1.0 + away * away);
             Some((
                 away.max(1.0).log10() - from_radius.log10(),
-                format!("r² − l² cancels, from {} radii away", rounded(away)),
+                format!(
+                    "r² − l² cancels, {} radii from the center",
+                    three_digits(away)
+                ),
             ))
         }
         Discriminant::Certain => None,
@@ -198,8 +204,4 @@ fn shown(lost: f64, digits: f64) -> String {
     } else {
         format!("{lost:.1}")
     }
-}
-
-fn rounded(radii: f64) -> String {
-    crate::accuracy::three_digits(radii)
 }
