@@ -3,6 +3,7 @@
 //! Every serious way to intersect a ray with a sphere, in one place and over
 //! one signature.
 
+pub mod batch;
 mod certified;
 mod double_double;
 mod error_free;

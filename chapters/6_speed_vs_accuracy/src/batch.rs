@@ -1,0 +1,323 @@
+//! Many at once: the plain loop over arrays, which the compiler vectorizes.
+//!
+//! A loop over numbers that lie side by side becomes a loop over four, eight or
+//! sixteen of them at a time, if each turn does the same. So a turn here has one
+//! √ and one ÷ whatever comes out: it divides for the root that can be in range,
+//! which signs tell beforehand. The rare turn in which they do not tell is
+//! taken again by the method itself. So every answer is the method's, to the
+//! bit.
+
+use common::rtweekend::Ray;
+use glam::{DVec3, Vec3};
+use multiversion::multiversion;
+
+use crate::single::SingleRay;
+
+/// How many there are in a block.
+pub const BLOCK: usize = 64;
+
+/// Makes the batch of one precision: the same text, other numbers.
+macro_rules! batch {
+    ($module:ident, $float:ident, $Vec:ident, $Ray:ident, $half_b:path, $half_b_q:path, $cross_q:path) => {
+        /// Methods in this precision, sixty-four at a time.
+        pub mod $module {
+            use super::*;
+
+            /// So many rays, spheres, or both, side by side.
+            #[derive(Clone, Debug)]
+            pub struct Block<const COLUMNS: usize>(pub [[$float; BLOCK]; COLUMNS]);
+
+            /// Rays: the columns are origin and direction.
+            pub type Rays = Block<6>;
+
+            /// Spheres: the columns are center and radius.
+            pub type Spheres = Block<4>;
+
+            impl Rays {
+                /// The rays `ray(0)`, `ray(1)` and so on.
+                pub fn from_fn(ray: impl Fn(usize) -> $Ray) -> Self {
+                    let mut block = Self([[0.0; BLOCK]; 6]);
+                    for k in 0..BLOCK {
+                        let ray = ray(k);
+                        let (origin, direction) = (ray.origin, ray.direction);
+                        let numbers = [
+                            origin.x,
+                            origin.y,
+                            origin.z,
+                            direction.x,
+                            direction.y,
+                            direction.z,
+                        ];
+                        for (column, number) in block.0.iter_mut().zip(numbers) {
+                            column[k] = number;
+                        }
+                    }
+                    block
+                }
+
+                #[inline(always)]
+                fn get(&self, k: usize) -> $Ray {
+                    let [ox, oy, oz, dx, dy, dz] = &self.0;
+                    $Ray {
+                        origin: $Vec::new(ox[k], oy[k], oz[k]),
+                        direction: $Vec::new(dx[k], dy[k], dz[k]),
+                    }
+                }
+            }
+
+            impl Spheres {
+                /// The spheres `sphere(0)`, `sphere(1)` and so on.
+                pub fn from_fn(sphere: impl Fn(usize) -> ($Vec, $float)) -> Self {
+                    let mut block = Self([[0.0; BLOCK]; 4]);
+                    for k in 0..BLOCK {
+                        let (center, radius) = sphere(k);
+                        let numbers = [center.x, center.y, center.z, radius];
+                        for (column, number) in block.0.iter_mut().zip(numbers) {
+                            column[k] = number;
+                        }
+                    }
+                    block
+                }
+
+                #[inline(always)]
+                fn get(&self, k: usize) -> ($Vec, $float) {
+                    let [x, y, z, radius] = &self.0;
+                    ($Vec::new(x[k], y[k], z[k]), radius[k])
+                }
+            }
+
+            /// The nearest root of each ray on one sphere, by `half_b`; ∞ for a
+            /// miss.
+            pub fn half_b(
+                center: $Vec,
+                radius: $float,
+                rays: &Rays,
+                range: [$float; 2],
+            ) -> [$float; BLOCK] {
+                answers(
+                    #[inline(always)]
+                    |k| (center, radius, rays.get(k)),
+                    half_b_fraction,
+                    $half_b,
+                    range,
+                )
+            }
+
+            /// As [`half_b`], by `half_b_q`.
+            pub fn half_b_q(
+                center: $Vec,
+                radius: $float,
+                rays: &Rays,
+                range: [$float; 2],
+            ) -> [$float; BLOCK] {
+                answers(
+                    #[inline(always)]
+                    |k| (center, radius, rays.get(k)),
+                    half_b_q_fraction,
+                    $half_b_q,
+                    range,
+                )
+            }
+
+            /// As [`half_b`], by `cross_q`.
+            pub fn cross_q(
+                center: $Vec,
+                radius: $float,
+                rays: &Rays,
+                range: [$float; 2],
+            ) -> [$float; BLOCK] {
+                answers(
+                    #[inline(always)]
+                    |k| (center, radius, rays.get(k)),
+                    cross_q_fraction,
+                    $cross_q,
+                    range,
+                )
+            }
+
+            /// The nearest root of one ray on each sphere, by `half_b`; ∞ for a
+            /// miss.
+            pub fn half_b_spheres(
+                spheres: &Spheres,
+                ray: &$Ray,
+                range: [$float; 2],
+            ) -> [$float; BLOCK] {
+                let ray = *ray;
+                answers(
+                    #[inline(always)]
+                    |k| {
+                        let (center, radius) = spheres.get(k);
+                        (center, radius, ray)
+                    },
+                    half_b_fraction,
+                    $half_b,
+                    range,
+                )
+            }
+
+            /// What `method` answers to each question, found by `fraction`
+            /// where that is sure to be the same.
+            #[inline(always)]
+            fn answers(
+                question: impl Fn(usize) -> ($Vec, $float, $Ray) + Copy,
+                fraction: impl Fn($Vec, $float, &$Ray) -> Fraction + Copy,
+                method: impl Fn($Vec, $float, &$Ray, $float, $float) -> Option<$float>,
+                [t_min, t_max]: [$float; 2],
+            ) -> [$float; BLOCK] {
+                let mut ts = [$float::INFINITY; BLOCK];
+                let mut open = [false; BLOCK];
+                // Signs say nothing about a range that begins behind the ray.
+                let any_open = if t_min < 0.0 {
+                    open = [true; BLOCK];
+                    true
+                } else {
+                    roots(
+                        #[inline(always)]
+                        |k| {
+                            let (center, radius, ray) = question(k);
+                            fraction(center, radius, &ray)
+                        },
+                        t_min,
+                        t_max,
+                        &mut ts,
+                        &mut open,
+                    )
+                };
+                if any_open {
+                    for k in (0..BLOCK).filter(|&k| open[k]) {
+                        let (center, radius, ray) = question(k);
+                        ts[k] =
+                            method(center, radius, &ray, t_min, t_max).unwrap_or($float::INFINITY);
+                    }
+                }
+                ts
+            }
+
+            /// The root that comes first among those that can be positive.
+            #[derive(Clone, Copy)]
+            struct Fraction {
+                numerator: $float,
+                denominator: $float,
+                /// There is a farther root, which is the answer if this one is
+                /// not in range.
+                nearer: bool,
+            }
+
+            #[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))]
+            fn roots<F: Fn(usize) -> Fraction>(
+                fraction: F,
+                t_min: $float,
+                t_max: $float,
+                ts: &mut [$float; BLOCK],
+                open: &mut [bool; BLOCK],
+            ) -> bool {
+                let mut opens = 0_u8;
+                for k in 0..BLOCK {
+                    let Fraction {
+                        numerator,
+                        denominator,
+                        nearer,
+                    } = fraction(k);
+                    let t = numerator / denominator;
+                    // NaN, where there is no root, is not in range either.
+                    let in_range = (t_min < t) & (t < t_max);
+                    ts[k] = if in_range { t } else { $float::INFINITY };
+                    open[k] = nearer & ((t <= t_min) | (t >= t_max));
+                    opens |= u8::from(open[k]);
+                }
+                opens != 0
+            }
+
+            #[inline(always)]
+            fn half_b_fraction(center: $Vec, radius: $float, ray: &$Ray) -> Fraction {
+                let oc = center - ray.origin;
+                let a = ray.direction.length_squared();
+                let h = ray.direction.dot(oc);
+                let c = oc.length_squared() - radius * radius;
+                let sqrtd = (h * h - a * c).sqrt();
+                let nearer = h - sqrtd > 0.0;
+                Fraction {
+                    numerator: if nearer { h - sqrtd } else { h + sqrtd },
+                    denominator: a,
+                    nearer,
+                }
+            }
+
+            #[inline(always)]
+            fn half_b_q_fraction(center: $Vec, radius: $float, ray: &$Ray) -> Fraction {
+                let oc = center - ray.origin;
+                let a = ray.direction.length_squared();
+                let h = ray.direction.dot(oc);
+                let c = oc.length_squared() - radius * radius;
+                by_q(a, h, c, h * h - a * c)
+            }
+
+            #[inline(always)]
+            fn cross_q_fraction(center: $Vec, radius: $float, ray: &$Ray) -> Fraction {
+                let oc = center - ray.origin;
+                let a = ray.direction.length_squared();
+                let h = ray.direction.dot(oc);
+                let r_squared = radius * radius;
+                let discriminant = a * r_squared - ray.direction.cross(oc).length_squared();
+                by_q(a, h, oc.length_squared() - r_squared, discriminant)
+            }
+
+            /// From outside, the nearer root is c/q; from inside, the farther
+            /// one is q/a or c/q, whichever is positive.
+            #[inline(always)]
+            fn by_q(a: $float, h: $float, c: $float, discriminant: $float) -> Fraction {
+                let q = h + discriminant.sqrt().copysign(h);
+                let ahead = (q > 0.0) & (c <= 0.0);
+                Fraction {
+                    numerator: if ahead { q } else { c },
+                    denominator: if ahead { a } else { q },
+                    nearer: (q > 0.0) & (c > 0.0),
+                }
+            }
+        }
+    };
+}
+
+batch!(
+    double,
+    f64,
+    DVec3,
+    Ray,
+    crate::half_b,
+    crate::half_b_q,
+    crate::cross_q
+);
+batch!(
+    single,
+    f32,
+    Vec3,
+    SingleRay,
+    crate::half_b_f32,
+    crate::half_b_q_f32,
+    crate::cross_q_f32
+);
+
+macro_rules! divider_limit {
+    ($name:ident, $float:ident) => {
+        #[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))]
+        fn $name(roots: &mut [$float; BLOCK], quotients: &mut [$float; BLOCK]) {
+            for k in 0..BLOCK {
+                roots[k] = roots[k].sqrt();
+                quotients[k] = 1.0 / quotients[k];
+            }
+        }
+    };
+}
+divider_limit!(in_double, f64);
+divider_limit!(in_single, f32);
+
+/// Takes √ of each of `roots` and 1 ÷ each of `quotients`, in place. None waits
+/// for another: nothing with a √ and a ÷ can be faster on this processor.
+pub fn divider_limit(roots: &mut [f64; BLOCK], quotients: &mut [f64; BLOCK]) {
+    in_double(roots, quotients);
+}
+
+/// As [`divider_limit`], in `f32`.
+pub fn divider_limit_f32(roots: &mut [f32; BLOCK], quotients: &mut [f32; BLOCK]) {
+    in_single(roots, quotients);
+}
