@@ -14,4 +14,5 @@ mod quadratic;
 mod reading;
 mod slips;
 mod speed;
+mod speed_vs_accuracy;
 mod stability;

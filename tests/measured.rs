@@ -2,7 +2,8 @@
 
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Snapshot, assert_binary_snapshot};
-use tests::accuracy;
+use tests::timings::Timings;
+use tests::{accuracy, scenes};
 
 /// The book shows these files, so they stand where the book finds them.
 const MEASURED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/notes/measured");
@@ -11,6 +12,9 @@ const MEASURED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/notes/measu
 /// same tables from a thousand times as many come from `cargo rtrace measure`.
 const CASES: usize = 2000;
 const CASES_OF_A_LEVEL: usize = 400;
+
+/// Pixels in a row: enough to see a difference in every scene that has one.
+const WIDTH: u32 = 128;
 
 /// Any seed would do; this one was the first.
 const SEED: u64 = 1;
@@ -21,6 +25,16 @@ mod the_snapshot_holds {
     #[test]
     fn accuracy() {
         assert_measured("accuracy", accuracy::table(CASES, SEED));
+    }
+
+    /// Where the times are recorded anew, this follows.
+    #[test]
+    fn scenes_and_least() {
+        let table = scenes::table(WIDTH);
+        let timings = include_str!("../book/notes/measured/timings.csv");
+        let timings: Timings = timings.parse().expect("the file is well-formed");
+        assert_measured("least", scenes::least(&table, &timings));
+        assert_measured("scenes", table);
     }
 
     #[test]

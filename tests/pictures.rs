@@ -8,6 +8,7 @@ use image::{ExtendedColorType, ImageEncoder};
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Snapshot, assert_binary_snapshot};
 use sha2::{Digest, Sha256};
+use speed_vs_accuracy::{Precision, find, find_scene};
 use tests::comparison::Comparison;
 use tests::stages::{self, STAGES};
 use tests::{diff_page, png};
@@ -22,12 +23,44 @@ mod the_snapshot_is_drawn_by {
             $(
                 #[test]
                 fn $stage() {
-                    super::assert_picture(stringify!($stage));
+                    super::assert_stage(stringify!($stage));
                 }
             )*
         };
     }
-    stages! { build_test gradient red_sphere normals half_b_sphere hittable_list }
+    stages! { build_test gradient red_sphere normals half_b_sphere hittable_list speed_vs_accuracy }
+}
+
+/// Scenes of chapter 6 in which a method fails, and what they should look like.
+mod the_snapshot_is_drawn_by_a_method {
+    use super::*;
+
+    const WIDTH: u32 = 200;
+
+    #[test]
+    fn telescope() {
+        assert_failure("telescope", "half_b");
+    }
+
+    #[test]
+    fn grazing() {
+        assert_failure("grazing", "half_b");
+    }
+
+    #[test]
+    fn shadows() {
+        assert_failure("shadows", "half_b_f32");
+    }
+
+    fn assert_failure(scene: &str, method: &str) {
+        let scene = find_scene(scene).expect("it is a scene");
+        let method = find(method).expect("it is a method");
+        let wrong = scene.picture(method, WIDTH);
+        let right = scene.right_picture(Precision::of(&method), WIDTH);
+        assert_ne!(wrong, right);
+        assert_picture(&format!("{}_{}", scene.name, method.name), &wrong);
+        assert_picture(&format!("{}_right", scene.name), &right);
+    }
 }
 
 #[test]
@@ -149,16 +182,20 @@ fn bytes_that_are_not_three_a_pixel_are_no_picture() {
 }
 
 /// Compares the picture of the stage with its snapshot.
-fn assert_picture(name: &str) {
+fn assert_stage(name: &str) {
     let stage = stages::find(name).expect("the stage is in the list of stages");
+    assert_picture(name, &(stage.picture)(stage.book_width));
+}
+
+/// Compares the picture with the snapshot of that name.
+fn assert_picture(name: &str, picture: &Picture) {
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(PICTURES);
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.set_comparator(Box::new(SamePixels));
     settings.bind(|| {
-        let picture = (stage.picture)(stage.book_width);
-        assert_binary_snapshot!(&format!("{name}.png"), png::encode(&picture));
+        assert_binary_snapshot!(&format!("{name}.png"), png::encode(picture));
     });
 }
 

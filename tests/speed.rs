@@ -10,7 +10,7 @@ use std::thread;
 use common::rtweekend::*;
 use tests::rival;
 use tests::speed::{self, Heat, Spread};
-use tests::stages::STAGES;
+use tests::stages;
 
 /// What `cargo rtrace race --record` wrote.
 const RECORDED: &str = include_str!("../book/notes/speed/heats.txt");
@@ -27,7 +27,7 @@ fn the_books_program_in_cpp_draws_the_same_bytes() {
         Err(cause) => panic!("tests/rival/book.cc does not compile:\n{cause}"),
     };
     // The build test has no part in the race.
-    for stage in &STAGES[1..] {
+    for stage in &stages::of_the_book()[1..] {
         for width in [1, 63, 64, 65, 131, 257] {
             let drawn = Command::new(&program)
                 .args([stage.name, &width.to_string()])

@@ -11,7 +11,7 @@ use clap::Args;
 use common::output;
 use tests::rival;
 use tests::speed::{self, Heat, Spread};
-use tests::stages::STAGES;
+use tests::stages;
 
 use crate::draw;
 
@@ -46,7 +46,7 @@ pub(crate) fn race(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     say(&format!("{machine}\n"))?;
     let mut heats = Vec::new();
     for (width, to_file) in COURSES {
-        for stage in &STAGES[1..] {
+        for stage in &stages::of_the_book()[1..] {
             let heat = run_heat(
                 stage.name,
                 width,
@@ -139,7 +139,7 @@ fn shown(heat: &Heat, with_rival: bool) -> String {
 /// Prints how much of the time is tracing, on one thread, and how many
 /// instructions a small picture takes, if valgrind is there to count them.
 fn say_where_time_goes(rival: Option<&Path>) -> Result<(), Box<dyn Error>> {
-    for stage in &STAGES[1..] {
+    for stage in &stages::of_the_book()[1..] {
         let picture = (stage.picture)(3840);
         let least = |work: &dyn Fn()| {
             let time = || {
@@ -222,7 +222,7 @@ fn record(machine: &str, heats: &[Heat]) -> Result<(), Box<dyn Error>> {
 }
 
 /// The date, the processor and how many of it there are.
-fn machine() -> String {
+pub(crate) fn machine() -> String {
     let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = info
         .lines()

@@ -122,6 +122,11 @@ pub fn of(method: &Method, questions: &[Question]) -> Accuracy {
     judge(method, questions, &truths)
 }
 
+/// Whether there is a root with t > 0.
+pub fn has_root(question: &Question) -> bool {
+    truths(&[*question], Precision::Double)[0].is_some()
+}
+
 const PRECISIONS: [Precision; 2] = [Precision::Double, Precision::Single];
 
 impl Accuracy {
@@ -132,7 +137,7 @@ impl Accuracy {
 
 /// One text from many tasks, in their order, on as many threads as there are
 /// processors.
-fn in_parallel<T: Send>(
+pub(crate) fn in_parallel<T: Send>(
     tasks: impl Iterator<Item = T>,
     work: impl Fn(T) -> String + Sync,
 ) -> String {

@@ -18,6 +18,7 @@ pub mod oracle;
 pub mod png;
 pub mod reading;
 pub mod rival;
+pub mod scenes;
 pub mod simplify;
 pub mod slips;
 pub mod speed;

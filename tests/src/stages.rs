@@ -1,13 +1,13 @@
-//! Every picture of the book, in reading order.
+//! Every picture, in reading order.
 
 use common::rtweekend::Picture;
 
-/// A package that draws one picture of the book.
+/// A package that draws one picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage {
     /// The name of the package.
     pub name: &'static str,
-    /// How wide the book shows the picture, in pixels.
+    /// How wide the book shows the picture, or would, in pixels.
     pub book_width: u32,
     /// Draws the picture at any width, in pixels.
     pub picture: fn(u32) -> Picture,
@@ -45,7 +45,18 @@ pub const STAGES: &[Stage] = &[
         book_width: 400,
         picture: hittable_list::picture,
     },
+    Stage {
+        name: "speed_vs_accuracy",
+        book_width: 400,
+        picture: speed_vs_accuracy::picture,
+    },
 ];
+
+/// The stages whose pictures are in *Ray Tracing in One Weekend*: all but the
+/// last, which is this project's own.
+pub fn of_the_book() -> &'static [Stage] {
+    &STAGES[..STAGES.len() - 1]
+}
 
 /// The stage of that name.
 pub fn find(name: &str) -> Option<Stage> {

@@ -18,7 +18,7 @@ use common::output;
 use tests::check::{self, Check};
 use tests::diagnosis::Scene;
 use tests::slips::{self, Chapter, PROBES, Probe};
-use tests::stages::STAGES;
+use tests::stages;
 
 use input::Source;
 
@@ -108,7 +108,7 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
 
 /// Takes the name of a chapter.
 pub(crate) fn chapter_parser() -> impl TypedValueParser<Value = Chapter> {
-    PossibleValuesParser::new(STAGES.iter().map(|stage| stage.name))
+    PossibleValuesParser::new(stages::of_the_book().iter().map(|stage| stage.name))
         .map(|name| Chapter::find(&name).expect("only names of chapters are accepted"))
 }
 

@@ -3,8 +3,8 @@
 //! A loop over numbers that lie side by side becomes a loop over four, eight or
 //! sixteen of them at a time, if each turn does the same. So a turn here has one
 //! √ and one ÷ whatever comes out: it divides for the root that can be in range,
-//! which signs tell beforehand. The rare turn in which they do not tell is
-//! taken again by the method itself. So every answer is the method's, to the
+//! which signs tell beforehand. The rare block in which they do not tell
+//! is done again by the method itself. So every answer is the method's, to the
 //! bit.
 
 use common::rtweekend::Ray;
@@ -18,7 +18,7 @@ pub const BLOCK: usize = 64;
 
 /// Makes the batch of one precision: the same text, other numbers.
 macro_rules! batch {
-    ($module:ident, $float:ident, $Vec:ident, $Ray:ident, $half_b:path, $half_b_q:path, $cross_q:path) => {
+    ($module:ident, $float:ident, $bits:ident, $Vec:ident, $Ray:ident, $half_b:path, $half_b_q:path, $cross_q:path) => {
         /// Methods in this precision, sixty-four at a time.
         pub mod $module {
             use super::*;
@@ -86,112 +86,113 @@ macro_rules! batch {
                 }
             }
 
-            /// The nearest root of each ray on one sphere, by `half_b`; ∞ for a
-            /// miss.
+            /// Sets `ts` to the nearest root of each ray on one sphere, by
+            /// `half_b`; ∞ for a miss.
             pub fn half_b(
-                center: $Vec,
-                radius: $float,
-                rays: &Rays,
+                (center, radius): ($Vec, $float),
+                rays: &[Rays],
                 range: [$float; 2],
-            ) -> [$float; BLOCK] {
-                answers(
+                ts: &mut [[$float; BLOCK]],
+            ) {
+                answer(
                     #[inline(always)]
-                    |k| (center, radius, rays.get(k)),
+                    |block, k| (center, radius, rays[block].get(k)),
                     half_b_fraction,
                     $half_b,
                     range,
-                )
+                    ts,
+                );
             }
 
             /// As [`half_b`], by `half_b_q`.
             pub fn half_b_q(
-                center: $Vec,
-                radius: $float,
-                rays: &Rays,
+                (center, radius): ($Vec, $float),
+                rays: &[Rays],
                 range: [$float; 2],
-            ) -> [$float; BLOCK] {
-                answers(
+                ts: &mut [[$float; BLOCK]],
+            ) {
+                answer(
                     #[inline(always)]
-                    |k| (center, radius, rays.get(k)),
+                    |block, k| (center, radius, rays[block].get(k)),
                     half_b_q_fraction,
                     $half_b_q,
                     range,
-                )
+                    ts,
+                );
             }
 
             /// As [`half_b`], by `cross_q`.
             pub fn cross_q(
-                center: $Vec,
-                radius: $float,
-                rays: &Rays,
+                (center, radius): ($Vec, $float),
+                rays: &[Rays],
                 range: [$float; 2],
-            ) -> [$float; BLOCK] {
-                answers(
+                ts: &mut [[$float; BLOCK]],
+            ) {
+                answer(
                     #[inline(always)]
-                    |k| (center, radius, rays.get(k)),
+                    |block, k| (center, radius, rays[block].get(k)),
                     cross_q_fraction,
                     $cross_q,
                     range,
-                )
+                    ts,
+                );
             }
 
-            /// The nearest root of one ray on each sphere, by `half_b`; ∞ for a
-            /// miss.
+            /// Sets `ts` to the nearest root of one ray on each sphere, by
+            /// `half_b`; ∞ for a miss.
             pub fn half_b_spheres(
-                spheres: &Spheres,
+                spheres: &[Spheres],
                 ray: &$Ray,
                 range: [$float; 2],
-            ) -> [$float; BLOCK] {
+                ts: &mut [[$float; BLOCK]],
+            ) {
                 let ray = *ray;
-                answers(
+                answer(
                     #[inline(always)]
-                    |k| {
-                        let (center, radius) = spheres.get(k);
+                    |block, k| {
+                        let (center, radius) = spheres[block].get(k);
                         (center, radius, ray)
                     },
                     half_b_fraction,
                     $half_b,
                     range,
-                )
+                    ts,
+                );
             }
 
             /// What `method` answers to each question, found by `fraction`
             /// where that is sure to be the same.
             #[inline(always)]
-            fn answers(
-                question: impl Fn(usize) -> ($Vec, $float, $Ray) + Copy,
-                fraction: impl Fn($Vec, $float, &$Ray) -> Fraction + Copy,
+            fn answer(
+                question: impl Fn(usize, usize) -> ($Vec, $float, $Ray),
+                fraction: impl Fn($Vec, $float, &$Ray) -> Fraction,
                 method: impl Fn($Vec, $float, &$Ray, $float, $float) -> Option<$float>,
                 [t_min, t_max]: [$float; 2],
-            ) -> [$float; BLOCK] {
-                let mut ts = [$float::INFINITY; BLOCK];
-                let mut open = [false; BLOCK];
-                // Signs say nothing about a range that begins behind the ray.
-                let any_open = if t_min < 0.0 {
-                    open = [true; BLOCK];
-                    true
+                ts: &mut [[$float; BLOCK]],
+            ) {
+                if t_min < 0.0 {
+                    // Signs say nothing about a range that begins behind the ray.
+                    ts.iter_mut().for_each(|ts| ts[0] = OPEN);
                 } else {
-                    roots(
-                        #[inline(always)]
-                        |k| {
-                            let (center, radius, ray) = question(k);
-                            fraction(center, radius, &ray)
-                        },
-                        t_min,
-                        t_max,
-                        &mut ts,
-                        &mut open,
-                    )
-                };
-                if any_open {
-                    for k in (0..BLOCK).filter(|&k| open[k]) {
-                        let (center, radius, ray) = question(k);
-                        ts[k] =
-                            method(center, radius, &ray, t_min, t_max).unwrap_or($float::INFINITY);
+                    let fraction = |block, k| {
+                        let (center, radius, ray) = question(block, k);
+                        fraction(center, radius, &ray)
+                    };
+                    roots(fraction, t_min, t_max, ts);
+                }
+                for (block, ts) in ts.iter_mut().enumerate() {
+                    if ts[0].is_nan() {
+                        for (k, t) in ts.iter_mut().enumerate() {
+                            let (center, radius, ray) = question(block, k);
+                            *t = method(center, radius, &ray, t_min, t_max)
+                                .unwrap_or($float::INFINITY);
+                        }
                     }
                 }
-                ts
             }
+
+            /// Stands first in a block that `method` has to do again.
+            const OPEN: $float = $float::NAN;
 
             /// The root that comes first among those that can be positive.
             #[derive(Clone, Copy)]
@@ -204,28 +205,31 @@ macro_rules! batch {
             }
 
             #[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))]
-            fn roots<F: Fn(usize) -> Fraction>(
+            fn roots<F: Fn(usize, usize) -> Fraction>(
                 fraction: F,
                 t_min: $float,
                 t_max: $float,
-                ts: &mut [$float; BLOCK],
-                open: &mut [bool; BLOCK],
-            ) -> bool {
-                let mut opens = 0_u8;
-                for k in 0..BLOCK {
-                    let Fraction {
-                        numerator,
-                        denominator,
-                        nearer,
-                    } = fraction(k);
-                    let t = numerator / denominator;
-                    // NaN, where there is no root, is not in range either.
-                    let in_range = (t_min < t) & (t < t_max);
-                    ts[k] = if in_range { t } else { $float::INFINITY };
-                    open[k] = nearer & ((t <= t_min) | (t >= t_max));
-                    opens |= u8::from(open[k]);
+                ts: &mut [[$float; BLOCK]],
+            ) {
+                for (block, ts) in ts.iter_mut().enumerate() {
+                    // As wide as the other numbers, so that they are compared together.
+                    let mut open: $bits = 0;
+                    for k in 0..BLOCK {
+                        let Fraction {
+                            numerator,
+                            denominator,
+                            nearer,
+                        } = fraction(block, k);
+                        let t = numerator / denominator;
+                        // NaN, where there is no root, is not in range either.
+                        let in_range = (t_min < t) & (t < t_max);
+                        ts[k] = if in_range { t } else { $float::INFINITY };
+                        open |= <$bits>::from(nearer & !in_range);
+                    }
+                    if open != 0 {
+                        ts[0] = OPEN;
+                    }
                 }
-                opens != 0
             }
 
             #[inline(always)]
@@ -281,6 +285,7 @@ macro_rules! batch {
 batch!(
     double,
     f64,
+    u64,
     DVec3,
     Ray,
     crate::half_b,
@@ -290,6 +295,7 @@ batch!(
 batch!(
     single,
     f32,
+    u32,
     Vec3,
     SingleRay,
     crate::half_b_f32,

@@ -1,0 +1,192 @@
+//! Six scenes, from the book's own to the hardest, as each method sees them.
+
+use common::rtweekend::*;
+
+use crate::method::{Method, find};
+use crate::question::{Precision, Question};
+
+/// Some spheres, and a camera that looks at them along the negative z axis.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene {
+    /// A word, for tables.
+    pub name: &'static str,
+    /// A few words, for charts.
+    pub title: &'static str,
+    /// Where the eye is.
+    origin: Point3,
+    /// How much of the book's view is seen: a lens, not the same both ways.
+    zoom: [f64; 2],
+    spheres: &'static [(Point3, f64)],
+    /// Towards the sun, if it casts shadows.
+    sun: Option<Vec3>,
+}
+
+/// All scenes, the book's first.
+pub const SCENES: [Scene; 6] = [
+    Scene {
+        name: "book",
+        title: "the book’s",
+        origin: Point3::ZERO,
+        zoom: [1.0; 2],
+        spheres: &[
+            (Point3::new(0.0, 0.0, -1.0), 0.5),
+            (Point3::new(0.0, -100.5, -1.0), 100.0),
+        ],
+        sun: None,
+    },
+    // As far as a star like the Sun at seven light-years.
+    Scene {
+        name: "telescope",
+        title: "a star in a telescope",
+        origin: Point3::ZERO,
+        zoom: [1.0 / 33_554_432.0; 2],
+        spheres: &[(Point3::new(0.25, -0.5, -1e8), 1.0)],
+        sun: None,
+    },
+    // In meters, the eyes of someone who stands on the Earth.
+    Scene {
+        name: "planet",
+        title: "the horizon of a planet",
+        origin: Point3::ZERO,
+        zoom: [1.0 / 256.0; 2],
+        spheres: &[(Point3::new(-3000.0, -6_371_001.0, -2000.0), 6_371_000.0)],
+        sun: None,
+    },
+    // From as high as the balls are, so that a level ray touches them all. The
+    // lens is such that the round tops still look round.
+    Scene {
+        name: "grazing",
+        title: "a row of balls that a ray grazes",
+        origin: Point3::new(0.0, 1.0, 0.0),
+        zoom: [1.0 / 33_554_432.0, 1.0 / 1_125_899_906_842_624.0],
+        spheres: &[
+            (Point3::new(0.000_000_5, 0.0, -10.0), 1.0),
+            (Point3::new(0.0, 0.0, -12.0), 1.0),
+            (Point3::new(-0.000_000_5, 0.0, -14.0), 1.0),
+        ],
+        sun: None,
+    },
+    Scene {
+        name: "inside",
+        title: "from inside",
+        origin: Point3::new(0.5, 0.25, 0.125),
+        zoom: [1.0; 2],
+        spheres: &[(Point3::ZERO, 1.0)],
+        sun: None,
+    },
+    Scene {
+        name: "shadows",
+        title: "rays that leave a surface for the sun",
+        origin: Point3::ZERO,
+        zoom: [1.0; 2],
+        spheres: &[
+            (Point3::new(0.0, 0.0, -1.0), 0.5),
+            (Point3::new(0.0, -10_000.5, -1.0), 10_000.0),
+        ],
+        sun: Some(Vec3::new(1.0, 0.25, 0.5)),
+    },
+];
+
+/// The scene of that name.
+pub fn find_scene(name: &str) -> Option<Scene> {
+    SCENES.into_iter().find(|scene| scene.name == name)
+}
+
+/// Shadow rays that hit closer than this are taken to hit where they start, as
+/// in the book's later chapters.
+const T_MIN_OF_SHADOWS: f64 = 1e-3;
+
+impl Scene {
+    /// The picture at `width` pixels wide, by `method`.
+    pub fn picture(self, method: Method, width: u32) -> Picture {
+        self.seen_by(Eye::of(method), width)
+    }
+
+    /// The picture that a method of that precision should draw: all numbers are
+    /// rounded to it, and then nothing is.
+    pub fn right_picture(self, precision: Precision, width: u32) -> Picture {
+        self.seen_by(Eye::exact(precision), width)
+    }
+
+    /// Left of the middle as one method sees it, right of it as another does.
+    pub fn halves(self, left: Method, right: Method, width: u32) -> Picture {
+        let eyes = [left, right].map(Eye::of);
+        let camera = Camera::new(width);
+        Picture::paint(camera.image_width, camera.image_height, move |i, j| {
+            self.color(eyes[usize::from(2 * i >= width)], &camera.ray(i, j))
+        })
+    }
+
+    fn seen_by(self, eye: Eye, width: u32) -> Picture {
+        let camera = Camera::new(width);
+        Picture::paint(camera.image_width, camera.image_height, move |i, j| {
+            // The block of pixels may hang over the edge.
+            match i < width {
+                true => self.color(eye, &camera.ray(i, j)),
+                false => Color::ZERO,
+            }
+        })
+    }
+
+    /// The color of the nearest hit, darker where the sun does not reach it, or
+    /// the sky.
+    fn color(&self, eye: Eye, ray: &Ray) -> Color {
+        let [across, up] = self.zoom;
+        let Vec3 { x, y, z } = ray.direction;
+        let ray = Ray::new(self.origin, Vec3::new(across * x, up * y, z));
+        // Only the rays to the sun are of interest where there is one.
+        let first_eye = match self.sun {
+            Some(_) => Eye::exact(eye.precision),
+            None => eye,
+        };
+        let Some((question, t)) = self.nearest(first_eye, &ray, 0.0) else {
+            return sky(&Ray::new(self.origin, Vec3::new(x, y, z)));
+        };
+        let point = question.point(t, eye.precision);
+        let normal = (point - question.center) / question.radius;
+        let color = 0.5 * (normal + Vec3::ONE);
+        let is_dark = self.sun.is_some_and(|sun| {
+            let to_sun = Ray::new(point, sun);
+            self.nearest(eye, &to_sun, T_MIN_OF_SHADOWS).is_some()
+        });
+        if is_dark { 0.4 * color } else { color }
+    }
+
+    /// The question about the sphere that is hit first, and where.
+    fn nearest(&self, eye: Eye, ray: &Ray, t_min: f64) -> Option<(Question, f64)> {
+        let mut nearest = None;
+        let mut closest_so_far = f64::INFINITY;
+        for &(center, radius) in self.spheres {
+            let question = Question {
+                center,
+                radius,
+                ray: *ray,
+            }
+            .rounded(eye.precision);
+            if let Some(t) = question.put_to(&eye.method, t_min, closest_so_far) {
+                closest_so_far = t;
+                nearest = Some((question, t));
+            }
+        }
+        nearest
+    }
+}
+
+/// Who looks.
+#[derive(Clone, Copy, Debug)]
+struct Eye {
+    method: Method,
+    precision: Precision,
+}
+
+impl Eye {
+    fn of(method: Method) -> Self {
+        let precision = Precision::of(&method);
+        Self { method, precision }
+    }
+
+    fn exact(precision: Precision) -> Self {
+        let method = find("exact").expect("exact is a method");
+        Self { method, precision }
+    }
+}
