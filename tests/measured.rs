@@ -8,8 +8,8 @@ use tests::{accuracy, scenes};
 /// The book shows these files, so they stand where the book finds them.
 const MEASURED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/notes/measured");
 
-/// How many questions each method is asked in each regime, and at each level. The
-/// same tables from a thousand times as many come from `cargo rtrace measure`.
+/// How many questions each method is asked in each regime, and at each level. Of
+/// more, `cargo rtrace measure --accuracy 1000000` tells.
 const CASES: usize = 2000;
 const CASES_OF_A_LEVEL: usize = 400;
 

@@ -10,7 +10,7 @@ use speed_vs_accuracy::{
 use tests::oracle::Exact;
 use tests::timings::Timings;
 
-use crate::command_line::{assert_refused, program_with};
+use crate::command_line::{assert_refused, assert_success, program_with, run, text};
 
 mod questions {
     use super::*;
@@ -126,18 +126,26 @@ mod a_batch {
     type One = fn(glam::Vec3, f32, &speed_vs_accuracy::SingleRay, f32, f32) -> Option<f32>;
 
     #[test]
-    fn of_spheres_answers_as_the_method_does_one_by_one_to_the_bit() {
-        for regime in REGIMES {
-            let questions = regime.questions(Precision::Double, 7, BLOCK);
-            let spheres = [double::Spheres::from_fn(|k| {
-                (questions[k].center, questions[k].radius)
-            })];
-            for Question { ray, .. } in questions.iter().step_by(8) {
-                let mut ts = [[0.0; BLOCK]];
-                double::half_b_spheres(&spheres, ray, [0.0, f64::INFINITY], &mut ts);
-                for (t, question) in ts[0].iter().zip(&questions) {
-                    let alone = half_b(question.center, question.radius, ray, 0.0, f64::INFINITY);
-                    assert_eq!(t.to_bits(), alone.unwrap_or(f64::INFINITY).to_bits());
+    fn of_spheres_finds_the_nearest_root_of_all_to_the_bit() {
+        for range in [[0.0, f64::INFINITY], [-1.0, 2.0], [1e-3, 1.5]] {
+            for regime in REGIMES {
+                let questions = regime.questions(Precision::Double, 7, 2 * BLOCK);
+                let spheres = [0, BLOCK].map(|first| {
+                    double::Spheres::from_fn(|k| {
+                        let question = questions[first + k];
+                        (question.center, question.radius)
+                    })
+                });
+                for Question { ray, .. } in questions.iter().step_by(8) {
+                    let root = |question: &Question| {
+                        half_b(question.center, question.radius, ray, range[0], range[1])
+                    };
+                    let expected = questions
+                        .iter()
+                        .filter_map(root)
+                        .fold(f64::INFINITY, f64::min);
+                    let found = double::nearest(&spheres, ray, range);
+                    assert_eq!(found.to_bits(), expected.to_bits());
                 }
             }
         }
@@ -271,6 +279,17 @@ mod timings {
             println!("LEFT OUT: this is the optimized build, which would measure");
         }
     }
+}
+
+/// A larger sample than the snapshot's, for whoever has the time.
+#[test]
+fn the_accuracy_of_any_sample_is_printed_on_demand() {
+    let output = run(&mut program_with(
+        "rtrace",
+        &["measure", "--accuracy", "50", "--seed", "9"],
+    ));
+    assert_success(&output);
+    assert_eq!(text(&output.stdout), tests::accuracy::table(50, 9));
 }
 
 fn numbers(question: &Question) -> [f64; 10] {

@@ -15,7 +15,7 @@ use obvhs::bvh2::builder::build_bvh2;
 use obvhs::ray::{Ray as BoxRay, RayHit};
 use speed_vs_accuracy::Random;
 use speed_vs_accuracy::batch::BLOCK;
-use speed_vs_accuracy::batch::double::{Spheres, half_b_spheres};
+use speed_vs_accuracy::batch::double::{Spheres, nearest};
 use tests::timings::Timing;
 
 use super::contest::{Heat, Runner};
@@ -152,23 +152,9 @@ fn batch(spheres: &[(Point3, f64)]) -> Nearest {
         .map(|chunk| Spheres::from_fn(|k| *chunk.get(k).unwrap_or(&behind)))
         .collect();
     Box::new(move |ray| {
-        let mut ts = [[f64::INFINITY; BLOCK]; AT_ONCE];
-        let mut nearest = f64::INFINITY;
-        for blocks in blocks.chunks(AT_ONCE) {
-            let ts = &mut ts[..blocks.len()];
-            half_b_spheres(blocks, ray, [0.0, f64::INFINITY], ts);
-            nearest = ts.as_flattened().iter().copied().fold(nearest, least);
-        }
-        (nearest < f64::INFINITY).then_some(nearest)
+        let t = nearest(&blocks, ray, [0.0, f64::INFINITY]);
+        (t < f64::INFINITY).then_some(t)
     })
-}
-
-/// As many blocks as have their answers in the fastest cache.
-const AT_ONCE: usize = 8;
-
-/// `f64::min` without its care for NaN, of which there is none here.
-fn least(one: f64, other: f64) -> f64 {
-    if other < one { other } else { one }
 }
 
 /// A hierarchy of boxes around spheres. Its boxes are in `f32`, so they are made

@@ -43,8 +43,8 @@ fn targets<R>(precision: Precision, block: impl Fn(&[Question]) -> R) -> Vec<Tar
         .into()
 }
 
-/// How many blocks there are: as many as fit into the fastest cache.
-const BLOCKS: usize = 8;
+/// How many blocks there are: as many as just fit into the fastest cache.
+const BLOCKS: usize = 16;
 
 type Double = fn((Point3, f64), &[double::Rays], [f64; 2], &mut [[f64; BLOCK]]);
 

@@ -11,6 +11,7 @@ use std::path::Path;
 
 use clap::Args;
 use common::output;
+use tests::accuracy;
 use tests::timings::{Timing, Timings};
 
 use crate::misuse;
@@ -26,6 +27,15 @@ pub(crate) struct Arguments {
     /// Keep the result in book/notes/measured/timings.csv
     #[arg(long)]
     record: bool,
+
+    /// Instead of times, how exact each method is: from N questions in each
+    /// regime
+    #[arg(long, value_name = "N", conflicts_with_all = ["quick", "record"])]
+    accuracy: Option<usize>,
+
+    /// Which questions
+    #[arg(long, value_name = "N", default_value_t = 1, requires = "accuracy")]
+    seed: u64,
 }
 
 /// What this command needs, because a build for debugging is slow in its own way.
@@ -33,6 +43,10 @@ const COMMAND: &str = "cargo run --release -p rtrace -- measure";
 
 /// Measures everything, and prints or keeps the result.
 pub(crate) fn measure(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    if let Some(cases) = arguments.accuracy {
+        let table = accuracy::table(cases, arguments.seed);
+        return Ok(output::to_stdout(|out| out.write_all(table.as_bytes()))?);
+    }
     if cfg!(debug_assertions) {
         return Err(misuse(&format!(
             "this build is for debugging: its times say nothing. Run\n    {COMMAND}"
@@ -67,7 +81,8 @@ fn headlines(timings: &Timings) -> String {
             ratio("all_hits")
         );
     }
-    let limit = timings.find("limit", "packed", "");
+    let is_limit = |row: &&Timing| row.name == "packed" && row.precision == "f64";
+    let limit = timings.rows.iter().find(is_limit);
     if let Some((limit, batch)) = limit.zip(timings.find("batch", "half_b", "book")) {
         text += &format!(
             "half_b in a batch reaches {:.0} % of what the divider allows: {:.2} of {:.2} ns\n",

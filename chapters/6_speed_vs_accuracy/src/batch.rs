@@ -138,26 +138,27 @@ macro_rules! batch {
                 );
             }
 
-            /// Sets `ts` to the nearest root of one ray on each sphere, by
-            /// `half_b`; ∞ for a miss.
-            pub fn half_b_spheres(
-                spheres: &[Spheres],
-                ray: &$Ray,
-                range: [$float; 2],
-                ts: &mut [[$float; BLOCK]],
-            ) {
-                let ray = *ray;
-                answer(
-                    #[inline(always)]
-                    |block, k| {
-                        let (center, radius) = spheres[block].get(k);
-                        (center, radius, ray)
-                    },
-                    half_b_fraction,
-                    $half_b,
-                    range,
-                    ts,
-                );
+            /// The nearest root of one ray on all spheres, by `half_b`; ∞ if it
+            /// misses them.
+            pub fn nearest(spheres: &[Spheres], ray: &$Ray, [t_min, t_max]: [$float; 2]) -> $float {
+                let fraction = |block: usize, k| {
+                    let (center, radius) = spheres[block].get(k);
+                    half_b_fraction(center, radius, ray)
+                };
+                let sure = if t_min < 0.0 {
+                    None
+                } else {
+                    least_root(fraction, spheres.len(), t_min, t_max)
+                };
+                sure.unwrap_or_else(|| {
+                    let roots = spheres.iter().flat_map(|block| {
+                        (0..BLOCK).filter_map(|k| {
+                            let (center, radius) = block.get(k);
+                            $half_b(center, radius, ray, t_min, t_max)
+                        })
+                    });
+                    roots.fold($float::INFINITY, $float::min)
+                })
             }
 
             /// What `method` answers to each question, found by `fraction`
@@ -230,6 +231,45 @@ macro_rules! batch {
                         ts[0] = OPEN;
                     }
                 }
+            }
+
+            /// The least root of all, or `None` if signs do not tell.
+            #[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))]
+            fn least_root<F: Fn(usize, usize) -> Fraction>(
+                fraction: F,
+                blocks: usize,
+                t_min: $float,
+                t_max: $float,
+            ) -> Option<$float> {
+                let mut least = [$float::INFINITY; BLOCK];
+                let mut open: $bits = 0;
+                for block in 0..blocks {
+                    for k in 0..BLOCK {
+                        let Fraction {
+                            numerator,
+                            denominator,
+                            nearer,
+                        } = fraction(block, k);
+                        let t = numerator / denominator;
+                        let in_range = (t_min < t) & (t < t_max);
+                        least[k] = if in_range & (t < least[k]) {
+                            t
+                        } else {
+                            least[k]
+                        };
+                        open |= <$bits>::from(nearer & !in_range);
+                    }
+                }
+                // The lesser of each pair, until one is left.
+                let mut half = BLOCK / 2;
+                while half > 0 {
+                    for k in 0..half {
+                        let (one, other) = (least[k], least[k + half]);
+                        least[k] = if other < one { other } else { one };
+                    }
+                    half /= 2;
+                }
+                (open == 0).then_some(least[0])
             }
 
             #[inline(always)]
