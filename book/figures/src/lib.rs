@@ -1,1 +1,47 @@
 //! The figures of the book: pure functions from numbers to SVG.
+//!
+//! What a figure shows is computed by the functions that it explains: the pixel
+//! grid by the camera, the roots by `hit_sphere`, the turned normal by
+//! `set_face_normal`. So a figure cannot drift from the code.
+
+pub mod build_test;
+pub mod camera_frame;
+pub mod face_normal;
+mod figure;
+pub mod nearest;
+pub mod normal;
+pub mod normal_colors;
+mod pixels;
+mod plane;
+pub mod projection;
+pub mod ray;
+pub mod red_sphere;
+pub mod roots;
+mod style;
+mod svg;
+pub mod unit_sky;
+pub mod viewport_grid;
+
+pub use figure::Figure;
+pub use style::{CSS, standalone};
+
+/// All figures, in reading order: the nine of the notes, and three more.
+pub const FIGURES: &[Figure] = &[
+    build_test::FIGURE,
+    ray::FIGURE,
+    camera_frame::FIGURE,
+    viewport_grid::FIGURE,
+    unit_sky::FIGURE,
+    roots::FIGURE,
+    projection::FIGURE,
+    red_sphere::FIGURE,
+    normal::FIGURE,
+    normal_colors::FIGURE,
+    face_normal::FIGURE,
+    nearest::FIGURE,
+];
+
+/// The figure of that name.
+pub fn find(name: &str) -> Option<&'static Figure> {
+    FIGURES.iter().find(|figure| figure.name == name)
+}

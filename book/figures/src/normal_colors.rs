@@ -1,0 +1,113 @@
+//! Figure 8 of the notes: normals as colors.
+
+use common::rtweekend::*;
+use glam::DVec2;
+use normals::{hit_sphere, ray_color};
+
+use crate::Figure;
+use crate::pixels::Frame;
+use crate::svg::{Anchor, Svg};
+
+/// The words of this figure.
+pub const FIGURE: Figure = Figure {
+    name: "normal_colors",
+    title: "Normals and their colors",
+    description: "The sphere colored by its normals, in large pixels. At five points an arrow \
+        shows where the normal points, as far as the eye can see it from the front. Below, each \
+        point has its normal, its color in numbers, and a square of that color: up is green, \
+        right is pink, left is teal, down is purple, and towards the eye is blue.",
+    caption: "A color for each direction: red for x, green for y, blue for z, each from −1…1 to \
+        0…1. So a right turn adds red, up adds green, and what faces the eye is blue.",
+    draw: || draw(&Parameters::default()),
+};
+
+/// What can be changed.
+#[derive(Clone, Debug)]
+pub struct Parameters {
+    /// The width of the picture in pixels.
+    pub width: u32,
+    /// Where rays go through the viewport, as x and y; those that hit are shown.
+    pub through: Vec<(f64, f64)>,
+}
+
+impl Default for Parameters {
+    fn default() -> Self {
+        Self {
+            width: 32,
+            through: vec![(0.0, 0.0), (0.0, 0.5), (0.5, 0.0), (0.0, -0.5), (-0.5, 0.0)],
+        }
+    }
+}
+
+/// Draws the picture with its normals, and the table of their colors.
+pub fn draw(Parameters { width, through }: &Parameters) -> String {
+    let mut svg = FIGURE.sheet(400.0, 360.0);
+    let camera = Camera::new(*width);
+    let frame = Frame {
+        corner: DVec2::new(8.0, 8.0),
+        side: 384.0 / f64::from(*width),
+    };
+    frame.draw(&mut svg, &normals::picture(*width));
+
+    let below = 8.0 + frame.side * f64::from(camera.image_height);
+    for (&(x, y), name) in through.iter().zip('1'..) {
+        let ray = Ray::new(camera.center, Vec3::new(x, y, -1.0));
+        let Some(t) = hit_sphere(CENTER, 0.5, &ray) else {
+            continue;
+        };
+        let normal = (ray.at(t) - CENTER).normalize();
+        let from = frame.seen(&camera, ray.at(t));
+        let towards = 46.0 * DVec2::new(normal.x, -normal.y);
+        if towards.length() > 12.0 {
+            svg.arrow("black bold", from, from + towards);
+        }
+        svg.circle("disc", from, 9.0);
+        svg.small_label(
+            "on-disc",
+            from + DVec2::new(0.0, 4.5),
+            Anchor::Middle,
+            &name.to_string(),
+        );
+        let row = f64::from(name as u32 - '1' as u32);
+        entry(
+            &mut svg,
+            below + 22.0 + 23.0 * row,
+            name,
+            normal,
+            ray_color(&ray),
+        );
+    }
+    svg.finish()
+}
+
+/// A line of the table: which point, its normal, its color.
+fn entry(svg: &mut Svg, y: f64, name: char, normal: Vec3, color: Color) {
+    let mut rgb = [0; 3];
+    write_color(&mut rgb, color);
+    svg.circle("disc", DVec2::new(18.0, y - 4.5), 9.0);
+    svg.small_label(
+        "on-disc",
+        DVec2::new(18.0, y),
+        Anchor::Middle,
+        &name.to_string(),
+    );
+    let [x, y_, z] = normal.to_array().map(signed);
+    let [red, green, blue] = color.to_array();
+    svg.label(
+        "ink",
+        DVec2::new(36.0, y),
+        Anchor::Start,
+        &format!("*n* = ({x}, {y_}, {z})"),
+    );
+    svg.pixel(DVec2::new(206.0, y - 14.0), DVec2::new(26.0, 18.0), rgb);
+    let words = format!("({red:.2}, {green:.2}, {blue:.2})");
+    svg.label("ink", DVec2::new(242.0, y), Anchor::Start, &words);
+}
+
+/// A component with two decimals and a real minus.
+fn signed(value: f64) -> String {
+    format!("{:.2}", value + 0.0).replace('-', "−")
+}
+
+/// The sphere of chapter 3; its radius is ½.
+const CENTER: Point3 = Point3::new(0.0, 0.0, -1.0);

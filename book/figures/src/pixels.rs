@@ -1,0 +1,47 @@
+//! A picture as large pixels.
+
+use common::rtweekend::*;
+use glam::DVec2;
+
+use crate::svg::Svg;
+
+/// A picture on the sheet.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Frame {
+    /// The upper left corner.
+    pub(crate) corner: DVec2,
+    /// The side of a pixel.
+    pub(crate) side: f64,
+}
+
+impl Frame {
+    /// Draws `picture`, and a thin line around it. Neighbors in a row that are
+    /// equal become one.
+    pub(crate) fn draw(&self, svg: &mut Svg, picture: &Picture) {
+        let width = picture.width() as usize;
+        for (row, j) in picture.rgb().chunks(3 * width).zip(0..) {
+            let pixels = row.as_chunks::<3>().0;
+            let mut i = 0;
+            for equal in pixels.chunk_by(|one, other| one == other) {
+                let corner = self.corner + self.side * DVec2::new(f64::from(i), f64::from(j));
+                let run = equal.len() as i32;
+                // A little overlap, so that no gap shows where pixels meet.
+                let size = DVec2::new(self.side * f64::from(run) + 0.4, self.side + 0.4);
+                svg.pixel(corner, size, equal[0]);
+                i += run;
+            }
+        }
+        let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
+        svg.rect("faint thin", self.corner, self.side * size + 0.4);
+    }
+
+    /// Where a ray from the eye of `camera` goes through the picture.
+    pub(crate) fn seen(&self, camera: &Camera, point: Point3) -> DVec2 {
+        let way = point - camera.center;
+        let on_viewport = camera.center + way * (camera.pixel00.z - camera.center.z) / way.z;
+        let from_first = on_viewport - camera.pixel00;
+        let column = from_first.x / camera.pixel_delta_u.x + 0.5;
+        let row = from_first.y / camera.pixel_delta_v.y + 0.5;
+        self.corner + self.side * DVec2::new(column, row)
+    }
+}

@@ -1,0 +1,89 @@
+//! Figure 6 of the notes: the red sphere.
+
+use common::rtweekend::*;
+use glam::DVec2;
+use red_sphere::hit_sphere;
+
+use crate::Figure;
+use crate::pixels::Frame;
+use crate::svg::Anchor;
+
+/// The words of this figure.
+pub const FIGURE: Figure = Figure {
+    name: "red_sphere",
+    title: "The red sphere in large pixels",
+    description: "The red sphere in front of the sky, in a picture only 24 pixels wide. A circle \
+        is drawn where the sphere ends for the eye, and a dot in each pixel near it. The pixels \
+        whose dot lies inside the circle are red, all others show the sky.",
+    caption: "One ray for each pixel, through its center, decides for the whole pixel: red if it \
+        hits. The circle is the exact outline. A pixel is red where its dot lies inside.",
+    draw: || draw(&Parameters::default()),
+};
+
+/// What can be changed.
+#[derive(Clone, Copy, Debug)]
+pub struct Parameters {
+    /// The width of the picture in pixels.
+    pub width: u32,
+}
+
+impl Default for Parameters {
+    fn default() -> Self {
+        Self { width: 24 }
+    }
+}
+
+/// Draws the picture, the outline of the sphere, and the rays near the outline.
+pub fn draw(&Parameters { width }: &Parameters) -> String {
+    let mut svg = FIGURE.sheet(400.0, 250.0);
+    let camera = Camera::new(width);
+    let frame = Frame {
+        corner: DVec2::new(8.0, 8.0),
+        side: 384.0 / f64::from(width),
+    };
+    frame.draw(&mut svg, &red_sphere::picture(width));
+
+    let middle = frame.seen(&camera, CENTER);
+    let radius = outline() * frame.side / camera.pixel_delta_u.x;
+    for j in 0..camera.image_height {
+        for i in 0..width {
+            let ray = camera.ray(i, j);
+            let dot = frame.seen(&camera, ray.at(1.0));
+            if (dot.distance(middle) - radius).abs() < 1.6 * frame.side {
+                let class = if hit_sphere(CENTER, RADIUS, &ray) {
+                    "solid"
+                } else {
+                    "dot"
+                };
+                svg.circle(&format!("black {class}"), dot, 2.4);
+            }
+        }
+    }
+    svg.circle("black line", middle, radius);
+
+    let y = 8.0 + frame.side * f64::from(camera.image_height) + 22.0;
+    svg.circle("ink solid", DVec2::new(16.0, y - 5.0), 3.0);
+    svg.label("ink", DVec2::new(28.0, y), Anchor::Start, "the ray hits");
+    svg.circle("ink dot", DVec2::new(146.0, y - 5.0), 3.0);
+    svg.label("ink", DVec2::new(158.0, y), Anchor::Start, "it misses");
+    svg.finish()
+}
+
+/// The sphere of chapter 2.
+const CENTER: Point3 = Point3::new(0.0, 0.0, -1.0);
+const RADIUS: f64 = 0.5;
+
+/// How far from the middle of the viewport a ray just still hits, by halving.
+fn outline() -> f64 {
+    let (mut hits, mut misses) = (0.0, 1.0);
+    for _ in 0..50 {
+        let between = 0.5 * (hits + misses);
+        let ray = Ray::new(Point3::ZERO, Vec3::new(between, 0.0, -1.0));
+        if hit_sphere(CENTER, RADIUS, &ray) {
+            hits = between;
+        } else {
+            misses = between;
+        }
+    }
+    hits
+}

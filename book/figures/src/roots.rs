@@ -1,0 +1,106 @@
+//! Figure 5 of the notes: how often a line meets a sphere.
+
+use common::rtweekend::*;
+use glam::DVec2;
+use normals::hit_sphere;
+
+use crate::Figure;
+use crate::plane::Plane;
+use crate::svg::{Anchor, spoken};
+
+/// The words of this figure.
+pub const FIGURE: Figure = Figure {
+    name: "roots",
+    title: "No root, one root, two roots",
+    description: "Three rays run from left to right. The highest one passes above the sphere: no \
+        root. The second one touches it in a single point: one root. The third one goes in and \
+        comes out again: two roots, each marked with its t.",
+    caption: "The discriminant b² − 4ac counts: negative, the ray misses; zero, it touches; \
+        positive, it goes in at the smaller t and comes out at the larger.",
+    draw: || draw(&Parameters::default()),
+};
+
+/// What can be changed.
+#[derive(Clone, Debug)]
+pub struct Parameters {
+    /// The center of the sphere, in the plane of x and y.
+    pub center: Point3,
+    /// Its radius.
+    pub radius: f64,
+    /// The rays, in the same plane.
+    pub rays: Vec<Ray>,
+}
+
+impl Default for Parameters {
+    fn default() -> Self {
+        let ray = |y| Ray::new(Point3::new(0.0, y, 0.0), Vec3::X);
+        Self {
+            center: Point3::new(2.0, 0.0, 0.0),
+            radius: 1.0,
+            rays: vec![ray(1.5), ray(1.0), ray(0.0)],
+        }
+    }
+}
+
+/// Draws the sphere, and each ray with what it meets.
+pub fn draw(
+    Parameters {
+        center,
+        radius,
+        rays,
+    }: &Parameters,
+) -> String {
+    let mut svg = FIGURE.sheet(400.0, 250.0);
+    let plane = Plane::new(16.0, 150.0, 74.0);
+    svg.circle("sphere area", plane.point(*center), plane.scale * radius);
+    for ray in rays {
+        let roots = roots(*center, *radius, ray);
+        svg.circle("ray solid", plane.point(ray.origin), 3.5);
+        svg.arrow(
+            "ray line",
+            plane.point(ray.origin),
+            plane.point(ray.at(3.7)),
+        );
+        for &t in &roots {
+            let point = plane.point(ray.at(t));
+            svg.circle("ray hollow", point, 5.0);
+            let above = DVec2::new(if ray.at(t).x < center.x { -8.0 } else { 8.0 }, -10.0);
+            let anchor = if above.x < 0.0 {
+                Anchor::End
+            } else {
+                Anchor::Start
+            };
+            svg.label(
+                "ink",
+                point + above,
+                anchor,
+                &format!("*t* = {}", spoken(t)),
+            );
+        }
+        let (count, sign) = [
+            ("no root", "< 0"),
+            ("one root", "= 0"),
+            ("two roots", "> 0"),
+        ][roots.len()];
+        let beside = plane.point(ray.at(3.8));
+        svg.label("ink", beside + DVec2::new(2.0, -2.0), Anchor::Start, count);
+        svg.small_label(
+            "faint",
+            beside + DVec2::new(2.0, 14.0),
+            Anchor::Start,
+            &format!("*b*² − 4*ac* {sign}"),
+        );
+    }
+    svg.finish()
+}
+
+/// All t at which the line of `ray` meets the sphere: the farther one is the
+/// nearer one of the ray turned round.
+pub fn roots(center: Point3, radius: f64, ray: &Ray) -> Vec<f64> {
+    let turned = Ray::new(ray.origin, -ray.direction);
+    let nearer = hit_sphere(center, radius, ray);
+    let farther = hit_sphere(center, radius, &turned).map(|t| -t);
+    let mut roots: Vec<f64> = nearer.into_iter().chain(farther).collect();
+    roots.dedup();
+    roots
+}

@@ -1,0 +1,223 @@
+//! A drawing in SVG, written element by element.
+
+use std::fmt::Write;
+
+use glam::DVec2;
+
+/// A drawing while it is made: x to the right, y down, in units of the viewBox.
+///
+/// An element has a class of two words: the idea that it shows, which gives its
+/// color, and how it shows it (`line`, `dashed`, `area`, `label` …). Both are
+/// defined in the style sheet, so the drawing follows the theme of its page.
+#[derive(Clone, Debug)]
+pub(crate) struct Svg {
+    text: String,
+}
+
+/// Where a label stands relative to its point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Anchor {
+    /// The point is at its left end.
+    Start,
+    /// The point is below its middle.
+    Middle,
+    /// The point is at its right end.
+    End,
+}
+
+/// The size of a label, in units of the viewBox.
+pub(crate) const TEXT: f64 = 14.0;
+
+/// The size of a subscript, or of a less important label.
+pub(crate) const SMALL: f64 = 12.0;
+
+impl Svg {
+    /// An empty drawing. Its ids begin with `name`, so several drawings can
+    /// share a page; a reader who cannot see it is told `title` and
+    /// `description`.
+    pub(crate) fn new(name: &str, title: &str, description: &str, size: DVec2) -> Self {
+        let id = format!("drawing-{}", name.replace('_', "-"));
+        let (title, description) = (escape(title), escape(description));
+        Self {
+            text: format!(
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" \
+                 viewBox=\"0 0 {} {}\" role=\"img\" \
+                 aria-labelledby=\"{id}-title {id}-description\" font-size=\"{TEXT}\">\
+                 <title id=\"{id}-title\">{title}</title>\
+                 <desc id=\"{id}-description\">{description}</desc>",
+                number(size.x),
+                number(size.y)
+            ),
+        }
+    }
+
+    /// A straight line.
+    pub(crate) fn line(&mut self, class: &str, from: DVec2, to: DVec2) {
+        self.element(
+            "line",
+            class,
+            &[("x1", from.x), ("y1", from.y), ("x2", to.x), ("y2", to.y)],
+        );
+    }
+
+    /// A line through several points; filled, if the class says so.
+    pub(crate) fn path(&mut self, class: &str, points: &[DVec2]) {
+        let mut path = String::new();
+        for (point, step) in points.iter().zip("ML".chars().chain("L".chars().cycle())) {
+            let _ = write!(path, "{step}{} {}", number(point.x), number(point.y));
+        }
+        let _ = write!(self.text, "<path class=\"{class}\" d=\"{path}\"/>");
+    }
+
+    /// A circle, or where the class fills it, a disc.
+    pub(crate) fn circle(&mut self, class: &str, center: DVec2, radius: f64) {
+        self.element(
+            "circle",
+            class,
+            &[("cx", center.x), ("cy", center.y), ("r", radius)],
+        );
+    }
+
+    /// A rectangle from its upper left corner.
+    pub(crate) fn rect(&mut self, class: &str, corner: DVec2, size: DVec2) {
+        self.element(
+            "rect",
+            class,
+            &[
+                ("x", corner.x),
+                ("y", corner.y),
+                ("width", size.x),
+                ("height", size.y),
+            ],
+        );
+    }
+
+    /// A line that ends in an arrow head at `to`.
+    pub(crate) fn arrow(&mut self, class: &str, from: DVec2, to: DVec2) {
+        let along = (to - from).normalize_or_zero();
+        let neck = to - 9.0 * along;
+        let side = 4.0 * along.perp();
+        self.line(class, from, to - 5.0 * along);
+        let idea = class.split(' ').next().unwrap_or_default();
+        self.path(&format!("{idea} solid"), &[to, neck + side, neck - side]);
+    }
+
+    /// A label. In `text`, `*P*` is italic, and `_u` or `_{00}` is a subscript.
+    pub(crate) fn label(&mut self, idea: &str, at: DVec2, anchor: Anchor, text: &str) {
+        self.sized_label(idea, TEXT, at, anchor, text);
+    }
+
+    /// A smaller label.
+    pub(crate) fn small_label(&mut self, idea: &str, at: DVec2, anchor: Anchor, text: &str) {
+        self.sized_label(idea, SMALL, at, anchor, text);
+    }
+
+    fn sized_label(&mut self, idea: &str, size: f64, at: DVec2, anchor: Anchor, text: &str) {
+        let anchor = match anchor {
+            Anchor::Start => "",
+            Anchor::Middle => " text-anchor=\"middle\"",
+            Anchor::End => " text-anchor=\"end\"",
+        };
+        let size = match size {
+            TEXT => String::new(),
+            other => format!(" font-size=\"{other}\""),
+        };
+        let _ = write!(
+            self.text,
+            "<text class=\"{idea} label\" x=\"{}\" y=\"{}\"{anchor}{size}>{}</text>",
+            number(at.x),
+            number(at.y),
+            spans(text)
+        );
+    }
+
+    /// A square whose color is what it is about, so no theme changes it.
+    pub(crate) fn pixel(&mut self, corner: DVec2, size: DVec2, rgb: [u8; 3]) {
+        let [red, green, blue] = rgb;
+        let _ = write!(
+            self.text,
+            "<path fill=\"#{red:02x}{green:02x}{blue:02x}\" d=\"M{} {}h{}v{}h{}z\"/>",
+            number(corner.x),
+            number(corner.y),
+            number(size.x),
+            number(size.y),
+            number(-size.x)
+        );
+    }
+
+    /// The finished drawing, in one line.
+    pub(crate) fn finish(self) -> String {
+        self.text + "</svg>"
+    }
+
+    fn element(&mut self, name: &str, class: &str, attributes: &[(&str, f64)]) {
+        let _ = write!(self.text, "<{name} class=\"{class}\"");
+        for (attribute, value) in attributes {
+            let _ = write!(self.text, " {attribute}=\"{}\"", number(*value));
+        }
+        self.text += "/>";
+    }
+}
+
+/// A number with at most two decimals, and no minus before zero.
+pub(crate) fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let short = text.trim_end_matches('0').trim_end_matches('.');
+    if short == "-0" { "0" } else { short }.to_owned()
+}
+
+/// A number as a reader writes it: two decimals at most and a real minus.
+pub(crate) fn spoken(value: f64) -> String {
+    number(value).replace('-', "−")
+}
+
+/// Text that means itself in XML.
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}
+
+/// The spans of a label, from the notation of [`Svg::label`].
+fn spans(label: &str) -> String {
+    let mut spans = String::new();
+    let mut italic = false;
+    let mut lowered = false;
+    let mut rest = label;
+    while let Some(first) = rest.chars().next() {
+        if first == '*' {
+            italic = !italic;
+            rest = &rest[1..];
+            continue;
+        }
+        let (text, low) = match rest.strip_prefix('_') {
+            Some(after) => (subscript(after), true),
+            None => (&rest[..rest.find(['*', '_']).unwrap_or(rest.len())], false),
+        };
+        let shift = match (lowered, low) {
+            (false, true) => format!(" dy=\"4\" font-size=\"{SMALL}\""),
+            (true, false) => " dy=\"-4\"".to_owned(),
+            _ => String::new(),
+        };
+        let style = if italic { " class=\"italic\"" } else { "" };
+        let content = escape(text.trim_matches(['{', '}']));
+        if shift.is_empty() && style.is_empty() {
+            spans += &content;
+        } else {
+            let _ = write!(spans, "<tspan{style}{shift}>{content}</tspan>");
+        }
+        lowered = low;
+        rest = &rest[usize::from(low) + text.len()..];
+    }
+    spans
+}
+
+/// What stands below: one character, or all in braces, which are included.
+fn subscript(after: &str) -> &str {
+    let end = match after.find('}') {
+        Some(brace) if after.starts_with('{') => brace + 1,
+        _ => after.chars().next().map_or(0, char::len_utf8),
+    };
+    &after[..end]
+}
