@@ -5,6 +5,7 @@ mod check;
 mod check_command;
 mod color;
 mod command_line;
+mod figures;
 mod hit_command;
 mod measured;
 mod methods;

@@ -36,7 +36,7 @@ pub fn draw(&Parameters { width }: &Parameters) -> String {
     let mut svg = FIGURE.sheet(400.0, 270.0);
     let side = 192.0;
     let frame = Frame {
-        corner: DVec2::new(104.0, 46.0),
+        corner: DVec2::new(112.0, 46.0),
         side: side / f64::from(width),
     };
     let picture = build_test::picture(width);

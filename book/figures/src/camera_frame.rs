@@ -36,7 +36,7 @@ impl Default for Parameters {
 
 /// Draws the frame and the viewport.
 pub fn draw(Parameters { camera }: &Parameters) -> String {
-    let mut svg = FIGURE.sheet(400.0, 290.0);
+    let mut svg = FIGURE.sheet(400.0, 320.0);
     let corners = corners(camera);
     let middle = 0.5 * (corners[0] + corners[2]);
     let on_sheet = corners.map(project);
@@ -52,35 +52,34 @@ pub fn draw(Parameters { camera }: &Parameters) -> String {
     axes(&mut svg, camera.center);
 
     let size = corners[2] - corners[0];
+    let beside = 0.5 * (on_sheet[1] + on_sheet[2]) + DVec2::new(10.0, -3.0);
+    svg.label("viewport", beside, Anchor::Start, "viewport");
+    let words = format!("{} × {}", spoken(size.x), spoken(-size.y));
     svg.label(
         "viewport",
-        on_sheet[0] + DVec2::new(2.0, -8.0),
+        beside + DVec2::new(0.0, 20.0),
         Anchor::Start,
-        &format!("viewport, {} × {}", spoken(size.x), spoken(-size.y)),
+        &words,
     );
-    let focal_length = camera.center.distance(middle);
-    svg.label(
-        "ink",
-        project(middle) + DVec2::new(8.0, -6.0),
-        Anchor::Start,
-        &format!("{} in front of the eye", spoken(focal_length)),
-    );
+    let above = 0.5 * (project(camera.center) + project(middle)) - DVec2::new(0.0, 8.0);
+    let words = spoken(camera.center.distance(middle));
+    svg.label("ink", above, Anchor::Middle, &words);
     svg.finish()
 }
 
 fn axes(svg: &mut Svg, eye: Point3) {
     for (axis, length, name, aside) in [
-        (Vec3::X, 0.95, "*x*", DVec2::new(10.0, 5.0)),
-        (Vec3::Y, 0.95, "*y*", DVec2::new(-13.0, 4.0)),
-        (Vec3::Z, 0.75, "*z*", DVec2::new(-11.0, 8.0)),
+        (Vec3::X, 1.1, "*x*", DVec2::new(12.0, 12.0)),
+        (Vec3::Y, 0.9, "*y*", DVec2::new(-13.0, 4.0)),
+        (Vec3::Z, 0.8, "*z*", DVec2::new(-11.0, 8.0)),
     ] {
         let tip = project(eye + length * axis);
         svg.arrow("ink line", project(eye), tip);
         svg.label("ink", tip + aside, Anchor::Middle, name);
     }
     svg.circle("ink solid", project(eye), 5.0);
-    let below = project(eye) + DVec2::new(12.0, 22.0);
-    svg.label("ink", below, Anchor::Start, "eye (0, 0, 0)");
+    let below = project(eye) + DVec2::new(-2.0, 34.0);
+    svg.label("ink", below, Anchor::End, "eye (0, 0, 0)");
 }
 
 /// The corners of the viewport, clockwise from the upper left: half a pixel
@@ -100,9 +99,13 @@ fn corners(camera: &Camera) -> [Point3; 4] {
     ]
 }
 
-/// Takes a point of space to the sheet: seen from the front, a little from the
-/// right and from above.
+/// Takes a point of space to the sheet, as seen from the right of the eye and a
+/// little from above.
 fn project(point: Point3) -> DVec2 {
-    let Point3 { x, y, z } = point;
-    DVec2::new(130.0, 195.0) + 80.0 * DVec2::new(x - 0.9 * z, -y + 0.6 * z)
+    let (sin_turn, cos_turn) = 65_f64.to_radians().sin_cos();
+    let (sin_tilt, cos_tilt) = 10_f64.to_radians().sin_cos();
+    let right = point.x * cos_turn - point.z * sin_turn;
+    let nearer = point.x * sin_turn + point.z * cos_turn;
+    let up = point.y * cos_tilt - nearer * sin_tilt;
+    DVec2::new(128.0, 172.0) + 110.0 * DVec2::new(right, -up)
 }

@@ -34,8 +34,8 @@ pub struct Parameters {
 impl Default for Parameters {
     fn default() -> Self {
         Self {
-            from_outside: Ray::new(Point3::new(-1.35, 1.35, 0.0), Vec3::new(1.0, -0.85, 0.0)),
-            from_inside: Ray::new(Point3::new(-0.45, -0.3, 0.0), Vec3::new(1.0, -0.12, 0.0)),
+            from_outside: Ray::new(Point3::new(-1.45, 0.9, 0.0), Vec3::new(1.0, -0.13, 0.0)),
+            from_inside: Ray::new(Point3::new(-0.55, -0.66, 0.0), Vec3::X),
         }
     }
 }
@@ -44,7 +44,7 @@ impl Default for Parameters {
 pub fn draw(parameters: &Parameters) -> String {
     let mut svg = FIGURE.sheet(400.0, 300.0);
     for (x, title, against) in [(98.0, "outward", false), (302.0, "against the ray", true)] {
-        let plane = Plane::new(x, 160.0, 64.0);
+        let plane = Plane::new(x, 158.0, 64.0);
         svg.label("ink", DVec2::new(x, 22.0), Anchor::Middle, title);
         svg.circle("sphere area", plane.origin, plane.scale);
         meet(&mut svg, &plane, &parameters.from_outside, against);
@@ -73,9 +73,13 @@ fn meet(svg: &mut Svg, plane: &Plane, ray: &Ray, against: bool) {
     svg.arrow(
         "normal bold",
         point,
-        plane.point(record.point + 0.62 * normal),
+        plane.point(record.point + 0.6 * normal),
     );
     svg.circle("ink solid", point, 4.0);
+    let start = plane.point(ray.origin) + DVec2::new(12.0, -8.0);
+    svg.label("ray", start, Anchor::Middle, "*d*");
+    let beyond = plane.point(record.point + 0.8 * normal) + DVec2::new(0.0, 5.0);
+    svg.label("normal", beyond, Anchor::Middle, "*n*");
     let words = if against {
         format!("front_face = {}", record.front_face)
     } else {
@@ -93,5 +97,5 @@ fn meet(svg: &mut Svg, plane: &Plane, ray: &Ray, against: bool) {
 /// it for one from inside.
 fn place(plane: &Plane, record: &HitRecord) -> DVec2 {
     let side = if record.front_face { -1.0 } else { 1.0 };
-    plane.origin + DVec2::new(0.0, 4.0 + side * (plane.scale + 44.0))
+    plane.origin + DVec2::new(0.0, 4.0 + side * (plane.scale + 42.0))
 }

@@ -6,7 +6,7 @@ use hittable_list::{Hittable, HittableList, Sphere};
 
 use crate::Figure;
 use crate::plane::Plane;
-use crate::svg::{Anchor, spoken};
+use crate::svg::{Anchor, Svg, spoken};
 
 /// The words of this figure.
 pub const FIGURE: Figure = Figure {
@@ -44,8 +44,8 @@ impl Default for Parameters {
 
 /// Draws the spheres, and the interval after each of them.
 pub fn draw(Parameters { spheres, ray }: &Parameters) -> String {
-    let mut svg = FIGURE.sheet(400.0, 292.0);
-    let plane = Plane::new(24.0, 94.0, 84.0);
+    let mut svg = FIGURE.sheet(400.0, 272.0);
+    let plane = Plane::new(24.0, 94.0, 82.0);
     let end = 4.25;
     for &(center, radius) in spheres {
         svg.circle("sphere area", plane.point(center), plane.scale * radius);
@@ -59,28 +59,34 @@ pub fn draw(Parameters { spheres, ray }: &Parameters) -> String {
 
     let mut world = HittableList::default();
     let mut closest_so_far = f64::INFINITY;
-    let step = |svg: &mut crate::svg::Svg, y: f64, to: f64, words: &str| {
+    let step = |svg: &mut Svg, y: f64, to: f64, words: &str| {
         let shown = plane.point(ray.at(to.min(end)));
         let from = DVec2::new(plane.origin.x, y);
+        let tip = DVec2::new(shown.x, y);
         if to < end {
-            svg.line("ray bold", from, DVec2::new(shown.x, y));
+            svg.line("ray bold", from, tip);
             svg.line(
                 "ray line",
-                DVec2::new(shown.x, y - 6.0),
-                DVec2::new(shown.x, y + 6.0),
+                tip - DVec2::new(0.0, 6.0),
+                tip + DVec2::new(0.0, 6.0),
             );
-            svg.line("ray dashed", shown, DVec2::new(shown.x, y - 6.0));
+            svg.line(
+                "ray dashed",
+                shown + DVec2::new(0.0, 6.0),
+                tip - DVec2::new(0.0, 6.0),
+            );
+            svg.label("ink", tip + DVec2::new(10.0, 5.0), Anchor::Start, words);
         } else {
-            svg.arrow("ray bold", from, DVec2::new(shown.x, y));
+            svg.arrow("ray bold", from, tip);
+            svg.label("ink", from - DVec2::new(0.0, 9.0), Anchor::Start, words);
         }
-        svg.label("ink", from + DVec2::new(0.0, -8.0), Anchor::Start, words);
     };
     step(&mut svg, 194.0, closest_so_far, "0 < *t* < ∞");
     for (&(center, radius), n) in spheres.iter().zip(1..) {
         world.add(Sphere::new(center, radius));
         svg.label(
             "sphere",
-            plane.point(center) + DVec2::new(0.0, -26.0),
+            plane.point(center) + DVec2::new(0.0, 5.0),
             Anchor::Middle,
             &n.to_string(),
         );
@@ -88,8 +94,8 @@ pub fn draw(Parameters { spheres, ray }: &Parameters) -> String {
             closest_so_far = hit.t;
             svg.circle("ray hollow", plane.point(ray.at(hit.t)), 5.0);
         }
-        let y = 194.0 + 40.0 * f64::from(n);
-        let words = format!("after sphere {n}: *t* < {}", spoken(closest_so_far));
+        let y = 194.0 + 30.0 * f64::from(n);
+        let words = format!("*t* < {} after sphere {n}", spoken(closest_so_far));
         step(&mut svg, y, closest_so_far, &words);
     }
     svg.finish()

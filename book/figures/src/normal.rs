@@ -93,7 +93,7 @@ pub fn draw(
             Anchor::Start,
             "*n* = (*P* − *C*)/*r*",
         );
-        svg.label("ink", hit + DVec2::new(-14.0, 14.0), Anchor::End, "*P*");
+        svg.label("ink", hit + DVec2::new(2.0, 26.0), Anchor::Middle, "*P*");
     }
     let start = plane.point(ray.origin);
     svg.label("ray", start + DVec2::new(4.0, 24.0), Anchor::Start, "ray");

@@ -71,7 +71,7 @@ pub fn draw(Parameters { width, through }: &Parameters) -> String {
         let row = f64::from(name as u32 - '1' as u32);
         entry(
             &mut svg,
-            below + 22.0 + 23.0 * row,
+            below + 28.0 + 23.0 * row,
             name,
             normal,
             ray_color(&ray),
@@ -99,9 +99,9 @@ fn entry(svg: &mut Svg, y: f64, name: char, normal: Vec3, color: Color) {
         Anchor::Start,
         &format!("*n* = ({x}, {y_}, {z})"),
     );
-    svg.pixel(DVec2::new(206.0, y - 14.0), DVec2::new(26.0, 18.0), rgb);
+    svg.pixel(DVec2::new(214.0, y - 14.0), DVec2::new(26.0, 18.0), rgb);
     let words = format!("({red:.2}, {green:.2}, {blue:.2})");
-    svg.label("ink", DVec2::new(242.0, y), Anchor::Start, &words);
+    svg.label("ink", DVec2::new(250.0, y), Anchor::Start, &words);
 }
 
 /// A component with two decimals and a real minus.

@@ -15,24 +15,26 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    /// Draws `picture`, and a thin line around it. Neighbors in a row that are
-    /// equal become one.
+    /// Draws `picture`, and a thin line around it.
     pub(crate) fn draw(&self, svg: &mut Svg, picture: &Picture) {
+        svg.group("pixels", |svg| self.pixels(svg, picture));
+        let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
+        svg.rect("faint thin", self.corner, self.side * size);
+    }
+
+    /// Draws the pixels. Neighbors in a row that are equal become one.
+    fn pixels(&self, svg: &mut Svg, picture: &Picture) {
         let width = picture.width() as usize;
         for (row, j) in picture.rgb().chunks(3 * width).zip(0..) {
-            let pixels = row.as_chunks::<3>().0;
             let mut i = 0;
-            for equal in pixels.chunk_by(|one, other| one == other) {
+            for equal in row.as_chunks::<3>().0.chunk_by(|one, other| one == other) {
                 let corner = self.corner + self.side * DVec2::new(f64::from(i), f64::from(j));
                 let run = equal.len() as i32;
-                // A little overlap, so that no gap shows where pixels meet.
-                let size = DVec2::new(self.side * f64::from(run) + 0.4, self.side + 0.4);
+                let size = self.side * DVec2::new(f64::from(run), 1.0);
                 svg.pixel(corner, size, equal[0]);
                 i += run;
             }
         }
-        let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
-        svg.rect("faint thin", self.corner, self.side * size + 0.4);
     }
 
     /// Where a ray from the eye of `camera` goes through the picture.

@@ -7,7 +7,7 @@ use normals::hit_sphere;
 use crate::Figure;
 use crate::plane::Plane;
 use crate::roots::roots;
-use crate::svg::Anchor;
+use crate::svg::{Anchor, Svg};
 
 /// The words of this figure.
 pub const FIGURE: Figure = Figure {
@@ -52,8 +52,8 @@ pub fn draw(
         ray,
     }: &Parameters,
 ) -> String {
-    let mut svg = FIGURE.sheet(400.0, 266.0);
-    let plane = Plane::new(32.0, 176.0, 86.0);
+    let mut svg = FIGURE.sheet(400.0, 270.0);
+    let plane = Plane::new(32.0, 150.0, 86.0);
     let oc = center - ray.origin;
     let h = ray.direction.dot(oc);
     let (q, c, foot) = (plane.origin, plane.point(center), plane.point(ray.at(h)));
@@ -81,7 +81,7 @@ pub fn draw(
         for t in roots(center, radius, &ray) {
             svg.circle("ray hollow", plane.point(ray.at(t)), 5.0);
         }
-        let span = |svg: &mut crate::svg::Svg, from: f64, to: f64, y: f64, words: &str| {
+        let span = |svg: &mut Svg, from: f64, to: f64, y: f64, words: &str| {
             let down = DVec2::new(0.0, y);
             let ends = [from, to].map(|t| plane.point(ray.at(t)) + down);
             svg.line("ink line", ends[0], ends[1]);
@@ -99,8 +99,8 @@ pub fn draw(
                 words,
             );
         };
-        span(&mut svg, 0.0, h, 54.0, "*h*");
-        span(&mut svg, nearer, h, 22.0, "√(*h*² − *ac*)");
+        span(&mut svg, 0.0, h, 94.0, "*h*");
+        span(&mut svg, nearer, h, 50.0, "√(*h*² − *ac*)");
     }
     svg.finish()
 }

@@ -40,7 +40,7 @@ impl Default for Parameters {
 /// Draws the ray with its marks.
 pub fn draw(Parameters { ray, marks }: &Parameters) -> String {
     let mut svg = FIGURE.sheet(400.0, 236.0);
-    let plane = Plane::new(112.0, 164.0, 76.0);
+    let plane = Plane::new(134.0, 164.0, 70.0);
     let at = |t| plane.point(ray.at(t));
 
     svg.line("ray dashed", at(-1.35), at(0.0));

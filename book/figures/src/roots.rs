@@ -37,7 +37,7 @@ impl Default for Parameters {
         Self {
             center: Point3::new(2.0, 0.0, 0.0),
             radius: 1.0,
-            rays: vec![ray(1.5), ray(1.0), ray(0.0)],
+            rays: vec![ray(1.65), ray(1.0), ray(0.0)],
         }
     }
 }
@@ -50,8 +50,8 @@ pub fn draw(
         rays,
     }: &Parameters,
 ) -> String {
-    let mut svg = FIGURE.sheet(400.0, 250.0);
-    let plane = Plane::new(16.0, 150.0, 74.0);
+    let mut svg = FIGURE.sheet(400.0, 256.0);
+    let plane = Plane::new(16.0, 164.0, 74.0);
     svg.circle("sphere area", plane.point(*center), plane.scale * radius);
     for ray in rays {
         let roots = roots(*center, *radius, ray);

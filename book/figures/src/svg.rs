@@ -28,8 +28,11 @@ pub(crate) enum Anchor {
 /// The size of a label, in units of the viewBox.
 pub(crate) const TEXT: f64 = 14.0;
 
-/// The size of a subscript, or of a less important label.
+/// The size of a less important label.
 pub(crate) const SMALL: f64 = 12.0;
+
+/// The size of a subscript.
+const SUBSCRIPT: f64 = 11.0;
 
 impl Svg {
     /// An empty drawing. Its ids begin with `name`, so several drawings can
@@ -102,7 +105,7 @@ impl Svg {
         self.path(&format!("{idea} solid"), &[to, neck + side, neck - side]);
     }
 
-    /// A label. In `text`, `*P*` is italic, and `_u` or `_{00}` is a subscript.
+    /// A label. In `text`, `*P*` is italic, and `_{00}` is a subscript.
     pub(crate) fn label(&mut self, idea: &str, at: DVec2, anchor: Anchor, text: &str) {
         self.sized_label(idea, TEXT, at, anchor, text);
     }
@@ -131,18 +134,22 @@ impl Svg {
         );
     }
 
-    /// A square whose color is what it is about, so no theme changes it.
+    /// A rectangle whose color is what it is about, so no theme changes it.
     pub(crate) fn pixel(&mut self, corner: DVec2, size: DVec2, rgb: [u8; 3]) {
         let [red, green, blue] = rgb;
+        let fill = format!("#{red:02x}{green:02x}{blue:02x}");
+        let [x, y, width, height] = [corner.x, corner.y, size.x, size.y].map(number);
         let _ = write!(
             self.text,
-            "<path fill=\"#{red:02x}{green:02x}{blue:02x}\" d=\"M{} {}h{}v{}h{}z\"/>",
-            number(corner.x),
-            number(corner.y),
-            number(size.x),
-            number(size.y),
-            number(-size.x)
+            "<path fill=\"{fill}\" d=\"M{x} {y}h{width}v{height}h-{width}z\"/>"
         );
+    }
+
+    /// What `draw` draws, as a group of that class.
+    pub(crate) fn group(&mut self, class: &str, draw: impl FnOnce(&mut Self)) {
+        let _ = write!(self.text, "<g class=\"{class}\">");
+        draw(self);
+        self.text += "</g>";
     }
 
     /// The finished drawing, in one line.
@@ -182,42 +189,39 @@ fn escape(text: &str) -> String {
 /// The spans of a label, from the notation of [`Svg::label`].
 fn spans(label: &str) -> String {
     let mut spans = String::new();
-    let mut italic = false;
     let mut lowered = false;
-    let mut rest = label;
-    while let Some(first) = rest.chars().next() {
-        if first == '*' {
-            italic = !italic;
-            rest = &rest[1..];
-            continue;
+    for (part, italic) in label.split('*').zip([false, true].into_iter().cycle()) {
+        for piece in part.split_inclusive('}') {
+            let (level, low) = match piece.split_once("_{") {
+                Some((level, low)) => (level, low.trim_end_matches('}')),
+                None => (piece, ""),
+            };
+            for (text, low) in [(level, false), (low, true)] {
+                if !text.is_empty() {
+                    spans += &span(text, italic, lowered, low);
+                    lowered = low;
+                }
+            }
         }
-        let (text, low) = match rest.strip_prefix('_') {
-            Some(after) => (subscript(after), true),
-            None => (&rest[..rest.find(['*', '_']).unwrap_or(rest.len())], false),
-        };
-        let shift = match (lowered, low) {
-            (false, true) => format!(" dy=\"4\" font-size=\"{SMALL}\""),
-            (true, false) => " dy=\"-4\"".to_owned(),
-            _ => String::new(),
-        };
-        let style = if italic { " class=\"italic\"" } else { "" };
-        let content = escape(text.trim_matches(['{', '}']));
-        if shift.is_empty() && style.is_empty() {
-            spans += &content;
-        } else {
-            let _ = write!(spans, "<tspan{style}{shift}>{content}</tspan>");
-        }
-        lowered = low;
-        rest = &rest[usize::from(low) + text.len()..];
     }
     spans
 }
 
-/// What stands below: one character, or all in braces, which are included.
-fn subscript(after: &str) -> &str {
-    let end = match after.find('}') {
-        Some(brace) if after.starts_with('{') => brace + 1,
-        _ => after.chars().next().map_or(0, char::len_utf8),
+/// A stretch of a label; `lowered` says whether the one before it stood low.
+fn span(text: &str, italic: bool, lowered: bool, low: bool) -> String {
+    let style = if italic { " class=\"italic\"" } else { "" };
+    let shift = match (lowered, low) {
+        (false, true) => " dy=\"4\"",
+        (true, false) => " dy=\"-4\"",
+        _ => "",
     };
-    &after[..end]
+    let size = match low {
+        true => format!(" font-size=\"{SUBSCRIPT}\""),
+        false => String::new(),
+    };
+    let text = escape(text);
+    match (style, shift, &size[..]) {
+        ("", "", "") => text,
+        _ => format!("<tspan{style}{shift}{size}>{text}</tspan>"),
+    }
 }

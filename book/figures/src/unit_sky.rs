@@ -40,7 +40,7 @@ impl Default for Parameters {
 pub fn draw(Parameters { camera }: &Parameters) -> String {
     let mut svg = FIGURE.sheet(400.0, 300.0);
     let plane = Plane::new(56.0, 150.0, 118.0);
-    let x = 296.0;
+    let x = 288.0;
     arc(&mut svg, &plane);
     scale(&mut svg, &plane, x);
     svg.line(
@@ -109,14 +109,16 @@ fn arc(svg: &mut Svg, plane: &Plane) {
 fn scale(svg: &mut Svg, plane: &Plane, x: f64) {
     const STEPS: i32 = 40;
     let step = 2.0 / f64::from(STEPS);
-    for n in 0..STEPS {
-        let y = -1.0 + step * (f64::from(n) + 0.5);
-        let direction = Vec3::new(0.0, y, -(1.0 - y * y).sqrt());
-        let mut rgb = [0; 3];
-        write_color(&mut rgb, sky(&Ray::new(Point3::ZERO, direction)));
-        let corner = DVec2::new(x, plane.point(Vec3::new(0.0, y + 0.5 * step, 0.0)).y);
-        svg.pixel(corner, DVec2::new(26.0, plane.scale * step + 0.4), rgb);
-    }
+    svg.group("pixels", |svg| {
+        for n in 0..STEPS {
+            let y = -1.0 + step * (f64::from(n) + 0.5);
+            let direction = Vec3::new(0.0, y, -(1.0 - y * y).sqrt());
+            let mut rgb = [0; 3];
+            write_color(&mut rgb, sky(&Ray::new(Point3::ZERO, direction)));
+            let corner = DVec2::new(x, plane.point(Vec3::new(0.0, y + 0.5 * step, 0.0)).y);
+            svg.pixel(corner, DVec2::new(26.0, plane.scale * step), rgb);
+        }
+    });
     let top = DVec2::new(x, plane.origin.y - plane.scale);
     svg.rect("faint thin", top, DVec2::new(26.0, 2.0 * plane.scale));
     for (y, words) in [(1.0, "1, straight up"), (-1.0, "0, straight down")] {

@@ -12,12 +12,12 @@ pub const FIGURE: Figure = Figure {
     name: "viewport_grid",
     title: "The viewport and its grid of pixels",
     description: "A rectangle of seven by five squares, each with a point in its center. Q is the \
-        upper left corner of the rectangle. The vector V_u runs from Q along the whole upper edge, \
-        V_v along the whole left edge, downwards. The point in the first square is P_00. From \
+        upper left corner of the rectangle. The vector V u runs from Q along the whole upper edge, \
+        V v along the whole left edge, downwards. The point in the first square is P 0 0. From \
         there Δu leads to the point on its right, Δv to the point below.",
     caption: "A picture of 7 × 5 pixels on its viewport. Q is a corner of the viewport, P₀₀ the \
-        center of a pixel: half a step right and half a step down from Q. Rows run downwards, so \
-        V_v and Δv point along −y.",
+        center of a pixel: half a step right and half a step down from Q. Rows run downwards, \
+        where y runs up, so Δv points along −y.",
     draw: || draw(&Parameters::default()),
 };
 
@@ -46,10 +46,10 @@ pub fn draw(&Parameters { width, height }: &Parameters) -> String {
     let q = camera.pixel00 - 0.5 * (delta_u + delta_v);
     let (viewport_u, viewport_v) = (f64::from(width) * delta_u, f64::from(height) * delta_v);
     let scale = 288.0 / viewport_u.x;
-    let plane = Plane::new(84.0 - scale * q.x, 60.0 + scale * q.y, scale);
+    let plane = Plane::new(84.0 - scale * q.x, 40.0 + scale * q.y, scale);
     let at = |point| plane.point(point);
 
-    let mut svg = FIGURE.sheet(400.0, 366.0);
+    let mut svg = FIGURE.sheet(400.0, 340.0);
     grid(&mut svg, &camera, &plane);
 
     svg.arrow("viewport bold", at(q), at(q + viewport_u));
@@ -66,7 +66,7 @@ pub fn draw(&Parameters { width, height }: &Parameters) -> String {
         middle,
         (0.0, -10.0),
         Anchor::Middle,
-        "*V*_u",
+        "*V*_{u}",
     );
     let middle = q + 0.5 * viewport_v;
     label(
@@ -75,40 +75,36 @@ pub fn draw(&Parameters { width, height }: &Parameters) -> String {
         middle,
         (-12.0, 4.0),
         Anchor::End,
-        "*V*_v",
+        "*V*_{v}",
     );
 
     let first = camera.pixel00;
     svg.arrow("ray bold", at(first), at(first + delta_u));
     svg.arrow("ray bold", at(first), at(first + delta_v));
     svg.circle("ink solid", at(first), 5.0);
-    let (u, v) = (first + 0.5 * delta_u, first + 0.5 * delta_v);
+    let (u, v) = (first + 0.5 * delta_u, first + delta_v);
     label(&mut svg, "ray", u, (0.0, -6.0), Anchor::Middle, "Δ*u*");
-    label(&mut svg, "ray", v, (7.0, 5.0), Anchor::Start, "Δ*v*");
-    label(
-        &mut svg,
+    label(&mut svg, "ray", v, (8.0, -6.0), Anchor::Start, "Δ*v*");
+    let beside = DVec2::new(at(q).x - 10.0, at(first).y);
+    svg.line("faint dashed", beside, at(first) - DVec2::new(5.0, 0.0));
+    svg.label(
         "ink",
-        first,
-        (8.0, 18.0),
-        Anchor::Start,
+        beside + DVec2::new(-4.0, 5.0),
+        Anchor::End,
         "*P*_{00}",
     );
 
     numbers(
         &mut svg,
         &[
-            ("viewport", "*V*_u", viewport_u),
-            ("viewport", "*V*_v", viewport_v),
+            ("viewport", "*V*_{u}", viewport_u),
+            ("viewport", "*V*_{v}", viewport_v),
+            ("viewport", "*Q*", q),
             ("ray", "Δ*u*", delta_u),
             ("ray", "Δ*v*", delta_v),
+            ("ink", "*P*_{00}", first),
         ],
     );
-    let sum = format!(
-        "*Q* = {}    *P*_{{00}} = *Q* + ½(Δ*u* + Δ*v*) = {}",
-        triple(q),
-        triple(first)
-    );
-    svg.small_label("ink", DVec2::new(10.0, 20.0), Anchor::Start, &sum);
     svg.finish()
 }
 
@@ -139,8 +135,8 @@ fn grid(svg: &mut Svg, camera: &Camera, plane: &Plane) {
 fn numbers(svg: &mut Svg, vectors: &[(&str, &str, Vec3)]) {
     for ((idea, name, vector), place) in vectors.iter().zip(0..) {
         let at = DVec2::new(
-            84.0 + 160.0 * f64::from(place / 2),
-            316.0 + 24.0 * f64::from(place % 2),
+            84.0 + 152.0 * f64::from(place / 3),
+            278.0 + 24.0 * f64::from(place % 3),
         );
         svg.label(
             idea,
