@@ -1,6 +1,7 @@
 //! All tests. A file tests what its name says; each begins by saying how.
 
 mod camera;
+mod charts;
 mod check;
 mod check_command;
 mod color;

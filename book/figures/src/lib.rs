@@ -6,6 +6,7 @@
 
 pub mod build_test;
 pub mod camera_frame;
+mod charts;
 pub mod face_normal;
 mod figure;
 pub mod nearest;
@@ -22,6 +23,7 @@ mod svg;
 pub mod unit_sky;
 pub mod viewport_grid;
 
+pub use charts::{CHARTS, Chart, Drawn, find_chart};
 pub use figure::Figure;
 pub use style::{CSS, standalone};
 

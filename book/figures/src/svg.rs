@@ -39,11 +39,20 @@ impl Svg {
     /// share a page; a reader who cannot see it is told `title` and
     /// `description`.
     pub(crate) fn new(name: &str, title: &str, description: &str, size: DVec2) -> Self {
+        Self::of_class("drawing", name, title, description, size)
+    }
+
+    /// The same for a wide drawing, which a narrow page lets scroll.
+    pub(crate) fn wide(name: &str, title: &str, description: &str, size: DVec2) -> Self {
+        Self::of_class("drawing wide", name, title, description, size)
+    }
+
+    fn of_class(class: &str, name: &str, title: &str, description: &str, size: DVec2) -> Self {
         let id = format!("drawing-{}", name.replace('_', "-"));
         let (title, description) = (escape(title), escape(description));
         Self {
             text: format!(
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" \
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{class}\" \
                  viewBox=\"0 0 {} {}\" role=\"img\" \
                  aria-labelledby=\"{id}-title {id}-description\" font-size=\"{TEXT}\">\
                  <title id=\"{id}-title\">{title}</title>\
@@ -134,6 +143,36 @@ impl Svg {
         );
     }
 
+    /// A small label without a halo, for a colored ground.
+    pub(crate) fn bare_label(&mut self, idea: &str, at: DVec2, anchor: Anchor, text: &str) {
+        self.group("bare", |svg| svg.small_label(idea, at, anchor, text));
+    }
+
+    /// Those cells that are set, of a square grid with so many `columns`.
+    pub(crate) fn cells(
+        &mut self,
+        class: &str,
+        corner: DVec2,
+        side: f64,
+        columns: usize,
+        cells: &[bool],
+    ) {
+        let mut path = String::new();
+        for (row, j) in cells.chunks(columns).zip(0..) {
+            let mut i = 0;
+            for equal in row.chunk_by(|one, other| one == other) {
+                if equal[0] {
+                    let at = corner + side * DVec2::new(f64::from(i), f64::from(j));
+                    let [x, y, side, run] =
+                        [at.x, at.y, side, side * equal.len() as f64].map(number);
+                    let _ = write!(path, "M{x} {y}h{run}v{side}h-{run}z");
+                }
+                i += equal.len() as i32;
+            }
+        }
+        let _ = write!(self.text, "<path class=\"{class}\" d=\"{path}\"/>");
+    }
+
     /// A rectangle whose color is what it is about, so no theme changes it.
     pub(crate) fn pixel(&mut self, corner: DVec2, size: DVec2, rgb: [u8; 3]) {
         let [red, green, blue] = rgb;
@@ -176,6 +215,19 @@ pub(crate) fn number(value: f64) -> String {
 /// A number as a reader writes it: two decimals at most and a real minus.
 pub(crate) fn spoken(value: f64) -> String {
     number(value).replace('-', "−")
+}
+
+/// How wide a label is at most, in the usual fonts.
+pub(crate) fn width(label: &str, size: f64) -> f64 {
+    let advance = |letter: char| match letter {
+        '*' => 0.0,
+        'i' | 'j' | 'l' | ' ' | ',' | '.' | ':' => 0.36,
+        'f' | 't' | 'r' | '(' | ')' | '-' => 0.44,
+        'm' | 'w' | 'M' | 'W' | '−' | '<' | '>' | '=' | '%' | '÷' => 0.96,
+        'A'..='Z' => 0.76,
+        _ => 0.65,
+    };
+    size * label.chars().map(advance).sum::<f64>()
 }
 
 /// Text that means itself in XML.

@@ -1,0 +1,125 @@
+//! Many rays at once, and what the divider of the processor allows.
+
+use std::fmt::Write;
+
+use glam::DVec2;
+
+use super::data::Table;
+use super::{Chart, Drawn, WIDTH};
+use crate::svg::{Anchor, Svg};
+
+/// Bars and limits.
+pub(super) const CHART: Chart = Chart {
+    name: "batch",
+    title: "Many rays at once, and the limit of the divider",
+    description: "Two bars for each method: a long one for one ray after the other, a short one \
+        for many at once. Across the short bar stands a line where the processor's divider and \
+        root alone would take all the time. The short bars end close behind it.",
+    caption: "Nanoseconds for a test. The line is the limit of the machine: one √ and one ÷ for \
+        each ray, and nothing else. No code with a root and a division can be shorter.",
+    files: &["measured/timings.csv"],
+    draw: |files| draw(files[0]),
+};
+
+/// A method, one by one and many at once, in nanoseconds.
+struct Pair {
+    name: String,
+    alone: Option<f64>,
+    together: f64,
+    limit: Option<f64>,
+}
+
+fn draw(timings: &str) -> Result<Drawn, String> {
+    let pairs = read(timings)?;
+    let longest = pairs
+        .iter()
+        .map(|pair| pair.alone.unwrap_or_default().max(pair.together))
+        .fold(0.0, f64::max);
+    let bar = |time: f64| (WIDTH - 300.0) * time / longest;
+    let mut svg = CHART.sheet(40.0 + 64.0 * pairs.len() as f64);
+    let title = "nanoseconds for one test, on the rays of the book";
+    svg.small_label("faint", DVec2::new(12.0, 20.0), Anchor::Start, title);
+    for (pair, place) in pairs.iter().zip(0..) {
+        let corner = DVec2::new(170.0, 40.0 + 64.0 * f64::from(place));
+        svg.label(
+            "ink",
+            corner + DVec2::new(-10.0, 26.0),
+            Anchor::End,
+            &pair.name,
+        );
+        if let Some(alone) = pair.alone {
+            let words = format!("{alone:.2} one by one");
+            one(&mut svg, "faint", corner, bar(alone), &words);
+        }
+        let below = corner + DVec2::new(0.0, 22.0);
+        let words = match pair.limit {
+            Some(limit) => format!(
+                "{:.2} many at once, {:.0} % of the limit",
+                pair.together,
+                100.0 * limit / pair.together
+            ),
+            None => format!("{:.2} many at once", pair.together),
+        };
+        one(&mut svg, "certain", below, bar(pair.together), &words);
+        if let Some(limit) = pair.limit {
+            let x = below.x + bar(limit);
+            svg.line(
+                "ink bold",
+                DVec2::new(x, below.y - 4.0),
+                DVec2::new(x, below.y + 20.0),
+            );
+        }
+    }
+    Ok(Drawn {
+        svg: svg.finish(),
+        table: table(&pairs),
+    })
+}
+
+/// A bar, with words behind its end.
+fn one(svg: &mut Svg, idea: &str, corner: DVec2, length: f64, words: &str) {
+    svg.rect(&format!("{idea} solid"), corner, DVec2::new(length, 16.0));
+    let at = corner + DVec2::new(length + 10.0, 12.5);
+    svg.small_label("ink", at, Anchor::Start, words);
+}
+
+fn read(timings: &str) -> Result<Vec<Pair>, String> {
+    let file = Table::read("timings.csv", timings)?;
+    let (mut pairs, mut alone, mut limits) = (Vec::new(), Vec::new(), Vec::new());
+    for row in file.rows() {
+        let (what, name, place) = (row.text("what")?, row.text("name")?, row.text("where")?);
+        let (precision, time) = (row.text("precision")?, row.number("median_ns")?);
+        match (what, name, place) {
+            ("batch", _, "book") => pairs.push((name, precision, time)),
+            ("method", _, "book") => alone.push((name, time)),
+            ("limit", "packed", _) => limits.push((precision, time)),
+            _ => {}
+        }
+    }
+    let find = |list: &[(&str, f64)], name| list.iter().find(|one| one.0 == name).map(|one| one.1);
+    let pair = |(name, precision, together)| Pair {
+        name: String::from(name),
+        alone: find(&alone, name),
+        together,
+        limit: find(&limits, precision),
+    };
+    Ok(pairs.into_iter().map(pair).collect())
+}
+
+fn table(pairs: &[Pair]) -> String {
+    let mut table = "\
+| method | one by one, ns | many at once, ns | limit, ns |
+|---|---:|---:|---:|
+"
+    .to_owned();
+    let shown = |time: Option<f64>| time.map_or(String::new(), |time| format!("{time:.2}"));
+    for pair in pairs {
+        let (alone, limit) = (shown(pair.alone), shown(pair.limit));
+        let _ = writeln!(
+            table,
+            "| `{}` | {alone} | {:.2} | {limit} |",
+            pair.name, pair.together
+        );
+    }
+    table
+}

@@ -1,0 +1,144 @@
+//! Wrong pixels, scene by scene and method by method.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use glam::DVec2;
+
+use super::data::Table;
+use super::methods::times;
+use super::{Chart, Drawn, WIDTH};
+use crate::svg::{Anchor, Svg};
+
+/// The table of heat.
+pub(super) const CHART: Chart = Chart {
+    name: "scenes",
+    title: "Wrong pixels, scene by scene and method by method",
+    description: "A table with a row for each method, the fastest at the top, and a column for each \
+        scene. A cell says how many pixels of a thousand differ from the exact picture, and is \
+        the darker the more they are. A cell without a wrong pixel has a tick. In each column \
+        the first of them in f64 has a frame, and the first in f32: the least that this scene \
+        needs.",
+    caption: "Pixels of a thousand that differ from the exact picture. Methods are in order of \
+        their time on the rays of the book. Framed: the fastest one without a wrong pixel, in f32 \
+        and in f64, which is the least that this scene needs.",
+    files: &["measured/scenes.snap.csv", "measured/timings.csv"],
+    draw: |files| draw(files[0], files[1]),
+};
+
+/// How many pixels a picture has and how many are wrong, by scene and method.
+type Cells = BTreeMap<(String, String), (f64, f64)>;
+
+/// A method, and whether it computes in `f32`.
+type Method = (String, bool);
+
+fn draw(scenes: &str, timings: &str) -> Result<Drawn, String> {
+    let file = Table::read("scenes.snap.csv", scenes)?;
+    let (mut cells, mut names, mut methods) = (Cells::new(), Vec::new(), Vec::new());
+    for row in file.rows() {
+        let (scene, method) = (
+            row.text("scene")?.to_owned(),
+            row.text("method")?.to_owned(),
+        );
+        let single = row.text("precision")? == "f32";
+        let pixels = (row.number("pixels")?, row.number("wrong")?);
+        if !names.contains(&scene) {
+            names.push(scene.clone());
+        }
+        if !methods.contains(&(method.clone(), single)) {
+            methods.push((method.clone(), single));
+        }
+        cells.insert((scene, method), pixels);
+    }
+    let times = times(timings)?;
+    let time = |(method, _): &Method| {
+        let time = times.get(&("book".to_owned(), method.clone()));
+        time.map_or(f64::INFINITY, |time| time.0)
+    };
+    methods.sort_by(|one, other| time(one).total_cmp(&time(other)));
+    Ok(Drawn {
+        svg: heat(&cells, &names, &methods),
+        table: table(&cells, &names, &methods),
+    })
+}
+
+fn heat(cells: &Cells, scenes: &[String], methods: &[Method]) -> String {
+    let (left, top, high) = (166.0, 62.0, 24.0);
+    let wide = (WIDTH - left - 12.0) / scenes.len() as f64;
+    let mut svg = CHART.sheet(top + high * methods.len() as f64 + 12.0);
+    let title = "pixels of 1000 that differ from the exact picture";
+    svg.small_label("faint", DVec2::new(12.0, 20.0), Anchor::Start, title);
+    for (column, scene) in scenes.iter().enumerate() {
+        let x = left + wide * column as f64;
+        let middle = DVec2::new(x + 0.5 * wide, top - 8.0);
+        svg.small_label("ink", middle, Anchor::Middle, &scene.replace('_', " "));
+        let mut found = [false; 2];
+        for (row, (method, single)) in methods.iter().enumerate() {
+            let corner = DVec2::new(x, top + high * row as f64);
+            let Some(&(pixels, wrong)) = cells.get(&(scene.clone(), method.clone())) else {
+                continue;
+            };
+            let size = DVec2::new(wide - 3.0, high - 3.0);
+            cell(&mut svg, corner, size, wrong / pixels);
+            let found = &mut found[usize::from(*single)];
+            if wrong == 0.0 && !*found {
+                svg.rect("certain bold", corner, size);
+                *found = true;
+            }
+        }
+    }
+    for (row, (method, _)) in methods.iter().enumerate() {
+        let at = DVec2::new(left - 10.0, top + high * (row as f64 + 0.5) + 3.0);
+        svg.small_label("ink", at, Anchor::End, method);
+    }
+    svg.finish()
+}
+
+/// A cell: the darker the more pixels are wrong, in six steps.
+fn cell(svg: &mut Svg, corner: DVec2, size: DVec2, wrong: f64) {
+    let depth = match wrong {
+        0.0 => 0,
+        ..1e-4 => 1,
+        ..1e-3 => 2,
+        ..1e-2 => 3,
+        ..1e-1 => 4,
+        _ => 5,
+    };
+    svg.rect(&format!("heat depth-{depth}"), corner, size);
+    let words = match depth {
+        0 => "✓".to_owned(),
+        _ => per_thousand(wrong),
+    };
+    let idea = if depth > 3 { "on-heat" } else { "ink" };
+    let at = corner + DVec2::new(0.5 * size.x, 0.5 * size.y + 4.5);
+    svg.bare_label(idea, at, Anchor::Middle, &words);
+}
+
+fn per_thousand(part: f64) -> String {
+    match 1000.0 * part {
+        ..0.095 => "< 0.1".to_owned(),
+        few @ ..9.95 => format!("{few:.1}"),
+        many => format!("{many:.0}"),
+    }
+}
+
+fn table(cells: &Cells, scenes: &[String], methods: &[Method]) -> String {
+    let mut table = "| wrong pixels |".to_owned();
+    for scene in scenes {
+        let _ = write!(table, " {} |", scene.replace('_', " "));
+    }
+    table += "\n|---|";
+    table += &"---:|".repeat(scenes.len());
+    table.push('\n');
+    for (method, _) in methods {
+        let _ = write!(table, "| `{method}` |");
+        for scene in scenes {
+            let _ = match cells.get(&(scene.clone(), method.clone())) {
+                Some((pixels, wrong)) => write!(table, " {wrong} of {pixels} |"),
+                None => write!(table, " |"),
+            };
+        }
+        table.push('\n');
+    }
+    table
+}

@@ -1,0 +1,239 @@
+//! Speed against accuracy: a point for each method.
+
+use std::fmt::Write;
+
+use glam::DVec2;
+use speed_vs_accuracy::find_regime;
+
+use super::axes::{Axis, Panel};
+use super::labels::{Labels, Place};
+use super::methods::{Measured, read, short};
+use super::{Chart, Drawn, WIDTH, legend};
+use crate::svg::{Anchor, Svg};
+
+const FILES: &[&str] = &["measured/accuracy.snap.csv", "measured/timings.csv"];
+
+/// The book's own rays.
+pub(super) const BOOK: Chart = Chart {
+    name: "speed_accuracy",
+    title: "Speed against accuracy, on the rays of the book",
+    description: "A point for each method: how long a test takes, from left to right, and how many \
+        digits of t are right, upwards. The methods in f32 lie far below those in f64. A line joins \
+        the methods that no other beats in both; all others lie below it or to its right.",
+    caption: "Left is faster, up is more exact. No method is both faster and more exact than one \
+        on the line. The dashed lines meet in half_b; what is much slower stands at the right \
+        edge with its time.",
+    files: FILES,
+    draw: |files| {
+        let all = read(files[0], files[1])?;
+        let mut svg = BOOK.sheet(500.0);
+        legend::methods(&mut svg, DVec2::new(12.0, 20.0));
+        let shown = of_regime(&all, "book");
+        let (corner, size) = (DVec2::new(40.0, 70.0), DVec2::new(WIDTH - 60.0, 380.0));
+        Plot::new(corner, size, &shown, &shown)
+            .in_detail()
+            .draw(&mut svg);
+        Ok(Drawn {
+            svg: svg.finish(),
+            table: table(&shown),
+        })
+    },
+};
+
+/// All situations as small panels.
+pub(super) const REGIMES: Chart = Chart {
+    name: "speed_accuracy_regimes",
+    title: "Speed against accuracy, situation by situation",
+    description: "The same chart for each situation, in small panels with equal scales. Far away, \
+        near a tangent and close to a surface the plain methods lose most of their digits and get \
+        crosses, while the certified ones keep their place at the top and move to the right.",
+    caption: "The same for every situation, with the same scales. Named are the methods that no \
+        other beats, the reference, and the certified ones; the table names all.",
+    files: FILES,
+    draw: |files| {
+        let all = read(files[0], files[1])?;
+        let mut regimes: Vec<&str> = Vec::new();
+        for one in &all {
+            if !regimes.contains(&&one.regime[..]) {
+                regimes.push(&one.regime);
+            }
+        }
+        let rows = regimes.len().div_ceil(2);
+        let mut svg = REGIMES.sheet(40.0 + 290.0 * rows as f64);
+        legend::methods(&mut svg, DVec2::new(12.0, 20.0));
+        let mut rows_of_table = Vec::new();
+        for (regime, place) in regimes.iter().zip(0..) {
+            let shown = of_regime(&all, regime);
+            let corner = DVec2::new(
+                40.0 + 360.0 * f64::from(place % 2),
+                100.0 + 290.0 * f64::from(place / 2),
+            );
+            let title = DVec2::new(corner.x - 24.0, corner.y - 32.0);
+            let words = find_regime(regime).map_or(*regime, |regime| regime.title);
+            svg.label("ink", title, Anchor::Start, words);
+            Plot::new(corner, DVec2::new(300.0, 180.0), &shown, &all).draw(&mut svg);
+            rows_of_table.extend(shown);
+        }
+        Ok(Drawn {
+            svg: svg.finish(),
+            table: table(&rows_of_table),
+        })
+    },
+};
+
+fn of_regime(all: &[Measured], regime: &str) -> Vec<Measured> {
+    let of = all
+        .iter()
+        .filter(|one| one.regime == regime && one.ulps.is_finite());
+    of.cloned().collect()
+}
+
+/// A panel, and what is drawn in it.
+struct Plot<'a> {
+    panel: Panel,
+    shown: &'a [Measured],
+    front: Vec<&'a Measured>,
+    /// What is slower than this stands at the right edge.
+    slowest: f64,
+    name_all: bool,
+}
+
+impl<'a> Plot<'a> {
+    /// The methods `shown` on scales that are wide enough for `all`.
+    fn new(corner: DVec2, size: DVec2, shown: &'a [Measured], all: &[Measured]) -> Self {
+        let title = "nanoseconds for one test";
+        let nanoseconds = all.iter().map(|one| one.nanoseconds);
+        Self {
+            panel: Panel {
+                corner,
+                size,
+                x: Axis::logarithmic(title, nanoseconds),
+                y: Axis::linear("digits of *t* that are right", -1.0, 17.0, 4.0),
+            },
+            shown,
+            front: front(shown),
+            slowest: f64::INFINITY,
+            name_all: false,
+        }
+    }
+
+    /// Leaves more room for the fast ones, and names every method.
+    fn in_detail(mut self) -> Self {
+        let times = || self.shown.iter().map(|one| one.nanoseconds);
+        let slowest = 8.0 * times().fold(f64::INFINITY, f64::min);
+        let fast = times().map(|time| time.min(slowest));
+        self.panel.x = Axis::logarithmic(&self.panel.x.title, fast);
+        self.slowest = slowest;
+        self.name_all = true;
+        self
+    }
+
+    fn at(&self, one: &Measured) -> DVec2 {
+        let shown = one.nanoseconds.min(self.slowest);
+        self.panel.at(shown, one.digits())
+    }
+
+    fn draw(&self, svg: &mut Svg) {
+        self.panel.draw(svg);
+        let steps = steps(self.front.iter().map(|one| self.at(one)));
+        svg.path("front line", &steps);
+        let mut lines = vec![steps];
+        for ends in self.through_reference() {
+            svg.line("reference dashed", ends[0], ends[1]);
+            lines.push(ends.to_vec());
+        }
+        let pairs = lines.iter().flat_map(|line| line.windows(2));
+        let along = pairs.flat_map(|ends| Place::along(ends[0], ends[1]));
+        let marks = self
+            .shown
+            .iter()
+            .map(|one| Place::around(self.at(one), 6.0));
+        let taken = along.chain(marks).collect();
+        let (corner, size) = (self.panel.corner, self.panel.size);
+        let room = Place::new(corner - DVec2::new(0.0, 8.0), size + DVec2::new(16.0, 8.0));
+        self.draw_methods(svg, Labels::new(room, taken));
+    }
+
+    /// The two lines that meet in `half_b`.
+    fn through_reference(&self) -> Vec<[DVec2; 2]> {
+        let Some(reference) = self.shown.iter().find(|one| one.method == "half_b") else {
+            return Vec::new();
+        };
+        let DVec2 { x, y } = self.at(reference);
+        let (low, high) = (self.panel.corner, self.panel.corner + self.panel.size);
+        vec![
+            [DVec2::new(x, low.y), DVec2::new(x, high.y)],
+            [DVec2::new(low.x, y), DVec2::new(high.x, y)],
+        ]
+    }
+
+    fn draw_methods(&self, svg: &mut Svg, mut labels: Labels) {
+        let mut sorted: Vec<&Measured> = self.shown.iter().collect();
+        sorted.sort_by_key(|one| one.idea() != "ink");
+        for one in &sorted {
+            one.mark(svg, self.at(one));
+        }
+        for one in sorted.into_iter().rev() {
+            let named = self.name_all || one.idea() != "ink" || self.front.contains(&one);
+            if one.nanoseconds > self.slowest {
+                let text = format!("{}, {:.0} ns →", one.method, one.nanoseconds);
+                labels.put(svg, one.idea(), self.at(one), &text);
+            } else if named {
+                labels.put(svg, one.idea(), self.at(one), &one.method);
+            }
+        }
+    }
+}
+
+/// The methods that no other beats in both speed and accuracy, the fastest
+/// first.
+fn front(shown: &[Measured]) -> Vec<&Measured> {
+    let mut sorted: Vec<&Measured> = shown.iter().collect();
+    sorted.sort_by(|one, other| {
+        one.nanoseconds
+            .total_cmp(&other.nanoseconds)
+            .then(other.digits().total_cmp(&one.digits()))
+    });
+    let mut best: Vec<&Measured> = Vec::new();
+    for one in sorted {
+        if best.last().is_none_or(|last| one.digits() > last.digits()) {
+            best.push(one);
+        }
+    }
+    best
+}
+
+/// Stairs through `points`: what lies below and to the right of a step is
+/// beaten.
+fn steps(points: impl Iterator<Item = DVec2>) -> Vec<DVec2> {
+    let mut stairs: Vec<DVec2> = Vec::new();
+    for point in points {
+        if let Some(last) = stairs.last() {
+            stairs.push(DVec2::new(point.x, last.y));
+        }
+        stairs.push(point);
+    }
+    stairs
+}
+
+fn table(shown: &[Measured]) -> String {
+    let mut table = "\
+| situation | method | ns | ÷ half_b | digits right | error in ulps, 99.9 % | wrong per million |
+|---|---|---:|---:|---:|---:|---:|
+"
+    .to_owned();
+    for one in shown {
+        let _ = writeln!(
+            table,
+            "| {} | `{}` | {:.2} | {:.2} | {:.1} | {} | {} |",
+            one.regime.replace('_', " "),
+            one.method,
+            one.nanoseconds,
+            one.ratio,
+            one.digits(),
+            short(one.ulps),
+            short(one.wrong)
+        );
+    }
+    table
+}
