@@ -1,4 +1,4 @@
-//! The rival draws the same bytes, and the chart shows what was measured.
+//! The rival draws the same bytes, and the table shows what was measured.
 
 use std::io::ErrorKind;
 use std::path::Path;
@@ -177,17 +177,13 @@ fn a_writer_that_fails_ends_the_picture_on_any_number_of_threads() {
 }
 
 #[test]
-fn the_chart_and_the_table_show_the_recorded_numbers() {
+fn the_table_shows_the_recorded_numbers() {
     let heats: Vec<Heat> = RECORDED
         .lines()
         .filter(|line| !line.starts_with('#'))
         .map(|line| line.parse().expect("a line is a heat"))
         .collect();
     let advice = "run `cargo run --release -p rtrace -- race --record`";
-    assert!(
-        speed::chart(&heats) == include_str!("../book/notes/speed/chart.svg"),
-        "the chart shows other numbers than book/notes/speed/heats.txt: {advice}"
-    );
     assert!(
         speed::table(&heats) == include_str!("../book/notes/speed/table.md"),
         "the table shows other numbers than book/notes/speed/heats.txt: {advice}"

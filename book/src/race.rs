@@ -22,7 +22,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..))]
     rounds: u32,
 
-    /// Keep the result in book/notes/speed, as numbers, table and chart
+    /// Keep the result in book/notes/speed, as numbers and as a table
     #[arg(long)]
     record: bool,
 }
@@ -198,7 +198,7 @@ fn instructions(program: &Path, arguments: &[&str]) -> Option<String> {
     Some(count.trim().to_owned())
 }
 
-/// Writes the numbers, and what is drawn from them.
+/// Writes the numbers, and the table of them.
 fn record(machine: &str, heats: &[Heat]) -> Result<(), Box<dyn Error>> {
     let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/notes/speed"));
     fs::create_dir_all(&folder)?;
@@ -210,14 +210,13 @@ fn record(machine: &str, heats: &[Heat]) -> Result<(), Box<dyn Error>> {
     for heat in heats {
         numbers += &(heat.line() + "\n");
     }
-    // What is drawn must come from what is written, which is rounded.
+    // The table must come from what is written, which is rounded.
     let heats: Vec<Heat> = heats
         .iter()
         .map(|heat| heat.line().parse())
         .collect::<Result<_, _>>()?;
     fs::write(folder.join("heats.txt"), numbers)?;
     fs::write(folder.join("table.md"), speed::table(&heats))?;
-    fs::write(folder.join("chart.svg"), speed::chart(&heats))?;
     Ok(())
 }
 

@@ -1,4 +1,4 @@
-//! What a race against C++ measured: as a line of text, as a table, as a chart.
+//! What a race against C++ measured: as a line of text, and as a table.
 
 use std::fmt::Write;
 use std::str::FromStr;
@@ -120,55 +120,4 @@ pub fn table(heats: &[Heat]) -> String {
         );
     }
     table
-}
-
-/// The large pictures that went nowhere, as bars in an SVG picture.
-///
-/// Text is text, and the colors follow the reader's light or dark theme.
-pub fn chart(heats: &[Heat]) -> String {
-    let drawn: Vec<&Heat> = heats
-        .iter()
-        .filter(|heat| heat.width == 3840 && heat.to == "nowhere")
-        .collect();
-    let longest = drawn
-        .iter()
-        .map(|heat| heat.rival.median)
-        .fold(1.0, f64::max);
-    let bar = |time: f64| 400.0 * time / longest;
-    let height = 44 * drawn.len() + 40;
-    let mut svg = format!(
-        "\
-<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 {height}\" role=\"img\" font-family=\"sans-serif\" font-size=\"13\">
-<title>Milliseconds to draw a picture 3840 pixels wide as text</title>
-<style>
-text {{ fill: #222 }} .ours {{ fill: #b7410e }} .rival {{ fill: #8a94a0 }}
-@media (prefers-color-scheme: dark) {{ text {{ fill: #ddd }} .ours {{ fill: #f0834d }} .rival {{ fill: #77818c }} }}
-</style>
-<text x=\"8\" y=\"20\">Milliseconds for a picture 3840 pixels wide as text, median</text>
-"
-    );
-    for (heat, row) in drawn.iter().zip(0..) {
-        let y = 44 * row + 34;
-        let (ours, rival) = (heat.ours.median, heat.rival.median);
-        let _ = write!(
-            svg,
-            "\
-<text x=\"8\" y=\"{}\">{}</text>
-<rect class=\"ours\" x=\"120\" y=\"{y}\" width=\"{:.1}\" height=\"15\"/>
-<text x=\"{:.1}\" y=\"{}\">{ours:.0} Rust</text>
-<rect class=\"rival\" x=\"120\" y=\"{}\" width=\"{:.1}\" height=\"15\"/>
-<text x=\"{:.1}\" y=\"{}\">{rival:.0} C++</text>
-",
-            y + 20,
-            heat.stage,
-            bar(ours),
-            bar(ours) + 126.0,
-            y + 12,
-            y + 17,
-            bar(rival),
-            bar(rival) + 126.0,
-            y + 29,
-        );
-    }
-    svg + "</svg>\n"
 }
