@@ -78,6 +78,19 @@ fn the_chart_of_the_book_names_every_method() {
 }
 
 #[test]
+fn every_panel_names_the_reference_and_the_certified_methods() {
+    for seed in 0..SEEDS {
+        let drawn = invented("speed_accuracy_regimes", seed);
+        let drawing = parse(&drawn.svg);
+        let labels: Vec<String> = texts(&drawing).map(|text| words(&text)).collect();
+        for name in ["half_b", "certified_hit", "certified_t"] {
+            let count = labels.iter().filter(|label| *label == name).count();
+            assert_eq!(count, REGIMES.len(), "{name} with seed {seed}");
+        }
+    }
+}
+
+#[test]
 fn no_point_lies_beyond_the_line_of_the_best() {
     for seed in 0..SEEDS {
         let drawn = invented("speed_accuracy", seed);

@@ -113,6 +113,21 @@ fn every_color_can_be_told_from_every_background() {
 }
 
 #[test]
+fn the_words_on_every_depth_of_heat_can_be_read() {
+    let palette = palette();
+    for (light, depth) in (1..=5).flat_map(|depth| [(true, depth), (false, depth)]) {
+        let [ink, paper, heat] =
+            ["ink", "paper", "ray"].map(|idea| palette[idea][usize::from(!light)]);
+        let words = if depth > 3 { paper } else { ink };
+        for (theme, background) in backgrounds(light) {
+            let mixed = mix(heat, background, opacity(depth));
+            let contrast = contrast(words, mixed);
+            assert!(contrast >= 4.5, "depth {depth} on {theme}: {contrast:.2}");
+        }
+    }
+}
+
+#[test]
 fn every_number_is_finite_and_lies_on_the_sheet() {
     for (name, svg) in drawings() {
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
@@ -471,6 +486,22 @@ fn palette() -> BTreeMap<&'static str, [[u8; 3]; 2]> {
 
 fn color(hex: &str) -> [u8; 3] {
     [1, 3, 5].map(|at| u8::from_str_radix(&hex[at..at + 2], 16).expect("two digits"))
+}
+
+/// How much of its color a depth of heat has.
+fn opacity(depth: usize) -> f64 {
+    let rule = format!(".depth-{depth} {{ fill-opacity: ");
+    let (_, rest) = CSS.split_once(&rule).expect("the depth has a rule");
+    let (opacity, _) = rest.split_once(';').expect("a rule ends");
+    opacity.parse().expect("a number")
+}
+
+/// A color over a background.
+fn mix(color: [u8; 3], background: [u8; 3], opacity: f64) -> [u8; 3] {
+    std::array::from_fn(|n| {
+        let [over, under] = [color[n], background[n]].map(f64::from);
+        (opacity * over + (1.0 - opacity) * under).round() as u8
+    })
 }
 
 /// What the themes of mdBook put behind a drawing, and the paper of a file.

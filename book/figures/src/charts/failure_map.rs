@@ -56,7 +56,8 @@ fn draw() -> Drawn {
         let above = corner - DVec2::new(0.0, 6.0);
         svg.small_label("ink", above, Anchor::Start, method.name);
         let above = above + DVec2::new(side, 0.0);
-        svg.small_label("wrong", above, Anchor::End, &count.to_string());
+        let idea = if count == 0 { "faint" } else { "wrong" };
+        svg.small_label(idea, above, Anchor::End, &count.to_string());
         svg.group("pixels", |svg| {
             svg.cells("sphere wash", corner, cell, CELLS as usize, truth);
             svg.cells("wrong solid", corner, cell, CELLS as usize, &wrong);
