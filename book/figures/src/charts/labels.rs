@@ -44,35 +44,57 @@ impl Place {
 pub(super) struct Labels {
     room: Place,
     taken: Vec<Place>,
+    written: Vec<Place>,
 }
 
 impl Labels {
     /// Labels stay in `room` and off what is `taken`.
     pub(super) fn new(room: Place, taken: Vec<Place>) -> Self {
-        Self { room, taken }
+        Self {
+            room,
+            taken,
+            written: Vec::new(),
+        }
     }
 
     /// Writes `text` as near to `point` as there is room, with a line that leads
-    /// to it if that is not near. Where there is no room at all it is left out.
+    /// to it if that is not near. The line crosses another label only if there is
+    /// no other way. Where there is no room at all the label is left out.
     pub(super) fn put(&mut self, svg: &mut Svg, idea: &str, point: DVec2, text: &str) {
         let size = DVec2::new(width(text, SMALL), SMALL + 2.0);
-        let free = |corner: &DVec2| {
-            let place = Place::new(*corner, size);
-            self.room.holds(&place) && !self.taken.iter().any(|taken| taken.touches(&place))
-        };
-        let Some(corner) = corners(point, size).find(free) else {
+        let free = || corners(point, size).filter(|corner| self.has_room(*corner, size));
+        let clear = |corner: &DVec2| !self.crosses(leader(point, *corner, size));
+        let Some(corner) = free().find(clear).or_else(|| free().next()) else {
             return;
         };
-        let middle = corner + 0.5 * size;
-        let edge = middle + (point - middle).clamp(-0.5 * size, 0.5 * size);
-        if edge.distance(point) > 9.0 {
-            let way = (edge - point).normalize();
-            svg.line("faint thin", point + 5.0 * way, edge);
+        if let Some([from, to]) = leader(point, corner, size) {
+            svg.line("faint thin", from, to);
         }
         let at = corner + DVec2::new(0.0, 0.82 * SMALL + 1.0);
         svg.small_label(idea, at, Anchor::Start, text);
         self.taken.push(Place::new(corner, size));
+        self.written.push(Place::new(corner, size));
     }
+
+    fn has_room(&self, corner: DVec2, size: DVec2) -> bool {
+        let place = Place::new(corner, size);
+        self.room.holds(&place) && !self.taken.iter().any(|taken| taken.touches(&place))
+    }
+
+    /// Whether a line passes through a label.
+    fn crosses(&self, line: Option<[DVec2; 2]>) -> bool {
+        line.is_some_and(|[from, to]| {
+            Place::along(from, to).any(|step| self.written.iter().any(|label| label.touches(&step)))
+        })
+    }
+}
+
+/// The line from `point` to a label that is not near.
+fn leader(point: DVec2, corner: DVec2, size: DVec2) -> Option<[DVec2; 2]> {
+    let middle = corner + 0.5 * size;
+    let edge = middle + (point - middle).clamp(-0.5 * size, 0.5 * size);
+    let way = (edge - point).normalize_or_zero();
+    (edge.distance(point) > 9.0).then_some([point + 5.0 * way, edge])
 }
 
 /// Upper left corners for a label of that size, ever farther from `point`.

@@ -169,11 +169,12 @@ impl<'a> Plot<'a> {
 
     fn draw_methods(&self, svg: &mut Svg, mut labels: Labels) {
         let mut sorted: Vec<&Measured> = self.shown.iter().collect();
-        sorted.sort_by_key(|one| one.idea() != "ink");
-        for one in &sorted {
+        // The most important ones in front, and named first.
+        sorted.sort_by_key(|one| IDEAS.iter().position(|idea| *idea == one.idea()));
+        for one in sorted.iter().rev() {
             one.mark(svg, self.at(one));
         }
-        for one in sorted.into_iter().rev() {
+        for one in sorted {
             let named = self.name_all || one.idea() != "ink" || self.front.contains(&one);
             if one.nanoseconds > self.slowest {
                 let text = format!("{}, {:.0} ns →", one.method, one.nanoseconds);
@@ -184,6 +185,9 @@ impl<'a> Plot<'a> {
         }
     }
 }
+
+/// What marks can say, the most important first.
+const IDEAS: [&str; 3] = ["reference", "certain", "ink"];
 
 /// The methods that no other beats in both speed and accuracy, the fastest
 /// first.
