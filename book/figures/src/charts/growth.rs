@@ -84,19 +84,12 @@ fn mark_crossings(svg: &mut Svg, panel: &Panel, lines: &[Line]) {
         .iter()
         .map(|point| panel.at(point.0, point.1))
         .collect();
-    let mut taken: Vec<Place> = places
-        .iter()
-        .map(|place| Place::around(*place, 8.0))
-        .collect();
-    for line in lines {
-        let points = line.places(panel);
-        taken.extend(
-            points
-                .windows(2)
-                .flat_map(|ends| Place::along(ends[0], ends[1])),
-        );
-    }
-    let mut labels = Labels::new(Place::new(panel.corner, panel.size), taken);
+    let rings = places.iter().map(|place| Place::around(*place, 8.0));
+    let drawn: Vec<Vec<DVec2>> = lines.iter().map(|line| line.places(panel)).collect();
+    let pairs = drawn.iter().flat_map(|points| points.windows(2));
+    let along = pairs.flat_map(|ends| Place::along(ends[0], ends[1]));
+    let room = Place::new(panel.corner, panel.size);
+    let mut labels = Labels::new(room, along.collect(), rings.collect());
     for ((count, _), place) in crossings.iter().zip(&places) {
         svg.circle("ink line", *place, 7.0);
         labels.put(svg, "ink", *place, &format!("{count:.0} spheres"));

@@ -43,28 +43,32 @@ impl Place {
 /// Finds room for one label after the other, the most important first.
 pub(super) struct Labels {
     room: Place,
-    taken: Vec<Place>,
+    lines: Vec<Place>,
+    marks: Vec<Place>,
     written: Vec<Place>,
 }
 
 impl Labels {
-    /// Labels stay in `room` and off what is `taken`.
-    pub(super) fn new(room: Place, taken: Vec<Place>) -> Self {
+    /// Labels stay in `room` and off lines and marks.
+    pub(super) fn new(room: Place, lines: Vec<Place>, marks: Vec<Place>) -> Self {
         Self {
             room,
-            taken,
+            lines,
+            marks,
             written: Vec::new(),
         }
     }
 
-    /// Writes `text` as near to `point` as there is room, with a line that leads
-    /// to it if that is not near. The line crosses another label only if there is
-    /// no other way. Where there is no room at all the label is left out.
+    /// Writes `text` where it is best seen to belong to `point`, with a line that
+    /// leads to it if that is not near. Where there is no room at all the label
+    /// is left out.
     pub(super) fn put(&mut self, svg: &mut Svg, idea: &str, point: DVec2, text: &str) {
         let size = DVec2::new(width(text, SMALL), SMALL + 2.0);
-        let free = || corners(point, size).filter(|corner| self.has_room(*corner, size));
-        let clear = |corner: &DVec2| !self.crosses(leader(point, *corner, size));
-        let Some(corner) = free().find(clear).or_else(|| free().next()) else {
+        let best = corners(point, size)
+            .filter(|corner| self.has_room(&Place::new(*corner, size)))
+            .map(|corner| (self.doubt(point, corner, size), corner))
+            .min_by(|one, other| one.0.total_cmp(&other.0));
+        let Some((_, corner)) = best else {
             return;
         };
         if let Some([from, to]) = leader(point, corner, size) {
@@ -72,20 +76,33 @@ impl Labels {
         }
         let at = corner + DVec2::new(0.0, 0.82 * SMALL + 1.0);
         svg.small_label(idea, at, Anchor::Start, text);
-        self.taken.push(Place::new(corner, size));
         self.written.push(Place::new(corner, size));
     }
 
-    fn has_room(&self, corner: DVec2, size: DVec2) -> bool {
-        let place = Place::new(corner, size);
-        self.room.holds(&place) && !self.taken.iter().any(|taken| taken.touches(&place))
+    fn has_room(&self, place: &Place) -> bool {
+        let taken = [&self.lines, &self.marks, &self.written];
+        self.room.holds(place)
+            && !taken
+                .into_iter()
+                .flatten()
+                .any(|taken| taken.touches(place))
     }
 
-    /// Whether a line passes through a label.
-    fn crosses(&self, line: Option<[DVec2; 2]>) -> bool {
-        line.is_some_and(|[from, to]| {
-            Place::along(from, to).any(|step| self.written.iter().any(|label| label.touches(&step)))
-        })
+    /// How easily a label there would be taken for that of another point: a
+    /// length, to which each other mark or label that is too near adds.
+    fn doubt(&self, point: DVec2, corner: DVec2, size: DVec2) -> f64 {
+        let Some([from, to]) = leader(point, corner, size) else {
+            return 0.0;
+        };
+        let near = Place::new(corner - 6.0, size + 12.0);
+        let touched = |places: &[Place]| {
+            let touches = |place: &&Place| {
+                place.touches(&near) || Place::along(from, to).any(|step| place.touches(&step))
+            };
+            let away = |place: &&Place| !place.touches(&Place::around(point, 1.0));
+            places.iter().filter(away).filter(touches).count() as f64
+        };
+        point.distance(to) + 20.0 * touched(&self.marks) + 30.0 * touched(&self.written)
     }
 }
 

@@ -148,10 +148,9 @@ impl<'a> Plot<'a> {
             .shown
             .iter()
             .map(|one| Place::around(self.at(one), 6.0));
-        let taken = along.chain(marks).collect();
         let (corner, size) = (self.panel.corner, self.panel.size);
         let room = Place::new(corner - DVec2::new(0.0, 8.0), size + DVec2::new(16.0, 8.0));
-        self.draw_methods(svg, Labels::new(room, taken));
+        self.draw_methods(svg, Labels::new(room, along.collect(), marks.collect()));
     }
 
     /// The two lines that meet in `half_b`.
@@ -190,9 +189,9 @@ impl<'a> Plot<'a> {
 const IDEAS: [&str; 3] = ["reference", "certain", "ink"];
 
 /// The methods that no other beats in both speed and accuracy, the fastest
-/// first.
+/// first. To be fast and have no digit right is not worth a place.
 fn front(shown: &[Measured]) -> Vec<&Measured> {
-    let mut sorted: Vec<&Measured> = shown.iter().collect();
+    let mut sorted: Vec<&Measured> = shown.iter().filter(|one| one.digits() >= 1.0).collect();
     sorted.sort_by(|one, other| {
         one.nanoseconds
             .total_cmp(&other.nanoseconds)

@@ -23,7 +23,8 @@ pub(super) const DISTANCE: Chart = Chart {
         methods that measure the distance of the ray from the center stay level.",
     caption: "The sphere moves away. The formulas with b or h lose digits with every step, and at \
         a cross they begin to decide wrongly. Those that measure how far the ray passes from the \
-        center do not.",
+        center do not. Where certified_hit cannot be sure of its decision, it computes again with \
+        more digits, and its line jumps up.",
     files: FILES,
     draw: |files| {
         draw(
@@ -41,10 +42,12 @@ pub(super) const GRAZING: Chart = Chart {
     name: "grazing",
     title: "Digits that are left when the ray grazes the sphere",
     description: "Lines for each method, f64 at the left and f32 at the right: how many digits of t \
-        are right when the ray passes ever nearer to a tangent. All methods but the exact and the \
-        certified ones lose half a digit with each factor of ten.",
-    caption: "The ray comes closer to a tangent. The two roots meet there, and every method that \
-        rounds loses half a digit for each factor of ten.",
+        are right when the ray passes ever nearer to a tangent. The methods in plain f64 and f32 \
+        lose half a digit with each factor of ten. The line of certified_hit falls with them at \
+        first, then jumps to the top, where the exact methods are from the beginning.",
+    caption: "The ray comes closer to a tangent, where the two roots meet. Whoever computes with \
+        no more digits than the numbers have loses half a digit of t for each factor of ten. \
+        Where certified_hit cannot be sure of its decision, it takes more digits.",
     files: FILES,
     draw: |files| {
         draw(
