@@ -58,7 +58,7 @@ fn draw(stage: Stage, folder: &Path) -> Result<String, Box<dyn Error>> {
 }
 
 /// `path` as seen from the folder that the reader is in, if it is below that.
-fn shown(path: &Path) -> &Path {
+pub(crate) fn shown(path: &Path) -> &Path {
     env::current_dir()
         .ok()
         .and_then(|here| path.strip_prefix(here).ok())

@@ -10,6 +10,7 @@ mod save;
 mod show;
 mod slips;
 mod terminal;
+mod weave;
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -20,7 +21,7 @@ use clap::{Parser, Subcommand};
 /// The pictures of Ray Tracing in One Weekend, chapter by chapter.
 ///
 /// Without a command: draws all of them into target/pictures, as PNG and as
-/// PPM files.
+/// PPM files, and weaves the book into target/book.
 #[derive(Parser)]
 #[command(name = "rtrace", bin_name = "cargo rtrace")]
 struct Cli {
@@ -30,6 +31,8 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Weave the book: the notes with the code, the pictures and the figures
+    Book(weave::Arguments),
     /// Draw one picture: in the terminal, into a file, or into a viewer
     Show(show::Arguments),
     /// Draw the pictures in turns with the book's program in C++, and measure
@@ -48,7 +51,8 @@ enum Command {
 
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
-        None => draw::all(),
+        None => draw::all().and_then(|()| weave::this_book()),
+        Some(Command::Book(arguments)) => weave::book(&arguments),
         Some(Command::Show(arguments)) => show::show(&arguments),
         Some(Command::Race(arguments)) => race::race(&arguments),
         Some(Command::Check(arguments)) => return check::check(&arguments),

@@ -1,0 +1,37 @@
+//! What changed from one chapter to the next, in the picture and in the code.
+
+use std::fs;
+use std::path::Path;
+
+use tests::stages::STAGES;
+
+/// The pictures of chapter `name` and of the one before, the pixels that changed,
+/// and the lines of code: as the files say that a test keeps fresh.
+pub(super) fn changes(folder: &Path, name: &str) -> Result<String, String> {
+    let [before, after] = STAGES
+        .array_windows()
+        .find(|[_, after]| after.name == name)
+        .ok_or_else(|| format!("no chapter `{name}` comes after another one"))?;
+    let file = folder.join("changes").join(name).with_extension("snap");
+    let text = fs::read_to_string(&file).map_err(|cause| format!("{}: {cause}", file.display()))?;
+    // insta begins a snapshot with a header between lines of dashes.
+    let body = text.splitn(3, "---\n").nth(2).unwrap_or(&text);
+    let (picture, code) = body.split_once("\n\n").unwrap_or((body, ""));
+
+    let mut panels = String::new();
+    let pixels = format!("changes/{name}_pixels.snap.png");
+    if folder.join(&pixels).exists() {
+        for (title, stage) in [("Before", before), ("After", after)] {
+            let file = format!("pictures/{}.snap.png", stage.name);
+            panels += &panel(title, &file, stage.shows);
+        }
+        panels += &panel("Changed pixels", &pixels, &format!("In red: {picture}"));
+    }
+    Ok(format!(
+        "<div class=\"changes\">{panels}</div>\n\n{picture}\n\n{code}"
+    ))
+}
+
+fn panel(title: &str, file: &str, alt: &str) -> String {
+    format!("<figure><img src=\"{file}\" alt=\"{alt}\"><figcaption>{title}</figcaption></figure>")
+}

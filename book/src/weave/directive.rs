@@ -1,0 +1,42 @@
+//! The directives: what stands between `{{` and `}}`.
+
+use std::path::Path;
+
+use super::page::Woven;
+use super::{changes, code, figure, measured};
+
+/// What the directive with this `text` stands for, in a page of `folder`.
+///
+/// | in a page | there appears |
+/// |---|---|
+/// | `{{code PATH}}` | the whole source file |
+/// | `{{code PATH ITEM, ITEM}}` | these items of it |
+/// | `{{figure NAME}}` | the figure, drawn now, with its caption |
+/// | `{{chart NAME}}` | the chart, and a table of its numbers |
+/// | `{{changes NAME}}` | what changed from the chapter before to this one |
+/// | `{{value FILE KEY}}` | a number that was measured |
+pub(super) fn resolve(text: &str, folder: &Path) -> Result<Woven, String> {
+    let (name, rest) = split(text.trim());
+    match name {
+        "code" => {
+            let (path, items) = split(rest);
+            code::listing(&folder.join(path), items).map(Woven::Block)
+        }
+        "figure" => figure::figure(rest).map(Woven::Block),
+        "chart" => figure::chart(&folder.join("charts"), rest).map(Woven::Block),
+        "changes" => changes::changes(folder, rest).map(Woven::Block),
+        "value" => {
+            let (file, key) = split(rest);
+            measured::value(&folder.join(file), key).map(Woven::Inline)
+        }
+        _ => Err(format!(
+            "there is no directive `{name}`: choose code, figure, chart, changes or value"
+        )),
+    }
+}
+
+/// The first word, and what follows.
+fn split(text: &str) -> (&str, &str) {
+    let (first, rest) = text.split_once(' ').unwrap_or((text, ""));
+    (first, rest.trim())
+}
