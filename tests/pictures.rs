@@ -201,7 +201,7 @@ fn assert_picture(name: &str, picture: &Picture) {
 
 /// Compares the pixels of two PNG snapshots, and explains a difference.
 #[derive(Clone)]
-struct SamePixels;
+pub(crate) struct SamePixels;
 
 impl Comparator for SamePixels {
     fn matches(&self, reference: &Snapshot, test: &Snapshot) -> bool {

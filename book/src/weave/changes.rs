@@ -27,9 +27,11 @@ pub(super) fn changes(folder: &Path, name: &str) -> Result<String, String> {
         }
         panels += &panel("Changed pixels", &pixels, &format!("In red: {picture}"));
     }
-    Ok(format!(
-        "<div class=\"changes\">{panels}</div>\n\n{picture}\n\n{code}"
-    ))
+    let panels = match panels.is_empty() {
+        true => panels,
+        false => format!("<div class=\"changes\">{panels}</div>\n\n"),
+    };
+    Ok(format!("{panels}{picture}\n\n{code}"))
 }
 
 fn panel(title: &str, file: &str, alt: &str) -> String {
