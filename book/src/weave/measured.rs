@@ -3,45 +3,55 @@
 use std::fs;
 use std::path::Path;
 
-/// The value at `key` in the file at `path`.
+/// The value at `key` in the file at `path`, as it is printed.
 ///
-/// In a table (`.csv`, with a line of column names first; lines that start with
-/// `#` don't count) the key is `ROW.COLUMN`, where a row goes by its first
-/// column. In any other file it is what stands before the `:` or `=` of a line.
+/// In a table (`.csv`, with a line of column names) the key is
+/// `CELL/CELL.COLUMN`, where the cells are those that the row begins with. In any
+/// file a `KEY: value` stands for itself, in a table behind a `#`.
 pub(super) fn value(path: &Path, key: &str) -> Result<String, String> {
     let shown = path.display();
     let text = fs::read_to_string(path).map_err(|cause| format!("{shown}: {cause}"))?;
-    let found = match path.extension() {
-        Some(extension) if extension == "csv" => in_table(&text, key),
+    let is_table = path.extension().is_some_and(|extension| extension == "csv");
+    let found = match key.rsplit_once('.') {
+        Some((cells, column)) if is_table => in_table(&text, cells, column),
         _ => in_lines(&text, key),
     };
     match found[..] {
-        [value] => Ok(value.to_owned()),
+        [value] => Ok(printed(value)),
         [] => Err(format!("{shown} has no value `{key}`")),
         _ => Err(format!("{shown} has several values `{key}`")),
     }
 }
 
-fn in_table<'a>(text: &'a str, key: &str) -> Vec<&'a str> {
-    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
-    let columns: Vec<&str> = lines.next().unwrap_or("").split(',').collect();
-    let Some((row, column)) = key.rsplit_once('.') else {
-        return Vec::new();
-    };
+fn in_table<'a>(text: &'a str, cells: &str, column: &str) -> Vec<&'a str> {
+    let mut rows = text
+        .lines()
+        .filter(|line| !line.starts_with('#'))
+        .map(|line| line.split(',').collect::<Vec<_>>());
+    let columns = rows.next().unwrap_or_default();
     let Some(at) = columns.iter().position(|name| *name == column) else {
         return Vec::new();
     };
-    lines
-        .map(|line| line.split(',').collect::<Vec<_>>())
-        .filter(|cells| cells[0] == row)
-        .filter_map(|cells| cells.get(at).copied())
+    let cells: Vec<&str> = cells.split('/').collect();
+    rows.filter(|row| row.starts_with(&cells))
+        .filter_map(|row| row.get(at).copied())
         .collect()
 }
 
 fn in_lines<'a>(text: &'a str, key: &str) -> Vec<&'a str> {
     text.lines()
-        .filter_map(|line| line.split_once([':', '=']))
-        .filter(|(name, _)| name.trim() == key)
+        .filter_map(|line| line.trim_start_matches(['#', ' ']).split_once(": "))
+        .filter(|(name, _)| *name == key)
         .map(|(_, value)| value.trim())
         .collect()
+}
+
+/// A power of ten as people write it: 2.5e-16 is 2.5·10⁻¹⁶.
+fn printed(value: &str) -> String {
+    match value.split_once('e') {
+        Some((digits, power)) if value.parse::<f64>().is_ok() => {
+            format!("{digits}·10<sup>{}</sup>", power.replace('-', "−"))
+        }
+        _ => value.to_owned(),
+    }
 }

@@ -70,7 +70,7 @@ impl<'a> Page<'a> {
     /// The formulas, and the ranges in which braces mean what they are.
     fn formulas(&self, maths: &mut Maths) -> (Vec<Piece>, Vec<Range<usize>>) {
         let mut pieces = Vec::new();
-        let mut opaque = Vec::new();
+        let mut opaque: Vec<Range<usize>> = Vec::new();
         for (event, range) in parser(self.text).into_offset_iter() {
             match event {
                 Event::InlineMath(formula) => {
@@ -81,11 +81,23 @@ impl<'a> Page<'a> {
                     pieces.push((range.clone(), equation.map(Woven::Block)));
                 }
                 Event::Start(Tag::CodeBlock(_)) | Event::Code(_) => {}
+                Event::Text(_) if opaque.last().is_none_or(|code| code.end <= range.start) => {
+                    pieces.extend(self.stray_dollar(range));
+                    continue;
+                }
                 _ => continue,
             }
             opaque.push(range);
         }
         (pieces, opaque)
+    }
+
+    /// A formula that does not end is mere text to the parser.
+    fn stray_dollar(&self, text: Range<usize>) -> Option<Piece> {
+        let at = text.start + self.text[text.clone()].find('$')?;
+        let cause = r"this $ belongs to no formula: close it, or write \$".to_owned();
+        let is_escaped = self.text[..at].ends_with('\\');
+        (!is_escaped).then_some((at..at, Err(cause)))
     }
 
     fn directives(&self, opaque: &[Range<usize>]) -> Vec<Piece> {
