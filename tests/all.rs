@@ -19,3 +19,13 @@ mod slips;
 mod speed;
 mod speed_vs_accuracy;
 mod stability;
+
+/// The answers to the exercises of the book, which shows them.
+mod exercises {
+    mod build_test;
+    mod gradient;
+    mod half_b_sphere;
+    mod hittable_list;
+    mod normals;
+    mod red_sphere;
+}

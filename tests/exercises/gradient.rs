@@ -1,0 +1,62 @@
+//! Answers to the exercises of chapter 1.
+
+use common::rtweekend::*;
+
+/// How far away the point at t = 1 is: for the nearest and the farthest pixel
+/// of the picture.
+fn distances_at_1(width: u32) -> (f64, f64) {
+    range_of(width, |ray| (ray.at(1.0) - ray.origin).length())
+}
+
+/// The least and the greatest weight of blue in the picture.
+fn weights(width: u32) -> (f64, f64) {
+    range_of(width, |ray| 0.5 * (ray.direction.normalize().y + 1.0))
+}
+
+/// The least and the greatest `number` of all rays of the picture.
+fn range_of(width: u32, number: impl Fn(&Ray) -> f64) -> (f64, f64) {
+    let camera = Camera::new(width);
+    let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+    for j in 0..camera.image_height {
+        for i in 0..camera.image_width {
+            let number = number(&camera.ray(i, j));
+            least = least.min(number);
+            greatest = greatest.max(number);
+        }
+    }
+    (least, greatest)
+}
+
+#[test]
+fn t_is_1_for_every_pixel_and_the_distance_is_not() {
+    let (nearest, farthest) = distances_at_1(400);
+    assert_eq!(format!("{nearest:.2} {farthest:.2}"), "1.00 2.27");
+}
+
+#[test]
+fn the_picture_is_never_white_and_never_blue() {
+    let (least, greatest) = weights(400);
+    assert_eq!(format!("{least:.3} {greatest:.3}"), "0.147 0.853");
+}
+
+#[test]
+fn the_sky_is_bluest_above_the_middle_and_not_in_the_corners() {
+    let blue = |i| 1.0 - gradient::ray_color(&Camera::new(400).ray(i, 0)).x;
+    assert!((0..400).all(|i| blue(i) <= blue(199)));
+    assert!(blue(0) < 0.85 * blue(199));
+}
+
+/// Whether a height that is rounded to the nearest integer has a row more than
+/// one that is rounded down.
+fn rounding_matters(width: u32) -> bool {
+    let ideal = f64::from(width) / (16.0 / 9.0);
+    ideal.round() as u32 > Camera::new(width).image_height
+}
+
+#[test]
+fn rounding_matters_at_every_other_width_and_not_at_400() {
+    assert!(rounding_matters(401));
+    assert!(!rounding_matters(400));
+    let count = (1..=2000).filter(|&width| rounding_matters(width)).count();
+    assert_eq!(count, 999);
+}

@@ -1,0 +1,80 @@
+//! Answers to the exercises of chapter 3.
+
+use common::rtweekend::*;
+use normals::hit_sphere;
+
+const CENTER: Point3 = Point3::new(0.0, 0.0, -1.0);
+
+/// The bytes of a pixel in the picture of this chapter.
+fn pixel(i: usize, j: usize) -> [u8; 3] {
+    let picture = normals::picture(400);
+    let (pixels, _) = picture.rgb().as_chunks::<3>();
+    pixels[400 * j + i]
+}
+
+#[test]
+fn the_two_pixels_in_the_middle_differ_in_red() {
+    assert_eq!(pixel(199, 112), [127, 127, 255]);
+    assert_eq!(pixel(200, 112), [128, 127, 255]);
+}
+
+/// The share of a sphere's surface that an eye sees from `distance` to the
+/// center: the part where the normal points towards the eye.
+fn visible_share(radius: f64, distance: f64) -> f64 {
+    0.5 * (1.0 - radius / distance)
+}
+
+#[test]
+fn a_quarter_of_the_ball_is_seen() {
+    assert_eq!(visible_share(0.5, 1.0), 0.25);
+
+    // All of it has n.z ≥ ½, so its blue is at least ¾.
+    let camera = Camera::new(400);
+    let mut least_blue = f64::INFINITY;
+    for j in 0..camera.image_height {
+        for i in 0..camera.image_width {
+            let ray = camera.ray(i, j);
+            if red_sphere::hit_sphere(CENTER, 0.5, &ray) {
+                least_blue = least_blue.min(normals::ray_color(&ray).z);
+            }
+        }
+    }
+    assert!((0.75..0.76).contains(&least_blue), "{least_blue}");
+}
+
+/// The nearest root in front of the ray: the farther one, where the nearer one
+/// lies behind.
+fn first_root_ahead(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
+    let oc = center - ray.origin;
+    let a = ray.direction.dot(ray.direction);
+    let b = -2.0 * ray.direction.dot(oc);
+    let c = oc.dot(oc) - radius * radius;
+    let discriminant = b * b - 4.0 * a * c;
+    if discriminant < 0.0 {
+        return None;
+    }
+    let nearer = (-b - discriminant.sqrt()) / (2.0 * a);
+    let farther = (-b + discriminant.sqrt()) / (2.0 * a);
+    [nearer, farther].into_iter().find(|&t| t > 0.0)
+}
+
+#[test]
+fn from_inside_only_the_farther_root_is_ahead() {
+    let ahead = Ray::new(Point3::ZERO, Vec3::NEG_Z);
+    assert_eq!(hit_sphere(CENTER, 2.0, &ahead), Some(-1.0));
+    assert_eq!(first_root_ahead(CENTER, 2.0, &ahead), Some(3.0));
+}
+
+#[test]
+fn from_outside_the_first_root_ahead_is_the_nearer_one() {
+    let away = Ray::new(Point3::ZERO, Vec3::Z);
+    assert_eq!(first_root_ahead(CENTER, 0.5, &away), None);
+    let camera = Camera::new(80);
+    for j in 0..camera.image_height {
+        for i in 0..camera.image_width {
+            let ray = camera.ray(i, j);
+            let first = first_root_ahead(CENTER, 0.5, &ray);
+            assert_eq!(first, hit_sphere(CENTER, 0.5, &ray));
+        }
+    }
+}
