@@ -78,3 +78,25 @@ fn from_outside_the_first_root_ahead_is_the_nearer_one() {
         }
     }
 }
+
+/// How far from 1 the length of the normal gets, if the way from the center to
+/// the point is divided by the radius. The sphere is `radii` of its own radii
+/// away, and a hundred rays aim at it.
+fn worst_length(radii: f64) -> f64 {
+    let center = Point3::new(0.0, 0.0, -radii);
+    let rays = (0..100).map(|k| Vec3::new(0.009 * f64::from(k), 0.1, -radii));
+    let length_off = |direction| {
+        let ray = Ray::new(Point3::ZERO, direction);
+        let t = hit_sphere(center, 1.0, &ray).expect("it is aimed at the sphere");
+        ((ray.at(t) - center).length() - 1.0).abs()
+    };
+    rays.map(length_off).fold(0.0, f64::max)
+}
+
+#[test]
+fn the_radius_is_as_good_as_a_square_root_until_the_sphere_is_far() {
+    assert!(worst_length(2.0) < 1e-15);
+    assert!((1e-12..1e-11).contains(&worst_length(2e2)));
+    assert!((1e-8..1e-7).contains(&worst_length(2e4)));
+    assert!((1e-4..1e-3).contains(&worst_length(2e6)));
+}
