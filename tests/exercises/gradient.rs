@@ -54,7 +54,7 @@ fn rounding_matters(width: u32) -> bool {
 }
 
 #[test]
-fn rounding_matters_at_every_other_width_and_not_at_400() {
+fn rounding_matters_at_half_of_all_widths_and_not_at_400() {
     assert!(rounding_matters(401));
     assert!(!rounding_matters(400));
     let count = (1..=2000).filter(|&width| rounding_matters(width)).count();

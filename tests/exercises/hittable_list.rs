@@ -1,7 +1,7 @@
 //! Answers to the exercises of chapter 5.
 
 use common::rtweekend::*;
-use hittable_list::{Hit, Hittable, HittableList, Sphere, ray_color, world};
+use hittable_list::{Hit, HitRecord, Hittable, HittableList, Sphere, ray_color, world};
 
 /// A world of nothing but spheres.
 struct Spheres(Vec<Sphere>);
@@ -102,4 +102,30 @@ fn a_ray_goes_in_and_out_of_a_ball_and_of_balls_in_balls() {
         [(0.5, true), (0.75, true), (1.25, false), (1.5, false)]
     );
     assert_eq!(crossings(&world(), &ahead), [(0.5, true), (1.5, false)]);
+}
+
+/// The side of a ray when it is asked for at coloring time, of a normal that
+/// points out.
+fn comes_from_inside(ray: &Ray, outward_normal: Vec3) -> bool {
+    ray.direction.dot(outward_normal) > 0.0
+}
+
+#[test]
+fn both_ways_to_ask_for_the_side_agree_unless_the_ray_only_grazes() {
+    let mut record = HitRecord {
+        t: 1.0,
+        point: Point3::Z,
+        normal: Vec3::Z,
+        front_face: true,
+    };
+    for (direction, inside, back_face) in [
+        (Vec3::NEG_Z, false, false),
+        (Vec3::Z, true, true),
+        (Vec3::X, false, true),
+    ] {
+        let ray = Ray::new(Point3::ZERO, direction);
+        assert_eq!(comes_from_inside(&ray, Vec3::Z), inside);
+        record.set_face_normal(&ray, Vec3::Z);
+        assert_eq!(!record.front_face, back_face);
+    }
 }
