@@ -99,4 +99,6 @@ fn the_radius_is_as_good_as_a_square_root_until_the_sphere_is_far() {
     assert!((1e-12..1e-11).contains(&worst_length(2e2)));
     assert!((1e-8..1e-7).contains(&worst_length(2e4)));
     assert!((1e-4..1e-3).contains(&worst_length(2e6)));
+    // A level of a picture is 1/256.
+    assert!(0.5 * worst_length(2e7) > 1.0 / 256.0);
 }
