@@ -11,6 +11,7 @@ mod figures;
 mod hit_command;
 mod measured;
 mod methods;
+mod errata;
 mod oracle;
 mod pictures;
 mod quadratic;
