@@ -16,6 +16,7 @@ mod oracle;
 mod pictures;
 mod quadratic;
 mod reading;
+mod signs;
 mod slips;
 mod speed;
 mod speed_vs_accuracy;
