@@ -2,6 +2,7 @@
 
 mod camera;
 mod charts;
+mod caught;
 mod changes;
 mod check;
 mod check_command;

@@ -1,9 +1,10 @@
 //! What changed from one chapter to the next, in the picture and in the code.
 
-use std::fs;
 use std::path::Path;
 
 use tests::stages::STAGES;
+
+use super::snapshot;
 
 /// The pictures of chapter `name` and of the one before, the pixels that changed,
 /// and the lines of code: as the files say that a test keeps fresh.
@@ -13,10 +14,8 @@ pub(super) fn changes(folder: &Path, name: &str) -> Result<String, String> {
         .find(|[_, after]| after.name == name)
         .ok_or_else(|| format!("no chapter `{name}` comes after another one"))?;
     let file = folder.join("changes").join(name).with_extension("snap");
-    let text = fs::read_to_string(&file).map_err(|cause| format!("{}: {cause}", file.display()))?;
-    // insta begins a snapshot with a header between lines of dashes.
-    let body = text.splitn(3, "---\n").nth(2).unwrap_or(&text);
-    let (picture, code) = body.split_once("\n\n").unwrap_or((body, ""));
+    let body = snapshot::text(&file)?;
+    let (picture, code) = body.split_once("\n\n").unwrap_or((&body, ""));
 
     let mut panels = String::new();
     let pixels = format!("changes/{name}_pixels.snap.png");

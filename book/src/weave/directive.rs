@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::page::Woven;
-use super::{changes, code, figure, measured};
+use super::{changes, code, figure, measured, slip, snapshot};
 
 /// What the directive with this `text` stands for, in a page of `folder`.
 ///
@@ -14,6 +14,9 @@ use super::{changes, code, figure, measured};
 /// | `{{figure NAME}}` | the figure, drawn now, with its caption |
 /// | `{{chart NAME}}` | the chart, and a table of its numbers |
 /// | `{{changes NAME}}` | what changed from the chapter before to this one |
+/// | `{{slip NAME CHAPTER}}` | the wrong picture that this slip draws |
+/// | `{{slips}}` | all slips, by what there is to see |
+/// | `{{snapshot PATH}}` | the Markdown in a snapshot |
 /// | `{{value FILE KEY}}` | a number that was measured |
 pub(super) fn resolve(text: &str, folder: &Path) -> Result<Woven, String> {
     let (name, rest) = split(text.trim());
@@ -25,12 +28,19 @@ pub(super) fn resolve(text: &str, folder: &Path) -> Result<Woven, String> {
         "figure" => figure::figure(rest).map(Woven::Block),
         "chart" => figure::chart(&folder.join("charts"), rest).map(Woven::Block),
         "changes" => changes::changes(folder, rest).map(Woven::Block),
+        "slip" => {
+            let (name, chapter) = split(rest);
+            slip::slip(name, chapter).map(Woven::Block)
+        }
+        "slips" => Ok(Woven::Block(slip::gallery())),
+        "snapshot" => snapshot::text(&folder.join(rest)).map(Woven::Block),
         "value" => {
             let (file, key) = split(rest);
             measured::value(&folder.join(file), key).map(Woven::Inline)
         }
         _ => Err(format!(
-            "there is no directive `{name}`: choose code, figure, chart, changes or value"
+            "there is no directive `{name}`: choose code, figure, chart, changes, slip, slips, \
+             snapshot or value"
         )),
     }
 }

@@ -12,6 +12,8 @@ mod figure;
 mod maths;
 mod measured;
 mod page;
+mod slip;
+mod snapshot;
 mod warnings;
 
 use std::error::Error;

@@ -26,12 +26,14 @@
 //! ```
 
 mod catalogue;
+mod look;
 mod output;
 mod probes;
 mod program;
 mod single;
 
 pub use catalogue::{Slip, Unseen, all, find};
+pub use look::{Look, Sight, sights};
 pub use output::Output;
 pub use probes::{PROBES, Probe, find as find_probe};
 pub use program::{Ball, Chapter, Program};

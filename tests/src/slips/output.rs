@@ -52,6 +52,17 @@ impl Output {
         (0..self.camera.image_width * self.camera.image_height).map(|n| self.pixel(n))
     }
 
+    /// Whether the ray of each pixel hits something, in the same order.
+    pub fn hits(&self) -> impl Iterator<Item = bool> + '_ {
+        let Self { program, camera } = self;
+        let (width, height) = (camera.image_width, camera.image_height);
+        (0..width * height).map(move |n| {
+            let (i, j) = (program.order)(n, width, height);
+            let ray = (program.ray)(camera, i, j);
+            (program.search)(program, &ray).is_some()
+        })
+    }
+
     /// The picture that the same program draws in Rust, where a conversion to a
     /// byte stops at 0 and 255.
     pub fn picture(&self) -> Picture {

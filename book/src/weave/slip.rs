@@ -1,0 +1,148 @@
+//! Wrong pictures, drawn by the slips while the book is woven.
+
+use base64::prelude::{BASE64_STANDARD, Engine as _};
+use common::rtweekend::Picture;
+use tests::png;
+use tests::slips::{self, Chapter, Look, Sight, Slip, Unseen};
+
+/// The picture that a slip draws in a chapter, with the name of both below it.
+pub(super) fn slip(name: &str, chapter: &str) -> Result<String, String> {
+    let slip = slips::find(name).ok_or_else(|| format!("there is no slip `{name}`"))?;
+    let chapter = Chapter::find(chapter)
+        .filter(|chapter| slip.chapters.contains(chapter))
+        .ok_or_else(|| format!("`{name}` can't be made in a chapter `{chapter}`"))?;
+    let stage = chapter.stage();
+    let picture = slip.program(chapter).run(stage.book_width).picture();
+    Ok(format!(
+        "<figure>{}<figcaption><a href=\"slips.html\">{name}</a> in <code>{}</code></figcaption></figure>",
+        image(
+            &picture,
+            &format!("What {name} draws: {}", slip.explanation)
+        ),
+        stage.name
+    ))
+}
+
+/// All slips, by what there is to see.
+pub(super) fn gallery() -> String {
+    let sights = slips::sights();
+    let mut page = String::new();
+    for (look, heading, sentence) in HEADINGS {
+        page += &format!("## {heading}\n\n{sentence}\n\n");
+        let of_this_look = sights.iter().filter(|sight| sight.look == *look);
+        page.extend(of_this_look.map(tile));
+    }
+    page += "## The right picture\n\n\
+             Nothing to see here. A probe, which is another small scene, or a law tells more.\n\n";
+    let seen = |slip: &Slip| {
+        let mut all = sights.iter().flat_map(|sight| &sight.slips);
+        all.any(|other| other.name == slip.name)
+    };
+    for slip in slips::all().filter(|slip| !seen(slip)) {
+        page += &format!("{} {}\n", told(slip), unseen(slip));
+    }
+    page
+}
+
+/// What each look is called, in the order of the page: the most striking first.
+const HEADINGS: &[(Look, &str, &str)] = &[
+    (
+        Look::Gone,
+        "The sphere is gone",
+        "Only the background is left: nearly always it is the picture of chapter 1.",
+    ),
+    (
+        Look::Flooded,
+        "No sky is left",
+        "Every ray seems to hit something.",
+    ),
+    (
+        Look::Misplaced,
+        "Something is where it should not be",
+        "The sphere is too large, stretched, shifted or torn, or the ground is in the sky.",
+    ),
+    (
+        Look::Incomplete,
+        "Something is missing",
+        "A part of what should be hit is sky, and nothing else is wrong with it.",
+    ),
+    (
+        Look::Turned,
+        "Upside down, or in a mirror",
+        "The right picture, turned as a whole.",
+    ),
+    (
+        Look::OtherHits,
+        "The sphere has the wrong colors",
+        "It is where it should be, and the sky is right.",
+    ),
+    (
+        Look::OtherSky,
+        "The background has the wrong colors",
+        "If there is a sphere, it is right.",
+    ),
+    (
+        Look::OtherColors,
+        "All colors are wrong",
+        "Everything is in its place.",
+    ),
+    (
+        Look::OtherSize,
+        "Another size",
+        "The header promises another width or height.",
+    ),
+    (
+        Look::OneLevel,
+        "No eye sees it",
+        "No color is off by more than one level of 255. Only a comparison finds these.",
+    ),
+];
+
+/// A picture, and beside it the slips that draw it.
+fn tile(sight: &Sight) -> String {
+    let chapter = sight.chapter.stage().name;
+    let names: Vec<&str> = sight.slips.iter().map(|slip| slip.name).collect();
+    let alt = format!("What {} draws in {chapter}", names.join(", "));
+    let told: String = sight.slips.iter().map(|slip| told(slip) + "\n").collect();
+    format!(
+        "<div class=\"slip\">\n<figure>{}<figcaption>{chapter}</figcaption></figure>\n<div>\n\n{told}\n</div>\n</div>\n\n",
+        image(&sight.picture, &alt)
+    )
+}
+
+/// The slip in words, as an item of a list.
+fn told(slip: &Slip) -> String {
+    let Slip {
+        name,
+        wrong,
+        right,
+        explanation,
+        ..
+    } = slip;
+    format!("* **[{name}](caught.md#{name})** · `{wrong}` should be `{right}`. {explanation}")
+}
+
+/// What shows the slip where the book's pictures do not.
+fn unseen(slip: &Slip) -> String {
+    if let Some(probe) = slip.shown_by() {
+        return format!("The probe *{probe}* shows it.");
+    }
+    match slip
+        .chapters
+        .iter()
+        .find_map(|&chapter| slip.unseen_in(chapter))
+    {
+        Some(Unseen::OnlyByLaw(law)) => format!("Only a law shows it: {law}"),
+        Some(Unseen::Equivalent(why)) => format!("Nothing shows it: {why}"),
+        None => String::new(),
+    }
+}
+
+fn image(picture: &Picture, alt: &str) -> String {
+    format!(
+        "<img class=\"pixels\" width=\"{}\" height=\"{}\" alt=\"{alt}\" src=\"data:image/png;base64,{}\">",
+        picture.width(),
+        picture.height(),
+        BASE64_STANDARD.encode(png::encode(picture))
+    )
+}
