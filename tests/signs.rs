@@ -22,16 +22,10 @@ fn hit_sphere_of_version_3(center: Point3, radius: f64, ray: &Ray) -> Option<f64
 
 #[test]
 fn both_versions_find_the_same_root() {
-    for Case {
-        center,
-        radius,
-        ray,
-    } in cases()
-    {
-        assert_eq!(
-            hit_sphere_of_version_3(center, radius, &ray),
-            half_b_sphere::hit_sphere(center, radius, &ray)
-        );
+    for case in cases() {
+        let version_3 = case.solve(&hit_sphere_of_version_3);
+        let version_4 = case.solve(&half_b_sphere::hit_sphere);
+        assert_eq!(version_3, version_4);
     }
 }
 
@@ -39,14 +33,9 @@ fn both_versions_find_the_same_root() {
 #[test]
 fn only_the_sign_of_a_zero_tells_the_versions_apart() {
     let bits = |t: Option<f64>| t.map(f64::to_bits);
-    for Case {
-        center,
-        radius,
-        ray,
-    } in cases()
-    {
-        let version_3 = hit_sphere_of_version_3(center, radius, &ray);
-        let version_4 = half_b_sphere::hit_sphere(center, radius, &ray);
+    for case in cases() {
+        let version_3 = case.solve(&hit_sphere_of_version_3);
+        let version_4 = case.solve(&half_b_sphere::hit_sphere);
         assert!(bits(version_3) == bits(version_4) || version_4 == Some(0.0));
     }
 
@@ -68,15 +57,12 @@ fn every_mixture_finds_the_root_of_the_ray_or_of_the_ray_turned_round() {
         for turned in subsets(signs) {
             let program = with_slips(chapter, &turned);
             for case in cases() {
-                let right = match turned.len() % 2 {
-                    0 => case,
-                    _ => case.turned_round(),
+                let found = case.solve(&|c, r, ray: &Ray| program.hit_sphere(c, r, ray));
+                let expected = match turned.len() % 2 {
+                    0 => case.solve(&half_b_sphere::hit_sphere),
+                    _ => case.turned_round().solve(&half_b_sphere::hit_sphere),
                 };
-                assert_eq!(
-                    program.hit_sphere(case.center, case.radius, &case.ray),
-                    Program::right(chapter).hit_sphere(right.center, right.radius, &right.ray),
-                    "{turned:?} in {chapter:?}: {case}"
-                );
+                assert_eq!(found, expected, "{turned:?} in {chapter:?}: {case}");
             }
         }
     }

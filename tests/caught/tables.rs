@@ -73,11 +73,13 @@ fn percent(share: f64) -> String {
 /// a law catches. Each name is an anchor.
 pub(super) fn at_a_glance(outcomes: &[Outcome]) -> String {
     let mut page = String::new();
-    for first in Chapter::ALL {
-        writeln!(
+    for (number, first) in Chapter::ALL.into_iter().enumerate() {
+        let numbers: String = (number..6).map(|number| format!(" {number} |")).collect();
+        let lines = "---|".repeat(8 - number);
+        let name = first.stage().name;
+        write!(
             page,
-            "## Slips that begin in `{}`\n\n| slip | 0 | 1 | 2 | 3 | 4 | 5 | law |\n|---|---|---|---|---|---|---|---|",
-            first.stage().name
+            "## Slips that begin in `{name}`\n\n| slip |{numbers} law |\n|{lines}\n"
         )
         .expect("a string takes it");
         for slip in slips::all().filter(|slip| slip.chapters[0] == first) {
@@ -88,26 +90,28 @@ pub(super) fn at_a_glance(outcomes: &[Outcome]) -> String {
     page + "## The laws and their tests\n\n" + &laws(outcomes)
 }
 
-/// A slip in each chapter, and the first law that it breaks in any of them.
+/// A slip in its first chapter and all that follow, and the first law that it
+/// breaks in any of them.
 fn glance(slip: &Slip, outcomes: &[Outcome]) -> String {
     let of_slip = || {
         outcomes
             .iter()
             .filter(|outcome| outcome.slip.name == slip.name)
     };
-    let cells: String = Chapter::ALL
-        .into_iter()
-        .map(|chapter| {
-            let outcome = of_slip().find(|outcome| outcome.chapter == chapter);
-            format!(
-                " {} |",
-                outcome.map_or(String::new(), Outcome::caught_first_by)
-            )
-        })
-        .collect();
+    let cell = |chapter: &Chapter| {
+        let outcome = of_slip().find(|outcome| outcome.chapter == *chapter);
+        format!(
+            " {} |",
+            outcome.map_or(String::new(), Outcome::caught_first_by)
+        )
+    };
+    let chapters = Chapter::ALL
+        .iter()
+        .filter(|chapter| **chapter >= slip.chapters[0]);
+    let cells: String = chapters.map(cell).collect();
     let law = of_slip().find_map(|outcome| outcome.broken.as_ref());
     format!(
-        "| <span id=\"{name}\">{name}</span> |{cells} {} |\n",
+        "| <span class=\"name\" id=\"{name}\">{name}</span> |{cells} {} |\n",
         law.map_or("", |broken| broken.law),
         name = slip.name,
     )
@@ -126,7 +130,7 @@ impl Outcome {
     fn caught_first_by(&self) -> String {
         let differs = |(_, verdict): &&(&str, Verdict)| *verdict != Verdict::Same;
         match self.verdicts.iter().find(differs) {
-            Some(("book", Verdict::Pixels(share, _))) => format!("{}&nbsp;%", percent(*share)),
+            Some(("book", Verdict::Pixels(share, _))) => percent(*share),
             Some(("book", _)) => "size".to_owned(),
             Some((probe, _)) => format!("*{probe}*"),
             None if self.is_equivalent() => "=".to_owned(),
