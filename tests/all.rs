@@ -12,6 +12,7 @@ mod figures;
 mod hit_command;
 mod measured;
 mod methods;
+mod cpp_to_rust;
 mod errata;
 mod oracle;
 mod pictures;
