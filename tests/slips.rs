@@ -1,6 +1,7 @@
 //! Each slip is a program that differs from the right one as it says.
 
 use std::collections::BTreeSet;
+use std::fs;
 use std::path::Path;
 
 use common::rtweekend::*;
@@ -86,14 +87,39 @@ fn the_names_are_distinct_and_lasting() {
 #[test]
 fn every_slip_leads_to_a_file_that_has_it_right() {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    for slip in slips::all() {
+    for Slip { name, source, .. } in slips::all() {
+        assert!(workspace.join(source).is_file(), "{name}: {source}");
+    }
+}
+
+#[test]
+fn every_slip_leads_to_a_heading_of_the_book() {
+    let notes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../book/notes");
+    for Slip { name, page, .. } in slips::all() {
+        let (file, heading) = page.split_once('#').expect("a page and a heading");
+        let path = notes.join(file).with_extension("md");
+        let text = fs::read_to_string(&path).unwrap_or_else(|cause| {
+            panic!("{name} leads to {}: {cause}", path.display());
+        });
+        let headings: Vec<String> = text.lines().filter_map(heading_address).collect();
         assert!(
-            workspace.join(slip.page).is_file(),
-            "{}: {}",
-            slip.name,
-            slip.page
+            headings.iter().any(|other| other == heading),
+            "{name} leads to {page}, but the headings are {headings:?}"
         );
     }
+}
+
+/// How mdBook addresses a heading: small letters, digits and hyphens.
+fn heading_address(line: &str) -> Option<String> {
+    let words = line.strip_prefix("## ").or(line.strip_prefix("### "))?;
+    let letter = |letter: char| match letter {
+        ' ' => Some('-'),
+        '-' | '_' => Some(letter),
+        _ => letter
+            .is_alphanumeric()
+            .then(|| letter.to_ascii_lowercase()),
+    };
+    Some(words.trim().chars().filter_map(letter).collect())
 }
 
 #[test]

@@ -7,7 +7,7 @@ use tests::check::{Check, Finding};
 use tests::diagnosis::{Conversion, Explains, Scene, Set};
 use tests::slips::Slip;
 
-use super::Judged;
+use super::{Judged, text};
 
 /// One object. Names of slips, probes, causes and verdicts never change.
 pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
@@ -108,6 +108,7 @@ fn slip_as_json(slip: &Slip) -> Value {
         "probably": slip.wrong,
         "should_be": slip.right,
         "why": slip.explanation,
-        "page": slip.page,
+        "read": text::page(slip),
+        "code": slip.source,
     })
 }

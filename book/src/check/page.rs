@@ -83,18 +83,20 @@ fn diagnosis(scene: &Scene, finding: &Finding) -> String {
 }
 
 fn slip_as_html(slip: &Slip) -> String {
-    let [name, wrong, right, explanation, page] = [
+    let [name, wrong, right, explanation, page, source] = [
         slip.name,
         slip.wrong,
         slip.right,
         slip.explanation,
-        slip.page,
+        &text::page(slip),
+        slip.source,
     ]
     .map(escaped);
     format!(
         "<h3>{name}</h3>\n<dl><dt>probably</dt><dd><code>{wrong}</code></dd>\
          <dt>should be</dt><dd><code>{right}</code></dd>\
-         <dt>why</dt><dd>{explanation}</dd><dt>read</dt><dd>{page}</dd></dl>\n"
+         <dt>why</dt><dd>{explanation}</dd><dt>read</dt><dd>{page}</dd>\
+         <dt>code</dt><dd>{source}</dd></dl>\n"
     )
 }
 

@@ -234,7 +234,7 @@ fn in_full(mistake: &[&Slip], style: Style) -> String {
         let label = |label: &str| style.dim(&format!("{label:<9}"));
         write!(
             text,
-            "\n  {}\n    {} {}\n    {} {}\n    {} {}\n    {} {}\n",
+            "\n  {}\n    {} {}\n    {} {}\n    {} {}\n    {} {}\n    {} {}\n",
             style.bold(slip.name),
             label("probably"),
             slip.wrong,
@@ -243,11 +243,18 @@ fn in_full(mistake: &[&Slip], style: Style) -> String {
             label("why"),
             slip.explanation,
             label("read"),
-            slip.page
+            page(slip),
+            label("code"),
+            slip.source
         )
         .expect("a string takes it");
     }
     text
+}
+
+/// Where `cargo rtrace book` puts the page that tells how it is right.
+pub(crate) fn page(slip: &Slip) -> String {
+    format!("target/book/{}", slip.page.replace('#', ".html#"))
 }
 
 pub(crate) fn names(mistake: &[&Slip]) -> String {

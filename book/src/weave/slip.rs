@@ -119,7 +119,10 @@ fn told(slip: &Slip) -> String {
         explanation,
         ..
     } = slip;
-    format!("* **[{name}](caught.md#{name})** · `{wrong}` should be `{right}`. {explanation}")
+    let page = slip.page.replace('#', ".md#");
+    format!(
+        "* **[{name}](caught.md#{name})** · `{wrong}` should be `{right}`. {explanation} [Read]({page})"
+    )
 }
 
 /// What shows the slip where the book's pictures do not.

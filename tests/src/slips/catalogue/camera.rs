@@ -16,7 +16,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "viewport_v = (0, -viewport_height, 0)",
         explanation: "Rows run downwards while y points up, so the edge from top to bottom is negative. The picture stands on its head.",
         evidence: &["#879", "#1076", "#1579"],
-        page: "common/src/camera.rs",
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             viewport_v: |height| Vec3::new(0.0, height, 0.0),
             ..right
@@ -30,7 +31,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "viewport_u = (viewport_width, 0, 0)",
         explanation: "Left and right change places. The sky and a disc in the middle don't show it, the colors of normals do.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             viewport_u: |width| Vec3::new(-width, 0.0, 0.0),
             ..right
@@ -49,7 +51,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
         explanation: "A pixel is sampled in its middle. At its corner, everything moves by half a pixel.",
         evidence: &["#923", "PR #1158"],
-        page: "common/src/camera.rs",
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             inset: 0.0,
             ..right
@@ -63,7 +66,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "pixel00 + i * pixel_delta_u + j * pixel_delta_v",
         explanation: "The camera of older editions puts the first and last pixels on the edges of the viewport: nearly right, but edges differ.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             pixel_deltas: |u, v, width, height| {
                 [u * (1.0 / (width - 1.0)), v * (1.0 / (height - 1.0))]
@@ -80,7 +84,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "… - viewport_u / 2 - viewport_v / 2",
         explanation: "Without the two halves the axis goes through the upper left corner, and only a quarter of the scene is left.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             corner: 0.0,
             ..right
@@ -94,7 +99,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "… - viewport_u / 2 - viewport_v / 2",
         explanation: "With whole edges the axis goes through the lower right corner, and only a quarter of the scene is left.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             corner: 1.0,
             ..right
@@ -108,7 +114,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "viewport_upper_left = center - (0, 0, focal_length) - …",
         explanation: "The camera looks along the negative z axis. With a plus it looks the other way, where nothing is.",
         evidence: &["#1578"],
-        page: "common/src/camera.rs",
+        page: "gradient#the-camera",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             focal_length: -1.0,
             ..right
@@ -127,7 +134,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "viewport_upper_left = center - (0, 0, focal_length) - …",
         explanation: "The eye lies in the plane of the viewport, and every ray stays in it.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#the-camera",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             focal_length: 0.0,
             ..right
@@ -141,7 +149,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "focal_length = 1",
         explanation: "Twice as far from the viewport, the eye sees half of the angle: everything is twice as large.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#the-camera",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             focal_length: 2.0,
             ..right
@@ -155,7 +164,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "viewport_height = 2",
         explanation: "Through half a viewport everything is twice as large, as with a focal length of 2.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#the-camera",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             viewport_height: 1.0,
             ..right
@@ -169,7 +179,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "double aspect_ratio = 16.0 / 9.0",
         explanation: "Two integers divide to an integer, 1: the picture is a square.",
         evidence: &["#952"],
-        page: "common/src/camera.rs",
+        page: "gradient#how-large-is-the-picture",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             aspect_ratio: 1.0,
             ..right
@@ -183,7 +194,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "image_height = image_width / aspect_ratio",
         explanation: "A ratio of width to height divides the width. Multiplied, the picture is higher than wide.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#how-large-is-the-picture",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             image_height: |width, aspect_ratio| (width * aspect_ratio) as u32,
             ..right
@@ -197,7 +209,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "image_height = int(image_width / aspect_ratio)",
         explanation: "The height is cut off, not rounded: at half of all widths the picture has a row too many.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#how-large-is-the-picture",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             image_height: |width, aspect_ratio| ((width / aspect_ratio).round() as u32).max(1),
             ..right
@@ -211,7 +224,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "… and image_height = (image_height < 1) ? 1 : image_height",
         explanation: "A picture one pixel wide is cut off to no row at all.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#how-large-is-the-picture",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             image_height: |width, aspect_ratio| (width / aspect_ratio) as u32,
             ..right
@@ -225,7 +239,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "viewport_width = viewport_height * (double(image_width) / image_height)",
         explanation: "The height was cut off, so the picture's own ratio is not 16:9. At 400 wide it happens to be.",
         evidence: &["#527", "#1246", "#1342", "#1486"],
-        page: "common/src/camera.rs",
+        page: "gradient#how-large-is-the-picture",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             viewport_ratio: |_, _, aspect_ratio| aspect_ratio,
             ..right
@@ -239,7 +254,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "viewport_width = viewport_height * (double(image_width) / image_height)",
         explanation: "Two integers divide to an integer, 1: the viewport is a square, and the sphere an ellipse.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#how-large-is-the-picture",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             viewport_ratio: |width, height, _| (width / height).floor(),
             ..right
@@ -253,7 +269,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "viewport_width = viewport_height * (double(image_width) / image_height)",
         explanation: "The viewport is higher than wide while the picture is wider than high: the sphere becomes an ellipse.",
         evidence: &["PR #487", "#527", "#536"],
-        page: "common/src/camera.rs",
+        page: "gradient#how-large-is-the-picture",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             viewport_ratio: |width, height, _| height / width,
             ..right
@@ -267,7 +284,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "pixel_delta_u = viewport_u / image_width, pixel_delta_v = viewport_v / image_height",
         explanation: "Each edge is divided by the pixels along the other one: stretched sideways, squeezed upwards.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             pixel_deltas: |u, v, width, height| [u * (1.0 / height), v * (1.0 / width)],
             ..right
@@ -281,7 +299,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "pixel00 + i * pixel_delta_u + j * pixel_delta_v",
         explanation: "Column i goes to the right and row j down. Swapped, the picture is transposed and runs out of the viewport.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             ray: |camera, i, j| camera.ray(j, i),
             ..right
@@ -295,7 +314,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "ray_direction = pixel_center - camera_center",
         explanation: "A direction is a difference of two points. It shows as soon as the camera leaves the origin.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#the-camera",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             ray: |camera, i, j| {
                 let ray = camera.ray(i, j);
@@ -315,7 +335,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "ray(center, pixel_center - center)",
         explanation: "The same lines, so the same picture; but t is now a distance, and no longer 1 on the viewport.",
         evidence: &[],
-        page: "common/src/camera.rs",
+        page: "gradient#the-camera",
+        source: "common/src/camera.rs",
         alter: |right| Program {
             ray: |camera, i, j| {
                 let ray = camera.ray(i, j);
@@ -335,7 +356,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "a = 0.5 * (unit_vector(r.direction()).y() + 1)",
         explanation: "The blend is made for unit directions. Without that every row has one color, and the lowest is almost pure white.",
         evidence: &["#306", "PR #308", "#1652"],
-        page: "chapters/1_gradient/src/lib.rs",
+        page: "gradient#the-color-of-the-sky",
+        source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
             blend: |_, direction| 0.5 * (direction.y + 1.0),
             ..right
@@ -349,7 +371,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "unit_vector(v) = v / v.length()",
         explanation: "A unit vector is v divided by its length. Divided by its square, long vectors become too short and short ones too long.",
         evidence: &[],
-        page: "chapters/1_gradient/src/lib.rs",
+        page: "gradient#the-color-of-the-sky",
+        source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
             unit: |v| v * (1.0 / v.length_squared()),
             ..right
@@ -363,7 +386,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "e[0]*e[0] + e[1]*e[1] + e[2]*e[2]",
         explanation: "One component counts twice, one never: each length is wrong, and with it each unit vector.",
         evidence: &[],
-        page: "chapters/1_gradient/src/lib.rs",
+        page: "gradient#the-color-of-the-sky",
+        source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
             unit: |v| v * (1.0 / swapped_length_squared(v).sqrt()),
             squared: match right.chapter {
@@ -381,7 +405,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "a = 0.5 * (unit_direction.y() + 1)",
         explanation: "y runs from -1 to 1, a weight from 0 to 1. Below the horizon the weight is negative, and white exceeds 1.",
         evidence: &[],
-        page: "chapters/1_gradient/src/lib.rs",
+        page: "gradient#the-color-of-the-sky",
+        source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
             blend: |program, direction| (program.unit)(direction).y,
             ..right
@@ -395,7 +420,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "a = 0.5 * (unit_direction.y() + 1)",
         explanation: "y + 1 runs from 0 to 2. Above the horizon the weight exceeds 1, and the sky is too blue.",
         evidence: &[],
-        page: "chapters/1_gradient/src/lib.rs",
+        page: "gradient#the-color-of-the-sky",
+        source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
             blend: |program, direction| (program.unit)(direction).y + 1.0,
             ..right
@@ -409,7 +435,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "a = 0.5 * (unit_direction.y() + 1)",
         explanation: "x points to the right, so the gradient runs from left to right.",
         evidence: &[],
-        page: "chapters/1_gradient/src/lib.rs",
+        page: "gradient#the-color-of-the-sky",
+        source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
             blend: |program, direction| 0.5 * ((program.unit)(direction).x + 1.0),
             ..right
@@ -423,7 +450,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "a = 0.5 * (unit_direction.y() + 1)",
         explanation: "z points to the viewer, so the gradient is a ring around the middle.",
         evidence: &[],
-        page: "chapters/1_gradient/src/lib.rs",
+        page: "gradient#the-color-of-the-sky",
+        source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
             blend: |program, direction| 0.5 * ((program.unit)(direction).z + 1.0),
             ..right
@@ -437,7 +465,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "(1 - a) * white + a * blue",
         explanation: "a is 1 at the top, where the sky is blue. Swapped, the sky is upside down and the sphere is not.",
         evidence: &["#879"],
-        page: "chapters/1_gradient/src/lib.rs",
+        page: "gradient#the-color-of-the-sky",
+        source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
             lerp: |a| a * WHITE + (1.0 - a) * BLUE,
             ..right
@@ -451,7 +480,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "(1 - a) * white + a * blue",
         explanation: "The two weights add up to 1. Without the first one, everything is brighter than white.",
         evidence: &[],
-        page: "chapters/1_gradient/src/lib.rs",
+        page: "gradient#the-color-of-the-sky",
+        source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
             lerp: |a| WHITE + a * BLUE,
             ..right

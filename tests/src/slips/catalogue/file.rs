@@ -14,7 +14,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "r = double(i) / (image_width - 1)",
         explanation: "Two integers divide to an integer: 0 everywhere but in the last column, where it is 1.",
         evidence: &[],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#the-code",
+        source: "chapters/0_build_test/src/lib.rs",
         alter: |right| Program {
             color: |_, camera, i, j| {
                 let last = (camera.image_width - 1).max(1);
@@ -31,7 +32,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "r = double(i) / (image_width - 1)",
         explanation: "The last column is number image_width - 1, so red stops just short of full.",
         evidence: &["#923"],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#the-code",
+        source: "chapters/0_build_test/src/lib.rs",
         alter: |right| Program {
             color: |_, camera, i, j| {
                 let size = f64::from(camera.image_width);
@@ -48,7 +50,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "r = i / (width - 1), g = j / (height - 1)",
         explanation: "Columns run to the right and carry red; here they carry green. The picture is transposed.",
         evidence: &[],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#the-code",
+        source: "chapters/0_build_test/src/lib.rs",
         alter: |right| Program {
             color: |_, camera, i, j| ramp(camera, j.into(), i.into()),
             ..right
@@ -62,7 +65,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "g = j / (height - 1)",
         explanation: "Older editions count rows from below. Here row 0 is at the top, and green grows downwards.",
         evidence: &["#879"],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#the-code",
+        source: "chapters/0_build_test/src/lib.rs",
         alter: |right| Program {
             color: |_, camera, i, j| {
                 let from_below = f64::from(camera.image_height) - 1.0 - f64::from(j);
@@ -79,7 +83,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "b = 0",
         explanation: "Older editions put a quarter of blue into every pixel of this picture.",
         evidence: &["PR #1184"],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#the-code",
+        source: "chapters/0_build_test/src/lib.rs",
         alter: |right| Program {
             color: |_, camera, i, j| ramp(camera, i.into(), j.into()) + Color::new(0.0, 0.0, 0.25),
             ..right
@@ -93,7 +98,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "for j … for i … print",
         explanation: "A file holds row after row. With the loops the other way round it gets column after column.",
         evidence: &[],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#a-picture-is-text",
+        source: "common/src/picture.rs",
         alter: |right| Program {
             order: |n, _, height| (n / height, n % height),
             ..right
@@ -107,7 +113,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "for j = 0 up to image_height - 1",
         explanation: "Older editions print from the last row upwards. With the camera of this one the picture stands on its head.",
         evidence: &["PR #1051", "#766", "#879"],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#a-picture-is-text",
+        source: "common/src/picture.rs",
         alter: |right| Program {
             order: |n, width, height| (n % width, height - 1 - n / width),
             ..right
@@ -121,7 +128,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "for j = 0 to image_height - 1, for i = 0 to image_width - 1",
         explanation: "Pixels are counted from 0. Counted from 1, the picture moves by a pixel to the left and upwards.",
         evidence: &[],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#a-picture-is-text",
+        source: "common/src/picture.rs",
         alter: |right| Program {
             order: |n, width, _| (n % width + 1, n / width + 1),
             ..right
@@ -135,7 +143,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "print image_width, image_height",
         explanation: "The header tells the width first. Swapped, every row breaks at the wrong pixel and the picture shears.",
         evidence: &[],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#a-picture-is-text",
+        source: "common/src/picture.rs",
         alter: |right| Program {
             header: |width, height| (height, width),
             ..right
@@ -152,7 +161,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "print r, g, b",
         explanation: "A pixel is red, green, blue. Reversed, red and blue change places all over the picture.",
         evidence: &[],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#a-picture-is-text",
+        source: "common/src/picture.rs",
         alter: |right| Program {
             channels: [2, 1, 0],
             ..right
@@ -166,7 +176,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "int(255.999 * r)",
         explanation: "Cutting off the fraction leaves level 255 to exactly 1.0 alone, so almost all pixels are a level darker.",
         evidence: &["#1249"],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
         alter: |right| Program {
             level: |component| (255.0 * component) as i32,
             ..right
@@ -180,7 +191,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "int(255.999 * r)",
         explanation: "The factor of older editions: a few pixels are a level darker.",
         evidence: &[],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
         alter: |right| Program {
             level: |component| (255.99 * component) as i32,
             ..right
@@ -194,7 +206,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "int(255.999 * r)",
         explanation: "A component of 1.0 becomes 256, which is no level; a language that stops at 255 shows a few pixels a level brighter.",
         evidence: &["RayTracing/TheRestOfYourLife PR #5"],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
         alter: |right| Program {
             level: |component| (256.0 * component) as i32,
             ..right
@@ -208,7 +221,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "int(255.999 * r)",
         explanation: "How a later chapter of the book does it: a few pixels are a level brighter.",
         evidence: &[],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
         alter: |right| Program {
             level: |component| (256.0 * component.clamp(0.0, 0.999)) as i32,
             ..right
@@ -222,7 +236,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "int(255.999 * r)",
         explanation: "Rounding to the nearest level is no worse, but it is another picture: half of the pixels are a level off.",
         evidence: &[],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
         alter: |right| Program {
             level: |component| (255.0 * component).round() as i32,
             ..right
@@ -236,7 +251,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "int(255.999 * r)",
         explanation: "The conversion cuts off everything below 1 before the factor can spread it: levels are 0 or 255.",
         evidence: &[],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
         alter: |right| Program {
             level: |component| 255_i32.saturating_mul(component as i32),
             ..right
@@ -250,7 +266,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "int(255.999 * r)",
         explanation: "The square root is the gamma correction of a later chapter: everything is too bright.",
         evidence: &[],
-        page: "chapters/0_build_test/src/lib.rs",
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
         alter: |right| Program {
             level: |component| (255.999 * component.sqrt()) as i32,
             ..right
@@ -264,7 +281,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "double",
         explanation: "With 24 bits instead of 53, a few pixels are a level off; small far spheres come out worse.",
         evidence: &["mitsuba-renderer/mitsuba3#512"],
-        page: "tests/stability.rs",
+        page: "cpp_to_rust#small-words",
+        source: "tests/stability.rs",
         alter: |right| Program {
             color: single::color,
             level: |component| (255.999_f32 * component as f32) as i32,

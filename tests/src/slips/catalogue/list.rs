@@ -13,7 +13,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "if (object.hit(r, t_min, closest_so_far, rec))",
         explanation: "Each hit replaces the one before, however far it is. The ground, added last, covers the sphere's lower part.",
         evidence: &["#671", "#1711"],
-        page: "chapters/5_hittable_list/src/hittable_list.rs",
+        page: "hittable_list#the-nearest-one",
+        source: "chapters/5_hittable_list/src/hittable_list.rs",
         alter: |right| Program {
             search: last_hit,
             ..right
@@ -27,7 +28,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "closest_so_far = rec.t; …",
         explanation: "The first object that is hit hides nearer ones that follow. The book adds the near sphere first, so its picture is right.",
         evidence: &[],
-        page: "chapters/5_hittable_list/src/hittable_list.rs",
+        page: "hittable_list#the-nearest-one",
+        source: "chapters/5_hittable_list/src/hittable_list.rs",
         alter: |right| Program {
             search: first_hit,
             ..right
@@ -41,7 +43,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "if (rec.t < closest_so_far)",
         explanation: "The farthest hit covers all nearer ones.",
         evidence: &[],
-        page: "chapters/5_hittable_list/src/hittable_list.rs",
+        page: "hittable_list#the-nearest-one",
+        source: "chapters/5_hittable_list/src/hittable_list.rs",
         alter: |right| Program {
             search: farthest_hit,
             ..right
@@ -55,7 +58,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "… root = (h + sqrtd) / a; if (!range.surrounds(root)) return false",
         explanation: "From inside a sphere the nearer root is behind, and the far one is what the eye sees.",
         evidence: &[],
-        page: "chapters/5_hittable_list/src/sphere.rs",
+        page: "hittable_list#the-nearest-one",
+        source: "chapters/5_hittable_list/src/sphere.rs",
         alter: |right| Program {
             numerators: |first, sqrtd| [first - sqrtd; 2],
             ..right
@@ -69,7 +73,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "if (!ray_t.surrounds(root)) …",
         explanation: "Hits behind the camera count too, and beat those in front: the sky shows the ground's back.",
         evidence: &[],
-        page: "chapters/5_hittable_list/src/sphere.rs",
+        page: "hittable_list#anything-that-a-ray-can-hit",
+        source: "chapters/5_hittable_list/src/sphere.rs",
         alter: |right| Program {
             in_range: |_, _, _| true,
             ..right
@@ -83,7 +88,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "world.hit(r, interval(0, infinity), rec)",
         explanation: "The nearest t of all is the smallest: the ground behind the camera beats what is in front.",
         evidence: &[],
-        page: "chapters/5_hittable_list/src/sphere.rs",
+        page: "hittable_list#anything-that-a-ray-can-hit",
+        source: "chapters/5_hittable_list/src/lib.rs",
         alter: |right| Program {
             t_min: f64::NEG_INFINITY,
             ..right
@@ -97,7 +103,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "t_min < t && t < t_max",
         explanation: "A root exactly at an end of the interval does not count: a ray that leaves a surface must not hit it at t = 0.",
         evidence: &[],
-        page: "chapters/5_hittable_list/src/sphere.rs",
+        page: "hittable_list#anything-that-a-ray-can-hit",
+        source: "chapters/5_hittable_list/src/sphere.rs",
         alter: |right| Program {
             in_range: |t_min, t, t_max| t_min <= t && t <= t_max,
             ..right
@@ -114,7 +121,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "world.hit(r, interval(0, infinity), rec)",
         explanation: "A later chapter needs it, where rays start on surfaces. Here they start at the eye.",
         evidence: &[],
-        page: "chapters/5_hittable_list/src/sphere.rs",
+        page: "hittable_list#anything-that-a-ray-can-hit",
+        source: "chapters/5_hittable_list/src/lib.rs",
         alter: |right| Program {
             t_min: 0.001,
             ..right
@@ -133,7 +141,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "rec.set_face_normal(r, outward_normal)",
         explanation: "From inside a sphere the normal has to turn against the ray. The book's camera is outside of everything.",
         evidence: &[],
-        page: "chapters/5_hittable_list/src/hittable.rs",
+        page: "hittable_list#outward-or-against-the-ray",
+        source: "chapters/5_hittable_list/src/hittable.rs",
         alter: |right| Program {
             face: |_, _, outward| outward,
             ..right
@@ -147,7 +156,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "normal = front_face ? outward_normal : -outward_normal",
         explanation: "Every normal points along the ray, into what it belongs to.",
         evidence: &["#720", "#1729"],
-        page: "chapters/5_hittable_list/src/hittable.rs",
+        page: "hittable_list#outward-or-against-the-ray",
+        source: "chapters/5_hittable_list/src/hittable.rs",
         alter: |right| Program {
             face: |program, direction, outward| {
                 if (program.dot)(direction, outward) < 0.0 {
@@ -167,7 +177,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "sphere((0, -100.5, -1), 100)",
         explanation: "The small sphere must stand on the ground, its lowest point at -0.5. Here it is half sunk.",
         evidence: &[],
-        page: "chapters/5_hittable_list/src/lib.rs",
+        page: "hittable_list#the-world",
+        source: "chapters/5_hittable_list/src/lib.rs",
         alter: |right| Program {
             world: const { &[BALL, Ball::new(0.0, -100.0, -1.0, 100.0)] },
             ..right
@@ -181,7 +192,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "sphere((0, -100.5, -1), 100)",
         explanation: "The ground reaches up to 0, so the small sphere is half sunk.",
         evidence: &[],
-        page: "chapters/5_hittable_list/src/lib.rs",
+        page: "hittable_list#the-world",
+        source: "chapters/5_hittable_list/src/lib.rs",
         alter: |right| Program {
             world: const { &[BALL, Ball::new(0.0, -100.5, -1.0, 100.5)] },
             ..right
@@ -195,7 +207,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "sphere((0, -100.5, -1), 100)",
         explanation: "The ground's center lies below the sphere. A unit nearer, its colors shift a little.",
         evidence: &[],
-        page: "chapters/5_hittable_list/src/lib.rs",
+        page: "hittable_list#the-world",
+        source: "chapters/5_hittable_list/src/lib.rs",
         alter: |right| Program {
             world: const { &[BALL, Ball::new(0.0, -100.5, 0.0, 100.0)] },
             ..right
@@ -209,7 +222,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "… and world.add(sphere((0, -100.5, -1), 100))",
         explanation: "Without the ground the picture is that of the chapter before.",
         evidence: &[],
-        page: "chapters/5_hittable_list/src/lib.rs",
+        page: "hittable_list#the-world",
+        source: "chapters/5_hittable_list/src/lib.rs",
         alter: |right| Program {
             world: &[BALL],
             ..right

@@ -24,8 +24,11 @@ pub struct Slip {
     /// Who made it: issues of `RayTracing/raytracing.github.io`, or of another
     /// repository if that is named. Often empty: few people report a slip.
     pub evidence: &'static [&'static str],
-    /// The file of this workspace that has the line right.
+    /// The page of the book and its heading that tell how it is right, as the
+    /// end of an address: `half_b_sphere#two-observations`.
     pub page: &'static str,
+    /// The file of this workspace that has the line right.
+    pub source: &'static str,
     /// Replaces the step.
     pub alter: fn(Program) -> Program,
     /// Where no picture and no probe shows it, with the reason.

@@ -13,7 +13,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "if (t > 0)",
         explanation: "A negative t is a point behind the camera. The book's sphere is in front, so nothing shows it.",
         evidence: &["#1570"],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#where-the-nearer-root",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             t_min: f64::NEG_INFINITY,
             ..right
@@ -27,7 +28,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "if (t > 0)",
         explanation: "Often tried to bring back a sphere that a slip in a sign has lost. It counts points just behind the camera.",
         evidence: &["#1643", "#1558"],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "half_b_sphere#the-sign-that-got-lost",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             t_min: -1.0,
             ..right
@@ -41,7 +43,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "center = (0, 0, -1)",
         explanation: "The sphere is behind the camera. Chapter 2 draws it all the same, the later ones must not.",
         evidence: &["#1570"],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#where-the-nearer-root",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             world: const { &[Ball::new(0.0, 0.0, 1.0, 0.5)] },
             ..right
@@ -58,7 +61,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "N = unit_vector(r.at(t) - center)",
         explanation: "A normal points away from the center of the sphere, not from the eye.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#which-way-the-normal",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             outward: |program, point, _| (program.unit)(point),
             ..right
@@ -72,7 +76,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "N = unit_vector(r.at(t) - center)",
         explanation: "A normal is the way from the center to the point, a difference.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#which-way-the-normal",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             outward: |program, point, ball| rescaled(program, point + ball.center, ball),
             ..right
@@ -86,7 +91,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "N = unit_vector(r.at(t) - center)",
         explanation: "The way from the point to the center points in.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#which-way-the-normal",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             outward: |program, point, ball| rescaled(program, ball.center - point, ball),
             ..right
@@ -103,7 +109,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "N = unit_vector(r.at(t) - center)",
         explanation: "Its length is the radius, and colors are made for length 1: a small sphere fades to gray, the ground leaves the range.",
         evidence: &["#1062", "#525"],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#which-way-the-normal",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             outward: |_, point, ball| point - ball.center,
             ..right
@@ -117,7 +124,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "outward_normal = (p - center) / radius",
         explanation: "The way from the center to the point is as long as the radius: dividing makes it a unit vector.",
         evidence: &[],
-        page: "chapters/5_hittable_list/src/lib.rs",
+        page: "normals#which-way-the-normal",
+        source: "chapters/5_hittable_list/src/sphere.rs",
         alter: |right| Program {
             outward: |_, point, ball| (point - ball.center) * ball.radius,
             ..right
@@ -131,7 +139,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "outward_normal = (p - center) / radius",
         explanation: "Only slower, since p is on the sphere. It matters for a negative radius, which turns the normal here and was a trick of older editions.",
         evidence: &["#977"],
-        page: "chapters/5_hittable_list/src/lib.rs",
+        page: "normals#which-way-the-normal",
+        source: "chapters/5_hittable_list/src/sphere.rs",
         alter: |right| Program {
             outward: |program, point, ball| (program.unit)(point - ball.center),
             ..right
@@ -150,7 +159,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "r.at(t) = origin + t * direction",
         explanation: "t counts lengths of the direction, whatever that length is.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "gradient#a-ray-is-a-function",
+        source: "common/src/ray.rs",
         alter: |right| Program {
             at: |program, ray, t| ray.origin + t * (program.unit)(ray.direction),
             ..right
@@ -164,7 +174,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "r.at(t) = origin + t * direction",
         explanation: "It shows as soon as a ray starts anywhere but at the origin.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "gradient#a-ray-is-a-function",
+        source: "common/src/ray.rs",
         alter: |right| Program {
             at: |_, ray, t| t * ray.direction,
             ..right
@@ -178,7 +189,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
         explanation: "A normal's components run from -1 to 1, a color's from 0 to 1. Negative ones are printed or cut off.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#a-color-for-each-direction",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             shade: |normal| normal,
             ..right
@@ -192,7 +204,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
         explanation: "Without the 1 half of the components stay negative.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#a-color-for-each-direction",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             shade: |normal| 0.5 * normal,
             ..right
@@ -206,7 +219,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
         explanation: "Without the half components run from 0 to 2, and half of them are too bright for a picture.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#a-color-for-each-direction",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             shade: |normal| normal + Vec3::ONE,
             ..right
@@ -220,7 +234,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
         explanation: "x is red and z is blue. The sky is right, the sphere's red and blue have changed places.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#a-color-for-each-direction",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             shade: |normal| 0.5 * (Vec3::new(normal.z, normal.y, normal.x) + Vec3::ONE),
             ..right
@@ -234,7 +249,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
         explanation: "Absolute values fit into a color, but left and right, above and below look the same.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#a-color-for-each-direction",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             shade: |normal| normal.abs(),
             ..right

@@ -11,7 +11,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "oc = center - r.origin()",
         explanation: "Older editions have it this way round, with another sign in the formula. Mixed, every root changes its sign and the sphere is behind the camera.",
         evidence: &["#1292", "PR #1304", "#1643"],
-        page: "chapters/2_red_sphere/src/lib.rs",
+        page: "signs#every-mixture",
+        source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             oc: |center, origin| origin - center,
             ..right
@@ -28,7 +29,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "b = -2 * dot(r.direction(), oc)",
         explanation: "The sign belongs to oc = center - origin. Without it every root changes its sign and the sphere is behind the camera.",
         evidence: &["#1292", "#1643"],
-        page: "chapters/2_red_sphere/src/lib.rs",
+        page: "signs#every-mixture",
+        source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             linear: |d_oc| 2.0 * d_oc,
             ..right
@@ -45,7 +47,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "b = -2 * dot(r.direction(), oc)",
         explanation: "That is half of b, and the formula is the one for the whole: the discriminant is far too small.",
         evidence: &[],
-        page: "chapters/2_red_sphere/src/lib.rs",
+        page: "red_sphere#the-ray-in-the-equation",
+        source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             linear: |d_oc| -d_oc,
             ..right
@@ -59,7 +62,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "discriminant = b*b - 4*a*c",
         explanation: "The 4 goes only if b is halved. Here the discriminant is too large, and every ray hits.",
         evidence: &["#113", "#126", "#146", "RayTracing/InOneWeekend#17"],
-        page: "chapters/2_red_sphere/src/lib.rs",
+        page: "red_sphere#what-the-discriminant-says",
+        source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             discriminant: |a, b, c| b * b - a * c,
             ..right
@@ -73,7 +77,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "discriminant = h*h - a*c",
         explanation: "Halving b cancels the 4. With it the discriminant is too small, and the small sphere is gone.",
         evidence: &["#113", "#126", "#146", "RayTracing/InOneWeekend#17"],
-        page: "chapters/4_half_b_sphere/src/lib.rs",
+        page: "half_b_sphere#two-observations",
+        source: "chapters/4_half_b_sphere/src/lib.rs",
         alter: |right| Program {
             discriminant: |a, h, c| h * h - 4.0 * a * c,
             ..right
@@ -87,7 +92,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "b*b - 4*a*c, or h*h - a*c",
         explanation: "From outside a sphere c is positive, so the sum is as well, and every line seems to meet the sphere.",
         evidence: &[],
-        page: "chapters/2_red_sphere/src/lib.rs",
+        page: "red_sphere#what-the-discriminant-says",
+        source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             discriminant: match right.chapter {
                 Chapter::RedSphere | Chapter::Normals => |a, b, c| b * b + 4.0 * a * c,
@@ -104,7 +110,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "discriminant >= 0",
         explanation: "A ray that only touches the sphere has one root, and the discriminant is 0. No ray of the camera touches exactly.",
         evidence: &["#110", "#1057", "#1058", "PR #1124"],
-        page: "chapters/2_red_sphere/src/lib.rs",
+        page: "red_sphere#what-the-discriminant-says",
+        source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             meets: |discriminant| discriminant > 0.0,
             ..right
@@ -118,7 +125,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "c = dot(oc, oc) - radius*radius",
         explanation: "A radius of 0.5 acts as its square root, 0.707: the disc is too large.",
         evidence: &[],
-        page: "chapters/2_red_sphere/src/lib.rs",
+        page: "red_sphere#the-equation-of-a-sphere",
+        source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             constant: |oc_squared, radius| oc_squared - radius,
             ..right
@@ -132,7 +140,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "c = dot(oc, oc) - radius*radius",
         explanation: "The square of the radius comes from the right side of the equation. With a plus there is no such sphere.",
         evidence: &[],
-        page: "chapters/2_red_sphere/src/lib.rs",
+        page: "red_sphere#the-equation-of-a-sphere",
+        source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             constant: |oc_squared, radius| oc_squared + radius * radius,
             ..right
@@ -146,7 +155,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "c = dot(oc, oc) - radius*radius",
         explanation: "The equation has the square of the distance. Near 1 the two are alike, so a sphere at -1 hides it.",
         evidence: &[],
-        page: "chapters/2_red_sphere/src/lib.rs",
+        page: "red_sphere#the-equation-of-a-sphere",
+        source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             constant: |oc_squared, radius| oc_squared.sqrt() - radius * radius,
             ..right
@@ -160,7 +170,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "a = dot(r.direction(), r.direction())",
         explanation: "That holds for unit directions only. Here it gives every ray the discriminant of the one in the middle, and every ray hits.",
         evidence: &[],
-        page: "chapters/2_red_sphere/src/lib.rs",
+        page: "red_sphere#the-ray-in-the-equation",
+        source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             a: |_, _| 1.0,
             ..right
@@ -174,7 +185,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "u.x*v.x + u.y*v.y + u.z*v.z",
         explanation: "With oc.z and d.z both -1 the last product is right by chance. Any other sphere, and every normal's side, is wrong.",
         evidence: &["#1292"],
-        page: "chapters/2_red_sphere/src/lib.rs",
+        page: "red_sphere#the-ray-in-the-equation",
+        source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             dot: |u, v| u.x * v.x + u.y * v.y + u.z * u.z,
             ..right
@@ -188,7 +200,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "u.x*v.x + u.y*v.y + u.z*v.z",
         explanation: "A dot product has three terms. Without the third, depth is lost.",
         evidence: &[],
-        page: "chapters/2_red_sphere/src/lib.rs",
+        page: "red_sphere#the-ray-in-the-equation",
+        source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             dot: |u, v| u.x * v.x + u.y * v.y,
             ..right
@@ -202,7 +215,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "return (-b - sqrt(discriminant)) / (2*a)",
         explanation: "Left from chapter 2: true turns into t = 1 for every hit. The disc is right, its colors are a wheel of directions without depth.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#where-the-nearer-root",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             divide: |_, _| 1.0,
             ..right
@@ -216,7 +230,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "double hit_sphere(…) { … return -1.0;",
         explanation: "As a bool every number but 0 is true, and true turns into t = 1. All pixels are colored, also those that miss.",
         evidence: &["#157"],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#where-the-nearer-root",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             meets: |_| true,
             divide: |_, _| 1.0,
@@ -231,7 +246,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "(h - sqrt(discriminant)) / a",
         explanation: "b is -2h, so -b is 2h: the minus is used up. With another one the root is minus the far one, and the sphere is behind the camera.",
         evidence: &["#1292", "PR #1304", "#1643"],
-        page: "chapters/4_half_b_sphere/src/lib.rs",
+        page: "half_b_sphere#the-sign-that-got-lost",
+        source: "chapters/4_half_b_sphere/src/lib.rs",
         alter: |right| Program {
             first_term: |h| -h,
             ..right
@@ -245,7 +261,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "(-b - sqrt(discriminant)) / (2*a)",
         explanation: "Without the minus the root is minus the far one, and the sphere is behind the camera.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "signs#every-mixture",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             first_term: |b| b,
             ..right
@@ -259,7 +276,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "(-b - sqrt(discriminant)) / (2*a)",
         explanation: "The plus gives the far side of the sphere, seen from inside.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#where-the-nearer-root",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             numerators: |first, sqrtd| [first + sqrtd; 2],
             ..right
@@ -273,7 +291,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "(-b - sqrt(discriminant)) / (2*a)",
         explanation: "The discriminant's sign alone decides which lines meet the sphere, so the disc stays; but the points are not on it.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#where-the-nearer-root",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             sqrt: |discriminant| discriminant,
             ..right
@@ -287,7 +306,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "(-b - sqrt(discriminant)) / (2*a)",
         explanation: "That divides by 2 and then multiplies by a. In the middle, where a is 1, it is right.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#where-the-nearer-root",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             divide: |numerator, a| numerator / 2.0 * a,
             ..right
@@ -301,7 +321,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "(-b - sqrt(discriminant)) / (2*a)",
         explanation: "That is the division of the next chapter, where b is halved. Here t is twice as large.",
         evidence: &[],
-        page: "chapters/3_normals/src/lib.rs",
+        page: "normals#where-the-nearer-root",
+        source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             divide: |numerator, a| numerator / a,
             ..right
@@ -315,7 +336,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "(h - sqrt(discriminant)) / a",
         explanation: "Halving b cancels the 2. With it t is half as large.",
         evidence: &[],
-        page: "chapters/4_half_b_sphere/src/lib.rs",
+        page: "half_b_sphere#two-observations",
+        source: "chapters/4_half_b_sphere/src/lib.rs",
         alter: |right| Program {
             divide: |numerator, a| numerator / (2.0 * a),
             ..right
@@ -329,7 +351,8 @@ pub(super) const SLIPS: &[Slip] = &[
         right: "(h - sqrt(discriminant)) / a",
         explanation: "That is right for unit directions only. The rays here are longer away from the middle.",
         evidence: &[],
-        page: "chapters/4_half_b_sphere/src/lib.rs",
+        page: "half_b_sphere#two-observations",
+        source: "chapters/4_half_b_sphere/src/lib.rs",
         alter: |right| Program {
             divide: |numerator, _| numerator,
             ..right
