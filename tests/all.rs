@@ -23,6 +23,7 @@ mod slips;
 mod speed;
 mod speed_vs_accuracy;
 mod stability;
+mod weave;
 
 /// The answers to the exercises of the book, which shows them.
 mod exercises {

@@ -7,7 +7,7 @@ use std::path::Path;
 use common::rtweekend::*;
 use hittable_list::{HittableList, Sphere};
 use tests::comparison::{Comparison, differing_pixels};
-use tests::slips::{self, Ball, Chapter, PROBES, Program, Slip};
+use tests::slips::{self, Ball, Chapter, Look, PROBES, Program, Slip};
 
 #[test]
 fn a_program_without_a_slip_is_the_chapter_to_the_last_bit() {
@@ -309,6 +309,50 @@ fn the_text_of_a_slip_has_the_numbers_that_a_picture_cannot_hold() {
     assert!(text("times-256", Chapter::BuildTest).ends_with("\n256 256 0\n"));
     assert!(text("normal-not-mapped", Chapter::Normals).contains('-'));
     assert!(text("header-swapped", Chapter::Gradient).starts_with("P3\n9 16\n255\n"));
+}
+
+#[test]
+fn what_a_slip_looks_like_has_a_name() {
+    use Chapter::{BuildTest, Gradient, HalfBSphere, HittableList, Normals, RedSphere};
+    let sights = slips::sights();
+    for (name, chapter, look) in [
+        ("minus-h", HalfBSphere, Look::Gone),
+        ("minus-h", HittableList, Look::Misplaced),
+        ("discriminant-without-four", RedSphere, Look::Flooded),
+        ("radius-not-squared", RedSphere, Look::Misplaced),
+        ("ground-not-added", HittableList, Look::Incomplete),
+        ("red-and-green-swapped", BuildTest, Look::Turned),
+        ("viewport-upside-down", Gradient, Look::Turned),
+        ("viewport-mirrored", Normals, Look::Turned),
+        ("far-root", Normals, Look::OtherHits),
+        ("white-and-blue-swapped", Normals, Look::OtherSky),
+        ("gamma-too-early", Normals, Look::OtherColors),
+        ("header-swapped", Gradient, Look::OtherSize),
+        ("grid-not-inset", Gradient, Look::Faint),
+    ] {
+        let sight = sights.iter().find(|sight| {
+            let names = || sight.slips.iter().map(|slip| slip.name);
+            sight.chapter == chapter && names().any(|other| other == name)
+        });
+        let found = sight.map(|sight| sight.look);
+        assert_eq!(found, Some(look), "{name} in {chapter:?}");
+    }
+}
+
+#[test]
+fn slips_that_share_a_sight_draw_the_same_picture() {
+    for sight in slips::sights() {
+        for slip in &sight.slips {
+            let drawn = slip.program(sight.chapter).run(slips::SIGHT_WIDTH);
+            let name = slip.name;
+            assert_eq!(
+                drawn.picture(),
+                sight.picture,
+                "{name} in {:?}",
+                sight.chapter
+            );
+        }
+    }
 }
 
 #[test]

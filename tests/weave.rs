@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Output;
 
 use tempfile::TempDir;
+use tests::slips;
 
 use crate::command_line::{assert_success, names_in, program, run, text};
 
@@ -90,6 +91,34 @@ fn a_figure_is_drawn_into_the_page_with_its_caption() {
 }
 
 #[test]
+fn a_slip_is_drawn_into_the_page_with_its_name() {
+    let page = Book::new("{{slip minus-h hittable_list}}").page();
+    assert!(page.contains("src=\"data:image/png;base64,"), "{page}");
+    assert!(
+        page.contains("minus-h</a> in <code>hittable_list"),
+        "{page}"
+    );
+}
+
+#[test]
+fn the_gallery_shows_every_sight_and_names_every_slip() {
+    let page = Book::new("{{slips}}").page();
+    assert_eq!(page.matches("<img ").count(), slips::sights().len());
+    for slip in slips::all() {
+        assert!(page.contains(&format!(">{}</a>", slip.name)), "{slip:?}");
+    }
+}
+
+#[test]
+fn a_snapshot_is_shown_without_its_header() {
+    let book = Book::new("{{snapshot kept.snap}}");
+    book.write("kept.snap", "---\nsource: a.rs\n---\nA *kept* text.\n");
+    let page = book.page();
+    assert!(page.contains("<p>A <em>kept</em> text.</p>"), "{page}");
+    assert!(!page.contains("a.rs"), "{page}");
+}
+
+#[test]
 fn a_measured_value_comes_from_its_file() {
     let book = Book::new(
         "It takes {{value times.csv near/half_b.ns}} ns on {{value times.csv machine}}, \
@@ -157,6 +186,9 @@ fn what_cannot_be_woven_fails_the_build_with_file_line_and_cause() {
         ("{{code Broken.rs a}}", "Broken.rs: line 2"),
         ("{{figure unicorn}}", "no figure `unicorn`: there are"),
         ("{{chart unicorn}}", "unicorn"),
+        ("{{slip unicorn gradient}}", "no slip `unicorn`"),
+        ("{{slip minus-h gradient}}", "can't be made in a chapter"),
+        ("{{snapshot unicorn.snap}}", "unicorn.snap"),
         ("{{changes unicorn}}", "no chapter `unicorn`"),
         (
             "{{changes build_test}}",

@@ -145,7 +145,7 @@ impl Outcome {
 /// Each law that a slip breaks, where it is tested, and the slips that break it
 /// before any other.
 fn laws(outcomes: &[Outcome]) -> String {
-    let mut table = "| | law and test | slips |\n|---|---|---|\n".to_owned();
+    let mut list = String::new();
     for (n, (law, file, test)) in (1..).zip(TESTS) {
         let breaks = |slip: &&Slip| {
             let mut of_slip = outcomes
@@ -159,12 +159,12 @@ fn laws(outcomes: &[Outcome]) -> String {
             .collect();
         let slips = slips.join(", ");
         writeln!(
-            table,
-            "| <span id=\"law-{n}\">{n}</span> | {law}: `{test}` in `tests/{file}` | {slips} |"
+            list,
+            "{n}. <span id=\"law-{n}\">**{law}**</span>: `{test}` in `tests/{file}` catches {slips}."
         )
         .expect("a string takes it");
     }
-    table
+    list
 }
 
 /// Each law, and the test that puts the chapters under it.

@@ -92,9 +92,9 @@ const HEADINGS: &[(Look, &str, &str)] = &[
         "The header promises another width or height.",
     ),
     (
-        Look::OneLevel,
+        Look::Faint,
         "No eye sees it",
-        "No color is off by more than one level of 255. Only a comparison finds these.",
+        "No color is off by more than two levels of 255. Only a comparison finds these.",
     ),
 ];
 
@@ -119,9 +119,9 @@ fn told(slip: &Slip) -> String {
         explanation,
         ..
     } = slip;
-    let page = slip.page.replace('#', ".md#");
+    let (page, heading) = slip.page.split_once('#').unwrap_or((slip.page, ""));
     format!(
-        "* **[{name}](caught.md#{name})** · `{wrong}` should be `{right}`. {explanation} [Read]({page})"
+        "* **[{name}](caught.md#{name})** · `{wrong}` should be `{right}`. {explanation} See [{page}]({page}.md#{heading})."
     )
 }
 

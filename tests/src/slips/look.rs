@@ -11,8 +11,8 @@ use super::{Slip, all};
 pub enum Look {
     /// The right picture.
     Right,
-    /// No level is more than 1 off.
-    OneLevel,
+    /// No level is more than 2 off, which nobody sees.
+    Faint,
     /// Another width or height.
     OtherSize,
     /// There should be a sphere, and nothing is hit.
@@ -46,7 +46,7 @@ pub struct Sight {
 }
 
 /// How wide the pictures of all sights are, in pixels: exactly 16:9.
-const WIDTH: u32 = 96;
+pub const SIGHT_WIDTH: u32 = 96;
 
 /// Everything that can be seen: each slip in the first chapter in which it has
 /// a look, and again in the first one in which it has another.
@@ -107,7 +107,7 @@ impl Look {
         let [sky_off, hits_off] = levels_off(right, wrong);
         match sky_off.max(hits_off) {
             0 => Self::Right,
-            1 => Self::OneLevel,
+            1 | 2 => Self::Faint,
             _ if lost && wrong.is_hit.iter().all(|is_hit| !is_hit) => Self::Gone,
             _ if gained && wrong.is_hit.iter().all(|is_hit| *is_hit) => Self::Flooded,
             _ if turned(&right.picture).contains(&wrong.picture) => Self::Turned,
@@ -128,7 +128,7 @@ struct Drawn {
 
 impl Drawn {
     fn by(program: &Program) -> Self {
-        let output = program.run(WIDTH);
+        let output = program.run(SIGHT_WIDTH);
         Self {
             picture: output.picture(),
             is_hit: output.hits().collect(),

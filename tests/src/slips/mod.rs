@@ -33,7 +33,7 @@ mod program;
 mod single;
 
 pub use catalogue::{Slip, Unseen, all, find};
-pub use look::{Look, Sight, sights};
+pub use look::{Look, SIGHT_WIDTH, Sight, sights};
 pub use output::Output;
 pub use probes::{PROBES, Probe, find as find_probe};
 pub use program::{Ball, Chapter, Program};
