@@ -1,5 +1,7 @@
 //! All tests. A file tests what its name says; each begins by saying how.
 
+mod book;
+mod browser;
 mod camera;
 mod charts;
 mod caught;

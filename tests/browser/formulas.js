@@ -1,0 +1,36 @@
+// What is wrong with the formulas of the page: [what, formula].
+(() => {
+    const canvas = new OffscreenCanvas(1, 1).getContext("2d");
+    const width = (font, text) => {
+        canvas.font = `100px ${font}`;
+        return canvas.measureText(text).width;
+    };
+    // A sign that the font lacks is as wide as without the font.
+    const lacks = (letter) => ["serif", "monospace"].every(
+        (other) => width(`"Notes Math", ${other}`, letter) === width(other, letter));
+    const invisible = /[\s\u2061-\u2064]/;
+
+    const wrong = [];
+    for (const formula of document.querySelectorAll("math")) {
+        const { width, height } = formula.getBoundingClientRect();
+        const size = parseFloat(getComputedStyle(formula).fontSize);
+        const around = parseFloat(getComputedStyle(formula.parentElement).fontSize);
+        const text = formula.textContent;
+        if (width < 4 || height < 8 || height > 400) {
+            wrong.push([`${width} × ${height} pixels`, text]);
+        }
+        if (size < around || size > 1.5 * around) {
+            wrong.push([`${size} pixels high in a text of ${around}`, text]);
+        }
+        const missing = [...new Set(text)].filter((letter) => !invisible.test(letter) && lacks(letter));
+        if (missing.length > 0 && !formula.querySelector("mtext")) {
+            wrong.push([`the font lacks ${missing.join(" ")}`, text]);
+        }
+    }
+    const loaded = [...document.fonts].some(
+        (font) => font.family.includes("Notes Math") && font.status === "loaded");
+    if (document.querySelector("math") && !loaded) {
+        wrong.push(["the font is not loaded", ""]);
+    }
+    return wrong;
+})()
