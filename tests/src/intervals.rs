@@ -121,6 +121,65 @@ pub fn the_nearest_root_in_the_interval_is_returned(
     }
 }
 
+/// For every finite input, there is a hit exactly if a root lies in the interval,
+/// and `t` is nearer to that root than rounding alone explains.
+///
+/// One exception is by definition: between two neighbors there is no `f64` to
+/// return, so an interval like that is missed.
+pub fn the_decision_is_exactly_right(solve: &RangeSolver, asked: &WithInterval) -> Verdict {
+    let WithInterval { case, t_min, t_max } = asked;
+    let exact = case.exact();
+    let has_numbers = t_min.next_up() < *t_max;
+    let root = exact
+        .nearest_root_in(*t_min, *t_max)
+        .filter(|_| has_numbers);
+    let found = asked.solve(solve);
+    let is_right = match (found, root) {
+        (None, None) => true,
+        (Some(t), Some(root)) => {
+            let bound = root_bound(case, exact.discriminant_margin());
+            let is_near = (t - root.rounded()).abs() <= bound || root.error_in_ulps(t) <= 1.0;
+            t_min < &t && &t < t_max && (is_near || !case.is_well_scaled())
+        }
+        _ => false,
+    };
+    if is_right {
+        return Ok(());
+    }
+    Err(Broken {
+        law: "the decision is exactly right",
+        found: format!("{found:?}"),
+        allowed: match root {
+            Some(root) => format!("a hit near {:?}", root.rounded()),
+            None => "a miss".to_owned(),
+        },
+        cause: "a bound of the filter is too narrow, or an end of its range of exponents is open"
+            .to_owned(),
+        page: "the proofs of chapter 6",
+    })
+}
+
+/// For every finite input, `t` is within so many ulps of the nearest root in the
+/// interval; a root that no `f64` reaches becomes the largest one.
+pub fn t_is_within_ulps(solve: &RangeSolver, asked: &WithInterval, ulps: f64) -> Verdict {
+    let exact = asked.case.exact();
+    let root = exact.nearest_root_in(asked.t_min, asked.t_max);
+    let (Some(t), Some(root)) = (asked.solve(solve), root) else {
+        return Ok(());
+    };
+    let error = root.error_in_ulps(t);
+    if error <= ulps || (root.rounded().is_infinite() && t.abs() == f64::MAX) {
+        return Ok(());
+    }
+    Err(Broken {
+        law: "t is the exact root, rounded",
+        found: format!("t = {t:?}, {error:.3} ulps away"),
+        allowed: format!("{:?} ± {ulps} ulps", root.rounded()),
+        cause: "a bound of the filter is too narrow, or its last step loses digits".to_owned(),
+        page: "the proofs of chapter 6",
+    })
+}
+
 impl WithInterval {
     /// The answer of `solve` to this case.
     pub fn solve(&self, solve: &RangeSolver) -> Option<f64> {

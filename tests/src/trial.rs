@@ -108,7 +108,7 @@ pub fn first_broken<T: Simplify>(
     count: u32,
     law: impl Fn(&T) -> Verdict,
 ) -> Option<(T, Broken)> {
-    let mut runner = runner();
+    let mut runner = runner(&chosen_seed());
     for _ in 0..count {
         let mut tree = new_tree(strategy, &mut runner);
         if law(&tree.current()).is_err() {
@@ -123,10 +123,18 @@ pub fn first_broken<T: Simplify>(
 
 /// The first `count` values of `strategy`, the same in every run.
 pub fn samples<T: Debug>(strategy: &impl Strategy<Value = T>, count: u32) -> Vec<T> {
-    let mut runner = runner();
-    (0..count)
-        .map(|_| new_tree(strategy, &mut runner).current())
+    endless(strategy, &chosen_seed())
+        .take(count as usize)
         .collect()
+}
+
+/// Values of `strategy` without end, the same whenever the seed is.
+pub fn endless<T: Debug>(
+    strategy: &impl Strategy<Value = T>,
+    seed: &str,
+) -> impl Iterator<Item = T> {
+    let mut runner = runner(seed);
+    std::iter::repeat_with(move || new_tree(strategy, &mut runner).current())
 }
 
 /// How many cases a law is tried on: 1000, or what the environment variable
@@ -156,12 +164,12 @@ fn shrink<T>(tree: &mut impl ValueTree<Value = T>, law: &impl Fn(&T) -> Verdict)
 
 /// The same cases in every run, so that a failure is never luck; or the cases
 /// of another seed, with the environment variable `PROPTEST_SEED`.
-fn runner() -> TestRunner {
-    let mut seed = [0; 32];
-    for (byte, letter) in seed.iter_mut().zip(chosen_seed().bytes()) {
+fn runner(seed: &str) -> TestRunner {
+    let mut bytes = [0; 32];
+    for (byte, letter) in bytes.iter_mut().zip(seed.bytes()) {
         *byte = letter;
     }
-    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &seed);
+    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &bytes);
     TestRunner::new_with_rng(Config::default(), rng)
 }
 
