@@ -18,6 +18,7 @@ mod cpp_to_rust;
 mod errata;
 mod oracle;
 mod pictures;
+mod proofs;
 mod quadratic;
 mod reading;
 mod signs;

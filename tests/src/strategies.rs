@@ -11,7 +11,6 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 use crate::case::{Case, WithInterval};
-use crate::oracle::Root;
 
 /// Any of the cases below whose numbers are finite and in ordinary range: all
 /// but [`exponents`] and [`specks`].
@@ -292,15 +291,10 @@ pub fn any_numbers() -> impl Strategy<Value = Case> {
 pub fn with_hostile_interval(
     cases: impl Strategy<Value = Case>,
 ) -> impl Strategy<Value = WithInterval> {
-    (cases, end(), end()).prop_map(|(case, low, high)| {
-        let exact = case.exact();
-        let root = |root: Option<Root>| root.map_or(0.5, |root| root.rounded());
-        let roots = [exact.nearer_root(), exact.farther_root()].map(root);
-        WithInterval {
-            case,
-            t_min: low.near(roots, 0.0),
-            t_max: high.near(roots, f64::INFINITY),
-        }
+    (cases, end(), end()).prop_map(|(case, low, high)| WithInterval {
+        case,
+        t_min: low.of(&case).unwrap_or(0.0),
+        t_max: high.of(&case).unwrap_or(f64::INFINITY),
     })
 }
 
@@ -310,7 +304,7 @@ enum End {
     /// What a program asks for: 0 and ∞.
     Usual,
     /// A root, and so many ulps from it.
-    Root(usize, i32),
+    Root { nearer: bool, ulps: i32 },
     /// A number, whatever the roots are.
     At(f64),
 }
@@ -327,18 +321,27 @@ fn end() -> impl Strategy<Value = End> {
     ];
     prop_oneof![
         50 => Just(End::Usual),
-        40 => (0..2_usize, -2..=2).prop_map(|(which, ulps)| End::Root(which, ulps)),
+        40 => (any::<bool>(), -2..=2).prop_map(|(nearer, ulps)| End::Root { nearer, ulps }),
         9 => select(fixed).prop_map(End::At),
         1 => Just(End::At(f64::NAN)),
     ]
 }
 
 impl End {
-    fn near(self, roots: [f64; 2], usual: f64) -> f64 {
+    /// Where the end is; `None` where a program would have it.
+    fn of(self, case: &Case) -> Option<f64> {
         match self {
-            Self::Usual => usual,
-            Self::Root(which, ulps) => ulps_away(roots[which], ulps),
-            Self::At(x) => x,
+            Self::Usual => None,
+            Self::At(x) => Some(x),
+            Self::Root { nearer, ulps } => {
+                let exact = case.exact();
+                let root = if nearer {
+                    exact.nearer_root()
+                } else {
+                    exact.farther_root()
+                };
+                Some(ulps_away(root?.rounded(), ulps))
+            }
         }
     }
 }

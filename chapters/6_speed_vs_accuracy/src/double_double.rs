@@ -8,7 +8,7 @@ use crate::error_free::{quick_two_sum, two_product, two_sum};
 
 /// `half_b_q` with some 106 digits instead of 53; `t` is rounded at the end.
 ///
-/// Cost: 1 √, 2 to 4 ÷, and about 700 + or ×. Error: at most 64u²·a·M in D (see
+/// Cost: 1 √, 2 to 4 ÷, and about 700 + or ×. Error: at most 72u²·a·M in D (see
 /// the proofs), where rounded once it is 24u·a·M. Fails: by the decision from
 /// 10¹⁴ radii on; at |d|·|oc| above 1e145 or below 1e-140. Source: Dekker 1971;
 /// the error bounds of its operations: Joldes, Muller and Popescu, *Tight and
@@ -104,7 +104,8 @@ impl Double {
         (self.high - x) + self.low
     }
 
-    /// One step of Newton's method from the root that hardware finds.
+    /// One step of Newton's method from the root that hardware finds; off by no
+    /// more than 8u² of it.
     fn sqrt(self) -> Self {
         let root = self.high.sqrt();
         if root == 0.0 {
@@ -170,7 +171,7 @@ impl Mul for Double {
 impl std::ops::Div for Double {
     type Output = Self;
 
-    /// Off by no more than 16u² of the quotient.
+    /// Off by no more than 20u² of the quotient.
     fn div(self, other: Self) -> Self {
         let first = self.high / other.high;
         let rest = self - other * Self::from(first);
