@@ -28,7 +28,7 @@ fn the_books_program_in_cpp_draws_the_same_bytes() {
     };
     // The build test has no part in the race.
     for stage in &stages::of_the_book()[1..] {
-        for width in [1, 63, 64, 65, 131, 257] {
+        for width in [1, 79, 80, 81, 161, 257] {
             let drawn = Command::new(&program)
                 .args([stage.name, &width.to_string()])
                 .output()
@@ -42,12 +42,12 @@ fn the_books_program_in_cpp_draws_the_same_bytes() {
     }
 }
 
-/// A block of 64 pixels may hang over the edge of the picture, a strip of blocks
+/// A block of 80 pixels may hang over the edge of the picture, a strip of blocks
 /// may end within a row.
 #[test]
 fn every_width_and_every_number_of_threads_gives_what_a_loop_over_pixels_gives() {
     let world = hittable_list::world();
-    for width in [1, 2, 63, 64, 65, 127, 128, 129, 300] {
+    for width in [1, 2, 79, 80, 81, 159, 160, 161, 400] {
         let camera = Camera::new(width);
         let mut expected = format!("P3\n{width} {}\n255\n", camera.image_height);
         let mut bytes = Vec::new();
@@ -112,6 +112,30 @@ fn every_level_becomes_the_number_that_print_makes_of_it() {
     );
 }
 
+/// Around each number of levels, the neighbors too; and what is no color.
+#[test]
+fn many_components_become_the_levels_that_write_color_makes_of_them() {
+    let mut components = vec![f64::NAN, -0.0, -1e-300, -1.0, 1e300, 1e-320];
+    components.extend([f64::INFINITY, f64::NEG_INFINITY, f64::MAX, 2.0_f64.powi(31)]);
+    for level in -1..=257 {
+        let exact = f64::from(level) / 255.999;
+        components.extend([exact.next_down(), exact, exact.next_up(), exact + 0.002]);
+    }
+    let expected: Vec<u8> = components
+        .iter()
+        .flat_map(|&component| {
+            let mut pixel = [0; 3];
+            write_color(&mut pixel, Color::splat(component));
+            pixel
+        })
+        .collect();
+    let width = components.len();
+    let picture = Picture::paint(width as u32, 1, move |i, _| {
+        Color::splat(components[(i as usize).min(width - 1)])
+    });
+    assert_eq!(picture.rgb(), expected);
+}
+
 #[test]
 fn many_hits_are_the_hits_one_by_one_in_nested_lists_too() {
     use hittable_list::{Hit, HitMany, Hits, Hittable, HittableList, Sphere};
@@ -120,16 +144,16 @@ fn many_hits_are_the_hits_one_by_one_in_nested_lists_too() {
     let mut list = HittableList::default();
     list.add(inner);
     list.add(Sphere::new(Point3::new(0.25, 0.0, -1.0), 0.5));
-    let camera = Camera::new(64);
+    let camera = Camera::new(80);
     for j in 0..camera.image_height {
-        let rays = Rays::from_fn(|k| camera.ray(k as u32, j));
+        let rays = Rays { camera, i: 0, j };
         let nowhere = Hit {
             t: f64::INFINITY,
             sphere: Sphere::new(Point3::ZERO, 0.0),
         };
-        let mut nearest = Hits::from_fn(|_| nowhere);
+        let mut nearest = Hits::repeat(nowhere);
         list.hit_many(&rays, &mut nearest);
-        for k in 0..64 {
+        for k in 0..80 {
             let alone = list.hit(&rays.get(k), 0.0, f64::INFINITY);
             assert_eq!(
                 nearest.get(k),

@@ -1,7 +1,7 @@
 //! The book's camera: which ray belongs to which pixel.
 
 use crate::color::Color;
-use crate::many::{Pixels, Rays};
+use crate::many::Pixels;
 use crate::picture::Picture;
 use crate::ray::Ray;
 use crate::vec3::{Point3, Vec3};
@@ -21,11 +21,29 @@ pub fn render(width: u32, ray_color: impl Fn(&Ray) -> Color + Send + Sync + 'sta
 pub fn render_many(width: u32, paint: impl Fn(&Rays) -> Pixels + Send + Sync + 'static) -> Picture {
     let camera = Camera::new(width);
     Picture::paint_many(camera.image_width, camera.image_height, move |i, j| {
-        paint(&Rays::from_fn(
-            #[inline(always)]
-            |k| camera.ray(i + k as u32, j),
-        ))
+        paint(&Rays { camera, i, j })
     })
+}
+
+/// The rays through eighty pixels that lie side by side in a row.
+///
+/// None is stored: to find out where one goes takes no longer than to remember.
+#[derive(Clone, Copy, Debug)]
+pub struct Rays {
+    /// Where they come from.
+    pub camera: Camera,
+    /// The column of the first pixel.
+    pub i: u32,
+    /// The row of all pixels.
+    pub j: u32,
+}
+
+impl Rays {
+    /// The ray with the number `k`, from 0 to 79.
+    #[inline(always)]
+    pub fn get(&self, k: usize) -> Ray {
+        self.camera.ray(self.i + k as u32, self.j)
+    }
 }
 
 /// An eye at the origin that looks down the negative z axis, through a viewport
@@ -92,7 +110,7 @@ impl Camera {
 
     /// The ray from the eye through the center of the pixel in column `i` and
     /// row `j`. Its direction is as long as the way to that point: `t` = 1 there.
-    #[inline]
+    #[inline(always)]
     pub fn ray(&self, i: u32, j: u32) -> Ray {
         let pixel_center =
             self.pixel00 + f64::from(i) * self.pixel_delta_u + f64::from(j) * self.pixel_delta_v;

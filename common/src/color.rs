@@ -27,11 +27,7 @@ pub fn sky(ray: &Ray) -> Color {
 /// picture.)
 #[inline]
 pub fn write_color(pixel: &mut [u8; 3], color: Color) {
-    *pixel = color.to_array().map(level);
-}
-
-/// The level of a single component.
-#[inline(always)]
-pub(crate) fn level(component: f64) -> u8 {
-    (255.999 * component) as u8
+    *pixel = color
+        .to_array()
+        .map(|component| (255.999 * component) as u8);
 }

@@ -20,9 +20,9 @@ mod vec3;
 
 /// The prelude of every chapter.
 pub mod rtweekend {
-    pub use crate::camera::{Camera, render, render_many};
+    pub use crate::camera::{Camera, Rays, render, render_many};
     pub use crate::color::{Color, sky, write_color};
-    pub use crate::many::{Many, Pixels, Rays};
+    pub use crate::many::{Many, Pixels};
     pub use crate::picture::Picture;
     pub use crate::ray::Ray;
     pub use crate::vec3::{Point3, Vec3};

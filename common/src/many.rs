@@ -1,4 +1,4 @@
-//! Sixty-four of a kind at once.
+//! Eighty of a kind at once.
 //!
 //! A processor adds four or eight pairs of numbers in the time that one takes,
 //! and divides them nearly so. The compiler sees to that by itself where a loop
@@ -7,16 +7,14 @@
 
 use std::marker::PhantomData;
 
+#[cfg(not(plain))]
 use multiversion::multiversion;
 
-use crate::color::{self, Color};
-use crate::ray::Ray;
+use crate::color::Color;
 
-/// How many there are in [`Many`].
-pub(crate) const MANY: usize = 64;
-
-/// Many rays.
-pub type Rays = Many<Ray, 6>;
+/// How many there are in [`Many`]: a number that processors like, a multiple of
+/// 16, and that divides the width of most pictures: 400, 1280, 1920, 3840.
+pub(crate) const MANY: usize = 80;
 
 /// Many things that are made of `N` numbers each: first the first numbers of
 /// all things, then all second ones, and so on.
@@ -27,20 +25,13 @@ pub struct Many<T, const N: usize> {
 }
 
 impl<T: From<[f64; N]> + Into<[f64; N]>, const N: usize> Many<T, N> {
-    /// The things `thing(0)`, `thing(1)` and so on.
+    /// Many times the same `thing`.
     #[inline]
-    pub fn from_fn(thing: impl Fn(usize) -> T) -> Self {
-        let mut many = Self {
-            // Not 0: that would become a call of memset, and two fifths of all
-            // instructions that it takes to draw the list would be in there.
-            columns: [[f64::NAN; MANY]; N],
+    pub fn repeat(thing: T) -> Self {
+        Self {
+            columns: thing.into().map(|number| [number; MANY]),
             things: PhantomData,
-        };
-        many.update(
-            #[inline(always)]
-            |k, _| thing(k),
-        );
-        many
+        }
     }
 
     /// Replaces each `thing`, the one with the number `k`, by `next(k, thing)`.
@@ -53,7 +44,7 @@ impl<T: From<[f64; N]> + Into<[f64; N]>, const N: usize> Many<T, N> {
         );
     }
 
-    /// The thing with the number `k`, from 0 to 63.
+    /// The thing with the number `k`, from 0 to 79.
     #[inline(always)]
     pub fn get(&self, k: usize) -> T {
         self.columns
@@ -107,8 +98,13 @@ impl Pixels {
 // It takes several turns at once only if it can see all that happens in one:
 // hence `#[inline(always)]` on what is called for every ray. Where it cannot,
 // the loop takes longer and does the same.
+//
+// `--cfg plain` leaves only the version for any processor, for `.ci/run` to try.
 
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))]
+#[cfg_attr(
+    not(plain),
+    multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))
+)]
 fn update<F: Fn(usize, [f64; N]) -> [f64; N], const N: usize>(
     columns: &mut [[f64; MANY]; N],
     next: F,
@@ -121,7 +117,10 @@ fn update<F: Fn(usize, [f64; N]) -> [f64; N], const N: usize>(
     }
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))]
+#[cfg_attr(
+    not(plain),
+    multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))
+)]
 fn paint<F: Fn(usize) -> Color>(pixels: &mut Pixels, color: F) {
     let [mut red, mut green, mut blue] = [[f64::NAN; MANY]; 3];
     for k in 0..MANY {
@@ -132,9 +131,31 @@ fn paint<F: Fn(usize) -> Color>(pixels: &mut Pixels, color: F) {
     store(&blue, &mut pixels.blue);
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))]
+#[cfg_attr(
+    not(plain),
+    multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))
+)]
 fn store(components: &[f64; MANY], levels: &mut [u8; MANY]) {
-    for (level, &component) in levels.iter_mut().zip(components) {
-        *level = color::level(component);
+    for (to, &component) in levels.iter_mut().zip(components) {
+        *to = level(component);
     }
+}
+
+/// The same level as that of `write_color`, without a decision.
+///
+/// A processor turns one number at a time into an integer. To add 2⁵² does that
+/// too, for several numbers at once: no `f64` from there on has digits after the
+/// point, and its last bits are the integer. It rounds to the nearest one, which
+/// may be one too many.
+#[inline(always)]
+#[expect(
+    clippy::manual_clamp,
+    reason = "`clamp` keeps NaN, which becomes 0 here"
+)]
+fn level(component: f64) -> u8 {
+    const TWO_TO_THE_52: f64 = (1_u64 << 52) as f64;
+    let scaled = (255.999 * component).max(0.0).min(255.0);
+    let nearest = scaled + TWO_TO_THE_52;
+    let too_many = nearest - TWO_TO_THE_52 > scaled;
+    (nearest.to_bits() - u64::from(too_many)) as u8
 }

@@ -28,18 +28,3 @@ impl Ray {
         self.origin + t * self.direction
     }
 }
-
-impl From<Ray> for [f64; 6] {
-    #[inline(always)]
-    fn from(Ray { origin, direction }: Ray) -> Self {
-        let ([x, y, z], [u, v, w]) = (origin.to_array(), direction.to_array());
-        [x, y, z, u, v, w]
-    }
-}
-
-impl From<[f64; 6]> for Ray {
-    #[inline(always)]
-    fn from([x, y, z, u, v, w]: [f64; 6]) -> Self {
-        Self::new(Point3::new(x, y, z), Vec3::new(u, v, w))
-    }
-}

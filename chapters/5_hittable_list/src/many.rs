@@ -1,4 +1,4 @@
-//! The same again for sixty-four rays at once: three times as fast, and nothing
+//! The same again for eighty rays at once: three times as fast, and nothing
 //! new. Skip it when you read this chapter for the first time.
 //!
 //! To ask a boxed thing for one hit is a virtual call, which ends what the
@@ -22,7 +22,7 @@ pub fn paint(rays: &Rays, world: &HittableList) -> Pixels {
         t: f64::INFINITY,
         sphere: Sphere::new(Point3::ZERO, 0.0),
     };
-    let mut nearest = Hits::from_fn(|_| nowhere);
+    let mut nearest = Hits::repeat(nowhere);
     for object in world.objects() {
         object.hit_many(rays, &mut nearest);
     }
