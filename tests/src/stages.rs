@@ -56,6 +56,7 @@ pub const STAGES: &[Stage] = &[
     Stage {
         name: "speed_vs_accuracy",
         book_width: 400,
+        shows: "A far star: in the left half its edge frays into specks, in the right half it is round",
         picture: speed_vs_accuracy::picture,
     },
 ];
