@@ -277,6 +277,14 @@ mod the_certified_methods {
         }
     }
 
+    /// At 10¹⁷ radii all of the sphere is less than a rounding of 106 digits.
+    #[test]
+    fn ask_for_integers_where_twice_the_digits_are_too_few() {
+        for case in samples(&strategies::far(17.0..=17.0), 500) {
+            assert_eq!(stages(&case).0, Stage::Exact, "{case}");
+        }
+    }
+
     #[test]
     fn ask_for_integers_at_a_tangent_and_at_extreme_exponents() {
         for case in samples(&strategies::tangents(), 500) {

@@ -202,6 +202,7 @@ pub fn hostile() -> impl Strategy<Value = Case> {
     prop_oneof![
         4 => anywhere(),
         1 => specks(),
+        1 => far(15.0..=17.0),
         1 => leaving_the_surface(0.0..=9.0),
         1 => almost_tangents(),
         1 => whole_number_tangents_an_ulp_off(),
