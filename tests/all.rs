@@ -16,6 +16,7 @@ mod measured;
 mod methods;
 mod cpp_to_rust;
 mod errata;
+mod left_out;
 mod oracle;
 mod pictures;
 mod proofs;

@@ -59,15 +59,7 @@ fn each_equation_has_its_number_once() {
 
 #[test]
 fn each_figure_is_shown_once() {
-    let pages = chapters();
-    for figure in figures::FIGURES {
-        let shown = select(&format!("figure#{}", figure.name));
-        let count: usize = pages
-            .iter()
-            .map(|page| page.html.select(&shown).count())
-            .sum();
-        assert_eq!(count, 1, "{{{{figure {}}}}}", figure.name);
-    }
+    assert_shown_once(figures::FIGURES.iter().map(|figure| figure.name));
 }
 
 #[test]
@@ -250,6 +242,18 @@ fn no_page_names_a_folder_of_this_machine() {
     for name in page_names() {
         let text = fs::read_to_string(woven().join(&name)).expect("a page");
         assert!(!text.contains(&*here.to_string_lossy()), "{name}");
+    }
+}
+
+fn assert_shown_once(names: impl Iterator<Item = &'static str>) {
+    let pages = chapters();
+    for name in names {
+        let shown = select(&format!("figure#{name}"));
+        let count: usize = pages
+            .iter()
+            .map(|page| page.html.select(&shown).count())
+            .sum();
+        assert_eq!(count, 1, "how often {name} is shown");
     }
 }
 

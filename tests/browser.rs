@@ -3,13 +3,13 @@
 mod devtools;
 
 use std::fs;
-use std::io::{self, Write};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use serde_json::Value;
 use tempfile::TempDir;
 
 use crate::book::{page_names, woven};
+use crate::left_out::left_out;
 use devtools::{Browser, Tab};
 
 const CONTRAST: &str = include_str!("browser/contrast.js");
@@ -252,12 +252,10 @@ fn browser() -> Option<MutexGuard<'static, Browser>> {
     static BROWSER: LazyLock<Option<Mutex<Browser>>> = LazyLock::new(|| match Browser::start() {
         Ok(browser) => Some(Mutex::new(browser)),
         Err(cause) => {
-            let message = format!(
-                "\nLEFT OUT: what a browser makes of the book (tests/browser.rs): {cause}.\n\
-                 Install Chromium or Chrome, or say in CHROMIUM where it is.\n\n"
-            );
-            // Written past the test harness, which hides what `println!` says.
-            let _ = io::stderr().write_all(message.as_bytes());
+            left_out(&format!(
+                "what a browser makes of the book (tests/browser.rs): {cause}.\n\
+                 Install Chromium or Chrome, or say in CHROMIUM where it is."
+            ));
             None
         }
     });

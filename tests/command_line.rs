@@ -99,12 +99,13 @@ fn rtrace_saves_any_width_as_ppm_png_or_text() {
 }
 
 #[test]
-fn rtrace_alone_draws_every_picture_twice_and_says_where() {
+fn rtrace_alone_draws_every_picture_twice_weaves_the_book_and_says_where() {
     let output = run(&mut program("rtrace"));
     assert_success(&output);
     let report = text(&output.stdout);
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/pictures");
-    assert!(report.contains("target"), "{report}");
+    assert!(report.contains("The book is in"), "{report}");
+    assert!(folder.with_file_name("book").join("index.html").is_file());
     for stage in STAGES {
         let expected = (stage.picture)(stage.book_width);
         let size = format!("{} × {}", expected.width(), expected.height());
@@ -517,33 +518,43 @@ mod on_unix {
     #[test]
     fn open_hands_the_picture_to_the_viewer() {
         let folder = TempDir::new().expect("a folder");
+        let picture = folder.path().join("picture.png");
+        let mut command = show("normals");
+        command.args(["--open", "-o"]).arg(&picture);
+        assert_opens(&mut command, &picture);
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn open_hands_the_first_page_to_the_browser() {
+        let folder = TempDir::new().expect("a folder");
+        let mut command = program_with("rtrace", &["book", "--open", "--output"]);
+        assert_opens(
+            command.arg(folder.path()),
+            &folder.path().join("index.html"),
+        );
+    }
+
+    /// Runs `command` with a viewer that takes a copy, and expects one of `file`.
+    #[cfg(target_os = "linux")]
+    fn assert_opens(command: &mut Command, file: &Path) {
+        let folder = TempDir::new().expect("a folder");
         let viewer = folder.path().join("xdg-open");
         let seen = folder.path().join("seen");
-        fs::write(
-            &viewer,
-            format!("#!/bin/sh\ncp \"$1\" '{}'\n", seen.display()),
-        )
-        .expect("a viewer");
+        let script = format!("#!/bin/sh\ncp \"$1\" '{}'\n", seen.display());
+        fs::write(&viewer, script).expect("a viewer");
         fs::set_permissions(&viewer, Permissions::from_mode(0o755)).expect("the mode is set");
-        let picture = folder.path().join("picture.png");
-        let path = format!(
-            "{}:{}",
-            folder.path().display(),
-            env::var("PATH").expect("a PATH")
-        );
-        let said = run(show("normals")
-            .args(["--open", "-o"])
-            .arg(&picture)
-            .env("PATH", path));
-        assert_success(&said);
-        let saved = fs::read(&picture).expect("the picture");
+        let path = env::var("PATH").expect("a PATH");
+        let path = format!("{}:{path}", folder.path().display());
+        assert_success(&run(command.env("PATH", path)));
+        let saved = fs::read(file).expect("the file");
         let opened = (0..100).any(|_| {
             thread::sleep(Duration::from_millis(50));
             fs::read(&seen).is_ok_and(|seen| seen == saved)
         });
         assert!(
             opened,
-            "the viewer has not seen the picture after five seconds"
+            "the viewer has not seen the file after five seconds"
         );
     }
 

@@ -12,6 +12,8 @@ use tests::rival;
 use tests::speed::{self, Heat, Spread};
 use tests::stages;
 
+use crate::left_out::left_out;
+
 /// What `cargo rtrace race --record` wrote.
 const RECORDED: &str = include_str!("../book/notes/speed/heats.txt");
 
@@ -21,7 +23,9 @@ fn the_books_program_in_cpp_draws_the_same_bytes() {
     let program = match rival::build(&folder) {
         Ok(program) => program,
         Err(cause) if cause.kind() == ErrorKind::NotFound => {
-            println!("LEFT OUT: there is no C++ compiler to build tests/rival/book.cc ({cause})");
+            left_out(&format!(
+                "there is no C++ compiler to build tests/rival/book.cc ({cause})"
+            ));
             return;
         }
         Err(cause) => panic!("tests/rival/book.cc does not compile:\n{cause}"),
