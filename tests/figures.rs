@@ -208,7 +208,7 @@ fn the_roots_are_marked_on_the_circle_and_on_their_ray() {
 fn a_ray_that_misses_has_no_root_and_a_tangent_has_one() {
     let center = Point3::new(2.0, 0.0, 0.0);
     let ray = |y| Ray::new(Point3::new(0.0, y, 0.0), Vec3::X);
-    assert_eq!(roots::roots(center, 1.0, &ray(1.5)), []);
+    assert_eq!(roots::roots(center, 1.0, &ray(1.5)), [0.0; 0]);
     assert_eq!(roots::roots(center, 1.0, &ray(1.0)), [2.0]);
     assert_eq!(roots::roots(center, 1.0, &ray(0.0)), [1.0, 3.0]);
 }

@@ -110,6 +110,21 @@ fn the_gallery_shows_every_sight_and_names_every_slip() {
 }
 
 #[test]
+fn a_chart_is_drawn_into_the_page_with_a_table_of_its_numbers() {
+    let notes = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/notes");
+    for chart in figures::CHARTS {
+        let book = Book::new(&format!("{{{{chart {}}}}}", chart.name));
+        for file in chart.files {
+            let text = fs::read_to_string(Path::new(notes).join(file)).expect("a measurement");
+            book.write(file, &text);
+        }
+        let page = book.page();
+        assert!(page.contains(&format!("<figure id=\"{}\">", chart.name)));
+        assert!(page.contains("<svg") && page.contains("<table>"), "{page}");
+    }
+}
+
+#[test]
 fn a_snapshot_is_shown_without_its_header() {
     let book = Book::new("{{snapshot kept.snap}}");
     book.write("kept.snap", "---\nsource: a.rs\n---\nA *kept* text.\n");
@@ -185,10 +200,10 @@ fn what_cannot_be_woven_fails_the_build_with_file_line_and_cause() {
         ),
         ("{{code Broken.rs a}}", "Broken.rs: line 2"),
         ("{{figure unicorn}}", "no figure `unicorn`: there are"),
-        ("{{chart unicorn}}", "unicorn"),
         ("{{slip unicorn gradient}}", "no slip `unicorn`"),
         ("{{slip minus-h gradient}}", "can't be made in a chapter"),
         ("{{snapshot unicorn.snap}}", "unicorn.snap"),
+        ("{{chart unicorn}}", "no chart `unicorn`: there are"),
         ("{{changes unicorn}}", "no chapter `unicorn`"),
         (
             "{{changes build_test}}",
@@ -332,7 +347,9 @@ impl Book {
     }
 
     fn write(&self, name: &str, text: &str) {
-        fs::write(self.folder.path().join("notes").join(name), text).expect("a file");
+        let path = self.folder.path().join("notes").join(name);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        fs::write(path, text).expect("a file");
     }
 
     fn output(&self) -> PathBuf {

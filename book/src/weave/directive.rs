@@ -26,7 +26,7 @@ pub(super) fn resolve(text: &str, folder: &Path) -> Result<Woven, String> {
             code::listing(&folder.join(path), items).map(Woven::Block)
         }
         "figure" => figure::figure(rest).map(Woven::Block),
-        "chart" => figure::chart(&folder.join("charts"), rest).map(Woven::Block),
+        "chart" => figure::chart(folder, rest).map(Woven::Block),
         "changes" => changes::changes(folder, rest).map(Woven::Block),
         "slip" => {
             let (name, chapter) = split(rest);

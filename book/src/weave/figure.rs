@@ -1,9 +1,8 @@
 //! Figures and charts: SVG inside the page, so that it takes on the page's theme.
 
-use std::fs;
 use std::path::Path;
 
-use figures::FIGURES;
+use figures::{CHARTS, FIGURES};
 
 /// The figure of that name, drawn now, with its caption.
 pub(super) fn figure(name: &str) -> Result<String, String> {
@@ -21,17 +20,21 @@ pub(super) fn figure(name: &str) -> Result<String, String> {
     )))
 }
 
-/// The chart `NAME.svg` in the folder `charts`, and the table `NAME.md` of the
-/// same numbers.
-pub(super) fn chart(charts: &Path, name: &str) -> Result<String, String> {
-    let read = |extension| {
-        let path = charts.join(name).with_extension(extension);
-        fs::read_to_string(&path).map_err(|cause| format!("{}: {cause}", path.display()))
-    };
-    let drawing = on_one_line(&read("svg")?);
+/// The chart of that name, drawn now from its files in the folder `notes`, with its
+/// caption and a table of the same numbers.
+pub(super) fn chart(notes: &Path, name: &str) -> Result<String, String> {
+    let chart = figures::find_chart(name).ok_or_else(|| {
+        let names: Vec<&str> = CHARTS.iter().map(|chart| chart.name).collect();
+        format!("there is no chart `{name}`: there are {}", names.join(", "))
+    })?;
+    let drawn = chart.draw_from(notes)?;
+    let figure = on_one_line(&format!(
+        "<figure id=\"{name}\">{}<figcaption>{}</figcaption></figure>",
+        drawn.svg, chart.caption
+    ));
     Ok(format!(
-        "<figure id=\"{name}\">{drawing}</figure>\n\n{}",
-        read("md")?
+        "{figure}\n\n<details class=\"numbers\"><summary>The numbers of this chart</summary>\n\n{}\n\n</details>",
+        drawn.table
     ))
 }
 
