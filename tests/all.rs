@@ -37,4 +37,5 @@ mod exercises {
     mod hittable_list;
     mod normals;
     mod red_sphere;
+    mod speed_vs_accuracy;
 }

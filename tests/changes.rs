@@ -9,7 +9,7 @@ use similar::TextDiff;
 use tests::comparison::Comparison;
 use tests::diff_page::difference_picture;
 use tests::png;
-use tests::stages::{STAGES, Stage};
+use tests::stages::{self, STAGES, Stage};
 
 use crate::pictures::SamePixels;
 
@@ -31,8 +31,10 @@ mod the_snapshot_shows_the_changes_to {
 }
 
 #[test]
-fn no_chapter_goes_without_its_changes() {
-    let names: Vec<&str> = STAGES.iter().skip(1).map(|stage| stage.name).collect();
+fn no_chapter_of_the_book_goes_without_its_changes() {
+    // The sixth changes nothing: it measures the functions of the others.
+    let chapters = &stages::of_the_book()[1..];
+    let names: Vec<&str> = chapters.iter().map(|stage| stage.name).collect();
     assert_eq!(
         names,
         the_snapshot_shows_the_changes_to::NAMES,
