@@ -44,7 +44,7 @@ fn targets<R>(precision: Precision, block: impl Fn(&[Question]) -> R) -> Vec<Tar
 }
 
 /// How many blocks there are: as many as just fit into the fastest cache.
-const BLOCKS: usize = 16;
+const BLOCKS: usize = 8;
 
 type Double = fn((Point3, f64), &[double::Rays], [f64; 2], &mut [[f64; BLOCK]]);
 
