@@ -41,6 +41,14 @@ fn nothing_is_left_that_should_have_been_woven() {
         for raw in ["{{", "}}", "$", "\\tag", "[!"] {
             assert!(!prose.contains(raw), "{raw} is left in {}", page.name);
         }
+        // In a code span no directive is seen: `{{value …}}` stands there as it is.
+        let all: String = page.all("main").into_iter().map(text_of).collect();
+        for directive in [
+            "value", "code", "figure", "chart", "changes", "snapshot", "slip",
+        ] {
+            let raw = format!("{{{{{directive}");
+            assert!(!all.contains(&raw), "{raw} is left in {}", page.name);
+        }
     }
 }
 

@@ -10,12 +10,13 @@ use crate::svg::{Anchor, Svg, spoken};
 pub const FIGURE: Figure = Figure {
     name: "camera_frame",
     title: "The camera and its right-handed frame",
-    description: "From the eye at the origin three axes start: x to the right, y up, and z \
-        towards the viewer. The viewport stands upright on the other side, across the negative \
-        z axis. A dashed line of length 1 joins the eye to its center, and four lines join the \
+    description: "Seen from the side. From the eye at the origin three axes start: y up, z to \
+        the left, and x towards whoever looks at the drawing. The viewport stands upright at the \
+        right, across the negative z axis. A dashed line of length 1 joins the eye to its center, and four lines join the \
         eye to its corners.",
-    caption: "The eye is the origin of a right-handed frame: x to the right, y up, z towards you. \
-        The camera looks along −z, through a viewport that is one focal length away.",
+    caption: "Seen from the side: the eye is the origin of a right-handed frame. For whoever looks \
+        through the camera, x points to the right, y up, and z back from where it looks. So it \
+        looks along −z, through a viewport that is one focal length away.",
     draw: || draw(&Parameters::default()),
 };
 

@@ -13,8 +13,8 @@ pub(super) const CHART: Chart = Chart {
     name: "batch",
     title: "Many rays at once, and the limit of the divider",
     description: "Two bars for each method: a long one for one ray after the other, a short one \
-        for many at once. Across the short bar stands a line where the processor's divider and \
-        root alone would take all the time. The short bars end close behind it.",
+        for many at once. Across the short bar stands a line: so much of it the processor's divider \
+        takes for the root and the division alone.",
     caption: "Nanoseconds for a test. The line is the limit of the machine: one √ and one ÷ for \
         each ray, and nothing else. No code with a root and a division can be shorter.",
     files: &["measured/timings.csv"],

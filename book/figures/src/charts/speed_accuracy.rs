@@ -45,8 +45,8 @@ pub(super) const REGIMES: Chart = Chart {
     name: "speed_accuracy_regimes",
     title: "Speed against accuracy, situation by situation",
     description: "The same chart for each situation, in small panels with equal scales. Far away, \
-        near a tangent and close to a surface the plain methods lose most of their digits and get \
-        crosses, while the certified ones keep their place at the top and move to the right.",
+        near a tangent and close to a surface most plain methods lose digits, and many get crosses. \
+        certified_t stays at the top and moves to the right. certified_hit never has a cross.",
     caption: "The same for every situation, with the same scales. Named are the methods that no \
         other beats, the reference, and the certified ones; the table names all.",
     files: FILES,
@@ -221,7 +221,7 @@ fn steps(points: impl Iterator<Item = DVec2>) -> Vec<DVec2> {
 
 fn table(shown: &[Measured]) -> String {
     let mut table = "\
-| situation | method | ns | ÷ half_b | digits right | error in ulps, 99.9 % | wrong per million |
+| situation | method | ns | ÷ half_b | digits | ulps, 99.9 % | ✗ per million |
 |---|---|---:|---:|---:|---:|---:|
 "
     .to_owned();

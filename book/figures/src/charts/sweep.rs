@@ -19,7 +19,7 @@ pub(super) const DISTANCE: Chart = Chart {
     title: "Digits that are left when the sphere is far away",
     description: "Lines for each method, f64 at the left and f32 at the right: how many digits of t \
         are right when the ray starts ever more radii away. The lines of the formulas with b fall \
-        steadily, two digits for each factor of ten, and end in wrong decisions. The lines of the \
+        steadily, a digit for each factor of ten, and end in wrong decisions. The lines of the \
         methods that measure the distance of the ray from the center stay level.",
     caption: "The sphere moves away. The formulas with b or h lose digits with every step, and at \
         a cross they begin to decide wrongly. Those that measure how far the ray passes from the \
