@@ -177,7 +177,7 @@ mod a_file {
             ("0,0,0,0,0,-1,0,,-1,1", "cy is empty"),
             (
                 "0,0,0,0,0,-1,0,0,-1",
-                "there are 9 fields, but 10 column names",
+                "the fields are 9, but the column names are 10",
             ),
             (
                 "nan,0,0,0,0,-1,0,0,-1,1",
@@ -195,6 +195,46 @@ mod a_file {
             assert!(said.contains("standard input, line 3: "), "{said}");
             assert!(said.contains(reason), "{said}");
         }
+    }
+
+    /// Whatever ends a line, and however many are empty.
+    #[test]
+    fn has_lines_that_are_counted_as_an_editor_does() {
+        for (file, line) in [
+            ("HEAD\r\nGOOD\r\nBAD\r\n", 3),
+            ("\u{feff}HEAD\r\nGOOD\r\nBAD", 3),
+            ("HEAD\nGOOD\n\n\nBAD\n", 5),
+            ("\r\nHEAD\r\n\r\nGOOD\r\n\r\nBAD", 6),
+            ("note,HEAD\n\"two\nlines\",GOOD\n\"and\ntwo\",BAD\n", 4),
+            ("HEAD\r\nGOOD\r\nGOOD,1\r\n", 3),
+        ] {
+            let file = file
+                .replace("HEAD", "ox,oy,oz,dx,dy,dz,cx,cy,cz,r")
+                .replace("GOOD", "0,0,0,0,0,-1,0,0,-1,0.5")
+                .replace("BAD", "0,0,0,0,0,-1,0,0,-1,five");
+            let output = answer(&file, &["--method", "half_b"]);
+            assert_eq!(output.status.code(), Some(1));
+            assert_eq!(text(&output.stdout), "row,method,t\n1,half_b,0.5\n");
+            let said = text(&output.stderr);
+            assert!(said.contains(&format!("line {line}: ")), "{file:?}: {said}");
+        }
+    }
+
+    #[test]
+    fn with_a_quotation_mark_left_open_is_not_shown_to_its_end() {
+        let rows = "0,0,0,0,0,-1,0,0,-1,0.5\n".repeat(1000);
+        let file = format!("ox,oy,oz,dx,dy,dz,cx,cy,cz,r\n0,0,0,0,0,-1,0,0,-1,\"0.5\n{rows}");
+        let said = text(&answer(&file, &[]).stderr);
+        assert!(said.contains("line 2: r is \"0.5"), "{said}");
+        assert!(said.len() < 200, "{said}");
+    }
+
+    #[test]
+    fn that_is_a_folder_is_refused() {
+        let folder = TempDir::new().expect("a folder");
+        let output = run(program_with("rtrace", &["hit", "--csv"]).arg(folder.path()));
+        assert_eq!(output.status.code(), Some(1));
+        assert!(text(&output.stderr).contains("cannot read"));
     }
 
     #[test]

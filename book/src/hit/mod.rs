@@ -106,7 +106,7 @@ fn finite(text: &str) -> Result<f64, String> {
 fn bound(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(number) if !number.is_nan() => Ok(number),
-        _ => Err("is no number such as 0.001, and not inf".to_owned()),
+        _ => Err("is neither a number such as 0.001 nor inf".to_owned()),
     }
 }
 

@@ -1,10 +1,9 @@
 //! Many questions from a file, one answer a line.
 
 use std::error::Error;
-use std::fmt;
-use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
+use std::{fmt, fs};
 
 use common::output;
 use common::rtweekend::*;
@@ -23,17 +22,15 @@ pub(crate) fn print(
     methods: &[Method],
     range: (f64, f64),
 ) -> Result<(), Box<dyn Error>> {
-    let (name, input): (_, Box<dyn Read>) = match path.to_str() {
-        Some("-") => ("standard input".to_owned(), Box::new(io::stdin().lock())),
-        _ => {
-            let name = path.display().to_string();
-            let file = File::open(path).map_err(|cause| format!("cannot read {name}: {cause}"))?;
-            (name, Box::new(file))
-        }
+    let (name, bytes) = match path.to_str() {
+        Some("-") => ("standard input".to_owned(), all_of_stdin()),
+        _ => (path.display().to_string(), fs::read(path)),
     };
+    let bytes = bytes.map_err(|cause| format!("cannot read {name}: {cause}"))?;
+    let text = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&bytes);
     let mut problem = None;
     output::to_stdout(|out| {
-        problem = answer(input, methods, range, out)?;
+        problem = answer(text, methods, range, out)?;
         Ok(())
     })?;
     match problem {
@@ -42,9 +39,18 @@ pub(crate) fn print(
     }
 }
 
+/// What some editors put before a text.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+fn all_of_stdin() -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    io::stdin().lock().read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
 /// What is wrong with the input, and where.
 struct Problem {
-    line: u64,
+    line: usize,
     what: String,
 }
 
@@ -60,15 +66,13 @@ impl fmt::Display for Problem {
 /// # Errors
 /// Those of `out`.
 fn answer(
-    input: Box<dyn Read>,
+    text: &[u8],
     methods: &[Method],
     (t_min, t_max): (f64, f64),
     out: &mut dyn Write,
 ) -> io::Result<Option<Problem>> {
-    let mut rows = ReaderBuilder::new()
-        .trim(Trim::All)
-        .buffer_capacity(1 << 16)
-        .from_reader(input);
+    let unreadable = |error| unreadable(&error, text);
+    let mut rows = ReaderBuilder::new().trim(Trim::All).from_reader(text);
     let columns = match rows.headers().map_err(unreadable).and_then(find_columns) {
         Ok(columns) => columns,
         Err(problem) => return Ok(Some(problem)),
@@ -84,7 +88,10 @@ fn answer(
         }
         let question = match parse(&row, &columns) {
             Ok(question) => question,
-            Err(problem) => return Ok(Some(problem)),
+            Err(what) => {
+                let line = line_of(row.position(), text);
+                return Ok(Some(Problem { line, what }));
+            }
         };
         number += 1;
         for method in methods {
@@ -117,16 +124,15 @@ fn in_head(what: String) -> Problem {
     Problem { line: 1, what }
 }
 
-fn parse(row: &StringRecord, columns: &[usize; 10]) -> Result<Question, Problem> {
+/// The question in a row, or what is wrong with it.
+fn parse(row: &StringRecord, columns: &[usize; 10]) -> Result<Question, String> {
     let mut numbers = [0.0; 10];
     for ((number, &column), name) in numbers.iter_mut().zip(columns).zip(NAMES) {
         let text = row.get(column).unwrap_or_default();
-        *number = finite(text).map_err(|problem| Problem {
-            line: row.position().map_or(0, csv::Position::line),
-            what: match text {
-                "" => format!("{name} is empty"),
-                _ => format!("{name} is {text:?}, which {problem}"),
-            },
+        *number = finite(text).map_err(|problem| match text.char_indices().nth(LONGEST) {
+            _ if text.is_empty() => format!("{name} is empty"),
+            None => format!("{name} is {text:?}, which {problem}"),
+            Some((end, _)) => format!("{name} is {:?} and so on, which {problem}", &text[..end]),
         })?;
     }
     let [ox, oy, oz, dx, dy, dz, cx, cy, cz, r] = numbers;
@@ -137,15 +143,30 @@ fn parse(row: &StringRecord, columns: &[usize; 10]) -> Result<Question, Problem>
     })
 }
 
-fn unreadable(error: csv::Error) -> Problem {
-    let line = error.position().map_or(1, csv::Position::line);
+/// How many characters of a field a message shows: after a quotation mark that
+/// is left open, the field is the rest of the file.
+const LONGEST: usize = 40;
+
+fn unreadable(error: &csv::Error, text: &[u8]) -> Problem {
+    let line = line_of(error.position(), text);
     let what = match error.kind() {
         csv::ErrorKind::UnequalLengths {
             expected_len, len, ..
-        } => format!("there are {len} fields, but {expected_len} column names"),
+        } => format!("the fields are {len}, but the column names are {expected_len}"),
         csv::ErrorKind::Utf8 { .. } => "this is no text in UTF-8".to_owned(),
-        csv::ErrorKind::Io(cause) => format!("it can't be read: {cause}"),
         _ => error.to_string(),
     };
     Problem { line, what }
+}
+
+/// The line on which the row at `position` begins. A row begins, as its reader
+/// counts, where the row before has ended: before empty lines, and between the
+/// two characters that end a line on Windows.
+fn line_of(position: Option<&csv::Position>, text: &[u8]) -> usize {
+    let before = position.map_or(0, |position| position.byte() as usize);
+    let empty = text[before..]
+        .iter()
+        .take_while(|&&byte| byte == b'\r' || byte == b'\n');
+    let start = before + empty.count();
+    1 + text[..start].iter().filter(|&&byte| byte == b'\n').count()
 }
