@@ -7,6 +7,7 @@ mod many;
 mod one_by_one;
 
 use std::error::Error;
+use std::num::NonZeroUsize;
 use std::path::Path;
 
 use clap::Args;
@@ -31,7 +32,7 @@ pub(crate) struct Arguments {
     /// Instead of times, how exact each method is: from N questions in each
     /// regime
     #[arg(long, value_name = "N", conflicts_with_all = ["quick", "record"])]
-    accuracy: Option<usize>,
+    accuracy: Option<NonZeroUsize>,
 
     /// Which questions
     #[arg(long, value_name = "N", default_value_t = 1, requires = "accuracy")]
@@ -44,7 +45,7 @@ const COMMAND: &str = "cargo run --release -p rtrace -- measure";
 /// Measures everything, and prints or keeps the result.
 pub(crate) fn measure(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if let Some(cases) = arguments.accuracy {
-        let table = accuracy::table(cases, arguments.seed);
+        let table = accuracy::table(cases.get(), arguments.seed);
         return Ok(output::to_stdout(|out| out.write_all(table.as_bytes()))?);
     }
     if cfg!(debug_assertions) {
