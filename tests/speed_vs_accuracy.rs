@@ -1,11 +1,10 @@
 //! What chapter 6 is measured with: the questions, the batches, the maps, and the
 //! file of timings.
 
-use common::rtweekend::*;
-use speed_vs_accuracy::batch::{BLOCK, double, single};
+use speed_vs_accuracy::batch::{self, BLOCK, Block};
 use speed_vs_accuracy::{
-    METHODS, Precision, Question, REGIMES, SCENES, cross_q, cross_q_f32, failure_map, find,
-    find_regime, half_b, half_b_f32, half_b_q, half_b_q_f32,
+    METHODS, Precision, Question, REGIMES, Regime, SCENES, failure_map, find, find_regime, half_b,
+    half_b_f32,
 };
 use tests::oracle::Exact;
 use tests::timings::Timings;
@@ -64,29 +63,22 @@ mod questions {
 mod a_batch {
     use super::*;
 
+    const RANGES: [[f64; 2]; 3] = [[0.0, f64::INFINITY], [-1.0, 2.0], [1e-3, 1.5]];
+
     /// Blocks that the sign tells all of, and blocks that must be done again.
     #[test]
     fn of_rays_answers_as_the_method_does_one_by_one_to_the_bit() {
-        for range in [[0.0, f64::INFINITY], [-1.0, 2.0], [1e-3, 1.5]] {
-            for regime in REGIMES {
-                let questions = regime.questions(Precision::Double, 5, 2 * BLOCK);
-                let rays =
-                    [0, BLOCK].map(|first| double::Rays::from_fn(|k| questions[first + k].ray));
-                for question in questions.iter().step_by(16) {
-                    let (center, radius) = (question.center, question.radius);
-                    let mut ts = [[0.0; BLOCK]; 2];
-                    double::half_b((center, radius), &rays, range, &mut ts);
-                    assert_same(&ts, &questions, |ray| {
-                        half_b(center, radius, ray, range[0], range[1])
-                    });
-                    double::half_b_q((center, radius), &rays, range, &mut ts);
-                    assert_same(&ts, &questions, |ray| {
-                        half_b_q(center, radius, ray, range[0], range[1])
-                    });
-                    double::cross_q((center, radius), &rays, range, &mut ts);
-                    assert_same(&ts, &questions, |ray| {
-                        cross_q(center, radius, ray, range[0], range[1])
-                    });
+        for (range, regime) in everywhere() {
+            let questions = regime.questions(Precision::Double, 5, 2 * BLOCK);
+            let rays = [0, BLOCK]
+                .map(|first| Block::from_fn(|k| batch::numbers(&questions[first + k].ray)));
+            for &Question { center, radius, .. } in questions.iter().step_by(16) {
+                let mut ts = [[0.0; BLOCK]; 2];
+                batch::half_b((center, radius), &rays, range, &mut ts);
+                for (t, question) in ts.as_flattened().iter().zip(&questions) {
+                    let alone = half_b(center, radius, &question.ray, range[0], range[1]);
+                    let expected = alone.unwrap_or(f64::INFINITY);
+                    assert_eq!(t.to_bits(), expected.to_bits(), "{question:?}");
                 }
             }
         }
@@ -94,72 +86,49 @@ mod a_batch {
 
     #[test]
     fn of_rays_in_single_precision_does_so_too() {
-        let range = [0.0, f32::INFINITY];
-        for regime in REGIMES {
+        for (range, regime) in everywhere() {
+            let range = range.map(|end| end as f32);
             let questions = regime.questions(Precision::Single, 6, BLOCK);
-            let rays = [single::Rays::from_fn(|k| questions[k].single_ray())];
+            let numbers = |k: usize| batch::numbers(&questions[k].ray).map(|number| number as f32);
+            let rays = [Block::from_fn(numbers)];
             for question in questions.iter().step_by(8) {
-                let sphere = (question.center.as_vec3(), question.radius as f32);
-                for (many, one) in [
-                    (single::half_b as Many, half_b_f32 as One),
-                    (single::half_b_q, half_b_q_f32),
-                    (single::cross_q, cross_q_f32),
-                ] {
-                    let mut ts = [[0.0; BLOCK]];
-                    many(sphere, &rays, range, &mut ts);
-                    for (t, question) in ts[0].iter().zip(&questions) {
-                        let alone = one(
-                            sphere.0,
-                            sphere.1,
-                            &question.single_ray(),
-                            range[0],
-                            range[1],
-                        );
-                        assert_eq!(t.to_bits(), alone.unwrap_or(f32::INFINITY).to_bits());
-                    }
+                let (center, radius) = (question.center.as_vec3(), question.radius as f32);
+                let mut ts = [[0.0; BLOCK]];
+                batch::half_b_f32((center, radius), &rays, range, &mut ts);
+                for (t, question) in ts[0].iter().zip(&questions) {
+                    let ray = question.single_ray();
+                    let alone = half_b_f32(center, radius, &ray, range[0], range[1]);
+                    let expected = alone.unwrap_or(f32::INFINITY);
+                    assert_eq!(t.to_bits(), expected.to_bits(), "{question:?}");
                 }
             }
         }
     }
-
-    type Many = fn((glam::Vec3, f32), &[single::Rays], [f32; 2], &mut [[f32; BLOCK]]);
-    type One = fn(glam::Vec3, f32, &speed_vs_accuracy::SingleRay, f32, f32) -> Option<f32>;
 
     #[test]
     fn of_spheres_finds_the_nearest_root_of_all_to_the_bit() {
-        for range in [[0.0, f64::INFINITY], [-1.0, 2.0], [1e-3, 1.5]] {
-            for regime in REGIMES {
-                let questions = regime.questions(Precision::Double, 7, 2 * BLOCK);
-                let spheres = [0, BLOCK].map(|first| {
-                    double::Spheres::from_fn(|k| {
-                        let question = questions[first + k];
-                        (question.center, question.radius)
-                    })
-                });
-                for Question { ray, .. } in questions.iter().step_by(8) {
-                    let root = |question: &Question| {
-                        half_b(question.center, question.radius, ray, range[0], range[1])
-                    };
-                    let expected = questions
-                        .iter()
-                        .filter_map(root)
-                        .fold(f64::INFINITY, f64::min);
-                    let found = double::nearest(&spheres, ray, range);
-                    assert_eq!(found.to_bits(), expected.to_bits());
-                }
+        for (range, regime) in everywhere() {
+            let questions = regime.questions(Precision::Double, 7, 2 * BLOCK);
+            let sphere = |question: &Question| {
+                let [x, y, z] = question.center.to_array();
+                [x, y, z, question.radius]
+            };
+            let spheres = [0, BLOCK].map(|first| Block::from_fn(|k| sphere(&questions[first + k])));
+            for Question { ray, .. } in questions.iter().step_by(8) {
+                let root = |question: &Question| {
+                    half_b(question.center, question.radius, ray, range[0], range[1])
+                };
+                let roots = questions.iter().filter_map(root);
+                let expected = roots.fold(f64::INFINITY, f64::min);
+                let found = batch::nearest(&spheres, ray, range);
+                assert_eq!(found.to_bits(), expected.to_bits());
             }
         }
     }
 
-    fn assert_same(
-        ts: &[[f64; BLOCK]],
-        questions: &[Question],
-        alone: impl Fn(&Ray) -> Option<f64>,
-    ) {
-        for (t, question) in ts.as_flattened().iter().zip(questions) {
-            let expected = alone(&question.ray).unwrap_or(f64::INFINITY);
-            assert_eq!(t.to_bits(), expected.to_bits(), "{question:?}");
-        }
+    fn everywhere() -> impl Iterator<Item = ([f64; 2], Regime)> {
+        let in_all_regimes = |range| REGIMES.map(|regime| (range, regime));
+        RANGES.into_iter().flat_map(in_all_regimes)
     }
 }
 
@@ -279,6 +248,12 @@ mod timings {
             println!("LEFT OUT: this is the optimized build, which would measure");
         }
     }
+}
+
+#[test]
+fn the_accuracy_of_no_sample_is_refused() {
+    let mut command = program_with("rtrace", &["measure", "--accuracy", "0"]);
+    assert_refused(&mut command, &["--accuracy", "zero"]);
 }
 
 /// A larger sample than the snapshot's, for whoever has the time.

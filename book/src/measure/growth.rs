@@ -14,8 +14,7 @@ use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
 use obvhs::ray::{Ray as BoxRay, RayHit};
 use speed_vs_accuracy::Random;
-use speed_vs_accuracy::batch::BLOCK;
-use speed_vs_accuracy::batch::double::{Spheres, nearest};
+use speed_vs_accuracy::batch::{BLOCK, Block, nearest};
 use tests::timings::Timing;
 
 use super::contest::{Heat, Runner};
@@ -147,9 +146,10 @@ fn plain_vec(spheres: &[(Point3, f64)]) -> Nearest {
 /// behind the ray.
 fn batch(spheres: &[(Point3, f64)]) -> Nearest {
     let behind = (Point3::new(0.0, 0.0, 1e9), 0.0);
-    let blocks: Vec<Spheres> = spheres
+    let row = |&(center, radius): &(Point3, f64)| [center.x, center.y, center.z, radius];
+    let blocks: Vec<Block<f64, 4>> = spheres
         .chunks(BLOCK)
-        .map(|chunk| Spheres::from_fn(|k| *chunk.get(k).unwrap_or(&behind)))
+        .map(|chunk| Block::from_fn(|k| row(chunk.get(k).unwrap_or(&behind))))
         .collect();
     Box::new(move |ray| {
         let t = nearest(&blocks, ray, [0.0, f64::INFINITY]);

@@ -3,25 +3,21 @@
 use std::hint::black_box;
 
 use common::rtweekend::*;
-use speed_vs_accuracy::batch::{self, BLOCK, double, single};
+use speed_vs_accuracy::batch::{self, BLOCK, Block};
 use speed_vs_accuracy::{Precision, Question};
 
 use super::contest::{Heat, Runner};
 use super::one_by_one;
 
-/// A batch for each method that has one, in both precisions, and the divider.
+/// `half_b` in both precisions, and the divider.
 pub(crate) fn heat() -> Heat {
     Heat(vec![
         one_by_one::reference(),
         limit_one_by_one(),
         limit_packed(),
         limit_packed_f32(),
-        in_double("half_b", double::half_b),
-        in_double("half_b_q", double::half_b_q),
-        in_double("cross_q", double::cross_q),
-        in_single("half_b_f32", single::half_b),
-        in_single("half_b_q_f32", single::half_b_q),
-        in_single("cross_q_f32", single::cross_q),
+        in_double(),
+        in_single(),
     ])
 }
 
@@ -46,34 +42,30 @@ fn targets<R>(precision: Precision, block: impl Fn(&[Question]) -> R) -> Vec<Tar
 /// How many blocks there are: as many as just fit into the fastest cache.
 const BLOCKS: usize = 8;
 
-type Double = fn((Point3, f64), &[double::Rays], [f64; 2], &mut [[f64; BLOCK]]);
-
-fn in_double(name: &str, solve: Double) -> Runner {
+fn in_double() -> Runner {
     let targets = targets(Precision::Double, |questions| {
-        double::Rays::from_fn(|k| questions[k].ray)
+        Block::from_fn(|k| batch::numbers(&questions[k].ray))
     });
     let mut ts = [[0.0; BLOCK]; BLOCKS / 2];
-    let key = ["batch", name, "f64", "book"];
+    let key = ["batch", "half_b", "f64", "book"];
     Runner::new(key, BLOCK, BLOCKS * BLOCK, move || {
         for (sphere, rays) in black_box(&targets) {
-            solve(*sphere, rays, [0.0, f64::INFINITY], &mut ts);
+            batch::half_b(*sphere, rays, [0.0, f64::INFINITY], &mut ts);
             black_box(&mut ts);
         }
     })
 }
 
-type Single = fn((glam::Vec3, f32), &[single::Rays], [f32; 2], &mut [[f32; BLOCK]]);
-
-fn in_single(name: &str, solve: Single) -> Runner {
+fn in_single() -> Runner {
     let targets = targets(Precision::Single, |questions| {
-        single::Rays::from_fn(|k| questions[k].single_ray())
+        Block::from_fn(|k| batch::numbers(&questions[k].ray).map(|number| number as f32))
     });
     let mut ts = [[0.0; BLOCK]; BLOCKS / 2];
-    let key = ["batch", name, "f32", "book"];
+    let key = ["batch", "half_b_f32", "f32", "book"];
     Runner::new(key, BLOCK, BLOCKS * BLOCK, move || {
         for ((center, radius), rays) in black_box(&targets) {
             let sphere = (center.as_vec3(), *radius as f32);
-            solve(sphere, rays, [0.0, f32::INFINITY], &mut ts);
+            batch::half_b_f32(sphere, rays, [0.0, f32::INFINITY], &mut ts);
             black_box(&mut ts);
         }
     })
