@@ -1,9 +1,9 @@
 //! Where rays come from: the seven situations in which every method is tried.
 //!
 //! The questions are random, and the same on every machine: only operations that
-//! round alike everywhere make them, + − × ÷ and √. Each is made for one of two precisions, because the
-//! hard places of `f32` lie elsewhere than those of `f64`, and all its numbers
-//! are numbers of that precision.
+//! round alike everywhere make them, + − × ÷ and √. Each is made for one of two
+//! precisions, because the hard places of `f32` lie elsewhere than those of
+//! `f64`, and all its numbers are numbers of that precision.
 
 use std::ops::RangeInclusive;
 
