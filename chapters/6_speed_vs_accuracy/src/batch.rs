@@ -20,6 +20,8 @@ pub const BLOCK: usize = 64;
 
 /// So many rays or spheres side by side: each column has one coordinate of all.
 #[derive(Clone, Debug)]
+// So that no eight of them lie across two lines of the cache.
+#[repr(align(64))]
 pub struct Block<Number, const COLUMNS: usize>([[Number; BLOCK]; COLUMNS]);
 
 impl<Number: Copy, const COLUMNS: usize> Block<Number, COLUMNS> {
