@@ -94,7 +94,7 @@ impl Timing {
             ratio,
         } = self;
         format!(
-            "{what},{name},{precision},{place},{n},{median:.3},{least:.3},{greatest:.3},{ratio:.3}"
+            "{what},{name},{precision},{place},{n},{median:.3},{least:.3},{greatest:.3},{ratio:.2}"
         )
     }
 }
