@@ -63,7 +63,8 @@ mod questions {
 mod a_batch {
     use super::*;
 
-    const RANGES: [[f64; 2]; 3] = [[0.0, f64::INFINITY], [-1.0, 2.0], [1e-3, 1.5]];
+    /// One begins behind the ray, and two between the roots of many.
+    const RANGES: [[f64; 2]; 4] = [[0.0, f64::INFINITY], [-1.0, 2.0], [1e-3, 1.5], [1.0, 4.0]];
 
     /// Blocks that the sign tells all of, and blocks that must be done again.
     #[test]
