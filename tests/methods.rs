@@ -189,6 +189,17 @@ mod the_exact_method {
         assert_eq!(one_over(3.0, third, third.next_up()), None);
     }
 
+    /// A point at 1 or the next number, seen from half an ulp behind 0.
+    #[test]
+    fn rounds_half_way_to_the_even_number() {
+        let half = f64::EPSILON / 2.0;
+        let ray = Ray::new(Point3::new(-half, 0.0, 0.0), Vec3::X);
+        for (center, even) in [(1.0, 1.0), (1.0 + 2.0 * half, 1.0 + 4.0 * half)] {
+            let center = Point3::new(center, 0.0, 0.0);
+            assert_eq!(exact(center, 0.0, &ray, 0.0, 2.0), Some(even));
+        }
+    }
+
     #[test]
     fn leaves_out_both_ends() {
         assert_eq!(one_over(1.0, 0.0, 2.0), Some(1.0));
