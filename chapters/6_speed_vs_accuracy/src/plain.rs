@@ -106,10 +106,10 @@ pub fn haines_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) 
 ///
 /// Cost: 1 √, 1 ÷, and some 30 + or × for the discriminant, because the products
 /// are exact: with a fused multiply-add it would be 4, but a program for any
-/// processor calls a function for that. Error: 2 ulps in D for the coefficients as they are. They were
-/// rounded before, so what is left is still about 20u·a·M. Fails: where
-/// `half_b_q` does, nearly as early. Source: Kahan, *On the Cost of
-/// Floating-Point Computation Without Extra-Precise Arithmetic*, 2004.
+/// processor calls a function for that. Error: 2 ulps in D for the coefficients
+/// as they are. They were rounded before, so what is left is still about
+/// 20u·a·M. Fails: where `half_b_q` does, nearly as early. Source: Kahan, *On
+/// the Cost of Floating-Point Computation Without Extra-Precise Arithmetic*, 2004.
 #[inline]
 pub fn kahan_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     let oc = center - ray.origin;
