@@ -10,7 +10,7 @@ use std::{env, io, thread};
 use clap::Args;
 use common::output;
 use tests::rival;
-use tests::speed::{self, Heat, Spread};
+use tests::speed::{Heat, Spread};
 use tests::stages;
 
 use crate::draw;
@@ -22,7 +22,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..))]
     rounds: u32,
 
-    /// Keep the result in book/notes/speed, as numbers and as a table
+    /// Keep the numbers in book/notes/speed; a chart is drawn from them
     #[arg(long)]
     record: bool,
 }
@@ -198,7 +198,7 @@ fn instructions(program: &Path, arguments: &[&str]) -> Option<String> {
     Some(count.trim().to_owned())
 }
 
-/// Writes the numbers, and the table of them.
+/// Writes the numbers, from which the book draws its chart.
 fn record(machine: &str, heats: &[Heat]) -> Result<(), Box<dyn Error>> {
     let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/notes/speed"));
     fs::create_dir_all(&folder)?;
@@ -210,13 +210,7 @@ fn record(machine: &str, heats: &[Heat]) -> Result<(), Box<dyn Error>> {
     for heat in heats {
         numbers += &(heat.line() + "\n");
     }
-    // The table must come from what is written, which is rounded.
-    let heats: Vec<Heat> = heats
-        .iter()
-        .map(|heat| heat.line().parse())
-        .collect::<Result<_, _>>()?;
     fs::write(folder.join("heats.txt"), numbers)?;
-    fs::write(folder.join("table.md"), speed::table(&heats))?;
     Ok(())
 }
 

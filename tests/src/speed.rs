@@ -1,6 +1,5 @@
-//! What a race against C++ measured: as a line of text, and as a table.
+//! What a race against C++ measured: as a line of text.
 
-use std::fmt::Write;
 use std::str::FromStr;
 
 /// Our program and the C++ rival drew the same picture in turns.
@@ -90,34 +89,4 @@ impl FromStr for Heat {
             rival: spread(d, e, f),
         })
     }
-}
-
-/// The heats as a table in Markdown.
-pub fn table(heats: &[Heat]) -> String {
-    let mut table = "\
-| picture | wide | to | Rust, ms | least to greatest | C++, ms | least to greatest | C++ ÷ Rust |
-|---|---:|---|---:|---|---:|---|---:|
-"
-    .to_owned();
-    for heat in heats {
-        let Heat {
-            stage,
-            width,
-            to,
-            ours,
-            rival,
-        } = heat;
-        let _ = writeln!(
-            table,
-            "| {stage} | {width} | {to} | {:.1} | {:.1} to {:.1} | {:.0} | {:.0} to {:.0} | {:.1} |",
-            ours.median,
-            ours.least,
-            ours.greatest,
-            rival.median,
-            rival.least,
-            rival.greatest,
-            heat.ratio()
-        );
-    }
-    table
 }
