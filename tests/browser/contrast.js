@@ -20,11 +20,22 @@
         return [r, g, b].map((level, i) => a * level + (1 - a) * below[i]);
     }
 
+    // The same function, that remembers what it said of each element.
+    function remembering(ask) {
+        const said = new Map();
+        return (element) => {
+            if (!said.has(element)) {
+                said.set(element, ask(element));
+            }
+            return said.get(element);
+        };
+    }
+
     // What is behind an element: the grounds of all around it, one over the other.
-    function ground(element) {
+    const ground = remembering((element) => {
         const below = element.parentElement ? ground(element.parentElement) : [255, 255, 255];
         return over(rgba(getComputedStyle(element).backgroundColor), below);
-    }
+    });
 
     function luminance(color) {
         const [r, g, b] = color.map((level) => {
@@ -34,17 +45,25 @@
         return 0.2126 * r + 0.7152 * g + 0.0722 * b;
     }
 
-    function opacity(element) {
+    const opacity = remembering((element) => {
         const own = Number(getComputedStyle(element).opacity);
         return element.parentElement ? own * opacity(element.parentElement) : own;
-    }
+    });
+
+    // The shapes of a drawing, each with its box on the screen.
+    const shapes = remembering((drawing) =>
+        [...drawing.querySelectorAll("rect, circle, ellipse, path, polygon")].map(
+            (shape) => [shape, shape.getBoundingClientRect()]));
 
     // What is behind a text in a drawing: the shapes that were drawn there before it.
     function shapesBehind(text) {
         const box = text.getBoundingClientRect();
         const middle = new DOMPoint(box.x + box.width / 2, box.y + box.height / 2);
         let behind = ground(text);
-        for (const shape of text.ownerSVGElement.querySelectorAll("rect, circle, ellipse, path, polygon")) {
+        for (const [shape, { left, right, top, bottom }] of shapes(text.ownerSVGElement)) {
+            if (middle.x < left || middle.x > right || middle.y < top || middle.y > bottom) {
+                continue;
+            }
             const { fill, fillOpacity } = getComputedStyle(shape);
             const before = shape.compareDocumentPosition(text) & Node.DOCUMENT_POSITION_FOLLOWING;
             const local = middle.matrixTransform(shape.getScreenCTM().inverse());
