@@ -172,7 +172,11 @@ fn every_link_inside_the_book_leads_somewhere() {
             assert!(woven().join(&target).is_file(), "{link} in {}", page.name);
             let target = pages.iter().find(|page| page.name == target);
             let exists = target.is_none_or(|target| target.has(fragment));
-            assert!(exists || fragment.is_empty(), "{link} in {}", page.name);
+            assert!(
+                exists || fragment.is_empty(),
+                "{link} in {}: no heading there is called #{fragment}",
+                page.name
+            );
         }
     }
 }
