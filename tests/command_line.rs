@@ -640,7 +640,8 @@ pub(crate) fn path_of(name: &str) -> PathBuf {
             None => panic!("{} has no name", folder.display()),
         };
         let built = Command::new(env!("CARGO"))
-            .args(["build", "--workspace", "--bins", "--profile", profile])
+            .args(["build", "--workspace", "--exclude", "measure", "--bins"])
+            .args(["--profile", profile])
             .arg("--target-dir")
             .arg(folder.parent().expect("the folder of all profiles"))
             .current_dir(env!("CARGO_MANIFEST_DIR"))

@@ -9,7 +9,7 @@ use tests::{accuracy, scenes};
 const MEASURED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/notes/measured");
 
 /// How many questions each method is asked in each regime, and at each level. Of
-/// more, `cargo rtrace measure --accuracy 1000000` tells.
+/// more, `cargo run --release -p measure -- --accuracy 1000000` tells.
 const CASES: usize = 2000;
 const CASES_OF_A_LEVEL: usize = 400;
 

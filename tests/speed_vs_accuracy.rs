@@ -9,8 +9,6 @@ use speed_vs_accuracy::{
 use tests::oracle::Exact;
 use tests::timings::Timings;
 
-use crate::command_line::{assert_refused, assert_success, program_with, run, text};
-
 mod questions {
     use super::*;
 
@@ -208,7 +206,7 @@ mod timings {
             {
                 assert!(
                     timings.find("method", method.name, place).is_some(),
-                    "{} in {place} is missing: cargo run --release -p rtrace -- measure --record",
+                    "{} in {place} is missing: cargo run --release -p measure -- --record",
                     method.name
                 );
             }
@@ -236,36 +234,6 @@ mod timings {
             assert!(problem.contains(reason), "{problem}");
         }
     }
-
-    /// The tests run in both kinds of build.
-    #[test]
-    fn are_not_taken_by_a_build_for_debugging() {
-        if cfg!(debug_assertions) {
-            assert_refused(
-                &mut program_with("rtrace", &["measure"]),
-                &["cargo run --release -p rtrace -- measure"],
-            );
-        } else {
-            println!("LEFT OUT: this is the optimized build, which would measure");
-        }
-    }
-}
-
-#[test]
-fn the_accuracy_of_no_sample_is_refused() {
-    let mut command = program_with("rtrace", &["measure", "--accuracy", "0"]);
-    assert_refused(&mut command, &["--accuracy", "zero"]);
-}
-
-/// A larger sample than the snapshot's, for whoever has the time.
-#[test]
-fn the_accuracy_of_any_sample_is_printed_on_demand() {
-    let output = run(&mut program_with(
-        "rtrace",
-        &["measure", "--accuracy", "50", "--seed", "9"],
-    ));
-    assert_success(&output);
-    assert_eq!(text(&output.stdout), tests::accuracy::table(50, 9));
 }
 
 fn numbers(question: &Question) -> [f64; 10] {

@@ -3,7 +3,6 @@
 mod check;
 mod draw;
 mod hit;
-mod measure;
 mod probes;
 mod race;
 mod save;
@@ -41,8 +40,6 @@ enum Command {
     Check(check::Arguments),
     /// Look at one ray and one sphere through every method of chapter 6
     Hit(hit::Arguments),
-    /// Measure how long each method of chapter 6 takes
-    Measure(measure::Arguments),
     /// List the small scenes that show what the book's picture can't
     Probes(probes::Arguments),
     /// List the mistakes that are known, or draw one
@@ -57,7 +54,6 @@ fn main() -> ExitCode {
         Some(Command::Race(arguments)) => race::race(&arguments),
         Some(Command::Check(arguments)) => return check::check(&arguments),
         Some(Command::Hit(arguments)) => hit::hit(&arguments),
-        Some(Command::Measure(arguments)) => measure::measure(&arguments),
         Some(Command::Probes(arguments)) => probes::list(&arguments),
         Some(Command::Slips(arguments)) => slips::slips(&arguments),
     };

@@ -4,11 +4,12 @@ use std::error::Error;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::time::{Instant, SystemTime};
-use std::{env, io, thread};
+use std::time::Instant;
+use std::{env, io};
 
 use clap::Args;
 use common::output;
+use tests::machine;
 use tests::rival;
 use tests::speed::{Heat, Spread};
 use tests::stages;
@@ -42,7 +43,7 @@ pub(crate) fn race(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if cfg!(debug_assertions) {
         say("This is not the release build: its times say little.\n")?;
     }
-    let machine = machine();
+    let machine = machine::machine();
     say(&format!("{machine}\n"))?;
     let mut heats = Vec::new();
     for (width, to_file) in COURSES {
@@ -212,45 +213,6 @@ fn record(machine: &str, heats: &[Heat]) -> Result<(), Box<dyn Error>> {
     }
     fs::write(folder.join("heats.txt"), numbers)?;
     Ok(())
-}
-
-/// The date, the processor and how many of it there are.
-pub(crate) fn machine() -> String {
-    let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let model = info
-        .lines()
-        .find_map(|line| line.strip_prefix("model name")?.split_once(": "))
-        .map_or(env::consts::ARCH, |(_, name)| name);
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    let days = SystemTime::UNIX_EPOCH
-        .elapsed()
-        .map_or(0, |since| since.as_secs() / 86_400);
-    let [year, month, day] = date(days);
-    format!(
-        "{year}-{month:02}-{day:02}, {model}, {threads} threads, {}",
-        env::consts::OS
-    )
-}
-
-/// Year, month and day of the Gregorian calendar, from the days since 1970.
-fn date(mut days: u64) -> [u64; 3] {
-    let leap =
-        |year: u64| year.is_multiple_of(4) && !year.is_multiple_of(100) || year.is_multiple_of(400);
-    let mut year = 1970;
-    while days >= 365 + u64::from(leap(year)) {
-        days -= 365 + u64::from(leap(year));
-        year += 1;
-    }
-    let february = 28 + u64::from(leap(year));
-    let mut month = 1;
-    for length in [31, february, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31] {
-        if days < length {
-            break;
-        }
-        days -= length;
-        month += 1;
-    }
-    [year, month, days + 1]
 }
 
 fn say(what: &str) -> Result<(), output::OutputError> {

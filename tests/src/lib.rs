@@ -13,6 +13,7 @@ pub mod diff_page;
 pub mod hits;
 pub mod intervals;
 pub mod laws;
+pub mod machine;
 pub mod mappings;
 pub mod oracle;
 pub mod png;

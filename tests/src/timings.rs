@@ -1,4 +1,4 @@
-//! What `cargo rtrace measure` measured with a clock: rows of a file.
+//! What `cargo run --release -p measure` measured with a clock: rows of a file.
 //!
 //! `book/notes/measured/timings.csv` begins with lines `# key: value` that say
 //! on what machine, with what compiler and how it was measured. Then it is

@@ -6,8 +6,8 @@ use common::rtweekend::*;
 use speed_vs_accuracy::batch::{self, BLOCK, Block};
 use speed_vs_accuracy::{Precision, Question};
 
-use super::contest::{Heat, Runner};
-use super::one_by_one;
+use crate::contest::{Heat, Runner};
+use crate::one_by_one;
 
 /// `half_b` in both precisions, and the divider.
 pub(crate) fn heat() -> Heat {

@@ -4,17 +4,17 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::process::Command;
 
+use tests::machine;
 use tests::timings::Timings;
 
-use super::COMMAND;
-use super::contest::Effort;
-use crate::race;
+use crate::COMMAND;
+use crate::contest::Effort;
 
 /// The lines at the top of the file.
 pub(crate) fn about(effort: &Effort) -> BTreeMap<String, String> {
     let rounds = effort.rounds;
     [
-        ("machine", race::machine()),
+        ("machine", machine::machine()),
         ("compiler", compiler()),
         ("flags", format!("release profile, {}", compiled_for())),
         ("chosen at run time", chosen()),

@@ -10,7 +10,7 @@ use common::rtweekend::*;
 use speed_vs_accuracy::{METHODS, Method, Precision, Question, REGIMES, SingleRay};
 use tests::accuracy::has_root;
 
-use super::contest::{Heat, Runner};
+use crate::contest::{Heat, Runner};
 
 /// So many questions fit into the fastest cache.
 const QUESTIONS: usize = 256;

@@ -9,18 +9,18 @@ mod one_by_one;
 use std::error::Error;
 use std::num::NonZeroUsize;
 use std::path::Path;
+use std::process::ExitCode;
 
-use clap::Args;
+use clap::Parser;
 use common::output;
 use tests::accuracy;
 use tests::timings::{Timing, Timings};
 
-use crate::misuse;
 use contest::{Effort, Heat};
 
-/// What `cargo rtrace measure` is told.
-#[derive(Args)]
-pub(crate) struct Arguments {
+/// How long each method of chapter 6 takes, and each way to keep many spheres.
+#[derive(Parser)]
+struct Arguments {
     /// A tenth of the rounds: within a minute instead of within ten
     #[arg(long)]
     quick: bool,
@@ -39,20 +39,30 @@ pub(crate) struct Arguments {
     seed: u64,
 }
 
-/// What this command needs, because a build for debugging is slow in its own way.
-const COMMAND: &str = "cargo run --release -p rtrace -- measure";
+/// What it takes, because a build for debugging is slow in its own way.
+const COMMAND: &str = "cargo run --release -p measure";
 
-/// Measures everything, and prints or keeps the result.
-pub(crate) fn measure(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    if let Some(cases) = arguments.accuracy {
-        let table = accuracy::table(cases.get(), arguments.seed);
-        return Ok(output::to_stdout(|out| out.write_all(table.as_bytes()))?);
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let done = match arguments.accuracy {
+        Some(cases) => say(&accuracy::table(cases.get(), arguments.seed)),
+        None if cfg!(debug_assertions) => {
+            eprintln!("this build is for debugging: its times say nothing. Run\n    {COMMAND}");
+            return ExitCode::from(2);
+        }
+        None => measure(&arguments),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("measure: {error}");
+            ExitCode::FAILURE
+        }
     }
-    if cfg!(debug_assertions) {
-        return Err(misuse(&format!(
-            "this build is for debugging: its times say nothing. Run\n    {COMMAND}"
-        )));
-    }
+}
+
+/// Takes all times, and prints or keeps them.
+fn measure(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let effort = Effort::new(arguments.quick);
     let mut heats: Vec<Heat> = one_by_one::heats();
     heats.push(many::heat());
@@ -64,11 +74,11 @@ pub(crate) fn measure(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut said = about::table(&timings);
     said += &headlines(&timings);
     if arguments.record {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("notes/measured/timings.csv");
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../notes/measured/timings.csv");
         output::to_file(&path, |out| out.write_all(timings.text().as_bytes()))?;
         said += &format!("Kept in {}\n", path.display());
     }
-    Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
+    say(&said)
 }
 
 /// The numbers that the chapter promises something about.
@@ -97,4 +107,8 @@ fn headlines(timings: &Timings) -> String {
 
 fn ratio(row: Option<&Timing>) -> String {
     row.map_or("not measured".to_owned(), |row| format!("{:.2}", row.ratio))
+}
+
+fn say(text: &str) -> Result<(), Box<dyn Error>> {
+    Ok(output::to_stdout(|out| out.write_all(text.as_bytes()))?)
 }

@@ -17,8 +17,8 @@ use speed_vs_accuracy::Random;
 use speed_vs_accuracy::batch::{BLOCK, Block, nearest};
 use tests::timings::Timing;
 
-use super::contest::{Heat, Runner};
-use super::one_by_one;
+use crate::contest::{Heat, Runner};
+use crate::one_by_one;
 
 /// The largest number of spheres, as a power of two.
 const LARGEST: u32 = 16;
