@@ -256,6 +256,8 @@ mod on_unix {
     use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 
     use super::*;
+    #[cfg(target_os = "linux")]
+    use crate::weave::Book;
 
     #[test]
     fn a_closed_pipe_is_a_quiet_end() {
@@ -541,11 +543,10 @@ mod on_unix {
     #[test]
     fn open_hands_the_first_page_to_the_browser() {
         let folder = TempDir::new().expect("a folder");
-        let mut command = program_with("rtrace", &["book", "--open", "--output"]);
-        assert_opens(
-            command.arg(folder.path()),
-            &folder.path().join("index.html"),
-        );
+        let book = Book::new("A page to open.");
+        let mut command = book.command();
+        command.args(["--open", "--output"]).arg(folder.path());
+        assert_opens(&mut command, &folder.path().join("index.html"));
     }
 
     /// Runs `command` with a viewer that takes a copy, and expects one of `file`.

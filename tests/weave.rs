@@ -2,12 +2,13 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Output;
+use std::process::{Command, Output};
 
+use figures::{CHARTS, FIGURES};
 use tempfile::TempDir;
 use tests::slips;
 
-use crate::command_line::{assert_success, names_in, program, run, text};
+use crate::command_line::{assert_success, names_in, program_with, run, text};
 
 #[test]
 fn a_listing_is_the_item_with_its_comment_and_attributes() {
@@ -82,11 +83,18 @@ fn a_listing_stays_in_its_list_and_in_its_note() {
 
 #[test]
 fn a_figure_is_drawn_into_the_page_with_its_caption() {
-    for figure in figures::FIGURES {
-        let page = Book::new(&format!("{{{{figure {}}}}}", figure.name)).page();
-        assert!(page.contains(&format!("<figure id=\"{}\">", figure.name)));
-        assert!(page.contains("<svg") && page.contains("</svg>"), "{page}");
-        assert!(page.contains("<figcaption>"), "{page}");
+    let figures = FIGURES.iter();
+    let all: String = figures
+        .map(|figure| format!("{{{{figure {}}}}}\n\n", figure.name))
+        .collect();
+    let page = Book::new(&all).page();
+    for figure in FIGURES {
+        let shown = shown_as(figure.name, &page);
+        assert!(
+            shown.contains("<svg") && shown.contains("</svg>"),
+            "{shown}"
+        );
+        assert!(shown.contains("<figcaption>"), "{shown}");
     }
 }
 
@@ -112,15 +120,22 @@ fn the_gallery_shows_every_sight_and_names_every_slip() {
 #[test]
 fn a_chart_is_drawn_into_the_page_with_a_table_of_its_numbers() {
     let notes = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/notes");
-    for chart in figures::CHARTS {
-        let book = Book::new(&format!("{{{{chart {}}}}}", chart.name));
-        for file in chart.files {
-            let text = fs::read_to_string(Path::new(notes).join(file)).expect("a measurement");
-            book.write(file, &text);
-        }
-        let page = book.page();
-        assert!(page.contains(&format!("<figure id=\"{}\">", chart.name)));
-        assert!(page.contains("<svg") && page.contains("<table>"), "{page}");
+    let charts = CHARTS.iter();
+    let all: String = charts
+        .map(|chart| format!("{{{{chart {}}}}}\n\n", chart.name))
+        .collect();
+    let book = Book::new(&all);
+    for file in CHARTS.iter().flat_map(|chart| chart.files) {
+        let text = fs::read_to_string(Path::new(notes).join(file)).expect("a measurement");
+        book.write(file, &text);
+    }
+    let page = book.page();
+    for chart in CHARTS {
+        let shown = shown_as(chart.name, &page);
+        assert!(
+            shown.contains("<svg") && shown.contains("<table>"),
+            "{shown}"
+        );
     }
 }
 
@@ -326,13 +341,22 @@ fn area(disc: &Disc) -> f64 {
 fn unrelated() {}
 "#;
 
+/// The figure of that name, and what follows until the next one.
+fn shown_as<'a>(name: &str, page: &'a str) -> &'a str {
+    let start = format!("<figure id=\"{name}\">");
+    let mut rest = page.split(&start).skip(1);
+    let shown = rest.next().expect("it is shown");
+    assert_eq!(rest.next(), None, "{name} is shown twice");
+    shown.split("<figure id=").next().unwrap_or(shown)
+}
+
 /// A book of one page, which begins with a heading and an empty line.
-struct Book {
+pub(crate) struct Book {
     folder: TempDir,
 }
 
 impl Book {
-    fn new(text: &str) -> Self {
+    pub(crate) fn new(text: &str) -> Self {
         let folder = TempDir::new().expect("a folder");
         fs::create_dir(folder.path().join("notes")).expect("a folder");
         fs::write(
@@ -356,10 +380,15 @@ impl Book {
         self.folder.path().join("woven")
     }
 
+    /// `rtrace book` for this one.
+    pub(crate) fn command(&self) -> Command {
+        let mut command = program_with("rtrace", &["book", "--source"]);
+        command.arg(self.folder.path());
+        command
+    }
+
     fn weave(&self, output: &Path) -> Output {
-        let mut command = program("rtrace");
-        command.args(["book", "--source"]).arg(self.folder.path());
-        run(command.arg("--output").arg(output))
+        run(self.command().arg("--output").arg(output))
     }
 
     /// The main part of the page, woven.

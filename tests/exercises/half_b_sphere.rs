@@ -35,7 +35,7 @@ fn one_sign_too_many_gives_the_far_root_negated_and_no_ball() {
 
 /// The same for rays whose direction has length 1, where a is 1.
 fn for_unit_direction(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
-    debug_assert!((ray.direction.length() - 1.0).abs() < 1e-12);
+    assert!((ray.direction.length() - 1.0).abs() < 1e-12);
     let oc = center - ray.origin;
     let h = ray.direction.dot(oc);
     let c = oc.length_squared() - radius * radius;

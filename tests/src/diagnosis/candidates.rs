@@ -98,9 +98,7 @@ impl Candidate {
                 .output
                 .pixel(n)
                 .map(|level| self.conversion.apply(level));
-            for level in drawn {
-                hasher.write_i16(level);
-            }
+            hasher.write_u64(in_one(drawn));
             let found = reading.pixels[n as usize];
             let distance = distance(drawn, found);
             fit.off += usize::from(distance > 0);
@@ -121,6 +119,12 @@ impl Conversion {
             Self::Wrapped => i16::from(level as u8),
         }
     }
+}
+
+/// A pixel as one number, which is a third of the work to hash.
+fn in_one(levels: [i16; 3]) -> u64 {
+    let levels = levels.map(|level| u64::from(level as u16));
+    levels[0] << 32 | levels[1] << 16 | levels[2]
 }
 
 /// The largest difference of two pixels in a component, in levels.

@@ -48,7 +48,7 @@ pub enum Unseen {
 impl Slip {
     /// The program of someone who made this slip in that chapter.
     pub fn program(&self, chapter: Chapter) -> Program {
-        debug_assert!(
+        assert!(
             self.chapters.contains(&chapter),
             "{} can't be made in {chapter:?}",
             self.name
