@@ -21,7 +21,7 @@ use contest::{Effort, Heat};
 /// How long each method of chapter 6 takes, and each way to keep many spheres.
 #[derive(Parser)]
 struct Arguments {
-    /// A tenth of the rounds: within a minute instead of within ten
+    /// A tenth of the rounds: within seconds instead of a minute or two
     #[arg(long)]
     quick: bool,
 
