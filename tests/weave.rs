@@ -90,11 +90,11 @@ fn a_figure_is_drawn_into_the_page_with_its_caption() {
     let page = Book::new(&all).page();
     for figure in FIGURES {
         let shown = shown_as(figure.name, &page);
-        assert!(
-            shown.contains("<svg") && shown.contains("</svg>"),
-            "{shown}"
-        );
-        assert!(shown.contains("<figcaption>"), "{shown}");
+        let name = figure.name;
+        let is_drawn = shown.contains("<svg") && shown.contains("</svg>");
+        assert!(is_drawn, "{name} is not drawn:\n{shown}");
+        let has_caption = shown.contains("<figcaption>");
+        assert!(has_caption, "{name} has no caption:\n{shown}");
     }
 }
 
@@ -132,10 +132,9 @@ fn a_chart_is_drawn_into_the_page_with_a_table_of_its_numbers() {
     let page = book.page();
     for chart in CHARTS {
         let shown = shown_as(chart.name, &page);
-        assert!(
-            shown.contains("<svg") && shown.contains("<table>"),
-            "{shown}"
-        );
+        let name = chart.name;
+        assert!(shown.contains("<svg"), "{name} is not drawn:\n{shown}");
+        assert!(shown.contains("<table>"), "{name} has no table:\n{shown}");
     }
 }
 
