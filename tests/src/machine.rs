@@ -24,6 +24,7 @@ pub fn machine() -> String {
 /// Year, month and day of the Gregorian calendar, from the days since 1970.
 ///
 /// ```
+/// assert_eq!(tests::machine::date(365), [1971, 1, 1]);
 /// assert_eq!(tests::machine::date(19_782), [2024, 2, 29]);
 /// assert_eq!(tests::machine::date(20_778), [2026, 11, 21]);
 /// ```
