@@ -12,7 +12,7 @@ use std::{env, fs, io};
 /// # Errors
 /// If the compiler cannot be started, or cannot compile the program.
 pub fn build(folder: &Path) -> io::Result<PathBuf> {
-    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/rival/book.cc");
+    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/../rival/book.cc");
     let compiler = env::var_os("CXX").unwrap_or_else(|| "c++".into());
     fs::create_dir_all(folder)?;
     let program = folder

@@ -16,7 +16,7 @@ use crate::strategies;
 ///
 /// This is what a reader calls from a test of their own, in a package that has
 /// `common` and `tests` among its `[dev-dependencies]`, as
-/// `{ path = "…/common" }` and `{ path = "…/tests" }`:
+/// `{ path = "…/common" }` and `{ path = "…/tests/src" }`:
 ///
 /// ```
 /// use common::rtweekend::*;
