@@ -6,11 +6,11 @@ use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use scraper::{ElementRef, Html, Node, Selector};
 
-use crate::command_line::{assert_success, names_in, program, run};
+use crate::command_line::{names_in, rtrace_alone};
 
 /// The sources of the book.
 const NOTES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/notes");
@@ -22,13 +22,14 @@ fn every_page_in_the_folder_is_in_the_summary() {
         .filter(|name| name.ends_with(".md") && name != "SUMMARY.md")
         .map(|name| name.replace(".md", ".html"))
         .collect();
-    let woven: Vec<String> = chapters().into_iter().map(|page| page.name).collect();
-    assert_eq!(written, woven);
+    let pages = pages();
+    let woven: Vec<&String> = chapters(&pages).map(|page| &page.name).collect();
+    assert_eq!(written.iter().collect::<Vec<_>>(), woven);
 }
 
 #[test]
 fn no_page_is_empty() {
-    for page in chapters() {
+    for page in chapters(&pages()) {
         let words = page.prose().split_whitespace().count();
         assert!(words > 100, "{} has {words} words", page.name);
     }
@@ -36,7 +37,7 @@ fn no_page_is_empty() {
 
 #[test]
 fn nothing_is_left_that_should_have_been_woven() {
-    for page in chapters() {
+    for page in chapters(&pages()) {
         let prose = page.prose();
         for raw in ["{{", "}}", "$", "\\tag", "[!"] {
             assert!(!prose.contains(raw), "{raw} is left in {}", page.name);
@@ -54,11 +55,10 @@ fn nothing_is_left_that_should_have_been_woven() {
 
 #[test]
 fn each_equation_has_its_number_once() {
-    let pages = chapters();
+    let pages = pages();
     for n in 1..=15 {
         let equation = select(&format!("#eq-{n}"));
-        let count: usize = pages
-            .iter()
+        let count: usize = chapters(&pages)
             .map(|page| page.html.select(&equation).count())
             .sum();
         assert_eq!(count, 1, "equation ({n}) of the notes");
@@ -73,9 +73,8 @@ fn each_figure_is_shown_once() {
 #[test]
 fn every_public_function_is_shown_by_a_listing() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let pages = chapters();
-    let listings: Vec<String> = pages
-        .iter()
+    let pages = pages();
+    let listings: Vec<String> = chapters(&pages)
         .flat_map(|page| page.all(".listing code"))
         .map(text_of)
         .collect();
@@ -102,7 +101,7 @@ fn every_public_function_is_shown_by_a_listing() {
 /// that it need not be.
 #[test]
 fn every_rust_listing_comes_from_a_source() {
-    for page in chapters() {
+    for page in chapters(&pages()) {
         let all: Vec<String> = page
             .all("code.language-rust:not(.ignore)")
             .into_iter()
@@ -117,7 +116,7 @@ fn every_rust_listing_comes_from_a_source() {
 
 #[test]
 fn every_exercise_has_a_hint_and_an_answer_that_say_what_they_are() {
-    for page in chapters() {
+    for page in chapters(&pages()) {
         let [hints, answers] = ["Hint", "Answer"].map(|word| {
             let summaries = page.all(&format!("details.{} > summary", word.to_lowercase()));
             for summary in &summaries {
@@ -131,7 +130,7 @@ fn every_exercise_has_a_hint_and_an_answer_that_say_what_they_are() {
 
 #[test]
 fn every_picture_says_what_there_is_to_see() {
-    for page in chapters() {
+    for page in chapters(&pages()) {
         for picture in page.all("main img") {
             let [file, alt] = ["src", "alt"].map(|name| picture.attr(name).unwrap_or(""));
             let words = alt.split_whitespace().count();
@@ -159,7 +158,7 @@ fn every_picture_says_what_there_is_to_see() {
 #[test]
 fn every_link_inside_the_book_leads_somewhere() {
     let pages = pages();
-    for page in &pages {
+    for page in pages.iter() {
         for link in page.attributes("a[href]", "href") {
             if is_elsewhere(link) {
                 continue;
@@ -183,7 +182,7 @@ fn every_link_inside_the_book_leads_somewhere() {
 
 #[test]
 fn every_id_is_given_once_on_its_page() {
-    for page in pages() {
+    for page in pages().iter() {
         let mut ids = BTreeSet::new();
         for id in page.ids() {
             assert!(ids.insert(id), "{id} is twice in {}", page.name);
@@ -193,7 +192,7 @@ fn every_id_is_given_once_on_its_page() {
 
 #[test]
 fn every_resource_is_a_file_of_the_book() {
-    for page in pages() {
+    for page in pages().iter() {
         for attribute in ["src", "data", "poster", "srcset", "background"] {
             for resource in page.attributes(&format!("[{attribute}]"), attribute) {
                 assert_is_in_the_book(&page.name, resource);
@@ -258,11 +257,10 @@ fn no_page_names_a_folder_of_this_machine() {
 }
 
 fn assert_shown_once(names: impl Iterator<Item = &'static str>) {
-    let pages = chapters();
+    let pages = pages();
     for name in names {
         let shown = select(&format!("figure#{name}"));
-        let count: usize = pages
-            .iter()
+        let count: usize = chapters(&pages)
             .map(|page| page.html.select(&shown).count())
             .sum();
         assert_eq!(count, 1, "how often {name} is shown");
@@ -271,13 +269,8 @@ fn assert_shown_once(names: impl Iterator<Item = &'static str>) {
 
 /// The folder of the book, woven once for all tests.
 pub(crate) fn woven() -> &'static Path {
-    static WOVEN: LazyLock<PathBuf> = LazyLock::new(|| {
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
-        let mut command = program("rtrace");
-        assert_success(&run(command.args(["book", "--output"]).arg(&folder)));
-        folder
-    });
-    &WOVEN
+    rtrace_alone();
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../target/book"))
 }
 
 /// The names of all pages, those of mdBook's own included.
@@ -295,17 +288,20 @@ struct Page {
     html: Html,
 }
 
-/// All pages.
-fn pages() -> Vec<Page> {
-    page_names().into_iter().map(Page::read).collect()
+/// All pages, read once for all tests; one test at a time looks at them.
+fn pages() -> MutexGuard<'static, Vec<Page>> {
+    static PAGES: LazyLock<Mutex<Vec<Page>>> =
+        LazyLock::new(|| Mutex::new(page_names().into_iter().map(Page::read).collect()));
+    // A test that failed has changed nothing.
+    PAGES.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The pages that were written, without those that mdBook makes of them.
-fn chapters() -> Vec<Page> {
+fn chapters(pages: &[Page]) -> impl Iterator<Item = &Page> {
     let made = ["index.html", "print.html", "toc.html", "404.html"];
-    let mut names = page_names();
-    names.retain(|name| !made.contains(&name.as_str()));
-    names.into_iter().map(Page::read).collect()
+    pages
+        .iter()
+        .filter(move |page| !made.contains(&page.name.as_str()))
 }
 
 impl Page {

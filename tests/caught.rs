@@ -264,16 +264,8 @@ impl Exam {
             Comparison::Size(..) => Verdict::Size,
             Comparison::Pixels(difference) => Verdict::Pixels(
                 difference.count as f64 / difference.total as f64,
-                largest_difference(&self.right, &wrong),
+                difference.levels,
             ),
         }
     }
-}
-
-fn largest_difference(right: &Picture, wrong: &Picture) -> u8 {
-    let levels = right.rgb().iter().zip(wrong.rgb());
-    levels
-        .map(|(right, wrong)| right.abs_diff(*wrong))
-        .max()
-        .unwrap_or(0)
 }

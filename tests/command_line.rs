@@ -11,6 +11,8 @@ use tempfile::TempDir;
 use tests::png;
 use tests::stages::STAGES;
 
+use crate::book::woven;
+
 #[test]
 fn a_chapter_prints_its_picture() {
     for stage in STAGES {
@@ -113,12 +115,10 @@ fn rtrace_saves_any_width_as_ppm_png_or_text() {
 
 #[test]
 fn rtrace_alone_draws_every_picture_twice_weaves_the_book_and_says_where() {
-    let output = run(&mut program("rtrace"));
-    assert_success(&output);
-    let report = text(&output.stdout);
+    let report = rtrace_alone();
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/pictures");
     assert!(report.contains("The book is in"), "{report}");
-    assert!(folder.with_file_name("book").join("index.html").is_file());
+    assert!(woven().join("index.html").is_file());
     for stage in STAGES {
         let expected = (stage.picture)(stage.book_width);
         let size = format!("{} × {}", expected.width(), expected.height());
@@ -607,6 +607,17 @@ mod on_unix {
         let output = child.wait_with_output().expect("the program ends");
         (output, reader.join().expect("the screen was read"))
     }
+}
+
+/// What `cargo rtrace` reports when it has drawn and woven everything, which it does
+/// once for all tests.
+pub(crate) fn rtrace_alone() -> &'static str {
+    static REPORT: LazyLock<String> = LazyLock::new(|| {
+        let output = run(&mut program("rtrace"));
+        assert_success(&output);
+        text(&output.stdout)
+    });
+    &REPORT
 }
 
 /// The program of that name, as `cargo run` would start it.

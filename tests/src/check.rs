@@ -68,11 +68,13 @@ fn judge(scene: &Scene, reading: &Reading, tolerance: u8) -> Check {
     let (width, height) = (reading.width, reading.height);
     let right = scene.right(width, height);
     let yours = reading.picture();
-    let levels = farthest(&right, &yours);
     let difference = match Comparison::of(&right, &yours) {
         Comparison::Pixels(difference) => Some(difference),
         _ => None,
     };
+    let levels = difference
+        .as_ref()
+        .map_or(0, |difference| difference.levels);
     let cause = wrong_shape(scene, width, height).or_else(|| no_levels(reading));
     if cause.is_none() && levels <= tolerance {
         return Check::Right(Right {
@@ -116,14 +118,6 @@ impl Check {
             Self::NotAPicture { finding, .. } => finding.as_deref(),
         }
     }
-}
-
-fn farthest(right: &Picture, yours: &Picture) -> u8 {
-    let levels = right.rgb().iter().zip(yours.rgb());
-    levels
-        .map(|(right, yours)| right.abs_diff(*yours))
-        .max()
-        .unwrap_or(0)
 }
 
 /// Why the picture is not of the scene's shape, if it is not.

@@ -22,6 +22,8 @@ pub struct Difference {
     pub count: usize,
     /// How many pixels the picture has.
     pub total: usize,
+    /// The farthest that a component is off, in levels.
+    pub levels: u8,
     /// The first and last column in which a pixel differs.
     pub columns: (u32, u32),
     /// The first and last row in which a pixel differs.
@@ -46,6 +48,7 @@ impl Comparison {
             let found = difference.get_or_insert(Difference {
                 count: 0,
                 total: sizes[0].0 as usize * sizes[0].1 as usize,
+                levels: 0,
                 columns: (i, i),
                 rows: (j, j),
                 first: (i, j),
@@ -53,6 +56,9 @@ impl Comparison {
                 actual,
             });
             found.count += 1;
+            for (expected, actual) in expected.into_iter().zip(actual) {
+                found.levels = found.levels.max(expected.abs_diff(actual));
+            }
             found.columns = (found.columns.0.min(i), found.columns.1.max(i));
             found.rows.1 = j;
         }
@@ -83,6 +89,7 @@ impl fmt::Display for Difference {
             first,
             expected,
             actual,
+            ..
         } = self;
         write!(
             f,
