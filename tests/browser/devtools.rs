@@ -148,10 +148,10 @@ pub(super) struct Tab<'a> {
 }
 
 impl Tab<'_> {
-    /// Opens the file, with a query such as `?search=…` behind it, and waits until
-    /// all of it is there. Returns what happened meanwhile.
-    pub(super) fn open(&mut self, file: &Path, query: &str) -> Vec<Value> {
-        let url = format!("file://{}{query}", file.display());
+    /// Opens the file, with a query or a fragment behind it, such as `?search=…` or
+    /// `#exercises`, and waits until all of it is there. Returns what happened meanwhile.
+    pub(super) fn open(&mut self, file: &Path, behind: &str) -> Vec<Value> {
+        let url = format!("file://{}{behind}", file.display());
         self.browser.events.clear();
         self.call("Page.navigate", json!({ "url": url }));
         let mut events = self.wait_for("Page.loadEventFired");
