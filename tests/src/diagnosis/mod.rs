@@ -133,10 +133,12 @@ fn explanations(scene: &Scene, evidence: &Evidence, conversion: Conversion) -> V
     // pixel has to be explained, if only by its being there.
     let right = program(&[]);
     let judge_right = |places: &[u32]| right.as_ref()?.judge(reading, places, places.len());
-    let baseline = judge_right(&many).map_or(Fit::nothing(many.len()), |(fit, _)| fit);
+    let right_one = judge_right(&many);
+    let baseline = right_one.map_or(Fit::nothing(many.len()), |(fit, _)| fit);
     if baseline.off == 0 {
         return Vec::new();
     }
+    let draws_right = right_one.map(|(_, mark)| mark);
     // What does not explain half of what is wrong is not reported. Some more is
     // let through, because a few pixels don't tell exactly.
     let most = |places: &[u32]| match judge_right(places) {
@@ -145,13 +147,15 @@ fn explanations(scene: &Scene, evidence: &Evidence, conversion: Conversion) -> V
     };
     let glance = evidence.places(GLANCE);
     let few = evidence.places(FIRST_LOOK);
-    let looked_at = |found: Vec<Judged>, count: usize, places: &[u32]| {
-        let best_of_them = found.into_iter().map(|judged| judged.candidate).take(count);
-        candidates::best(reading, best_of_them, places, most(places))
-    };
-    let explained_by = |found: Vec<Judged>| {
-        let mut found = looked_at(looked_at(found, FEW, &few), FEWER, &many);
-        let draws_right = judge_right(&many).map(|(_, mark)| mark);
+    let looks = [
+        (FEW, &few, most(&few)),
+        (FEWER, &many, baseline.far * 3 / 4),
+    ];
+    let explained_by = |mut found: Vec<Judged>| {
+        for (count, places, most) in looks {
+            let best_of_them = found.into_iter().map(|judged| judged.candidate).take(count);
+            found = candidates::best(reading, best_of_them, places, most);
+        }
         found.retain(|judged| draws_right != Some(judged.mark));
         sets(found, baseline)
     };
