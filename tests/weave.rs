@@ -113,7 +113,7 @@ fn a_slip_is_drawn_into_the_page_with_its_name() {
 fn the_gallery_shows_every_sight_and_names_every_slip() {
     let page = fs::read_to_string(woven().join("slips.html")).expect("a page");
     let drawings = page.matches("<img class=\"pixels\"").count();
-    assert_eq!(drawings, slips::sights().len());
+    assert_eq!(drawings, slips::sights().len(), "drawings in the gallery");
     for slip in slips::all() {
         assert!(page.contains(&format!(">{}</a>", slip.name)), "{slip:?}");
     }

@@ -141,15 +141,14 @@ fn explanations(scene: &Scene, evidence: &Evidence, conversion: Conversion) -> V
     let draws_right = right_one.map(|(_, mark)| mark);
     // What does not explain half of what is wrong is not reported. Some more is
     // let through, because a few pixels don't tell exactly.
-    let most = |places: &[u32]| match judge_right(places) {
-        Some((fit, _)) => fit.far * 3 / 4,
-        None => places.len() * 3 / 4,
+    let most = |judged: Option<(Fit, u64)>, places: &[u32]| {
+        judged.map_or(places.len(), |(fit, _)| fit.far) * 3 / 4
     };
     let glance = evidence.places(GLANCE);
     let few = evidence.places(FIRST_LOOK);
     let looks = [
-        (FEW, &few, most(&few)),
-        (FEWER, &many, baseline.far * 3 / 4),
+        (FEW, &few, most(judge_right(&few), &few)),
+        (FEWER, &many, most(right_one, &many)),
     ];
     let explained_by = |mut found: Vec<Judged>| {
         for (count, places, most) in looks {
@@ -162,7 +161,13 @@ fn explanations(scene: &Scene, evidence: &Evidence, conversion: Conversion) -> V
 
     let slips: Vec<&'static Slip> = scene.slips().collect();
     let singles = slips.iter().filter_map(|&slip| program(&[slip]));
-    let single = explained_by(candidates::best(reading, singles, &glance, most(&glance)));
+    let most_at_a_glance = most(judge_right(&glance), &glance);
+    let single = explained_by(candidates::best(
+        reading,
+        singles,
+        &glance,
+        most_at_a_glance,
+    ));
     if single
         .first()
         .is_some_and(|set| set.explains == Explains::All)
