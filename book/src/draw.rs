@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 use std::{env, fs};
 
-use common::output;
-use tests::stages::{STAGES, Stage};
+use check::Chapter;
+use common::engine::output;
 
 use crate::save::{Format, save};
 
@@ -15,8 +15,8 @@ use crate::save::{Format, save};
 pub(crate) fn all() -> Result<(), Box<dyn Error>> {
     let folder = folder()?;
     let mut report = format!("The pictures are in {}\n", shown(&folder).display());
-    for &stage in STAGES {
-        report += &draw(stage, &folder)?;
+    for chapter in Chapter::ALL {
+        report += &draw(chapter, &folder)?;
     }
     Ok(output::to_stdout(|out| out.write_all(report.as_bytes()))?)
 }
@@ -36,20 +36,22 @@ pub(crate) fn folder() -> Result<PathBuf, Box<dyn Error>> {
     Ok(folder)
 }
 
-fn draw(stage: Stage, folder: &Path) -> Result<String, Box<dyn Error>> {
+fn draw(chapter: Chapter, folder: &Path) -> Result<String, Box<dyn Error>> {
     let start = Instant::now();
-    let picture = (stage.picture)(stage.book_width);
+    let picture = chapter.picture(chapter.book_width());
     picture.rgb();
     let traced = start.elapsed();
     let mut line = format!(
         "  {:<14} {} × {}  {:4.1} ms to trace  ",
-        stage.name,
+        chapter.name(),
         picture.width(),
         picture.height(),
         1e3 * traced.as_secs_f64()
     );
     for format in [Format::Png, Format::Ppm] {
-        let path = folder.join(stage.name).with_extension(format.extension());
+        let path = folder
+            .join(chapter.name())
+            .with_extension(format.extension());
         save(&picture, format, &path)?;
         let kilobytes = fs::metadata(&path)?.len() as f64 / 1e3;
         line += &format!("  .{} {kilobytes:6.1} kB", format.extension());

@@ -4,7 +4,6 @@ mod check;
 mod draw;
 mod hit;
 mod probes;
-mod race;
 mod save;
 mod show;
 mod slips;
@@ -34,8 +33,6 @@ enum Command {
     Book(weave::Arguments),
     /// Draw one picture: in the terminal, into a file, or into a viewer
     Show(show::Arguments),
-    /// Draw the pictures in turns with the book's program in C++, and measure
-    Race(race::Arguments),
     /// Check your own picture, and learn which mistake draws it
     Check(check::Arguments),
     /// Look at one ray and one sphere through every method of chapter 6
@@ -51,7 +48,6 @@ fn main() -> ExitCode {
         None => draw::all().and_then(|()| weave::this_book()),
         Some(Command::Book(arguments)) => weave::book(&arguments),
         Some(Command::Show(arguments)) => show::show(&arguments),
-        Some(Command::Race(arguments)) => race::race(&arguments),
         Some(Command::Check(arguments)) => return check::check(&arguments),
         Some(Command::Hit(arguments)) => hit::hit(&arguments),
         Some(Command::Probes(arguments)) => probes::list(&arguments),

@@ -3,10 +3,11 @@
 use std::error::Error;
 use std::fmt::Write;
 
+use check::Chapter;
+use check::diagnosis::Scene;
+use check::slips::PROBES;
 use clap::Args;
-use common::output;
-use tests::diagnosis::Scene;
-use tests::slips::{Chapter, PROBES};
+use common::engine::output;
 
 use crate::check::chapter_parser;
 
@@ -21,7 +22,7 @@ pub(crate) struct Arguments {
 /// Lists the probes that the chapter has spheres for.
 pub(crate) fn list(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let chapter = arguments.chapter;
-    let name = chapter.stage().name;
+    let name = chapter.name();
     let mut text = format!(
         "Probes for {name}. Change your program as it says, draw, and then:\n  cargo rtrace check {name} --probe NAME PICTURE\n"
     );

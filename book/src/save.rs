@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use common::output::{self, OutputError};
+use check::png;
+use common::engine::output::{self, OutputError};
 use common::rtweekend::Picture;
-use tests::png;
 
 /// What a picture file holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,11 +5,11 @@ use std::error::Error;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
+use check::Chapter;
 use clap::Args;
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
-use common::output;
+use common::engine::{output, parse_width};
 use common::rtweekend::Picture;
-use tests::stages::{self, STAGES, Stage};
 
 use crate::save::{Format, save};
 use crate::{Misuse, draw, misuse, terminal};
@@ -19,7 +19,7 @@ use crate::{Misuse, draw, misuse, terminal};
 pub(crate) struct Arguments {
     /// Which picture
     #[arg(value_name = "CHAPTER", value_parser = stage_parser())]
-    stage: Stage,
+    chapter: Chapter,
 
     /// Width in pixels [default: as in the book]
     #[arg(long, value_name = "N", value_parser = parse_width, allow_hyphen_values = true)]
@@ -35,20 +35,15 @@ pub(crate) struct Arguments {
     open: bool,
 }
 
-/// The widest picture that this program agrees to make, in pixels. As a PNG
-/// file the square one takes 805 MB of memory, the others 453 MB; as text they
-/// take next to nothing.
-const WIDEST: u32 = 16_384;
-
 /// Draws the picture, then prints, saves, opens or shows it.
 pub(crate) fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let Arguments {
-        stage,
+        chapter,
         width,
         output,
         open,
     } = arguments;
-    let picture = || (stage.picture)(width.unwrap_or(stage.book_width));
+    let picture = || chapter.picture(width.unwrap_or(chapter.book_width()));
     if !matches!(
         output,
         Some(Destination::Stdout | Destination::File(_, Format::Ppm))
@@ -62,7 +57,7 @@ pub(crate) fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         Some(Destination::Stdout) => Ok(output::to_stdout(|out| picture().write_p3(out))?),
         Some(Destination::File(path, format)) => save_and_say(&picture(), *format, path, *open),
         None if *open => {
-            let path = draw::folder()?.join(stage.name).with_extension("png");
+            let path = draw::folder()?.join(chapter.name()).with_extension("png");
             save_and_say(&picture(), Format::Png, &path, true)
         }
         None if can_show_colors() => Ok(output::to_stdout(|out| terminal::show(&picture(), out))?),
@@ -105,16 +100,9 @@ fn can_show_colors() -> bool {
     io::stdout().is_terminal() && env::var_os("TERM").is_none_or(|term| term != "dumb")
 }
 
-fn stage_parser() -> impl TypedValueParser<Value = Stage> {
-    PossibleValuesParser::new(STAGES.iter().map(|stage| stage.name))
-        .map(|name| stages::find(&name).expect("only names of stages are accepted"))
-}
-
-fn parse_width(text: &str) -> Result<u32, String> {
-    text.parse()
-        .ok()
-        .filter(|width| (1..=WIDEST).contains(width))
-        .ok_or_else(|| format!("choose a whole number of pixels from 1 to {WIDEST}, such as 400"))
+fn stage_parser() -> impl TypedValueParser<Value = Chapter> {
+    PossibleValuesParser::new(Chapter::ALL.iter().map(|chapter| chapter.name()))
+        .map(|name| Chapter::find(&name).expect("only names of stages are accepted"))
 }
 
 /// Refuses a picture that does not fit into memory, unless it is to be printed.

@@ -4,12 +4,13 @@ use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
 
+use check::Chapter;
+use check::diagnosis::Scene;
+use check::png;
+use check::slips::{self, Slip, Unseen};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Subcommand, value_parser};
-use common::output;
-use tests::diagnosis::Scene;
-use tests::png;
-use tests::slips::{self, Chapter, Slip, Unseen};
+use common::engine::output;
 
 use crate::check::chapter_parser;
 use crate::misuse;
@@ -98,7 +99,7 @@ fn draw(arguments: &Draw) -> Result<(), Box<dyn Error>> {
             "that mistake can't be made in that chapter: `cargo rtrace slips CHAPTER` lists those that can",
         ));
     }
-    let width = arguments.width.unwrap_or(chapter.stage().book_width);
+    let width = arguments.width.unwrap_or(chapter.book_width());
     let drawn = slip.program(chapter).run(width);
     let path = &arguments.output;
     let (columns, rows) = drawn.size();
@@ -118,7 +119,7 @@ fn draw(arguments: &Draw) -> Result<(), Box<dyn Error>> {
     let said = format!(
         "{} in {}: {columns} × {rows} pixels in {}\n",
         slip.name,
-        chapter.stage().name,
+        chapter.name(),
         path.display()
     );
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)

@@ -1,50 +1,7 @@
 //! The book's camera: which ray belongs to which pixel.
 
-use crate::color::Color;
-use crate::many::Pixels;
-use crate::picture::Picture;
 use crate::ray::Ray;
 use crate::vec3::{Point3, Vec3};
-
-/// Draws what the book's camera sees in a picture `width` pixels wide.
-pub fn render(width: u32, ray_color: impl Fn(&Ray) -> Color + Send + Sync + 'static) -> Picture {
-    let camera = Camera::new(width);
-    Picture::paint(
-        camera.image_width,
-        camera.image_height,
-        #[inline(always)]
-        move |i, j| ray_color(&camera.ray(i, j)),
-    )
-}
-
-/// Draws the same from what becomes of many rays at a time.
-pub fn render_many(width: u32, paint: impl Fn(&Rays) -> Pixels + Send + Sync + 'static) -> Picture {
-    let camera = Camera::new(width);
-    Picture::paint_many(camera.image_width, camera.image_height, move |i, j| {
-        paint(&Rays { camera, i, j })
-    })
-}
-
-/// The rays through eighty pixels that lie side by side in a row.
-///
-/// None is stored: to find out where one goes takes no longer than to remember.
-#[derive(Clone, Copy, Debug)]
-pub struct Rays {
-    /// Where they come from.
-    pub camera: Camera,
-    /// The column of the first pixel.
-    pub i: u32,
-    /// The row of all pixels.
-    pub j: u32,
-}
-
-impl Rays {
-    /// The ray with the number `k`, from 0 to 79.
-    #[inline(always)]
-    pub fn get(&self, k: usize) -> Ray {
-        self.camera.ray(self.i + k as u32, self.j)
-    }
-}
 
 /// An eye at the origin that looks down the negative z axis, through a viewport
 /// one unit away that is divided into a grid of pixels.
@@ -110,7 +67,7 @@ impl Camera {
 
     /// The ray from the eye through the center of the pixel in column `i` and
     /// row `j`. Its direction is as long as the way to that point: `t` = 1 there.
-    #[inline(always)]
+    #[inline]
     pub fn ray(&self, i: u32, j: u32) -> Ray {
         let pixel_center =
             self.pixel00 + f64::from(i) * self.pixel_delta_u + f64::from(j) * self.pixel_delta_v;

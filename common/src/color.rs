@@ -11,7 +11,7 @@ pub type Color = Vec3;
 ///
 /// Chapter 1 is about this function and writes it out; the later chapters take
 /// it from here. A direction of length zero has no color: the result is NaN.
-#[inline(always)]
+#[inline]
 pub fn sky(ray: &Ray) -> Color {
     let unit_direction = ray.direction.normalize();
     let a = 0.5 * (unit_direction.y + 1.0);

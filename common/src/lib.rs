@@ -5,25 +5,21 @@
 //! infinity, pi and a degree-to-radian conversion; Rust's `f64` has all three,
 //! so they are not defined again.
 //!
-//! Nothing here knows what a sphere is.
+//! The files beside this one are the lesson's own words. The folder `engine` is
+//! how a picture is painted and printed: no lesson, and no chapter needs to know.
+//! Nothing in either of them knows what a sphere is.
 
 mod camera;
-pub mod chapter;
 mod color;
-mod in_order;
-mod many;
-pub mod output;
-mod picture;
+pub mod engine;
 mod ray;
-mod text;
 mod vec3;
 
 /// The prelude of every chapter.
 pub mod rtweekend {
-    pub use crate::camera::{Camera, Rays, render, render_many};
+    pub use crate::camera::Camera;
     pub use crate::color::{Color, sky, write_color};
-    pub use crate::many::{Many, Pixels};
-    pub use crate::picture::Picture;
+    pub use crate::engine::{Picture, render};
     pub use crate::ray::Ray;
     pub use crate::vec3::{Point3, Vec3};
 }

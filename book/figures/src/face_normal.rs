@@ -61,11 +61,11 @@ pub fn draw(parameters: &Parameters) -> String {
 /// Draws a ray, and the normal where it meets the sphere.
 fn meet(svg: &mut Svg, plane: &Plane, ray: &Ray, against: bool) {
     let sphere = Sphere::new(Point3::ZERO, 1.0);
-    let Some(hit) = sphere.hit(ray, 0.0, f64::INFINITY) else {
+    let Some(record) = sphere.hit(ray, 0.0, f64::INFINITY) else {
         return;
     };
-    let record = hit.record(ray);
-    let outward = sphere.outward_normal(record.point);
+    // The sphere has radius 1 around the origin: a point of it is the normal there.
+    let outward = record.point;
     let normal = if against { record.normal } else { outward };
     let point = plane.point(record.point);
     svg.circle("ray solid", plane.point(ray.origin), 3.5);

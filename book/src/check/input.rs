@@ -7,7 +7,7 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use tests::reading::{Cause, MOST_BYTES};
+use check::reading::{Cause, MOST_BYTES};
 
 /// A place to read a picture from.
 #[derive(Clone, Copy)]

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
+use check::diagnosis::{Conversion, Explains, Scene, Set};
+use check::judge::{Check, Finding};
+use check::slips::Slip;
 use serde_json::{Value, json};
-use tests::check::{Check, Finding};
-use tests::diagnosis::{Conversion, Explains, Scene, Set};
-use tests::slips::Slip;
 
 use super::{Judged, text};
 
@@ -28,7 +28,7 @@ pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
         .map(|finding| &finding.diagnosis.sets[..])
         .unwrap_or_default();
     let object = json!({
-        "chapter": judged.scene.chapter.stage().name,
+        "chapter": judged.scene.chapter.name(),
         "probe": judged.scene.probe.map(|probe| probe.name),
         "picture": judged.source.to_string(),
         "size": size(&judged.check),

@@ -1,7 +1,7 @@
 //! Where pixels differ, as a few lines of text.
 
+use check::comparison::differing_pixels;
 use common::rtweekend::Picture;
-use tests::comparison::differing_pixels;
 
 /// Letters in a line of the map.
 const COLUMNS: u32 = 48;

@@ -12,13 +12,13 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use check::Chapter;
+use check::diagnosis::Scene;
+use check::judge::{self, Check};
+use check::slips::{self, PROBES, Probe};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use common::output;
-use tests::check::{self, Check};
-use tests::diagnosis::Scene;
-use tests::slips::{self, Chapter, PROBES, Probe};
-use tests::stages;
+use common::engine::output;
 
 use input::Source;
 
@@ -82,7 +82,7 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         None => Source::Program(&arguments.program),
     };
     let check = match source.read() {
-        Ok(bytes) => check::check(&scene, &bytes, arguments.tolerance),
+        Ok(bytes) => judge::check(&scene, &bytes, arguments.tolerance),
         Err(cause) => Check::NotAPicture {
             cause,
             finding: None,
@@ -108,7 +108,7 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
 
 /// Takes the name of a chapter.
 pub(crate) fn chapter_parser() -> impl TypedValueParser<Value = Chapter> {
-    PossibleValuesParser::new(stages::of_the_book().iter().map(|stage| stage.name))
+    PossibleValuesParser::new(Chapter::OF_THE_BOOK.iter().map(|chapter| chapter.name()))
         .map(|name| Chapter::find(&name).expect("only names of chapters are accepted"))
 }
 

@@ -5,9 +5,9 @@ use std::fmt::Write;
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
-use tests::check::{Check, Finding};
-use tests::diagnosis::{Conversion, Explains, Scene, Set};
-use tests::slips::Slip;
+use check::diagnosis::{Conversion, Explains, Scene, Set};
+use check::judge::{Check, Finding};
+use check::slips::Slip;
 
 use super::{Judged, map};
 
@@ -108,7 +108,7 @@ pub(crate) fn headline(judged: &Judged, style: Style) -> String {
 }
 
 fn scene_name(scene: &Scene) -> String {
-    let chapter = scene.chapter.stage().name;
+    let chapter = scene.chapter.name();
     match scene.probe {
         None => chapter.to_owned(),
         Some(probe) => format!("{chapter} with the probe {}", probe.name),
@@ -279,7 +279,7 @@ pub(crate) fn telling(scene: &Scene, set: &Set) -> String {
             names.join(", ")
         })
         .collect();
-    let (name, probe) = (scene.chapter.stage().name, telling.probe.name);
+    let (name, probe) = (scene.chapter.name(), telling.probe.name);
     format!(
         "\n  This picture can't tell them apart. The probe {probe} can: {}.\n  Change your program to\n    {}\n  and then: cargo rtrace check {name} --probe {probe} PICTURE\n",
         groups.join(" | "),

@@ -1,6 +1,7 @@
 //! Rays and spheres under a microscope: what every method makes of them.
 
 mod one;
+mod strain;
 mod table;
 
 use std::error::Error;
@@ -9,7 +10,7 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use common::rtweekend::*;
-use speed_vs_accuracy::{METHODS, Method, Question, find};
+use speed_vs_accuracy::{Case, METHODS, Method, find};
 
 use crate::misuse;
 
@@ -69,7 +70,7 @@ pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             radius: Some(radius),
             ..
         } => {
-            let question = Question {
+            let question = Case {
                 center: *center,
                 radius: *radius,
                 ray: Ray::new(*origin, *direction),

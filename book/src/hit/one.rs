@@ -3,13 +3,12 @@
 use std::error::Error;
 use std::fmt::Write;
 
-use common::output;
-use speed_vs_accuracy::{Method, Precision, Question};
-use tests::accuracy::{Truth, three_digits};
-use tests::oracle::Exact;
-use tests::strain;
+use common::engine::output;
+use laws::oracle::Exact;
+use laws::truth::{Truth, three_digits};
+use speed_vs_accuracy::{Case, Method, Precision};
 
-use super::shortest;
+use super::{shortest, strain};
 
 /// An error of this many ulps is what a handful of rounded operations leaves:
 /// it needs no reason.
@@ -17,7 +16,7 @@ const ORDINARY: f64 = 4.0;
 
 /// Prints the exact answer, and what each method answers instead.
 pub(crate) fn print(
-    question: &Question,
+    question: &Case,
     methods: &[Method],
     range: (f64, f64),
 ) -> Result<(), Box<dyn Error>> {
@@ -35,7 +34,7 @@ pub(crate) fn print(
 /// What the methods of one precision say.
 fn part(
     text: &mut String,
-    question: &Question,
+    question: &Case,
     precision: Precision,
     methods: &[&Method],
     range: (f64, f64),
@@ -72,7 +71,7 @@ fn part(
     Ok(())
 }
 
-fn line(method: &Method, question: &Question, t: Option<f64>, truth: Option<Truth>) -> String {
+fn line(method: &Method, question: &Case, t: Option<f64>, truth: Option<Truth>) -> String {
     let answer = t.map_or("miss".to_owned(), |t| {
         format!("hit  {}", shortest(method, t))
     });

@@ -5,10 +5,10 @@ use std::io::{self, Read, Write};
 use std::path::Path;
 use std::{fmt, fs};
 
-use common::output;
+use common::engine::output;
 use common::rtweekend::*;
 use csv::{ReaderBuilder, StringRecord, Trim};
-use speed_vs_accuracy::{Method, Question};
+use speed_vs_accuracy::{Case, Method};
 
 use super::{finite, shortest};
 
@@ -125,7 +125,7 @@ fn in_head(what: String) -> Problem {
 }
 
 /// The question in a row, or what is wrong with it.
-fn parse(row: &StringRecord, columns: &[usize; 10]) -> Result<Question, String> {
+fn parse(row: &StringRecord, columns: &[usize; 10]) -> Result<Case, String> {
     let mut numbers = [0.0; 10];
     for ((number, &column), name) in numbers.iter_mut().zip(columns).zip(NAMES) {
         let text = row.get(column).unwrap_or_default();
@@ -136,7 +136,7 @@ fn parse(row: &StringRecord, columns: &[usize; 10]) -> Result<Question, String> 
         })?;
     }
     let [ox, oy, oz, dx, dy, dz, cx, cy, cz, r] = numbers;
-    Ok(Question {
+    Ok(Case {
         center: Point3::new(cx, cy, cz),
         radius: r,
         ray: Ray::new(Point3::new(ox, oy, oz), Vec3::new(dx, dy, dz)),

@@ -2,16 +2,16 @@
 
 use std::path::Path;
 
-use tests::stages::STAGES;
+use check::Chapter;
 
 use super::snapshot;
 
 /// The pictures of chapter `name` and of the one before, the pixels that changed,
 /// and the lines of code: as the files say that a test keeps fresh.
 pub(super) fn changes(folder: &Path, name: &str) -> Result<String, String> {
-    let [before, after] = STAGES
+    let [before, after] = Chapter::ALL
         .array_windows()
-        .find(|[_, after]| after.name == name)
+        .find(|[_, after]| after.name() == name)
         .ok_or_else(|| format!("no chapter `{name}` comes after another one"))?;
     let file = folder.join("changes").join(name).with_extension("snap");
     let body = snapshot::text(&file)?;
@@ -20,9 +20,9 @@ pub(super) fn changes(folder: &Path, name: &str) -> Result<String, String> {
     let mut panels = String::new();
     let pixels = format!("changes/{name}_pixels.snap.png");
     if folder.join(&pixels).exists() {
-        for (title, stage) in [("Before", before), ("After", after)] {
-            let file = format!("pictures/{}.snap.png", stage.name);
-            panels += &panel(title, &file, stage.shows);
+        for (title, chapter) in [("Before", before), ("After", after)] {
+            let file = format!("pictures/{}.snap.png", chapter.name());
+            panels += &panel(title, &file, chapter.shows());
         }
         panels += &panel("Changed pixels", &pixels, &format!("In red: {picture}"));
     }

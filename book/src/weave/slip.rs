@@ -1,9 +1,10 @@
 //! Wrong pictures, drawn by the slips while the book is woven.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
+use check::Chapter;
+use check::png;
+use check::slips::{self, Look, Sight, Slip, Unseen};
 use common::rtweekend::Picture;
-use tests::png;
-use tests::slips::{self, Chapter, Look, Sight, Slip, Unseen};
 
 /// The picture that a slip draws in a chapter, with the name of both below it.
 pub(super) fn slip(name: &str, chapter: &str) -> Result<String, String> {
@@ -11,15 +12,14 @@ pub(super) fn slip(name: &str, chapter: &str) -> Result<String, String> {
     let chapter = Chapter::find(chapter)
         .filter(|chapter| slip.chapters.contains(chapter))
         .ok_or_else(|| format!("`{name}` can't be made in a chapter `{chapter}`"))?;
-    let stage = chapter.stage();
-    let picture = slip.program(chapter).run(stage.book_width).picture();
+    let picture = slip.program(chapter).run(chapter.book_width()).picture();
     Ok(format!(
         "<figure>{}<figcaption><a href=\"slips.html\">{name}</a> in <code>{}</code></figcaption></figure>",
         image(
             &picture,
             &format!("What {name} draws: {}", slip.explanation)
         ),
-        stage.name
+        chapter.name()
     ))
 }
 
@@ -100,7 +100,7 @@ const HEADINGS: &[(Look, &str, &str)] = &[
 
 /// A picture, and beside it the slips that draw it.
 fn tile(sight: &Sight) -> String {
-    let chapter = sight.chapter.stage().name;
+    let chapter = sight.chapter.name();
     let names: Vec<&str> = sight.slips.iter().map(|slip| slip.name).collect();
     let alt = format!("What {} draws in {chapter}", names.join(", "));
     let told: String = sight.slips.iter().map(|slip| told(slip) + "\n").collect();

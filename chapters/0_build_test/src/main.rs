@@ -1,5 +1,5 @@
 //! Prints the picture of this chapter: `cargo run -p build_test > build_test.ppm`
 
 fn main() -> std::process::ExitCode {
-    common::chapter::main(|| build_test::picture(256))
+    common::engine::main(256, build_test::picture)
 }

@@ -1,5 +1,5 @@
 //! Prints the picture of this chapter: `cargo run -p red_sphere > red_sphere.ppm`
 
 fn main() -> std::process::ExitCode {
-    common::chapter::main(|| red_sphere::picture(400))
+    common::engine::main(400, red_sphere::picture)
 }

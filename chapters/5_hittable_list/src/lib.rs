@@ -5,12 +5,10 @@
 
 mod hittable;
 mod hittable_list;
-mod many;
 mod sphere;
 
-pub use hittable::{Hit, HitRecord, Hittable};
+pub use hittable::{HitRecord, Hittable};
 pub use hittable_list::HittableList;
-pub use many::{HitMany, Hits, paint};
 pub use sphere::Sphere;
 
 use common::rtweekend::*;
@@ -18,7 +16,7 @@ use common::rtweekend::*;
 /// The picture at `width` pixels wide.
 pub fn picture(width: u32) -> Picture {
     let world = world();
-    render_many(width, move |rays| paint(rays, &world))
+    render(width, move |ray| ray_color(ray, &world))
 }
 
 /// A small sphere, and below it a large one for the ground.
@@ -30,10 +28,8 @@ pub fn world() -> HittableList {
 }
 
 /// The normal of the nearest hit in front of the ray as a color, or the sky.
-#[inline(always)] // Lets the compiler trace several rays at once.
 pub fn ray_color(ray: &Ray, world: &dyn Hittable) -> Color {
-    if let Some(hit) = world.hit(ray, 0.0, f64::INFINITY) {
-        let record = hit.record(ray);
+    if let Some(record) = world.hit(ray, 0.0, f64::INFINITY) {
         return 0.5 * (record.normal + Vec3::ONE);
     }
     sky(ray)

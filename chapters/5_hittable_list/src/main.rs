@@ -1,5 +1,5 @@
 //! Prints the picture of this chapter: `cargo run -p hittable_list > hittable_list.ppm`
 
 fn main() -> std::process::ExitCode {
-    common::chapter::main(|| hittable_list::picture(400))
+    common::engine::main(400, hittable_list::picture)
 }

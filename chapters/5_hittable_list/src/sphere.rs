@@ -2,13 +2,13 @@
 
 use common::rtweekend::*;
 
-use crate::hittable::{Hit, Hittable};
+use crate::hittable::{HitRecord, Hittable};
 
 /// All points at distance `radius` from `center`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    pub(crate) center: Point3,
-    pub(crate) radius: f64,
+    center: Point3,
+    radius: f64,
 }
 
 impl Sphere {
@@ -19,23 +19,16 @@ impl Sphere {
             radius: radius.max(0.0),
         }
     }
-
-    /// The unit normal at `point` of the surface, pointing out.
-    ///
-    /// Dividing by the radius makes it a unit vector without a square root, as
-    /// far as `point` really is on the surface. A sphere of radius 0 is a point
-    /// and has no normal: the result is NaN.
-    #[inline(always)]
-    pub fn outward_normal(&self, point: Point3) -> Vec3 {
-        (point - self.center) * (1.0 / self.radius)
-    }
 }
 
 impl Hittable for Sphere {
     /// The nearer root if it lies in the interval, else the farther one: from
     /// inside the sphere, the nearer root is behind the ray.
-    #[inline(always)]
-    fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
+    ///
+    /// Dividing by the radius makes the normal a unit vector without a square
+    /// root, as far as the point really is on the surface. A sphere of radius 0
+    /// is a point and has no normal: it is NaN.
+    fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
         let oc = self.center - ray.origin;
         let a = ray.direction.length_squared();
         let h = ray.direction.dot(oc);
@@ -45,8 +38,16 @@ impl Hittable for Sphere {
             return None;
         }
         let sqrtd = discriminant.sqrt();
+        let roots = [(h - sqrtd) / a, (h + sqrtd) / a];
+        let t = roots.into_iter().find(|&t| t_min < t && t < t_max)?;
 
-        let hit_at = |t: f64| (t_min < t && t < t_max).then_some(Hit { t, sphere: *self });
-        hit_at((h - sqrtd) / a).or_else(|| hit_at((h + sqrtd) / a))
+        let mut record = HitRecord {
+            t,
+            point: ray.at(t),
+            ..HitRecord::default()
+        };
+        let outward_normal = (record.point - self.center) * (1.0 / self.radius);
+        record.set_face_normal(ray, outward_normal);
+        Some(record)
     }
 }

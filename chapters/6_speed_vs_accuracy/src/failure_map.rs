@@ -3,9 +3,9 @@
 
 use common::rtweekend::*;
 
+use crate::case::{Case, Precision};
 use crate::exact;
 use crate::method::Method;
-use crate::question::{Precision, Question};
 
 /// What a method decides about a square of neighboring rays.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,7 +31,7 @@ pub fn failure_map(method: &Method, size: usize) -> FailureMap {
         .map(|n| {
             let (column, row) = ((n % size) as f64, (n / size) as f64);
             let question = near_tangent(Precision::of(method), column - middle, middle - row);
-            let Question {
+            let Case {
                 center,
                 radius,
                 ray,
@@ -45,7 +45,7 @@ pub fn failure_map(method: &Method, size: usize) -> FailureMap {
 }
 
 /// A ray that starts so many numbers right of, and above, one that touches.
-fn near_tangent(precision: Precision, right: f64, up: f64) -> Question {
+fn near_tangent(precision: Precision, right: f64, up: f64) -> Case {
     // Between 1 and 2 all numbers have the same distance.
     let step = match precision {
         Precision::Double => f64::EPSILON,
@@ -53,7 +53,7 @@ fn near_tangent(precision: Precision, right: f64, up: f64) -> Question {
     };
     let touching = Point3::new(1.5, 1.5, 1.5);
     let (along, across) = (Vec3::new(4.0, 3.0, 0.0), Vec3::new(-3.0, 4.0, 0.0));
-    Question {
+    Case {
         center: touching + 3.0 * along + 2.0 * across,
         radius: 10.0,
         ray: Ray::new(touching + step * Vec3::new(right, up, 0.0), along),

@@ -4,6 +4,7 @@
 //! one signature.
 
 pub mod batch;
+mod case;
 mod certified;
 mod double_double;
 mod error_free;
@@ -11,12 +12,12 @@ mod exact;
 mod failure_map;
 mod method;
 mod plain;
-mod question;
 mod refined;
 mod regimes;
 mod scenes;
 mod single;
 
+pub use case::{Case, Precision};
 pub use certified::{Stage, certified_hit, certified_t, stage_of_hit, stage_of_t};
 pub use double_double::double_double;
 pub use exact::exact;
@@ -25,7 +26,6 @@ pub use method::{METHODS, Method, Solve, find};
 pub use plain::{
     adaptive_q, cross_q, full_b, haines, haines_q, half_b, half_b_q, kahan_q, scaled_q,
 };
-pub use question::{Precision, Question};
 pub use regimes::{REGIMES, Random, Regime, find_regime};
 pub use scenes::{SCENES, Scene, find_scene};
 pub use single::{SingleRay, cross_q_f32, half_b_f32, half_b_q_f32, widened_half_b_q_f32};

@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 
 use common::rtweekend::*;
 
-use crate::question::{Precision, Question};
+use crate::case::{Case, Precision};
 
 /// A situation that rays and spheres are in, from mild to hard.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +21,7 @@ pub struct Regime {
     /// What a level means; empty if there is only one.
     pub level: &'static str,
     levels: [(i32, i32); 2],
-    question: fn(&mut Random, level: i32) -> Question,
+    question: fn(&mut Random, level: i32) -> Case,
 }
 
 /// All regimes, the book's first.
@@ -84,7 +84,7 @@ pub fn find_regime(name: &str) -> Option<Regime> {
 
 impl Regime {
     /// So many questions from all levels alike, always the same for one `seed`.
-    pub fn questions(&self, precision: Precision, seed: u64, count: usize) -> Vec<Question> {
+    pub fn questions(&self, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
         let levels = self.levels(precision);
         self.make(precision, seed, count, |random| {
             let span = levels.end() - levels.start() + 1;
@@ -99,7 +99,7 @@ impl Regime {
         precision: Precision,
         seed: u64,
         count: usize,
-    ) -> Vec<Question> {
+    ) -> Vec<Case> {
         self.make(precision, seed, count, |_| level)
     }
 
@@ -118,7 +118,7 @@ impl Regime {
         seed: u64,
         count: usize,
         level: impl Fn(&mut Random) -> i32,
-    ) -> Vec<Question> {
+    ) -> Vec<Case> {
         let mut random = Random::new(seed);
         let mut question = || {
             let level = level(&mut random);
@@ -129,7 +129,7 @@ impl Regime {
 }
 
 /// A pixel of the picture 3840 wide, and one of the two spheres of the book.
-fn book(random: &mut Random) -> Question {
+fn book(random: &mut Random) -> Case {
     let camera = Camera::new(3840);
     let ray = camera.ray(
         random.below(camera.image_width),
@@ -139,7 +139,7 @@ fn book(random: &mut Random) -> Question {
         0 => (Point3::new(0.0, 0.0, -1.0), 0.5),
         _ => (Point3::new(0.0, -100.5, -1.0), 100.0),
     };
-    Question {
+    Case {
         center,
         radius,
         ray,
@@ -147,24 +147,24 @@ fn book(random: &mut Random) -> Question {
 }
 
 /// From 3 radii away, along a line that just meets the sphere or just misses.
-fn grazing(random: &mut Random, level: i32) -> Question {
+fn grazing(random: &mut Random, level: i32) -> Case {
     let miss_by = 1.0 + random.sign() / power_of_ten(level);
     aimed(random, 3.0, miss_by)
 }
 
 /// At a point that is within 1.2 radii of the center of a far sphere.
-fn far(random: &mut Random, level: i32) -> Question {
+fn far(random: &mut Random, level: i32) -> Case {
     let miss_by = random.between(0.0, 1.2);
     aimed(random, power_of_ten(level), miss_by)
 }
 
 /// From a point of the surface, as exactly as its coordinates can be on it, in
 /// the direction that the book's matte surfaces scatter: normal + unit vector.
-fn near_surface(random: &mut Random, level: i32) -> Question {
+fn near_surface(random: &mut Random, level: i32) -> Case {
     let (center, radius) = sphere(random, power_of_ten(level));
     let normal = random.direction();
     let ray = Ray::new(center + radius * normal, normal + random.direction());
-    Question {
+    Case {
         center,
         radius,
         ray,
@@ -172,10 +172,10 @@ fn near_surface(random: &mut Random, level: i32) -> Question {
 }
 
 /// In any direction, from 0.01 to 10 above a sphere as large as an Earth.
-fn ground(random: &mut Random, level: i32) -> Question {
+fn ground(random: &mut Random, level: i32) -> Case {
     let radius = power_of_ten(level);
     let height = random.between(0.01, 10.0);
-    Question {
+    Case {
         center: Point3::new(0.0, -(radius + height), 0.0),
         radius,
         ray: Ray::new(Point3::ZERO, random.direction()),
@@ -183,13 +183,13 @@ fn ground(random: &mut Random, level: i32) -> Question {
 }
 
 /// In any direction, from the center or from a little below the surface.
-fn inside(random: &mut Random, level: i32) -> Question {
+fn inside(random: &mut Random, level: i32) -> Case {
     let size = random.between(0.5, 2.0);
     let (center, radius) = sphere(random, size);
     let depth = 1.0 - 1.0 / power_of_ten(level);
     let origin = center + radius * depth * random.direction();
     let ray = Ray::new(origin, random.direction());
-    Question {
+    Case {
         center,
         radius,
         ray,
@@ -198,9 +198,9 @@ fn inside(random: &mut Random, level: i32) -> Question {
 
 /// An ordinary ray and sphere, in a very large or very small unit of length,
 /// and the direction in another one.
-fn exponents(random: &mut Random, level: i32) -> Question {
+fn exponents(random: &mut Random, level: i32) -> Case {
     let miss_by = random.between(0.0, 1.2);
-    let Question {
+    let Case {
         center,
         radius,
         ray,
@@ -208,7 +208,7 @@ fn exponents(random: &mut Random, level: i32) -> Question {
     let mut unit =
         || power_of_two(random.below(2 * level.unsigned_abs() + 1).cast_signed() - level);
     let (length, stretch) = (unit(), unit());
-    Question {
+    Case {
         center: length * center,
         radius: length * radius,
         ray: Ray::new(length * ray.origin, stretch * ray.direction),
@@ -217,7 +217,7 @@ fn exponents(random: &mut Random, level: i32) -> Question {
 
 /// A ray that starts `away` radii before a sphere of ordinary size, and whose
 /// line passes the center at `miss_by` radii.
-fn aimed(random: &mut Random, away: f64, miss_by: f64) -> Question {
+fn aimed(random: &mut Random, away: f64, miss_by: f64) -> Case {
     let size = random.between(0.5, 2.0);
     let (center, radius) = sphere(random, size);
     let forward = random.direction();
@@ -225,7 +225,7 @@ fn aimed(random: &mut Random, away: f64, miss_by: f64) -> Question {
     let closest = center + radius * miss_by * sideways;
     let length = random.between(0.5, 2.0);
     let ray = Ray::new(closest - radius * away * forward, length * forward);
-    Question {
+    Case {
         center,
         radius,
         ray,

@@ -2,8 +2,8 @@
 
 use common::rtweekend::*;
 
+use crate::case::{Case, Precision};
 use crate::method::{Method, find};
-use crate::question::{Precision, Question};
 
 /// Some spheres, and a camera that looks at them along the negative z axis.
 #[derive(Clone, Copy, Debug)]
@@ -153,11 +153,11 @@ impl Scene {
     }
 
     /// The question about the sphere that is hit first, and where.
-    fn nearest(&self, eye: Eye, ray: &Ray, t_min: f64) -> Option<(Question, f64)> {
+    fn nearest(&self, eye: Eye, ray: &Ray, t_min: f64) -> Option<(Case, f64)> {
         let mut nearest = None;
         let mut closest_so_far = f64::INFINITY;
         for &(center, radius) in self.spheres {
-            let question = Question {
+            let question = Case {
                 center,
                 radius,
                 ray: *ray,

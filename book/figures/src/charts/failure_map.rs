@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use common::rtweekend::*;
 use glam::DVec2;
-use speed_vs_accuracy::{METHODS, Precision, Question};
+use speed_vs_accuracy::{Case, METHODS, Precision};
 
 use super::{Chart, Drawn, WIDTH};
 use crate::svg::{Anchor, SMALL, Svg, width};
@@ -104,8 +104,8 @@ fn map(method: &str, precision: Precision) -> Map {
 }
 
 /// A sphere, and a ray that comes slantwise.
-fn question(origin: Point3) -> Question {
-    Question {
+fn question(origin: Point3) -> Case {
+    Case {
         center: Point3::ZERO,
         radius: 0.5,
         ray: Ray::new(origin, Vec3::new(-0.25, -0.375, 1.0)),

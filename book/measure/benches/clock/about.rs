@@ -1,0 +1,90 @@
+//! Under what conditions it was measured, and what came out, for people.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::process::Command;
+
+use measure::machine;
+use measure::timings::Timings;
+
+use crate::contest::Effort;
+
+/// The lines at the top of the file.
+pub(crate) fn about(effort: &Effort) -> BTreeMap<String, String> {
+    let rounds = effort.rounds;
+    [
+        ("machine", machine::machine()),
+        ("compiler", compiler()),
+        ("flags", format!("release profile, {}", compiled_for())),
+        ("chosen at run time", chosen()),
+        ("command", "cargo bench -p measure --bench clock".to_owned()),
+        (
+            "how",
+            format!(
+                "{rounds} rounds in which everyone takes a turn of {} µs or more; one thread; \
+                 256 questions in the fastest cache; each method compiled into its own loop, \
+                 whose questions the compiler cannot see, so that it takes one at a time",
+                effort.turn.as_micros()
+            ),
+        ),
+    ]
+    .map(|(key, value)| (key.to_owned(), value))
+    .into()
+}
+
+/// A table for people.
+pub(crate) fn table(timings: &Timings) -> String {
+    let mut text = String::new();
+    for (key, value) in &timings.about {
+        let _ = writeln!(text, "{key}: {value}");
+    }
+    let _ = writeln!(
+        text,
+        "\n{:<8}{:<22}{:<14}{:>6}{:>12}{:>12}{:>12}{:>8}",
+        "what", "name", "where", "n", "median, ns", "least", "greatest", "ratio"
+    );
+    for row in &timings.rows {
+        let _ = writeln!(
+            text,
+            "{:<8}{:<22}{:<14}{:>6}{:>12.2}{:>12.2}{:>12.2}{:>8.2}",
+            row.what, row.name, row.place, row.n, row.median, row.least, row.greatest, row.ratio
+        );
+    }
+    text
+}
+
+fn compiler() -> String {
+    let said = Command::new("rustc").arg("--version").output();
+    let text = said.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
+    text.unwrap_or_else(|_| "unknown".to_owned())
+}
+
+/// What the compiler was allowed to use in all code.
+fn compiled_for() -> &'static str {
+    if cfg!(target_feature = "avx512f") {
+        "for processors with AVX-512"
+    } else if cfg!(target_feature = "fma") {
+        "for processors with AVX2 and FMA"
+    } else if cfg!(target_arch = "x86_64") {
+        "for any x86-64 processor"
+    } else {
+        std::env::consts::ARCH
+    }
+}
+
+/// What the loops over arrays use here.
+#[cfg(target_arch = "x86_64")]
+fn chosen() -> String {
+    if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") {
+        "AVX-512".to_owned()
+    } else if is_x86_feature_detected!("avx2") {
+        "AVX2".to_owned()
+    } else {
+        "SSE2".to_owned()
+    }
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn chosen() -> String {
+    "nothing".to_owned()
+}

@@ -1,0 +1,145 @@
+//! Who is faster: everyone in turns, many times.
+//!
+//! Other programs disturb a clock, and a processor changes its pace. So nothing
+//! is measured at a stretch: in each round everyone of a heat has a short turn,
+//! and is compared with the first one in the same round.
+
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+use measure::timings::Timing;
+
+/// Those that take turns. The first is what the others are compared with.
+pub(crate) struct Heat(pub(crate) Vec<Runner>);
+
+/// Something whose time is taken.
+pub(crate) struct Runner {
+    /// The row without its times.
+    pub(crate) row: Timing,
+    /// How many tests, or rays, `run` takes.
+    pub(crate) work: usize,
+    /// Does it all once.
+    pub(crate) run: Box<dyn FnMut()>,
+    /// Whether it becomes a row, or is only there to be compared with.
+    pub(crate) is_wanted: bool,
+}
+
+/// How long to take.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Effort {
+    /// How many turns everyone has.
+    pub(crate) rounds: usize,
+    /// How long a turn should be at least.
+    pub(crate) turn: Duration,
+}
+
+impl Effort {
+    pub(crate) fn new(quick: bool) -> Self {
+        let (rounds, microseconds) = if quick { (11, 500) } else { (101, 1000) };
+        let turn = Duration::from_micros(microseconds);
+        Self { rounds, turn }
+    }
+}
+
+impl Runner {
+    /// Someone whose times are not yet taken.
+    pub(crate) fn new(
+        [what, name, precision, place]: [&str; 4],
+        n: usize,
+        work: usize,
+        run: impl FnMut() + 'static,
+    ) -> Self {
+        let row = Timing {
+            what: what.to_owned(),
+            name: name.to_owned(),
+            precision: precision.to_owned(),
+            place: place.to_owned(),
+            n,
+            median: f64::NAN,
+            least: f64::NAN,
+            greatest: f64::NAN,
+            ratio: f64::NAN,
+        };
+        let run = Box::new(run);
+        Self {
+            row,
+            work,
+            run,
+            is_wanted: true,
+        }
+    }
+
+    /// Nanoseconds for one test, from so many runs.
+    fn take_turn(&mut self, runs: usize) -> f64 {
+        let start = Instant::now();
+        for _ in 0..runs {
+            (self.run)();
+        }
+        1e9 * start.elapsed().as_secs_f64() / (runs * self.work) as f64
+    }
+
+    /// How many runs make a turn. The first of them also warm up.
+    fn runs_in(&mut self, turn: Duration) -> usize {
+        let mut runs = 1;
+        loop {
+            let start = Instant::now();
+            self.take_turn(runs);
+            let took = start.elapsed();
+            if took >= turn {
+                return runs;
+            }
+            runs *= 2;
+        }
+    }
+}
+
+/// The rows of all runners, in order.
+pub(crate) fn run(heats: Vec<Heat>, effort: &Effort) -> Vec<Timing> {
+    let bar = ProgressBar::new((heats.len() * effort.rounds) as u64);
+    let style = ProgressStyle::with_template("{bar:40} {percent} %, {eta} left")
+        .expect("the template is well-formed");
+    bar.set_style(style);
+    let rows = heats
+        .into_iter()
+        .flat_map(|heat| take_times(heat, effort, &bar));
+    let rows = rows.collect();
+    bar.finish_and_clear();
+    rows
+}
+
+fn take_times(Heat(mut runners): Heat, effort: &Effort, bar: &ProgressBar) -> Vec<Timing> {
+    let runs: Vec<usize> = runners
+        .iter_mut()
+        .map(|runner| runner.runs_in(effort.turn))
+        .collect();
+    let mut times = vec![Vec::new(); runners.len()];
+    for _ in 0..effort.rounds {
+        for ((runner, &runs), times) in runners.iter_mut().zip(&runs).zip(&mut times) {
+            times.push(runner.take_turn(runs));
+        }
+        bar.inc(1);
+    }
+    let first = times[0].clone();
+    let rows = runners.into_iter().zip(times);
+    rows.filter(|(runner, _)| runner.is_wanted)
+        .map(|(runner, times)| filled_in(runner.row, times, &first))
+        .collect()
+}
+
+fn filled_in(row: Timing, times: Vec<f64>, first: &[f64]) -> Timing {
+    let ratios = times.iter().zip(first).map(|(time, first)| time / first);
+    let ratios = sorted(ratios.collect());
+    let times = sorted(times);
+    Timing {
+        median: times[times.len() / 2],
+        least: times[0],
+        greatest: times[times.len() - 1],
+        ratio: ratios[ratios.len() / 2],
+        ..row
+    }
+}
+
+fn sorted(mut numbers: Vec<f64>) -> Vec<f64> {
+    numbers.sort_by(f64::total_cmp);
+    numbers
+}

@@ -1,0 +1,82 @@
+//! A benchmark: how long each method of chapter 6 takes, and each way to keep many
+//! spheres.
+
+mod about;
+mod contest;
+mod growth;
+mod many;
+mod one_by_one;
+
+use std::error::Error;
+use std::path::Path;
+
+use clap::Parser;
+use common::engine::output;
+use measure::timings::{Timing, Timings};
+
+use contest::{Effort, Heat};
+
+/// How long each method of chapter 6 takes, and each way to keep many spheres.
+#[derive(Parser)]
+struct Arguments {
+    /// A tenth of the rounds: within seconds instead of a minute or two
+    #[arg(long)]
+    quick: bool,
+
+    /// Keep the result in book/notes/measured/timings.csv
+    #[arg(long)]
+    record: bool,
+
+    /// What `cargo bench` says to every benchmark
+    #[arg(long, hide = true)]
+    bench: bool,
+}
+
+/// Takes all times, and prints or keeps them.
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments = Arguments::parse();
+    let effort = Effort::new(arguments.quick);
+    let mut heats: Vec<Heat> = one_by_one::heats();
+    heats.push(many::heat());
+    heats.extend(growth::heats(arguments.quick)?);
+    let timings = Timings {
+        about: about::about(&effort),
+        rows: contest::run(heats, &effort),
+    };
+    let mut said = about::table(&timings);
+    said += &headlines(&timings);
+    if arguments.record {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../notes/measured/timings.csv");
+        output::to_file(&path, |out| out.write_all(timings.text().as_bytes()))?;
+        said += &format!("Kept in {}\n", path.display());
+    }
+    Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
+}
+
+/// The numbers that the chapter promises something about.
+fn headlines(timings: &Timings) -> String {
+    let mut text = "\nTimes half_b, one ray after the other:\n".to_owned();
+    for name in ["certified_hit", "certified_t"] {
+        let ratio = |place| ratio(timings.find("method", name, place));
+        text += &format!(
+            "  {name:<14} {} on the book’s camera rays, {} if all hit\n",
+            ratio("book"),
+            ratio("all_hits")
+        );
+    }
+    let is_limit = |row: &&Timing| row.name == "packed" && row.precision == "f64";
+    let limit = timings.rows.iter().find(is_limit);
+    if let Some((limit, batch)) = limit.zip(timings.find("batch", "half_b", "book")) {
+        text += &format!(
+            "half_b in a batch reaches {:.0} % of what the divider allows: {:.2} of {:.2} ns\n",
+            100.0 * limit.least / batch.least,
+            batch.least,
+            limit.least,
+        );
+    }
+    text + &growth::crossovers(&timings.rows)
+}
+
+fn ratio(row: Option<&Timing>) -> String {
+    row.map_or("not measured".to_owned(), |row| format!("{:.2}", row.ratio))
+}

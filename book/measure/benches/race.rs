@@ -1,0 +1,231 @@
+//! A benchmark: the chapters' programs against the book's own in C++, in turns.
+
+use std::error::Error;
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::Instant;
+use std::{env, io};
+
+use check::Chapter;
+use clap::Parser;
+use common::engine::output;
+use measure::heat::{Heat, Spread};
+use measure::machine;
+use measure::rival;
+
+/// Draws each picture in turns with the C++ program, and says how long it took.
+#[derive(Parser)]
+struct Arguments {
+    /// How often each picture is drawn; an odd number has a median
+    #[arg(long, value_name = "N", default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..))]
+    rounds: u32,
+
+    /// Keep the numbers in book/notes/speed; a chart is drawn from them
+    #[arg(long)]
+    record: bool,
+
+    /// What `cargo bench` says to every benchmark
+    #[arg(long, hide = true)]
+    bench: bool,
+}
+
+/// Width in pixels, and whether the text goes into a file.
+const COURSES: [(u32, bool); 3] = [(3840, false), (3840, true), (400, false)];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments = Arguments::parse();
+    let programs = build_chapters()?;
+    let rival = rival::build(&programs.join("race"));
+    if let Err(cause) = &rival {
+        say(&format!(
+            "THE C++ PROGRAM IS LEFT OUT, it can't be built: {cause}\n"
+        ))?;
+    }
+    let machine = machine::machine();
+    say(&format!("{machine}\n"))?;
+    let mut heats = Vec::new();
+    for (width, to_file) in COURSES {
+        for chapter in &Chapter::OF_THE_BOOK[1..] {
+            let heat = run_heat(
+                chapter.name(),
+                width,
+                to_file,
+                arguments.rounds,
+                rival.as_deref().ok(),
+                &programs,
+            )?;
+            say(&format!("{}\n", shown(&heat, rival.is_ok())))?;
+            heats.push(heat);
+        }
+    }
+    say_where_time_goes(&programs, rival.as_deref().ok())?;
+    if arguments.record && rival.is_ok() {
+        record(&machine, &heats)?;
+    }
+    Ok(())
+}
+
+/// Builds the programs of the chapters as a reader would, and says in which folder
+/// they are.
+fn build_chapters() -> Result<PathBuf, Box<dyn Error>> {
+    let workspace = concat!(env!("CARGO_MANIFEST_DIR"), "/../../Cargo.toml");
+    let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(cargo);
+    command.args(["build", "--release", "--manifest-path", workspace]);
+    for chapter in &Chapter::OF_THE_BOOK[1..] {
+        command.args(["--package", chapter.name()]);
+    }
+    if !command.status()?.success() {
+        return Err("the chapters cannot be built".into());
+    }
+    // A benchmark is in `deps`, beside the programs.
+    let folder = env::current_exe()?.ancestors().nth(2).map(Path::to_owned);
+    Ok(folder.ok_or("this benchmark is not where cargo puts it")?)
+}
+
+fn run_heat(
+    chapter: &str,
+    width: u32,
+    to_file: bool,
+    rounds: u32,
+    rival: Option<&Path>,
+    programs: &Path,
+) -> io::Result<Heat> {
+    let width_text = width.to_string();
+    let destination = || match to_file {
+        true => File::create(programs.join("race").join("picture.ppm")).map(Stdio::from),
+        false => Ok(Stdio::null()),
+    };
+    let (mut ours, mut theirs) = (Vec::new(), Vec::new());
+    for _ in 0..rounds {
+        let mut command = Command::new(programs.join(chapter));
+        command.args(["--width", &width_text, "-"]);
+        ours.push(milliseconds(command.stdout(destination()?))?);
+        if let Some(rival) = rival {
+            let mut command = Command::new(rival);
+            command.args([chapter, &width_text]);
+            theirs.push(milliseconds(command.stdout(destination()?))?);
+        }
+    }
+    theirs.extend(rival.is_none().then_some(f64::NAN));
+    Ok(Heat {
+        chapter: chapter.to_owned(),
+        width,
+        to: if to_file { "file" } else { "nowhere" }.to_owned(),
+        ours: Spread::of(ours),
+        rival: Spread::of(theirs),
+    })
+}
+
+/// How long the command takes from start to end.
+fn milliseconds(command: &mut Command) -> io::Result<f64> {
+    let start = Instant::now();
+    let status = command.status()?;
+    let took = 1e3 * start.elapsed().as_secs_f64();
+    match status.success() {
+        true => Ok(took),
+        false => Err(io::Error::other(format!("{command:?} failed"))),
+    }
+}
+
+fn shown(heat: &Heat, with_rival: bool) -> String {
+    let Heat {
+        chapter,
+        width,
+        to,
+        ours,
+        rival,
+    } = heat;
+    let mut line = format!(
+        "{chapter:<14} {width:>4} wide to {to:<8} {:8.2} ms ({:.2} to {:.2})",
+        ours.median, ours.least, ours.greatest
+    );
+    if with_rival {
+        line += &format!(
+            "  C++ {:8.2} ms ({:.2} to {:.2})  ratio {:5.1}",
+            rival.median,
+            rival.least,
+            rival.greatest,
+            heat.ratio()
+        );
+    }
+    line
+}
+
+/// Prints how much of the time is tracing, on one thread, and how many
+/// instructions a small picture takes, if valgrind is there to count them.
+fn say_where_time_goes(programs: &Path, rival: Option<&Path>) -> Result<(), Box<dyn Error>> {
+    for chapter in &Chapter::OF_THE_BOOK[1..] {
+        let picture = chapter.picture(3840);
+        let least = |work: &dyn Fn()| {
+            let time = || {
+                let start = Instant::now();
+                work();
+                1e3 * start.elapsed().as_secs_f64()
+            };
+            (0..5).map(|_| time()).fold(f64::INFINITY, f64::min)
+        };
+        let traced = least(&|| drop(picture.rgb_with_threads(1)));
+        let printed = least(&|| {
+            let _ = picture.write_p3_with_threads(1, &mut io::sink());
+        });
+        let mut line = format!(
+            "{:<14} 3840 wide, one thread: {traced:.0} ms for the bytes, {printed:.0} ms for the text",
+            chapter.name()
+        );
+        if let Some(rival) = rival {
+            let mut command = Command::new(rival);
+            command
+                .args([chapter.name(), "3840", "sum"])
+                .stdout(Stdio::null());
+            let times = (0..5)
+                .map(|_| milliseconds(&mut command))
+                .collect::<io::Result<Vec<_>>>()?;
+            line += &format!("; C++ {:.0} ms without text", Spread::of(times).least);
+        }
+        if let Some(count) = instructions(&programs.join(chapter.name()), &["-"]) {
+            line += &format!("; {count} instructions at 400 wide");
+        }
+        if let Some(count) = rival.and_then(|rival| instructions(rival, &[chapter.name(), "400"])) {
+            line += &format!(", C++ {count}");
+        }
+        say(&(line + "\n"))?;
+    }
+    Ok(())
+}
+
+/// Counted by valgrind; `None` without it. It knows AVX2 but not AVX-512.
+fn instructions(program: &Path, arguments: &[&str]) -> Option<String> {
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .arg(program)
+        .args(arguments)
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .output()
+        .ok()?;
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    let (_, count) = said.lines().find_map(|line| line.split_once("refs:"))?;
+    Some(count.trim().to_owned())
+}
+
+/// Writes the numbers, from which the book draws its chart.
+fn record(machine: &str, heats: &[Heat]) -> Result<(), Box<dyn Error>> {
+    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../notes/speed"));
+    fs::create_dir_all(&folder)?;
+    let mut numbers = format!(
+        "# {machine}\n\
+         # Picture, width in pixels, where the text went; then in milliseconds the median,\n\
+         # the least and the greatest time of our program, and the same of the C++ program.\n"
+    );
+    for heat in heats {
+        numbers += &(heat.line() + "\n");
+    }
+    fs::write(folder.join("heats.txt"), numbers)?;
+    Ok(())
+}
+
+fn say(what: &str) -> Result<(), output::OutputError> {
+    output::to_stdout(|out| out.write_all(what.as_bytes()))
+}

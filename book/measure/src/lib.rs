@@ -1,0 +1,9 @@
+//! What is measured: how exact each method of chapter 6 is, how many pixels it gets
+//! wrong, and how long everything takes.
+
+pub mod accuracy;
+pub mod heat;
+pub mod machine;
+pub mod rival;
+pub mod scenes;
+pub mod timings;

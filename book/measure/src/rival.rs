@@ -1,0 +1,33 @@
+//! The book's five chapters in C++, as a program to compare and to race with.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs, io};
+
+/// The program, compiled as the book does and optimized with `-O3`, or why
+/// there is none: most often, because there is no C++ compiler.
+///
+/// The compiler is the one that the variable `CXX` names, or else `c++`.
+///
+/// # Errors
+/// If the compiler cannot be started, or cannot compile the program.
+pub fn build(folder: &Path) -> io::Result<PathBuf> {
+    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/rival/book.cc");
+    let compiler = env::var_os("CXX").unwrap_or_else(|| "c++".into());
+    fs::create_dir_all(folder)?;
+    let program = folder
+        .join("book")
+        .with_extension(env::consts::EXE_EXTENSION);
+    let compiled = Command::new(&compiler)
+        .args(["-std=c++17", "-O3", "-o"])
+        .args([program.as_os_str(), source.as_ref()])
+        .output()
+        .map_err(|cause| {
+            io::Error::new(cause.kind(), format!("{}: {cause}", compiler.display()))
+        })?;
+    if !compiled.status.success() {
+        let said = String::from_utf8_lossy(&compiled.stderr).into_owned();
+        return Err(io::Error::other(said));
+    }
+    Ok(program)
+}

@@ -1,0 +1,184 @@
+//! A case: one ray and one sphere, as every method is asked about them.
+
+use std::fmt;
+
+use common::rtweekend::*;
+
+use crate::method::{Method, Solve};
+use crate::single::SingleRay;
+
+/// Does this ray meet this sphere, and where?
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Case {
+    /// The center of the sphere.
+    pub center: Point3,
+    /// The radius of the sphere.
+    pub radius: f64,
+    /// The ray.
+    pub ray: Ray,
+}
+
+/// The two kinds of numbers that methods compute with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// `f64`: 53 digits of base two, exponents to ±1000.
+    Double,
+    /// `f32`: 24 digits, exponents to ±126.
+    Single,
+}
+
+impl Case {
+    /// What `method` answers: the nearest root between `t_min` and `t_max`.
+    ///
+    /// A method in `f32` is asked the question [rounded](Case::rounded), and
+    /// its answer widened.
+    #[inline]
+    pub fn put_to(&self, method: &Method, t_min: f64, t_max: f64) -> Option<f64> {
+        match method.solve {
+            Solve::Double(solve) => solve(self.center, self.radius, &self.ray, t_min, t_max),
+            Solve::Single(solve) => solve(
+                self.center.as_vec3(),
+                self.radius as f32,
+                &self.single_ray(),
+                t_min as f32,
+                t_max as f32,
+            )
+            .map(f64::from),
+        }
+    }
+
+    /// The question with numbers that `precision` can hold, the nearest ones:
+    /// itself in `f64`.
+    pub fn rounded(&self, precision: Precision) -> Self {
+        match precision {
+            Precision::Double => *self,
+            Precision::Single => Self {
+                center: self.center.as_vec3().as_dvec3(),
+                radius: f64::from(self.radius as f32),
+                ray: Ray::new(
+                    self.ray.origin.as_vec3().as_dvec3(),
+                    self.ray.direction.as_vec3().as_dvec3(),
+                ),
+            },
+        }
+    }
+
+    /// Where the ray is at `t`, computed in `precision`.
+    pub fn point(&self, t: f64, precision: Precision) -> Point3 {
+        match precision {
+            Precision::Double => self.ray.at(t),
+            Precision::Single => {
+                let SingleRay { origin, direction } = self.single_ray();
+                (origin + t as f32 * direction).as_dvec3()
+            }
+        }
+    }
+
+    /// The ray, rounded to `f32`.
+    #[inline]
+    pub fn single_ray(&self) -> SingleRay {
+        SingleRay {
+            origin: self.ray.origin.as_vec3(),
+            direction: self.ray.direction.as_vec3(),
+        }
+    }
+}
+
+impl Case {
+    /// The answer of `hit_sphere`, a function of center, radius and ray.
+    pub fn solve(&self, hit_sphere: &dyn Fn(Point3, f64, &Ray) -> Option<f64>) -> Option<f64> {
+        hit_sphere(self.center, self.radius, &self.ray)
+    }
+
+    /// a = d·d, rounded: the squared length of the ray's direction.
+    pub fn a(&self) -> f64 {
+        self.ray.direction.length_squared()
+    }
+
+    /// M = oc·oc + r², rounded: the square of the length that rounding errors
+    /// are measured against. Nothing in the quadratic is much longer than √M.
+    pub fn m(&self) -> f64 {
+        (self.center - self.ray.origin).length_squared() + self.radius * self.radius
+    }
+
+    /// √(M/a): how long √M is in lengths of the ray's direction. No root is
+    /// farther away than twice that.
+    pub fn t_scale(&self) -> f64 {
+        (self.m() / self.a()).sqrt()
+    }
+
+    /// Whether no number on the way to the root overflows, and none that counts
+    /// underflows.
+    ///
+    /// Between 1e-300 and 1e300, twenty times a·M is still a number, and what
+    /// underflow takes away, 5e-324 at a time, is far below u·a·M. All error
+    /// bounds hold on this condition.
+    pub fn is_well_scaled(&self) -> bool {
+        let (a, m) = (self.a(), self.m());
+        [a, m, a * m]
+            .iter()
+            .all(|scale| (1e-300..=1e300).contains(scale))
+    }
+
+    /// The same ray, pointing the other way.
+    pub fn turned_round(&self) -> Self {
+        self.with_ray(self.ray.origin, -self.ray.direction)
+    }
+
+    /// The same sphere, with another ray.
+    pub fn with_ray(&self, origin: Point3, direction: Vec3) -> Self {
+        Self {
+            ray: Ray::new(origin, direction),
+            ..*self
+        }
+    }
+
+    /// The ten numbers of the case: center, radius, origin, direction.
+    pub fn numbers(&self) -> [f64; 10] {
+        let ([cx, cy, cz], r) = (self.center.to_array(), self.radius);
+        let [qx, qy, qz] = self.ray.origin.to_array();
+        let [dx, dy, dz] = self.ray.direction.to_array();
+        [cx, cy, cz, r, qx, qy, qz, dx, dy, dz]
+    }
+
+    /// The case with these ten numbers, in the order of [`Case::numbers`].
+    pub fn from_numbers([cx, cy, cz, r, qx, qy, qz, dx, dy, dz]: [f64; 10]) -> Self {
+        Self {
+            center: Point3::new(cx, cy, cz),
+            radius: r,
+            ray: Ray::new(Point3::new(qx, qy, qz), Vec3::new(dx, dy, dz)),
+        }
+    }
+}
+
+impl fmt::Display for Case {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let vector = |v: Vec3| format!("({:?}, {:?}, {:?})", v.x, v.y, v.z);
+        write!(
+            f,
+            "let center = Point3::new{};\nlet radius = {:?};\nlet ray = Ray::new(Point3::new{}, Vec3::new{});",
+            vector(self.center),
+            self.radius,
+            vector(self.ray.origin),
+            vector(self.ray.direction),
+        )
+    }
+}
+
+impl Precision {
+    /// The precision that `method` computes with, seen from outside.
+    pub fn of(method: &Method) -> Self {
+        match method.solve {
+            Solve::Double(_) => Self::Double,
+            Solve::Single(_) => Self::Single,
+        }
+    }
+
+    /// As it is called in Rust.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Double => "f64",
+            Self::Single => "f32",
+        }
+    }
+}

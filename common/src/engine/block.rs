@@ -1,0 +1,73 @@
+//! Auto-vectorization: a loop over a structure of arrays that the compiler turns
+//! into SIMD instructions.
+//!
+//! A processor adds four or eight pairs of numbers (*lanes*) in the time that one
+//! takes, and divides them nearly so. The compiler uses that by itself where a
+//! loop does the same, turn by turn, to numbers that lie side by side. So all
+//! there is to do is to paint the pixels of a row in one loop, and to store their
+//! components side by side. What happens in a turn is the chapter's own code.
+//!
+//! One would use this wherever the same plain arithmetic is done to many values;
+//! where a turn calls a function that only the running program knows, as through
+//! a box, the loop takes one pixel at a time and gives the same bytes.
+
+#[cfg(not(plain))]
+use multiversion::multiversion;
+
+use crate::color::{Color, write_color};
+
+/// Pixels in a block: a multiple of the 8 lanes that any processor here has, and
+/// a divisor of most widths: 400, 1280, 1920, 3840.
+pub(super) const BLOCK: usize = 80;
+
+/// Pixels side by side in a row, as a structure of arrays: the bytes that a
+/// picture stores.
+#[derive(Clone, Debug)]
+pub(super) struct Block {
+    pub(super) red: [u8; BLOCK],
+    pub(super) green: [u8; BLOCK],
+    pub(super) blue: [u8; BLOCK],
+}
+
+impl Block {
+    const BLACK: Self = Self {
+        red: [0; BLOCK],
+        green: [0; BLOCK],
+        blue: [0; BLOCK],
+    };
+
+    /// So many pixels of the colors `color_at(0)`, `color_at(1)` and so on, at most
+    /// [`BLOCK`] of them.
+    #[inline]
+    pub(super) fn paint(count: usize, color_at: impl Fn(usize) -> Color) -> Self {
+        let mut block = Self::BLACK;
+        paint(&mut block, count, color_at);
+        block
+    }
+
+    /// Pixels of known bytes, three each, for at most [`BLOCK`] of them.
+    pub(super) fn from_rgb(rgb: &[u8]) -> Self {
+        let mut block = Self::BLACK;
+        let (pixels, _) = rgb.as_chunks();
+        for (k, pixel) in pixels.iter().enumerate() {
+            [block.red[k], block.green[k], block.blue[k]] = *pixel;
+        }
+        block
+    }
+}
+
+// The compiler makes three versions of this loop: for any processor, for one with
+// AVX2 (four lanes), and for one with AVX-512 (eight). The program chooses when it
+// runs. An operation rounds alike in all. `--cfg plain` leaves only the version
+// for any processor, so that it can be tried anywhere.
+#[cfg_attr(
+    not(plain),
+    multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))
+)]
+fn paint<F: Fn(usize) -> Color>(block: &mut Block, count: usize, color_at: F) {
+    for k in 0..count.min(BLOCK) {
+        let mut pixel = [0; 3];
+        write_color(&mut pixel, color_at(k));
+        [block.red[k], block.green[k], block.blue[k]] = pixel;
+    }
+}

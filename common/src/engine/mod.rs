@@ -1,0 +1,18 @@
+//! The engine: from the color of a pixel to the bytes of a file.
+//!
+//! In the order in which a pixel passes through it: [`render`] asks for colors,
+//! `block` stores them many at a time, [`Picture`] cuts the picture into strips,
+//! `ring` spreads these over threads, `p3` makes text of them, [`output`] writes
+//! it whole, and [`main`] is what a chapter's program does with it all.
+
+mod block;
+pub mod output;
+mod p3;
+mod picture;
+mod program;
+mod render;
+mod ring;
+
+pub use picture::Picture;
+pub use program::{WIDTHS, main, parse_width};
+pub use render::render;

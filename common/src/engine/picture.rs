@@ -1,0 +1,181 @@
+//! Lazy painting in strips: a picture is painted when its bytes are asked for.
+
+use std::fmt;
+use std::io::{self, Write};
+use std::sync::OnceLock;
+use std::thread;
+
+use super::block::{BLOCK, Block};
+use super::p3::push_pixels;
+use super::ring::in_order;
+use crate::color::Color;
+
+/// Rows of pixels from top to bottom, each pixel three bytes: red, green, blue.
+///
+/// A picture knows its size and how to paint any part of itself. It is painted
+/// when someone asks for its bytes, which it then keeps, or for its text. To be
+/// printed it is never held as a whole, so even a very large one takes little
+/// memory.
+pub struct Picture {
+    width: u32,
+    height: u32,
+    paint: Box<Paint>,
+    rgb: OnceLock<Vec<u8>>,
+}
+
+/// Paints a block of pixels: from a column and row on, so many of them.
+type Paint = dyn Fn(u32, u32, usize) -> Block + Send + Sync;
+
+impl Picture {
+    /// A picture whose pixel in column `i` and row `j` has the color
+    /// `color_at(i, j)`.
+    ///
+    /// A pixel depends on nothing but its place, so the picture is the same
+    /// whoever paints which part of it.
+    pub fn paint(
+        width: u32,
+        height: u32,
+        color_at: impl Fn(u32, u32) -> Color + Send + Sync + 'static,
+    ) -> Self {
+        debug_assert!(width > 0 && height > 0, "nothing to paint");
+        Self {
+            width,
+            height,
+            paint: Box::new(move |i, j, columns| {
+                Block::paint(
+                    columns,
+                    #[inline(always)]
+                    |k| color_at(i + k as u32, j),
+                )
+            }),
+            rgb: OnceLock::new(),
+        }
+    }
+
+    /// A picture from its bytes, or `None` if their number is not 3·width·height.
+    pub fn from_rgb(width: u32, height: u32, rgb: Vec<u8>) -> Option<Self> {
+        (rgb.len() == 3 * width as usize * height as usize).then(|| Self {
+            width,
+            height,
+            paint: Box::new(|_, _, _| unreachable!("nothing is painted where the bytes are known")),
+            rgb: OnceLock::from(rgb),
+        })
+    }
+
+    /// Pixels in a row.
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Number of rows.
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// All bytes: three a pixel, row by row from the top.
+    pub fn rgb(&self) -> &[u8] {
+        self.rgb
+            .get_or_init(|| self.rgb_with_threads(self.threads()))
+    }
+
+    /// The same bytes, painted anew by that many threads.
+    pub fn rgb_with_threads(&self, threads: usize) -> Vec<u8> {
+        let mut rgb = Vec::with_capacity(3 * self.width as usize * self.height as usize);
+        let paint = |strip, bytes: &mut Vec<u8>| {
+            for (block, columns) in self.blocks(strip) {
+                for k in 0..columns {
+                    bytes.extend([block.red[k], block.green[k], block.blue[k]]);
+                }
+            }
+        };
+        in_order(self.strips(), threads, paint, |bytes| {
+            rgb.extend_from_slice(bytes);
+            Ok(())
+        })
+        .expect("memory takes it");
+        rgb
+    }
+
+    /// Writes the picture as the book does: a P3 (plain PPM) text with a pixel
+    /// a line.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_p3(&self, out: &mut dyn Write) -> io::Result<()> {
+        self.write_p3_with_threads(self.threads(), out)
+    }
+
+    /// Writes the same text, painted and put into words by that many threads.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_p3_with_threads(&self, threads: usize, out: &mut dyn Write) -> io::Result<()> {
+        write!(out, "P3\n{} {}\n255\n", self.width, self.height)?;
+        let describe = |strip, text: &mut Vec<u8>| {
+            for (block, columns) in self.blocks(strip) {
+                push_pixels(text, &block, columns);
+            }
+        };
+        in_order(self.strips(), threads, describe, |text| out.write_all(text))
+    }
+
+    /// How many threads the picture is worth: one for a small picture, at most
+    /// as many as there are processors.
+    fn threads(&self) -> usize {
+        match (self.strips() / STRIPS_WORTH_A_THREAD).min(MOST_THREADS) {
+            // To ask the system how many there are takes as long as a strip.
+            0 | 1 => 1,
+            several => thread::available_parallelism().map_or(1, |most| several.min(most.get())),
+        }
+    }
+
+    fn strips(&self) -> usize {
+        (self.blocks_in_row() * self.height as usize).div_ceil(STRIP)
+    }
+
+    /// Paints a strip: its blocks in reading order, each with the number of its
+    /// columns that lie in the picture.
+    fn blocks(&self, strip: usize) -> impl Iterator<Item = (Block, usize)> {
+        let in_row = self.blocks_in_row();
+        let end = (in_row * self.height as usize).min((strip + 1) * STRIP);
+        (strip * STRIP..end).map(move |n| {
+            let (i, j) = (n % in_row * BLOCK, n / in_row);
+            let columns = BLOCK.min(self.width as usize - i);
+            let block = match self.rgb.get() {
+                Some(rgb) => {
+                    Block::from_rgb(&rgb[3 * (j * self.width as usize + i)..][..3 * columns])
+                }
+                None => (self.paint)(i as u32, j as u32, columns),
+            };
+            (block, columns)
+        })
+    }
+
+    fn blocks_in_row(&self) -> usize {
+        (self.width as usize).div_ceil(BLOCK)
+    }
+}
+
+/// Blocks in a strip, which is what a thread paints in one go. The text of so
+/// many stays in the processor's first cache, and takes few pages of memory:
+/// the first touch of each costs a microsecond.
+const STRIP: usize = 32;
+
+/// So many strips take about half a millisecond. A thread for fewer would save
+/// less than it costs to start.
+const STRIPS_WORTH_A_THREAD: usize = 32;
+
+/// More threads than this would only wait for the one that writes.
+const MOST_THREADS: usize = 8;
+
+impl PartialEq for Picture {
+    fn eq(&self, other: &Self) -> bool {
+        self.width == other.width && self.height == other.height && self.rgb() == other.rgb()
+    }
+}
+
+impl fmt::Debug for Picture {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Picture of {} × {} pixels", self.width, self.height)
+    }
+}

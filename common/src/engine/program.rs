@@ -1,0 +1,130 @@
+//! The command line of a chapter: a width, and where the picture goes.
+
+use std::env;
+use std::io::{self, IsTerminal, Write};
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use lexopt::{Arg, ValueExt};
+
+use super::output;
+use super::picture::Picture;
+
+/// The widths that a program agrees to, in pixels. At the largest one, as a PNG
+/// file, the square picture takes 805 MB of memory and the others 453 MB; as text
+/// they take next to nothing.
+pub const WIDTHS: RangeInclusive<u32> = 1..=16_384;
+
+/// Draws `picture` at `book_width`, or at the width that the command line asks
+/// for, and prints it as P3 text, or writes it to the file that is named there.
+///
+/// The exit code is 0 when all went well, 1 if the picture could not be
+/// written, and 2 if the command line asks for something else; the message on
+/// standard error names the fix.
+pub fn main(book_width: u32, picture: fn(u32) -> Picture) -> ExitCode {
+    let wish = match Wish::read(book_width, io::stdout().is_terminal()) {
+        Ok(wish) => wish,
+        Err(problem) => {
+            complain(&format!("{problem}\n\n{}", usage(book_width)));
+            return ExitCode::from(2);
+        }
+    };
+    let written = match wish {
+        Wish::Help => output::to_stdout(|out| out.write_all(usage(book_width).as_bytes())),
+        Wish::Stdout(width) => output::to_stdout(|out| picture(width).write_p3(out)),
+        Wish::File(width, path) => output::to_file(&path, |out| picture(width).write_p3(out)),
+    };
+    match written {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            complain(&error.to_string());
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The number of pixels that `text` says, if a picture can be so wide.
+///
+/// # Errors
+/// If it is no whole number, or not one of [`WIDTHS`].
+pub fn parse_width(text: &str) -> Result<u32, String> {
+    let width = text.parse().ok().filter(|width| WIDTHS.contains(width));
+    width.ok_or_else(|| {
+        let (least, most) = WIDTHS.into_inner();
+        format!("choose a whole number of pixels from {least} to {most}, such as 400")
+    })
+}
+
+/// What the command line asks for.
+enum Wish {
+    Help,
+    Stdout(u32),
+    File(u32, PathBuf),
+}
+
+impl Wish {
+    fn read(book_width: u32, terminal: bool) -> Result<Self, lexopt::Error> {
+        let mut width = book_width;
+        let mut file: Option<PathBuf> = None;
+        let mut arguments = lexopt::Parser::from_env();
+        while let Some(argument) = arguments.next()? {
+            match argument {
+                Arg::Short('h') | Arg::Long("help") => return Ok(Self::Help),
+                Arg::Long("width") => {
+                    let said = arguments.value()?.string()?;
+                    width = parse_width(&said).map_err(|fix| format!("--width {said}: {fix}"))?;
+                }
+                Arg::Value(_) if file.is_some() => return Err("one file name is enough".into()),
+                Arg::Value(name) => file = Some(name.into()),
+                option => return Err(option.unexpected()),
+            }
+        }
+        match file {
+            None if terminal => {
+                Err("the picture is a megabyte of numbers: send it to a file".into())
+            }
+            None => Ok(Self::Stdout(width)),
+            Some(dash) if dash == Path::new("-") => Ok(Self::Stdout(width)),
+            Some(path) if promises_another_format(&path) => Err(format!(
+                "{} would not be what its name says: this program writes .ppm files",
+                path.display()
+            )
+            .into()),
+            Some(path) => Ok(Self::File(width, path)),
+        }
+    }
+}
+
+fn promises_another_format(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|extension| !extension.eq_ignore_ascii_case("ppm"))
+}
+
+fn complain(about: &str) {
+    // If even this can't be written, there is nobody left to tell.
+    let _ = writeln!(io::stderr(), "{}: {about}", program());
+}
+
+fn usage(book_width: u32) -> String {
+    let name = program();
+    format!(
+        "\
+cargo run -p {name} > {name}.ppm
+    prints the picture as plain PPM (P3)
+cargo run -p {name} -- {name}.ppm
+    writes the file itself; PowerShell before 7.4 needs this: its > changes the text
+cargo run -p {name} -- --width 1001 {name}.ppm
+    as wide as you like; {book_width} pixels without it
+cargo rtrace show {name}
+    shows the picture, or saves it as .png\n"
+    )
+}
+
+fn program() -> String {
+    let path = env::current_exe().unwrap_or_default();
+    path.file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
+}

@@ -1,0 +1,98 @@
+//! Every chapter, in reading order.
+
+use common::rtweekend::Picture;
+
+/// A package that draws one picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Chapter {
+    /// The picture without rays.
+    BuildTest,
+    /// Rays and a sky.
+    Gradient,
+    /// A sphere that is hit or not.
+    RedSphere,
+    /// Where it is hit, and its normal there.
+    Normals,
+    /// The same with half of b.
+    HalfBSphere,
+    /// The nearest of many.
+    HittableList,
+    /// Every method, and where it fails.
+    SpeedVsAccuracy,
+}
+
+impl Chapter {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::BuildTest,
+        Self::Gradient,
+        Self::RedSphere,
+        Self::Normals,
+        Self::HalfBSphere,
+        Self::HittableList,
+        Self::SpeedVsAccuracy,
+    ];
+
+    /// Those whose pictures are in *Ray Tracing in One Weekend*: all but the last,
+    /// which is this project's own.
+    pub const OF_THE_BOOK: [Self; 6] = {
+        let [pictures @ .., _] = Self::ALL;
+        pictures
+    };
+
+    /// The chapter whose package has that name.
+    pub fn find(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|chapter| chapter.name() == name)
+    }
+
+    /// The name of the package.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::BuildTest => "build_test",
+            Self::Gradient => "gradient",
+            Self::RedSphere => "red_sphere",
+            Self::Normals => "normals",
+            Self::HalfBSphere => "half_b_sphere",
+            Self::HittableList => "hittable_list",
+            Self::SpeedVsAccuracy => "speed_vs_accuracy",
+        }
+    }
+
+    /// How wide the book shows the picture, or would, in pixels.
+    pub fn book_width(self) -> u32 {
+        match self {
+            Self::BuildTest => 256,
+            _ => 400,
+        }
+    }
+
+    /// What there is to see in the picture, for whoever can't see it.
+    pub fn shows(self) -> &'static str {
+        match self {
+            Self::BuildTest => "Red grows to the right, green grows downwards",
+            Self::Gradient => "Pale at the bottom, ever bluer towards the top",
+            Self::RedSphere => "A flat red disc in front of the gradient",
+            Self::Normals => "The disc is now a ball: cyan above, violet below, pink at the right",
+            Self::HalfBSphere => "The same ball: cyan above, violet below, pink at the right",
+            Self::HittableList => "The ball rests on a green ground that curves away",
+            Self::SpeedVsAccuracy => {
+                "A far star: in the left half its edge frays into specks, in the right half it is \
+                 round"
+            }
+        }
+    }
+
+    /// Draws the picture at any width, in pixels.
+    pub fn picture(self, width: u32) -> Picture {
+        let draw = match self {
+            Self::BuildTest => build_test::picture,
+            Self::Gradient => gradient::picture,
+            Self::RedSphere => red_sphere::picture,
+            Self::Normals => normals::picture,
+            Self::HalfBSphere => half_b_sphere::picture,
+            Self::HittableList => hittable_list::picture,
+            Self::SpeedVsAccuracy => speed_vs_accuracy::picture,
+        };
+        draw(width)
+    }
+}

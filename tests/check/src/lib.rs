@@ -1,0 +1,17 @@
+//! What judges a picture, ours or a reader's.
+//!
+//! In the order in which a file passes through it: [`reading`] makes a picture of
+//! bytes that may be anything, [`judge`] compares it with the right one by
+//! [`comparison`], [`diagnosis`] looks for the mistake among the known [`slips`],
+//! and [`report`] shows both pictures on a page.
+
+pub mod chapter;
+pub mod comparison;
+pub mod diagnosis;
+pub mod judge;
+pub mod png;
+pub mod reading;
+pub mod report;
+pub mod slips;
+
+pub use chapter::Chapter;

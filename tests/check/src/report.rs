@@ -1,0 +1,145 @@
+//! The report page: the right picture, yours and the difference, side by side and on
+//! top of each other.
+//!
+//! Everything is in the page or beside it, so that it also works from a disk and
+//! without a network.
+
+use std::path::{Path, PathBuf};
+use std::{fmt, fs, io, iter};
+
+use common::engine::output;
+use common::rtweekend::Picture;
+
+use crate::comparison::{Comparison, differing_pixels};
+use crate::png;
+
+/// What a report page shows.
+#[derive(Debug)]
+pub struct Report<'a> {
+    /// What it is about: the name of a chapter.
+    pub title: &'a str,
+    /// What there is to say first; a line of it becomes a line of the page.
+    pub headline: &'a str,
+    /// The right picture and yours, if there is anything to see.
+    pub pictures: Option<[&'a Picture; 2]>,
+    /// What follows the pictures, as HTML.
+    pub remarks: &'a str,
+}
+
+impl Report<'_> {
+    /// Writes `index.html` into `folder`, and beside it the pictures it shows.
+    /// Returns the path of the page.
+    ///
+    /// # Errors
+    /// If the folder or a file in it cannot be written, with its name.
+    pub fn write(&self, folder: &Path) -> io::Result<PathBuf> {
+        fs::create_dir_all(folder).map_err(|cause| {
+            let place = folder.display();
+            io::Error::new(
+                cause.kind(),
+                format!("cannot create the folder {place}: {cause}"),
+            )
+        })?;
+        let page = folder.join("index.html");
+        let html = TEMPLATE
+            .replace("{title}", &escaped(self.title))
+            .replace("{headline}", &escaped(self.headline).replace('\n', "<br>"))
+            .replace("{figures}", &self.figures(folder)?)
+            .replace("{remarks}", self.remarks);
+        write(&page, html.as_bytes())?;
+        Ok(page)
+    }
+
+    /// Writes the pictures, and returns the figures that show them.
+    fn figures(&self, folder: &Path) -> io::Result<String> {
+        let Some([expected, yours]) = self.pictures else {
+            return Ok(String::new());
+        };
+        let difference = difference_picture(expected, yours);
+        let panels = [("expected", expected), ("yours", yours)]
+            .into_iter()
+            .chain(difference.iter().map(|picture| ("difference", picture)));
+        let mut figures = String::from("<div class=\"panels\">\n");
+        for (name, picture) in panels {
+            write(&folder.join(format!("{name}.png")), &png::encode(picture))?;
+            figures += &format!(
+                "<figure><img src=\"{name}.png\" alt=\"{name}\"><figcaption>{name}</figcaption></figure>\n"
+            );
+        }
+        Ok(figures + "</div>\n" + ONION)
+    }
+}
+
+/// Differing pixels in red on a faint gray copy of what was expected, or `None`
+/// if the sizes differ.
+pub fn difference_picture(expected: &Picture, actual: &Picture) -> Option<Picture> {
+    if let Comparison::Size(..) = Comparison::of(expected, actual) {
+        return None;
+    }
+    let (pixels, _) = expected.rgb().as_chunks::<3>();
+    let mut rgb: Vec<u8> = pixels
+        .iter()
+        .flat_map(|pixel| {
+            let sum: u16 = pixel.iter().map(|&level| u16::from(level)).sum();
+            iter::repeat_n(192 + (sum / 3 / 4) as u8, 3)
+        })
+        .collect();
+    let (width, height) = (expected.width(), expected.height());
+    for (i, j, ..) in differing_pixels(expected, actual) {
+        let at = 3 * (j as usize * width as usize + i as usize);
+        rgb[at..at + 3].copy_from_slice(&[220, 0, 0]);
+    }
+    Picture::from_rgb(width, height, rgb)
+}
+
+/// `text` as HTML shows it.
+pub fn escaped(text: impl fmt::Display) -> String {
+    text.to_string()
+        .replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}
+
+fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    output::to_file(path, |out| out.write_all(bytes)).map_err(io::Error::other)
+}
+
+const ONION: &str = "\
+<figure class=\"onion\">
+<div><img src=\"expected.png\" alt=\"expected\"><img id=\"top\" src=\"yours.png\" alt=\"yours\"></div>
+<figcaption><label>expected <input id=\"slider\" type=\"range\" min=\"0\" max=\"100\" value=\"50\"> yours</label></figcaption>
+</figure>
+<script>
+const slider = document.getElementById('slider');
+const show = () => document.getElementById('top').style.opacity = slider.value / 100;
+slider.addEventListener('input', show);
+show();
+</script>
+";
+
+const TEMPLATE: &str = "\
+<!doctype html>
+<html lang=\"en\">
+<meta charset=\"utf-8\">
+<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">
+<meta name=\"color-scheme\" content=\"light dark\">
+<title>{title}: expected and yours</title>
+<style>
+body { font: 1rem/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 80rem; padding: 0 1rem; overflow-wrap: anywhere; }
+.panels { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(20rem, 100%), 1fr)); gap: 1rem; }
+figure { margin: 0 0 1rem; }
+img { display: block; width: 100%; image-rendering: pixelated; }
+.onion { max-width: 50rem; }
+.onion div { position: relative; }
+.onion #top { position: absolute; inset: 0; }
+.onion input { width: 50%; vertical-align: middle; }
+dl { display: grid; grid-template-columns: max-content 1fr; gap: 0 1rem; }
+dt { color: GrayText; }
+dd { margin: 0; }
+pre { white-space: pre-wrap; }
+</style>
+<h1>{title}</h1>
+<p>{headline}</p>
+{figures}{remarks}</html>
+";

@@ -1,0 +1,304 @@
+//! Slips in what a file holds: the order of pixels, and numbers for colors.
+
+use common::rtweekend::*;
+
+use super::super::program::Program;
+use super::super::single;
+use super::{BUILD_TEST, EVERY, RAYS, Slip, Unseen};
+
+pub(super) const SLIPS: &[Slip] = &[
+    Slip {
+        name: "integer-division",
+        chapters: BUILD_TEST,
+        wrong: "r = i / (image_width - 1)",
+        right: "r = double(i) / (image_width - 1)",
+        explanation: "Two integers divide to an integer: 0 everywhere but in the last column, where it is 1.",
+        evidence: &[],
+        page: "setup#the-code",
+        source: "chapters/0_build_test/src/lib.rs",
+        alter: |right| Program {
+            color: |_, camera, i, j| {
+                let last = (camera.image_width - 1).max(1);
+                Color::new(f64::from(i / last), f64::from(j / last), 0.0)
+            },
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "divided-by-size",
+        chapters: BUILD_TEST,
+        wrong: "r = double(i) / image_width",
+        right: "r = double(i) / (image_width - 1)",
+        explanation: "The last column is number image_width - 1, so red stops just short of full.",
+        evidence: &["#923"],
+        page: "setup#the-code",
+        source: "chapters/0_build_test/src/lib.rs",
+        alter: |right| Program {
+            color: |_, camera, i, j| {
+                let size = f64::from(camera.image_width);
+                Color::new(f64::from(i) / size, f64::from(j) / size, 0.0)
+            },
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "red-and-green-swapped",
+        chapters: BUILD_TEST,
+        wrong: "r = j / (height - 1), g = i / (width - 1)",
+        right: "r = i / (width - 1), g = j / (height - 1)",
+        explanation: "Columns run to the right and carry red; here they carry green. The picture is transposed.",
+        evidence: &[],
+        page: "setup#the-code",
+        source: "chapters/0_build_test/src/lib.rs",
+        alter: |right| Program {
+            color: |_, camera, i, j| ramp(camera, j.into(), i.into()),
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "green-upwards",
+        chapters: BUILD_TEST,
+        wrong: "g = 1 - j / (height - 1)",
+        right: "g = j / (height - 1)",
+        explanation: "Older editions count rows from below. Here row 0 is at the top, and green grows downwards.",
+        evidence: &["#879"],
+        page: "setup#the-code",
+        source: "chapters/0_build_test/src/lib.rs",
+        alter: |right| Program {
+            color: |_, camera, i, j| {
+                let from_below = f64::from(camera.image_height) - 1.0 - f64::from(j);
+                ramp(camera, i.into(), from_below)
+            },
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "quarter-blue",
+        chapters: BUILD_TEST,
+        wrong: "b = 0.25",
+        right: "b = 0",
+        explanation: "Older editions put a quarter of blue into every pixel of this picture.",
+        evidence: &["PR #1184"],
+        page: "setup#the-code",
+        source: "chapters/0_build_test/src/lib.rs",
+        alter: |right| Program {
+            color: |_, camera, i, j| ramp(camera, i.into(), j.into()) + Color::new(0.0, 0.0, 0.25),
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "columns-first",
+        chapters: EVERY,
+        wrong: "for i … for j … print",
+        right: "for j … for i … print",
+        explanation: "A file holds row after row. With the loops the other way round it gets column after column.",
+        evidence: &[],
+        page: "setup#a-picture-is-text",
+        source: "common/src/engine/picture.rs",
+        alter: |right| Program {
+            order: |n, _, height| (n / height, n % height),
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "rows-from-below",
+        chapters: EVERY,
+        wrong: "for j = image_height - 1 down to 0",
+        right: "for j = 0 up to image_height - 1",
+        explanation: "Older editions print from the last row upwards. With the camera of this one the picture stands on its head.",
+        evidence: &["PR #1051", "#766", "#879"],
+        page: "setup#a-picture-is-text",
+        source: "common/src/engine/picture.rs",
+        alter: |right| Program {
+            order: |n, width, height| (n % width, height - 1 - n / width),
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "loops-from-one",
+        chapters: EVERY,
+        wrong: "for j = 1 to image_height, for i = 1 to image_width",
+        right: "for j = 0 to image_height - 1, for i = 0 to image_width - 1",
+        explanation: "Pixels are counted from 0. Counted from 1, the picture moves by a pixel to the left and upwards.",
+        evidence: &[],
+        page: "setup#a-picture-is-text",
+        source: "common/src/engine/picture.rs",
+        alter: |right| Program {
+            order: |n, width, _| (n % width + 1, n / width + 1),
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "header-swapped",
+        chapters: EVERY,
+        wrong: "print image_height, image_width",
+        right: "print image_width, image_height",
+        explanation: "The header tells the width first. Swapped, every row breaks at the wrong pixel and the picture shears.",
+        evidence: &[],
+        page: "setup#a-picture-is-text",
+        source: "common/src/engine/picture.rs",
+        alter: |right| Program {
+            header: |width, height| (height, width),
+            ..right
+        },
+        unseen: &[(
+            BUILD_TEST,
+            Unseen::Equivalent("The picture is a square, so both numbers are the same."),
+        )],
+    },
+    Slip {
+        name: "channels-reversed",
+        chapters: EVERY,
+        wrong: "print b, g, r",
+        right: "print r, g, b",
+        explanation: "A pixel is red, green, blue. Reversed, red and blue change places all over the picture.",
+        evidence: &[],
+        page: "setup#a-picture-is-text",
+        source: "common/src/engine/picture.rs",
+        alter: |right| Program {
+            channels: [2, 1, 0],
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "times-255",
+        chapters: EVERY,
+        wrong: "int(255 * r)",
+        right: "int(255.999 * r)",
+        explanation: "Cutting off the fraction leaves level 255 to exactly 1.0 alone, so almost all pixels are a level darker.",
+        evidence: &["#1249"],
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
+        alter: |right| Program {
+            level: |component| (255.0 * component) as i32,
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "times-255-99",
+        chapters: EVERY,
+        wrong: "int(255.99 * r)",
+        right: "int(255.999 * r)",
+        explanation: "The factor of older editions: a few pixels are a level darker.",
+        evidence: &[],
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
+        alter: |right| Program {
+            level: |component| (255.99 * component) as i32,
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "times-256",
+        chapters: EVERY,
+        wrong: "int(256 * r)",
+        right: "int(255.999 * r)",
+        explanation: "A component of 1.0 becomes 256, which is no level; a language that stops at 255 shows a few pixels a level brighter.",
+        evidence: &["RayTracing/TheRestOfYourLife PR #5"],
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
+        alter: |right| Program {
+            level: |component| (256.0 * component) as i32,
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "times-256-clamped",
+        chapters: EVERY,
+        wrong: "int(256 * clamp(r, 0.000, 0.999))",
+        right: "int(255.999 * r)",
+        explanation: "How a later chapter of the book does it: a few pixels are a level brighter.",
+        evidence: &[],
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
+        alter: |right| Program {
+            level: |component| (256.0 * component.clamp(0.0, 0.999)) as i32,
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "rounded",
+        chapters: EVERY,
+        wrong: "round(255 * r)",
+        right: "int(255.999 * r)",
+        explanation: "Rounding to the nearest level is no worse, but it is another picture: half of the pixels are a level off.",
+        evidence: &[],
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
+        alter: |right| Program {
+            level: |component| (255.0 * component).round() as i32,
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "cast-too-early",
+        chapters: EVERY,
+        wrong: "255 * int(r)",
+        right: "int(255.999 * r)",
+        explanation: "The conversion cuts off everything below 1 before the factor can spread it: levels are 0 or 255.",
+        evidence: &[],
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
+        alter: |right| Program {
+            level: |component| 255_i32.saturating_mul(component as i32),
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "gamma-too-early",
+        chapters: EVERY,
+        wrong: "int(255.999 * sqrt(r))",
+        right: "int(255.999 * r)",
+        explanation: "The square root is the gamma correction of a later chapter: everything is too bright.",
+        evidence: &[],
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
+        alter: |right| Program {
+            level: |component| (255.999 * component.sqrt()) as i32,
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "single-precision",
+        chapters: RAYS,
+        wrong: "float",
+        right: "double",
+        explanation: "With 24 bits instead of 53, a few pixels are a level off; small far spheres come out worse.",
+        evidence: &["mitsuba-renderer/mitsuba3#512"],
+        page: "cpp_to_rust#small-words",
+        source: "tests/suite/stability.rs",
+        alter: |right| Program {
+            color: single::color,
+            level: |component| (255.999_f32 * component as f32) as i32,
+            ..right
+        },
+        unseen: &[],
+    },
+];
+
+/// Red by column and green by row, full in the last of each. Fractions, because
+/// together with another slip a column or row may be one that does not exist.
+fn ramp(camera: &Camera, i: f64, j: f64) -> Color {
+    let last = |size: u32| f64::from((size - 1).max(1));
+    Color::new(
+        i / last(camera.image_width),
+        j / last(camera.image_height),
+        0.0,
+    )
+}

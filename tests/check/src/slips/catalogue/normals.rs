@@ -1,0 +1,270 @@
+//! Slips in which hits count, and in the color of a hit.
+
+use common::rtweekend::*;
+
+use super::super::program::{Ball, Program};
+use super::{HITTABLE_LIST, ONE_SPHERE, RED_SPHERE, ROOTS, Slip, Unseen};
+use crate::chapter::Chapter;
+
+pub(super) const SLIPS: &[Slip] = &[
+    Slip {
+        name: "behind-drawn",
+        chapters: ONE_SPHERE,
+        wrong: "if (hit_sphere(…)) without t > 0",
+        right: "if (t > 0)",
+        explanation: "A negative t is a point behind the camera. The book's sphere is in front, so nothing shows it.",
+        evidence: &["#1570"],
+        page: "normals#where-the-nearer-root",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            t_min: f64::NEG_INFINITY,
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "range-loosened",
+        chapters: ONE_SPHERE,
+        wrong: "if (t > -1)",
+        right: "if (t > 0)",
+        explanation: "Often tried to bring back a sphere that a slip in a sign has lost. It counts points just behind the camera.",
+        evidence: &["#1643", "#1558"],
+        page: "half_b_sphere#the-sign-that-got-lost",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            t_min: -1.0,
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "sphere-at-plus-one",
+        chapters: &[Chapter::RedSphere, Chapter::Normals, Chapter::HalfBSphere],
+        wrong: "center = (0, 0, 1)",
+        right: "center = (0, 0, -1)",
+        explanation: "The sphere is behind the camera. Chapter 2 draws it all the same, the later ones must not.",
+        evidence: &["#1570"],
+        page: "normals#where-the-nearer-root",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            world: const { &[Ball::new(0.0, 0.0, 1.0, 0.5)] },
+            ..right
+        },
+        unseen: &[(
+            RED_SPHERE,
+            Unseen::Equivalent("Only the sign of b changes, and the discriminant has its square."),
+        )],
+    },
+    Slip {
+        name: "normal-from-point",
+        chapters: ROOTS,
+        wrong: "N = unit_vector(r.at(t))",
+        right: "N = unit_vector(r.at(t) - center)",
+        explanation: "A normal points away from the center of the sphere, not from the eye.",
+        evidence: &[],
+        page: "normals#which-way-the-normal",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            outward: |program, point, _| (program.unit)(point),
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "center-added",
+        chapters: ROOTS,
+        wrong: "N = unit_vector(r.at(t) + center)",
+        right: "N = unit_vector(r.at(t) - center)",
+        explanation: "A normal is the way from the center to the point, a difference.",
+        evidence: &[],
+        page: "normals#which-way-the-normal",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            outward: |program, point, ball| rescaled(program, point + ball.center, ball),
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "normal-inward",
+        chapters: ROOTS,
+        wrong: "N = unit_vector(center - r.at(t))",
+        right: "N = unit_vector(r.at(t) - center)",
+        explanation: "The way from the point to the center points in.",
+        evidence: &[],
+        page: "normals#which-way-the-normal",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            outward: |program, point, ball| rescaled(program, ball.center - point, ball),
+            ..right
+        },
+        unseen: &[(
+            HITTABLE_LIST,
+            Unseen::OnlyByLaw("The front face is hit exactly when the ray comes from outside."),
+        )],
+    },
+    Slip {
+        name: "normal-not-unit",
+        chapters: ROOTS,
+        wrong: "N = r.at(t) - center",
+        right: "N = unit_vector(r.at(t) - center)",
+        explanation: "Its length is the radius, and colors are made for length 1: a small sphere fades to gray, the ground leaves the range.",
+        evidence: &["#1062", "#525"],
+        page: "normals#which-way-the-normal",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            outward: |_, point, ball| point - ball.center,
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "normal-times-radius",
+        chapters: HITTABLE_LIST,
+        wrong: "outward_normal = (p - center) * radius",
+        right: "outward_normal = (p - center) / radius",
+        explanation: "The way from the center to the point is as long as the radius: dividing makes it a unit vector.",
+        evidence: &[],
+        page: "normals#which-way-the-normal",
+        source: "chapters/5_hittable_list/src/sphere.rs",
+        alter: |right| Program {
+            outward: |_, point, ball| (point - ball.center) * ball.radius,
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "unit-vector-for-radius",
+        chapters: HITTABLE_LIST,
+        wrong: "outward_normal = unit_vector(p - center)",
+        right: "outward_normal = (p - center) / radius",
+        explanation: "Only slower, since p is on the sphere. It matters for a negative radius, which turns the normal here and was a trick of older editions.",
+        evidence: &["#977"],
+        page: "normals#which-way-the-normal",
+        source: "chapters/5_hittable_list/src/sphere.rs",
+        alter: |right| Program {
+            outward: |program, point, ball| (program.unit)(point - ball.center),
+            ..right
+        },
+        unseen: &[(
+            HITTABLE_LIST,
+            Unseen::Equivalent(
+                "The point is on the sphere, so its distance from the center is the radius, but for a few roundings.",
+            ),
+        )],
+    },
+    Slip {
+        name: "point-along-unit-direction",
+        chapters: ROOTS,
+        wrong: "r.at(t) = origin + t * unit_vector(direction)",
+        right: "r.at(t) = origin + t * direction",
+        explanation: "t counts lengths of the direction, whatever that length is.",
+        evidence: &[],
+        page: "gradient#a-ray-is-a-function",
+        source: "common/src/ray.rs",
+        alter: |right| Program {
+            at: |program, ray, t| ray.origin + t * (program.unit)(ray.direction),
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "point-without-origin",
+        chapters: ROOTS,
+        wrong: "r.at(t) = t * direction",
+        right: "r.at(t) = origin + t * direction",
+        explanation: "It shows as soon as a ray starts anywhere but at the origin.",
+        evidence: &[],
+        page: "gradient#a-ray-is-a-function",
+        source: "common/src/ray.rs",
+        alter: |right| Program {
+            at: |_, ray, t| t * ray.direction,
+            ..right
+        },
+        unseen: &[(ROOTS, Unseen::OnlyByLaw("A ray is at its origin at t = 0."))],
+    },
+    Slip {
+        name: "normal-not-mapped",
+        chapters: ROOTS,
+        wrong: "color(N.x(), N.y(), N.z())",
+        right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+        explanation: "A normal's components run from -1 to 1, a color's from 0 to 1. Negative ones are printed or cut off.",
+        evidence: &[],
+        page: "normals#a-color-for-each-direction",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            shade: |normal| normal,
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "normal-only-halved",
+        chapters: ROOTS,
+        wrong: "0.5 * color(N.x(), N.y(), N.z())",
+        right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+        explanation: "Without the 1 half of the components stay negative.",
+        evidence: &[],
+        page: "normals#a-color-for-each-direction",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            shade: |normal| 0.5 * normal,
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "normal-only-shifted",
+        chapters: ROOTS,
+        wrong: "color(N.x() + 1, N.y() + 1, N.z() + 1)",
+        right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+        explanation: "Without the half components run from 0 to 2, and half of them are too bright for a picture.",
+        evidence: &[],
+        page: "normals#a-color-for-each-direction",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            shade: |normal| normal + Vec3::ONE,
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "normal-channels-reversed",
+        chapters: ROOTS,
+        wrong: "0.5 * color(N.z() + 1, N.y() + 1, N.x() + 1)",
+        right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+        explanation: "x is red and z is blue. The sky is right, the sphere's red and blue have changed places.",
+        evidence: &[],
+        page: "normals#a-color-for-each-direction",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            shade: |normal| 0.5 * (Vec3::new(normal.z, normal.y, normal.x) + Vec3::ONE),
+            ..right
+        },
+        unseen: &[],
+    },
+    Slip {
+        name: "normal-as-absolute",
+        chapters: ROOTS,
+        wrong: "color(abs(N.x()), abs(N.y()), abs(N.z()))",
+        right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+        explanation: "Absolute values fit into a color, but left and right, above and below look the same.",
+        evidence: &[],
+        page: "normals#a-color-for-each-direction",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            shade: |normal| normal.abs(),
+            ..right
+        },
+        unseen: &[],
+    },
+];
+
+/// A vector as long as the sphere's radius made one of length 1, in the way of
+/// the chapter: by its own length, or from chapter 5 on by the radius.
+fn rescaled(program: &Program, v: Vec3, ball: Ball) -> Vec3 {
+    match program.chapter {
+        Chapter::HittableList => v * (1.0 / ball.radius),
+        _ => (program.unit)(v),
+    }
+}

@@ -1,0 +1,169 @@
+//! What a wrong picture looks like beside the right one.
+
+use common::rtweekend::Picture;
+
+use super::probes::PROBES;
+use super::program::Program;
+use super::{Slip, all};
+use crate::chapter::Chapter;
+
+/// What sets a wrong picture apart at first sight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// The right picture.
+    Right,
+    /// No level is more than 2 off, which nobody sees.
+    Faint,
+    /// Another width or height.
+    OtherSize,
+    /// There should be a sphere, and nothing is hit.
+    Gone,
+    /// There should be sky, and everything is hit.
+    Flooded,
+    /// The right picture upside down, in a mirror, or transposed.
+    Turned,
+    /// Something is hit where there should be sky.
+    Misplaced,
+    /// There is sky where something should be hit.
+    Incomplete,
+    /// All is in its place, but what is hit has other colors.
+    OtherHits,
+    /// All is in its place, but the sky has other colors.
+    OtherSky,
+    /// All is in its place, and all colors are others.
+    OtherColors,
+}
+
+/// A wrong picture, and the slips that draw exactly this one.
+pub struct Sight {
+    /// How it differs from the right one.
+    pub look: Look,
+    /// Whose picture it should be.
+    pub chapter: Chapter,
+    /// What each of the slips draws.
+    pub picture: Picture,
+    /// The slips.
+    pub slips: Vec<&'static Slip>,
+}
+
+/// How wide the pictures of all sights are, in pixels: exactly 16:9.
+pub const SIGHT_WIDTH: u32 = 96;
+
+/// Everything that can be seen: each slip in the first chapter in which it has
+/// a look, and again in the first one in which it has another.
+pub fn sights() -> Vec<Sight> {
+    let right = Chapter::OF_THE_BOOK.map(|chapter| Drawn::by(&Program::right(chapter)));
+    let mut sights: Vec<Sight> = Vec::new();
+    for slip in all() {
+        let mut looks = vec![Look::Right];
+        for &chapter in slip.chapters {
+            let wrong = Drawn::by(&slip.program(chapter));
+            let look = Look::of(&right[chapter as usize], &wrong);
+            if looks.contains(&look) {
+                continue;
+            }
+            looks.push(look);
+            let same = |sight: &&mut Sight| {
+                (sight.look, sight.chapter) == (look, chapter) && sight.picture == wrong.picture
+            };
+            match sights.iter_mut().find(same) {
+                Some(sight) => sight.slips.push(slip),
+                None => sights.push(Sight {
+                    look,
+                    chapter,
+                    picture: wrong.picture,
+                    slips: vec![slip],
+                }),
+            }
+        }
+    }
+    sights
+}
+
+impl Slip {
+    /// The first probe that shows the slip in one of its chapters.
+    pub fn shown_by(&self) -> Option<&'static str> {
+        let shows = |probe: &&super::Probe| {
+            self.chapters.iter().any(|&chapter| {
+                let drawn = |program| {
+                    let program = probe.put_to(program)?;
+                    Some(program.run(probe.width).picture())
+                };
+                drawn(Program::right(chapter)) != drawn(self.program(chapter))
+            })
+        };
+        PROBES.iter().find(shows).map(|probe| probe.name)
+    }
+}
+
+impl Look {
+    fn of(right: &Drawn, wrong: &Drawn) -> Self {
+        let size = |drawn: &Drawn| (drawn.picture.width(), drawn.picture.height());
+        if size(right) != size(wrong) {
+            return Self::OtherSize;
+        }
+        let hits = || right.is_hit.iter().zip(&wrong.is_hit);
+        let gained = hits().any(|(right, wrong)| !right && *wrong);
+        let lost = hits().any(|(right, wrong)| *right && !wrong);
+        let [sky_off, hits_off] = levels_off(right, wrong);
+        match sky_off.max(hits_off) {
+            0 => Self::Right,
+            1 | 2 => Self::Faint,
+            _ if lost && wrong.is_hit.iter().all(|is_hit| !is_hit) => Self::Gone,
+            _ if gained && wrong.is_hit.iter().all(|is_hit| *is_hit) => Self::Flooded,
+            _ if turned(&right.picture).contains(&wrong.picture) => Self::Turned,
+            _ if gained => Self::Misplaced,
+            _ if lost => Self::Incomplete,
+            _ if sky_off == 0 => Self::OtherHits,
+            _ if hits_off == 0 => Self::OtherSky,
+            _ => Self::OtherColors,
+        }
+    }
+}
+
+/// A picture, and which of its pixels show something that was hit.
+struct Drawn {
+    picture: Picture,
+    is_hit: Vec<bool>,
+}
+
+impl Drawn {
+    fn by(program: &Program) -> Self {
+        let output = program.run(SIGHT_WIDTH);
+        Self {
+            picture: output.picture(),
+            is_hit: output.hits().collect(),
+        }
+    }
+}
+
+/// The largest difference in the sky, and the largest in what should be hit.
+fn levels_off(right: &Drawn, wrong: &Drawn) -> [u8; 2] {
+    let levels = right.picture.rgb().iter().zip(wrong.picture.rgb());
+    let mut off = [0; 2];
+    for (n, (right_level, wrong_level)) in levels.enumerate() {
+        let most = &mut off[usize::from(right.is_hit[n / 3])];
+        *most = right_level.abs_diff(*wrong_level).max(*most);
+    }
+    off
+}
+
+/// The picture upside down, in a mirror, and transposed if it is a square.
+fn turned(picture: &Picture) -> Vec<Picture> {
+    let (width, height) = (picture.width() as usize, picture.height() as usize);
+    let (pixels, _) = picture.rgb().as_chunks::<3>();
+    let pixels_at = |place: fn(usize, usize, usize, usize) -> usize| {
+        let places = (0..height).flat_map(|j| (0..width).map(move |i| place(i, j, width, height)));
+        let rgb = places.flat_map(|n| pixels[n]).collect();
+        Picture::from_rgb(picture.width(), picture.height(), rgb)
+            .expect("there are as many pixels as before")
+    };
+    let mut all = vec![
+        pixels_at(|i, j, width, height| (height - 1 - j) * width + i),
+        pixels_at(|i, j, width, _| j * width + width - 1 - i),
+    ];
+    if width == height {
+        all.push(pixels_at(|i, j, width, _| i * width + j));
+    }
+    all
+}

@@ -1,0 +1,137 @@
+//! Small scenes that show what the book's picture can't.
+
+use std::fmt::Write;
+
+use super::program::{Ball, Program};
+use crate::chapter::Chapter;
+
+/// A change to a chapter of which every right program makes the same picture.
+#[derive(Clone, Copy, Debug)]
+pub struct Probe {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// The width of its picture, in pixels.
+    pub width: u32,
+    /// The spheres to put in place of the chapter's, or `None` to keep those.
+    pub spheres: Option<&'static [Ball]>,
+    /// How far the viewport is from the eye: 1 as in the chapters, or more to
+    /// see something far away as large as if it were near.
+    pub focal_length: f64,
+    /// What it brings to light.
+    pub shows: &'static str,
+}
+
+/// All probes, the cheapest change first.
+///
+/// Those that bring spheres of their own are of exactly 16:9, so that nothing
+/// but the spheres speaks.
+pub const PROBES: [Probe; 8] = [
+    Probe {
+        name: "odd-width",
+        width: 227,
+        spheres: None,
+        focal_length: 1.0,
+        shows: "227 / (16/9) is 127.7: which way the height is rounded, and whether the viewport follows it.",
+    },
+    Probe {
+        name: "one-pixel",
+        width: 1,
+        spheres: None,
+        focal_length: 1.0,
+        shows: "A picture one pixel wide has no row unless the height is kept at 1 or more.",
+    },
+    Probe {
+        name: "reversed",
+        width: 128,
+        spheres: Some(&[
+            Ball::new(0.0, -100.5, -1.0, 100.0),
+            Ball::new(0.0, 0.0, -1.0, 0.5),
+        ]),
+        focal_length: 1.0,
+        shows: "The book's spheres, the ground first: whether the nearest hit wins, or the first or last one.",
+    },
+    Probe {
+        name: "overlapping",
+        width: 128,
+        spheres: Some(&[
+            Ball::new(0.4, 0.1, -1.4, 0.5),
+            Ball::new(0.0, 0.0, -1.0, 0.5),
+            Ball::new(-0.3, 0.2, -1.8, 0.6),
+        ]),
+        focal_length: 1.0,
+        shows: "The nearest of three spheres is neither first nor last in the list.",
+    },
+    Probe {
+        name: "inside",
+        width: 128,
+        spheres: Some(&[Ball::new(0.0, 0.0, -1.0, 2.0)]),
+        focal_length: 1.0,
+        shows: "The eye is inside the sphere: the nearer root lies behind, and the normal has to turn.",
+    },
+    Probe {
+        name: "behind",
+        width: 128,
+        spheres: Some(&[Ball::new(0.3, 0.2, 1.0, 0.5)]),
+        focal_length: 1.0,
+        shows: "The sphere is behind the eye: both roots are negative, and from chapter 3 on nothing is drawn.",
+    },
+    Probe {
+        name: "off-axis",
+        width: 128,
+        spheres: Some(&[Ball::new(2.0, 1.0, -4.0, 0.5)]),
+        focal_length: 1.0,
+        shows: "A small sphere off the axis, four units away: nothing is 1, equal or symmetric by chance.",
+    },
+    Probe {
+        name: "far",
+        width: 128,
+        spheres: Some(&[Ball::new(0.4, 0.2, -800.0, 0.5)]),
+        focal_length: 1000.0,
+        shows: "A small sphere 800 units away, through a telescope: single precision loses it.",
+    },
+];
+
+/// The probe of that name.
+pub fn find(name: &str) -> Option<Probe> {
+    PROBES.into_iter().find(|probe| probe.name == name)
+}
+
+impl Probe {
+    /// The program with this probe's spheres and focal length; its picture is to
+    /// be [`width`](Self::width) pixels wide. `None` if the chapter has no place
+    /// for them: the first two have no sphere, those up to 4 have one.
+    pub fn put_to(&self, program: Program) -> Option<Program> {
+        let Some(world) = self.spheres else {
+            return Some(program);
+        };
+        let room = match program.chapter {
+            Chapter::BuildTest | Chapter::Gradient => 0,
+            Chapter::HittableList => world.len(),
+            _ => 1,
+        };
+        (world.len() <= room).then_some(Program {
+            world,
+            // A product, so that a slip in the focal length stays one.
+            focal_length: self.focal_length * program.focal_length,
+            ..program
+        })
+    }
+
+    /// What a reader changes, a line each: the width, the focal length if it
+    /// is another, the spheres.
+    pub fn lines(&self, chapter: Chapter) -> String {
+        let mut lines = format!("image_width = {}", self.width);
+        if self.focal_length != 1.0 {
+            write!(lines, "\nfocal_length = {}", self.focal_length).expect("a string takes it");
+        }
+        for Ball { center, radius } in self.spheres.into_iter().flatten() {
+            let [x, y, z] = center.to_array();
+            let line = match chapter {
+                Chapter::HittableList => format!("world.add(sphere(({x}, {y}, {z}), {radius}))"),
+                _ => format!("center = ({x}, {y}, {z}), radius = {radius}"),
+            };
+            write!(lines, "\n{line}").expect("a string takes it");
+        }
+        lines
+    }
+}

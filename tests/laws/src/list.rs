@@ -1,0 +1,186 @@
+//! What holds for a list of spheres, whoever searches it.
+
+use common::rtweekend::*;
+use proptest::collection::vec;
+use proptest::prelude::*;
+use speed_vs_accuracy::Case;
+
+use crate::intervals::WithInterval;
+use crate::shrinker::Simplify;
+use crate::strategies;
+use crate::verdict::{Broken, Verdict};
+
+/// Spheres, a ray, and a range of `t`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct World {
+    /// Center and radius of each sphere, in the order in which they are added.
+    pub spheres: Vec<(Point3, f64)>,
+    /// The ray.
+    pub ray: Ray,
+    /// The lower end of the range, left out.
+    pub t_min: f64,
+    /// The upper end of the range, left out.
+    pub t_max: f64,
+}
+
+/// Searches a world for the nearest `t` in its range.
+pub type Search<'a> = dyn Fn(&World) -> Option<f64> + 'a;
+
+/// Up to eleven spheres around one that the ray is aimed at: before it, behind
+/// it, or overlapping it.
+pub fn worlds() -> impl Strategy<Value = World> {
+    let asked = strategies::with_interval(prop_oneof![
+        strategies::book_rays(),
+        strategies::integers(),
+        strategies::far(0.5..=3.0),
+        strategies::inside(),
+    ]);
+    let move_and_size = (-3.0..3.0, 0.5..2.0);
+    (asked, vec(move_and_size, 0..11), 0..11usize).prop_map(|(asked, others, place)| {
+        let WithInterval { case, t_min, t_max } = asked;
+        let towards = case.center - case.ray.origin;
+        let mut spheres: Vec<(Point3, f64)> = others
+            .into_iter()
+            .map(|(by, size)| (case.center + by * towards, size * case.radius))
+            .collect();
+        spheres.insert(place.min(spheres.len()), (case.center, case.radius));
+        World {
+            spheres,
+            ray: case.ray,
+            t_min,
+            t_max,
+        }
+    })
+}
+
+/// The answer of a list is the least of its members' own answers.
+pub fn the_nearest_of_all_members_is_returned(search: &Search, world: &World) -> Verdict {
+    let alone = world.spheres.iter().filter_map(|&sphere| {
+        search(&World {
+            spheres: vec![sphere],
+            ..world.clone()
+        })
+    });
+    let (found, expected) = (search(world), alone.reduce(f64::min));
+    if found == expected {
+        return Ok(());
+    }
+    Err(Broken {
+        law: "of all that a ray hits, the nearest counts",
+        found: format!("{found:?}"),
+        allowed: format!("{expected:?}, the least of the members' own answers"),
+        cause: "closest_so_far does not start at t_max, or is not handed to the next object, or \
+                not updated; or the search ends at the first hit, or before the end of the list"
+            .to_owned(),
+        page: "chapter 5: closest_so_far",
+    })
+}
+
+/// Adding the members the other way round, or starting with another one,
+/// changes nothing.
+pub fn the_order_of_members_does_not_matter(search: &Search, world: &World) -> Verdict {
+    let mut reversed = world.clone();
+    reversed.spheres.reverse();
+    let mut rotated = world.clone();
+    rotated.spheres.rotate_left(1);
+    let expected = search(world);
+    for other in [reversed, rotated] {
+        let found = search(&other);
+        if found != expected {
+            return Err(Broken {
+                law: "the order in which things are added does not matter",
+                found: format!("{found:?} for {:?}", other.spheres),
+                allowed: format!("{expected:?}"),
+                cause: "the last hit wins, or the first, instead of the nearest".to_owned(),
+                page: "chapter 5: closest_so_far",
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Two programs find the same in one world, to the last bit.
+pub fn both_find_the_same(search: &Search, other: &Search, world: &World) -> Verdict {
+    let (found, expected) = (search(world), other(world));
+    if found == expected {
+        return Ok(());
+    }
+    Err(Broken {
+        law: "a list is nothing but its members, and a list in a list is no different",
+        found: format!("{found:?}"),
+        allowed: format!("{expected:?}"),
+        cause:
+            "the range is not handed on as it came (closest_so_far starts at t_max), or the hit \
+                of a member is changed"
+                .to_owned(),
+        page: "chapter 5: a list is hittable too",
+    })
+}
+
+impl Simplify for World {
+    fn simpler(&self) -> Vec<Self> {
+        // A world without spheres would be simpler still, but says nothing.
+        let removable = if self.spheres.len() > 1 {
+            self.spheres.len()
+        } else {
+            0
+        };
+        let shorter = (0..removable).map(|at| {
+            let mut spheres = self.spheres.clone();
+            spheres.remove(at);
+            Self {
+                spheres,
+                ..self.clone()
+            }
+        });
+        let rounder = (0..self.spheres.len()).flat_map(|at| {
+            let (center, radius) = self.spheres[at];
+            let case = Case {
+                center,
+                radius,
+                ray: self.ray,
+            };
+            case.simpler().into_iter().map(move |case| {
+                let mut spheres = self.spheres.clone();
+                spheres[at] = (case.center, case.radius);
+                Self {
+                    spheres,
+                    ray: case.ray,
+                    ..*self
+                }
+            })
+        });
+        shorter.chain(rounder).collect()
+    }
+
+    fn as_test(&self) -> String {
+        let Self {
+            spheres,
+            ray,
+            t_min,
+            t_max,
+        } = self;
+        let vector = |v: Vec3| format!("new({:?}, {:?}, {:?})", v.x, v.y, v.z);
+        let mut code = "use hittable_list::{Hittable, HittableList, Sphere};\n\
+                        let mut world = HittableList::default();\n"
+            .to_owned();
+        for &(center, radius) in spheres {
+            code += &format!(
+                "world.add(Sphere::new(Point3::{}, {radius:?}));\n",
+                vector(center)
+            );
+        }
+        code + &format!(
+            "let ray = Ray::new(Point3::{}, Vec3::{});\n\
+             let found = world.hit(&ray, {t_min:?}, {}).map(|hit| hit.t);\n\
+             assert_eq!(found, /* see above */);",
+            vector(ray.origin),
+            vector(ray.direction),
+            if t_max.is_infinite() {
+                "f64::INFINITY".to_owned()
+            } else {
+                format!("{t_max:?}")
+            }
+        )
+    }
+}

@@ -1,0 +1,37 @@
+//! A verdict: what a law says of a case, in words that teach.
+
+use std::fmt;
+
+/// Whether a law holds, and if not, how it is broken.
+pub type Verdict = Result<(), Broken>;
+
+/// A law that does not hold.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Broken {
+    /// What should hold.
+    pub law: &'static str,
+    /// What was found instead.
+    pub found: String,
+    /// What the law allows.
+    pub allowed: String,
+    /// What usually makes it so.
+    pub cause: String,
+    /// Where to read about it.
+    pub page: &'static str,
+}
+
+impl fmt::Display for Broken {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            law,
+            found,
+            allowed,
+            cause,
+            page,
+        } = self;
+        write!(
+            f,
+            "the law:  {law}\nfound:    {found}\nallowed:  {allowed}\nusually:  {cause}\nread:     {page}"
+        )
+    }
+}

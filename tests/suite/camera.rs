@@ -1,0 +1,122 @@
+//! The camera maps pixels to rays as the book's does, and rays to points.
+
+use common::rtweekend::*;
+use laws::ray_and_camera;
+use laws::verdict::Verdict;
+
+#[test]
+fn the_height_is_rounded_down_and_at_least_one() {
+    let height = |width| Camera::new(width).image_height;
+    assert_holds(ray_and_camera::the_height_is_rounded_down_and_at_least_one(
+        &height,
+    ));
+    // Rounded to the nearest integer, as the notes say, it would be 226.
+    assert_eq!(height(401), 225);
+}
+
+#[test]
+fn the_point_at_t_is_t_directions_from_the_origin() {
+    assert_holds(ray_and_camera::the_point_at_t_is_t_directions_from_the_origin(&Ray::at));
+}
+
+#[test]
+fn the_ray_of_a_pixel_goes_through_its_center() {
+    let ray =
+        |[width, height]: [u32; 2], [i, j]: [u32; 2]| Camera::with_size(width, height).ray(i, j);
+    for size in [[1, 1], [7, 5], [16, 9], [400, 225], [5, 7], [3840, 2160]] {
+        let [width, height] = size;
+        for pixel in [
+            [0, 0],
+            [width - 1, 0],
+            [0, height - 1],
+            [width / 2, height / 3],
+        ] {
+            assert_holds(ray_and_camera::the_ray_of_a_pixel_goes_through_its_center(
+                &ray, size, pixel,
+            ));
+        }
+    }
+}
+
+/// The book's eye is at the origin, where a sign of it can't be seen.
+#[test]
+fn a_ray_starts_at_the_eye_wherever_that_is() {
+    // 4 × 2 pixels are unit squares, so no number is rounded.
+    let moved = Camera {
+        center: Point3::new(1.0, 2.0, 3.0),
+        ..Camera::with_size(4, 2)
+    };
+    let ray = moved.ray(3, 1);
+    assert_eq!(ray.origin, moved.center);
+    assert_eq!(ray.at(1.0), Point3::new(1.5, -0.5, -1.0));
+}
+
+#[test]
+fn dot_multiplies_equal_letters() {
+    let dot = |u: Vec3, v: Vec3| u.dot(v);
+    for vectors in [
+        [[1, 2, 3], [5, 7, 11]],
+        [[1, 0, 0], [0, 1, 0]],
+        [[0, 1, 0], [0, 0, 1]],
+        [[0, 0, 1], [1, 0, 0]],
+        [[-4, 9, 2], [3, -8, 6]],
+    ] {
+        assert_holds(ray_and_camera::dot_multiplies_equal_letters(&dot, vectors));
+    }
+}
+
+#[test]
+fn a_swapped_letter_in_dot_breaks_its_law() {
+    let swapped = |u: Vec3, v: Vec3| u.x * v.x + u.y * v.y + u.z * u.z;
+    let verdict = ray_and_camera::dot_multiplies_equal_letters(&swapped, [[1, 2, 3], [5, 7, 11]]);
+    assert!(verdict.is_err());
+}
+
+#[test]
+fn pixels_are_squares_even_where_the_picture_is_not_quite_16_to_9() {
+    for width in 1..=2000 {
+        let camera = Camera::new(width);
+        let (u, v) = (camera.pixel_delta_u.x, -camera.pixel_delta_v.y);
+        // u is rounded three times (two quotients, a product) and v once (2 is a
+        // power of two), each time by half an epsilon at most.
+        assert!(
+            (u - v).abs() <= 2.0 * f64::EPSILON * u,
+            "at {width} wide: {u} × {v}"
+        );
+    }
+}
+
+/// The book divides a vector by multiplying with the reciprocal. Dividing each
+/// component gives another last bit at some widths, these among them.
+#[test]
+fn the_steps_from_pixel_to_pixel_are_products_with_a_reciprocal() {
+    for (width, height) in [(7_u32, 3_u32), (9, 5), (13, 7), (49, 27)] {
+        let camera = Camera::new(width);
+        assert_eq!(camera.image_height, height);
+        let (w, h) = (f64::from(width), f64::from(height));
+        assert_eq!(
+            camera.pixel_delta_u,
+            Vec3::new(2.0 * (w / h) * (1.0 / w), 0.0, 0.0)
+        );
+        assert_eq!(camera.pixel_delta_v, Vec3::new(0.0, -2.0 * (1.0 / h), 0.0));
+    }
+}
+
+#[test]
+fn the_largest_picture_has_all_its_rows() {
+    assert_eq!(Camera::new(16_384).image_height, 9216);
+}
+
+#[test]
+fn the_grid_is_inset_by_half_a_pixel() {
+    // 4 × 2 pixels on a viewport 4 wide and 2 high: each pixel is a unit square.
+    let camera = Camera::with_size(4, 2);
+    assert_eq!(camera.ray(0, 0).direction, Vec3::new(-1.5, 0.5, -1.0));
+    assert_eq!(camera.ray(3, 1).direction, Vec3::new(1.5, -0.5, -1.0));
+}
+
+fn assert_holds(verdict: Verdict) {
+    if let Err(broken) = verdict {
+        panic!("\n\nA law is broken.\n\n{broken}\n");
+    }
+}

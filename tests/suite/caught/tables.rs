@@ -1,0 +1,239 @@
+//! What the tables of caught slips say.
+
+use std::fmt::Write;
+
+use check::Chapter;
+use check::slips::{self, Slip, Unseen};
+
+use super::{Outcome, Shown};
+
+/// Everything, as text: each slip in each chapter and each exam.
+pub(super) fn in_full(outcomes: &[Outcome]) -> String {
+    let mut table = LEGEND.to_owned();
+    for of_chapter in outcomes.chunk_by(|one, other| one.chapter == other.chapter) {
+        write_head(&mut table, &of_chapter[0]);
+        for outcome in of_chapter {
+            write_row(&mut table, outcome);
+        }
+    }
+    table
+}
+
+const LEGEND: &str = "\
+Each slip in each chapter in which it can be made: the percentage of pixels that
+differ from the right picture at the book's size and in each probe scene, and
+the first law that it breaks. A point is the right picture, ±1 a difference of
+one level at most, `size` a picture of another size. What each slip is, and why
+an (equivalent) one is that, says tests/check/src/slips/catalogue.
+";
+
+const NAME_WIDTH: usize = 27;
+const VERDICT_WIDTH: usize = 12;
+
+fn write_head(table: &mut String, outcome: &Outcome) {
+    let name = outcome.chapter.name();
+    write!(table, "\n{name:NAME_WIDTH$}").expect("a string takes it");
+    for (exam, _) in &outcome.verdicts {
+        write!(table, "{exam:>VERDICT_WIDTH$}").expect("a string takes it");
+    }
+    table.push_str("   law\n");
+}
+
+/// One slip: a point where the picture is the right one, else the percentage of
+/// pixels that differ; `±1` after it if no level is farther off. At the end the
+/// law that it breaks, if it breaks one.
+fn write_row(table: &mut String, outcome: &Outcome) {
+    write!(table, "{:NAME_WIDTH$}", outcome.slip.name).expect("a string takes it");
+    for (_, verdict) in &outcome.verdicts {
+        let text = match verdict {
+            Shown::Same => ".   ".to_owned(),
+            Shown::Size => "size   ".to_owned(),
+            Shown::Pixels(share, largest) => {
+                percent(*share) + if *largest == 1 { " ±1" } else { "   " }
+            }
+        };
+        write!(table, "{text:>VERDICT_WIDTH$}").expect("a string takes it");
+    }
+    table.push_str(match (&outcome.broken, outcome.is_equivalent()) {
+        (Some(broken), _) => broken.law,
+        (None, true) => "(equivalent)",
+        (None, false) => "",
+    });
+    table.truncate(table.trim_end_matches(' ').len());
+    table.push('\n');
+}
+
+fn percent(share: f64) -> String {
+    match 100.0 * share {
+        tiny if tiny < 0.05 => "<0.1".to_owned(),
+        percent => format!("{percent:.1}"),
+    }
+}
+
+/// The same in brief, as Markdown: what catches each slip first, and which slips
+/// a law catches. Each name is an anchor.
+pub(super) fn at_a_glance(outcomes: &[Outcome]) -> String {
+    let mut page = String::new();
+    for (number, first) in Chapter::OF_THE_BOOK.into_iter().enumerate() {
+        let numbers: String = (number..6).map(|number| format!(" {number} |")).collect();
+        let lines = "---|".repeat(8 - number);
+        let name = first.name();
+        write!(
+            page,
+            "## Slips that begin in `{name}`\n\n| slip |{numbers} law |\n|{lines}\n"
+        )
+        .expect("a string takes it");
+        for slip in slips::all().filter(|slip| slip.chapters[0] == first) {
+            page += &glance(slip, outcomes);
+        }
+        page.push('\n');
+    }
+    page + "## The laws and their tests\n\n" + &laws(outcomes)
+}
+
+/// A slip in its first chapter and all that follow, and the numbers of the
+/// laws that it breaks before any other.
+fn glance(slip: &Slip, outcomes: &[Outcome]) -> String {
+    let of_slip = || {
+        outcomes
+            .iter()
+            .filter(|outcome| outcome.slip.name == slip.name)
+    };
+    let cell = |chapter: &Chapter| {
+        let outcome = of_slip().find(|outcome| outcome.chapter == *chapter);
+        format!(
+            " {} |",
+            outcome.map_or(String::new(), Outcome::caught_first_by)
+        )
+    };
+    let chapters = Chapter::OF_THE_BOOK
+        .iter()
+        .filter(|chapter| **chapter >= slip.chapters[0]);
+    let cells: String = chapters.map(cell).collect();
+    let breaks = |law: &str| of_slip().any(|outcome| outcome.breaks(law));
+    let broken: Vec<String> = (1..)
+        .zip(TESTS)
+        .filter(|(_, (law, ..))| breaks(law))
+        .map(|(n, _)| format!("[{n}](#law-{n})"))
+        .collect();
+    let laws = broken.join(", ");
+    let name = slip.name;
+    format!("| <span class=\"name\" id=\"{name}\">{name}</span> |{cells} {laws} |\n")
+}
+
+impl Outcome {
+    fn is_equivalent(&self) -> bool {
+        matches!(
+            self.slip.unseen_in(self.chapter),
+            Some(Unseen::Equivalent(_))
+        )
+    }
+
+    /// The share of the book's pixels that differ, or else the first probe that
+    /// shows the slip, or else that only a law does, or nothing.
+    fn caught_first_by(&self) -> String {
+        let differs = |(_, verdict): &&(&str, Shown)| *verdict != Shown::Same;
+        match self.verdicts.iter().find(differs) {
+            Some(("book", Shown::Pixels(share, _))) => percent(*share),
+            Some(("book", _)) => "size".to_owned(),
+            Some((probe, _)) => format!("*{probe}*"),
+            None if self.is_equivalent() => "=".to_owned(),
+            None => "law".to_owned(),
+        }
+    }
+}
+
+/// Each law that a slip breaks, where it is tested, and the slips that break it
+/// before any other.
+fn laws(outcomes: &[Outcome]) -> String {
+    let mut list = String::new();
+    for (n, (law, file, test)) in (1..).zip(TESTS) {
+        let breaks = |slip: &&Slip| {
+            let mut of_slip = outcomes
+                .iter()
+                .filter(|outcome| outcome.slip.name == slip.name);
+            of_slip.any(|outcome| outcome.breaks(law))
+        };
+        let slips: Vec<String> = slips::all()
+            .filter(breaks)
+            .map(|slip| format!("[{name}](#{name})", name = slip.name))
+            .collect();
+        let slips = slips.join(", ");
+        writeln!(
+            list,
+            "{n}. <span id=\"law-{n}\">**{law}**</span>: `{test}` in `tests/suite/{file}` catches {slips}."
+        )
+        .expect("a string takes it");
+    }
+    list
+}
+
+/// Each law, and the test that puts the chapters under it.
+pub(super) const TESTS: &[(&str, &str, &str)] = &[
+    (
+        "a dot product multiplies equal letters and adds",
+        "camera.rs",
+        "dot_multiplies_equal_letters",
+    ),
+    (
+        "the point at t is t directions away from the origin",
+        "camera.rs",
+        "the_point_at_t_is_t_directions_from_the_origin",
+    ),
+    (
+        "the height of a picture is rounded down, and at least 1",
+        "camera.rs",
+        "the_height_is_rounded_down_and_at_least_one",
+    ),
+    (
+        "the ray of a pixel goes from the eye through the pixel's center",
+        "camera.rs",
+        "the_ray_of_a_pixel_goes_through_its_center",
+    ),
+    (
+        "a ray aimed at the sphere hits it, and one aimed past it misses",
+        "quadratic.rs",
+        "a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses",
+    ),
+    (
+        "the line hits the sphere exactly when the discriminant is not negative",
+        "quadratic.rs",
+        "the_line_hits_exactly_when_there_is_a_root",
+    ),
+    (
+        "the point at t lies on the sphere",
+        "quadratic.rs",
+        "the_point_lies_on_the_sphere",
+    ),
+    (
+        "t is the nearer root",
+        "quadratic.rs",
+        "the_root_is_the_nearer_one_to_the_digits_that_remain",
+    ),
+    ("a tangent is a hit", "quadratic.rs", "a_tangent_is_a_hit"),
+    (
+        "a hit lies inside the open interval (t_min, t_max)",
+        "quadratic.rs",
+        "no_t_outside_the_interval_is_returned",
+    ),
+    (
+        "the farther root is the nearer one of the ray turned round, negated",
+        "quadratic.rs",
+        "the_farther_root_is_the_nearer_one_of_the_ray_turned_round",
+    ),
+    (
+        "the normal of a hit has length 1",
+        "quadratic.rs",
+        "the_normal_is_a_unit_vector",
+    ),
+    (
+        "the normal of a hit points against the ray",
+        "quadratic.rs",
+        "the_normal_points_against_the_ray",
+    ),
+    (
+        "a ray meets the front face where it enters the sphere",
+        "quadratic.rs",
+        "the_front_face_is_where_the_ray_enters",
+    ),
+];

@@ -1,0 +1,262 @@
+//! Every chart shows the numbers of its files, whatever they are.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use figures::{CHARTS, Chart, Drawn, find_chart, standalone};
+use insta::assert_binary_snapshot;
+use speed_vs_accuracy::{METHODS, Precision, REGIMES, Random};
+
+use crate::figures::{all, parse, texts, words};
+
+const NOTES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes");
+
+#[test]
+fn every_chart_is_its_snapshot() {
+    println!(
+        "If other numbers were measured: INSTA_UPDATE=always cargo test chart_is_its_snapshot"
+    );
+    for chart in CHARTS {
+        let drawn = from_notes(chart);
+        let mut settings = insta::Settings::clone_current();
+        settings.set_snapshot_path(format!("{NOTES}/charts"));
+        settings.set_prepend_module_to_snapshot(false);
+        settings.set_omit_expression(true);
+        settings.bind(|| {
+            let (name, file) = (chart.name, standalone(&drawn.svg));
+            assert_binary_snapshot!(&format!("{name}.svg"), file.into_bytes());
+            assert_binary_snapshot!(&format!("{name}_table.md"), drawn.table.into_bytes());
+        });
+    }
+}
+
+#[test]
+fn every_chart_has_its_own_name_and_all_its_words() {
+    for (n, chart) in CHARTS.iter().enumerate() {
+        assert!(CHARTS[n + 1..].iter().all(|other| other.name != chart.name));
+        assert_eq!(
+            find_chart(chart.name).map(|found| found.title),
+            Some(chart.title)
+        );
+        for words in [chart.description, chart.caption] {
+            assert!(words.ends_with('.'), "a sentence ends with a stop: {words}");
+        }
+    }
+    assert!(find_chart("no such chart").is_none());
+}
+
+#[test]
+fn every_row_of_a_table_has_as_many_fields_as_its_head() {
+    for chart in CHARTS {
+        let Drawn { table, .. } = from_notes(chart);
+        let columns: Vec<usize> = table
+            .lines()
+            .map(|line| line.matches('|').count())
+            .collect();
+        assert!(columns.len() > 2, "{} has an empty table", chart.name);
+        assert!(columns.iter().all(|count| *count == columns[0]), "{table}");
+    }
+}
+
+#[test]
+fn the_chart_of_the_book_names_every_method() {
+    for seed in 0..SEEDS {
+        let drawn = invented("speed_accuracy", seed);
+        let drawing = parse(&drawn.svg);
+        let labels: Vec<String> = texts(&drawing).map(|text| words(&text)).collect();
+        for method in METHODS {
+            assert!(
+                labels
+                    .iter()
+                    .any(|label| label.split(',').next() == Some(method.name)),
+                "{} is not named with seed {seed}",
+                method.name
+            );
+            assert!(drawn.table.contains(&format!("`{}`", method.name)));
+        }
+    }
+}
+
+#[test]
+fn every_panel_names_the_reference_and_the_certified_methods() {
+    for seed in 0..SEEDS {
+        let drawn = invented("speed_accuracy_regimes", seed);
+        let drawing = parse(&drawn.svg);
+        let labels: Vec<String> = texts(&drawing).map(|text| words(&text)).collect();
+        for name in ["half_b", "certified_hit", "certified_t"] {
+            let count = labels.iter().filter(|label| *label == name).count();
+            assert_eq!(count, REGIMES.len(), "{name} with seed {seed}");
+        }
+    }
+}
+
+#[test]
+fn no_point_lies_beyond_the_line_of_the_best() {
+    for seed in 0..SEEDS {
+        let drawn = invented("speed_accuracy", seed);
+        let drawing = parse(&drawn.svg);
+        let front = all(&drawing, "path", "front line").next().expect("a line");
+        let steps: Vec<(f64, f64)> = points(front.attribute("d").unwrap_or_default());
+        // The first four discs explain the marks.
+        for disc in all(&drawing, "circle", "ink solid").skip(1) {
+            let [x, y] = ["cx", "cy"].map(|at| {
+                disc.attribute(at)
+                    .unwrap_or_default()
+                    .parse()
+                    .unwrap_or(0.0)
+            });
+            let beyond = steps
+                .iter()
+                .all(|step| x < step.0 - 0.02 || y < step.1 - 0.02);
+            assert!(!beyond, "seed {seed}: ({x}, {y}) is better than {steps:?}");
+        }
+    }
+}
+
+#[test]
+fn a_mistake_in_a_file_is_told_with_its_line() {
+    let accuracy = "regime,precision,method,p999_ulps,wrong_per_million\nbook,f64,half_b,1,0\n";
+    let timings = "# remark\nwhat,name,where,median_ns,ratio\nmethod,half_b,book,4,1\n";
+    let draw = find_chart("speed_accuracy").expect("a chart").draw;
+    assert!(draw(&[accuracy, timings]).is_ok());
+    for (accuracy, timings, message) in [
+        (
+            accuracy,
+            "# remark\nwhat,name,where,median_ns,ratio\nmethod,half_b,book,four,1\n",
+            "timings.csv, line 3: `four` in the column `median_ns` is no number",
+        ),
+        (
+            accuracy,
+            "what,name,where,median_ns,ratio\nmethod,half_b,book,4\n",
+            "timings.csv, line 2: 4 fields under 5 columns",
+        ),
+        ("", timings, "accuracy.snap.csv is empty"),
+        (
+            "regime,method\nbook,half_b\n",
+            timings,
+            "accuracy.snap.csv has no column `precision`",
+        ),
+    ] {
+        assert_eq!(draw(&[accuracy, timings]), Err(message.to_owned()));
+    }
+    let race = find_chart("race").expect("a chart").draw;
+    assert_eq!(
+        race(&["# remark\nnormals 3840 nowhere 1 2 3 4 5\n"]),
+        Err("heats.txt, line 2: a heat has nine words".to_owned())
+    );
+}
+
+#[test]
+fn crossings_are_where_the_tree_becomes_faster() {
+    let mut timings = "what,name,precision,where,n,median_ns,ratio\n".to_owned();
+    for n in [1, 10, 100, 1000] {
+        let _ = writeln!(timings, "growth,vec,f64,book,{n},{n},1");
+        let _ = writeln!(timings, "growth,bvh,f64,book,{n},50,1");
+    }
+    let drawn = (find_chart("growth").expect("a chart").draw)(&[&timings]).expect("it is drawn");
+    let drawing = parse(&drawn.svg);
+    let labels: Vec<String> = texts(&drawing).map(|text| words(&text)).collect();
+    assert!(labels.contains(&"50 spheres".to_owned()), "{labels:?}");
+}
+
+#[test]
+fn the_failure_map_shows_that_half_b_errs_and_exact_arithmetic_does_not() {
+    let Drawn { table, .. } = from_notes(find_chart("failure_map").expect("a chart"));
+    let wrong = |method: &str| -> u32 {
+        let row = table
+            .lines()
+            .find(|line| line.starts_with(&format!("| `{method}`")));
+        let count = row.and_then(|row| row.split('|').nth(2)).map(str::trim);
+        count
+            .and_then(|count| count.parse().ok())
+            .expect("a row has a number")
+    };
+    assert_eq!(wrong("exact"), 0);
+    assert_eq!(wrong("half_b"), wrong("full_b"), "the same to the bit");
+    assert!(wrong("half_b") > 3 * wrong("cross_q"), "{table}");
+    assert!(wrong("cross_q") > 0, "{table}");
+}
+
+/// All charts, of what was measured and of what was not.
+pub(crate) fn drawings() -> impl Iterator<Item = (String, String)> {
+    let measured = CHARTS
+        .iter()
+        .map(|chart| (chart.name.to_owned(), from_notes(chart).svg));
+    let invented = [
+        "speed_accuracy",
+        "speed_accuracy_regimes",
+        "distance",
+        "scenes",
+    ]
+    .into_iter()
+    .flat_map(|name| (0..SEEDS).map(move |seed| (name, seed)))
+    .map(|(name, seed)| (format!("{name}{INVENTED}{seed}"), invented(name, seed).svg));
+    measured.chain(invented)
+}
+
+/// What the names of charts contain whose numbers nobody measured.
+pub(crate) const INVENTED: &str = " of invented numbers ";
+
+const SEEDS: u64 = 8;
+
+fn from_notes(chart: &Chart) -> Drawn {
+    chart
+        .draw_from(Path::new(NOTES))
+        .unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A chart of random numbers. With every other seed all methods are equally
+/// fast, and with every other two equally exact.
+fn invented(name: &str, seed: u64) -> Drawn {
+    let mut random = Random::new(seed);
+    let mut number = |varies: bool, low: f64, high: f64| {
+        10_f64.powf(if varies {
+            random.between(low, high)
+        } else {
+            low
+        })
+    };
+    let mut accuracy = "regime,precision,method,p999_ulps,wrong_per_million\n".to_owned();
+    let mut sweeps = "regime,level,precision,method,p999_ulps,wrong_per_million\n".to_owned();
+    let mut timings = "what,name,precision,where,n,median_ns,ratio\n".to_owned();
+    let mut scenes = "scene,precision,method,pixels,wrong,off_by_one\n".to_owned();
+    for method in METHODS {
+        let (name, precision) = (method.name, Precision::of(method).name());
+        for regime in REGIMES.map(|regime| regime.name) {
+            let time = number(seed.is_multiple_of(2), 0.5, 1.5);
+            let ulps = number(seed % 4 < 2, 0.0, 6.0);
+            let _ = writeln!(timings, "method,{name},{precision},{regime},1,{time},1");
+            let _ = writeln!(accuracy, "{regime},{precision},{name},{ulps},{}", seed % 3);
+            let wrong = (number(true, 0.0, 5.0) - 1.0).round();
+            let _ = writeln!(scenes, "{regime},{precision},{name},100000,{wrong},0");
+        }
+        for level in 0..10 {
+            let ulps = number(seed % 4 < 2, 0.0, 6.0);
+            let _ = writeln!(
+                sweeps,
+                "far,{level},{precision},{name},{ulps},{}",
+                level / 9
+            );
+        }
+    }
+    let chart = find_chart(name).expect("it is the name of a chart");
+    let texts: Vec<&str> = chart
+        .files
+        .iter()
+        .map(|file| match *file {
+            "measured/accuracy.snap.csv" => &accuracy[..],
+            "measured/sweeps.snap.csv" => &sweeps,
+            "measured/scenes.snap.csv" => &scenes,
+            _ => &timings,
+        })
+        .collect();
+    (chart.draw)(&texts).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The points of a path.
+fn points(path: &str) -> Vec<(f64, f64)> {
+    path.split(['M', 'L'])
+        .filter_map(|step| step.split_once(' '))
+        .filter_map(|(x, y)| Some((x.parse().ok()?, y.parse().ok()?)))
+        .collect()
+}

@@ -1,0 +1,550 @@
+//! A wrong picture is diagnosed: each slip is drawn, and has to be named.
+
+use check::Chapter;
+use check::diagnosis::{Explains, Scene};
+use check::judge::{Check, Finding, check};
+use check::png;
+use check::slips::{self, Ball, Program, Slip};
+use common::rtweekend::*;
+
+/// A test for each slip of the catalogue, which draws it in every chapter.
+macro_rules! each_slip_is_named {
+    ($($name:ident)*) => {
+        mod is_named {
+            $(
+                #[test]
+                fn $name() {
+                    super::is_named(&stringify!($name).replace('_', "-"));
+                }
+            )*
+
+            #[test]
+            fn so_there_is_a_test_for_every_slip() {
+                let tested = [$(stringify!($name)),*];
+                let all: Vec<String> = check::slips::all()
+                    .map(|slip| slip.name.replace('-', "_"))
+                    .collect();
+                assert_eq!(tested[..], all[..]);
+            }
+        }
+    };
+}
+
+each_slip_is_named! {
+    integer_division
+    divided_by_size
+    red_and_green_swapped
+    green_upwards
+    quarter_blue
+    columns_first
+    rows_from_below
+    loops_from_one
+    header_swapped
+    channels_reversed
+    times_255
+    times_255_99
+    times_256
+    times_256_clamped
+    rounded
+    cast_too_early
+    gamma_too_early
+    single_precision
+    viewport_upside_down
+    viewport_mirrored
+    grid_not_inset
+    older_camera
+    viewport_not_centered
+    corner_not_halved
+    focal_length_added
+    focal_length_forgotten
+    focal_length_two
+    viewport_height_one
+    integer_aspect_ratio
+    inverted_aspect_ratio
+    height_rounded
+    height_may_be_zero
+    ideal_viewport_ratio
+    integer_viewport_ratio
+    inverted_viewport_ratio
+    pixel_deltas_swapped
+    column_and_row_swapped
+    pixel_center_as_direction
+    ray_normalized
+    direction_not_normalized
+    divided_by_length_squared
+    length_with_swapped_letter
+    blend_not_mapped
+    blend_not_halved
+    blend_along_x
+    blend_along_z
+    white_and_blue_swapped
+    white_in_full
+    oc_reversed
+    b_sign
+    b_not_doubled
+    discriminant_without_four
+    discriminant_with_four
+    discriminant_with_plus
+    tangent_missed
+    radius_not_squared
+    radius_added
+    center_not_squared
+    a_taken_as_one
+    dot_with_swapped_letter
+    dot_without_z
+    stale_boolean
+    minus_one_is_true
+    minus_h
+    plus_b
+    far_root
+    square_root_forgotten
+    two_a_without_brackets
+    divided_by_a
+    divided_by_two_a
+    not_divided
+    behind_drawn
+    range_loosened
+    sphere_at_plus_one
+    normal_from_point
+    center_added
+    normal_inward
+    normal_not_unit
+    normal_times_radius
+    unit_vector_for_radius
+    point_along_unit_direction
+    point_without_origin
+    normal_not_mapped
+    normal_only_halved
+    normal_only_shifted
+    normal_channels_reversed
+    normal_as_absolute
+    closest_ignored
+    first_hit_wins
+    farthest_wins
+    near_root_only
+    range_not_tested
+    range_behind_allowed
+    range_closed
+    range_too_early
+    face_normal_missing
+    faces_swapped
+    ground_too_high
+    ground_too_large
+    ground_below_the_eye
+    ground_not_added
+}
+
+#[test]
+fn right_pictures_are_right_in_every_format_and_size() {
+    for chapter in Chapter::OF_THE_BOOK {
+        for width in [1, 2, 57, 400] {
+            let picture = chapter.picture(width);
+            let text = scene(chapter).program(&[]).run(width).to_string();
+            for bytes in [png::encode(&picture), text.into_bytes()] {
+                let Check::Right(right) = check(&scene(chapter), &bytes, 0) else {
+                    panic!("{chapter:?} at {width} is refused");
+                };
+                assert_eq!((right.width, right.off), (width, 0));
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_tolerated_is_right_and_no_more() {
+    let noisy = png::encode(&with_noise(&normals::picture(100)));
+    let exit = |tolerance| check(&scene(Chapter::Normals), &noisy, tolerance).exit_code();
+    assert_eq!((exit(0), exit(1)), (1, 0));
+    let other = png::encode(&red_sphere::picture(100));
+    assert_eq!(check(&scene(Chapter::Normals), &other, 100).exit_code(), 1);
+    assert_eq!(check(&scene(Chapter::Normals), &other, 255).exit_code(), 0);
+}
+
+#[test]
+fn harmless_deviations_are_named() {
+    for name in ["rounded", "times-255", "times-256-clamped", "times-255-99"] {
+        let output = slip(name).program(Chapter::HittableList).run(100);
+        let Check::Wrong(finding) = check(
+            &scene(Chapter::HittableList),
+            &png::encode(&output.picture()),
+            0,
+        ) else {
+            panic!("{name} is another picture");
+        };
+        assert_eq!(finding.levels, 1);
+        assert!(
+            names(&finding)[0].iter().any(|found| found == name),
+            "{:?}",
+            names(&finding)
+        );
+    }
+}
+
+#[test]
+fn two_slips_at_once_are_both_named() {
+    for (one, other) in [
+        ("minus-h", "times-255"),
+        ("focal-length-two", "white-and-blue-swapped"),
+        ("channels-reversed", "closest-ignored"),
+        ("rows-from-below", "grid-not-inset"),
+    ] {
+        let scene = scene(Chapter::HittableList);
+        let output = scene.program(&[slip(one), slip(other)]).run(120);
+        let wrong = check(&scene, &png::encode(&output.picture()), 0);
+        let finding = wrong.finding().expect("it is wrong");
+        let sets = names(finding);
+        let both = |names: &String| names.contains(one) && names.contains(other);
+        assert!(
+            sets.iter().flatten().any(both),
+            "{one} and {other}: {sets:?}"
+        );
+        assert_eq!(
+            finding.diagnosis.sets.iter().map(|set| set.explains).min(),
+            Some(Explains::All)
+        );
+    }
+}
+
+#[test]
+fn a_slip_that_explains_most_is_named_with_what_is_left() {
+    let mut rgb = slip("far-root")
+        .program(Chapter::Normals)
+        .run(200)
+        .picture()
+        .rgb()
+        .to_vec();
+    // A stripe that no slip draws.
+    rgb[3 * 200 * 5..3 * 200 * 7].fill(9);
+    let picture = Picture::from_rgb(200, 112, rgb).expect("the same size");
+    let wrong = check(&scene(Chapter::Normals), &png::encode(&picture), 0);
+    let finding = wrong.finding().expect("it is wrong");
+    let set = &finding.diagnosis.sets[0];
+    assert_eq!(set.mistakes[0][0].name, "far-root");
+    assert_eq!(set.explains, Explains::Most);
+    assert_eq!((set.fit.far, set.fit.compared), (400, 200 * 112));
+}
+
+#[test]
+fn a_probe_tells_a_set_apart() {
+    let output = slip("minus-h").program(Chapter::HalfBSphere).run(100);
+    let wrong = check(
+        &scene(Chapter::HalfBSphere),
+        &png::encode(&output.picture()),
+        0,
+    );
+    let set = &wrong.finding().expect("it is wrong").diagnosis.sets[0];
+    let telling = set.telling.as_ref().expect("a probe");
+    assert_eq!(telling.probe.name, "behind");
+    let place = |name| {
+        set.mistakes
+            .iter()
+            .position(|mistake| mistake[0].name == name)
+    };
+    let group = |name| {
+        telling
+            .groups
+            .iter()
+            .position(|group| group.contains(&place(name).expect("in the set")))
+    };
+    assert_eq!(group("minus-h"), group("oc-reversed"));
+    assert_ne!(group("minus-h"), group("discriminant-with-four"));
+}
+
+#[test]
+fn in_a_probe_the_probe_is_judged() {
+    let probe = slips::find_probe("inside").expect("a probe");
+    let scene = Scene::new(Chapter::HittableList, Some(probe)).expect("room for a sphere");
+    let draw = |slips: &[&Slip]| png::encode(&scene.program(slips).run(64).picture());
+    assert_eq!(check(&scene, &draw(&[]), 0).exit_code(), 0);
+    let wrong = check(&scene, &draw(&[slip("face-normal-missing")]), 0);
+    assert!(
+        names(wrong.finding().expect("wrong"))[0]
+            .iter()
+            .any(|name| name == "face-normal-missing")
+    );
+    let book = check(&scene, &png::encode(&hittable_list::picture(64)), 0);
+    assert!(
+        sights(&book).contains("without the probe's changes"),
+        "{}",
+        sights(&book)
+    );
+    assert!(Scene::new(Chapter::Gradient, Some(probe)).is_none());
+}
+
+#[test]
+fn a_wrong_shape_is_named_with_the_slips_that_give_it() {
+    for (name, chapter) in [
+        ("integer-aspect-ratio", Chapter::HittableList),
+        ("inverted-aspect-ratio", Chapter::Gradient),
+        ("height-rounded", Chapter::Normals),
+        ("header-swapped", Chapter::RedSphere),
+    ] {
+        let text = slip(name).program(chapter).run(97).to_string();
+        let Check::NotAPicture { cause, finding } = check(&scene(chapter), text.as_bytes(), 0)
+        else {
+            panic!("{name} gives another shape");
+        };
+        assert_eq!(cause.name, "wrong-shape");
+        assert!(cause.fix.contains(name), "{cause}");
+        assert!(
+            names(&finding.expect("it has pixels"))[0]
+                .iter()
+                .any(|found| found == name)
+        );
+    }
+    // Nobody's mistake, but not the book's shape either.
+    let square = Scene::new(Chapter::BuildTest, None)
+        .expect("a scene")
+        .right(40, 30);
+    let check = check(&scene(Chapter::BuildTest), &png::encode(&square), 0);
+    assert_eq!(check.exit_code(), 2);
+    assert!(check.finding().expect("it has pixels").difference.is_none());
+}
+
+#[test]
+fn numbers_that_are_no_levels_name_the_mistake_that_prints_them() {
+    for (name, chapter, words) in [
+        ("times-256", Chapter::BuildTest, "above 255, up to 256"),
+        ("normal-not-mapped", Chapter::Normals, "below 0"),
+        (
+            "normal-only-shifted",
+            Chapter::HalfBSphere,
+            "above 255, up to 511",
+        ),
+        ("minus-h", Chapter::HittableList, "below 0"),
+    ] {
+        let text = slip(name).program(chapter).run(80).to_string();
+        let Check::NotAPicture { cause, finding } = check(&scene(chapter), text.as_bytes(), 0)
+        else {
+            panic!("{name} prints no valid picture");
+        };
+        assert_eq!(cause.name, "levels-outside");
+        assert!(cause.problem.contains(words), "{cause}");
+        assert!(
+            names(&finding.expect("it has pixels"))[0]
+                .iter()
+                .any(|found| found == name)
+        );
+    }
+}
+
+#[test]
+fn nan_as_cpp_prints_it_does_not_hide_the_mistake() {
+    let output = slip("focal-length-forgotten")
+        .program(Chapter::Gradient)
+        .run(17);
+    // Seventeen columns and nine rows have a middle, where the ray is no ray.
+    let mut lines: Vec<String> = output.to_string().lines().map(str::to_owned).collect();
+    lines[3 + 4 * 17 + 8] = "-2147483648 -2147483648 -2147483648".to_owned();
+    let wrong = check(&scene(Chapter::Gradient), lines.join("\n").as_bytes(), 0);
+    assert_eq!(
+        names(wrong.finding().expect("it has pixels"))[0][0],
+        "focal-length-forgotten"
+    );
+}
+
+#[test]
+fn levels_that_wrap_around_do_not_hide_the_mistake() {
+    let output = slip("normal-only-shifted")
+        .program(Chapter::Normals)
+        .run(80);
+    let rgb = output.pixels().flatten().map(|level| level as u8).collect();
+    let (width, height) = output.size();
+    let picture = Picture::from_rgb(width, height, rgb).expect("the same size");
+    let wrong = check(&scene(Chapter::Normals), &png::encode(&picture), 0);
+    assert_eq!(
+        names(wrong.finding().expect("wrong"))[0],
+        ["normal-only-shifted"]
+    );
+}
+
+#[test]
+fn what_no_slip_draws_is_described() {
+    const SMALL: &[Ball] = &[Ball::new(0.0, 0.0, -1.0, 0.4)];
+    const ASIDE: &[Ball] = &[Ball::new(0.3, 0.0, -1.0, 0.5)];
+    for (world, words) in [(SMALL, "as if the radius were 0.4"), (ASIDE, "an ellipse")] {
+        let right = Program::right(Chapter::Normals);
+        let seen = seen(
+            Chapter::Normals,
+            &Program { world, ..right }.run(160).picture(),
+        );
+        assert!(seen.contains(words), "{words}: {seen}");
+    }
+    let tinted = Program {
+        lerp: |a| Color::new(0.2, 0.4, 0.6) * a,
+        ..Program::right(Chapter::HittableList)
+    };
+    let tinted = seen(Chapter::HittableList, &tinted.run(160).picture());
+    assert!(tinted.contains("Only the sky is wrong"), "{tinted}");
+    let gray = Picture::from_rgb(16, 9, vec![77; 16 * 9 * 3]).expect("its size");
+    assert!(seen(Chapter::Gradient, &gray).contains("Every pixel has the same color"));
+    let other = seen(Chapter::RedSphere, &normals::picture(160));
+    assert!(
+        other.contains("right picture of the chapter normals"),
+        "{other}"
+    );
+    let inside = slips::find_probe("off-axis").expect("a probe");
+    let probe = Scene::new(Chapter::Normals, Some(inside))
+        .expect("room")
+        .right(160, 90);
+    assert!(seen(Chapter::Normals, &probe).contains("--probe off-axis"));
+}
+
+#[test]
+fn no_shape_and_no_numbers_are_too_odd_for_a_diagnosis() {
+    for chapter in Chapter::OF_THE_BOOK {
+        for (width, height) in [
+            (1, 1),
+            (1, 2),
+            (2, 1),
+            (1, 700),
+            (700, 1),
+            (3, 2),
+            (16, 9),
+            (9, 16),
+        ] {
+            for numbers in [
+                [0, 0, 0],
+                [255, 255, 255],
+                [-1, 256, 0],
+                [i16::MIN, i16::MAX, 7],
+            ] {
+                let pixel = numbers.map(|number| number.to_string()).join(" ") + "\n";
+                let pixels = pixel.repeat(width * height);
+                let text = format!("P3\n{width} {height}\n255\n{pixels}");
+                let code = check(&scene(chapter), text.as_bytes(), 0).exit_code();
+                let is_odd = numbers.iter().any(|number| !(0..256).contains(number))
+                    || scene(chapter).height(width as u32) != height as u32;
+                assert_eq!(
+                    code == 2,
+                    is_odd,
+                    "{chapter:?}, {width} × {height}, {numbers:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_mirrored_or_moved_picture_is_described() {
+    let right = Program::right(Chapter::HittableList).run(160);
+    let pixels: Vec<[i32; 3]> = right.pixels().collect();
+    let moved = |place: fn(usize) -> usize, order: [usize; 3]| {
+        let rgb = (0..160 * 90).flat_map(|n| order.map(|channel| pixels[place(n)][channel] as u8));
+        seen(
+            Chapter::HittableList,
+            &Picture::from_rgb(160, 90, rgb.collect()).expect("the same size"),
+        )
+    };
+    let turned = moved(|n| 160 * 90 - 1 - n, [0, 1, 2]);
+    assert!(turned.contains("viewport-mirrored"), "{turned}");
+    assert!(moved(|n| n, [1, 2, 0]).contains("Its red is what green should be"));
+    let shifted = moved(|n| (n + 1).min(160 * 90 - 1), [0, 1, 2]);
+    assert!(
+        shifted.contains("moved by 1 pixel to the left"),
+        "{shifted}"
+    );
+}
+
+/// Saved as PNG, as the text of C++ at another size, and with some levels off by
+/// one: the slip is always named in the first set.
+fn is_named(name: &str) {
+    let slip = slips::find(name).expect("a slip of the catalogue");
+    for &chapter in slip.chapters {
+        let scene = scene(chapter);
+        let drawn = |width| {
+            let output = slip.program(chapter).run(width);
+            let seen = output.picture() != scene.program(&[]).run(width).picture();
+            // Other tests tell why nothing shows some slips, and which probe does.
+            seen.then_some(output)
+        };
+        if let Some(output) = drawn(101) {
+            let wrong = check(&scene, &png::encode(&output.picture()), 0);
+            assert_first(slip, chapter, &wrong, Explains::All);
+        }
+        if let Some(output) = drawn(60) {
+            let wrong = check(&scene, output.to_string().as_bytes(), 0);
+            assert_first(slip, chapter, &wrong, Explains::All);
+            let wrong = check(&scene, &png::encode(&with_noise(&output.picture())), 0);
+            // Single levels can hide nothing but single levels.
+            if wrong.finding().is_some_and(|finding| finding.levels > 2) {
+                assert_first(slip, chapter, &wrong, Explains::AllButOneLevel);
+            }
+        }
+    }
+}
+
+fn assert_first(slip: &Slip, chapter: Chapter, check: &Check, explains: Explains) {
+    let finding = check.finding().expect("the picture is wrong");
+    let first = finding.diagnosis.sets.first().unwrap_or_else(|| {
+        panic!(
+            "nothing explains {} in {chapter:?}: {:?}",
+            slip.name, finding.diagnosis.sights
+        )
+    });
+    assert!(
+        names(finding)[0].iter().any(|names| names == slip.name),
+        "{} in {chapter:?} is not among {:?}",
+        slip.name,
+        names(finding)
+    );
+    assert!(
+        first.explains <= explains,
+        "{} in {chapter:?}: {:?}",
+        slip.name,
+        first.fit
+    );
+}
+
+/// The names of all mistakes, set by set.
+fn names(finding: &Finding) -> Vec<Vec<String>> {
+    let sets = finding.diagnosis.sets.iter();
+    sets.map(|set| {
+        set.mistakes
+            .iter()
+            .map(|slips| {
+                slips
+                    .iter()
+                    .map(|slip| slip.name)
+                    .collect::<Vec<_>>()
+                    .join(" + ")
+            })
+            .collect()
+    })
+    .collect()
+}
+
+/// Every seventh component a level up or down.
+fn with_noise(picture: &Picture) -> Picture {
+    let mut rgb = picture.rgb().to_vec();
+    for (n, level) in rgb.iter_mut().enumerate().step_by(7) {
+        *level = if n % 2 == 0 {
+            level.saturating_add(1)
+        } else {
+            level.saturating_sub(1)
+        };
+    }
+    Picture::from_rgb(picture.width(), picture.height(), rgb).expect("the same size")
+}
+
+fn scene(chapter: Chapter) -> Scene {
+    Scene::new(chapter, None).expect("every chapter has the book's scene")
+}
+
+fn slip(name: &str) -> &'static Slip {
+    slips::find(name).unwrap_or_else(|| panic!("there is no slip {name}"))
+}
+
+/// What can be seen in the picture, in one text.
+fn seen(chapter: Chapter, picture: &Picture) -> String {
+    sights(&check(&scene(chapter), &png::encode(picture), 0))
+}
+
+fn sights(check: &Check) -> String {
+    let finding = check.finding().expect("it is wrong");
+    format!(
+        "{} {:?}",
+        finding.diagnosis.sights.join(" "),
+        names(finding)
+    )
+}

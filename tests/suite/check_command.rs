@@ -1,0 +1,333 @@
+//! What `cargo rtrace check`, `probes` and `slips` say.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use check::Chapter;
+use check::reading::read;
+use check::slips::{self, PROBES};
+use tempfile::TempDir;
+
+use crate::command_line::{
+    assert_refused, assert_success, names_in, p3, path_of, program_with, run, text,
+};
+
+#[test]
+fn a_right_picture_takes_one_line() {
+    let folder = TempDir::new().expect("a folder");
+    write(&folder, "mine.ppm", &p3(&normals::picture(200)));
+    let output = run(&mut check_in(&folder, &["normals", "mine.ppm"]));
+    assert_success(&output);
+    assert_eq!(
+        text(&output.stdout),
+        "mine.ppm is right: all 22400 pixels of normals at 200 × 112, to the last bit.\n"
+    );
+}
+
+#[test]
+fn a_set_of_mistakes_is_shown_with_the_probe_that_tells_them_apart() {
+    insta::assert_snapshot!(said_of("half_b_sphere", "minus-h", "mine.png", 1));
+}
+
+#[test]
+fn a_single_level_is_told_apart_from_a_wrong_picture() {
+    insta::assert_snapshot!(said_of("hittable_list", "rounded", "mine.png", 1));
+}
+
+#[test]
+fn numbers_that_are_no_levels_are_shown_with_the_mistake() {
+    insta::assert_snapshot!(said_of("normals", "normal-only-shifted", "mine.ppm", 2));
+}
+
+#[test]
+fn a_wrong_shape_is_shown_with_the_mistake() {
+    insta::assert_snapshot!(said_of("gradient", "integer-aspect-ratio", "mine.png", 2));
+}
+
+#[test]
+fn a_picture_that_no_mistake_draws_is_described() {
+    let folder = TempDir::new().expect("a folder");
+    write(&folder, "mine.ppm", &p3(&hittable_list::picture(200)));
+    let output = run(&mut check_in(&folder, &["normals", "mine.ppm"]));
+    assert_eq!(output.status.code(), Some(1));
+    insta::assert_snapshot!(text(&output.stdout));
+}
+
+#[test]
+fn what_is_no_picture_is_refused_with_cause_and_fix() {
+    let folder = TempDir::new().expect("a folder");
+    write(
+        &folder,
+        "mine.ppm",
+        b"P3\n400 225\n255\nScanlines remaining: 224\n",
+    );
+    let output = run(&mut check_in(&folder, &["gradient", "mine.ppm"]));
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(
+        text(&output.stdout),
+        "mine.ppm is not a picture: line 4, byte 15: \"Scanlines\" stands among the numbers.\n\
+         Only the picture goes to standard output. Send progress and messages to standard error: \
+         std::clog, eprintln!, sys.stderr.\n"
+    );
+    let missing = run(&mut check_in(&folder, &["gradient", "missing.ppm"]));
+    assert_eq!(missing.status.code(), Some(2));
+    assert!(text(&missing.stdout).contains("missing.ppm is not a picture: it can't be read"));
+}
+
+#[test]
+fn a_picture_may_come_from_standard_input_or_from_a_program() {
+    let mut child = program_with("rtrace", &["check", "red_sphere", "-"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let mut stdin = child.stdin.take().expect("it is piped");
+    stdin
+        .write_all(&p3(&red_sphere::picture(64)))
+        .expect("it reads");
+    drop(stdin);
+    let output = child.wait_with_output().expect("the program ends");
+    assert!(text(&output.stdout).starts_with("standard input is right"));
+
+    let normals = path_of("normals").display().to_string();
+    let output = run(&mut program_with(
+        "rtrace",
+        &["check", "half_b_sphere", "--", &normals],
+    ));
+    assert_success(&output);
+    let output = run(&mut program_with(
+        "rtrace",
+        &["check", "gradient", "--", &normals, "-"],
+    ));
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stdout).contains("the right picture of the chapter normals"));
+
+    for (words, problem) in [
+        (&["no-such-program"][..], "does not start"),
+        (&[&normals, "--option"], "ended with exit status: 2"),
+    ] {
+        let output = run(program_with("rtrace", &["check", "normals", "--"]).args(words));
+        assert_eq!(output.status.code(), Some(2));
+        assert!(
+            text(&output.stdout).contains(problem),
+            "{}",
+            text(&output.stdout)
+        );
+    }
+}
+
+#[test]
+fn a_tolerance_accepts_what_it_says() {
+    let folder = TempDir::new().expect("a folder");
+    draw(&folder, "rounded", "hittable_list", "mine.png");
+    let exit = |arguments: &[&str]| {
+        let arguments = [&["hittable_list", "mine.png"], arguments].concat();
+        run(&mut check_in(&folder, &arguments)).status.code()
+    };
+    assert_eq!(exit(&[]), Some(1));
+    assert_eq!(exit(&["--tolerance", "1"]), Some(0));
+    assert_eq!(exit(&["--tolerance", "256"]), Some(2));
+}
+
+#[test]
+fn a_probe_is_checked_with_its_own_scene() {
+    let folder = TempDir::new().expect("a folder");
+    write(&folder, "mine.ppm", &p3(&hittable_list::picture(128)));
+    let reversed = ["hittable_list", "mine.ppm", "--probe", "reversed"];
+    assert_success(&run(&mut check_in(&folder, &reversed)));
+    let inside = ["hittable_list", "mine.ppm", "--probe", "inside"];
+    assert_eq!(run(&mut check_in(&folder, &inside)).status.code(), Some(1));
+    let odd = run(&mut check_in(
+        &folder,
+        &["hittable_list", "mine.ppm", "--probe", "odd-width"],
+    ));
+    assert_eq!(odd.status.code(), Some(2));
+    assert!(text(&odd.stdout).contains("image_width = 227"));
+    assert_refused(
+        &mut check_in(&folder, &["gradient", "mine.ppm", "--probe", "inside"]),
+        &["no place", "cargo rtrace probes"],
+    );
+}
+
+#[test]
+fn programs_get_the_same_as_json() {
+    let folder = TempDir::new().expect("a folder");
+    draw(&folder, "closest-ignored", "hittable_list", "mine.png");
+    let output = run(&mut check_in(
+        &folder,
+        &["hittable_list", "mine.png", "--json"],
+    ));
+    assert_eq!(output.status.code(), Some(1));
+    insta::assert_snapshot!(text(&output.stdout));
+
+    let output =
+        run(program_with("rtrace", &["check", "normals", "--json", "-"]).stdin(Stdio::null()));
+    assert_eq!(output.status.code(), Some(2));
+    let said = text(&output.stdout);
+    assert!(
+        said.contains("\"verdict\": \"not-a-picture\"") && said.contains("\"name\": \"empty\""),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_report_is_a_page_that_needs_nothing_else() {
+    let folder = TempDir::new().expect("a folder");
+    draw(&folder, "minus-h", "half_b_sphere", "a<b>&c.png");
+    let output = run(&mut check_in(
+        &folder,
+        &["half_b_sphere", "a<b>&c.png", "--report", "report/mine"],
+    ));
+    assert_eq!(output.status.code(), Some(1));
+    let report = folder.path().join("report").join("mine");
+    assert_eq!(
+        names_in(&report),
+        ["difference.png", "expected.png", "index.html", "yours.png"]
+    );
+    let shown = |name: &str| {
+        read(&fs::read(report.join(name)).expect("the file"))
+            .expect("a picture")
+            .picture()
+    };
+    assert!(shown("expected.png") == half_b_sphere::picture(400));
+    assert!(shown("yours.png") == gradient::picture(400));
+    let page = fs::read_to_string(report.join("index.html")).expect("the page");
+    for part in [
+        "a&lt;b&gt;&amp;c.png",
+        "minus-h",
+        "type=\"range\"",
+        "(-h - sqrt(discriminant)) / a",
+        "width=device-width",
+        "light dark",
+    ] {
+        assert!(page.contains(part), "{part} is missing");
+    }
+    assert!(!page.contains("http"), "a page on a disk has no network");
+    assert!(!page.contains("<b>"), "the name of a file is no markup");
+}
+
+#[test]
+fn every_probe_is_listed_with_what_to_change() {
+    let output = run(&mut program_with("rtrace", &["probes"]));
+    assert_success(&output);
+    let said = text(&output.stdout);
+    for probe in PROBES {
+        assert!(
+            said.contains(&format!("\n{}\n", probe.name)),
+            "{}",
+            probe.name
+        );
+        for line in probe.lines(Chapter::HittableList).lines() {
+            assert!(said.contains(line), "{line}");
+        }
+    }
+    let output = run(&mut program_with("rtrace", &["probes", "gradient"]));
+    assert!(
+        !text(&output.stdout).contains("sphere"),
+        "there is none yet"
+    );
+}
+
+#[test]
+fn every_slip_is_listed_and_can_be_drawn() {
+    let output = run(&mut program_with("rtrace", &["slips"]));
+    assert_success(&output);
+    let said = text(&output.stdout);
+    for slip in slips::all() {
+        assert!(said.contains(slip.name) && said.contains(slip.wrong) && said.contains(slip.right));
+    }
+    let output = run(&mut program_with("rtrace", &["slips", "build_test"]));
+    assert!(
+        !text(&output.stdout).contains("minus-h"),
+        "there is no h yet"
+    );
+
+    let folder = TempDir::new().expect("a folder");
+    let path = folder.path().join("wrong.ppm");
+    let draw = |arguments: &[&str]| {
+        let mut command = program_with("rtrace", &["slips", "draw"]);
+        command.args(arguments).arg("--output").arg(&path);
+        command
+    };
+    assert_success(&run(&mut draw(&[
+        "times-256",
+        "--chapter",
+        "build_test",
+        "--width",
+        "4",
+    ])));
+    assert!(
+        fs::read_to_string(&path)
+            .expect("the file")
+            .contains("256 256 0")
+    );
+    assert_success(&run(&mut draw(&[
+        "dot-with-swapped-letter",
+        "--width",
+        "32",
+    ])));
+    let wrong = slips::find("dot-with-swapped-letter")
+        .expect("a slip")
+        .program(Chapter::HittableList);
+    assert_eq!(
+        fs::read_to_string(&path).expect("the file"),
+        wrong.run(32).to_string()
+    );
+
+    assert_refused(
+        &mut draw(&["minus-h", "--chapter", "gradient"]),
+        &["can't be made"],
+    );
+    assert_refused(&mut draw(&["minus-g"]), &["similar", "'minus-h'"]);
+    assert_refused(
+        program_with(
+            "rtrace",
+            &["slips", "draw", "height-may-be-zero", "--width", "1", "-o"],
+        )
+        .arg(folder.path().join("none.png")),
+        &["no pixel", ".ppm"],
+    );
+}
+
+/// What is said of the picture that a slip draws, under the name of that file.
+fn said_of(chapter: &str, slip: &str, name: &str, code: i32) -> String {
+    let folder = TempDir::new().expect("a folder");
+    draw(&folder, slip, chapter, name);
+    let output = run(&mut check_in(&folder, &[chapter, name]));
+    assert_eq!(output.status.code(), Some(code), "{}", text(&output.stderr));
+    assert_eq!(text(&output.stderr), "");
+    text(&output.stdout)
+}
+
+fn draw(folder: &TempDir, slip: &str, chapter: &str, name: &str) {
+    let arguments = [
+        "slips",
+        "draw",
+        slip,
+        "--chapter",
+        chapter,
+        "--output",
+        name,
+    ];
+    assert_success(&run(in_folder(
+        folder,
+        &mut program_with("rtrace", &arguments),
+    )));
+}
+
+fn check_in(folder: &TempDir, arguments: &[&str]) -> Command {
+    let mut command = program_with("rtrace", &["check"]);
+    in_folder(folder, command.args(arguments));
+    command
+}
+
+fn in_folder<'a>(folder: &TempDir, command: &'a mut Command) -> &'a mut Command {
+    command.current_dir(folder.path())
+}
+
+fn write(folder: &TempDir, name: &str, bytes: &[u8]) {
+    let path: &Path = folder.path();
+    fs::write(path.join(name), bytes).expect("a file");
+}

@@ -1,0 +1,649 @@
+//! The methods of chapter 6: what each one promises, and where it fails.
+//!
+//! Laws and bounds are those of the chapters. The judge is `src/oracle.rs`, which
+//! shares no line with the method `exact`: each would notice a mistake of the
+//! other. Where a method is known to fail, it is asserted to fail.
+
+use std::env;
+use std::thread;
+
+use common::rtweekend::*;
+use laws::intervals;
+use laws::nearer_root::{BAND, root_bound};
+use laws::oracle::Exact;
+use laws::runner::{self, holds, samples};
+use laws::shrinker::Simplify;
+use laws::strategies;
+use laws::verdict::Verdict;
+use laws::{Case, WithInterval};
+use speed_vs_accuracy::{
+    METHODS, SingleRay, Solve, Stage, certified_hit, certified_t, exact, stage_of_hit, stage_of_t,
+};
+
+mod every_method {
+    use super::*;
+
+    /// The bounds are those of `half_b`, the worst of all.
+    #[test]
+    fn returns_the_nearest_root_in_the_interval() {
+        for (name, solve) in in_double_precision() {
+            println!("{name}");
+            let asked = strategies::with_interval(strategies::anywhere());
+            holds(&asked, |asked| {
+                intervals::the_nearest_root_in_the_interval_is_returned(&solve, asked)
+            });
+        }
+    }
+
+    #[test]
+    fn returns_no_t_outside_the_interval() {
+        for (name, solve) in in_double_precision() {
+            println!("{name}");
+            let asked = strategies::with_hostile_interval(strategies::hostile());
+            holds(&asked, |asked| {
+                intervals::no_t_outside_the_interval_is_returned(&solve, asked)
+            });
+        }
+    }
+
+    /// On the whole line, the nearest root is the nearer one.
+    #[test]
+    fn obeys_the_laws_of_a_nearer_root() {
+        for (name, solve) in in_double_precision() {
+            println!("{name}");
+            runner::nearer_root(&|center, radius, ray| {
+                solve(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY)
+            });
+        }
+    }
+
+    #[test]
+    fn misses_what_is_no_number() {
+        let ray = Ray::new(Point3::ZERO, Vec3::NEG_Z);
+        let center = Point3::new(0.0, 0.0, -1.0);
+        let nowhere = Ray::new(Point3::ZERO, Vec3::ZERO);
+        let lost = Ray::new(Point3::new(f64::NAN, 0.0, 0.0), Vec3::NEG_Z);
+        let endless = Ray::new(Point3::ZERO, Vec3::new(0.0, 0.0, f64::NEG_INFINITY));
+        for (name, solve) in in_double_precision() {
+            for ray in [nowhere, lost, endless] {
+                assert_eq!(solve(center, 0.5, &ray, 0.0, f64::INFINITY), None, "{name}");
+            }
+            // To chapter 5 a radius that is not a number is 0.
+            let of_no_size = (name == "half_b").then_some(1.0);
+            assert_eq!(
+                solve(center, f64::NAN, &ray, 0.0, 9.0),
+                of_no_size,
+                "{name}"
+            );
+            assert_eq!(solve(center, 0.5, &ray, f64::NAN, 9.0), None, "{name}");
+            assert_eq!(solve(center, 0.5, &ray, 0.0, f64::NAN), None, "{name}");
+        }
+    }
+}
+
+mod every_single_precision_method {
+    use super::*;
+
+    /// The same law as in `f64`, with u 2²⁹ times as large: the input is exact,
+    /// and so is the oracle.
+    #[test]
+    fn returns_the_nearest_root_to_the_digits_that_remain() {
+        for (name, solve) in in_single_precision() {
+            for case in samples(&strategies::anywhere(), CASES) {
+                let (case, found) = in_f32(&case, solve);
+                if !case.numbers().iter().all(|number| number.is_finite()) {
+                    continue;
+                }
+                let exact = Exact::of(&case);
+                let margin = exact.discriminant_margin();
+                let fits = |scale: f64| (1e-30..=1e30).contains(&scale);
+                if !(fits(case.a()) && fits(case.m()) && margin.abs() > BAND * SINGLE) {
+                    continue;
+                }
+                let bound = SINGLE * root_bound(&case, margin.max(2.0 * BAND));
+                let expected = exact.nearest_root_in(0.0, f64::INFINITY);
+                let nearer_is_at_the_end = [exact.nearer_root(), exact.farther_root()]
+                    .into_iter()
+                    .flatten()
+                    .any(|root| root.rounded().abs() <= bound);
+                match (found, expected) {
+                    _ if nearer_is_at_the_end => {}
+                    (Some(t), Some(root)) => assert!(
+                        (f64::from(t) - root.rounded()).abs() <= bound,
+                        "{name}: {t} on {case}"
+                    ),
+                    (found, expected) => {
+                        assert_eq!(found.is_some(), expected.is_some(), "{name} on {case}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// Input of 24 digits, arithmetic of 53: nothing is left to lose in t.
+    #[test]
+    fn is_right_to_an_ulp_if_it_is_widened() {
+        let solve = single("widened_half_b_q_f32");
+        for cases in [
+            samples(&strategies::book_rays(), CASES),
+            samples(&strategies::far(0.5..=4.0), CASES),
+            samples(&strategies::above_the_ground(2.0..=6.0), CASES),
+        ] {
+            for case in cases {
+                let (case, found) = in_f32(&case, solve);
+                let exact = Exact::of(&case);
+                let root = exact.nearest_root_in(0.0, f64::INFINITY);
+                assert_eq!(found.is_some(), root.is_some(), "{case}");
+                if let (Some(t), Some(root)) = (found, root) {
+                    let ulps = root.error_in_ulps(t.into()) / SINGLE;
+                    assert!(ulps <= 1.0, "{ulps} ulps on {case}");
+                }
+            }
+        }
+    }
+
+    /// 2²⁹: an ulp of an `f32` in ulps of an `f64`.
+    const SINGLE: f64 = 536_870_912.0;
+}
+
+mod the_exact_method {
+    use super::*;
+
+    #[test]
+    fn is_the_oracle_to_the_last_bit() {
+        let asked = strategies::with_hostile_interval(strategies::hostile());
+        for asked in samples(&asked, 10_000) {
+            let WithInterval { case, t_min, t_max } = asked;
+            let oracle = Exact::of(&case);
+            let expected = oracle
+                .nearest_root_in(t_min, t_max)
+                .filter(|_| t_min.next_up() < t_max)
+                .map(|root| root.rounded().max(t_min.next_up()).min(t_max.next_down()));
+            assert_eq!(asked.solve(&exact), expected, "{asked}");
+        }
+    }
+
+    /// The sphere around 0 of radius 1, seen from inside along x: the root is 1/s.
+    fn one_over(s: f64, t_min: f64, t_max: f64) -> Option<f64> {
+        let ray = Ray::new(Point3::ZERO, Vec3::new(s, 0.0, 0.0));
+        exact(Point3::ZERO, 1.0, &ray, t_min, t_max)
+    }
+
+    #[test]
+    fn gives_the_largest_number_for_a_root_beyond_it() {
+        let least = f64::from_bits(1);
+        assert_eq!(one_over(least, 0.0, f64::INFINITY), Some(f64::MAX));
+        assert_eq!(one_over(least, 0.0, f64::MAX), None);
+        assert_eq!(
+            one_over(-least, f64::NEG_INFINITY, 0.0),
+            Some(f64::MIN),
+            "the nearer root of the ray turned round"
+        );
+    }
+
+    #[test]
+    fn gives_way_inwards_where_a_root_rounds_to_an_end() {
+        let third = 1.0 / 3.0;
+        // 1/3 rounds down, so the root lies above its own rounding.
+        assert_eq!(one_over(3.0, 0.0, 1.0), Some(third));
+        assert_eq!(one_over(3.0, third, 1.0), Some(third.next_up()));
+        assert_eq!(one_over(3.0, 0.0, third), None);
+        // Between two neighbors there is a root, and no number for it.
+        assert_eq!(one_over(3.0, third, third.next_up()), None);
+    }
+
+    /// A point at 1 or the next number, seen from half an ulp behind 0.
+    #[test]
+    fn rounds_half_way_to_the_even_number() {
+        let half = f64::EPSILON / 2.0;
+        let ray = Ray::new(Point3::new(-half, 0.0, 0.0), Vec3::X);
+        for (center, even) in [(1.0, 1.0), (1.0 + 2.0 * half, 1.0 + 4.0 * half)] {
+            let center = Point3::new(center, 0.0, 0.0);
+            assert_eq!(exact(center, 0.0, &ray, 0.0, 2.0), Some(even));
+        }
+    }
+
+    #[test]
+    fn leaves_out_both_ends() {
+        assert_eq!(one_over(1.0, 0.0, 2.0), Some(1.0));
+        assert_eq!(one_over(1.0, 1.0, 2.0), None);
+        assert_eq!(one_over(1.0, 0.0, 1.0), None);
+    }
+}
+
+mod the_certified_methods {
+    use super::*;
+
+    /// A short part of the campaign that the book describes: `CERTIFIED_CASES`
+    /// says how many cases, shared by all processors, and `CERTIFIED_SEED` which.
+    #[test]
+    fn decide_rightly_and_to_an_ulp_for_every_input() {
+        let cases = from_environment("CERTIFIED_CASES").unwrap_or(20_000);
+        let seed = from_environment("CERTIFIED_SEED").unwrap_or(1);
+        let threads = thread::available_parallelism().map_or(1, usize::from) as u64;
+        let stages: Vec<_> = thread::scope(|scope| {
+            let workers: Vec<_> = (0..threads)
+                .map(|k| scope.spawn(move || campaign(cases / threads, &format!("{seed}/{k}"))))
+                .collect();
+            workers
+                .into_iter()
+                .map(|worker| worker.join().expect("no law is broken"))
+                .collect()
+        });
+        let total: [u64; 6] = std::array::from_fn(|k| stages.iter().map(|counts| counts[k]).sum());
+        println!("certified_hit, certified_t: by filter, double-double, integers: {total:?}");
+        // A stage that is never asked is never tried.
+        assert!(total.iter().all(|&count| count > cases / 200), "{total:?}");
+    }
+
+    /// Tries both methods and returns how often each of their stages answered.
+    fn campaign(cases: u64, seed: &str) -> [u64; 6] {
+        let strategy = strategies::with_hostile_interval(strategies::hostile());
+        let mut stages = [0; 6];
+        for asked in runner::endless(&strategy, seed).take(cases as usize) {
+            if let Err(broken) = is_certified(&asked) {
+                panic!("{broken}\n\n{}", asked.as_test());
+            }
+            let Case {
+                center,
+                radius,
+                ray,
+            } = asked.case;
+            let (t_min, t_max) = (asked.t_min, asked.t_max);
+            stages[stage_of_hit(center, radius, &ray, t_min, t_max) as usize] += 1;
+            stages[3 + stage_of_t(center, radius, &ray, t_min, t_max) as usize] += 1;
+        }
+        stages
+    }
+
+    fn is_certified(asked: &WithInterval) -> Verdict {
+        intervals::the_decision_is_exactly_right(&certified_hit, asked)?;
+        intervals::the_decision_is_exactly_right(&certified_t, asked)?;
+        intervals::t_is_within_ulps(&certified_t, asked, 1.0)
+    }
+
+    /// Where no end of the interval is in the way, the proof promises more.
+    #[test]
+    fn round_to_less_than_eight_tenths_of_an_ulp() {
+        for case in samples(&strategies::hostile(), CASES) {
+            let asked = in_front(case);
+            let end = |asked: &WithInterval| asked.solve(&certified_t);
+            if end(&asked).is_some_and(|t| t > f64::from_bits(1)) {
+                intervals::t_is_within_ulps(&certified_t, &asked, 0.8)
+                    .unwrap_or_else(|broken| panic!("{broken}\n\n{asked}"));
+            }
+        }
+    }
+
+    #[test]
+    fn are_answered_by_the_filter_for_a_ray_of_the_book() {
+        for case in samples(&strategies::book_rays(), CASES) {
+            assert_eq!(stages(&case).0, Stage::Filter, "{case}");
+        }
+    }
+
+    /// The narrower a bound of the filter, the more it would answer by itself.
+    /// Here it must not.
+    #[test]
+    fn ask_the_second_stage_where_rounding_could_decide() {
+        for case in samples(&strategies::far(9.0..=12.0), 500) {
+            assert_eq!(stages(&case).0, Stage::DoubleDouble, "{case}");
+        }
+    }
+
+    /// At 10¹⁷ radii all of the sphere is less than a rounding of 106 digits.
+    #[test]
+    fn ask_for_integers_where_twice_the_digits_are_too_few() {
+        for case in samples(&strategies::far(17.0..=17.0), 500) {
+            assert_eq!(stages(&case).0, Stage::Exact, "{case}");
+        }
+    }
+
+    #[test]
+    fn ask_for_integers_at_a_tangent_and_at_extreme_exponents() {
+        for case in samples(&strategies::tangents(), 500) {
+            assert_eq!(stages(&case), (Stage::Exact, Stage::Exact), "{case}");
+        }
+        for length in [1e-140, 1e140] {
+            let ray = Ray::new(Point3::ZERO, Vec3::new(0.0, 0.0, -length));
+            let case = Case {
+                center: Point3::new(0.0, 0.0, -1.0),
+                radius: 0.5,
+                ray,
+            };
+            assert_eq!(stages(&case), (Stage::Exact, Stage::Exact), "{case}");
+        }
+    }
+
+    /// A ray from afar has digits to decide long after it has none for t.
+    #[test]
+    fn need_more_digits_for_t_than_for_a_decision() {
+        for case in samples(&strategies::far(4.0..=4.0), 500) {
+            let (hit, t) = stages(&case);
+            assert!(hit <= t, "{case}");
+            if in_front(case).solve(&certified_hit).is_some() {
+                assert_eq!((hit, t), (Stage::Filter, Stage::DoubleDouble), "{case}");
+            }
+        }
+    }
+
+    fn stages(case: &Case) -> (Stage, Stage) {
+        let Case {
+            center,
+            radius,
+            ray,
+        } = *case;
+        let ask = |stage: fn(Point3, f64, &Ray, f64, f64) -> Stage| {
+            stage(center, radius, &ray, 0.0, f64::INFINITY)
+        };
+        (ask(stage_of_hit), ask(stage_of_t))
+    }
+
+    fn from_environment(name: &str) -> Option<u64> {
+        env::var(name).ok().and_then(|number| number.parse().ok())
+    }
+}
+
+/// The thresholds of the plain methods, from both sides. The numbers in brackets
+/// are shares of wrong decisions.
+mod far_away {
+    use super::*;
+
+    #[test]
+    fn half_b_decides_by_chance_where_the_others_do_not_err() {
+        for name in ["full_b", "half_b", "half_b_q", "kahan_q", "scaled_q"] {
+            assert_eq!(wrong(name, &far(5.0)), 0.0, "{name}");
+            assert_between(0.002, wrong(name, &far(7.0)), 0.05, name);
+            assert_between(0.25, wrong(name, &far(9.0)), 0.6, name);
+        }
+        for name in [
+            "haines",
+            "haines_q",
+            "cross_q",
+            "adaptive_q",
+            "double_double",
+        ] {
+            assert_eq!(wrong(name, &far(9.0)), 0.0, "{name}");
+            assert_eq!(wrong(name, &far(11.0)), 0.0, "{name}");
+        }
+    }
+
+    #[test]
+    fn the_distance_to_the_line_is_lost_at_a_quadrillion_radii() {
+        for name in ["haines", "haines_q", "cross_q", "adaptive_q"] {
+            assert_between(0.01, wrong(name, &far(15.0)), 0.06, name);
+        }
+    }
+
+    #[test]
+    fn twice_the_digits_are_too_few_from_a_quadrillion_radii() {
+        assert_between(
+            1e-3,
+            wrong("double_double", &far(15.0)),
+            0.03,
+            "double_double",
+        );
+        for name in ["certified_hit", "certified_t", "exact"] {
+            assert_eq!(wrong(name, &far(15.0)), 0.0, "{name}");
+        }
+    }
+
+    #[test]
+    fn single_precision_is_lost_at_the_square_root_of_the_distance() {
+        assert_between(
+            0.02,
+            wrong_in_f32("half_b_f32", &far(3.0)),
+            0.1,
+            "half_b_f32",
+        );
+        assert_between(
+            0.02,
+            wrong_in_f32("half_b_q_f32", &far(3.0)),
+            0.1,
+            "half_b_q_f32",
+        );
+        assert_eq!(wrong_in_f32("cross_q_f32", &far(3.0)), 0.0);
+        assert_between(
+            0.005,
+            wrong_in_f32("cross_q_f32", &far(6.0)),
+            0.05,
+            "cross_q_f32",
+        );
+        assert_eq!(wrong_in_f32("widened_half_b_q_f32", &far(4.0)), 0.0);
+        let widened = wrong_in_f32("widened_half_b_q_f32", &far(8.0));
+        assert_between(0.01, widened, 0.6, "widened_half_b_q_f32");
+    }
+
+    fn far(k: f64) -> Vec<Case> {
+        samples(&strategies::far(k..=k), CASES)
+    }
+}
+
+mod near_the_surface {
+    use super::*;
+
+    /// A scattered ray starts on the surface up to a rounding. Whether it meets
+    /// the sphere again is a matter of the sign of c, which is that rounding.
+    #[test]
+    fn only_a_c_with_all_its_digits_knows_the_side_of_the_origin() {
+        let cases = samples(&strategies::leaving_the_surface(3.0..=3.0), CASES);
+        for name in [
+            "half_b", "half_b_q", "haines", "haines_q", "kahan_q", "cross_q",
+        ] {
+            assert_between(0.1, wrong(name, &cases), 0.35, name);
+        }
+        for name in [
+            "adaptive_q",
+            "double_double",
+            "certified_hit",
+            "certified_t",
+        ] {
+            assert_eq!(wrong(name, &cases), 0.0, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_huge_ground_costs_digits_unless_c_has_them_all() {
+        let cases = samples(&strategies::above_the_ground(6.0..=6.0), CASES);
+        for name in ["half_b", "half_b_q", "haines_q", "kahan_q", "cross_q"] {
+            assert_between(1e2, median_ulps(name, &cases), 1e7, name);
+        }
+        for name in ["adaptive_q", "double_double", "certified_t"] {
+            assert_between(0.0, median_ulps(name, &cases), 2.0, name);
+        }
+    }
+}
+
+mod exponents {
+    use super::*;
+
+    /// At a length of 1e±160 the plain squares overflow, or leave nothing.
+    #[test]
+    fn run_out_for_all_that_do_not_scale() {
+        for length in [1e-165, 1e160] {
+            let ray = Ray::new(Point3::ZERO, Vec3::new(0.0, 0.0, -length));
+            let ask = |solve: RangeFn| solve(CENTER, 0.5, &ray, 0.0, f64::INFINITY);
+            for (name, solve) in in_double_precision() {
+                let is_right = ask(solve).is_some_and(|t| (t * length - 0.5).abs() < 1e-15);
+                let copes = ["scaled_q", "certified_hit", "certified_t", "exact"].contains(&name);
+                assert_eq!(is_right, copes, "{name} at a length of {length}");
+            }
+        }
+    }
+
+    const CENTER: Point3 = Point3::new(0.0, 0.0, -1.0);
+}
+
+/// What one would not expect, and what the charts therefore show.
+mod surprises {
+    use super::*;
+
+    #[test]
+    fn half_of_b_gains_no_bit() {
+        let (full, half) = (range("full_b"), range("half_b"));
+        let asked = strategies::with_interval(strategies::anywhere());
+        for asked in samples(&asked, CASES) {
+            if asked.case.is_well_scaled() {
+                assert_eq!(asked.solve(&full), asked.solve(&half), "{asked}");
+            }
+        }
+    }
+
+    /// The book's ground is so large that r² is exact and |d × oc|² is not small:
+    /// the discriminant that is made for far spheres is the worse one here.
+    #[test]
+    fn the_stable_discriminant_is_worse_on_the_ground_of_the_book() {
+        let ground = book_ground();
+        let [plain, cross, haines] =
+            ["half_b_q", "cross_q", "haines"].map(|name| percentile(name, &ground, 0.999));
+        assert_between(1.0, plain, 20.0, "half_b_q");
+        assert_between(20.0 * plain, cross, 1e4, "cross_q");
+        assert_between(20.0 * plain, haines, 1e4, "haines");
+        assert_between(10.0, median_ulps("haines", &ground), 200.0, "haines");
+    }
+
+    /// A discriminant right to the last digits, of coefficients that are not.
+    #[test]
+    fn an_exact_discriminant_hardly_helps() {
+        let far = samples(&strategies::far(7.0..=7.0), CASES);
+        let (plain, kahan) = (wrong("half_b_q", &far), wrong("kahan_q", &far));
+        assert_between(0.5 * plain, kahan, 2.0 * plain, "kahan_q");
+        let grazing = samples(&strategies::grazing(9.0..=9.0), CASES);
+        let (plain, kahan) = (
+            median_ulps("half_b_q", &grazing),
+            median_ulps("kahan_q", &grazing),
+        );
+        assert_between(0.5 * plain, kahan, 1.1 * plain, "kahan_q");
+    }
+
+    #[test]
+    fn single_precision_is_enough_for_the_book() {
+        let cases = samples(&strategies::book_rays(), 10 * CASES);
+        for name in [
+            "half_b_f32",
+            "half_b_q_f32",
+            "cross_q_f32",
+            "widened_half_b_q_f32",
+        ] {
+            assert_between(0.0, wrong_in_f32(name, &cases), 1e-4, name);
+        }
+    }
+
+    fn book_ground() -> Vec<Case> {
+        samples(&strategies::book_rays(), 4 * CASES)
+            .into_iter()
+            .filter(|case| case.radius == 100.0)
+            .collect()
+    }
+}
+
+const CASES: u32 = 4000;
+
+type RangeFn = fn(Point3, f64, &Ray, f64, f64) -> Option<f64>;
+
+fn in_double_precision() -> impl Iterator<Item = (&'static str, RangeFn)> {
+    METHODS.iter().filter_map(|method| match method.solve {
+        Solve::Double(solve) => Some((method.name, solve)),
+        Solve::Single(_) => None,
+    })
+}
+
+fn in_front(case: Case) -> WithInterval {
+    WithInterval {
+        case,
+        t_min: 0.0,
+        t_max: f64::INFINITY,
+    }
+}
+
+type SingleFn = fn(glam::Vec3, f32, &SingleRay, f32, f32) -> Option<f32>;
+
+fn in_single_precision() -> impl Iterator<Item = (&'static str, SingleFn)> {
+    METHODS.iter().filter_map(|method| match method.solve {
+        Solve::Single(solve) => Some((method.name, solve)),
+        Solve::Double(_) => None,
+    })
+}
+
+fn range(name: &str) -> RangeFn {
+    let method = in_double_precision().find(|method| method.0 == name);
+    method
+        .unwrap_or_else(|| panic!("no method {name} in f64"))
+        .1
+}
+
+fn single(name: &str) -> SingleFn {
+    let method = in_single_precision().find(|method| method.0 == name);
+    method
+        .unwrap_or_else(|| panic!("no method {name} in f32"))
+        .1
+}
+
+/// The case with its numbers rounded to `f32`, and the answer to that.
+fn in_f32(case: &Case, solve: SingleFn) -> (Case, Option<f32>) {
+    let (center, radius) = (case.center.as_vec3(), case.radius as f32);
+    let ray = SingleRay {
+        origin: case.ray.origin.as_vec3(),
+        direction: case.ray.direction.as_vec3(),
+    };
+    let rounded = Case {
+        center: center.as_dvec3(),
+        radius: radius.into(),
+        ray: Ray::new(ray.origin.as_dvec3(), ray.direction.as_dvec3()),
+    };
+    (rounded, solve(center, radius, &ray, 0.0, f32::INFINITY))
+}
+
+/// The share of hits that should be misses, or the reverse, in front of the ray.
+fn wrong(name: &str, cases: &[Case]) -> f64 {
+    let solve = range(name);
+    share(cases, |&case| {
+        let asked = in_front(case);
+        asked.solve(&solve).is_some() != is_hit(&case)
+    })
+}
+
+/// The same in single precision.
+fn wrong_in_f32(name: &str, cases: &[Case]) -> f64 {
+    let solve = single(name);
+    share(cases, |case| {
+        let (case, found) = in_f32(case, solve);
+        found.is_some() != is_hit(&case)
+    })
+}
+
+fn is_hit(case: &Case) -> bool {
+    let exact = Exact::of(case);
+    exact.nearest_root_in(0.0, f64::INFINITY).is_some()
+}
+
+fn share(cases: &[Case], is_counted: impl Fn(&Case) -> bool) -> f64 {
+    cases.iter().filter(|case| is_counted(case)).count() as f64 / cases.len() as f64
+}
+
+fn median_ulps(name: &str, cases: &[Case]) -> f64 {
+    percentile(name, cases, 0.5)
+}
+
+/// The error in ulps that this share of the hits in front does not exceed.
+fn percentile(name: &str, cases: &[Case], share: f64) -> f64 {
+    let solve = range(name);
+    let mut errors: Vec<f64> = cases
+        .iter()
+        .filter_map(|&case| {
+            let exact = Exact::of(&case);
+            let root = exact.nearest_root_in(0.0, f64::INFINITY)?;
+            Some(root.error_in_ulps(in_front(case).solve(&solve)?))
+        })
+        .collect();
+    errors.sort_by(f64::total_cmp);
+    errors[((errors.len() - 1) as f64 * share) as usize]
+}
+
+fn assert_between(low: f64, value: f64, high: f64, name: &str) {
+    assert!(
+        value >= low,
+        "{name}: {value} is less than {low}: better? Say so here"
+    );
+    assert!(value <= high, "{name}: {value} is more than {high}: worse");
+}

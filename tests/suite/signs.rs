@@ -1,0 +1,138 @@
+//! The signs of two editions of the book, and what becomes of every mixture.
+//!
+//! The page `book/notes/signs.md` shows these tests.
+
+use check::Chapter;
+use check::slips::{self, Program};
+use common::rtweekend::*;
+use laws::Case;
+use laws::{runner, strategies};
+
+/// Half of b as version 3 of the book has it.
+fn hit_sphere_of_version_3(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
+    let oc = ray.origin - center;
+    let a = ray.direction.length_squared();
+    let half_b = oc.dot(ray.direction);
+    let c = oc.length_squared() - radius * radius;
+    let discriminant = half_b * half_b - a * c;
+    if discriminant < 0.0 {
+        return None;
+    }
+    Some((-half_b - discriminant.sqrt()) / a)
+}
+
+#[test]
+fn both_versions_find_the_same_root() {
+    for case in cases() {
+        let version_3 = case.solve(&hit_sphere_of_version_3);
+        let version_4 = case.solve(&half_b_sphere::hit_sphere);
+        assert_eq!(version_3, version_4);
+    }
+}
+
+/// Zeros are equal whatever their sign, so no comparison with t sees it.
+#[test]
+fn only_the_sign_of_a_zero_tells_the_versions_apart() {
+    let bits = |t: Option<f64>| t.map(f64::to_bits);
+    for case in cases() {
+        let version_3 = case.solve(&hit_sphere_of_version_3);
+        let version_4 = case.solve(&half_b_sphere::hit_sphere);
+        assert!(bits(version_3) == bits(version_4) || version_4 == Some(0.0));
+    }
+
+    // A ray that begins where it touches the sphere: h = 0 and c = 0.
+    let touching = Ray::new(Point3::ZERO, Vec3::X);
+    let version_3 = hit_sphere_of_version_3(Point3::Y, 1.0, &touching);
+    let version_4 = half_b_sphere::hit_sphere(Point3::Y, 1.0, &touching);
+    assert_eq!(bits(version_3), bits(Some(-0.0)));
+    assert_eq!(bits(version_4), bits(Some(0.0)));
+}
+
+/// An even number of turned signs cancels. An odd one traces the ray backwards.
+#[test]
+fn every_mixture_finds_the_root_of_the_ray_or_of_the_ray_turned_round() {
+    for (chapter, signs) in [
+        (Chapter::Normals, &["oc-reversed", "b-sign", "plus-b"][..]),
+        (Chapter::HalfBSphere, &["oc-reversed", "minus-h"]),
+    ] {
+        for turned in subsets(signs) {
+            let program = with_slips(chapter, &turned);
+            for case in cases() {
+                let found = case.solve(&|c, r, ray: &Ray| program.hit_sphere(c, r, ray));
+                let expected = match turned.len() % 2 {
+                    0 => case.solve(&half_b_sphere::hit_sphere),
+                    _ => case.turned_round().solve(&half_b_sphere::hit_sphere),
+                };
+                assert_eq!(found, expected, "{turned:?} in {chapter:?}: {case}");
+            }
+        }
+    }
+}
+
+#[test]
+fn one_turned_sign_shows_the_sky_and_two_show_the_sphere() {
+    for (chapter, signs) in [
+        (Chapter::Normals, &["oc-reversed", "b-sign", "plus-b"][..]),
+        (Chapter::HalfBSphere, &["oc-reversed", "minus-h"]),
+    ] {
+        for turned in subsets(signs) {
+            let drawn = with_slips(chapter, &turned).run(128).picture();
+            let expected = match turned.len() % 2 {
+                0 => normals::picture(128),
+                _ => gradient::picture(128),
+            };
+            assert_eq!(drawn, expected, "{turned:?} in {chapter:?}");
+        }
+    }
+}
+
+#[test]
+fn in_chapter_5_one_turned_sign_hangs_the_ground_in_the_sky() {
+    let draw = |names: &[&str]| {
+        let program = with_slips(Chapter::HittableList, names);
+        program.run(128).picture()
+    };
+    let right = hittable_list::picture(128);
+    assert_ne!(draw(&["minus-h"]), right);
+    assert_eq!(draw(&["minus-h"]), draw(&["oc-reversed"]));
+    assert_eq!(draw(&["minus-h", "oc-reversed"]), right);
+}
+
+#[test]
+fn rows_from_below_and_an_edge_that_points_up_belong_together() {
+    let (rows, edge) = ("rows-from-below", "viewport-upside-down");
+    let draw = |names: &[&str]| {
+        let program = with_slips(Chapter::HittableList, names);
+        program.run(400).picture()
+    };
+    let right = hittable_list::picture(400);
+    assert_ne!(draw(&[rows]), right);
+    assert_eq!(draw(&[rows]), draw(&[edge]));
+    assert_eq!(draw(&[rows, edge]), right);
+}
+
+/// Rays and spheres of which no number overflows on the way.
+fn cases() -> impl Iterator<Item = Case> {
+    let all = runner::samples(&strategies::anywhere(), 300);
+    all.into_iter().filter(Case::is_well_scaled)
+}
+
+/// The right program of the chapter, with these slips made in it.
+fn with_slips(chapter: Chapter, names: &[&str]) -> Program {
+    let make = |program, name: &&str| {
+        let slip = slips::find(name).unwrap_or_else(|| panic!("there is no slip {name}"));
+        (slip.alter)(program)
+    };
+    names.iter().fold(Program::right(chapter), make)
+}
+
+/// Every choice of some of the names, none and all of them included.
+fn subsets<'a>(names: &[&'a str]) -> Vec<Vec<&'a str>> {
+    names.iter().fold(vec![Vec::new()], |chosen, name| {
+        let with_name = chosen.iter().map(|names| {
+            let names = names.iter().chain([name]);
+            names.copied().collect()
+        });
+        with_name.chain(chosen.clone()).collect()
+    })
+}
