@@ -282,14 +282,14 @@ pub(crate) fn page_names() -> Vec<String> {
 }
 
 /// A page as it was woven.
-struct Page {
+pub(crate) struct Page {
     /// The name of its file.
-    name: String,
+    pub(crate) name: String,
     html: Html,
 }
 
 /// All pages, read once for all tests; one test at a time looks at them.
-fn pages() -> MutexGuard<'static, Vec<Page>> {
+pub(crate) fn pages() -> MutexGuard<'static, Vec<Page>> {
     static PAGES: LazyLock<Mutex<Vec<Page>>> =
         LazyLock::new(|| Mutex::new(page_names().into_iter().map(Page::read).collect()));
     // A test that failed has changed nothing.
@@ -311,7 +311,7 @@ impl Page {
         Self { name, html }
     }
 
-    fn all(&self, selector: &str) -> Vec<ElementRef<'_>> {
+    pub(crate) fn all(&self, selector: &str) -> Vec<ElementRef<'_>> {
         self.html.select(&select(selector)).collect()
     }
 
@@ -344,11 +344,11 @@ impl Page {
     }
 }
 
-fn select(selector: &str) -> Selector {
+pub(crate) fn select(selector: &str) -> Selector {
     Selector::parse(selector).expect("a selector")
 }
 
-fn text_of(element: ElementRef) -> String {
+pub(crate) fn text_of(element: ElementRef) -> String {
     element.text().collect()
 }
 
@@ -396,7 +396,7 @@ fn assert_is_in_the_book(from: &str, resource: &str) {
 }
 
 /// All files below the folder.
-fn files(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn files(folder: &Path) -> Vec<PathBuf> {
     let inside = |name: String| {
         let path = folder.join(name);
         match path.is_dir() {

@@ -15,6 +15,7 @@ mod errata;
 mod figures;
 mod hit_command;
 mod left_out;
+mod lesson;
 mod measured;
 mod methods;
 mod oracle;

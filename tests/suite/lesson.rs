@@ -1,0 +1,227 @@
+//! Mutation testing of the lesson: a panic is put first into each function that a
+//! page lists, and the picture of that page breaks.
+//!
+//! The sources are copied, each function gets a panic that a variable of the
+//! environment sets off, and the programs of the copy are built once.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use check::Chapter;
+
+use crate::book::{self, files, text_of};
+use crate::command_line::p3;
+
+/// What a page lists though its picture does without: the page, the function, and why.
+const DRAWS_NOTHING: [(&str, &str, &str); 2] = [
+    (
+        "gradient.html",
+        "pub fn at(&self, t: f64) -> Point3 {",
+        "nothing is hit yet, so no ray is asked for a point",
+    ),
+    (
+        "gradient.html",
+        "pub fn sky(ray: &Ray) -> Color {",
+        "chapter 1 writes it out as its own ray_color; the later chapters draw with it",
+    ),
+];
+
+#[test]
+fn a_panic_in_a_function_that_a_page_lists_breaks_the_picture_of_that_page() {
+    let listed: Vec<(Chapter, Vec<Function>)> = Chapter::OF_THE_BOOK
+        .into_iter()
+        .map(|chapter| (chapter, listed_on_page_of(chapter)))
+        .collect();
+    let programs = build_copy(listed.iter().flat_map(|(_, functions)| functions).collect());
+    for (chapter, functions) in &listed {
+        let right = p3(&chapter.picture(WIDTH));
+        let drawn = |broken: &str| {
+            let mut program = Command::new(programs.join(chapter.name()));
+            program.args(["--width", &WIDTH.to_string(), "-"]);
+            let output = program.env(BROKEN, broken).output();
+            output.expect("a program of the copy starts").stdout
+        };
+        assert!(
+            drawn("") == right,
+            "the copy of {chapter:?} draws something else"
+        );
+        assert!(
+            !functions.is_empty(),
+            "the page of {chapter:?} lists nothing"
+        );
+        for function in functions {
+            let is_right = drawn(&function.key()) == right;
+            assert_eq!(
+                is_right,
+                function.draws_nothing(*chapter),
+                "{} on {}: {}",
+                function.signature,
+                page_of(*chapter),
+                if is_right {
+                    "with a panic in it the picture is still right, so the page shows what does not run"
+                } else {
+                    "it is said to draw nothing there, and it does"
+                }
+            );
+        }
+    }
+}
+
+/// Wide enough for a ray to hit what there is, and small enough for a variable to be
+/// read at every step.
+const WIDTH: u32 = 16;
+
+/// The variable that names the function to break.
+const BROKEN: &str = "BROKEN_FUNCTION";
+
+/// A function of the sources.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Function {
+    /// Its file, as seen from the workspace.
+    file: String,
+    /// The line in which it begins, without the space before it.
+    signature: String,
+}
+
+impl Function {
+    fn key(&self) -> String {
+        format!("{} {}", self.file, self.signature)
+    }
+
+    fn draws_nothing(&self, chapter: Chapter) -> bool {
+        DRAWS_NOTHING
+            .iter()
+            .any(|&(page, signature, _)| page == page_of(chapter) && signature == self.signature)
+    }
+
+    /// Puts the panic first into its body, among the `lines` of its file.
+    fn break_in(&self, lines: &mut Vec<String>) {
+        let begins = |line: &&mut String| line.trim() == self.signature;
+        let found = lines.iter_mut().filter(begins).count();
+        assert_eq!(found, 1, "how often {} is there", self.key());
+        let start = lines
+            .iter()
+            .position(|line| line.trim() == self.signature)
+            .expect("it was counted");
+        let body = start
+            + lines[start..]
+                .iter()
+                .position(|line| line.ends_with('{'))
+                .expect("a body");
+        let guard = format!(
+            "if std::env::var_os({BROKEN:?}).is_some_and(|name| name == {:?}) {{ panic!() }}",
+            self.key()
+        );
+        lines.insert(body + 1, guard);
+    }
+}
+
+/// The functions of the chapter and of `common` that the chapter's page lists.
+fn listed_on_page_of(chapter: Chapter) -> Vec<Function> {
+    let pages = book::pages();
+    let page = pages
+        .iter()
+        .find(|page| page.name == page_of(chapter))
+        .expect("each chapter has a page");
+    let listings = page.all(".listing").into_iter();
+    let functions: BTreeSet<Function> = listings
+        .flat_map(|listing| {
+            let [file, code] = [".source", "code"].map(|part| {
+                let part = listing.select(&book::select(part)).next();
+                text_of(part.expect("a listing has its file and its code"))
+            });
+            functions_of(&file, &code)
+        })
+        .filter(|function| {
+            ["common/", "chapters/"]
+                .iter()
+                .any(|at| function.file.starts_with(at))
+        })
+        .collect();
+    functions.into_iter().collect()
+}
+
+/// The functions in `code` that have a body.
+fn functions_of(file: &str, code: &str) -> Vec<Function> {
+    let lines: Vec<&str> = code.lines().map(str::trim).collect();
+    let begins = |line: &str| ["fn ", "pub fn "].iter().any(|word| line.starts_with(word));
+    let has_body = |n: usize| {
+        let end = lines[n..].iter().find(|line| line.ends_with(['{', ';']));
+        end.is_some_and(|line| line.ends_with('{'))
+    };
+    (0..lines.len())
+        .filter(|&n| begins(lines[n]) && has_body(n))
+        .map(|n| Function {
+            file: file.to_owned(),
+            signature: lines[n].to_owned(),
+        })
+        .collect()
+}
+
+fn page_of(chapter: Chapter) -> String {
+    match chapter {
+        Chapter::BuildTest => "setup.html".to_owned(),
+        _ => format!("{}.html", chapter.name()),
+    }
+}
+
+/// Builds the chapters from a copy of their sources in which these functions can be
+/// broken, and returns the folder of the programs.
+fn build_copy(functions: BTreeSet<&Function>) -> PathBuf {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let copy = Path::new(env!("CARGO_TARGET_TMPDIR")).join("lesson");
+    for folder in ["common", "chapters"] {
+        for file in files(&workspace.join(folder)) {
+            let place = file.strip_prefix(&workspace).expect("it is inside");
+            let text = fs::read_to_string(&file).expect("a source");
+            let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+            for function in &functions {
+                if place == Path::new(&function.file) {
+                    function.break_in(&mut lines);
+                }
+            }
+            write_if_changed(&copy.join(place), &(lines.join("\n") + "\n"));
+        }
+    }
+    let manifest = fs::read_to_string(workspace.join("Cargo.toml")).expect("a manifest");
+    let members = |line: &&str| !line.contains("members =");
+    let manifest: Vec<&str> = manifest.lines().filter(members).collect();
+    let only = "[workspace]\nmembers = [\"common\", \"chapters/*\"]";
+    write_if_changed(
+        &copy.join("Cargo.toml"),
+        &manifest.join("\n").replacen("[workspace]", only, 1),
+    );
+    // The same versions, which are there already.
+    let lock = fs::read_to_string(workspace.join("Cargo.lock")).expect("a lock file");
+    write_if_changed(&copy.join("Cargo.lock"), &lock);
+    build(&copy)
+}
+
+/// Builds the programs in a folder of their own, and as quickly as can be.
+fn build(copy: &Path) -> PathBuf {
+    let mut command = Command::new(env!("CARGO"));
+    command.args(["build", "--offline"]).current_dir(copy);
+    command.env("CARGO_TARGET_DIR", copy.join("target"));
+    command.env("CARGO_PROFILE_DEV_OPT_LEVEL", "0");
+    for chapter in Chapter::OF_THE_BOOK {
+        command.args(["--package", chapter.name()]);
+    }
+    let output = command.output().expect("cargo starts");
+    assert!(
+        output.status.success(),
+        "the copy does not compile:\n{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    copy.join("target/debug")
+}
+
+/// Leaves a file as it is that says so already: cargo builds what is newer.
+fn write_if_changed(path: &Path, text: &str) {
+    if fs::read_to_string(path).is_ok_and(|there| there == text) {
+        return;
+    }
+    fs::create_dir_all(path.parent().expect("a file is in a folder")).expect("a folder");
+    fs::write(path, text).expect("the target folder takes it");
+}
