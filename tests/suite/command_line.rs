@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use std::{env, fs, thread};
 
 use check::Chapter;
-use check::png;
+use check::reading;
 use common::rtweekend::Picture;
 use tempfile::TempDir;
 
@@ -116,7 +116,7 @@ fn rtrace_saves_any_width_as_ppm_png_or_text() {
         assert_success(&run(show(chapter.name())
             .args(["--width", "37", "--output"])
             .arg(&png)));
-        let decoded = png::decode(&fs::read(&png).expect("the file")).expect("a PNG file");
+        let decoded = picture_in(&png);
         assert!(decoded == expected, "{} as .png", chapter.name());
     }
     assert_eq!(names_in(folder.path()), ["picture.png", "picture.ppm"]);
@@ -141,9 +141,8 @@ fn rtrace_alone_draws_every_picture_twice_weaves_the_book_and_says_where() {
         let file = folder.join(chapter.name());
         let ppm = fs::read(file.with_extension("ppm")).expect("the .ppm file");
         assert!(ppm == p3(&expected), "{}.ppm", chapter.name());
-        let png = fs::read(file.with_extension("png")).expect("the .png file");
         assert!(
-            png::decode(&png).expect("a PNG file") == expected,
+            picture_in(&file.with_extension("png")) == expected,
             "{}.png",
             chapter.name()
         );
@@ -727,6 +726,11 @@ pub(crate) fn names_in(folder: &Path) -> Vec<String> {
         .collect();
     names.sort();
     names
+}
+
+fn picture_in(file: &Path) -> Picture {
+    let bytes = fs::read(file).expect("the file is there");
+    reading::read(&bytes).expect("it is a picture").picture()
 }
 
 pub(crate) fn p3(picture: &Picture) -> Vec<u8> {

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use check::Chapter;
 use check::comparison::Comparison;
-use check::png;
 use check::report::Report;
+use check::{png, reading};
 use common::rtweekend::*;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
@@ -252,7 +252,9 @@ fn compare_files(expected: &[u8], actual: &[u8]) -> Comparison {
 }
 
 fn decoded(file: &[u8]) -> Picture {
-    png::decode(file).expect("a snapshot is a PNG file")
+    reading::read(file)
+        .expect("a snapshot is a PNG file")
+        .picture()
 }
 
 fn assert_equal(expected: &Picture, actual: &Picture, what: &str) {
