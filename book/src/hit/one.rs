@@ -4,8 +4,9 @@ use std::error::Error;
 use std::fmt::Write;
 
 use common::engine::output;
+use figures::number::three_digits;
 use laws::oracle::Exact;
-use laws::truth::{Truth, three_digits};
+use laws::truth::Truth;
 use speed_vs_accuracy::{Case, Method, Precision};
 
 use super::{shortest, strain};

@@ -4,9 +4,10 @@ use std::fmt::Write;
 
 use glam::DVec2;
 
-use super::data::Table;
 use super::{Chart, Drawn, WIDTH};
+use crate::records::Timing;
 use crate::svg::{Anchor, Svg};
+use crate::table::{Record, Table};
 
 /// Bars and limits.
 pub(super) const CHART: Chart = Chart {
@@ -17,7 +18,7 @@ pub(super) const CHART: Chart = Chart {
         takes for the root and the division alone.",
     caption: "Nanoseconds for a test. The line is the limit of the machine: one √ and one ÷ for \
         each ray, and nothing else. No code with a root and a division can be shorter.",
-    files: &["measured/timings.csv"],
+    files: &[Timing::FILE],
     draw: |files| draw(files[0]),
 };
 
@@ -84,26 +85,24 @@ fn one(svg: &mut Svg, idea: &str, corner: DVec2, length: f64, words: &str) {
 }
 
 fn read(timings: &str) -> Result<Vec<Pair>, String> {
-    let file = Table::read("timings.csv", timings)?;
-    let (mut pairs, mut alone, mut limits) = (Vec::new(), Vec::new(), Vec::new());
-    for row in file.rows() {
-        let (what, name, place) = (row.text("what")?, row.text("name")?, row.text("where")?);
-        let (precision, time) = (row.text("precision")?, row.number("median_ns")?);
-        match (what, name, place) {
-            ("batch", _, "book") => pairs.push((name, precision, time)),
-            ("method", _, "book") => alone.push((name, time)),
-            ("limit", "packed", _) => limits.push((precision, time)),
-            _ => {}
-        }
-    }
-    let find = |list: &[(&str, f64)], name| list.iter().find(|one| one.0 == name).map(|one| one.1);
-    let pair = |(name, precision, together)| Pair {
-        name: String::from(name),
-        alone: find(&alone, name),
-        together,
-        limit: find(&limits, precision),
+    let timings = Table::<Timing>::read(timings)?;
+    let limit = |precision| {
+        let packed = |row: &&Timing| row.what == "limit" && row.name == "packed";
+        let mut limits = timings.rows.iter().filter(packed);
+        limits.find(|row| row.precision == precision)
     };
-    Ok(pairs.into_iter().map(pair).collect())
+    let batches = timings.rows.iter().filter(|row| row.what == "batch");
+    let pair = |row: &Timing| Pair {
+        name: row.name.clone(),
+        alone: timings.find("method", &row.name, "book").map(median),
+        together: row.median_ns,
+        limit: limit(row.precision).map(median),
+    };
+    Ok(batches.map(pair).collect())
+}
+
+fn median(row: &Timing) -> f64 {
+    row.median_ns
 }
 
 fn table(pairs: &[Pair]) -> String {

@@ -2,7 +2,6 @@
 
 mod axes;
 mod batch;
-mod data;
 mod failure_map;
 mod growth;
 mod labels;
