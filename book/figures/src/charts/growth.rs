@@ -5,8 +5,8 @@ use std::fmt::Write;
 use glam::DVec2;
 
 use super::axes::{Axis, Panel};
+use super::chart::{Chart, Drawn, WIDTH};
 use super::labels::{Labels, Place, spread};
-use super::{Chart, Drawn, WIDTH};
 use crate::records::Timing;
 use crate::svg::{Anchor, SMALL, Svg};
 use crate::table::{Record, Table};

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use glam::DVec2;
 
-use super::{Chart, Drawn, WIDTH};
+use super::chart::{Chart, Drawn, WIDTH};
 use crate::records::Race;
 use crate::svg::{Anchor, number};
 use crate::table::{Record, Table};

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use glam::DVec2;
 use speed_vs_accuracy::Precision;
 
-use super::{Chart, Drawn, WIDTH};
+use super::chart::{Chart, Drawn, WIDTH};
 use crate::records::{Timing, WrongPixels};
 use crate::svg::{Anchor, Svg};
 use crate::table::{Record, Table};

@@ -6,9 +6,10 @@ use glam::DVec2;
 use speed_vs_accuracy::find_regime;
 
 use super::axes::{Axis, Panel};
+use super::chart::{Chart, Drawn, WIDTH};
 use super::labels::{Labels, Place};
+use super::legend;
 use super::methods::{Measured, read};
-use super::{Chart, Drawn, WIDTH, legend};
 use crate::number::short;
 use crate::records::{Accuracy, Timing};
 use crate::svg::{Anchor, Svg};

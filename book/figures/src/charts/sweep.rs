@@ -6,9 +6,9 @@ use glam::DVec2;
 use speed_vs_accuracy::Precision;
 
 use super::axes::{Axis, Panel};
+use super::chart::{Chart, Drawn};
 use super::labels::spread;
 use super::methods::{certified, cross, digits};
-use super::{Chart, Drawn};
 use crate::number::{raised, short};
 use crate::records::Level;
 use crate::svg::{Anchor, SMALL, Svg};
@@ -79,31 +79,17 @@ fn draw(
 ) -> Result<Drawn, String> {
     let lines = read(file, regime)?;
     let mut svg = chart.sheet(400.0);
-    let words = "digits of *t* that are right, in 999 of 1000 hits";
-    svg.small_label("faint", DVec2::new(16.0, 20.0), Anchor::Start, words);
-    cross(&mut svg, DVec2::new(424.0, 15.5));
-    let words = "from here on, hits and misses are confused";
-    svg.small_label("ink", DVec2::new(438.0, 20.0), Anchor::Start, words);
+    explain(&mut svg);
     for (precision, x, width) in [
         (Precision::Double, 40.0, 190.0),
         (Precision::Single, 404.0, 140.0),
     ] {
         let of_precision = |line: &&Line| line.precision == precision;
         let lines: Vec<&Line> = lines.iter().filter(of_precision).collect();
-        let levels = lines.iter().flat_map(|line| &line.levels);
-        let last = levels.map(|row| row.level).fold(1, i32::max);
-        let step = match last {
-            ..9 => 2,
-            9..13 => 3,
-            _ => 5,
-        };
-        let ticks = (0..=last)
-            .step_by(step)
-            .map(|level| (f64::from(level), tick(level)));
         let panel = Panel {
             corner: DVec2::new(x, 60.0),
             size: DVec2::new(width, 290.0),
-            x: Axis::linear(title, 0.0, f64::from(last), 1.0).with_ticks(ticks.collect()),
+            x: axis(title, &lines, tick),
             y: Axis::linear(precision.name(), 0.0, 16.0, 4.0),
         };
         panel.draw(&mut svg);
@@ -113,6 +99,28 @@ fn draw(
         svg: svg.finish(),
         table: table(&lines),
     })
+}
+
+fn explain(svg: &mut Svg) {
+    let words = "digits of *t* that are right, in 999 of 1000 hits";
+    svg.small_label("faint", DVec2::new(16.0, 20.0), Anchor::Start, words);
+    cross(svg, DVec2::new(424.0, 15.5));
+    let words = "from here on, hits and misses are confused";
+    svg.small_label("ink", DVec2::new(438.0, 20.0), Anchor::Start, words);
+}
+
+/// All levels of `lines`, with some of them marked.
+fn axis(title: &str, lines: &[&Line], tick: fn(i32) -> String) -> Axis {
+    let levels = lines.iter().flat_map(|line| &line.levels);
+    let last = levels.map(|row| row.level).fold(1, i32::max);
+    let step = match last {
+        ..9 => 2,
+        9..13 => 3,
+        _ => 5,
+    };
+    let marked = (0..=last).step_by(step);
+    let ticks = marked.map(|level| (f64::from(level), tick(level)));
+    Axis::linear(title, 0.0, f64::from(last), 1.0).with_ticks(ticks.collect())
 }
 
 /// Draws the lines, and their names beside the panel, in the order in which the
