@@ -227,6 +227,10 @@ fn what_cannot_be_woven_fails_the_build_with_file_line_and_cause() {
         ),
         ("{{value times.csv full_b.ms}}", "no value `full_b.ms`"),
         ("{{value dates.csv twice.ns}}", "dates.csv"),
+        (
+            "{{value uneven.csv 1.b}}",
+            "uneven.csv: CSV error: record 1 (line: 2",
+        ),
         (r"A formula $\frac{1}$ here.", r"`\frac{1}` is wrong"),
         (r"A formula $\unicorn$ here.", r"`\unicorn` is wrong"),
         (r"$$ a \tag{1} \tag{2} $$", r"one formula has one \tag"),
@@ -239,6 +243,7 @@ fn what_cannot_be_woven_fails_the_build_with_file_line_and_cause() {
         book.write("twice.rs", "mod double {}\n\nfn double() {}\n");
         book.write("Broken.rs", "fn a() {}\nfn fn\n");
         book.write("times.csv", TIMES);
+        book.write("uneven.csv", "a,b\n1\n");
         book.assert_refused(&["page.md:3", cause]);
     }
 }

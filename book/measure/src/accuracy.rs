@@ -1,4 +1,5 @@
-//! How exact each method is, in each situation.
+//! Errors against exact arithmetic: how many decisions of each method are wrong, and
+//! how many units in the last place (ulps) its t is off.
 //!
 //! The questions are those of `speed_vs_accuracy::REGIMES`, with t from 0 to
 //! infinity, and exact arithmetic knows the answers. A method in `f32` is asked

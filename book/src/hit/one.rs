@@ -9,7 +9,8 @@ use laws::oracle::Exact;
 use laws::truth::Truth;
 use speed_vs_accuracy::{Case, Method, Precision};
 
-use super::{shortest, strain};
+use super::number::shortest;
+use super::strain;
 
 /// An error of this many ulps is what a handful of rounded operations leaves:
 /// it needs no reason.

@@ -13,36 +13,40 @@ pub(super) fn value(path: &Path, key: &str) -> Result<String, String> {
     let text = fs::read_to_string(path).map_err(|cause| format!("{shown}: {cause}"))?;
     let is_table = path.extension().is_some_and(|extension| extension == "csv");
     let found = match key.rsplit_once('.') {
-        Some((cells, column)) if is_table => in_table(&text, cells, column),
+        Some((cells, column)) if is_table => {
+            in_table(&text, cells, column).map_err(|cause| format!("{shown}: {cause}"))?
+        }
         _ => in_lines(&text, key),
     };
-    match found[..] {
+    match &found[..] {
         [value] => Ok(printed(value)),
         [] => Err(format!("{shown} has no value `{key}`")),
         _ => Err(format!("{shown} has several values `{key}`")),
     }
 }
 
-fn in_table<'a>(text: &'a str, cells: &str, column: &str) -> Vec<&'a str> {
-    let mut rows = text
-        .lines()
-        .filter(|line| !line.starts_with('#'))
-        .map(|line| line.split(',').collect::<Vec<_>>());
-    let columns = rows.next().unwrap_or_default();
-    let Some(at) = columns.iter().position(|name| *name == column) else {
-        return Vec::new();
-    };
-    let cells: Vec<&str> = cells.split('/').collect();
-    rows.filter(|row| row.starts_with(&cells))
-        .filter_map(|row| row.get(at).copied())
-        .collect()
+fn in_table(text: &str, cells: &str, column: &str) -> csv::Result<Vec<String>> {
+    let mut table = figures::table::reader(text);
+    let place = table.headers()?.iter().position(|name| name == column);
+    let mut found = Vec::new();
+    for row in table.records() {
+        let row = row?;
+        let is_wanted = cells
+            .split('/')
+            .zip(&row)
+            .all(|(cell, field)| cell == field);
+        if is_wanted && let Some(field) = place.and_then(|place| row.get(place)) {
+            found.push(field.to_owned());
+        }
+    }
+    Ok(found)
 }
 
-fn in_lines<'a>(text: &'a str, key: &str) -> Vec<&'a str> {
+fn in_lines(text: &str, key: &str) -> Vec<String> {
     text.lines()
         .filter_map(|line| line.trim_start_matches(['#', ' ']).split_once(": "))
         .filter(|(name, _)| *name == key)
-        .map(|(_, value)| value.trim())
+        .map(|(_, value)| value.trim().to_owned())
         .collect()
 }
 
