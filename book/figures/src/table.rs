@@ -73,7 +73,8 @@ pub fn reader(text: &str) -> Reader<&[u8]> {
         .from_reader(text.as_bytes())
 }
 
-fn about(text: &str) -> BTreeMap<String, String> {
+/// The lines `# key: value` of `text`.
+pub fn about(text: &str) -> BTreeMap<String, String> {
     let remarks = text.lines().filter_map(|line| line.strip_prefix("# "));
     remarks
         .filter_map(|remark| remark.split_once(": "))

@@ -12,7 +12,8 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// The spread of an odd number of `numbers`.
+    /// The spread of `numbers`; the median of an even number of them is the greater
+    /// of the two in the middle.
     pub fn of(mut numbers: Vec<f64>) -> Self {
         numbers.sort_by(f64::total_cmp);
         Self {

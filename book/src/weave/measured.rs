@@ -1,22 +1,22 @@
-//! Numbers that were measured, out of the files that hold them.
+//! Numbers that were measured, out of the tables (CSV) that hold them.
 
 use std::fs;
 use std::path::Path;
 
-/// The value at `key` in the file at `path`, as it is printed.
+use figures::table;
+
+/// The value at `key` in the table at `path`, as it is printed.
 ///
-/// In a table (`.csv`, with a line of column names) the key is
-/// `CELL/CELL.COLUMN`, where the cells are those that the row begins with. In any
-/// file a `KEY: value` stands for itself, in a table behind a `#`.
+/// The key is `CELL/CELL.COLUMN`, where the cells are those that the row begins
+/// with, or that of a line `# KEY: value`.
 pub(super) fn value(path: &Path, key: &str) -> Result<String, String> {
     let shown = path.display();
     let text = fs::read_to_string(path).map_err(|cause| format!("{shown}: {cause}"))?;
-    let is_table = path.extension().is_some_and(|extension| extension == "csv");
     let found = match key.rsplit_once('.') {
-        Some((cells, column)) if is_table => {
+        Some((cells, column)) => {
             in_table(&text, cells, column).map_err(|cause| format!("{shown}: {cause}"))?
         }
-        _ => in_lines(&text, key),
+        None => table::about(&text).remove(key).into_iter().collect(),
     };
     match &found[..] {
         [value] => Ok(printed(value)),
@@ -26,10 +26,10 @@ pub(super) fn value(path: &Path, key: &str) -> Result<String, String> {
 }
 
 fn in_table(text: &str, cells: &str, column: &str) -> csv::Result<Vec<String>> {
-    let mut table = figures::table::reader(text);
-    let place = table.headers()?.iter().position(|name| name == column);
+    let mut reader = table::reader(text);
+    let place = reader.headers()?.iter().position(|name| name == column);
     let mut found = Vec::new();
-    for row in table.records() {
+    for row in reader.records() {
         let row = row?;
         let is_wanted = cells
             .split('/')
@@ -40,14 +40,6 @@ fn in_table(text: &str, cells: &str, column: &str) -> csv::Result<Vec<String>> {
         }
     }
     Ok(found)
-}
-
-fn in_lines(text: &str, key: &str) -> Vec<String> {
-    text.lines()
-        .filter_map(|line| line.trim_start_matches(['#', ' ']).split_once(": "))
-        .filter(|(name, _)| *name == key)
-        .map(|(_, value)| value.trim().to_owned())
-        .collect()
 }
 
 /// A power of ten as people write it: 2.5e-16 is 2.5·10⁻¹⁶.

@@ -10,7 +10,7 @@ use crate::records::{Timing, WrongPixels};
 use crate::svg::{Anchor, Svg};
 use crate::table::{Record, Table};
 
-/// The table of heat.
+/// A heat map.
 pub(super) const CHART: Chart = Chart {
     name: "scenes",
     title: "Wrong pixels, scene by scene and method by method",
@@ -48,7 +48,7 @@ fn draw(scenes: &str, timings: &str) -> Result<Drawn, String> {
     };
     methods.sort_by(|one, other| time(one).total_cmp(&time(other)));
     Ok(Drawn {
-        svg: heat(&cells, &names, &methods),
+        svg: heat_map(&cells, &names, &methods),
         table: table(&cells, &names, &methods),
     })
 }
@@ -58,7 +58,7 @@ fn find<'a>(cells: &'a [WrongPixels], scene: &str, method: &str) -> Option<&'a W
     cells.iter().find(is_wanted)
 }
 
-fn heat(cells: &[WrongPixels], scenes: &[String], methods: &[Method]) -> String {
+fn heat_map(cells: &[WrongPixels], scenes: &[String], methods: &[Method]) -> String {
     let (left, top, high) = (166.0, 62.0, 24.0);
     let wide = (WIDTH - left - 12.0) / scenes.len() as f64;
     let mut svg = CHART.sheet(top + high * methods.len() as f64 + 12.0);
