@@ -3,6 +3,7 @@
 mod check;
 mod draw;
 mod hit;
+mod misuse;
 mod probes;
 mod save;
 mod show;
@@ -10,7 +11,6 @@ mod slips;
 mod terminal;
 mod weave;
 
-use std::error::Error;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
@@ -58,30 +58,7 @@ fn main() -> ExitCode {
         Err(error) => {
             // If even this can't be written, there is nobody left to tell.
             let _ = writeln!(io::stderr(), "rtrace: {error}");
-            exit_code(&*error)
+            misuse::exit_code(&*error)
         }
-    }
-}
-
-/// A command line that can't be followed, as opposed to a failure on the way.
-#[derive(Debug)]
-struct Misuse(String);
-
-impl std::fmt::Display for Misuse {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl Error for Misuse {}
-
-fn misuse(what: &str) -> Box<dyn Error> {
-    Misuse(what.to_owned()).into()
-}
-
-fn exit_code(error: &(dyn Error + 'static)) -> ExitCode {
-    match error.downcast_ref::<Misuse>() {
-        Some(_) => ExitCode::from(2),
-        None => ExitCode::FAILURE,
     }
 }

@@ -11,8 +11,9 @@ use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser}
 use common::engine::{output, parse_width};
 use common::rtweekend::Picture;
 
+use crate::misuse::{Misuse, misuse};
 use crate::save::{Format, save};
-use crate::{Misuse, draw, misuse, terminal};
+use crate::{draw, terminal};
 
 /// What `cargo rtrace show` is told.
 #[derive(Args)]

@@ -13,7 +13,7 @@ use clap::{Args, Subcommand, value_parser};
 use common::engine::output;
 
 use crate::check::chapter_parser;
-use crate::misuse;
+use crate::misuse::misuse;
 use crate::save::Format;
 
 /// What `cargo rtrace slips` is told.

@@ -1,8 +1,10 @@
 //! Every chart shows the numbers of its files, whatever they are.
 
-use std::fmt::Write;
+use std::fs;
 use std::path::Path;
 
+use figures::records::{Accuracy, Level, Timing, WrongPixels};
+use figures::table::{Record, Table};
 use figures::{CHARTS, Chart, Drawn, find_chart, standalone};
 use insta::assert_binary_snapshot;
 use speed_vs_accuracy::{METHODS, Precision, REGIMES, Random};
@@ -115,44 +117,42 @@ fn no_point_lies_beyond_the_line_of_the_best() {
 
 #[test]
 fn a_mistake_in_a_file_is_told_with_its_line() {
-    let accuracy = "regime,precision,method,p999_ulps,wrong_per_million\nbook,f64,half_b,1,0\n";
-    let timings = "# remark\nwhat,name,where,median_ns,ratio\nmethod,half_b,book,4,1\n";
+    let [accuracy, timings] = ["accuracy.snap.csv", "timings.csv"]
+        .map(|file| fs::read_to_string(format!("{NOTES}/measured/{file}")).expect("a file"));
     let draw = find_chart("speed_accuracy").expect("a chart").draw;
-    assert!(draw(&[accuracy, timings]).is_ok());
-    for (accuracy, timings, message) in [
+    assert!(draw(&[&accuracy, &timings]).is_ok());
+    for (timings, message) in [
         (
-            accuracy,
-            "# remark\nwhat,name,where,median_ns,ratio\nmethod,half_b,book,four,1\n",
-            "timings.csv, line 3: `four` in the column `median_ns` is no number",
+            "# remark: 1\nWHAT\nmethod,half_b,f64,book,1,four,4,4,1\n",
+            "measured/timings.csv, line 3, column `median_ns`: invalid float literal",
         ),
         (
-            accuracy,
-            "what,name,where,median_ns,ratio\nmethod,half_b,book,4\n",
-            "timings.csv, line 2: 4 fields under 5 columns",
+            "WHAT\nmethod,half_b,f16,book,1,4,4,4,1\n",
+            "measured/timings.csv, line 2: unknown variant `f16`, expected `f64` or `f32`",
         ),
-        ("", timings, "accuracy.snap.csv is empty"),
         (
-            "regime,method\nbook,half_b\n",
-            timings,
-            "accuracy.snap.csv has no column `precision`",
+            "WHAT\nmethod,half_b,f64,book,1,4,4,4\n",
+            "measured/timings.csv, line 2: 8 fields under 9 columns",
+        ),
+        ("", "measured/timings.csv has no rows"),
+        ("WHAT\n", "measured/timings.csv has no rows"),
+        (
+            "what,name\nmethod,half_b\n",
+            "measured/timings.csv, line 2: missing field `precision`",
         ),
     ] {
-        assert_eq!(draw(&[accuracy, timings]), Err(message.to_owned()));
+        let columns = "what,name,precision,where,n,median_ns,least_ns,greatest_ns,ratio";
+        let timings = timings.replace("WHAT", columns);
+        assert_eq!(draw(&[&accuracy, &timings]), Err(message.to_owned()));
     }
-    let race = find_chart("race").expect("a chart").draw;
-    assert_eq!(
-        race(&["# remark\nnormals 3840 nowhere 1 2 3 4 5\n"]),
-        Err("heats.txt, line 2: a heat has nine words".to_owned())
-    );
 }
 
 #[test]
 fn crossings_are_where_the_tree_becomes_faster() {
-    let mut timings = "what,name,precision,where,n,median_ns,ratio\n".to_owned();
-    for n in [1, 10, 100, 1000] {
-        let _ = writeln!(timings, "growth,vec,f64,book,{n},{n},1");
-        let _ = writeln!(timings, "growth,bvh,f64,book,{n},50,1");
-    }
+    let sizes = [1, 10, 100, 1000];
+    let growth = |name, n, time| timing(["growth", name, "book"], Precision::Double, n, time);
+    let rows = sizes.map(|n| [growth("vec", n, n as f64), growth("bvh", n, 50.0)]);
+    let timings = Table::from(rows.concat()).text();
     let drawn = (find_chart("growth").expect("a chart").draw)(&[&timings]).expect("it is drawn");
     let drawing = parse(&drawn.svg);
     let labels: Vec<String> = texts(&drawing).map(|text| words(&text)).collect();
@@ -216,41 +216,71 @@ fn invented(name: &str, seed: u64) -> Drawn {
             low
         })
     };
-    let mut accuracy = "regime,precision,method,p999_ulps,wrong_per_million\n".to_owned();
-    let mut sweeps = "regime,level,precision,method,p999_ulps,wrong_per_million\n".to_owned();
-    let mut timings = "what,name,precision,where,n,median_ns,ratio\n".to_owned();
-    let mut scenes = "scene,precision,method,pixels,wrong,off_by_one\n".to_owned();
+    let (mut accuracy, mut levels) = (Vec::new(), Vec::new());
+    let (mut timings, mut scenes) = (Vec::new(), Vec::new());
     for method in METHODS {
-        let (name, precision) = (method.name, Precision::of(method).name());
+        let (name, precision) = (method.name.to_owned(), Precision::of(method));
         for regime in REGIMES.map(|regime| regime.name) {
             let time = number(seed.is_multiple_of(2), 0.5, 1.5);
             let ulps = number(seed % 4 < 2, 0.0, 6.0);
-            let _ = writeln!(timings, "method,{name},{precision},{regime},1,{time},1");
-            let _ = writeln!(accuracy, "{regime},{precision},{name},{ulps},{}", seed % 3);
-            let wrong = (number(true, 0.0, 5.0) - 1.0).round();
-            let _ = writeln!(scenes, "{regime},{precision},{name},100000,{wrong},0");
+            timings.push(timing(["method", &name, regime], precision, 1, time));
+            accuracy.push(Accuracy {
+                regime: regime.to_owned(),
+                precision,
+                method: name.clone(),
+                cases: 1,
+                hits: 1,
+                wrong_per_million: (seed % 3) as f64,
+                median_ulps: None,
+                p999_ulps: Some(ulps),
+                largest_ulps: None,
+                surface_median_radii: None,
+                surface_largest_radii: None,
+                nans: 0,
+            });
+            scenes.push(WrongPixels {
+                scene: regime.to_owned(),
+                precision,
+                method: name.clone(),
+                pixels: 100_000,
+                wrong: (number(true, 0.0, 5.0) - 1.0).round() as usize,
+                off_by_one: 0,
+            });
         }
-        for level in 0..10 {
-            let ulps = number(seed % 4 < 2, 0.0, 6.0);
-            let _ = writeln!(
-                sweeps,
-                "far,{level},{precision},{name},{ulps},{}",
-                level / 9
-            );
-        }
+        levels.extend((0..10).map(|level| Level {
+            regime: "far".to_owned(),
+            level,
+            precision,
+            method: name.clone(),
+            wrong_per_million: f64::from(level / 9),
+            median_ulps: None,
+            p999_ulps: Some(number(seed % 4 < 2, 0.0, 6.0)),
+        }));
     }
+    let text_of = |file: &&str| match *file {
+        Accuracy::FILE => Table::from(accuracy.clone()).text(),
+        Level::FILE => Table::from(levels.clone()).text(),
+        WrongPixels::FILE => Table::from(scenes.clone()).text(),
+        _ => Table::from(timings.clone()).text(),
+    };
     let chart = find_chart(name).expect("it is the name of a chart");
-    let texts: Vec<&str> = chart
-        .files
-        .iter()
-        .map(|file| match *file {
-            "measured/accuracy.snap.csv" => &accuracy[..],
-            "measured/sweeps.snap.csv" => &sweeps,
-            "measured/scenes.snap.csv" => &scenes,
-            _ => &timings,
-        })
-        .collect();
+    let texts: Vec<String> = chart.files.iter().map(text_of).collect();
+    let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
     (chart.draw)(&texts).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn timing([what, name, place]: [&str; 3], precision: Precision, n: usize, time: f64) -> Timing {
+    Timing {
+        what: what.to_owned(),
+        name: name.to_owned(),
+        precision,
+        place: place.to_owned(),
+        n,
+        median_ns: time,
+        least_ns: time,
+        greatest_ns: time,
+        ratio: 1.0,
+    }
 }
 
 /// The points of a path.

@@ -1,8 +1,9 @@
 //! What chapter 6 measures without a clock: the same numbers on every machine.
 
+use figures::records::Timing;
+use figures::table::{Record, Table};
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Snapshot, assert_binary_snapshot};
-use measure::timings::Timings;
 use measure::{accuracy, scenes};
 
 /// The book shows these files, so they stand where the book finds them.
@@ -24,7 +25,7 @@ mod the_snapshot_holds {
 
     #[test]
     fn accuracy() {
-        assert_measured("accuracy", accuracy::table(CASES, SEED));
+        assert_measured("accuracy", &accuracy::table(CASES, SEED));
     }
 
     /// Where the times are recorded anew, this follows.
@@ -32,25 +33,25 @@ mod the_snapshot_holds {
     fn scenes_and_least() {
         let table = scenes::table(WIDTH);
         let timings = include_str!("../../book/notes/measured/timings.csv");
-        let timings: Timings = timings.parse().expect("the file is well-formed");
-        assert_measured("least", scenes::least(&table, &timings));
-        assert_measured("scenes", table);
+        let timings = Table::<Timing>::read(timings).expect("the file is well-formed");
+        assert_measured("least", &scenes::least(&table, &timings));
+        assert_measured("scenes", &table);
     }
 
     #[test]
     fn sweeps() {
-        assert_measured("sweeps", accuracy::sweeps(CASES_OF_A_LEVEL, SEED));
+        assert_measured("sweeps", &accuracy::sweeps(CASES_OF_A_LEVEL, SEED));
     }
 }
 
 /// Compares what was measured with the snapshot of that name.
-fn assert_measured(name: &str, text: String) {
+fn assert_measured<Row: Record>(name: &str, table: &Table<Row>) {
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(MEASURED);
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.set_comparator(Box::new(SameLines));
-    settings.bind(|| assert_binary_snapshot!(&format!("{name}.csv"), text.into_bytes()));
+    settings.bind(|| assert_binary_snapshot!(&format!("{name}.csv"), table.text().into_bytes()));
 }
 
 /// Compares two tables line by line, and shows the lines that differ.

@@ -9,13 +9,15 @@ use std::thread;
 
 use check::Chapter;
 use common::rtweekend::*;
-use measure::heat::{Heat, Spread};
+use figures::records::Race;
+use figures::table::Table;
 use measure::rival;
+use measure::spread::Spread;
 
 use crate::left_out::left_out;
 
-/// What `cargo rtrace race --record` wrote.
-const RECORDED: &str = include_str!("../../book/notes/speed/heats.txt");
+/// What `cargo bench -p measure --bench race -- --record` wrote.
+const RECORDED: &str = include_str!("../../book/notes/speed/heats.csv");
 
 #[test]
 fn the_books_program_in_cpp_draws_the_same_bytes() {
@@ -164,32 +166,25 @@ fn a_writer_that_fails_ends_the_picture_on_any_number_of_threads() {
 }
 
 #[test]
-fn every_recorded_line_is_a_heat_as_it_would_be_written() {
-    for line in RECORDED.lines().filter(|line| !line.starts_with('#')) {
-        let heat: Heat = line.parse().expect("a line is a heat");
-        assert_eq!(
-            heat.line(),
-            line,
-            "book/notes/speed/heats.txt was changed by hand: \
-             `cargo bench -p measure --bench race -- --record` writes it"
-        );
-    }
+fn what_is_recorded_is_as_it_is_written() {
+    let races = Table::<Race>::read(RECORDED).expect("the file is well-formed");
+    assert_eq!(
+        races.text(),
+        RECORDED,
+        "book/notes/speed/heats.csv was changed by hand: \
+         `cargo bench -p measure --bench race -- --record` writes it"
+    );
 }
 
 #[test]
-fn a_heat_is_read_as_it_was_written() {
+fn a_spread_has_its_median_in_the_middle() {
     let spread = Spread::of(vec![3.5, 1.25, 2.0]);
-    let heat = Heat {
-        chapter: "normals".to_owned(),
-        width: 400,
-        to: "file".to_owned(),
-        ours: spread,
-        rival: Spread::of(vec![30.0, 20.0, 25.0]),
-    };
-    assert_eq!(spread.median, 2.0);
-    assert_eq!(heat.ratio(), 12.5);
-    assert_eq!(heat.line().parse(), Ok(heat));
-    assert!("normals 400 file 1 2".parse::<Heat>().is_err());
+    let Spread {
+        median,
+        least,
+        greatest,
+    } = spread;
+    assert_eq!([least, median, greatest], [1.25, 2.0, 3.5]);
 }
 
 fn p3(picture: &Picture, threads: usize) -> Vec<u8> {

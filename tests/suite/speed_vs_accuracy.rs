@@ -1,8 +1,9 @@
 //! What chapter 6 is measured with: the questions, the batches, the maps, and the
 //! file of timings.
 
+use figures::records::Timing;
+use figures::table::Table;
 use laws::oracle::Exact;
-use measure::timings::Timings;
 use speed_vs_accuracy::batch::{self, BLOCK, Block};
 use speed_vs_accuracy::{
     Case, METHODS, Precision, REGIMES, Regime, SCENES, failure_map, find, find_regime, half_b,
@@ -190,14 +191,13 @@ mod timings {
     const RECORDED: &str = include_str!("../../book/notes/measured/timings.csv");
 
     #[test]
-    fn are_read_as_they_were_written() {
-        let timings: Timings = RECORDED.parse().expect("the file is well-formed");
-        assert_eq!(timings.text(), RECORDED);
+    fn are_recorded_as_they_are_written() {
+        assert_eq!(recorded().text(), RECORDED);
     }
 
     #[test]
     fn are_recorded_of_every_method_in_every_regime() {
-        let timings: Timings = RECORDED.parse().expect("the file is well-formed");
+        let timings = recorded();
         for method in METHODS {
             for place in REGIMES
                 .map(|regime| regime.name)
@@ -213,26 +213,8 @@ mod timings {
         }
     }
 
-    #[test]
-    fn that_are_no_timings_are_refused_with_the_line() {
-        let head = measure::timings::COLUMNS;
-        for (text, reason) in [
-            ("", "column names"),
-            ("what,name\n", "column names"),
-            (
-                &format!("{head}\nmethod,half_b\n"),
-                "nine fields: method,half_b",
-            ),
-            (
-                &format!("{head}\nmethod,half_b,f64,book,1,x,1,1,1\n"),
-                "x is no number",
-            ),
-        ] {
-            let problem = text
-                .parse::<Timings>()
-                .expect_err("it is no file of timings");
-            assert!(problem.contains(reason), "{problem}");
-        }
+    fn recorded() -> Table<Timing> {
+        Table::read(RECORDED).expect("the file is well-formed")
     }
 }
 

@@ -11,6 +11,7 @@ use laws::Case;
 use laws::nearer_root::Solver;
 use laws::oracle::Exact;
 use laws::{runner, strategies};
+use measure::spread::Spread;
 use proptest::strategy::Strategy;
 
 mod a_far_sphere {
@@ -298,7 +299,7 @@ fn each_chapter(strategy: &impl Strategy<Value = Case>) -> Vec<Survey> {
 }
 
 fn survey(cases: &[Case], solve: &Solver) -> Survey {
-    let mut errors: Vec<f64> = cases
+    let errors: Vec<f64> = cases
         .iter()
         .filter_map(|case| {
             Some(
@@ -308,12 +309,11 @@ fn survey(cases: &[Case], solve: &Solver) -> Survey {
             )
         })
         .collect();
-    errors.sort_by(f64::total_cmp);
     Survey {
         wrong_decisions: share(cases, |case| {
             case.solve(solve).is_some() != Exact::of(case).nearer_root().is_some()
         }),
-        median_ulps: errors[errors.len() / 2],
+        median_ulps: Spread::of(errors).median,
     }
 }
 

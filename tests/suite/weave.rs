@@ -153,13 +153,11 @@ fn a_snapshot_is_shown_without_its_header() {
 fn a_measured_value_comes_from_its_file() {
     let book = Book::new(
         "It takes {{value times.csv near/half_b.ns}} ns on {{value times.csv machine}}, \
-         errs by {{value times.csv far/half_b.error}}, and loses {{value facts.txt lost bits}} bits.",
+         and errs by {{value times.csv far/half_b.error}}.",
     );
     book.write("times.csv", TIMES);
-    book.write("facts.txt", "kept bits: 40\nlost bits: 12\n");
     let page = book.page();
-    let expected =
-        "It takes 2.25 ns on an abacus, errs by 2.5·10<sup>−16</sup>, and loses 12 bits.";
+    let expected = "It takes 2.25 ns on an abacus, and errs by 2.5·10<sup>−16</sup>.";
     assert!(page.contains(expected), "{page}");
 }
 
@@ -227,6 +225,10 @@ fn what_cannot_be_woven_fails_the_build_with_file_line_and_cause() {
         ),
         ("{{value times.csv full_b.ms}}", "no value `full_b.ms`"),
         ("{{value dates.csv twice.ns}}", "dates.csv"),
+        (
+            "{{value uneven.csv 1.b}}",
+            "uneven.csv: CSV error: record 1 (line: 2",
+        ),
         (r"A formula $\frac{1}$ here.", r"`\frac{1}` is wrong"),
         (r"A formula $\unicorn$ here.", r"`\unicorn` is wrong"),
         (r"$$ a \tag{1} \tag{2} $$", r"one formula has one \tag"),
@@ -239,6 +241,7 @@ fn what_cannot_be_woven_fails_the_build_with_file_line_and_cause() {
         book.write("twice.rs", "mod double {}\n\nfn double() {}\n");
         book.write("Broken.rs", "fn a() {}\nfn fn\n");
         book.write("times.csv", TIMES);
+        book.write("uneven.csv", "a,b\n1\n");
         book.assert_refused(&["page.md:3", cause]);
     }
 }

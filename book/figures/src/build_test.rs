@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::Figure;
+use crate::figure::Figure;
 use crate::pixels::Frame;
 use crate::svg::Anchor;
 

@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 use glam::DVec2;
 
-use crate::Figure;
+use crate::figure::Figure;
 use crate::svg::{Anchor, Svg, spoken};
 
 /// The words of this figure.

@@ -4,7 +4,7 @@ use common::rtweekend::*;
 use glam::DVec2;
 use hittable_list::{HitRecord, Hittable, Sphere};
 
-use crate::Figure;
+use crate::figure::Figure;
 use crate::plane::Plane;
 use crate::svg::{Anchor, Svg};
 

@@ -12,14 +12,17 @@ mod figure;
 pub mod nearest;
 pub mod normal;
 pub mod normal_colors;
+pub mod number;
 mod pixels;
 mod plane;
 pub mod projection;
 pub mod ray;
+pub mod records;
 pub mod red_sphere;
 pub mod roots;
 mod style;
 mod svg;
+pub mod table;
 pub mod unit_sky;
 pub mod viewport_grid;
 

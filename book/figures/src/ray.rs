@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 use glam::DVec2;
 
-use crate::Figure;
+use crate::figure::Figure;
 use crate::plane::Plane;
 use crate::svg::{Anchor, spoken};
 

@@ -4,7 +4,7 @@ use common::rtweekend::*;
 use glam::DVec2;
 use red_sphere::hit_sphere;
 
-use crate::Figure;
+use crate::figure::Figure;
 use crate::pixels::Frame;
 use crate::svg::Anchor;
 

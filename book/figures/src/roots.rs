@@ -4,7 +4,7 @@ use common::rtweekend::*;
 use glam::DVec2;
 use normals::hit_sphere;
 
-use crate::Figure;
+use crate::figure::Figure;
 use crate::plane::Plane;
 use crate::svg::{Anchor, spoken};
 

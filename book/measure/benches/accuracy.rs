@@ -26,5 +26,7 @@ struct Arguments {
 fn main() -> Result<(), Box<dyn Error>> {
     let Arguments { cases, seed, .. } = Arguments::parse();
     let table = accuracy::table(cases.get(), seed);
-    Ok(output::to_stdout(|out| out.write_all(table.as_bytes()))?)
+    Ok(output::to_stdout(|out| {
+        out.write_all(table.text().as_bytes())
+    })?)
 }

@@ -1,7 +1,7 @@
 //! A benchmark: the chapters' programs against the book's own in C++, in turns.
 
 use std::error::Error;
-use std::fs::{self, File};
+use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Instant;
@@ -10,9 +10,10 @@ use std::{env, io};
 use check::Chapter;
 use clap::Parser;
 use common::engine::output;
-use measure::heat::{Heat, Spread};
-use measure::machine;
-use measure::rival;
+use figures::records::Race;
+use figures::table::{Record, Table};
+use measure::spread::Spread;
+use measure::{machine, rival};
 
 /// Draws each picture in turns with the C++ program, and says how long it took.
 #[derive(Parser)]
@@ -44,10 +45,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let machine = machine::machine();
     say(&format!("{machine}\n"))?;
-    let mut heats = Vec::new();
+    let mut races = Vec::new();
     for (width, to_file) in COURSES {
         for chapter in &Chapter::OF_THE_BOOK[1..] {
-            let heat = run_heat(
+            let race = run_race(
                 chapter.name(),
                 width,
                 to_file,
@@ -55,13 +56,13 @@ fn main() -> Result<(), Box<dyn Error>> {
                 rival.as_deref().ok(),
                 &programs,
             )?;
-            say(&format!("{}\n", shown(&heat, rival.is_ok())))?;
-            heats.push(heat);
+            say(&format!("{}\n", shown(&race, rival.is_ok())))?;
+            races.push(race);
         }
     }
     say_where_time_goes(&programs, rival.as_deref().ok())?;
     if arguments.record && rival.is_ok() {
-        record(&machine, &heats)?;
+        record(machine, races)?;
     }
     Ok(())
 }
@@ -84,14 +85,14 @@ fn build_chapters() -> Result<PathBuf, Box<dyn Error>> {
     Ok(folder.ok_or("this benchmark is not where cargo puts it")?)
 }
 
-fn run_heat(
+fn run_race(
     chapter: &str,
     width: u32,
     to_file: bool,
     rounds: u32,
     rival: Option<&Path>,
     programs: &Path,
-) -> io::Result<Heat> {
+) -> io::Result<Race> {
     let width_text = width.to_string();
     let destination = || match to_file {
         true => File::create(programs.join("race").join("picture.ppm")).map(Stdio::from),
@@ -109,12 +110,17 @@ fn run_heat(
         }
     }
     theirs.extend(rival.is_none().then_some(f64::NAN));
-    Ok(Heat {
+    let [rust, cpp] = [ours, theirs].map(Spread::of);
+    Ok(Race {
         chapter: chapter.to_owned(),
         width,
         to: if to_file { "file" } else { "nowhere" }.to_owned(),
-        ours: Spread::of(ours),
-        rival: Spread::of(theirs),
+        rust_median_ms: rust.median,
+        rust_least_ms: rust.least,
+        rust_greatest_ms: rust.greatest,
+        cpp_median_ms: cpp.median,
+        cpp_least_ms: cpp.least,
+        cpp_greatest_ms: cpp.greatest,
     })
 }
 
@@ -129,25 +135,23 @@ fn milliseconds(command: &mut Command) -> io::Result<f64> {
     }
 }
 
-fn shown(heat: &Heat, with_rival: bool) -> String {
-    let Heat {
-        chapter,
-        width,
-        to,
-        ours,
-        rival,
-    } = heat;
+fn shown(race: &Race, with_rival: bool) -> String {
     let mut line = format!(
-        "{chapter:<14} {width:>4} wide to {to:<8} {:8.2} ms ({:.2} to {:.2})",
-        ours.median, ours.least, ours.greatest
+        "{:<14} {:>4} wide to {:<8} {:8.2} ms ({:.2} to {:.2})",
+        race.chapter,
+        race.width,
+        race.to,
+        race.rust_median_ms,
+        race.rust_least_ms,
+        race.rust_greatest_ms
     );
     if with_rival {
         line += &format!(
             "  C++ {:8.2} ms ({:.2} to {:.2})  ratio {:5.1}",
-            rival.median,
-            rival.least,
-            rival.greatest,
-            heat.ratio()
+            race.cpp_median_ms,
+            race.cpp_least_ms,
+            race.cpp_greatest_ms,
+            race.ratio()
         );
     }
     line
@@ -211,19 +215,13 @@ fn instructions(program: &Path, arguments: &[&str]) -> Option<String> {
 }
 
 /// Writes the numbers, from which the book draws its chart.
-fn record(machine: &str, heats: &[Heat]) -> Result<(), Box<dyn Error>> {
-    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../notes/speed"));
-    fs::create_dir_all(&folder)?;
-    let mut numbers = format!(
-        "# {machine}\n\
-         # Picture, width in pixels, where the text went; then in milliseconds the median,\n\
-         # the least and the greatest time of our program, and the same of the C++ program.\n"
-    );
-    for heat in heats {
-        numbers += &(heat.line() + "\n");
-    }
-    fs::write(folder.join("heats.txt"), numbers)?;
-    Ok(())
+fn record(machine: String, rows: Vec<Race>) -> Result<(), output::OutputError> {
+    let about = [("machine".to_owned(), machine)].into();
+    let text = Table { about, rows }.text();
+    let notes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../notes");
+    output::to_file(&notes.join(Race::FILE), |out| {
+        out.write_all(text.as_bytes())
+    })
 }
 
 fn say(what: &str) -> Result<(), output::OutputError> {

@@ -1,126 +1,73 @@
-//! How exact each method is, in each situation.
+//! Errors against exact arithmetic: how many decisions of each method are wrong, and
+//! how many units in the last place (ulps) its t is off.
 //!
 //! The questions are those of `speed_vs_accuracy::REGIMES`, with t from 0 to
 //! infinity, and exact arithmetic knows the answers. A method in `f32` is asked
 //! questions whose numbers are `f32`s, and judged by the exact answer to them:
 //! what rounding the scene costs is not its fault.
-//!
-//! What is found stands in two files in book/notes/measured, which a test keeps
-//! as they are. They are comma-separated: a line of column names, then a row for
-//! each method; no field is quoted. Numbers are rounded to three digits.
-//!
-//! `accuracy.snap.csv`: all levels of a regime together.
-//!
-//! | column | |
-//! |---|---|
-//! | `regime` | the name of the regime |
-//! | `precision` | `f64` or `f32` |
-//! | `method` | the name of the method |
-//! | `cases` | how many questions |
-//! | `hits` | how many of them have a root |
-//! | `wrong_per_million` | hit where there is no root, or miss where there is one |
-//! | `median_ulps` | error of t where both say hit, in units of the last place that the root has in this precision |
-//! | `p999_ulps` | the error that 999 of 1000 do not exceed |
-//! | `largest_ulps` | the largest error |
-//! | `surface_median_radii` | how far the point at t is from the sphere, in radii |
-//! | `surface_largest_radii` | the same at most |
-//! | `nans` | answers that are NaN or infinite |
-//!
-//! `sweeps.snap.csv`: level by level, for the regimes `far` (10ᵏ radii away) and
-//! `grazing` (passing at (1 ± 10⁻ᵏ) radii): `regime`, `level` (the k),
-//! `precision`, `method`, `wrong_per_million`, `median_ulps`, `p999_ulps`.
-
-use std::fmt::Write;
-use std::thread;
 
 use common::rtweekend::*;
+use figures::records::{Accuracy, Level};
+use figures::table::Table;
+use laws::oracle::Exact;
+use laws::truth::Truth;
+use rayon::prelude::*;
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime, find_regime};
 
-use laws::oracle::Exact;
-use laws::truth::{Truth, three_digits};
-
-/// How exact a method is.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Accuracy {
-    /// How many questions it was asked.
-    pub cases: usize,
-    /// How many of them have a root.
-    pub hits: usize,
-    /// Hits that should be misses, and misses that should be hits.
-    pub wrong: usize,
-    /// Answers that are NaN or infinite.
-    pub nans: usize,
-    /// Errors of t in ulps where both say hit, in order of size.
-    pub ulps: Vec<f64>,
-    /// How far the point at t is from the sphere, in radii, in order of size.
-    pub surface: Vec<f64>,
-}
-
-/// The table of all methods in all regimes, in both precisions, from so many
-/// questions to each.
-pub fn table(cases: usize, seed: u64) -> String {
-    let head = "regime,precision,method,cases,hits,wrong_per_million,median_ulps,p999_ulps,\
-                largest_ulps,surface_median_radii,surface_largest_radii,nans\n";
-    let tasks = REGIMES
-        .iter()
-        .flat_map(|regime| PRECISIONS.map(|precision| (regime, precision)));
-    head.to_owned()
-        + &in_parallel(tasks, |(regime, precision)| {
-            let questions = regime.questions(precision, seed, cases);
-            rows(precision, &questions, |text, method, found| {
-                let [median, p999, largest] = [0.5, 0.999, 1.0].map(|p| quantile(&found.ulps, p));
-                let [on, off] = [0.5, 1.0].map(|p| quantile(&found.surface, p));
-                let _ = writeln!(
-                    text,
-                    "{},{},{},{},{},{},{median},{p999},{largest},{on},{off},{}",
-                    regime.name,
-                    precision.name(),
-                    method.name,
-                    found.cases,
-                    found.hits,
-                    found.wrong_per_million(),
-                    found.nans,
-                );
-            })
-        })
-}
-
-/// The table of errors against distance and against closeness to a tangent,
-/// level by level.
-pub fn sweeps(cases: usize, seed: u64) -> String {
-    let head = "regime,level,precision,method,wrong_per_million,median_ulps,p999_ulps\n";
-    let levels = |regime: Regime, precision| {
-        regime
-            .levels(precision)
-            .map(move |level| (regime, precision, level))
-    };
-    let tasks = ["far", "grazing"]
+/// All methods in all regimes, in both precisions, from so many questions to each.
+pub fn table(cases: usize, seed: u64) -> Table<Accuracy> {
+    let tasks: Vec<(Regime, Precision)> = REGIMES
         .into_iter()
-        .map(|name| find_regime(name).expect("it is the name of a regime"))
-        .flat_map(|regime| PRECISIONS.map(|precision| levels(regime, precision)))
-        .flatten();
-    head.to_owned()
-        + &in_parallel(tasks, |(regime, precision, level)| {
-            let questions = regime.questions_at(level, precision, seed, cases);
-            rows(precision, &questions, |text, method, found| {
-                let [median, p999] = [0.5, 0.999].map(|p| quantile(&found.ulps, p));
-                let _ = writeln!(
-                    text,
-                    "{},{level},{},{},{},{median},{p999}",
-                    regime.name,
-                    precision.name(),
-                    method.name,
-                    found.wrong_per_million(),
-                );
-            })
-        })
+        .flat_map(|regime| PRECISIONS.map(|precision| (regime, precision)))
+        .collect();
+    let rows = tasks.into_par_iter().flat_map_iter(|(regime, precision)| {
+        let questions = regime.questions(precision, seed, cases);
+        let row = move |(method, found): (&Method, Errors)| Accuracy {
+            regime: regime.name.to_owned(),
+            precision,
+            method: method.name.to_owned(),
+            cases,
+            hits: found.hits,
+            wrong_per_million: found.wrong_per_million(),
+            median_ulps: quantile(&found.ulps, 0.5),
+            p999_ulps: quantile(&found.ulps, 0.999),
+            largest_ulps: quantile(&found.ulps, 1.0),
+            surface_median_radii: quantile(&found.surface, 0.5),
+            surface_largest_radii: quantile(&found.surface, 1.0),
+            nans: found.nans,
+        };
+        of_all_methods(precision, questions).map(row)
+    });
+    rows.collect::<Vec<_>>().into()
 }
 
-/// How exact `method` is on `questions`.
-pub fn of(method: &Method, questions: &[Case]) -> Accuracy {
-    let precision = Precision::of(method);
-    let truths = truths(questions, precision);
-    judge(method, questions, &truths)
+/// Errors against distance and against closeness to a tangent, level by level.
+pub fn sweeps(cases: usize, seed: u64) -> Table<Level> {
+    let levels = |regime: Regime, precision| {
+        let levels = regime.levels(precision);
+        levels.map(move |level| (regime, precision, level))
+    };
+    let tasks: Vec<(Regime, Precision, i32)> = ["far", "grazing"]
+        .map(|name| find_regime(name).expect("it is the name of a regime"))
+        .into_iter()
+        .flat_map(|regime| PRECISIONS.map(|precision| levels(regime, precision)))
+        .flatten()
+        .collect();
+    let rows = tasks.into_par_iter().flat_map_iter(|task| {
+        let (regime, precision, level) = task;
+        let questions = regime.questions_at(level, precision, seed, cases);
+        let row = move |(method, found): (&Method, Errors)| Level {
+            regime: regime.name.to_owned(),
+            level,
+            precision,
+            method: method.name.to_owned(),
+            wrong_per_million: found.wrong_per_million(),
+            median_ulps: quantile(&found.ulps, 0.5),
+            p999_ulps: quantile(&found.ulps, 0.999),
+        };
+        of_all_methods(precision, questions).map(row)
+    });
+    rows.collect::<Vec<_>>().into()
 }
 
 /// Whether there is a root with t > 0.
@@ -130,56 +77,37 @@ pub fn has_root(question: &Case) -> bool {
 
 const PRECISIONS: [Precision; 2] = [Precision::Double, Precision::Single];
 
-impl Accuracy {
-    fn wrong_per_million(&self) -> String {
-        three_digits(1e6 * self.wrong as f64 / self.cases as f64)
+/// What is wrong with the answers of a method.
+struct Errors {
+    cases: usize,
+    /// How many cases have a root.
+    hits: usize,
+    /// Hits that should be misses, and misses that should be hits.
+    wrong: usize,
+    /// Answers that are NaN or infinite.
+    nans: usize,
+    /// Errors of t in ulps where both say hit, in order of size.
+    ulps: Vec<f64>,
+    /// How far the point at t is from the sphere, in radii, in order of size.
+    surface: Vec<f64>,
+}
+
+impl Errors {
+    fn wrong_per_million(&self) -> f64 {
+        1e6 * self.wrong as f64 / self.cases as f64
     }
 }
 
-/// One text from many tasks, in their order, on as many threads as there are
-/// processors.
-pub(crate) fn in_parallel<T: Send>(
-    tasks: impl Iterator<Item = T>,
-    work: impl Fn(T) -> String + Sync,
-) -> String {
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    let mut shares: Vec<Vec<(usize, T)>> = (0..threads).map(|_| Vec::new()).collect();
-    for (number, task) in tasks.enumerate() {
-        shares[number % threads].push((number, task));
-    }
-    let mut texts: Vec<(usize, String)> = thread::scope(|scope| {
-        let work = &work;
-        let workers: Vec<_> = shares
-            .into_iter()
-            .map(|share| {
-                scope.spawn(move || {
-                    let done = share.into_iter().map(|(number, task)| (number, work(task)));
-                    done.collect::<Vec<_>>()
-                })
-            })
-            .collect();
-        let done = workers.into_iter().map(|worker| worker.join());
-        done.flat_map(|share| share.expect("a task does not panic"))
-            .collect()
-    });
-    texts.sort();
-    texts.into_iter().map(|(_, text)| text).collect()
-}
-
-/// A row for each method of that precision.
-fn rows(
+/// The errors of each method of that precision.
+fn of_all_methods(
     precision: Precision,
-    questions: &[Case],
-    write_row: impl Fn(&mut String, &Method, &Accuracy),
-) -> String {
-    let truths = truths(questions, precision);
-    let mut text = String::new();
-    for method in METHODS {
-        if Precision::of(method) == precision {
-            write_row(&mut text, method, &judge(method, questions, &truths));
-        }
-    }
-    text
+    questions: Vec<Case>,
+) -> impl Iterator<Item = (&'static Method, Errors)> {
+    let truths = truths(&questions, precision);
+    let methods = METHODS.iter();
+    methods
+        .filter(move |method| Precision::of(method) == precision)
+        .map(move |method| (method, judge(method, &questions, &truths)))
 }
 
 fn truths(questions: &[Case], precision: Precision) -> Vec<Option<Truth>> {
@@ -191,9 +119,9 @@ fn truths(questions: &[Case], precision: Precision) -> Vec<Option<Truth>> {
     questions.iter().map(truth).collect()
 }
 
-fn judge(method: &Method, questions: &[Case], truths: &[Option<Truth>]) -> Accuracy {
+fn judge(method: &Method, questions: &[Case], truths: &[Option<Truth>]) -> Errors {
     let precision = Precision::of(method);
-    let mut found = Accuracy {
+    let mut found = Errors {
         cases: questions.len(),
         hits: truths.iter().flatten().count(),
         wrong: 0,
@@ -232,11 +160,8 @@ fn off_the_surface(question: &Case, t: f64, precision: Precision) -> f64 {
     (above_one / ((1.0 + above_one).sqrt() + 1.0)).abs()
 }
 
-/// The value that the share `p` of `sorted` does not exceed, in three digits;
-/// nothing if there is none.
-fn quantile(sorted: &[f64], p: f64) -> String {
+/// The value that the share `p` of `sorted` does not exceed, if there is one.
+fn quantile(sorted: &[f64], p: f64) -> Option<f64> {
     let rank = (p * sorted.len() as f64).ceil() as usize;
-    sorted
-        .get(rank.saturating_sub(1))
-        .map_or(String::new(), |&value| three_digits(value))
+    sorted.get(rank.saturating_sub(1)).copied()
 }

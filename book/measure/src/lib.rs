@@ -2,8 +2,7 @@
 //! wrong, and how long everything takes.
 
 pub mod accuracy;
-pub mod heat;
 pub mod machine;
 pub mod rival;
 pub mod scenes;
-pub mod timings;
+pub mod spread;

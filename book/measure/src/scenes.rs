@@ -1,79 +1,65 @@
-//! How many pixels each method gets wrong, and what is the least that a scene
-//! needs.
-//!
-//! `scenes.snap.csv` in book/notes/measured has a row for each scene and method:
-//!
-//! | column | |
-//! |---|---|
-//! | `scene` | the name of the scene |
-//! | `precision`, `method` | who drew it |
-//! | `pixels` | how many there are |
-//! | `wrong` | how many are more than one level off, in some component, from the exact picture of the same precision |
-//! | `off_by_one` | how many are one level off: the eye does not see them |
-//!
-//! `least.snap.csv` is what follows from that and from `timings.csv`: for each
-//! `scene` and `precision` the `method` that takes the fewest nanoseconds on the
-//! book's camera rays, `book_ns`, of those without a wrong pixel; empty if there
-//! is none.
-
-use std::fmt::Write;
+//! Image comparison: how many pixels each method gets wrong, and what is the least
+//! that a scene needs.
 
 use common::rtweekend::Picture;
+use figures::records::{Least, Timing, WrongPixels};
+use figures::table::Table;
+use rayon::prelude::*;
 use speed_vs_accuracy::{METHODS, Precision, SCENES, Scene};
 
-use crate::accuracy::in_parallel;
-use crate::timings::Timings;
-
-/// The table of wrong pixels, in pictures `width` pixels wide.
-pub fn table(width: u32) -> String {
-    let tasks = SCENES.into_iter().flat_map(|scene| {
-        [Precision::Double, Precision::Single].map(|precision| (scene, precision))
-    });
-    "scene,precision,method,pixels,wrong,off_by_one\n".to_owned()
-        + &in_parallel(tasks, |(scene, precision)| rows(scene, precision, width))
+/// The wrong pixels of all methods in all scenes, in pictures `width` pixels wide.
+pub fn table(width: u32) -> Table<WrongPixels> {
+    let rows = both_precisions()
+        .into_par_iter()
+        .flat_map_iter(|(scene, precision)| rows(scene, precision, width));
+    rows.collect::<Vec<_>>().into()
 }
 
-/// The table of the cheapest method without a wrong pixel, from the other one.
-pub fn least(table: &str, timings: &Timings) -> String {
-    let mut text = "scene,precision,method,book_ns\n".to_owned();
-    for scene in SCENES {
-        for precision in ["f64", "f32"] {
-            let cheapest = table
-                .lines()
-                .filter_map(|line| match line.split(',').collect::<Vec<_>>()[..] {
-                    [name, of, method, _, "0", _] if name == scene.name && of == precision => {
-                        timings.find("method", method, "book")
-                    }
-                    _ => None,
-                })
-                .min_by(|one, other| one.median.total_cmp(&other.median));
-            let found = cheapest.map_or(",".to_owned(), |row| {
-                format!("{},{:.2}", row.name, row.median)
-            });
-            let _ = writeln!(text, "{},{precision},{found}", scene.name);
+/// The cheapest method without a wrong pixel, from what was measured.
+pub fn least(pixels: &Table<WrongPixels>, timings: &Table<Timing>) -> Table<Least> {
+    let row = |(scene, precision): (Scene, Precision)| {
+        let is_right = |row: &&WrongPixels| {
+            row.scene == scene.name && row.precision == precision && row.wrong == 0
+        };
+        let cheapest = pixels
+            .rows
+            .iter()
+            .filter(is_right)
+            .filter_map(|row| timings.find("method", &row.method, "book"))
+            .min_by(|one, other| one.median_ns.total_cmp(&other.median_ns));
+        Least {
+            scene: scene.name.to_owned(),
+            precision,
+            method: cheapest.map(|timing| timing.name.clone()),
+            book_ns: cheapest.map(|timing| timing.median_ns),
         }
-    }
-    text
+    };
+    let rows = both_precisions().into_iter().map(row);
+    rows.collect::<Vec<_>>().into()
 }
 
-fn rows(scene: Scene, precision: Precision, width: u32) -> String {
+fn both_precisions() -> Vec<(Scene, Precision)> {
+    let both = |scene| [Precision::Double, Precision::Single].map(|precision| (scene, precision));
+    SCENES.into_iter().flat_map(both).collect()
+}
+
+fn rows(scene: Scene, precision: Precision, width: u32) -> impl Iterator<Item = WrongPixels> {
     let right = scene.right_picture(precision, width).rgb_with_threads(1);
-    let mut text = String::new();
-    for method in METHODS {
-        if Precision::of(method) == precision {
+    let methods = METHODS.iter();
+    methods
+        .filter(move |method| Precision::of(method) == precision)
+        .map(move |method| {
             let drawn: Picture = scene.picture(*method, width);
             let [wrong, off_by_one] = differences(&right, &drawn.rgb_with_threads(1));
-            let _ = writeln!(
-                text,
-                "{},{},{},{},{wrong},{off_by_one}",
-                scene.name,
-                precision.name(),
-                method.name,
-                right.len() / 3,
-            );
-        }
-    }
-    text
+            WrongPixels {
+                scene: scene.name.to_owned(),
+                precision,
+                method: method.name.to_owned(),
+                pixels: right.len() / 3,
+                wrong,
+                off_by_one,
+            }
+        })
 }
 
 /// How many pixels have a component that is more than a level off, and how many

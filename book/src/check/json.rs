@@ -7,7 +7,8 @@ use check::judge::{Check, Finding};
 use check::slips::Slip;
 use serde_json::{Value, json};
 
-use super::{Judged, text};
+use super::judged::Judged;
+use super::text;
 
 /// One object. Names of slips, probes, causes and verdicts never change.
 pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {

@@ -2,6 +2,7 @@
 
 mod input;
 mod json;
+mod judged;
 mod map;
 mod page;
 mod text;
@@ -21,6 +22,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use common::engine::output;
 
 use input::Source;
+use judged::Judged;
 
 /// What `cargo rtrace check` is told.
 #[derive(Args)]
@@ -52,13 +54,6 @@ pub(crate) struct Arguments {
     /// Print the result for programs
     #[arg(long)]
     json: bool,
-}
-
-/// A picture after it has been judged.
-pub(crate) struct Judged<'a> {
-    pub(crate) scene: Scene,
-    pub(crate) source: Source<'a>,
-    pub(crate) check: Check,
 }
 
 /// Judges the picture and prints the result: 0 is right, 1 wrong, and 2 is not a

@@ -8,7 +8,7 @@ use check::judge::Finding;
 use check::report::{Report, escaped};
 use check::slips::Slip;
 
-use super::Judged;
+use super::judged::Judged;
 use super::text::{self, Style};
 
 /// Writes the page and its pictures into `folder`. Returns the path of the page.

@@ -9,7 +9,8 @@ use check::diagnosis::{Conversion, Explains, Scene, Set};
 use check::judge::{Check, Finding};
 use check::slips::Slip;
 
-use super::{Judged, map};
+use super::judged::Judged;
+use super::map;
 
 /// Mistakes of one set that are shown in full; of the others only the name.
 const SHOWN_IN_FULL: usize = 6;

@@ -1,5 +1,6 @@
 //! Rays and spheres under a microscope: what every method makes of them.
 
+mod number;
 mod one;
 mod strain;
 mod table;
@@ -12,7 +13,8 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use common::rtweekend::*;
 use speed_vs_accuracy::{Case, METHODS, Method, find};
 
-use crate::misuse;
+use crate::misuse::misuse;
+use number::{bound, finite, vector};
 
 /// What `cargo rtrace hit` is told.
 #[derive(Args)]
@@ -80,45 +82,6 @@ pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         _ => Err(misuse(
             "a ray and a sphere are needed: --origin, --direction, --center and --radius",
         )),
-    }
-}
-
-/// `t` in as few digits as lead back to it in the precision of `method`.
-fn shortest(method: &Method, t: f64) -> String {
-    match method.solve {
-        speed_vs_accuracy::Solve::Double(_) => format!("{t:?}"),
-        speed_vs_accuracy::Solve::Single(_) => format!("{:?}", t as f32),
-    }
-}
-
-/// The `f64` nearest to the decimal number in `text`.
-fn finite(text: &str) -> Result<f64, String> {
-    match text.trim().parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
-        Ok(number)
-            if number.is_infinite() && text.contains(|digit: char| digit.is_ascii_digit()) =>
-        {
-            Err("is too large for a number: the largest is 1.7976931348623157e308".to_owned())
-        }
-        _ => Err("is no number such as 0.5, -3 or 1e-9".to_owned()),
-    }
-}
-
-fn bound(text: &str) -> Result<f64, String> {
-    match text.trim().parse::<f64>() {
-        Ok(number) if !number.is_nan() => Ok(number),
-        _ => Err("is neither a number such as 0.001 nor inf".to_owned()),
-    }
-}
-
-fn vector(text: &str) -> Result<Vec3, String> {
-    let numbers: Vec<f64> = text
-        .split(',')
-        .map(|number| finite(number).map_err(|problem| format!("{:?} {problem}", number.trim())))
-        .collect::<Result<_, _>>()?;
-    match numbers[..] {
-        [x, y, z] => Ok(Vec3::new(x, y, z)),
-        _ => Err("three numbers with commas between them are needed, such as 0,0,-1".to_owned()),
     }
 }
 

@@ -4,11 +4,13 @@ use std::error::Error;
 use std::fmt::Write;
 
 use common::engine::output;
+use figures::number::three_digits;
 use laws::oracle::Exact;
-use laws::truth::{Truth, three_digits};
+use laws::truth::Truth;
 use speed_vs_accuracy::{Case, Method, Precision};
 
-use super::{shortest, strain};
+use super::number::shortest;
+use super::strain;
 
 /// An error of this many ulps is what a handful of rounded operations leaves:
 /// it needs no reason.

@@ -4,8 +4,8 @@
 //! Each reason is a difference of two numbers that are nearly equal. What is
 //! left of it has lost as many digits as the two have in common.
 
+use figures::number::three_digits;
 use laws::oracle::Exact;
-use laws::truth::three_digits;
 use speed_vs_accuracy::{Case, Method, Precision};
 
 /// Why `method` may err on `question`: each reason a sentence, the worst first.

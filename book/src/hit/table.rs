@@ -10,7 +10,7 @@ use common::rtweekend::*;
 use csv::{ReaderBuilder, StringRecord, Trim};
 use speed_vs_accuracy::{Case, Method};
 
-use super::{finite, shortest};
+use super::number::{finite, shortest};
 
 /// Prints `row,method,t` for each row of the file at `path` and each method.
 ///

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::page::Woven;
+use super::woven::Woven;
 use super::{changes, code, figure, measured, slip, snapshot};
 
 /// What the directive with this `text` stands for, in a page of `folder`.

@@ -1,49 +1,45 @@
-//! Numbers that were measured, out of the files that hold them.
+//! Numbers that were measured, out of the tables (CSV) that hold them.
 
 use std::fs;
 use std::path::Path;
 
-/// The value at `key` in the file at `path`, as it is printed.
+use figures::table;
+
+/// The value at `key` in the table at `path`, as it is printed.
 ///
-/// In a table (`.csv`, with a line of column names) the key is
-/// `CELL/CELL.COLUMN`, where the cells are those that the row begins with. In any
-/// file a `KEY: value` stands for itself, in a table behind a `#`.
+/// The key is `CELL/CELL.COLUMN`, where the cells are those that the row begins
+/// with, or that of a line `# KEY: value`.
 pub(super) fn value(path: &Path, key: &str) -> Result<String, String> {
     let shown = path.display();
     let text = fs::read_to_string(path).map_err(|cause| format!("{shown}: {cause}"))?;
-    let is_table = path.extension().is_some_and(|extension| extension == "csv");
     let found = match key.rsplit_once('.') {
-        Some((cells, column)) if is_table => in_table(&text, cells, column),
-        _ => in_lines(&text, key),
+        Some((cells, column)) => {
+            in_table(&text, cells, column).map_err(|cause| format!("{shown}: {cause}"))?
+        }
+        None => table::about(&text).remove(key).into_iter().collect(),
     };
-    match found[..] {
+    match &found[..] {
         [value] => Ok(printed(value)),
         [] => Err(format!("{shown} has no value `{key}`")),
         _ => Err(format!("{shown} has several values `{key}`")),
     }
 }
 
-fn in_table<'a>(text: &'a str, cells: &str, column: &str) -> Vec<&'a str> {
-    let mut rows = text
-        .lines()
-        .filter(|line| !line.starts_with('#'))
-        .map(|line| line.split(',').collect::<Vec<_>>());
-    let columns = rows.next().unwrap_or_default();
-    let Some(at) = columns.iter().position(|name| *name == column) else {
-        return Vec::new();
-    };
-    let cells: Vec<&str> = cells.split('/').collect();
-    rows.filter(|row| row.starts_with(&cells))
-        .filter_map(|row| row.get(at).copied())
-        .collect()
-}
-
-fn in_lines<'a>(text: &'a str, key: &str) -> Vec<&'a str> {
-    text.lines()
-        .filter_map(|line| line.trim_start_matches(['#', ' ']).split_once(": "))
-        .filter(|(name, _)| *name == key)
-        .map(|(_, value)| value.trim())
-        .collect()
+fn in_table(text: &str, cells: &str, column: &str) -> csv::Result<Vec<String>> {
+    let mut reader = table::reader(text);
+    let place = reader.headers()?.iter().position(|name| name == column);
+    let mut found = Vec::new();
+    for row in reader.records() {
+        let row = row?;
+        let is_wanted = cells
+            .split('/')
+            .zip(&row)
+            .all(|(cell, field)| cell == field);
+        if is_wanted && let Some(field) = place.and_then(|place| row.get(place)) {
+            found.push(field.to_owned());
+        }
+    }
+    Ok(found)
 }
 
 /// A power of ten as people write it: 2.5e-16 is 2.5·10⁻¹⁶.

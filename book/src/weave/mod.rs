@@ -15,6 +15,7 @@ mod page;
 mod slip;
 mod snapshot;
 mod warnings;
+mod woven;
 
 use std::error::Error;
 use std::fs::{self, File};
@@ -27,6 +28,7 @@ use mdbook_preprocessor::book::{Book, BookItem};
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 
 use crate::draw;
+use crate::misuse::misuse;
 use maths::Maths;
 use page::Page;
 
@@ -102,7 +104,7 @@ fn refuse_to_clear(folder: &Path) -> Result<(), Box<dyn Error>> {
     if !folder.exists() || folder.join("print.html").exists() || is_empty() {
         return Ok(());
     }
-    Err(crate::misuse(&format!(
+    Err(misuse(&format!(
         "{} is no folder with a book: it would be cleared. Name a new folder, or an empty one.",
         folder.display()
     )))

@@ -7,19 +7,12 @@ use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag};
 
 use super::directive;
 use super::maths::Maths;
+use super::woven::Woven;
 
 /// A page as it was written.
 pub(super) struct Page<'a> {
     path: PathBuf,
     text: &'a str,
-}
-
-/// What stands in a page in place of what was written.
-pub(super) enum Woven {
-    /// Part of a line.
-    Inline(String),
-    /// Markdown that needs lines of its own.
-    Block(String),
 }
 
 /// A piece of a page and what becomes of it, or why nothing does.

@@ -69,13 +69,3 @@ fn single_below(t: f64) -> f32 {
         nearest
     }
 }
-
-/// Such as 0.41, 158, 1.3e-16.
-pub fn three_digits(value: f64) -> String {
-    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
-    if rounded == 0.0 || (1e-3..1e6).contains(&rounded) {
-        format!("{rounded}")
-    } else {
-        format!("{rounded:e}")
-    }
-}

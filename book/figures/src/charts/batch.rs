@@ -4,9 +4,10 @@ use std::fmt::Write;
 
 use glam::DVec2;
 
-use super::data::Table;
-use super::{Chart, Drawn, WIDTH};
+use super::chart::{Chart, Drawn, WIDTH};
+use crate::records::Timing;
 use crate::svg::{Anchor, Svg};
+use crate::table::{Record, Table};
 
 /// Bars and limits.
 pub(super) const CHART: Chart = Chart {
@@ -17,7 +18,7 @@ pub(super) const CHART: Chart = Chart {
         takes for the root and the division alone.",
     caption: "Nanoseconds for a test. The line is the limit of the machine: one √ and one ÷ for \
         each ray, and nothing else. No code with a root and a division can be shorter.",
-    files: &["measured/timings.csv"],
+    files: &[Timing::FILE],
     draw: |files| draw(files[0]),
 };
 
@@ -41,39 +42,36 @@ fn draw(timings: &str) -> Result<Drawn, String> {
     svg.small_label("faint", DVec2::new(12.0, 20.0), Anchor::Start, title);
     for (pair, place) in pairs.iter().zip(0..) {
         let corner = DVec2::new(170.0, 40.0 + 64.0 * f64::from(place));
-        svg.label(
-            "ink",
-            corner + DVec2::new(-10.0, 26.0),
-            Anchor::End,
-            &pair.name,
-        );
-        if let Some(alone) = pair.alone {
-            let words = format!("{alone:.2} one by one");
-            one(&mut svg, "faint", corner, bar(alone), &words);
-        }
-        let below = corner + DVec2::new(0.0, 22.0);
-        let words = match pair.limit {
-            Some(limit) => format!(
-                "{:.2} many at once, {:.0} % of the limit",
-                pair.together,
-                100.0 * limit / pair.together
-            ),
-            None => format!("{:.2} many at once", pair.together),
-        };
-        one(&mut svg, "certain", below, bar(pair.together), &words);
-        if let Some(limit) = pair.limit {
-            let x = below.x + bar(limit);
-            svg.line(
-                "ink bold",
-                DVec2::new(x, below.y - 4.0),
-                DVec2::new(x, below.y + 20.0),
-            );
-        }
+        pair.draw(&mut svg, corner, bar);
     }
     Ok(Drawn {
         svg: svg.finish(),
         table: table(&pairs),
     })
+}
+
+impl Pair {
+    /// Two bars from `corner` on, as long as `bar` says.
+    fn draw(&self, svg: &mut Svg, corner: DVec2, bar: impl Fn(f64) -> f64) {
+        let name = corner + DVec2::new(-10.0, 26.0);
+        svg.label("ink", name, Anchor::End, &self.name);
+        if let Some(alone) = self.alone {
+            let words = format!("{alone:.2} one by one");
+            one(svg, "faint", corner, bar(alone), &words);
+        }
+        let below = corner + DVec2::new(0.0, 22.0);
+        let mut words = format!("{:.2} many at once", self.together);
+        if let Some(limit) = self.limit {
+            let percent = 100.0 * limit / self.together;
+            words += &format!(", {percent:.0} % of the limit");
+        }
+        one(svg, "certain", below, bar(self.together), &words);
+        if let Some(limit) = self.limit {
+            let at = below + DVec2::new(bar(limit), 0.0);
+            let [above, beneath] = [-4.0, 20.0].map(|y| at + DVec2::new(0.0, y));
+            svg.line("ink bold", above, beneath);
+        }
+    }
 }
 
 /// A bar, with words behind its end.
@@ -84,26 +82,24 @@ fn one(svg: &mut Svg, idea: &str, corner: DVec2, length: f64, words: &str) {
 }
 
 fn read(timings: &str) -> Result<Vec<Pair>, String> {
-    let file = Table::read("timings.csv", timings)?;
-    let (mut pairs, mut alone, mut limits) = (Vec::new(), Vec::new(), Vec::new());
-    for row in file.rows() {
-        let (what, name, place) = (row.text("what")?, row.text("name")?, row.text("where")?);
-        let (precision, time) = (row.text("precision")?, row.number("median_ns")?);
-        match (what, name, place) {
-            ("batch", _, "book") => pairs.push((name, precision, time)),
-            ("method", _, "book") => alone.push((name, time)),
-            ("limit", "packed", _) => limits.push((precision, time)),
-            _ => {}
-        }
-    }
-    let find = |list: &[(&str, f64)], name| list.iter().find(|one| one.0 == name).map(|one| one.1);
-    let pair = |(name, precision, together)| Pair {
-        name: String::from(name),
-        alone: find(&alone, name),
-        together,
-        limit: find(&limits, precision),
+    let timings = Table::<Timing>::read(timings)?;
+    let limit = |precision| {
+        let packed = |row: &&Timing| row.what == "limit" && row.name == "packed";
+        let mut limits = timings.rows.iter().filter(packed);
+        limits.find(|row| row.precision == precision)
     };
-    Ok(pairs.into_iter().map(pair).collect())
+    let batches = timings.rows.iter().filter(|row| row.what == "batch");
+    let pair = |row: &Timing| Pair {
+        name: row.name.clone(),
+        alone: timings.find("method", &row.name, "book").map(median),
+        together: row.median_ns,
+        limit: limit(row.precision).map(median),
+    };
+    Ok(batches.map(pair).collect())
+}
+
+fn median(row: &Timing) -> f64 {
+    row.median_ns
 }
 
 fn table(pairs: &[Pair]) -> String {

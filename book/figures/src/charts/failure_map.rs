@@ -6,7 +6,7 @@ use common::rtweekend::*;
 use glam::DVec2;
 use speed_vs_accuracy::{Case, METHODS, Precision};
 
-use super::{Chart, Drawn, WIDTH};
+use super::chart::{Chart, Drawn, WIDTH};
 use crate::svg::{Anchor, SMALL, Svg, width};
 
 /// The map, which is computed by the methods when it is drawn.

@@ -5,10 +5,11 @@ use std::fmt::Write;
 use glam::DVec2;
 
 use super::axes::{Axis, Panel};
-use super::data::Table;
+use super::chart::{Chart, Drawn, WIDTH};
 use super::labels::{Labels, Place, spread};
-use super::{Chart, Drawn, WIDTH};
+use crate::records::Timing;
 use crate::svg::{Anchor, SMALL, Svg};
+use crate::table::{Record, Table};
 
 /// Lines, and where they cross.
 pub(super) const CHART: Chart = Chart {
@@ -21,7 +22,7 @@ pub(super) const CHART: Chart = Chart {
     caption: "A list takes twice as long for twice as many spheres, a tree hardly longer. The batch \
         asks 64 spheres at once, whether it has them or not. A ring marks the number of spheres \
         from which the tree is faster.",
-    files: &["measured/timings.csv"],
+    files: &[Timing::FILE],
     draw: |files| draw(files[0]),
 };
 
@@ -140,18 +141,14 @@ fn crossing(list: &Line, tree: &Line) -> Option<(f64, f64)> {
 }
 
 fn read(timings: &str) -> Result<Vec<Line>, String> {
-    let file = Table::read("timings.csv", timings)?;
+    let rows = Table::<Timing>::read(timings)?.rows.into_iter();
     let mut lines: Vec<Line> = Vec::new();
-    for row in file.rows() {
-        if row.text("what")? != "growth" {
-            continue;
-        }
-        let name = row.text("name")?;
-        let point = (row.number("n")?, row.number("median_ns")?);
-        match lines.iter_mut().find(|line| line.name == name) {
+    for row in rows.filter(|row| row.what == "growth") {
+        let point = (row.n as f64, row.median_ns);
+        match lines.iter_mut().find(|line| line.name == row.name) {
             Some(line) => line.points.push(point),
             None => lines.push(Line {
-                name: name.to_owned(),
+                name: row.name,
                 points: vec![point],
             }),
         }

@@ -1,6 +1,7 @@
 //! What the marks mean.
 
 use glam::DVec2;
+use speed_vs_accuracy::Precision::{Double, Single};
 
 use super::methods::{cross, mark};
 use crate::svg::{Anchor, SMALL, Svg, width};
@@ -9,13 +10,13 @@ use crate::svg::{Anchor, SMALL, Svg, width};
 pub(super) fn methods(svg: &mut Svg, at: DVec2) {
     let mut x = at.x;
     let marks: [(Mark, &str); 5] = [
-        (&|svg, at| mark(svg, "ink", false, at), "f64"),
-        (&|svg, at| mark(svg, "ink", true, at), "f32"),
+        (&|svg, at| mark(svg, "ink", Double, at), "f64"),
+        (&|svg, at| mark(svg, "ink", Single, at), "f32"),
         (
-            &|svg, at| mark(svg, "reference", false, at),
+            &|svg, at| mark(svg, "reference", Double, at),
             "half_b, as in the chapters",
         ),
-        (&|svg, at| mark(svg, "certain", false, at), "certified"),
+        (&|svg, at| mark(svg, "certain", Double, at), "certified"),
         (&|svg, at| cross(svg, at), "confuses some hits and misses"),
     ];
     for (draw, words) in marks {

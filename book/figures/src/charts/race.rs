@@ -4,8 +4,10 @@ use std::fmt::Write;
 
 use glam::DVec2;
 
-use super::{Chart, Drawn, WIDTH};
+use super::chart::{Chart, Drawn, WIDTH};
+use crate::records::Race;
 use crate::svg::{Anchor, number};
+use crate::table::{Record, Table};
 
 /// Bars: ours and the rival's.
 pub(super) const CHART: Chart = Chart {
@@ -15,42 +17,32 @@ pub(super) const CHART: Chart = Chart {
         long for a plain C++ program in the manner of the book.",
     caption: "Milliseconds to draw a picture 3840 pixels wide as text, the median of several runs. \
         Both programs write the same bytes.",
-    files: &["speed/heats.txt"],
+    files: &[Race::FILE],
     draw: |files| draw(files[0]),
 };
 
-/// A picture, and the milliseconds of both programs.
-struct Heat<'a> {
-    picture: &'a str,
-    ours: f64,
-    rival: f64,
-}
-
 fn draw(file: &str) -> Result<Drawn, String> {
-    let heats = read(file)?;
-    let longest = heats.iter().map(|heat| heat.rival).fold(1.0, f64::max);
+    let mut races = Table::<Race>::read(file)?.rows;
+    races.retain(|race| race.width == 3840 && race.to == "nowhere");
+    let longest = races.iter().map(|race| race.cpp_median_ms);
+    let longest = longest.fold(1.0, f64::max);
     let bar = |time: f64| (WIDTH - 270.0) * time / longest;
-    let mut svg = CHART.sheet(34.0 + 52.0 * heats.len() as f64);
+    let mut svg = CHART.sheet(34.0 + 52.0 * races.len() as f64);
     let title = "milliseconds for a picture 3840 pixels wide, as text";
     svg.small_label("faint", DVec2::new(12.0, 20.0), Anchor::Start, title);
-    for (heat, place) in heats.iter().zip(0..) {
+    for (race, place) in races.iter().zip(0..) {
         let corner = DVec2::new(132.0, 38.0 + 52.0 * f64::from(place));
         svg.label(
             "ink",
             corner + DVec2::new(-10.0, 24.0),
             Anchor::End,
-            heat.picture,
+            &race.chapter,
         );
-        let ours = format!(
-            "{:.0} Rust, {} times as fast",
-            heat.ours,
-            number((heat.rival / heat.ours).round())
-        );
-        let rival = format!("{:.0} C++", heat.rival);
-        for (idea, time, words, y) in [
-            ("ray", heat.ours, ours, 0.0),
-            ("faint", heat.rival, rival, 19.0),
-        ] {
+        let (rust, cpp) = (race.rust_median_ms, race.cpp_median_ms);
+        let ratio = number(race.ratio().round());
+        let ours = format!("{rust:.0} Rust, {ratio} times as fast");
+        let rival = format!("{cpp:.0} C++");
+        for (idea, time, words, y) in [("ray", rust, ours, 0.0), ("faint", cpp, rival, 19.0)] {
             let from = corner + DVec2::new(0.0, y);
             svg.rect(&format!("{idea} solid"), from, DVec2::new(bar(time), 16.0));
             let at = from + DVec2::new(bar(time) + 8.0, 12.5);
@@ -59,53 +51,24 @@ fn draw(file: &str) -> Result<Drawn, String> {
     }
     Ok(Drawn {
         svg: svg.finish(),
-        table: table(&heats),
+        table: table(&races),
     })
 }
 
-/// The heats of large pictures that went nowhere.
-fn read(file: &str) -> Result<Vec<Heat<'_>>, String> {
-    let mut heats = Vec::new();
-    for (line, n) in file.lines().zip(1..) {
-        if line.starts_with('#') {
-            continue;
-        }
-        let words: Vec<&str> = line.split(' ').collect();
-        let [picture, width, to, ours, _, _, rival, _, _] = words[..] else {
-            return Err(format!("heats.txt, line {n}: a heat has nine words"));
-        };
-        let time = |word: &str| {
-            word.parse::<f64>()
-                .map_err(|_| format!("heats.txt, line {n}: `{word}` is no time"))
-        };
-        let (ours, rival) = (time(ours)?, time(rival)?);
-        if width == "3840" && to == "nowhere" {
-            heats.push(Heat {
-                picture,
-                ours,
-                rival,
-            });
-        }
-    }
-    Ok(heats)
-}
-
-fn table(heats: &[Heat]) -> String {
+fn table(races: &[Race]) -> String {
     let mut table = "\
 | picture | Rust, ms | C++, ms | C++ ÷ Rust |
 |---|---:|---:|---:|
 "
     .to_owned();
-    for Heat {
-        picture,
-        ours,
-        rival,
-    } in heats
-    {
+    for race in races {
         let _ = writeln!(
             table,
-            "| {picture} | {ours:.1} | {rival:.0} | {:.1} |",
-            rival / ours
+            "| {} | {:.1} | {:.0} | {:.1} |",
+            race.chapter,
+            race.rust_median_ms,
+            race.cpp_median_ms,
+            race.ratio()
         );
     }
     table

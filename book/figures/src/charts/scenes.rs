@@ -1,16 +1,16 @@
 //! Wrong pixels, scene by scene and method by method.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use glam::DVec2;
+use speed_vs_accuracy::Precision;
 
-use super::data::Table;
-use super::methods::times;
-use super::{Chart, Drawn, WIDTH};
+use super::chart::{Chart, Drawn, WIDTH};
+use crate::records::{Timing, WrongPixels};
 use crate::svg::{Anchor, Svg};
+use crate::table::{Record, Table};
 
-/// The table of heat.
+/// A heat map.
 pub(super) const CHART: Chart = Chart {
     name: "scenes",
     title: "Wrong pixels, scene by scene and method by method",
@@ -22,47 +22,43 @@ pub(super) const CHART: Chart = Chart {
     caption: "Pixels of a thousand that differ from the exact picture. Methods are in order of \
         their time on the rays of the book. Framed: the fastest one without a wrong pixel, in f32 \
         and in f64, which is the least that this scene needs.",
-    files: &["measured/scenes.snap.csv", "measured/timings.csv"],
+    files: &[WrongPixels::FILE, Timing::FILE],
     draw: |files| draw(files[0], files[1]),
 };
 
-/// How many pixels a picture has and how many are wrong, by scene and method.
-type Cells = BTreeMap<(String, String), (f64, f64)>;
-
-/// A method, and whether it computes in `f32`.
-type Method = (String, bool);
+/// A method, and what it computes with.
+type Method = (String, Precision);
 
 fn draw(scenes: &str, timings: &str) -> Result<Drawn, String> {
-    let file = Table::read("scenes.snap.csv", scenes)?;
-    let (mut cells, mut names, mut methods) = (Cells::new(), Vec::new(), Vec::new());
-    for row in file.rows() {
-        let (scene, method) = (
-            row.text("scene")?.to_owned(),
-            row.text("method")?.to_owned(),
-        );
-        let single = row.text("precision")? == "f32";
-        let pixels = (row.number("pixels")?, row.number("wrong")?);
-        if !names.contains(&scene) {
-            names.push(scene.clone());
+    let cells = Table::<WrongPixels>::read(scenes)?.rows;
+    let timings = Table::<Timing>::read(timings)?;
+    let (mut names, mut methods): (Vec<String>, Vec<Method>) = (Vec::new(), Vec::new());
+    for row in &cells {
+        let method = (row.method.clone(), row.precision);
+        if !names.contains(&row.scene) {
+            names.push(row.scene.clone());
         }
-        if !methods.contains(&(method.clone(), single)) {
-            methods.push((method.clone(), single));
+        if !methods.contains(&method) {
+            methods.push(method);
         }
-        cells.insert((scene, method), pixels);
     }
-    let times = times(timings)?;
     let time = |(method, _): &Method| {
-        let time = times.get(&("book".to_owned(), method.clone()));
-        time.map_or(f64::INFINITY, |time| time.0)
+        let time = timings.find("method", method, "book");
+        time.map_or(f64::INFINITY, |time| time.median_ns)
     };
     methods.sort_by(|one, other| time(one).total_cmp(&time(other)));
     Ok(Drawn {
-        svg: heat(&cells, &names, &methods),
+        svg: heat_map(&cells, &names, &methods),
         table: table(&cells, &names, &methods),
     })
 }
 
-fn heat(cells: &Cells, scenes: &[String], methods: &[Method]) -> String {
+fn find<'a>(cells: &'a [WrongPixels], scene: &str, method: &str) -> Option<&'a WrongPixels> {
+    let is_wanted = |cell: &&WrongPixels| cell.scene == scene && cell.method == method;
+    cells.iter().find(is_wanted)
+}
+
+fn heat_map(cells: &[WrongPixels], scenes: &[String], methods: &[Method]) -> String {
     let (left, top, high) = (166.0, 62.0, 24.0);
     let wide = (WIDTH - left - 12.0) / scenes.len() as f64;
     let mut svg = CHART.sheet(top + high * methods.len() as f64 + 12.0);
@@ -72,18 +68,22 @@ fn heat(cells: &Cells, scenes: &[String], methods: &[Method]) -> String {
         let x = left + wide * column as f64;
         let middle = DVec2::new(x + 0.5 * wide, top - 8.0);
         svg.small_label("ink", middle, Anchor::Middle, &scene.replace('_', " "));
-        let mut found = [false; 2];
-        for (row, (method, single)) in methods.iter().enumerate() {
+        let mut found = Vec::new();
+        for (row, (method, precision)) in methods.iter().enumerate() {
             let corner = DVec2::new(x, top + high * row as f64);
-            let Some(&(pixels, wrong)) = cells.get(&(scene.clone(), method.clone())) else {
+            let Some(shown) = find(cells, scene, method) else {
                 continue;
             };
             let size = DVec2::new(wide - 3.0, high - 3.0);
-            cell(&mut svg, corner, size, wrong / pixels);
-            let found = &mut found[usize::from(*single)];
-            if wrong == 0.0 && !*found {
+            cell(
+                &mut svg,
+                corner,
+                size,
+                shown.wrong as f64 / shown.pixels as f64,
+            );
+            if shown.wrong == 0 && !found.contains(precision) {
                 svg.rect("certain bold", corner, size);
-                *found = true;
+                found.push(*precision);
             }
         }
     }
@@ -122,7 +122,7 @@ fn per_thousand(part: f64) -> String {
     }
 }
 
-fn table(cells: &Cells, scenes: &[String], methods: &[Method]) -> String {
+fn table(cells: &[WrongPixels], scenes: &[String], methods: &[Method]) -> String {
     let mut table = "| wrong pixels |".to_owned();
     for scene in scenes {
         let _ = write!(table, " {} |", scene.replace('_', " "));
@@ -133,8 +133,8 @@ fn table(cells: &Cells, scenes: &[String], methods: &[Method]) -> String {
     for (method, _) in methods {
         let _ = write!(table, "| `{method}` |");
         for scene in scenes {
-            let _ = match cells.get(&(scene.clone(), method.clone())) {
-                Some((pixels, wrong)) => write!(table, " {wrong} of {pixels} |"),
+            let _ = match find(cells, scene, method) {
+                Some(cell) => write!(table, " {} of {} |", cell.wrong, cell.pixels),
                 None => write!(table, " |"),
             };
         }

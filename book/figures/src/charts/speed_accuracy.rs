@@ -6,12 +6,16 @@ use glam::DVec2;
 use speed_vs_accuracy::find_regime;
 
 use super::axes::{Axis, Panel};
+use super::chart::{Chart, Drawn, WIDTH};
 use super::labels::{Labels, Place};
-use super::methods::{Measured, read, short};
-use super::{Chart, Drawn, WIDTH, legend};
+use super::legend;
+use super::methods::{Measured, read};
+use crate::number::short;
+use crate::records::{Accuracy, Timing};
 use crate::svg::{Anchor, Svg};
+use crate::table::Record;
 
-const FILES: &[&str] = &["measured/accuracy.snap.csv", "measured/timings.csv"];
+const FILES: &[&str] = &[Accuracy::FILE, Timing::FILE];
 
 /// The book's own rays.
 pub(super) const BOOK: Chart = Chart {
@@ -54,8 +58,8 @@ pub(super) const REGIMES: Chart = Chart {
         let all = read(files[0], files[1])?;
         let mut regimes: Vec<&str> = Vec::new();
         for one in &all {
-            if !regimes.contains(&&one.regime[..]) {
-                regimes.push(&one.regime);
+            if !regimes.contains(&&one.accuracy.regime[..]) {
+                regimes.push(&one.accuracy.regime);
             }
         }
         let rows = regimes.len().div_ceil(2);
@@ -82,9 +86,9 @@ pub(super) const REGIMES: Chart = Chart {
 };
 
 fn of_regime(all: &[Measured], regime: &str) -> Vec<Measured> {
-    let of = all
-        .iter()
-        .filter(|one| one.regime == regime && one.ulps.is_finite());
+    let of_regime = |one: &&Measured| one.accuracy.regime == regime;
+    let has_hit = |one: &&Measured| one.accuracy.p999_ulps.is_some();
+    let of = all.iter().filter(of_regime).filter(has_hit);
     of.cloned().collect()
 }
 
@@ -102,7 +106,7 @@ impl<'a> Plot<'a> {
     /// The methods `shown` on scales that are wide enough for `all`.
     fn new(corner: DVec2, size: DVec2, shown: &'a [Measured], all: &[Measured]) -> Self {
         let title = "nanoseconds for one test";
-        let nanoseconds = all.iter().map(|one| one.nanoseconds);
+        let nanoseconds = all.iter().map(|one| one.time.median_ns);
         Self {
             panel: Panel {
                 corner,
@@ -119,7 +123,7 @@ impl<'a> Plot<'a> {
 
     /// Leaves more room for the fast ones, and names every method.
     fn in_detail(mut self) -> Self {
-        let times = || self.shown.iter().map(|one| one.nanoseconds);
+        let times = || self.shown.iter().map(|one| one.time.median_ns);
         let slowest = 8.0 * times().fold(f64::INFINITY, f64::min);
         let fast = times().map(|time| time.min(slowest));
         self.panel.x = Axis::logarithmic(&self.panel.x.title, fast);
@@ -129,7 +133,7 @@ impl<'a> Plot<'a> {
     }
 
     fn at(&self, one: &Measured) -> DVec2 {
-        let shown = one.nanoseconds.min(self.slowest);
+        let shown = one.time.median_ns.min(self.slowest);
         self.panel.at(shown, one.digits())
     }
 
@@ -155,7 +159,7 @@ impl<'a> Plot<'a> {
 
     /// The two lines that meet in `half_b`.
     fn through_reference(&self) -> Vec<[DVec2; 2]> {
-        let Some(reference) = self.shown.iter().find(|one| one.method == "half_b") else {
+        let Some(reference) = self.shown.iter().find(|one| one.method() == "half_b") else {
             return Vec::new();
         };
         let DVec2 { x, y } = self.at(reference);
@@ -175,11 +179,11 @@ impl<'a> Plot<'a> {
         }
         for one in sorted {
             let named = self.name_all || one.idea() != "ink" || self.front.contains(&one);
-            if one.nanoseconds > self.slowest {
-                let text = format!("{}, {:.0} ns →", one.method, one.nanoseconds);
+            if one.time.median_ns > self.slowest {
+                let text = format!("{}, {:.0} ns →", one.method(), one.time.median_ns);
                 labels.put(svg, one.idea(), self.at(one), &text);
             } else if named {
-                labels.put(svg, one.idea(), self.at(one), &one.method);
+                labels.put(svg, one.idea(), self.at(one), one.method());
             }
         }
     }
@@ -193,8 +197,9 @@ const IDEAS: [&str; 3] = ["reference", "certain", "ink"];
 fn front(shown: &[Measured]) -> Vec<&Measured> {
     let mut sorted: Vec<&Measured> = shown.iter().filter(|one| one.digits() >= 1.0).collect();
     sorted.sort_by(|one, other| {
-        one.nanoseconds
-            .total_cmp(&other.nanoseconds)
+        one.time
+            .median_ns
+            .total_cmp(&other.time.median_ns)
             .then(other.digits().total_cmp(&one.digits()))
     });
     let mut best: Vec<&Measured> = Vec::new();
@@ -229,13 +234,13 @@ fn table(shown: &[Measured]) -> String {
         let _ = writeln!(
             table,
             "| {} | `{}` | {:.2} | {:.2} | {:.1} | {} | {} |",
-            one.regime.replace('_', " "),
-            one.method,
-            one.nanoseconds,
-            one.ratio,
+            one.accuracy.regime.replace('_', " "),
+            one.method(),
+            one.time.median_ns,
+            one.time.ratio,
             one.digits(),
-            short(one.ulps),
-            short(one.wrong)
+            one.accuracy.p999_ulps.map_or("none".to_owned(), short),
+            short(one.accuracy.wrong_per_million)
         );
     }
     table

@@ -3,15 +3,18 @@
 use std::fmt::Write;
 
 use glam::DVec2;
+use speed_vs_accuracy::Precision;
 
 use super::axes::{Axis, Panel};
-use super::data::Table;
+use super::chart::{Chart, Drawn};
 use super::labels::spread;
-use super::methods::{certified, cross, digits, short};
-use super::{Chart, Drawn};
+use super::methods::{certified, cross, digits};
+use crate::number::{raised, short};
+use crate::records::Level;
 use crate::svg::{Anchor, SMALL, Svg};
+use crate::table::{Record, Table};
 
-const FILES: &[&str] = &["measured/sweeps.snap.csv"];
+const FILES: &[&str] = &[Level::FILE];
 
 /// Error against distance.
 pub(super) const DISTANCE: Chart = Chart {
@@ -63,9 +66,8 @@ pub(super) const GRAZING: Chart = Chart {
 /// A method from level to level.
 struct Line {
     method: String,
-    single: bool,
-    /// Level, digits, and wrong decisions among a million.
-    points: Vec<(f64, f64, f64)>,
+    precision: Precision,
+    levels: Vec<Level>,
 }
 
 fn draw(
@@ -77,31 +79,18 @@ fn draw(
 ) -> Result<Drawn, String> {
     let lines = read(file, regime)?;
     let mut svg = chart.sheet(400.0);
-    let words = "digits of *t* that are right, in 999 of 1000 hits";
-    svg.small_label("faint", DVec2::new(16.0, 20.0), Anchor::Start, words);
-    cross(&mut svg, DVec2::new(424.0, 15.5));
-    let words = "from here on, hits and misses are confused";
-    svg.small_label("ink", DVec2::new(438.0, 20.0), Anchor::Start, words);
-    for (single, x, width) in [(false, 40.0, 190.0), (true, 404.0, 140.0)] {
-        let lines: Vec<&Line> = lines.iter().filter(|line| line.single == single).collect();
-        let last = lines
-            .iter()
-            .flat_map(|line| &line.points)
-            .map(|point| point.0);
-        let last = last.fold(1.0, f64::max) as i32;
-        let step = match last {
-            ..9 => 2,
-            9..13 => 3,
-            _ => 5,
-        };
-        let ticks = (0..=last)
-            .step_by(step)
-            .map(|level| (f64::from(level), tick(level)));
+    explain(&mut svg);
+    for (precision, x, width) in [
+        (Precision::Double, 40.0, 190.0),
+        (Precision::Single, 404.0, 140.0),
+    ] {
+        let of_precision = |line: &&Line| line.precision == precision;
+        let lines: Vec<&Line> = lines.iter().filter(of_precision).collect();
         let panel = Panel {
             corner: DVec2::new(x, 60.0),
             size: DVec2::new(width, 290.0),
-            x: Axis::linear(title, 0.0, f64::from(last), 1.0).with_ticks(ticks.collect()),
-            y: Axis::linear(if single { "f32" } else { "f64" }, 0.0, 16.0, 4.0),
+            x: axis(title, &lines, tick),
+            y: Axis::linear(precision.name(), 0.0, 16.0, 4.0),
         };
         panel.draw(&mut svg);
         plot(&mut svg, &panel, &lines);
@@ -112,6 +101,28 @@ fn draw(
     })
 }
 
+fn explain(svg: &mut Svg) {
+    let words = "digits of *t* that are right, in 999 of 1000 hits";
+    svg.small_label("faint", DVec2::new(16.0, 20.0), Anchor::Start, words);
+    cross(svg, DVec2::new(424.0, 15.5));
+    let words = "from here on, hits and misses are confused";
+    svg.small_label("ink", DVec2::new(438.0, 20.0), Anchor::Start, words);
+}
+
+/// All levels of `lines`, with some of them marked.
+fn axis(title: &str, lines: &[&Line], tick: fn(i32) -> String) -> Axis {
+    let levels = lines.iter().flat_map(|line| &line.levels);
+    let last = levels.map(|row| row.level).fold(1, i32::max);
+    let step = match last {
+        ..9 => 2,
+        9..13 => 3,
+        _ => 5,
+    };
+    let marked = (0..=last).step_by(step);
+    let ticks = marked.map(|level| (f64::from(level), tick(level)));
+    Axis::linear(title, 0.0, f64::from(last), 1.0).with_ticks(ticks.collect())
+}
+
 /// Draws the lines, and their names beside the panel, in the order in which the
 /// lines end.
 fn plot(svg: &mut Svg, panel: &Panel, lines: &[&Line]) {
@@ -120,14 +131,11 @@ fn plot(svg: &mut Svg, panel: &Panel, lines: &[&Line]) {
     let mut sorted = lines.to_vec();
     sorted.sort_by_key(|line| STROKES.iter().position(|stroke| *stroke == line.stroke()));
     for line in sorted {
-        let points: Vec<DVec2> = line
-            .points
-            .iter()
-            .map(|point| panel.at(point.0, point.1))
-            .collect();
+        let at = |row: &Level| panel.at(f64::from(row.level), right_digits(row));
+        let points: Vec<DVec2> = line.levels.iter().map(at).collect();
         svg.path(&format!("{} {}", line.idea(), line.stroke()), &points);
-        if let Some(at) = line.points.iter().find(|point| point.2 > 0.0) {
-            cross(svg, panel.at(at.0, at.1));
+        if let Some(row) = line.levels.iter().find(|row| row.wrong_per_million > 0.0) {
+            cross(svg, at(row));
         }
         ends.extend(points.last().map(|end| (*end, line)));
     }
@@ -172,71 +180,54 @@ impl Line {
     }
 }
 
+fn right_digits(row: &Level) -> f64 {
+    digits(row.p999_ulps, row.precision)
+}
+
 fn read(file: &str, regime: &str) -> Result<Vec<Line>, String> {
-    let table = Table::read("sweeps.snap.csv", file)?;
+    let rows = Table::<Level>::read(file)?.rows.into_iter();
     let mut lines: Vec<Line> = Vec::new();
-    for row in table.rows() {
-        if row.text("regime")? != regime {
-            continue;
+    for row in rows.filter(|row| row.regime == regime) {
+        match lines.iter_mut().find(|line| line.method == row.method) {
+            Some(line) => line.levels.push(row),
+            None => lines.push(Line {
+                method: row.method.clone(),
+                precision: row.precision,
+                levels: vec![row],
+            }),
         }
-        let method = row.text("method")?;
-        let single = row.text("precision")? == "f32";
-        let ulps = row.number("p999_ulps")?;
-        let known = lines.iter().position(|line| line.method == method);
-        let place = known.unwrap_or_else(|| {
-            lines.push(Line {
-                method: method.to_owned(),
-                single,
-                points: Vec::new(),
-            });
-            lines.len() - 1
-        });
-        let left = if ulps.is_nan() {
-            0.0
-        } else {
-            digits(ulps, single)
-        };
-        let point = (row.number("level")?, left, row.number("wrong_per_million")?);
-        lines[place].points.push(point);
     }
     Ok(lines)
 }
 
 fn table(lines: &[Line]) -> String {
-    let levels = |line: &Line| {
-        line.points
-            .iter()
-            .map(|point| point.0 as i32)
-            .collect::<Vec<_>>()
-    };
-    let all = lines
-        .iter()
-        .map(levels)
-        .max_by_key(Vec::len)
-        .unwrap_or_default();
+    let longest = lines.iter().max_by_key(|line| line.levels.len());
+    let levels = longest.iter().flat_map(|line| &line.levels);
+    let levels: Vec<i32> = levels.map(|row| row.level).collect();
     let mut table = "| digits right, at 10ᵏ; ✗ wrong decisions per million |".to_owned();
-    for level in &all {
+    for level in &levels {
         let _ = write!(table, " k = {level} |");
     }
     table += "\n|---|";
-    table += &"---:|".repeat(all.len());
+    table += &"---:|".repeat(levels.len());
     table.push('\n');
     for line in lines {
         let _ = write!(table, "| `{}` |", line.method);
-        for level in &all {
-            let point = line
-                .points
-                .iter()
-                .find(|point| point.0 == f64::from(*level));
-            let _ = match point {
-                None => write!(table, " |"),
-                Some((_, digits, 0.0)) => write!(table, " {digits:.1} |"),
-                Some((_, digits, wrong)) => write!(table, " {digits:.1}, ✗ {} |", short(*wrong)),
-            };
+        for level in &levels {
+            let row = line.levels.iter().find(|row| row.level == *level);
+            table += &row.map_or(" |".to_owned(), field);
         }
         table.push('\n');
     }
     table
+}
+
+fn field(row: &Level) -> String {
+    let digits = right_digits(row);
+    match row.wrong_per_million {
+        0.0 => format!(" {digits:.1} |"),
+        wrong => format!(" {digits:.1}, ✗ {} |", short(wrong)),
+    }
 }
 
 /// A power of ten; of 10⁰, and of 10⁻⁰, it is 1.
@@ -245,19 +236,4 @@ fn power(ten: &str, level: i32) -> String {
         0 => "1".to_owned(),
         _ => format!("{ten}{}", raised(level)),
     }
-}
-
-/// A number as an exponent.
-pub(super) fn raised(number: i32) -> String {
-    let digit = |digit: char| {
-        digit
-            .to_digit(10)
-            .map(|digit| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize))
-    };
-    number
-        .to_string()
-        .chars()
-        .filter_map(digit)
-        .flatten()
-        .collect()
 }

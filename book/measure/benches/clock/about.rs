@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::process::Command;
 
+use figures::records::Timing;
+use figures::table::Table;
 use measure::machine;
-use measure::timings::Timings;
 
 use crate::contest::Effort;
 
@@ -33,7 +34,7 @@ pub(crate) fn about(effort: &Effort) -> BTreeMap<String, String> {
 }
 
 /// A table for people.
-pub(crate) fn table(timings: &Timings) -> String {
+pub(crate) fn table(timings: &Table<Timing>) -> String {
     let mut text = String::new();
     for (key, value) in &timings.about {
         let _ = writeln!(text, "{key}: {value}");
@@ -47,7 +48,14 @@ pub(crate) fn table(timings: &Timings) -> String {
         let _ = writeln!(
             text,
             "{:<8}{:<22}{:<14}{:>6}{:>12.2}{:>12.2}{:>12.2}{:>8.2}",
-            row.what, row.name, row.place, row.n, row.median, row.least, row.greatest, row.ratio
+            row.what,
+            row.name,
+            row.place,
+            row.n,
+            row.median_ns,
+            row.least_ns,
+            row.greatest_ns,
+            row.ratio
         );
     }
     text

@@ -1,16 +1,18 @@
 //! Who is faster: everyone in turns, many times.
 //!
 //! Other programs disturb a clock, and a processor changes its pace. So nothing
-//! is measured at a stretch: in each round everyone of a heat has a short turn,
+//! is measured at a stretch: in each round everyone of a group has a short turn,
 //! and is compared with the first one in the same round.
 
 use std::time::{Duration, Instant};
 
+use figures::records::Timing;
 use indicatif::{ProgressBar, ProgressStyle};
-use measure::timings::Timing;
+use measure::spread::Spread;
+use speed_vs_accuracy::Precision;
 
 /// Those that take turns. The first is what the others are compared with.
-pub(crate) struct Heat(pub(crate) Vec<Runner>);
+pub(crate) struct Group(pub(crate) Vec<Runner>);
 
 /// Something whose time is taken.
 pub(crate) struct Runner {
@@ -44,7 +46,8 @@ impl Effort {
 impl Runner {
     /// Someone whose times are not yet taken.
     pub(crate) fn new(
-        [what, name, precision, place]: [&str; 4],
+        [what, name, place]: [&str; 3],
+        precision: Precision,
         n: usize,
         work: usize,
         run: impl FnMut() + 'static,
@@ -52,12 +55,12 @@ impl Runner {
         let row = Timing {
             what: what.to_owned(),
             name: name.to_owned(),
-            precision: precision.to_owned(),
+            precision,
             place: place.to_owned(),
             n,
-            median: f64::NAN,
-            least: f64::NAN,
-            greatest: f64::NAN,
+            median_ns: f64::NAN,
+            least_ns: f64::NAN,
+            greatest_ns: f64::NAN,
             ratio: f64::NAN,
         };
         let run = Box::new(run);
@@ -94,20 +97,20 @@ impl Runner {
 }
 
 /// The rows of all runners, in order.
-pub(crate) fn run(heats: Vec<Heat>, effort: &Effort) -> Vec<Timing> {
-    let bar = ProgressBar::new((heats.len() * effort.rounds) as u64);
+pub(crate) fn run(groups: Vec<Group>, effort: &Effort) -> Vec<Timing> {
+    let bar = ProgressBar::new((groups.len() * effort.rounds) as u64);
     let style = ProgressStyle::with_template("{bar:40} {percent} %, {eta} left")
         .expect("the template is well-formed");
     bar.set_style(style);
-    let rows = heats
+    let rows = groups
         .into_iter()
-        .flat_map(|heat| take_times(heat, effort, &bar));
+        .flat_map(|group| take_times(group, effort, &bar));
     let rows = rows.collect();
     bar.finish_and_clear();
     rows
 }
 
-fn take_times(Heat(mut runners): Heat, effort: &Effort, bar: &ProgressBar) -> Vec<Timing> {
+fn take_times(Group(mut runners): Group, effort: &Effort, bar: &ProgressBar) -> Vec<Timing> {
     let runs: Vec<usize> = runners
         .iter_mut()
         .map(|runner| runner.runs_in(effort.turn))
@@ -128,18 +131,17 @@ fn take_times(Heat(mut runners): Heat, effort: &Effort, bar: &ProgressBar) -> Ve
 
 fn filled_in(row: Timing, times: Vec<f64>, first: &[f64]) -> Timing {
     let ratios = times.iter().zip(first).map(|(time, first)| time / first);
-    let ratios = sorted(ratios.collect());
-    let times = sorted(times);
+    let ratio = Spread::of(ratios.collect()).median;
+    let Spread {
+        median: median_ns,
+        least: least_ns,
+        greatest: greatest_ns,
+    } = Spread::of(times);
     Timing {
-        median: times[times.len() / 2],
-        least: times[0],
-        greatest: times[times.len() - 1],
-        ratio: ratios[ratios.len() / 2],
+        median_ns,
+        least_ns,
+        greatest_ns,
+        ratio,
         ..row
     }
-}
-
-fn sorted(mut numbers: Vec<f64>) -> Vec<f64> {
-    numbers.sort_by(f64::total_cmp);
-    numbers
 }

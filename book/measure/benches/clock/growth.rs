@@ -6,18 +6,18 @@ use std::rc::Rc;
 use std::time::Duration;
 
 use common::rtweekend::*;
+use figures::records::Timing;
 use glam::Vec3A;
 use hittable_list::{Hittable, HittableList, Sphere};
-use measure::timings::Timing;
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
 use obvhs::ray::{Ray as BoxRay, RayHit};
-use speed_vs_accuracy::Random;
 use speed_vs_accuracy::batch::{BLOCK, Block, nearest};
+use speed_vs_accuracy::{Precision, Random};
 
-use crate::contest::{Heat, Runner};
+use crate::contest::{Group, Runner};
 use crate::one_by_one;
 
 /// The largest number of spheres, as a power of two.
@@ -26,15 +26,15 @@ const LARGEST: u32 = 16;
 /// Ways to keep spheres, in order of what they take to write.
 const KEEPERS: [&str; 4] = ["boxed_list", "vec", "batch", "bvh"];
 
-/// One heat for each number of spheres; every second one if it must be quick.
+/// One group for each number of spheres; every second one if it must be quick.
 ///
 /// # Errors
 /// If two ways to keep spheres find different hits.
-pub(crate) fn heats(quick: bool) -> Result<Vec<Heat>, Box<dyn Error>> {
+pub(crate) fn groups(quick: bool) -> Result<Vec<Group>, Box<dyn Error>> {
     let step = if quick { 2 } else { 1 };
     (0..=LARGEST)
         .step_by(step)
-        .map(|power| heat(1 << power))
+        .map(|power| group(1 << power))
         .collect()
 }
 
@@ -43,7 +43,7 @@ pub(crate) fn crossovers(rows: &[Timing]) -> String {
     let growth: Vec<&Timing> = rows.iter().filter(|row| row.what == "growth").collect();
     let median = |name: &str, n| {
         let row = growth.iter().find(|row| row.name == name && row.n == n);
-        row.map_or(f64::NAN, |row| row.median)
+        row.map_or(f64::NAN, |row| row.median_ns)
     };
     let mut sizes: Vec<usize> = growth.iter().map(|row| row.n).collect();
     sizes.dedup();
@@ -65,7 +65,7 @@ pub(crate) fn crossovers(rows: &[Timing]) -> String {
     text
 }
 
-fn heat(count: usize) -> Result<Heat, Box<dyn Error>> {
+fn group(count: usize) -> Result<Group, Box<dyn Error>> {
     let spheres = Rc::new(spheres(count));
     let rays = Rc::new(rays(count));
     let keepers = [
@@ -82,14 +82,16 @@ fn heat(count: usize) -> Result<Heat, Box<dyn Error>> {
             return Err(format!("{name} finds other hits among {count} spheres").into());
         }
         let rays = Rc::clone(&rays);
-        let key = ["growth", name, "f64", ""];
-        runners.push(Runner::new(key, count, rays.len(), move || {
+        let key = ["growth", name, ""];
+        let work = rays.len();
+        let run = move || {
             for ray in rays.iter() {
                 black_box(nearest(black_box(ray)));
             }
-        }));
+        };
+        runners.push(Runner::new(key, Precision::Double, count, work, run));
     }
-    Ok(Heat(runners))
+    Ok(Group(runners))
 }
 
 /// Spheres at random in a cube, so large that most rays hit one.

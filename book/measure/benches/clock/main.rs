@@ -12,9 +12,11 @@ use std::path::Path;
 
 use clap::Parser;
 use common::engine::output;
-use measure::timings::{Timing, Timings};
+use figures::records::Timing;
+use figures::table::{Record, Table};
+use speed_vs_accuracy::Precision;
 
-use contest::{Effort, Heat};
+use contest::{Effort, Group};
 
 /// How long each method of chapter 6 takes, and each way to keep many spheres.
 #[derive(Parser)]
@@ -36,17 +38,18 @@ struct Arguments {
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
     let effort = Effort::new(arguments.quick);
-    let mut heats: Vec<Heat> = one_by_one::heats();
-    heats.push(many::heat());
-    heats.extend(growth::heats(arguments.quick)?);
-    let timings = Timings {
+    let mut groups: Vec<Group> = one_by_one::groups();
+    groups.push(many::group());
+    groups.extend(growth::groups(arguments.quick)?);
+    let timings = Table::<Timing> {
         about: about::about(&effort),
-        rows: contest::run(heats, &effort),
+        rows: contest::run(groups, &effort),
     };
     let mut said = about::table(&timings);
     said += &headlines(&timings);
     if arguments.record {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../notes/measured/timings.csv");
+        let notes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../notes");
+        let path = notes.join(Timing::FILE);
         output::to_file(&path, |out| out.write_all(timings.text().as_bytes()))?;
         said += &format!("Kept in {}\n", path.display());
     }
@@ -54,7 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// The numbers that the chapter promises something about.
-fn headlines(timings: &Timings) -> String {
+fn headlines(timings: &Table<Timing>) -> String {
     let mut text = "\nTimes half_b, one ray after the other:\n".to_owned();
     for name in ["certified_hit", "certified_t"] {
         let ratio = |place| ratio(timings.find("method", name, place));
@@ -64,14 +67,14 @@ fn headlines(timings: &Timings) -> String {
             ratio("all_hits")
         );
     }
-    let is_limit = |row: &&Timing| row.name == "packed" && row.precision == "f64";
+    let is_limit = |row: &&Timing| row.name == "packed" && row.precision == Precision::Double;
     let limit = timings.rows.iter().find(is_limit);
     if let Some((limit, batch)) = limit.zip(timings.find("batch", "half_b", "book")) {
         text += &format!(
             "half_b in a batch reaches {:.0} % of what the divider allows: {:.2} of {:.2} ns\n",
-            100.0 * limit.least / batch.least,
-            batch.least,
-            limit.least,
+            100.0 * limit.least_ns / batch.least_ns,
+            batch.least_ns,
+            limit.least_ns,
         );
     }
     text + &growth::crossovers(&timings.rows)

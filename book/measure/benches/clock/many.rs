@@ -6,12 +6,12 @@ use common::rtweekend::*;
 use speed_vs_accuracy::batch::{self, BLOCK, Block};
 use speed_vs_accuracy::{Case, Precision};
 
-use crate::contest::{Heat, Runner};
+use crate::contest::{Group, Runner};
 use crate::one_by_one;
 
 /// `half_b` in both precisions, and the divider.
-pub(crate) fn heat() -> Heat {
-    Heat(vec![
+pub(crate) fn group() -> Group {
+    Group(vec![
         one_by_one::reference(),
         limit_one_by_one(),
         limit_packed(),
@@ -47,8 +47,8 @@ fn in_double() -> Runner {
         Block::from_fn(|k| batch::numbers(&questions[k].ray))
     });
     let mut ts = [[0.0; BLOCK]; BLOCKS / 2];
-    let key = ["batch", "half_b", "f64", "book"];
-    Runner::new(key, BLOCK, BLOCKS * BLOCK, move || {
+    let key = ["batch", "half_b", "book"];
+    Runner::new(key, Precision::Double, BLOCK, BLOCKS * BLOCK, move || {
         for (sphere, rays) in black_box(&targets) {
             batch::half_b(*sphere, rays, [0.0, f64::INFINITY], &mut ts);
             black_box(&mut ts);
@@ -61,8 +61,8 @@ fn in_single() -> Runner {
         Block::from_fn(|k| batch::numbers(&questions[k].ray).map(|number| number as f32))
     });
     let mut ts = [[0.0; BLOCK]; BLOCKS / 2];
-    let key = ["batch", "half_b_f32", "f32", "book"];
-    Runner::new(key, BLOCK, BLOCKS * BLOCK, move || {
+    let key = ["batch", "half_b_f32", "book"];
+    Runner::new(key, Precision::Single, BLOCK, BLOCKS * BLOCK, move || {
         for ((center, radius), rays) in black_box(&targets) {
             let sphere = (center.as_vec3(), *radius as f32);
             batch::half_b_f32(sphere, rays, [0.0, f32::INFINITY], &mut ts);
@@ -79,8 +79,8 @@ fn numbers() -> [f64; BLOCK] {
 
 fn limit_one_by_one() -> Runner {
     let mut numbers = numbers();
-    let key = ["limit", "one_by_one", "f64", ""];
-    Runner::new(key, 1, BLOCK, move || {
+    let key = ["limit", "one_by_one", ""];
+    Runner::new(key, Precision::Double, 1, BLOCK, move || {
         for number in &mut numbers {
             let [root, quotient] = black_box([*number; 2]);
             black_box((root.sqrt(), 1.0 / quotient));
@@ -90,16 +90,16 @@ fn limit_one_by_one() -> Runner {
 
 fn limit_packed() -> Runner {
     let [mut roots, mut quotients] = [numbers(); 2];
-    let key = ["limit", "packed", "f64", ""];
-    Runner::new(key, BLOCK, BLOCK, move || {
+    let key = ["limit", "packed", ""];
+    Runner::new(key, Precision::Double, BLOCK, BLOCK, move || {
         batch::divider_limit(black_box(&mut roots), black_box(&mut quotients));
     })
 }
 
 fn limit_packed_f32() -> Runner {
     let [mut roots, mut quotients] = [numbers().map(|number| number as f32); 2];
-    let key = ["limit", "packed", "f32", ""];
-    Runner::new(key, BLOCK, BLOCK, move || {
+    let key = ["limit", "packed", ""];
+    Runner::new(key, Precision::Single, BLOCK, BLOCK, move || {
         batch::divider_limit_f32(black_box(&mut roots), black_box(&mut quotients));
     })
 }

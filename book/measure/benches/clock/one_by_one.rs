@@ -10,24 +10,24 @@ use common::rtweekend::*;
 use measure::accuracy::has_root;
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, SingleRay};
 
-use crate::contest::{Heat, Runner};
+use crate::contest::{Group, Runner};
 
 /// So many questions fit into the fastest cache.
 const QUESTIONS: usize = 256;
 
 /// All methods, in each regime and where all rays hit.
-pub(crate) fn heats() -> Vec<Heat> {
+pub(crate) fn groups() -> Vec<Group> {
     let regimes = REGIMES.iter().skip(1);
-    let mut heats = vec![
-        heat("book", |precision| book_rays(precision, |_| true)),
-        heat("all_hits", |precision| book_rays(precision, has_root)),
+    let mut groups = vec![
+        group("book", |precision| book_rays(precision, |_| true)),
+        group("all_hits", |precision| book_rays(precision, has_root)),
     ];
-    heats.extend(regimes.map(|regime| {
-        heat(regime.name, |precision| {
+    groups.extend(regimes.map(|regime| {
+        group(regime.name, |precision| {
             regime.questions(precision, SEED, QUESTIONS)
         })
     }));
-    heats
+    groups
 }
 
 /// `half_b` on the book’s camera rays, to compare others with.
@@ -67,24 +67,20 @@ pub(crate) fn book_rays(precision: Precision, wanted: impl Fn(&Case) -> bool) ->
 
 const SEED: u64 = 1;
 
-fn heat(place: &str, questions: impl Fn(Precision) -> Vec<Case>) -> Heat {
+fn group(place: &str, questions: impl Fn(Precision) -> Vec<Case>) -> Group {
     let runners = METHODS
         .iter()
         .map(|method| runner(method, place, &questions(Precision::of(method))));
     let (half_b, others): (Vec<Runner>, Vec<Runner>) =
         runners.partition(|runner| runner.row.name == "half_b");
-    Heat(half_b.into_iter().chain(others).collect())
+    Group(half_b.into_iter().chain(others).collect())
 }
 
 fn runner(method: &Method, place: &str, questions: &[Case]) -> Runner {
-    let precision = Precision::of(method).name();
-    let key = ["method", method.name, precision, place];
-    Runner::new(
-        key,
-        questions.len(),
-        questions.len(),
-        run(method.name, questions),
-    )
+    let key = ["method", method.name, place];
+    let count = questions.len();
+    let run = run(method.name, questions);
+    Runner::new(key, Precision::of(method), count, count, run)
 }
 
 /// A loop for each method: a function that is called by a pointer would be

@@ -1,0 +1,245 @@
+//! Records: the rows of the files that hold what was measured. Charts are drawn
+//! from them.
+//!
+//! What exact arithmetic judges, a test keeps as it is; what a clock measured, the
+//! benchmarks of the package `measure` record anew.
+
+use serde::{Deserialize, Serialize, Serializer};
+use speed_vs_accuracy::Precision;
+
+use crate::number;
+use crate::table::{Record, Table};
+
+/// How exact a method is in a regime, all levels together, with t from 0 to
+/// infinity.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Accuracy {
+    /// The name of the regime.
+    pub regime: String,
+    /// What numbers the method computes with: `f64` or `f32`.
+    #[serde(with = "PrecisionName")]
+    pub precision: Precision,
+    /// The name of the method.
+    pub method: String,
+    /// How many questions it was asked.
+    pub cases: usize,
+    /// How many of them have a root.
+    pub hits: usize,
+    /// Hits where there is no root, and misses where there is one.
+    #[serde(serialize_with = "three_digits")]
+    pub wrong_per_million: f64,
+    /// The error of t where both say hit, in units of the last place that the
+    /// root has in this precision. None where nothing was hit, as with those below.
+    #[serde(serialize_with = "three_digits")]
+    pub median_ulps: Option<f64>,
+    /// The error that 999 of 1000 do not exceed.
+    #[serde(serialize_with = "three_digits")]
+    pub p999_ulps: Option<f64>,
+    /// The largest error.
+    #[serde(serialize_with = "three_digits")]
+    pub largest_ulps: Option<f64>,
+    /// How far the point at t is from the sphere, in radii.
+    #[serde(serialize_with = "three_digits")]
+    pub surface_median_radii: Option<f64>,
+    /// The same at most.
+    #[serde(serialize_with = "three_digits")]
+    pub surface_largest_radii: Option<f64>,
+    /// Answers that are NaN or infinite.
+    pub nans: usize,
+}
+
+impl Record for Accuracy {
+    const FILE: &str = "measured/accuracy.snap.csv";
+}
+
+/// How exact a method is at one level of a regime.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Level {
+    /// `far` or `grazing`.
+    pub regime: String,
+    /// The k of 10ᵏ radii away, or of passing at (1 ± 10⁻ᵏ) radii.
+    pub level: i32,
+    /// As in [`Accuracy`], like all that follow.
+    #[serde(with = "PrecisionName")]
+    pub precision: Precision,
+    /// The name of the method.
+    pub method: String,
+    /// Hits where there is no root, and misses where there is one.
+    #[serde(serialize_with = "three_digits")]
+    pub wrong_per_million: f64,
+    /// The error of t that half of the hits do not exceed.
+    #[serde(serialize_with = "three_digits")]
+    pub median_ulps: Option<f64>,
+    /// The error of t that 999 of 1000 hits do not exceed.
+    #[serde(serialize_with = "three_digits")]
+    pub p999_ulps: Option<f64>,
+}
+
+impl Record for Level {
+    const FILE: &str = "measured/sweeps.snap.csv";
+}
+
+/// How many pixels of a scene a method gets wrong.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct WrongPixels {
+    /// The name of the scene.
+    pub scene: String,
+    /// The precision of the method, and of the exact picture.
+    #[serde(with = "PrecisionName")]
+    pub precision: Precision,
+    /// The name of the method.
+    pub method: String,
+    /// How many pixels there are.
+    pub pixels: usize,
+    /// How many are more than one level off, in some component, from the exact
+    /// picture.
+    pub wrong: usize,
+    /// How many are one level off: the eye does not see them.
+    pub off_by_one: usize,
+}
+
+impl Record for WrongPixels {
+    const FILE: &str = "measured/scenes.snap.csv";
+}
+
+/// The method that takes the fewest nanoseconds of those that draw a scene without
+/// a wrong pixel: what follows from [`WrongPixels`] and [`Timing`].
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Least {
+    /// The name of the scene.
+    pub scene: String,
+    /// The precision that methods were chosen from.
+    #[serde(with = "PrecisionName")]
+    pub precision: Precision,
+    /// The name of the method, if there is one.
+    pub method: Option<String>,
+    /// Its median on the book's camera rays.
+    #[serde(serialize_with = "decimals::<2, _, _>")]
+    pub book_ns: Option<f64>,
+}
+
+impl Record for Least {
+    const FILE: &str = "measured/least.snap.csv";
+}
+
+/// How long one test takes, or one ray, as the benchmark `clock` measured it.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Timing {
+    /// What one time is of.
+    ///
+    /// | `what` | `name` | |
+    /// |---|---|---|
+    /// | `method` | a method | one ray against one sphere, one after the other |
+    /// | `batch` | a method | the same by the loop over arrays that the compiler vectorizes |
+    /// | `limit` | `one_by_one`, `packed` | one √ and one ÷ that wait for nothing but the divider |
+    /// | `growth` | `boxed_list`, `vec`, `batch`, `bvh` | the nearest hit of one ray among `n` spheres |
+    pub what: String,
+    /// A method, or a way to keep spheres.
+    pub name: String,
+    /// What numbers it computes with.
+    #[serde(with = "PrecisionName")]
+    pub precision: Precision,
+    /// A regime, or `all_hits`: the rays of `book` that hit.
+    #[serde(rename = "where")]
+    pub place: String,
+    /// How many at a time: rays, or spheres.
+    pub n: usize,
+    /// Nanoseconds: half of the rounds took less, half more.
+    #[serde(serialize_with = "decimals::<3, _, _>")]
+    pub median_ns: f64,
+    /// Nanoseconds in the quickest round.
+    #[serde(serialize_with = "decimals::<3, _, _>")]
+    pub least_ns: f64,
+    /// Nanoseconds in the slowest round.
+    #[serde(serialize_with = "decimals::<3, _, _>")]
+    pub greatest_ns: f64,
+    /// The median, over rounds, of the time divided by that of `half_b` one by one
+    /// on the same rays in the same round.
+    #[serde(serialize_with = "decimals::<2, _, _>")]
+    pub ratio: f64,
+}
+
+impl Record for Timing {
+    const FILE: &str = "measured/timings.csv";
+}
+
+impl Table<Timing> {
+    /// The row of that kind, name and place; for growth, of the largest n.
+    pub fn find(&self, what: &str, name: &str, place: &str) -> Option<&Timing> {
+        let same = |row: &&Timing| row.what == what && row.name == name && row.place == place;
+        self.rows.iter().rfind(same)
+    }
+}
+
+/// How long our program takes to draw a picture, and how long the C++ program: as
+/// the benchmark `race` measured it, from the start of each process to its end.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Race {
+    /// The picture.
+    pub chapter: String,
+    /// Its width in pixels.
+    pub width: u32,
+    /// Where the text went: `nowhere`, or into a `file`.
+    pub to: String,
+    /// Milliseconds of our program: half of the runs took less, half more.
+    #[serde(serialize_with = "decimals::<2, _, _>")]
+    pub rust_median_ms: f64,
+    /// Our quickest run.
+    #[serde(serialize_with = "decimals::<2, _, _>")]
+    pub rust_least_ms: f64,
+    /// Our slowest run.
+    #[serde(serialize_with = "decimals::<2, _, _>")]
+    pub rust_greatest_ms: f64,
+    /// Milliseconds of the C++ program.
+    #[serde(serialize_with = "decimals::<2, _, _>")]
+    pub cpp_median_ms: f64,
+    /// Its quickest run.
+    #[serde(serialize_with = "decimals::<2, _, _>")]
+    pub cpp_least_ms: f64,
+    /// Its slowest run.
+    #[serde(serialize_with = "decimals::<2, _, _>")]
+    pub cpp_greatest_ms: f64,
+}
+
+impl Record for Race {
+    const FILE: &str = "speed/heats.csv";
+}
+
+impl Race {
+    /// How many times as long the C++ program takes.
+    pub fn ratio(&self) -> f64 {
+        self.cpp_median_ms / self.rust_median_ms
+    }
+}
+
+/// A precision as it is written: chapter 6, whose type it is, writes no files.
+#[derive(Deserialize, Serialize)]
+#[serde(remote = "Precision")]
+enum PrecisionName {
+    #[serde(rename = "f64")]
+    Double,
+    #[serde(rename = "f32")]
+    Single,
+}
+
+/// Writes a number with N decimals, or nothing where there is none.
+fn decimals<const N: usize, T: Copy + Into<Option<f64>>, S: Serializer>(
+    value: &T,
+    field: S,
+) -> Result<S::Ok, S::Error> {
+    match (*value).into() {
+        Some(value) => field.collect_str(&format_args!("{value:.N$}")),
+        None => field.serialize_none(),
+    }
+}
+
+/// Writes the first three digits of a number, or nothing where there is none.
+fn three_digits<T: Copy + Into<Option<f64>>, S: Serializer>(
+    value: &T,
+    field: S,
+) -> Result<S::Ok, S::Error> {
+    match (*value).into() {
+        Some(value) => field.serialize_str(&number::three_digits(value)),
+        None => field.serialize_none(),
+    }
+}
