@@ -5,7 +5,7 @@ use std::path::Path;
 
 use figures::{CHARTS, Chart, Drawn, find_chart, standalone};
 use insta::assert_binary_snapshot;
-use speed_vs_accuracy::{METHODS, Precision, REGIMES, Random};
+use speed_vs_accuracy::{METHODS, Method, REGIMES, Random};
 
 use crate::figures::{all, parse, texts, words};
 
@@ -83,7 +83,9 @@ fn every_panel_names_the_reference_and_the_certified_methods() {
         let drawn = invented("speed_accuracy_regimes", seed);
         let drawing = parse(&drawn.svg);
         let labels: Vec<String> = texts(&drawing).map(|text| words(&text)).collect();
-        for name in ["half_b", "certified_hit", "certified_t"] {
+        let certified = METHODS.iter().filter(|method| method.is_certified);
+        for method in certified.chain([&Method::REFERENCE]) {
+            let name = method.name;
             let count = labels.iter().filter(|label| *label == name).count();
             assert_eq!(count, REGIMES.len(), "{name} with seed {seed}");
         }
@@ -162,19 +164,19 @@ fn crossings_are_where_the_tree_becomes_faster() {
 #[test]
 fn the_failure_map_shows_that_half_b_errs_and_exact_arithmetic_does_not() {
     let Drawn { table, .. } = from_notes(find_chart("failure_map").expect("a chart"));
-    let wrong = |method: &str| -> u32 {
+    let wrong = |method: Method| -> u32 {
         let row = table
             .lines()
-            .find(|line| line.starts_with(&format!("| `{method}`")));
+            .find(|line| line.starts_with(&format!("| `{}`", method.name)));
         let count = row.and_then(|row| row.split('|').nth(2)).map(str::trim);
         count
             .and_then(|count| count.parse().ok())
             .expect("a row has a number")
     };
-    assert_eq!(wrong("exact"), 0);
-    assert_eq!(wrong("half_b"), wrong("full_b"), "the same to the bit");
-    assert!(wrong("half_b") > 3 * wrong("cross_q"), "{table}");
-    assert!(wrong("cross_q") > 0, "{table}");
+    assert_eq!(wrong(Method::EXACT), 0);
+    let [full_b, half_b, cross_q] = [Method::FULL_B, Method::HALF_B, Method::CROSS_Q].map(wrong);
+    assert_eq!(half_b, full_b, "the same to the bit");
+    assert!(half_b > 3 * cross_q && cross_q > 0, "{table}");
 }
 
 /// All charts, of what was measured and of what was not.
@@ -221,7 +223,7 @@ fn invented(name: &str, seed: u64) -> Drawn {
     let mut timings = "what,name,precision,where,n,median_ns,ratio\n".to_owned();
     let mut scenes = "scene,precision,method,pixels,wrong,off_by_one\n".to_owned();
     for method in METHODS {
-        let (name, precision) = (method.name, Precision::of(method).name());
+        let (name, precision) = (method.name, method.precision().name());
         for regime in REGIMES.map(|regime| regime.name) {
             let time = number(seed.is_multiple_of(2), 0.5, 1.5);
             let ulps = number(seed % 4 < 2, 0.0, 6.0);

@@ -12,7 +12,7 @@ use image::{ExtendedColorType, ImageEncoder};
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Snapshot, assert_binary_snapshot};
 use sha2::{Digest, Sha256};
-use speed_vs_accuracy::{Precision, find, find_scene};
+use speed_vs_accuracy::{Method, Scene};
 
 /// The pictures in the book are the snapshots: one file is shown and compared.
 const PICTURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/pictures");
@@ -40,24 +40,22 @@ mod the_snapshot_is_drawn_by_a_method {
 
     #[test]
     fn telescope() {
-        assert_failure("telescope", "half_b");
+        assert_failure(Scene::TELESCOPE, Method::HALF_B);
     }
 
     #[test]
     fn grazing() {
-        assert_failure("grazing", "half_b");
+        assert_failure(Scene::GRAZING, Method::HALF_B);
     }
 
     #[test]
     fn shadows() {
-        assert_failure("shadows", "half_b_f32");
+        assert_failure(Scene::SHADOWS, Method::HALF_B_F32);
     }
 
-    fn assert_failure(scene: &str, method: &str) {
-        let scene = find_scene(scene).expect("it is a scene");
-        let method = find(method).expect("it is a method");
+    fn assert_failure(scene: Scene, method: Method) {
         let wrong = scene.picture(method, WIDTH);
-        let right = scene.right_picture(Precision::of(&method), WIDTH);
+        let right = scene.right_picture(method.precision(), WIDTH);
         assert_ne!(wrong, right);
         assert_picture(&format!("{}_{}", scene.name, method.name), &wrong);
         assert_picture(&format!("{}_right", scene.name), &right);

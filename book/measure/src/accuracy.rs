@@ -1,8 +1,8 @@
 //! How exact each method is, in each situation.
 //!
-//! The questions are those of `speed_vs_accuracy::REGIMES`, with t from 0 to
-//! infinity, and exact arithmetic knows the answers. A method in `f32` is asked
-//! questions whose numbers are `f32`s, and judged by the exact answer to them:
+//! The cases are those of `speed_vs_accuracy::REGIMES`, with t from 0 to
+//! infinity, and exact arithmetic knows the answers. A method in `f32` is given
+//! cases whose numbers are `f32`s, and judged by the exact answer to them:
 //! what rounding the scene costs is not its fault.
 //!
 //! What is found stands in two files in book/notes/measured, which a test keeps
@@ -16,7 +16,7 @@
 //! | `regime` | the name of the regime |
 //! | `precision` | `f64` or `f32` |
 //! | `method` | the name of the method |
-//! | `cases` | how many questions |
+//! | `cases` | how many there are |
 //! | `hits` | how many of them have a root |
 //! | `wrong_per_million` | hit where there is no root, or miss where there is one |
 //! | `median_ulps` | error of t where both say hit, in units of the last place that the root has in this precision |
@@ -34,7 +34,7 @@ use std::fmt::Write;
 use std::thread;
 
 use common::rtweekend::*;
-use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime, find_regime};
+use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime};
 
 use laws::oracle::Exact;
 use laws::truth::{Truth, three_digits};
@@ -42,7 +42,7 @@ use laws::truth::{Truth, three_digits};
 /// How exact a method is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Accuracy {
-    /// How many questions it was asked.
+    /// How many there were.
     pub cases: usize,
     /// How many of them have a root.
     pub hits: usize,
@@ -57,17 +57,17 @@ pub struct Accuracy {
 }
 
 /// The table of all methods in all regimes, in both precisions, from so many
-/// questions to each.
-pub fn table(cases: usize, seed: u64) -> String {
+/// cases in each.
+pub fn table(count: usize, seed: u64) -> String {
     let head = "regime,precision,method,cases,hits,wrong_per_million,median_ulps,p999_ulps,\
                 largest_ulps,surface_median_radii,surface_largest_radii,nans\n";
     let tasks = REGIMES
         .iter()
-        .flat_map(|regime| PRECISIONS.map(|precision| (regime, precision)));
+        .flat_map(|regime| Precision::ALL.map(|precision| (regime, precision)));
     head.to_owned()
         + &in_parallel(tasks, |(regime, precision)| {
-            let questions = regime.questions(precision, seed, cases);
-            rows(precision, &questions, |text, method, found| {
+            let cases = regime.cases(precision, seed, count);
+            rows(precision, &cases, |text, method, found| {
                 let [median, p999, largest] = [0.5, 0.999, 1.0].map(|p| quantile(&found.ulps, p));
                 let [on, off] = [0.5, 1.0].map(|p| quantile(&found.surface, p));
                 let _ = writeln!(
@@ -87,22 +87,21 @@ pub fn table(cases: usize, seed: u64) -> String {
 
 /// The table of errors against distance and against closeness to a tangent,
 /// level by level.
-pub fn sweeps(cases: usize, seed: u64) -> String {
+pub fn sweeps(count: usize, seed: u64) -> String {
     let head = "regime,level,precision,method,wrong_per_million,median_ulps,p999_ulps\n";
     let levels = |regime: Regime, precision| {
         regime
             .levels(precision)
             .map(move |level| (regime, precision, level))
     };
-    let tasks = ["far", "grazing"]
+    let tasks = [Regime::FAR, Regime::GRAZING]
         .into_iter()
-        .map(|name| find_regime(name).expect("it is the name of a regime"))
-        .flat_map(|regime| PRECISIONS.map(|precision| levels(regime, precision)))
+        .flat_map(|regime| Precision::ALL.map(|precision| levels(regime, precision)))
         .flatten();
     head.to_owned()
         + &in_parallel(tasks, |(regime, precision, level)| {
-            let questions = regime.questions_at(level, precision, seed, cases);
-            rows(precision, &questions, |text, method, found| {
+            let cases = regime.cases_at(level, precision, seed, count);
+            rows(precision, &cases, |text, method, found| {
                 let [median, p999] = [0.5, 0.999].map(|p| quantile(&found.ulps, p));
                 let _ = writeln!(
                     text,
@@ -116,19 +115,17 @@ pub fn sweeps(cases: usize, seed: u64) -> String {
         })
 }
 
-/// How exact `method` is on `questions`.
-pub fn of(method: &Method, questions: &[Case]) -> Accuracy {
-    let precision = Precision::of(method);
-    let truths = truths(questions, precision);
-    judge(method, questions, &truths)
+/// How exact `method` is on `cases`.
+pub fn of(method: &Method, cases: &[Case]) -> Accuracy {
+    let precision = method.precision();
+    let truths = truths(cases, precision);
+    judge(method, cases, &truths)
 }
 
 /// Whether there is a root with t > 0.
-pub fn has_root(question: &Case) -> bool {
-    truths(&[*question], Precision::Double)[0].is_some()
+pub fn has_root(case: &Case) -> bool {
+    truths(&[*case], Precision::Double)[0].is_some()
 }
-
-const PRECISIONS: [Precision; 2] = [Precision::Double, Precision::Single];
 
 impl Accuracy {
     fn wrong_per_million(&self) -> String {
@@ -169,44 +166,40 @@ pub(crate) fn in_parallel<T: Send>(
 /// A row for each method of that precision.
 fn rows(
     precision: Precision,
-    questions: &[Case],
+    cases: &[Case],
     write_row: impl Fn(&mut String, &Method, &Accuracy),
 ) -> String {
-    let truths = truths(questions, precision);
+    let truths = truths(cases, precision);
     let mut text = String::new();
     for method in METHODS {
-        if Precision::of(method) == precision {
-            write_row(&mut text, method, &judge(method, questions, &truths));
+        if method.precision() == precision {
+            write_row(&mut text, method, &judge(method, cases, &truths));
         }
     }
     text
 }
 
-fn truths(questions: &[Case], precision: Precision) -> Vec<Option<Truth>> {
-    let truth = |question: &Case| {
-        let exact = Exact::new(question.center, question.radius, &question.ray)
-            .expect("regimes make finite questions");
-        Truth::of(&exact, precision, 0.0, f64::INFINITY)
-    };
-    questions.iter().map(truth).collect()
+fn truths(cases: &[Case], precision: Precision) -> Vec<Option<Truth>> {
+    let truth = |case: &Case| Truth::of(&Exact::of(case), precision, 0.0, f64::INFINITY);
+    cases.iter().map(truth).collect()
 }
 
-fn judge(method: &Method, questions: &[Case], truths: &[Option<Truth>]) -> Accuracy {
-    let precision = Precision::of(method);
+fn judge(method: &Method, cases: &[Case], truths: &[Option<Truth>]) -> Accuracy {
+    let precision = method.precision();
     let mut found = Accuracy {
-        cases: questions.len(),
+        cases: cases.len(),
         hits: truths.iter().flatten().count(),
         wrong: 0,
         nans: 0,
         ulps: Vec::new(),
         surface: Vec::new(),
     };
-    for (question, truth) in questions.iter().zip(truths) {
-        match (question.put_to(method, 0.0, f64::INFINITY), truth) {
+    for (case, truth) in cases.iter().zip(truths) {
+        match (case.put_to(method, 0.0, f64::INFINITY), truth) {
             (Some(t), _) if !t.is_finite() => found.nans += 1,
             (Some(t), Some(truth)) => {
                 found.ulps.push(truth.error_in_ulps(t));
-                found.surface.push(off_the_surface(question, t, precision));
+                found.surface.push(off_the_surface(case, t, precision));
             }
             (None, None) => {}
             _ => found.wrong += 1,
@@ -219,11 +212,10 @@ fn judge(method: &Method, questions: &[Case], truths: &[Option<Truth>]) -> Accur
 
 /// How far the point at `t`, computed as a program would, is from the sphere, in
 /// radii.
-fn off_the_surface(question: &Case, t: f64, precision: Precision) -> f64 {
-    let point = question.point(t, precision);
+fn off_the_surface(case: &Case, t: f64, precision: Precision) -> f64 {
+    let point = case.point(t, precision);
     // The direction does not matter here.
-    let ray = Ray::new(point, Vec3::NEG_Z);
-    let Some(exact) = Exact::new(question.center, question.radius, &ray) else {
+    let Some(exact) = Exact::of_finite(&case.with_ray(point, Vec3::NEG_Z)) else {
         return f64::INFINITY;
     };
     // With x = |P − C|/r, the margin is (x² − 1) / (x² + 1).

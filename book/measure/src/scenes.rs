@@ -26,9 +26,9 @@ use crate::timings::Timings;
 
 /// The table of wrong pixels, in pictures `width` pixels wide.
 pub fn table(width: u32) -> String {
-    let tasks = SCENES.into_iter().flat_map(|scene| {
-        [Precision::Double, Precision::Single].map(|precision| (scene, precision))
-    });
+    let tasks = SCENES
+        .into_iter()
+        .flat_map(|scene| Precision::ALL.map(|precision| (scene, precision)));
     "scene,precision,method,pixels,wrong,off_by_one\n".to_owned()
         + &in_parallel(tasks, |(scene, precision)| rows(scene, precision, width))
 }
@@ -60,7 +60,7 @@ fn rows(scene: Scene, precision: Precision, width: u32) -> String {
     let right = scene.right_picture(precision, width).rgb_with_threads(1);
     let mut text = String::new();
     for method in METHODS {
-        if Precision::of(method) == precision {
+        if method.precision() == precision {
             let drawn: Picture = scene.picture(*method, width);
             let [wrong, off_by_one] = differences(&right, &drawn.rgb_with_threads(1));
             let _ = writeln!(

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use common::rtweekend::*;
-use speed_vs_accuracy::{Case, METHODS, Method, find};
+use speed_vs_accuracy::{Case, METHODS, Method, Precision, find};
 
 use crate::misuse;
 
@@ -70,12 +70,12 @@ pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             radius: Some(radius),
             ..
         } => {
-            let question = Case {
+            let case = Case {
                 center: *center,
                 radius: *radius,
                 ray: Ray::new(*origin, *direction),
             };
-            one::print(&question, methods, range)
+            one::print(&case, methods, range)
         }
         _ => Err(misuse(
             "a ray and a sphere are needed: --origin, --direction, --center and --radius",
@@ -85,9 +85,9 @@ pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
 /// `t` in as few digits as lead back to it in the precision of `method`.
 fn shortest(method: &Method, t: f64) -> String {
-    match method.solve {
-        speed_vs_accuracy::Solve::Double(_) => format!("{t:?}"),
-        speed_vs_accuracy::Solve::Single(_) => format!("{:?}", t as f32),
+    match method.precision() {
+        Precision::Double => format!("{t:?}"),
+        Precision::Single => format!("{:?}", t as f32),
     }
 }
 

@@ -7,7 +7,7 @@ use glam::DVec2;
 use super::axes::{Axis, Panel};
 use super::data::Table;
 use super::labels::spread;
-use super::methods::{certified, cross, digits, short};
+use super::methods::{cross, digits, idea, short};
 use super::{Chart, Drawn};
 use crate::svg::{Anchor, SMALL, Svg};
 
@@ -156,11 +156,7 @@ const STROKES: [&str; 3] = ["bold", "thin", "line"];
 
 impl Line {
     fn idea(&self) -> &'static str {
-        match &self.method[..] {
-            "half_b" => "reference",
-            method if certified(method) => "certain",
-            _ => "ink",
-        }
+        idea(&self.method)
     }
 
     fn stroke(&self) -> &'static str {
