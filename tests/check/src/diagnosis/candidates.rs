@@ -4,7 +4,7 @@ use std::hash::{DefaultHasher, Hasher};
 
 use common::rtweekend::Picture;
 
-use super::Scene;
+use super::scene::Scene;
 use crate::reading::Reading;
 use crate::slips::{Output, Slip};
 

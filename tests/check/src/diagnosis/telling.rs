@@ -2,7 +2,7 @@
 
 use std::hash::{DefaultHasher, Hasher};
 
-use super::Scene;
+use super::scene::Scene;
 use crate::slips::{PROBES, Probe, Slip};
 
 /// A probe in which mistakes draw different pictures.

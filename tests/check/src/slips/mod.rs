@@ -32,9 +32,11 @@ mod output;
 mod probes;
 mod program;
 mod single;
+mod slip;
 
-pub use catalogue::{Slip, Unseen, all, find};
+pub use catalogue::{all, find};
 pub use look::{Look, SIGHT_WIDTH, Sight, sights};
 pub use output::Output;
 pub use probes::{PROBES, Probe, find as find_probe};
 pub use program::{Ball, Program};
+pub use slip::{Slip, Unseen};

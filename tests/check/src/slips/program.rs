@@ -2,7 +2,6 @@
 
 use common::rtweekend::*;
 
-use super::output::Output;
 use crate::chapter::Chapter;
 
 /// A sphere as plain data.
@@ -139,12 +138,6 @@ impl Program {
             Chapter::HittableList => HITTABLE_LIST,
             Chapter::SpeedVsAccuracy => panic!("chapter 6 is no program of the book"),
         }
-    }
-
-    /// What the program prints when it is asked for a picture `width` pixels
-    /// wide. Nothing is traced before a pixel is asked for.
-    pub fn run(&self, width: u32) -> Output {
-        Output::new(*self, width)
     }
 
     /// The camera of the program.

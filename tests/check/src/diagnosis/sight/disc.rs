@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use common::rtweekend::Picture;
 
-use super::View;
+use super::view::View;
 use crate::chapter::Chapter;
-use crate::diagnosis::Scene;
 use crate::diagnosis::candidates::distance;
+use crate::diagnosis::scene::Scene;
 
 impl View<'_> {
     /// What the outline of the only sphere says, if there is one sphere and it is

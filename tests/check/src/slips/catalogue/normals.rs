@@ -2,9 +2,10 @@
 
 use common::rtweekend::*;
 
-use super::super::program::{Ball, Program};
-use super::{HITTABLE_LIST, ONE_SPHERE, RED_SPHERE, ROOTS, Slip, Unseen};
+use super::chapters::{HITTABLE_LIST, ONE_SPHERE, RED_SPHERE, ROOTS};
 use crate::chapter::Chapter;
+use crate::slips::program::{Ball, Program};
+use crate::slips::slip::{Slip, Unseen};
 
 pub(super) const SLIPS: &[Slip] = &[
     Slip {

@@ -1,8 +1,9 @@
 //! Slips in the quadratic.
 
-use super::super::program::Program;
-use super::{FULL_B, HALF_B, NORMALS, ONE_SPHERE, RED_SPHERE, ROOTS, SPHERES, Slip, Unseen};
+use super::chapters::{FULL_B, HALF_B, NORMALS, ONE_SPHERE, RED_SPHERE, ROOTS, SPHERES};
 use crate::chapter::Chapter;
+use crate::slips::program::Program;
+use crate::slips::slip::{Slip, Unseen};
 
 pub(super) const SLIPS: &[Slip] = &[
     Slip {
