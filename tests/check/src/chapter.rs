@@ -21,6 +21,17 @@ pub enum Chapter {
     SpeedVsAccuracy,
 }
 
+/// How many spheres a scene has room for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Room {
+    /// There is only a background.
+    None,
+    /// A center and a radius.
+    One,
+    /// A list.
+    Many,
+}
+
 impl Chapter {
     /// All of them.
     pub const ALL: [Self; 7] = [
@@ -79,6 +90,15 @@ impl Chapter {
                 "A far star: in the left half its edge frays into specks, in the right half it is \
                  round"
             }
+        }
+    }
+
+    /// How many spheres its scene has room for.
+    pub fn room(self) -> Room {
+        match self {
+            Self::BuildTest | Self::Gradient => Room::None,
+            Self::RedSphere | Self::Normals | Self::HalfBSphere => Room::One,
+            Self::HittableList | Self::SpeedVsAccuracy => Room::Many,
         }
     }
 

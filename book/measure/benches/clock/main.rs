@@ -13,6 +13,7 @@ use std::path::Path;
 use clap::Parser;
 use common::engine::output;
 use measure::timings::{Timing, Timings};
+use speed_vs_accuracy::{METHODS, Method};
 
 use contest::{Effort, Heat};
 
@@ -56,7 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The numbers that the chapter promises something about.
 fn headlines(timings: &Timings) -> String {
     let mut text = "\nTimes half_b, one ray after the other:\n".to_owned();
-    for name in ["certified_hit", "certified_t"] {
+    for Method { name, .. } in METHODS.iter().filter(|method| method.is_certified) {
         let ratio = |place| ratio(timings.find("method", name, place));
         text += &format!(
             "  {name:<14} {} on the book’s camera rays, {} if all hit\n",

@@ -20,10 +20,9 @@ pub(super) fn apart(scene: &Scene, mistakes: &[Vec<&'static Slip>]) -> Option<Te
     if mistakes.len() < 2 {
         return None;
     }
-    let asked = scene.probe.map(|probe| probe.name);
     let tellings = PROBES
         .into_iter()
-        .filter(|probe| Some(probe.name) != asked)
+        .filter(|probe| Some(*probe) != scene.probe)
         .filter_map(|probe| {
             let scene = Scene::new(scene.chapter, Some(probe))?;
             let groups = groups(&scene, probe.width, mistakes);

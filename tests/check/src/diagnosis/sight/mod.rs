@@ -12,9 +12,9 @@ use common::rtweekend::Picture;
 
 use super::candidates::distance;
 use super::scene::Scene;
-use crate::chapter::Chapter;
+use crate::chapter::{Chapter, Room};
 use crate::reading::Reading;
-use crate::slips::PROBES;
+use crate::slips::{PROBES, Probe};
 
 use view::{View, color};
 
@@ -64,18 +64,14 @@ impl View<'_> {
                 "It is the book's picture of {name}, without the probe's changes."
             ));
         }
-        for probe in PROBES.into_iter().filter(|probe| probe.spheres.is_some()) {
-            let same = self
-                .scene
-                .probe
-                .is_some_and(|asked| asked.name == probe.name);
-            let scene = Scene::new(self.scene.chapter, Some(probe)).filter(|_| !same);
-            if scene.is_some_and(is) {
-                let probe = probe.name;
-                return Some(format!(
-                    "It is the picture of the probe {probe}: check {name} --probe {probe}."
-                ));
-            }
+        let mut probes = PROBES
+            .into_iter()
+            .filter(|probe| probe.spheres.is_some() && self.scene.probe != Some(*probe));
+        let of_probe = |probe| Scene::new(self.scene.chapter, Some(probe)).is_some_and(is);
+        if let Some(Probe { name: probe, .. }) = probes.find(|&probe| of_probe(probe)) {
+            return Some(format!(
+                "It is the picture of the probe {probe}: check {name} --probe {probe}."
+            ));
         }
         let mut others = Chapter::OF_THE_BOOK
             .into_iter()
@@ -99,7 +95,7 @@ impl View<'_> {
             self.wrong.iter().partition(|&&n| self.is_hit(n));
         let share = self.wrong.len() as f64 / self.places.len() as f64;
         match (spheres.len(), sky.len()) {
-            _ if self.scene.chapter <= Chapter::Gradient => None,
+            _ if self.scene.chapter.room() == Room::None => None,
             (_, 0) => Some("Only what is hit is wrong; the sky is right.".to_owned()),
             (0, _) => Some("Only the sky is wrong; what is hit is right.".to_owned()),
             _ if share < 0.03 && self.wrong.iter().all(|&n| self.is_at_rim(n)) => {
