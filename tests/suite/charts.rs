@@ -62,8 +62,7 @@ fn every_row_of_a_table_has_as_many_fields_as_its_head() {
 fn the_chart_of_the_book_names_every_method() {
     for seed in 0..SEEDS {
         let drawn = invented("speed_accuracy", seed);
-        let drawing = parse(&drawn.svg);
-        let labels: Vec<String> = texts(&drawing).map(|text| words(&text)).collect();
+        let labels = labels(&drawn);
         for method in METHODS {
             assert!(
                 labels
@@ -81,8 +80,7 @@ fn the_chart_of_the_book_names_every_method() {
 fn every_panel_names_the_reference_and_the_certified_methods() {
     for seed in 0..SEEDS {
         let drawn = invented("speed_accuracy_regimes", seed);
-        let drawing = parse(&drawn.svg);
-        let labels: Vec<String> = texts(&drawing).map(|text| words(&text)).collect();
+        let labels = labels(&drawn);
         let certified = METHODS.iter().filter(|method| method.is_certified);
         for method in certified.chain([&Method::REFERENCE]) {
             let name = method.name;
@@ -156,8 +154,7 @@ fn crossings_are_where_the_tree_becomes_faster() {
         let _ = writeln!(timings, "growth,bvh,f64,book,{n},50,1");
     }
     let drawn = (find_chart("growth").expect("a chart").draw)(&[&timings]).expect("it is drawn");
-    let drawing = parse(&drawn.svg);
-    let labels: Vec<String> = texts(&drawing).map(|text| words(&text)).collect();
+    let labels = labels(&drawn);
     assert!(labels.contains(&"50 spheres".to_owned()), "{labels:?}");
 }
 
@@ -253,6 +250,12 @@ fn invented(name: &str, seed: u64) -> Drawn {
         })
         .collect();
     (chart.draw)(&texts).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// What is written in a chart.
+fn labels(drawn: &Drawn) -> Vec<String> {
+    let drawing = parse(&drawn.svg);
+    texts(&drawing).map(|text| words(&text)).collect()
 }
 
 /// The points of a path.

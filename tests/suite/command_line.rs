@@ -8,10 +8,10 @@ use std::{env, fs, thread};
 
 use check::Chapter;
 use check::png;
-use common::rtweekend::Picture;
 use tempfile::TempDir;
 
 use crate::book::woven;
+use crate::pictures::p3;
 
 #[test]
 fn a_chapter_prints_its_picture() {
@@ -727,12 +727,6 @@ pub(crate) fn names_in(folder: &Path) -> Vec<String> {
         .collect();
     names.sort();
     names
-}
-
-pub(crate) fn p3(picture: &Picture) -> Vec<u8> {
-    let mut text = Vec::new();
-    picture.write_p3(&mut text).expect("memory takes it");
-    text
 }
 
 pub(crate) fn text(bytes: &[u8]) -> String {

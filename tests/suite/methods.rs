@@ -21,6 +21,8 @@ use speed_vs_accuracy::{
     full_b, half_b, stage_of_hit, stage_of_t,
 };
 
+use crate::stability::share;
+
 mod every_method {
     use super::*;
 
@@ -600,10 +602,6 @@ fn wrong(method: Method, cases: &[Case]) -> f64 {
 fn is_hit(case: &Case) -> bool {
     let exact = Exact::of(case);
     exact.nearest_root_in(0.0, f64::INFINITY).is_some()
-}
-
-fn share(cases: &[Case], is_counted: impl Fn(&Case) -> bool) -> f64 {
-    cases.iter().filter(|case| is_counted(case)).count() as f64 / cases.len() as f64
 }
 
 fn median_ulps(method: Method, cases: &[Case]) -> f64 {

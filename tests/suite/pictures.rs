@@ -103,13 +103,7 @@ fn the_text_of_each_picture_has_the_sum_of_the_books_own() {
 fn the_number_of_threads_changes_no_byte() {
     // Large enough for three strips, and no multiple of anything.
     let picture = hittable_list::picture(263);
-    let text = |threads| {
-        let mut text = Vec::new();
-        picture
-            .write_p3_with_threads(threads, &mut text)
-            .expect("memory takes it");
-        text
-    };
+    let text = |threads| p3_with_threads(&picture, threads);
     for threads in [2, 3, 7, 100] {
         assert!(text(1) == text(threads), "the text of {threads} threads");
         assert!(
@@ -258,9 +252,19 @@ fn assert_equal(expected: &Picture, actual: &Picture, what: &str) {
     assert!(comparison == Comparison::Equal, "{what}: {comparison}");
 }
 
-fn p3(picture: &Picture) -> Vec<u8> {
+/// The text of a picture.
+pub(crate) fn p3(picture: &Picture) -> Vec<u8> {
     let mut text = Vec::new();
     picture.write_p3(&mut text).expect("memory takes it");
+    text
+}
+
+/// The same, by so many threads.
+pub(crate) fn p3_with_threads(picture: &Picture, threads: usize) -> Vec<u8> {
+    let mut text = Vec::new();
+    picture
+        .write_p3_with_threads(threads, &mut text)
+        .expect("memory takes it");
     text
 }
 

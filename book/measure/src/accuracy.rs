@@ -115,13 +115,6 @@ pub fn sweeps(count: usize, seed: u64) -> String {
         })
 }
 
-/// How exact `method` is on `cases`.
-pub fn of(method: &Method, cases: &[Case]) -> Accuracy {
-    let precision = method.precision();
-    let truths = truths(cases, precision);
-    judge(method, cases, &truths)
-}
-
 /// Whether there is a root with t > 0.
 pub fn has_root(case: &Case) -> bool {
     truths(&[*case], Precision::Double)[0].is_some()

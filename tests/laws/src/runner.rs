@@ -7,8 +7,7 @@ use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use speed_vs_accuracy::Case;
 
-use crate::intervals::WithInterval;
-use crate::intervals::{NEAREST_IN_RANGE, RangeSolver};
+use crate::intervals::{NEAREST_IN_RANGE, RangeSolver, WithInterval};
 use crate::nearer_root::{Law, NEARER_ROOT, Solver};
 use crate::shrinker::{Simplify, simplified};
 use crate::strategies;

@@ -5,6 +5,12 @@ use crate::chapter::Chapter;
 use crate::slips::program::Program;
 use crate::slips::slip::{Slip, Unseen};
 
+/// Why chapter 2 does not show a slip in the sign of b.
+pub(super) const SIGN_OF_B: &[(&[Chapter], Unseen)] = &[(
+    RED_SPHERE,
+    Unseen::Equivalent("Only the sign of b changes, and the discriminant has its square."),
+)];
+
 pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "oc-reversed",
@@ -19,10 +25,7 @@ pub(super) const SLIPS: &[Slip] = &[
             oc: |center, origin| origin - center,
             ..right
         },
-        unseen: &[(
-            RED_SPHERE,
-            Unseen::Equivalent("Only the sign of b changes, and the discriminant has its square."),
-        )],
+        unseen: SIGN_OF_B,
     },
     Slip {
         name: "b-sign",
@@ -37,10 +40,7 @@ pub(super) const SLIPS: &[Slip] = &[
             linear: |d_oc| 2.0 * d_oc,
             ..right
         },
-        unseen: &[(
-            RED_SPHERE,
-            Unseen::Equivalent("Only the sign of b changes, and the discriminant has its square."),
-        )],
+        unseen: SIGN_OF_B,
     },
     Slip {
         name: "b-not-doubled",
