@@ -1,4 +1,4 @@
-//! The probes, and what a reader changes to draw them.
+//! `probes`: small scenes, and what a reader changes to draw them.
 
 use std::error::Error;
 use std::fmt::Write;

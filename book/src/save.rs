@@ -1,4 +1,4 @@
-//! Picture files.
+//! Picture files: PNG and P3.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! One picture, wherever the reader wants it.
+//! `show`: one picture, wherever the reader wants it.
 
 use std::env;
 use std::error::Error;

@@ -1,4 +1,4 @@
-//! The catalogue of mistakes: lists them, and draws them on purpose.
+//! `slips`: lists the known mistakes, and draws them on purpose.
 
 use std::error::Error;
 use std::fmt::Write;

@@ -1,4 +1,4 @@
-//! A picture in the terminal, two pixels to a character.
+//! Half blocks: a picture in the terminal, two pixels to a character.
 
 use std::io::{self, Write};
 

@@ -54,8 +54,8 @@ fn a_program_without_a_slip_breaks_no_law() {
 struct Outcome {
     slip: &'static Slip,
     chapter: Chapter,
-    /// The name of each exam and what it says, the book's picture first.
-    verdicts: Vec<(&'static str, Shown)>,
+    /// What the book's picture shows, and then each probe's.
+    verdicts: Vec<(Option<Probe>, Shown)>,
     /// The first law that the slip breaks.
     broken: Option<Broken>,
 }
@@ -67,7 +67,7 @@ fn outcomes() -> Vec<Outcome> {
         let exams = exams(chapter);
         for slip in slips::all().filter(|slip| slip.chapters.contains(&chapter)) {
             let program = slip.program(chapter);
-            let verdict = |exam: &Exam| (exam.name, exam.judge(program));
+            let verdict = |exam: &Exam| (exam.probe, exam.judge(program));
             outcomes.push(Outcome {
                 slip,
                 chapter,
@@ -216,7 +216,6 @@ impl Samples {
 
 /// A picture that is compared: the book's, or a probe's.
 struct Exam {
-    name: &'static str,
     probe: Option<Probe>,
     width: u32,
     right: Picture,
@@ -234,14 +233,12 @@ enum Shown {
 fn exams(chapter: Chapter) -> Vec<Exam> {
     let right = Program::right(chapter);
     let book = Exam {
-        name: "book",
         probe: None,
         width: chapter.book_width(),
         right: right.run(chapter.book_width()).picture(),
     };
     let probes = PROBES.into_iter().filter_map(|probe| {
         Some(Exam {
-            name: probe.name,
             probe: Some(probe),
             width: probe.width,
             right: probe.put_to(right)?.run(probe.width).picture(),

@@ -7,7 +7,7 @@ use figures::records::{Accuracy, Level, Timing, WrongPixels};
 use figures::table::{Record, Table};
 use figures::{CHARTS, Chart, Drawn, find_chart, standalone};
 use insta::assert_binary_snapshot;
-use speed_vs_accuracy::{METHODS, Precision, REGIMES, Random};
+use speed_vs_accuracy::{METHODS, Method, Precision, REGIMES, Random};
 
 use crate::figures::{all, parse, texts, words};
 
@@ -64,8 +64,7 @@ fn every_row_of_a_table_has_as_many_fields_as_its_head() {
 fn the_chart_of_the_book_names_every_method() {
     for seed in 0..SEEDS {
         let drawn = invented("speed_accuracy", seed);
-        let drawing = parse(&drawn.svg);
-        let labels: Vec<String> = texts(&drawing).map(|text| words(&text)).collect();
+        let labels = labels(&drawn);
         for method in METHODS {
             assert!(
                 labels
@@ -83,9 +82,10 @@ fn the_chart_of_the_book_names_every_method() {
 fn every_panel_names_the_reference_and_the_certified_methods() {
     for seed in 0..SEEDS {
         let drawn = invented("speed_accuracy_regimes", seed);
-        let drawing = parse(&drawn.svg);
-        let labels: Vec<String> = texts(&drawing).map(|text| words(&text)).collect();
-        for name in ["half_b", "certified_hit", "certified_t"] {
+        let labels = labels(&drawn);
+        let certified = METHODS.iter().filter(|method| method.is_certified);
+        for method in certified.chain([&Method::REFERENCE]) {
+            let name = method.name;
             let count = labels.iter().filter(|label| *label == name).count();
             assert_eq!(count, REGIMES.len(), "{name} with seed {seed}");
         }
@@ -154,35 +154,38 @@ fn crossings_are_where_the_tree_becomes_faster() {
     let rows = sizes.map(|n| [growth("vec", n, n as f64), growth("bvh", n, 50.0)]);
     let timings = Table::from(rows.concat()).text();
     let drawn = (find_chart("growth").expect("a chart").draw)(&[&timings]).expect("it is drawn");
-    let drawing = parse(&drawn.svg);
-    let labels: Vec<String> = texts(&drawing).map(|text| words(&text)).collect();
+    let labels = labels(&drawn);
     assert!(labels.contains(&"50 spheres".to_owned()), "{labels:?}");
 }
 
 #[test]
 fn the_failure_map_shows_that_half_b_errs_and_exact_arithmetic_does_not() {
     let Drawn { table, .. } = from_notes(find_chart("failure_map").expect("a chart"));
-    let wrong = |method: &str| -> u32 {
+    let wrong = |method: Method| -> u32 {
         let row = table
             .lines()
-            .find(|line| line.starts_with(&format!("| `{method}`")));
+            .find(|line| line.starts_with(&format!("| `{}`", method.name)));
         let count = row.and_then(|row| row.split('|').nth(2)).map(str::trim);
         count
             .and_then(|count| count.parse().ok())
             .expect("a row has a number")
     };
-    assert_eq!(wrong("exact"), 0);
-    assert_eq!(wrong("half_b"), wrong("full_b"), "the same to the bit");
-    assert!(wrong("half_b") > 3 * wrong("cross_q"), "{table}");
-    assert!(wrong("cross_q") > 0, "{table}");
+    assert_eq!(wrong(Method::EXACT), 0);
+    let [full_b, half_b, cross_q] = [Method::FULL_B, Method::HALF_B, Method::CROSS_Q].map(wrong);
+    assert_eq!(half_b, full_b, "the same to the bit");
+    assert!(half_b > 3 * cross_q && cross_q > 0, "{table}");
 }
 
-/// All charts, of what was measured and of what was not.
-pub(crate) fn drawings() -> impl Iterator<Item = (String, String)> {
-    let measured = CHARTS
+/// All charts, of what was measured.
+pub(crate) fn of_the_book() -> impl Iterator<Item = (String, String)> {
+    CHARTS
         .iter()
-        .map(|chart| (chart.name.to_owned(), from_notes(chart).svg));
-    let invented = [
+        .map(|chart| (chart.name.to_owned(), from_notes(chart).svg))
+}
+
+/// Charts of numbers that nobody measured.
+pub(crate) fn of_invented_numbers() -> impl Iterator<Item = (String, String)> {
+    [
         "speed_accuracy",
         "speed_accuracy_regimes",
         "distance",
@@ -190,12 +193,8 @@ pub(crate) fn drawings() -> impl Iterator<Item = (String, String)> {
     ]
     .into_iter()
     .flat_map(|name| (0..SEEDS).map(move |seed| (name, seed)))
-    .map(|(name, seed)| (format!("{name}{INVENTED}{seed}"), invented(name, seed).svg));
-    measured.chain(invented)
+    .map(|(name, seed)| (format!("{name} with seed {seed}"), invented(name, seed).svg))
 }
-
-/// What the names of charts contain whose numbers nobody measured.
-pub(crate) const INVENTED: &str = " of invented numbers ";
 
 const SEEDS: u64 = 8;
 
@@ -219,7 +218,7 @@ fn invented(name: &str, seed: u64) -> Drawn {
     let (mut accuracy, mut levels) = (Vec::new(), Vec::new());
     let (mut timings, mut scenes) = (Vec::new(), Vec::new());
     for method in METHODS {
-        let (name, precision) = (method.name.to_owned(), Precision::of(method));
+        let (name, precision) = (method.name.to_owned(), method.precision());
         for regime in REGIMES.map(|regime| regime.name) {
             let time = number(seed.is_multiple_of(2), 0.5, 1.5);
             let ulps = number(seed % 4 < 2, 0.0, 6.0);
@@ -281,6 +280,12 @@ fn timing([what, name, place]: [&str; 3], precision: Precision, n: usize, time: 
         greatest_ns: time,
         ratio: 1.0,
     }
+}
+
+/// What is written in a chart.
+fn labels(drawn: &Drawn) -> Vec<String> {
+    let drawing = parse(&drawn.svg);
+    texts(&drawing).map(|text| words(&text)).collect()
 }
 
 /// The points of a path.

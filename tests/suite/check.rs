@@ -7,6 +7,8 @@ use check::png;
 use check::slips::{self, Ball, Program, Slip};
 use common::rtweekend::*;
 
+use crate::slips::slip;
+
 /// A test for each slip of the catalogue, which draws it in every chapter.
 macro_rules! each_slip_is_named {
     ($($name:ident)*) => {
@@ -449,7 +451,7 @@ fn a_mirrored_or_moved_picture_is_described() {
 /// Saved as PNG, as the text of C++ at another size, and with some levels off by
 /// one: the slip is always named in the first set.
 fn is_named(name: &str) {
-    let slip = slips::find(name).expect("a slip of the catalogue");
+    let slip = slip(name);
     for &chapter in slip.chapters {
         let scene = scene(chapter);
         let drawn = |width| {
@@ -529,10 +531,6 @@ fn with_noise(picture: &Picture) -> Picture {
 
 fn scene(chapter: Chapter) -> Scene {
     Scene::new(chapter, None).expect("every chapter has the book's scene")
-}
-
-fn slip(name: &str) -> &'static Slip {
-    slips::find(name).unwrap_or_else(|| panic!("there is no slip {name}"))
 }
 
 /// What can be seen in the picture, in one text.

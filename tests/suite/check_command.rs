@@ -11,8 +11,9 @@ use check::slips::{self, PROBES};
 use tempfile::TempDir;
 
 use crate::command_line::{
-    assert_refused, assert_success, names_in, p3, path_of, program_with, run, text,
+    assert_refused, assert_success, names_in, path_of, program_with, run, text,
 };
+use crate::pictures::p3;
 
 #[test]
 fn a_right_picture_takes_one_line() {

@@ -12,6 +12,7 @@ use common::rtweekend::Picture;
 use tempfile::TempDir;
 
 use crate::book::woven;
+use crate::pictures::p3;
 
 #[test]
 fn a_chapter_prints_its_picture() {
@@ -731,12 +732,6 @@ pub(crate) fn names_in(folder: &Path) -> Vec<String> {
 fn picture_in(file: &Path) -> Picture {
     let bytes = fs::read(file).expect("the file is there");
     reading::read(&bytes).expect("it is a picture").picture()
-}
-
-pub(crate) fn p3(picture: &Picture) -> Vec<u8> {
-    let mut text = Vec::new();
-    picture.write_p3(&mut text).expect("memory takes it");
-    text
 }
 
 pub(crate) fn text(bytes: &[u8]) -> String {

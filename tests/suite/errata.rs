@@ -4,10 +4,11 @@
 
 use check::Chapter;
 use check::comparison::differing_pixels;
-use check::slips::{self, Slip};
 use common::rtweekend::*;
 use hittable_list::{HitRecord, Hittable, Sphere};
 use laws::{runner, strategies};
+
+use crate::slips::slip;
 
 #[test]
 fn the_second_listing_of_the_notes_finds_minus_the_far_root() {
@@ -214,8 +215,4 @@ fn a_root_at_the_very_start_of_the_interval_is_no_hit() {
     let on_the_surface = Ray::new(Point3::new(0.0, 0.0, -0.5), Vec3::NEG_Z);
     let hit = sphere.hit(&on_the_surface, 0.0, f64::INFINITY);
     assert_eq!(hit.map(|hit| hit.t), Some(1.0));
-}
-
-fn slip(name: &str) -> &'static Slip {
-    slips::find(name).unwrap_or_else(|| panic!("there is no slip {name}"))
 }

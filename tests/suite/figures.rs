@@ -58,9 +58,8 @@ fn a_figure_can_stand_in_a_page_of_markdown() {
 #[test]
 fn every_id_of_a_page_with_all_drawings_is_unique_and_every_name_is_found() {
     let mut ids = BTreeSet::new();
-    let invented = |(name, _): &(String, String)| name.contains(charts::INVENTED);
-    for (name, svg) in drawings().iter().filter(|drawing| !invented(drawing)) {
-        let drawing = parse(svg);
+    for (name, svg) in of_the_book() {
+        let drawing = parse(&svg);
         let root = drawing.root_element();
         let mut own = BTreeSet::new();
         for id in root.descendants().filter_map(|node| node.attribute("id")) {
@@ -307,13 +306,17 @@ fn a_file_of_its_own_brings_its_style() {
 
 /// All figures and charts, and the charts of numbers that nobody measured.
 fn drawings() -> &'static [(String, String)] {
-    static DRAWINGS: LazyLock<Vec<(String, String)>> = LazyLock::new(|| {
-        let figures = FIGURES
-            .iter()
-            .map(|figure| (figure.name.to_owned(), (figure.draw)()));
-        figures.chain(charts::drawings()).collect()
-    });
+    static DRAWINGS: LazyLock<Vec<(String, String)>> =
+        LazyLock::new(|| of_the_book().chain(charts::of_invented_numbers()).collect());
     &DRAWINGS
+}
+
+/// All figures and charts.
+fn of_the_book() -> impl Iterator<Item = (String, String)> {
+    let figures = FIGURES
+        .iter()
+        .map(|figure| (figure.name.to_owned(), (figure.draw)()));
+    figures.chain(charts::of_the_book())
 }
 
 pub(crate) fn parse(svg: &str) -> Document<'_> {

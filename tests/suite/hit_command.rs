@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::process::{Command, Output, Stdio};
 
-use speed_vs_accuracy::{METHODS, Precision, REGIMES, Solve};
+use speed_vs_accuracy::{METHODS, Precision, REGIMES};
 use tempfile::TempDir;
 
 use crate::command_line::{assert_refused, assert_success, program_with, run, text};
@@ -138,15 +138,15 @@ mod a_file {
         let mut file = "ox,oy,oz,dx,dy,dz,cx,cy,cz,r\n".to_owned();
         let mut expected = Vec::new();
         for regime in REGIMES {
-            for question in regime.questions(Precision::Double, 7, 20) {
-                let (ray, center) = (question.ray, question.center);
+            for case in regime.cases(Precision::Double, 7, 20) {
+                let (ray, center) = (case.ray, case.center);
                 let numbers = [ray.origin, ray.direction, center].map(|v| v.to_array());
                 for number in numbers.as_flattened() {
                     file += &format!("{number:?},");
                 }
-                file += &format!("{:?}\n", question.radius);
+                file += &format!("{:?}\n", case.radius);
                 for method in METHODS {
-                    let t = question.put_to(method, 0.0, f64::INFINITY);
+                    let t = case.put_to(method, 0.0, f64::INFINITY);
                     expected.push((method, t));
                 }
             }
@@ -158,9 +158,9 @@ mod a_file {
         assert_eq!(lines.len(), expected.len());
         for (line, (method, t)) in lines.into_iter().zip(expected) {
             let field = line.rsplit(',').next().expect("a line has fields");
-            let found = match method.solve {
-                Solve::Double(_) => field.parse().ok(),
-                Solve::Single(_) => field.parse::<f32>().ok().map(f64::from),
+            let found = match method.precision() {
+                Precision::Double => field.parse().ok(),
+                Precision::Single => field.parse::<f32>().ok().map(f64::from),
             };
             assert_eq!(found, t, "{line}");
         }

@@ -1,4 +1,4 @@
-//! What to say when a check can't be made.
+//! Skipped checks: what to say when a check can't be made.
 
 use std::io::{self, Write};
 

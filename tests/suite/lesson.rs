@@ -12,7 +12,7 @@ use std::process::Command;
 use check::Chapter;
 
 use crate::book::{self, files, text_of};
-use crate::command_line::p3;
+use crate::pictures::p3;
 
 /// What a page lists though its picture does without: the page, the function, and why.
 const DRAWS_NOTHING: [(&str, &str, &str); 2] = [

@@ -9,7 +9,7 @@ use measure::{accuracy, scenes};
 /// The book shows these files, so they stand where the book finds them.
 const MEASURED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/measured");
 
-/// How many questions each method is asked in each regime, and at each level. Of
+/// How many cases each method is given in each regime, and at each level. Of
 /// more, `cargo bench -p measure --bench accuracy -- --cases 1000000` tells.
 const CASES: usize = 2000;
 const CASES_OF_A_LEVEL: usize = 400;

@@ -17,8 +17,11 @@ use laws::strategies;
 use laws::verdict::Verdict;
 use laws::{Case, WithInterval};
 use speed_vs_accuracy::{
-    METHODS, SingleRay, Solve, Stage, certified_hit, certified_t, exact, stage_of_hit, stage_of_t,
+    Discriminant, METHODS, Method, Precision, Solve, Stage, certified_hit, certified_t, exact,
+    full_b, half_b, stage_of_hit, stage_of_t,
 };
+
+use crate::stability::share;
 
 mod every_method {
     use super::*;
@@ -69,7 +72,7 @@ mod every_method {
                 assert_eq!(solve(center, 0.5, &ray, 0.0, f64::INFINITY), None, "{name}");
             }
             // To chapter 5 a radius that is not a number is 0.
-            let of_no_size = (name == "half_b").then_some(1.0);
+            let of_no_size = (name == Method::HALF_B.name).then_some(1.0);
             assert_eq!(
                 solve(center, f64::NAN, &ray, 0.0, 9.0),
                 of_no_size,
@@ -88,9 +91,11 @@ mod every_single_precision_method {
     /// and so is the oracle.
     #[test]
     fn returns_the_nearest_root_to_the_digits_that_remain() {
-        for (name, solve) in in_single_precision() {
+        for method in of(Precision::Single) {
+            let name = method.name;
             for case in samples(&strategies::anywhere(), CASES) {
-                let (case, found) = in_f32(&case, solve);
+                let case = case.rounded(Precision::Single);
+                let found = in_front(&case, method);
                 if !case.numbers().iter().all(|number| number.is_finite()) {
                     continue;
                 }
@@ -108,10 +113,9 @@ mod every_single_precision_method {
                     .any(|root| root.rounded().abs() <= bound);
                 match (found, expected) {
                     _ if nearer_is_at_the_end => {}
-                    (Some(t), Some(root)) => assert!(
-                        (f64::from(t) - root.rounded()).abs() <= bound,
-                        "{name}: {t} on {case}"
-                    ),
+                    (Some(t), Some(root)) => {
+                        assert!((t - root.rounded()).abs() <= bound, "{name}: {t} on {case}");
+                    }
                     (found, expected) => {
                         assert_eq!(found.is_some(), expected.is_some(), "{name} on {case}");
                     }
@@ -123,19 +127,19 @@ mod every_single_precision_method {
     /// Input of 24 digits, arithmetic of 53: nothing is left to lose in t.
     #[test]
     fn is_right_to_an_ulp_if_it_is_widened() {
-        let solve = single("widened_half_b_q_f32");
         for cases in [
             samples(&strategies::book_rays(), CASES),
             samples(&strategies::far(0.5..=4.0), CASES),
             samples(&strategies::above_the_ground(2.0..=6.0), CASES),
         ] {
             for case in cases {
-                let (case, found) = in_f32(&case, solve);
+                let case = case.rounded(Precision::Single);
+                let found = in_front(&case, &Method::WIDENED_HALF_B_Q_F32);
                 let exact = Exact::of(&case);
                 let root = exact.nearest_root_in(0.0, f64::INFINITY);
                 assert_eq!(found.is_some(), root.is_some(), "{case}");
                 if let (Some(t), Some(root)) = (found, root) {
-                    let ulps = root.error_in_ulps(t.into()) / SINGLE;
+                    let ulps = root.error_in_ulps(t) / SINGLE;
                     assert!(ulps <= 1.0, "{ulps} ulps on {case}");
                 }
             }
@@ -266,9 +270,15 @@ mod the_certified_methods {
     #[test]
     fn round_to_less_than_eight_tenths_of_an_ulp() {
         for case in samples(&strategies::hostile(), CASES) {
-            let asked = in_front(case);
-            let end = |asked: &WithInterval| asked.solve(&certified_t);
-            if end(&asked).is_some_and(|t| t > f64::from_bits(1)) {
+            let asked = WithInterval {
+                case,
+                t_min: 0.0,
+                t_max: f64::INFINITY,
+            };
+            if asked
+                .solve(&certified_t)
+                .is_some_and(|t| t > f64::from_bits(1))
+            {
                 intervals::t_is_within_ulps(&certified_t, &asked, 0.8)
                     .unwrap_or_else(|broken| panic!("{broken}\n\n{asked}"));
             }
@@ -321,7 +331,7 @@ mod the_certified_methods {
         for case in samples(&strategies::far(4.0..=4.0), 500) {
             let (hit, t) = stages(&case);
             assert!(hit <= t, "{case}");
-            if in_front(case).solve(&certified_hit).is_some() {
+            if in_front(&case, &Method::CERTIFIED_HIT).is_some() {
                 assert_eq!((hit, t), (Stage::Filter, Stage::DoubleDouble), "{case}");
             }
         }
@@ -351,27 +361,27 @@ mod far_away {
 
     #[test]
     fn half_b_decides_by_chance_where_the_others_do_not_err() {
-        for name in ["full_b", "half_b", "half_b_q", "kahan_q", "scaled_q"] {
-            assert_eq!(wrong(name, &far(5.0)), 0.0, "{name}");
-            assert_between(0.002, wrong(name, &far(7.0)), 0.05, name);
-            assert_between(0.25, wrong(name, &far(9.0)), 0.6, name);
-        }
-        for name in [
-            "haines",
-            "haines_q",
-            "cross_q",
-            "adaptive_q",
-            "double_double",
+        for method in [
+            Method::FULL_B,
+            Method::HALF_B,
+            Method::HALF_B_Q,
+            Method::KAHAN_Q,
+            Method::SCALED_Q,
         ] {
-            assert_eq!(wrong(name, &far(9.0)), 0.0, "{name}");
-            assert_eq!(wrong(name, &far(11.0)), 0.0, "{name}");
+            assert_eq!(wrong(method, &far(5.0)), 0.0, "{}", method.name);
+            assert_between(0.002, wrong(method, &far(7.0)), 0.05, method);
+            assert_between(0.25, wrong(method, &far(9.0)), 0.6, method);
+        }
+        for method in by(Discriminant::Distance).chain([&Method::DOUBLE_DOUBLE]) {
+            assert_eq!(wrong(*method, &far(9.0)), 0.0, "{}", method.name);
+            assert_eq!(wrong(*method, &far(11.0)), 0.0, "{}", method.name);
         }
     }
 
     #[test]
     fn the_distance_to_the_line_is_lost_at_a_quadrillion_radii() {
-        for name in ["haines", "haines_q", "cross_q", "adaptive_q"] {
-            assert_between(0.01, wrong(name, &far(15.0)), 0.06, name);
+        for method in by(Discriminant::Distance) {
+            assert_between(0.01, wrong(*method, &far(15.0)), 0.06, *method);
         }
     }
 
@@ -379,12 +389,12 @@ mod far_away {
     fn twice_the_digits_are_too_few_from_a_quadrillion_radii() {
         assert_between(
             1e-3,
-            wrong("double_double", &far(15.0)),
+            wrong(Method::DOUBLE_DOUBLE, &far(15.0)),
             0.03,
-            "double_double",
+            Method::DOUBLE_DOUBLE,
         );
-        for name in ["certified_hit", "certified_t", "exact"] {
-            assert_eq!(wrong(name, &far(15.0)), 0.0, "{name}");
+        for method in by(Discriminant::Certain) {
+            assert_eq!(wrong(*method, &far(15.0)), 0.0, "{}", method.name);
         }
     }
 
@@ -392,26 +402,26 @@ mod far_away {
     fn single_precision_is_lost_at_the_square_root_of_the_distance() {
         assert_between(
             0.02,
-            wrong_in_f32("half_b_f32", &far(3.0)),
+            wrong(Method::HALF_B_F32, &far(3.0)),
             0.1,
-            "half_b_f32",
+            Method::HALF_B_F32,
         );
         assert_between(
             0.02,
-            wrong_in_f32("half_b_q_f32", &far(3.0)),
+            wrong(Method::HALF_B_Q_F32, &far(3.0)),
             0.1,
-            "half_b_q_f32",
+            Method::HALF_B_Q_F32,
         );
-        assert_eq!(wrong_in_f32("cross_q_f32", &far(3.0)), 0.0);
+        assert_eq!(wrong(Method::CROSS_Q_F32, &far(3.0)), 0.0);
         assert_between(
             0.005,
-            wrong_in_f32("cross_q_f32", &far(6.0)),
+            wrong(Method::CROSS_Q_F32, &far(6.0)),
             0.05,
-            "cross_q_f32",
+            Method::CROSS_Q_F32,
         );
-        assert_eq!(wrong_in_f32("widened_half_b_q_f32", &far(4.0)), 0.0);
-        let widened = wrong_in_f32("widened_half_b_q_f32", &far(8.0));
-        assert_between(0.01, widened, 0.6, "widened_half_b_q_f32");
+        assert_eq!(wrong(Method::WIDENED_HALF_B_Q_F32, &far(4.0)), 0.0);
+        let widened = wrong(Method::WIDENED_HALF_B_Q_F32, &far(8.0));
+        assert_between(0.01, widened, 0.6, Method::WIDENED_HALF_B_Q_F32);
     }
 
     fn far(k: f64) -> Vec<Case> {
@@ -427,29 +437,44 @@ mod near_the_surface {
     #[test]
     fn only_a_c_with_all_its_digits_knows_the_side_of_the_origin() {
         let cases = samples(&strategies::leaving_the_surface(3.0..=3.0), CASES);
-        for name in [
-            "half_b", "half_b_q", "haines", "haines_q", "kahan_q", "cross_q",
+        for method in [
+            Method::HALF_B,
+            Method::HALF_B_Q,
+            Method::HAINES,
+            Method::HAINES_Q,
+            Method::KAHAN_Q,
+            Method::CROSS_Q,
         ] {
-            assert_between(0.1, wrong(name, &cases), 0.35, name);
+            assert_between(0.1, wrong(method, &cases), 0.35, method);
         }
-        for name in [
-            "adaptive_q",
-            "double_double",
-            "certified_hit",
-            "certified_t",
+        for method in [
+            Method::ADAPTIVE_Q,
+            Method::DOUBLE_DOUBLE,
+            Method::CERTIFIED_HIT,
+            Method::CERTIFIED_T,
         ] {
-            assert_eq!(wrong(name, &cases), 0.0, "{name}");
+            assert_eq!(wrong(method, &cases), 0.0, "{}", method.name);
         }
     }
 
     #[test]
     fn a_huge_ground_costs_digits_unless_c_has_them_all() {
         let cases = samples(&strategies::above_the_ground(6.0..=6.0), CASES);
-        for name in ["half_b", "half_b_q", "haines_q", "kahan_q", "cross_q"] {
-            assert_between(1e2, median_ulps(name, &cases), 1e7, name);
+        for method in [
+            Method::HALF_B,
+            Method::HALF_B_Q,
+            Method::HAINES_Q,
+            Method::KAHAN_Q,
+            Method::CROSS_Q,
+        ] {
+            assert_between(1e2, median_ulps(method, &cases), 1e7, method);
         }
-        for name in ["adaptive_q", "double_double", "certified_t"] {
-            assert_between(0.0, median_ulps(name, &cases), 2.0, name);
+        for method in [
+            Method::ADAPTIVE_Q,
+            Method::DOUBLE_DOUBLE,
+            Method::CERTIFIED_T,
+        ] {
+            assert_between(0.0, median_ulps(method, &cases), 2.0, method);
         }
     }
 }
@@ -461,17 +486,22 @@ mod exponents {
     #[test]
     fn run_out_for_all_that_do_not_scale() {
         for length in [1e-165, 1e160] {
-            let ray = Ray::new(Point3::ZERO, Vec3::new(0.0, 0.0, -length));
-            let ask = |solve: RangeFn| solve(CENTER, 0.5, &ray, 0.0, f64::INFINITY);
-            for (name, solve) in in_double_precision() {
-                let is_right = ask(solve).is_some_and(|t| (t * length - 0.5).abs() < 1e-15);
-                let copes = ["scaled_q", "certified_hit", "certified_t", "exact"].contains(&name);
-                assert_eq!(is_right, copes, "{name} at a length of {length}");
+            let case = Case {
+                center: Point3::new(0.0, 0.0, -1.0),
+                radius: 0.5,
+                ray: Ray::new(Point3::ZERO, Vec3::new(0.0, 0.0, -length)),
+            };
+            for method in of(Precision::Double) {
+                let name = method.name;
+                let found = in_front(&case, method);
+                let is_right = found.is_some_and(|t| (t * length - 0.5).abs() < 1e-15);
+                assert_eq!(
+                    is_right, method.any_exponent,
+                    "{name} at a length of {length}"
+                );
             }
         }
     }
-
-    const CENTER: Point3 = Point3::new(0.0, 0.0, -1.0);
 }
 
 /// What one would not expect, and what the charts therefore show.
@@ -480,11 +510,10 @@ mod surprises {
 
     #[test]
     fn half_of_b_gains_no_bit() {
-        let (full, half) = (range("full_b"), range("half_b"));
         let asked = strategies::with_interval(strategies::anywhere());
         for asked in samples(&asked, CASES) {
             if asked.case.is_well_scaled() {
-                assert_eq!(asked.solve(&full), asked.solve(&half), "{asked}");
+                assert_eq!(asked.solve(&full_b), asked.solve(&half_b), "{asked}");
             }
         }
     }
@@ -494,38 +523,38 @@ mod surprises {
     #[test]
     fn the_stable_discriminant_is_worse_on_the_ground_of_the_book() {
         let ground = book_ground();
-        let [plain, cross, haines] =
-            ["half_b_q", "cross_q", "haines"].map(|name| percentile(name, &ground, 0.999));
-        assert_between(1.0, plain, 20.0, "half_b_q");
-        assert_between(20.0 * plain, cross, 1e4, "cross_q");
-        assert_between(20.0 * plain, haines, 1e4, "haines");
-        assert_between(10.0, median_ulps("haines", &ground), 200.0, "haines");
+        let [plain, cross, haines] = [Method::HALF_B_Q, Method::CROSS_Q, Method::HAINES]
+            .map(|method| percentile(method, &ground, 0.999));
+        assert_between(1.0, plain, 20.0, Method::HALF_B_Q);
+        assert_between(20.0 * plain, cross, 1e4, Method::CROSS_Q);
+        assert_between(20.0 * plain, haines, 1e4, Method::HAINES);
+        assert_between(
+            10.0,
+            median_ulps(Method::HAINES, &ground),
+            200.0,
+            Method::HAINES,
+        );
     }
 
     /// A discriminant right to the last digits, of coefficients that are not.
     #[test]
     fn an_exact_discriminant_hardly_helps() {
         let far = samples(&strategies::far(7.0..=7.0), CASES);
-        let (plain, kahan) = (wrong("half_b_q", &far), wrong("kahan_q", &far));
-        assert_between(0.5 * plain, kahan, 2.0 * plain, "kahan_q");
+        let (plain, kahan) = (wrong(Method::HALF_B_Q, &far), wrong(Method::KAHAN_Q, &far));
+        assert_between(0.5 * plain, kahan, 2.0 * plain, Method::KAHAN_Q);
         let grazing = samples(&strategies::grazing(9.0..=9.0), CASES);
         let (plain, kahan) = (
-            median_ulps("half_b_q", &grazing),
-            median_ulps("kahan_q", &grazing),
+            median_ulps(Method::HALF_B_Q, &grazing),
+            median_ulps(Method::KAHAN_Q, &grazing),
         );
-        assert_between(0.5 * plain, kahan, 1.1 * plain, "kahan_q");
+        assert_between(0.5 * plain, kahan, 1.1 * plain, Method::KAHAN_Q);
     }
 
     #[test]
     fn single_precision_is_enough_for_the_book() {
         let cases = samples(&strategies::book_rays(), 10 * CASES);
-        for name in [
-            "half_b_f32",
-            "half_b_q_f32",
-            "cross_q_f32",
-            "widened_half_b_q_f32",
-        ] {
-            assert_between(0.0, wrong_in_f32(name, &cases), 1e-4, name);
+        for method in of(Precision::Single) {
+            assert_between(0.0, wrong(*method, &cases), 1e-4, *method);
         }
     }
 
@@ -548,67 +577,25 @@ fn in_double_precision() -> impl Iterator<Item = (&'static str, RangeFn)> {
     })
 }
 
-fn in_front(case: Case) -> WithInterval {
-    WithInterval {
-        case,
-        t_min: 0.0,
-        t_max: f64::INFINITY,
-    }
+fn of(precision: Precision) -> impl Iterator<Item = &'static Method> {
+    let all = METHODS.iter();
+    all.filter(move |method| method.precision() == precision)
 }
 
-type SingleFn = fn(glam::Vec3, f32, &SingleRay, f32, f32) -> Option<f32>;
-
-fn in_single_precision() -> impl Iterator<Item = (&'static str, SingleFn)> {
-    METHODS.iter().filter_map(|method| match method.solve {
-        Solve::Single(solve) => Some((method.name, solve)),
-        Solve::Double(_) => None,
-    })
+fn by(discriminant: Discriminant) -> impl Iterator<Item = &'static Method> {
+    of(Precision::Double).filter(move |method| method.discriminant == discriminant)
 }
 
-fn range(name: &str) -> RangeFn {
-    let method = in_double_precision().find(|method| method.0 == name);
-    method
-        .unwrap_or_else(|| panic!("no method {name} in f64"))
-        .1
-}
-
-fn single(name: &str) -> SingleFn {
-    let method = in_single_precision().find(|method| method.0 == name);
-    method
-        .unwrap_or_else(|| panic!("no method {name} in f32"))
-        .1
-}
-
-/// The case with its numbers rounded to `f32`, and the answer to that.
-fn in_f32(case: &Case, solve: SingleFn) -> (Case, Option<f32>) {
-    let (center, radius) = (case.center.as_vec3(), case.radius as f32);
-    let ray = SingleRay {
-        origin: case.ray.origin.as_vec3(),
-        direction: case.ray.direction.as_vec3(),
-    };
-    let rounded = Case {
-        center: center.as_dvec3(),
-        radius: radius.into(),
-        ray: Ray::new(ray.origin.as_dvec3(), ray.direction.as_dvec3()),
-    };
-    (rounded, solve(center, radius, &ray, 0.0, f32::INFINITY))
+fn in_front(case: &Case, method: &Method) -> Option<f64> {
+    case.put_to(method, 0.0, f64::INFINITY)
 }
 
 /// The share of hits that should be misses, or the reverse, in front of the ray.
-fn wrong(name: &str, cases: &[Case]) -> f64 {
-    let solve = range(name);
-    share(cases, |&case| {
-        let asked = in_front(case);
-        asked.solve(&solve).is_some() != is_hit(&case)
-    })
-}
-
-/// The same in single precision.
-fn wrong_in_f32(name: &str, cases: &[Case]) -> f64 {
-    let solve = single(name);
+/// Right is what is right for the numbers that the method is given.
+fn wrong(method: Method, cases: &[Case]) -> f64 {
     share(cases, |case| {
-        let (case, found) = in_f32(case, solve);
-        found.is_some() != is_hit(&case)
+        let given = case.rounded(method.precision());
+        in_front(case, &method).is_some() != is_hit(&given)
     })
 }
 
@@ -617,30 +604,26 @@ fn is_hit(case: &Case) -> bool {
     exact.nearest_root_in(0.0, f64::INFINITY).is_some()
 }
 
-fn share(cases: &[Case], is_counted: impl Fn(&Case) -> bool) -> f64 {
-    cases.iter().filter(|case| is_counted(case)).count() as f64 / cases.len() as f64
-}
-
-fn median_ulps(name: &str, cases: &[Case]) -> f64 {
-    percentile(name, cases, 0.5)
+fn median_ulps(method: Method, cases: &[Case]) -> f64 {
+    percentile(method, cases, 0.5)
 }
 
 /// The error in ulps that this share of the hits in front does not exceed.
-fn percentile(name: &str, cases: &[Case], share: f64) -> f64 {
-    let solve = range(name);
+fn percentile(method: Method, cases: &[Case], share: f64) -> f64 {
     let mut errors: Vec<f64> = cases
         .iter()
-        .filter_map(|&case| {
-            let exact = Exact::of(&case);
+        .filter_map(|case| {
+            let exact = Exact::of(case);
             let root = exact.nearest_root_in(0.0, f64::INFINITY)?;
-            Some(root.error_in_ulps(in_front(case).solve(&solve)?))
+            Some(root.error_in_ulps(in_front(case, &method)?))
         })
         .collect();
     errors.sort_by(f64::total_cmp);
     errors[((errors.len() - 1) as f64 * share) as usize]
 }
 
-fn assert_between(low: f64, value: f64, high: f64, name: &str) {
+fn assert_between(low: f64, value: f64, high: f64, method: Method) {
+    let name = method.name;
     assert!(
         value >= low,
         "{name}: {value} is less than {low}: better? Say so here"

@@ -6,6 +6,7 @@ use std::cmp::Ordering;
 
 use common::rtweekend::*;
 use dashu_ratio::Relaxed;
+use laws::Case;
 use laws::oracle::{Exact, Root};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -24,7 +25,11 @@ fn same_each_time(cases: u32) -> ProptestConfig {
 }
 
 fn exact(center: Point3, radius: f64, origin: Point3, direction: Vec3) -> Exact {
-    Exact::new(center, radius, &Ray::new(origin, direction)).expect("all numbers are finite")
+    Exact::of(&Case {
+        center,
+        radius,
+        ray: Ray::new(origin, direction),
+    })
 }
 
 /// A sphere on the x-axis and a ray along it. The roots are
@@ -182,11 +187,11 @@ fn the_root_must_lie_in_the_interval_and_not_what_it_rounds_to() {
 #[test]
 fn what_is_not_a_number_and_what_is_no_line_has_no_root() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let ray = Ray::new(Point3::ZERO, X);
-        assert!(Exact::new(X, bad, &ray).is_none());
-        assert!(Exact::new(bad * X, 1.0, &ray).is_none());
-        assert!(Exact::new(X, 1.0, &Ray::new(bad * X, X)).is_none());
-        assert!(Exact::new(X, 1.0, &Ray::new(X, bad * X)).is_none());
+        for place in 0..10 {
+            let mut numbers = [1.0; 10];
+            numbers[place] = bad;
+            assert!(Exact::of_finite(&Case::from_numbers(numbers)).is_none());
+        }
     }
     for radius in [0.5, 1.0, 2.0] {
         let still = on_axis(1.0, radius, 0.0, 0.0);
@@ -287,15 +292,10 @@ fn another_library_finds_the_same_roots() {
         }
         let words: Vec<&str> = line.split(' ').collect();
         let numbers: Vec<f64> = words.iter().flat_map(|word| word.parse()).collect();
-        let [cx, cy, cz, radius, qx, qy, qz, dx, dy, dz, ref roots @ ..] = numbers[..] else {
+        let Some((&numbers, roots)) = numbers.split_first_chunk() else {
             panic!("too few numbers: {line}");
         };
-        let exact = exact(
-            Point3::new(cx, cy, cz),
-            radius,
-            Point3::new(qx, qy, qz),
-            Vec3::new(dx, dy, dz),
-        );
+        let exact = Exact::of(&Case::from_numbers(numbers));
         let found: Vec<f64> = rounded(&exact).into_iter().flatten().collect();
         let bits = |roots: &[f64]| roots.iter().map(|t| t.to_bits()).collect::<Vec<_>>();
         assert_eq!(bits(&found), bits(roots), "{line}");
@@ -319,17 +319,22 @@ fn vector(exponents: i32) -> impl Strategy<Value = Vec3> + Clone {
 
 /// Spheres of any size, all over the place, and rays that mostly pass close to
 /// the center, or to the surface.
-fn case(exponents: i32) -> impl Strategy<Value = (Point3, f64, Ray)> {
+fn case(exponents: i32) -> impl Strategy<Value = Case> {
     let aim = (vector(exponents), vector(exponents), number(exponents / 4));
     (aim, number(exponents), 0..4).prop_map(|((origin, direction, t), size, aim)| {
         let ray = Ray::new(origin, direction);
         let at = ray.at(t);
         let across = Vec3::new(-direction.y, direction.x, 0.0) * size / direction.length();
-        match aim {
-            0 => (direction, size, ray),
-            1 => (at, size, ray),
-            2 => (at + across, across.length(), ray),
-            _ => (at + across, across.length() * 1.1, ray),
+        let (center, radius) = match aim {
+            0 => (direction, size),
+            1 => (at, size),
+            2 => (at + across, across.length()),
+            _ => (at + across, across.length() * 1.1),
+        };
+        Case {
+            center,
+            radius,
+            ray,
         }
     })
 }
@@ -342,15 +347,16 @@ struct Rational {
 }
 
 impl Rational {
-    fn new(center: Point3, radius: f64, ray: &Ray) -> Self {
-        let [c, q, d] = [center, ray.origin, ray.direction].map(|v| v.to_array().map(rational));
+    fn of(case: &Case) -> Self {
+        let Case { center, ray, .. } = case;
+        let [c, q, d] = [center, &ray.origin, &ray.direction].map(|v| v.to_array().map(rational));
         let oc = [0, 1, 2].map(|i| &c[i] - &q[i]);
         let dot =
             |u: &[Relaxed; 3], v: &[Relaxed; 3]| &u[0] * &v[0] + &u[1] * &v[1] + &u[2] * &v[2];
         Self {
             a: dot(&d, &d),
             h: dot(&d, &oc),
-            c: dot(&oc, &oc) - rational(radius) * rational(radius),
+            c: dot(&oc, &oc) - rational(case.radius) * rational(case.radius),
         }
     }
 
@@ -401,14 +407,14 @@ fn rational_or_beyond(x: f64) -> Relaxed {
     }
 }
 
-fn agrees_with_rationals(center: Point3, radius: f64, ray: &Ray) -> Result<(), TestCaseError> {
-    let Some(exact) = Exact::new(center, radius, ray) else {
+fn agrees_with_rationals(case: &Case) -> Result<(), TestCaseError> {
+    let Some(exact) = Exact::of_finite(case) else {
         return Err(TestCaseError::reject("a number overflows"));
     };
-    let slow = Rational::new(center, radius, ray);
+    let slow = Rational::of(case);
     prop_assert_eq!(exact.discriminant(), slow.discriminant());
     prop_assert_eq!(exact.origin_side(), slow.c.cmp(&Relaxed::ZERO));
-    let hits = slow.discriminant() != Ordering::Less && ray.direction != Vec3::ZERO;
+    let hits = slow.discriminant() != Ordering::Less && case.ray.direction != Vec3::ZERO;
     for (root, nearer) in [(exact.nearer_root(), true), (exact.farther_root(), false)] {
         prop_assert_eq!(root.is_some(), hits);
         let Some(root) = root else { continue };
@@ -430,26 +436,29 @@ proptest! {
     #![proptest_config(same_each_time(10_000))]
 
     #[test]
-    fn slow_rational_arithmetic_agrees((center, radius, ray) in case(20)) {
-        agrees_with_rationals(center, radius, &ray)?;
+    fn slow_rational_arithmetic_agrees(case in case(20)) {
+        agrees_with_rationals(&case)?;
     }
 
     #[test]
-    fn a_reversed_ray_has_the_negative_roots((center, radius, ray) in case(20)) {
-        let there = Exact::new(center, radius, &ray).unwrap();
-        let back = Exact::new(center, radius, &Ray::new(ray.origin, -ray.direction)).unwrap();
+    fn a_reversed_ray_has_the_negative_roots(case in case(20)) {
+        let there = Exact::of(&case);
+        let back = Exact::of(&case.turned_round());
         let [nearer, farther] = rounded(&back);
         prop_assert_eq!(rounded(&there), [farther, nearer].map(|t| t.map(|t| -t)));
     }
 
     #[test]
     fn powers_of_two_scale_the_roots_and_nothing_else(
-        (center, radius, ray) in case(20), p in -800..800_i32, q in -100..100_i32,
+        case in case(20), p in -800..800_i32, q in -100..100_i32,
     ) {
         let (lengths, directions) = (2_f64.powi(p), 2_f64.powi(q));
-        let small = Exact::new(center, radius, &ray).unwrap();
-        let ray = Ray::new(ray.origin * lengths, ray.direction * directions);
-        let large = Exact::new(center * lengths, radius * lengths, &ray).unwrap();
+        let small = Exact::of(&case);
+        let large = Exact::of(&Case {
+            center: case.center * lengths,
+            radius: case.radius * lengths,
+            ray: Ray::new(case.ray.origin * lengths, case.ray.direction * directions),
+        });
         let scaled = rounded(&small).map(|t| t.map(|t| t * 2_f64.powi(p - q)));
         prop_assert_eq!(rounded(&large), scaled);
         prop_assert_eq!(small.discriminant_margin(), large.discriminant_margin());
@@ -487,8 +496,8 @@ proptest! {
     #![proptest_config(same_each_time(1000))]
 
     #[test]
-    fn slow_rational_arithmetic_agrees_on_all_exponents((center, radius, ray) in case(500)) {
-        agrees_with_rationals(center, radius, &ray)?;
+    fn slow_rational_arithmetic_agrees_on_all_exponents(case in case(500)) {
+        agrees_with_rationals(&case)?;
     }
 }
 
@@ -497,13 +506,9 @@ proptest! {
 
     #[test]
     fn slow_rational_arithmetic_agrees_on_any_bits(
-        center in prop::array::uniform3(finite()),
-        radius in finite(),
-        origin in prop::array::uniform3(finite()),
-        direction in prop::array::uniform3(finite()),
+        numbers in prop::array::uniform10(finite()),
     ) {
-        let ray = Ray::new(Point3::from_array(origin), Vec3::from_array(direction));
-        agrees_with_rationals(Point3::from_array(center), radius, &ray)?;
+        agrees_with_rationals(&Case::from_numbers(numbers))?;
     }
 }
 

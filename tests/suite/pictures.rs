@@ -12,7 +12,7 @@ use image::{ExtendedColorType, ImageEncoder};
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Snapshot, assert_binary_snapshot};
 use sha2::{Digest, Sha256};
-use speed_vs_accuracy::{Precision, find, find_scene};
+use speed_vs_accuracy::{Method, Scene};
 
 /// The pictures in the book are the snapshots: one file is shown and compared.
 const PICTURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/pictures");
@@ -40,24 +40,22 @@ mod the_snapshot_is_drawn_by_a_method {
 
     #[test]
     fn telescope() {
-        assert_failure("telescope", "half_b");
+        assert_failure(Scene::TELESCOPE, Method::HALF_B);
     }
 
     #[test]
     fn grazing() {
-        assert_failure("grazing", "half_b");
+        assert_failure(Scene::GRAZING, Method::HALF_B);
     }
 
     #[test]
     fn shadows() {
-        assert_failure("shadows", "half_b_f32");
+        assert_failure(Scene::SHADOWS, Method::HALF_B_F32);
     }
 
-    fn assert_failure(scene: &str, method: &str) {
-        let scene = find_scene(scene).expect("it is a scene");
-        let method = find(method).expect("it is a method");
+    fn assert_failure(scene: Scene, method: Method) {
         let wrong = scene.picture(method, WIDTH);
-        let right = scene.right_picture(Precision::of(&method), WIDTH);
+        let right = scene.right_picture(method.precision(), WIDTH);
         assert_ne!(wrong, right);
         assert_picture(&format!("{}_{}", scene.name, method.name), &wrong);
         assert_picture(&format!("{}_right", scene.name), &right);
@@ -105,13 +103,7 @@ fn the_text_of_each_picture_has_the_sum_of_the_books_own() {
 fn the_number_of_threads_changes_no_byte() {
     // Large enough for three strips, and no multiple of anything.
     let picture = hittable_list::picture(263);
-    let text = |threads| {
-        let mut text = Vec::new();
-        picture
-            .write_p3_with_threads(threads, &mut text)
-            .expect("memory takes it");
-        text
-    };
+    let text = |threads| p3_with_threads(&picture, threads);
     for threads in [2, 3, 7, 100] {
         assert!(text(1) == text(threads), "the text of {threads} threads");
         assert!(
@@ -262,9 +254,19 @@ fn assert_equal(expected: &Picture, actual: &Picture, what: &str) {
     assert!(comparison == Comparison::Equal, "{what}: {comparison}");
 }
 
-fn p3(picture: &Picture) -> Vec<u8> {
+/// The text of a picture.
+pub(crate) fn p3(picture: &Picture) -> Vec<u8> {
     let mut text = Vec::new();
     picture.write_p3(&mut text).expect("memory takes it");
+    text
+}
+
+/// The same, by so many threads.
+pub(crate) fn p3_with_threads(picture: &Picture, threads: usize) -> Vec<u8> {
+    let mut text = Vec::new();
+    picture
+        .write_p3_with_threads(threads, &mut text)
+        .expect("memory takes it");
     text
 }
 

@@ -7,6 +7,8 @@ use check::png;
 use check::reading::{Cause, MOST_PIXELS, Reading, read};
 use common::rtweekend::*;
 
+use crate::pictures::p3;
+
 #[test]
 fn text_bytes_and_png_of_a_picture_are_read_as_the_same_picture() {
     let picture = hittable_list::picture(40);
@@ -361,12 +363,6 @@ fn cause(bytes: &[u8]) -> &'static str {
         Err(Cause { name, .. }) => name,
         Ok(_) => "none: it is a picture",
     }
-}
-
-fn p3(picture: &Picture) -> Vec<u8> {
-    let mut text = Vec::new();
-    picture.write_p3(&mut text).expect("memory takes it");
-    text
 }
 
 fn p6(picture: &Picture) -> Vec<u8> {

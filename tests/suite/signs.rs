@@ -3,10 +3,12 @@
 //! The page `book/notes/signs.md` shows these tests.
 
 use check::Chapter;
-use check::slips::{self, Program};
+use check::slips::Program;
 use common::rtweekend::*;
 use laws::Case;
 use laws::{runner, strategies};
+
+use crate::slips::slip;
 
 /// Half of b as version 3 of the book has it.
 fn hit_sphere_of_version_3(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
@@ -51,10 +53,7 @@ fn only_the_sign_of_a_zero_tells_the_versions_apart() {
 /// An even number of turned signs cancels. An odd one traces the ray backwards.
 #[test]
 fn every_mixture_finds_the_root_of_the_ray_or_of_the_ray_turned_round() {
-    for (chapter, signs) in [
-        (Chapter::Normals, &["oc-reversed", "b-sign", "plus-b"][..]),
-        (Chapter::HalfBSphere, &["oc-reversed", "minus-h"]),
-    ] {
+    for (chapter, signs) in SIGNS {
         for turned in subsets(signs) {
             let program = with_slips(chapter, &turned);
             for case in cases() {
@@ -71,10 +70,7 @@ fn every_mixture_finds_the_root_of_the_ray_or_of_the_ray_turned_round() {
 
 #[test]
 fn one_turned_sign_shows_the_sky_and_two_show_the_sphere() {
-    for (chapter, signs) in [
-        (Chapter::Normals, &["oc-reversed", "b-sign", "plus-b"][..]),
-        (Chapter::HalfBSphere, &["oc-reversed", "minus-h"]),
-    ] {
+    for (chapter, signs) in SIGNS {
         for turned in subsets(signs) {
             let drawn = with_slips(chapter, &turned).run(128).picture();
             let expected = match turned.len() % 2 {
@@ -111,6 +107,12 @@ fn rows_from_below_and_an_edge_that_points_up_belong_together() {
     assert_eq!(draw(&[rows, edge]), right);
 }
 
+/// The slips that turn a sign, in each chapter that has one to turn.
+const SIGNS: [(Chapter, &[&str]); 2] = [
+    (Chapter::Normals, &["oc-reversed", "b-sign", "plus-b"]),
+    (Chapter::HalfBSphere, &["oc-reversed", "minus-h"]),
+];
+
 /// Rays and spheres of which no number overflows on the way.
 fn cases() -> impl Iterator<Item = Case> {
     let all = runner::samples(&strategies::anywhere(), 300);
@@ -119,10 +121,7 @@ fn cases() -> impl Iterator<Item = Case> {
 
 /// The right program of the chapter, with these slips made in it.
 fn with_slips(chapter: Chapter, names: &[&str]) -> Program {
-    let make = |program, name: &&str| {
-        let slip = slips::find(name).unwrap_or_else(|| panic!("there is no slip {name}"));
-        (slip.alter)(program)
-    };
+    let make = |program, name: &&str| (slip(name).alter)(program);
     names.iter().fold(Program::right(chapter), make)
 }
 

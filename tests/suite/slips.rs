@@ -10,6 +10,8 @@ use check::slips::{self, Ball, Look, PROBES, Program, Slip};
 use common::rtweekend::*;
 use hittable_list::{HittableList, Sphere};
 
+use crate::pictures::p3;
+
 #[test]
 fn a_program_without_a_slip_is_the_chapter_to_the_last_bit() {
     for chapter in Chapter::OF_THE_BOOK {
@@ -294,11 +296,7 @@ fn a_few_pixels_at_the_books_width_tell_slips_apart() {
 fn the_text_of_a_program_without_a_slip_is_the_p3_of_its_picture() {
     for chapter in Chapter::OF_THE_BOOK {
         let output = Program::right(chapter).run(31);
-        let mut text = Vec::new();
-        output
-            .picture()
-            .write_p3(&mut text)
-            .expect("memory takes it");
+        let text = p3(&output.picture());
         assert_eq!(output.to_string().into_bytes(), text, "{chapter:?}");
     }
 }
@@ -380,7 +378,8 @@ const UPPER_LEFT: u32 = 0;
 const CENTER: u32 = 112 * 400 + 200;
 const LOWER_RIGHT: u32 = 225 * 400 - 1;
 
-fn slip(name: &str) -> &'static Slip {
+/// The slip of that name, which the catalogue has.
+pub(crate) fn slip(name: &str) -> &'static Slip {
     slips::find(name).unwrap_or_else(|| panic!("there is no slip {name}"))
 }
 

@@ -15,6 +15,7 @@ use measure::rival;
 use measure::spread::Spread;
 
 use crate::left_out::left_out;
+use crate::pictures::{p3, p3_with_threads};
 
 /// What `cargo bench -p measure --bench race -- --record` wrote.
 const RECORDED: &str = include_str!("../../book/notes/speed/heats.csv");
@@ -40,7 +41,7 @@ fn the_books_program_in_cpp_draws_the_same_bytes() {
                 .output()
                 .expect("the program starts");
             assert!(
-                drawn.stdout == p3(&chapter.picture(width), 1),
+                drawn.stdout == p3(&chapter.picture(width)),
                 "{} at {width} wide is not what the C++ draws",
                 chapter.name()
             );
@@ -73,7 +74,7 @@ fn every_width_and_every_number_of_threads_gives_what_a_loop_over_pixels_gives()
         assert!(picture.rgb() == bytes, "the bytes at {width} wide");
         for threads in [1, 2, 5] {
             assert!(
-                p3(&picture, threads) == expected.as_bytes(),
+                p3_with_threads(&picture, threads) == expected.as_bytes(),
                 "the text at {width} wide from {threads} threads"
             );
         }
@@ -113,7 +114,7 @@ fn every_level_becomes_the_number_that_print_makes_of_it() {
         .collect();
     let picture = Picture::from_rgb(256, 1, levels).expect("three bytes a pixel");
     assert_eq!(
-        String::from_utf8(p3(&picture, 1)).expect("text"),
+        String::from_utf8(p3(&picture)).expect("text"),
         format!("P3\n256 1\n255\n{expected}")
     );
 }
@@ -185,12 +186,4 @@ fn a_spread_has_its_median_in_the_middle() {
         greatest,
     } = spread;
     assert_eq!([least, median, greatest], [1.25, 2.0, 3.5]);
-}
-
-fn p3(picture: &Picture, threads: usize) -> Vec<u8> {
-    let mut text = Vec::new();
-    picture
-        .write_p3_with_threads(threads, &mut text)
-        .expect("memory takes it");
-    text
 }

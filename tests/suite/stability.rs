@@ -317,7 +317,8 @@ fn survey(cases: &[Case], solve: &Solver) -> Survey {
     }
 }
 
-fn share(cases: &[Case], is_counted: impl Fn(&Case) -> bool) -> f64 {
+/// The share of the cases that count.
+pub(crate) fn share(cases: &[Case], is_counted: impl Fn(&Case) -> bool) -> f64 {
     cases.iter().filter(|case| is_counted(case)).count() as f64 / cases.len() as f64
 }
 

@@ -1,9 +1,8 @@
-//! Errors against exact arithmetic: how many decisions of each method are wrong, and
-//! how many units in the last place (ulps) its t is off.
+//! Error statistics: how exact each method is, in each situation.
 //!
-//! The questions are those of `speed_vs_accuracy::REGIMES`, with t from 0 to
-//! infinity, and exact arithmetic knows the answers. A method in `f32` is asked
-//! questions whose numbers are `f32`s, and judged by the exact answer to them:
+//! The cases are those of `speed_vs_accuracy::REGIMES`, with t from 0 to
+//! infinity, and exact arithmetic knows the answers. A method in `f32` is given
+//! cases whose numbers are `f32`s, and judged by the exact answer to them:
 //! what rounding the scene costs is not its fault.
 
 use common::rtweekend::*;
@@ -12,21 +11,21 @@ use figures::table::Table;
 use laws::oracle::Exact;
 use laws::truth::Truth;
 use rayon::prelude::*;
-use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime, find_regime};
+use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime};
 
-/// All methods in all regimes, in both precisions, from so many questions to each.
-pub fn table(cases: usize, seed: u64) -> Table<Accuracy> {
+/// All methods in all regimes, in both precisions, from so many cases each.
+pub fn table(count: usize, seed: u64) -> Table<Accuracy> {
     let tasks: Vec<(Regime, Precision)> = REGIMES
         .into_iter()
-        .flat_map(|regime| PRECISIONS.map(|precision| (regime, precision)))
+        .flat_map(|regime| Precision::ALL.map(|precision| (regime, precision)))
         .collect();
     let rows = tasks.into_par_iter().flat_map_iter(|(regime, precision)| {
-        let questions = regime.questions(precision, seed, cases);
+        let cases = regime.cases(precision, seed, count);
         let row = move |(method, found): (&Method, Errors)| Accuracy {
             regime: regime.name.to_owned(),
             precision,
             method: method.name.to_owned(),
-            cases,
+            cases: count,
             hits: found.hits,
             wrong_per_million: found.wrong_per_million(),
             median_ulps: quantile(&found.ulps, 0.5),
@@ -36,26 +35,25 @@ pub fn table(cases: usize, seed: u64) -> Table<Accuracy> {
             surface_largest_radii: quantile(&found.surface, 1.0),
             nans: found.nans,
         };
-        of_all_methods(precision, questions).map(row)
+        of_all_methods(precision, cases).map(row)
     });
     rows.collect::<Vec<_>>().into()
 }
 
 /// Errors against distance and against closeness to a tangent, level by level.
-pub fn sweeps(cases: usize, seed: u64) -> Table<Level> {
+pub fn sweeps(count: usize, seed: u64) -> Table<Level> {
     let levels = |regime: Regime, precision| {
         let levels = regime.levels(precision);
         levels.map(move |level| (regime, precision, level))
     };
-    let tasks: Vec<(Regime, Precision, i32)> = ["far", "grazing"]
-        .map(|name| find_regime(name).expect("it is the name of a regime"))
+    let tasks: Vec<(Regime, Precision, i32)> = [Regime::FAR, Regime::GRAZING]
         .into_iter()
-        .flat_map(|regime| PRECISIONS.map(|precision| levels(regime, precision)))
+        .flat_map(|regime| Precision::ALL.map(|precision| levels(regime, precision)))
         .flatten()
         .collect();
     let rows = tasks.into_par_iter().flat_map_iter(|task| {
         let (regime, precision, level) = task;
-        let questions = regime.questions_at(level, precision, seed, cases);
+        let cases = regime.cases_at(level, precision, seed, count);
         let row = move |(method, found): (&Method, Errors)| Level {
             regime: regime.name.to_owned(),
             level,
@@ -65,17 +63,15 @@ pub fn sweeps(cases: usize, seed: u64) -> Table<Level> {
             median_ulps: quantile(&found.ulps, 0.5),
             p999_ulps: quantile(&found.ulps, 0.999),
         };
-        of_all_methods(precision, questions).map(row)
+        of_all_methods(precision, cases).map(row)
     });
     rows.collect::<Vec<_>>().into()
 }
 
 /// Whether there is a root with t > 0.
-pub fn has_root(question: &Case) -> bool {
-    truths(&[*question], Precision::Double)[0].is_some()
+pub fn has_root(case: &Case) -> bool {
+    truths(&[*case], Precision::Double)[0].is_some()
 }
-
-const PRECISIONS: [Precision; 2] = [Precision::Double, Precision::Single];
 
 /// What is wrong with the answers of a method.
 struct Errors {
@@ -101,40 +97,36 @@ impl Errors {
 /// The errors of each method of that precision.
 fn of_all_methods(
     precision: Precision,
-    questions: Vec<Case>,
+    cases: Vec<Case>,
 ) -> impl Iterator<Item = (&'static Method, Errors)> {
-    let truths = truths(&questions, precision);
+    let truths = truths(&cases, precision);
     let methods = METHODS.iter();
     methods
-        .filter(move |method| Precision::of(method) == precision)
-        .map(move |method| (method, judge(method, &questions, &truths)))
+        .filter(move |method| method.precision() == precision)
+        .map(move |method| (method, judge(method, &cases, &truths)))
 }
 
-fn truths(questions: &[Case], precision: Precision) -> Vec<Option<Truth>> {
-    let truth = |question: &Case| {
-        let exact = Exact::new(question.center, question.radius, &question.ray)
-            .expect("regimes make finite questions");
-        Truth::of(&exact, precision, 0.0, f64::INFINITY)
-    };
-    questions.iter().map(truth).collect()
+fn truths(cases: &[Case], precision: Precision) -> Vec<Option<Truth>> {
+    let truth = |case: &Case| Truth::of(&Exact::of(case), precision, 0.0, f64::INFINITY);
+    cases.iter().map(truth).collect()
 }
 
-fn judge(method: &Method, questions: &[Case], truths: &[Option<Truth>]) -> Errors {
-    let precision = Precision::of(method);
+fn judge(method: &Method, cases: &[Case], truths: &[Option<Truth>]) -> Errors {
+    let precision = method.precision();
     let mut found = Errors {
-        cases: questions.len(),
+        cases: cases.len(),
         hits: truths.iter().flatten().count(),
         wrong: 0,
         nans: 0,
         ulps: Vec::new(),
         surface: Vec::new(),
     };
-    for (question, truth) in questions.iter().zip(truths) {
-        match (question.put_to(method, 0.0, f64::INFINITY), truth) {
+    for (case, truth) in cases.iter().zip(truths) {
+        match (case.put_to(method, 0.0, f64::INFINITY), truth) {
             (Some(t), _) if !t.is_finite() => found.nans += 1,
             (Some(t), Some(truth)) => {
                 found.ulps.push(truth.error_in_ulps(t));
-                found.surface.push(off_the_surface(question, t, precision));
+                found.surface.push(off_the_surface(case, t, precision));
             }
             (None, None) => {}
             _ => found.wrong += 1,
@@ -147,11 +139,10 @@ fn judge(method: &Method, questions: &[Case], truths: &[Option<Truth>]) -> Error
 
 /// How far the point at `t`, computed as a program would, is from the sphere, in
 /// radii.
-fn off_the_surface(question: &Case, t: f64, precision: Precision) -> f64 {
-    let point = question.point(t, precision);
+fn off_the_surface(case: &Case, t: f64, precision: Precision) -> f64 {
+    let point = case.point(t, precision);
     // The direction does not matter here.
-    let ray = Ray::new(point, Vec3::NEG_Z);
-    let Some(exact) = Exact::new(question.center, question.radius, &ray) else {
+    let Some(exact) = Exact::of_finite(&case.with_ray(point, Vec3::NEG_Z)) else {
         return f64::INFINITY;
     };
     // With x = |P − C|/r, the margin is (x² − 1) / (x² + 1).

@@ -1,4 +1,4 @@
-//! The book's five chapters in C++, as a program to compare and to race with.
+//! A reference implementation: the book's five chapters in C++, compiled on demand.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -39,7 +39,7 @@ pub fn least(pixels: &Table<WrongPixels>, timings: &Table<Timing>) -> Table<Leas
 }
 
 fn both_precisions() -> Vec<(Scene, Precision)> {
-    let both = |scene| [Precision::Double, Precision::Single].map(|precision| (scene, precision));
+    let both = |scene| Precision::ALL.map(|precision| (scene, precision));
     SCENES.into_iter().flat_map(both).collect()
 }
 
@@ -47,7 +47,7 @@ fn rows(scene: Scene, precision: Precision, width: u32) -> impl Iterator<Item = 
     let right = scene.right_picture(precision, width).rgb_with_threads(1);
     let methods = METHODS.iter();
     methods
-        .filter(move |method| Precision::of(method) == precision)
+        .filter(move |method| method.precision() == precision)
         .map(move |method| {
             let drawn: Picture = scene.picture(*method, width);
             let [wrong, off_by_one] = differences(&right, &drawn.rgb_with_threads(1));

@@ -1,4 +1,4 @@
-//! Where a reader's picture comes from.
+//! Input: a file, standard input, or what a reader's program prints.
 
 use std::ffi::OsString;
 use std::fmt;

@@ -1,4 +1,4 @@
-//! The result for programs.
+//! JSON: the result for programs.
 
 use std::path::Path;
 

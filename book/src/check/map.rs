@@ -1,4 +1,4 @@
-//! Where pixels differ, as a few lines of text.
+//! A coarse map: where pixels differ, as a few lines of text.
 
 use check::comparison::differing_pixels;
 use common::rtweekend::Picture;

@@ -1,4 +1,4 @@
-//! Judges a reader's own picture, and names the mistake.
+//! `check`: judges a reader's own picture, and names the mistake.
 
 mod input;
 mod json;

@@ -1,4 +1,4 @@
-//! What a reader reads in the terminal.
+//! Text: the result for people, in the terminal.
 
 use std::env;
 use std::fmt::Write;

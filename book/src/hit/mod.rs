@@ -1,4 +1,4 @@
-//! Rays and spheres under a microscope: what every method makes of them.
+//! `hit`: rays and spheres under a microscope, by every method.
 
 mod number;
 mod one;
@@ -72,12 +72,12 @@ pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             radius: Some(radius),
             ..
         } => {
-            let question = Case {
+            let case = Case {
                 center: *center,
                 radius: *radius,
                 ray: Ray::new(*origin, *direction),
             };
-            one::print(&question, methods, range)
+            one::print(&case, methods, range)
         }
         _ => Err(misuse(
             "a ray and a sphere are needed: --origin, --direction, --center and --radius",

@@ -1,4 +1,4 @@
-//! One question, method by method.
+//! One case, method by method, with the reasons behind an error.
 
 use std::error::Error;
 use std::fmt::Write;
@@ -18,16 +18,16 @@ const ORDINARY: f64 = 4.0;
 
 /// Prints the exact answer, and what each method answers instead.
 pub(crate) fn print(
-    question: &Case,
+    case: &Case,
     methods: &[Method],
     range: (f64, f64),
 ) -> Result<(), Box<dyn Error>> {
     let mut text = String::new();
-    for precision in [Precision::Double, Precision::Single] {
-        let of_precision = |method: &&Method| Precision::of(method) == precision;
+    for precision in Precision::ALL {
+        let of_precision = |method: &&Method| method.precision() == precision;
         let methods: Vec<&Method> = methods.iter().filter(of_precision).collect();
         if !methods.is_empty() {
-            part(&mut text, question, precision, &methods, range)?;
+            part(&mut text, case, precision, &methods, range)?;
         }
     }
     Ok(output::to_stdout(|out| out.write_all(text.as_bytes()))?)
@@ -36,17 +36,17 @@ pub(crate) fn print(
 /// What the methods of one precision say.
 fn part(
     text: &mut String,
-    question: &Case,
+    case: &Case,
     precision: Precision,
     methods: &[&Method],
     range: (f64, f64),
 ) -> Result<(), std::fmt::Error> {
-    let rounded = question.rounded(precision);
+    let rounded = case.rounded(precision);
     let name = precision.name();
     if !text.is_empty() {
         text.push('\n');
     }
-    let Some(exact) = Exact::new(rounded.center, rounded.radius, &rounded.ray) else {
+    let Some(exact) = Exact::of_finite(&rounded) else {
         return writeln!(text, "{name} has no such numbers: they overflow.");
     };
     let (t_min, t_max) = match precision {
@@ -54,7 +54,7 @@ fn part(
         Precision::Single => (f64::from(range.0 as f32), f64::from(range.1 as f32)),
     };
     let truth = Truth::of(&exact, precision, t_min, t_max);
-    let changed = match rounded == *question {
+    let changed = match rounded == *case {
         true => "",
         false => ", after the numbers are rounded to it",
     };
@@ -67,13 +67,13 @@ fn part(
         None => writeln!(text, "In {name}{changed}, the ray misses.")?,
     }
     for method in methods {
-        let t = question.put_to(method, range.0, range.1);
-        text.push_str(&line(method, question, t, truth));
+        let t = case.put_to(method, range.0, range.1);
+        text.push_str(&line(method, case, t, truth));
     }
     Ok(())
 }
 
-fn line(method: &Method, question: &Case, t: Option<f64>, truth: Option<Truth>) -> String {
+fn line(method: &Method, case: &Case, t: Option<f64>, truth: Option<Truth>) -> String {
     let answer = t.map_or("miss".to_owned(), |t| {
         format!("hit  {}", shortest(method, t))
     });
@@ -91,7 +91,7 @@ fn line(method: &Method, question: &Case, t: Option<f64>, truth: Option<Truth>) 
     let mut line = format!("  {:<22}{answer:<30}{verdict}", method.name);
     line.push('\n');
     if !is_ordinary {
-        for reason in strain::reasons(method, question) {
+        for reason in strain::reasons(method, case) {
             line += &format!("  {:<22}{reason}\n", "");
         }
     }

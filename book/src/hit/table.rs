@@ -1,4 +1,4 @@
-//! Many questions from a file, one answer a line.
+//! CSV: a row for each case, a line for each answer.
 
 use std::error::Error;
 use std::io::{self, Read, Write};
@@ -6,7 +6,6 @@ use std::path::Path;
 use std::{fmt, fs};
 
 use common::engine::output;
-use common::rtweekend::*;
 use csv::{ReaderBuilder, StringRecord, Trim};
 use speed_vs_accuracy::{Case, Method};
 
@@ -86,8 +85,8 @@ fn answer(
             Ok(true) => {}
             Err(problem) => return Ok(Some(problem)),
         }
-        let question = match parse(&row, &columns) {
-            Ok(question) => question,
+        let case = match parse(&row, &columns) {
+            Ok(case) => case,
             Err(what) => {
                 let line = line_of(row.position(), text);
                 return Ok(Some(Problem { line, what }));
@@ -95,14 +94,14 @@ fn answer(
         };
         number += 1;
         for method in methods {
-            let t = question.put_to(method, t_min, t_max);
+            let t = case.put_to(method, t_min, t_max);
             let t = t.map_or(String::new(), |t| shortest(method, t));
             writeln!(out, "{number},{},{t}", method.name)?;
         }
     }
 }
 
-/// The columns that a question is made of, in this order.
+/// The columns that a case is made of, in this order.
 const NAMES: [&str; 10] = ["ox", "oy", "oz", "dx", "dy", "dz", "cx", "cy", "cz", "r"];
 
 /// Where each of [`NAMES`] stands.
@@ -124,7 +123,7 @@ fn in_head(what: String) -> Problem {
     Problem { line: 1, what }
 }
 
-/// The question in a row, or what is wrong with it.
+/// The case in a row, or what is wrong with it.
 fn parse(row: &StringRecord, columns: &[usize; 10]) -> Result<Case, String> {
     let mut numbers = [0.0; 10];
     for ((number, &column), name) in numbers.iter_mut().zip(columns).zip(NAMES) {
@@ -136,11 +135,7 @@ fn parse(row: &StringRecord, columns: &[usize; 10]) -> Result<Case, String> {
         })?;
     }
     let [ox, oy, oz, dx, dy, dz, cx, cy, cz, r] = numbers;
-    Ok(Case {
-        center: Point3::new(cx, cy, cz),
-        radius: r,
-        ray: Ray::new(Point3::new(ox, oy, oz), Vec3::new(dx, dy, dz)),
-    })
+    Ok(Case::from_numbers([cx, cy, cz, r, ox, oy, oz, dx, dy, dz]))
 }
 
 /// How many characters of a field a message shows: after a quotation mark that

@@ -1,4 +1,4 @@
-//! What changed from one chapter to the next, in the picture and in the code.
+//! Diffs: what changed from one chapter to the next, in the picture and in the code.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Text that a test keeps fresh.
+//! Snapshots: text that a test keeps fresh.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! What mdBook only warns about.
+//! Log capture: what mdBook only warns about fails the build.
 
 use std::fmt::{Debug, Write};
 use std::sync::{Arc, Mutex, PoisonError};

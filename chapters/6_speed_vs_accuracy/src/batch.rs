@@ -1,4 +1,4 @@
-//! Many at once: the plain loop over arrays, which the compiler vectorizes.
+//! Auto-vectorization over arrays: `half_b` for many rays, or many spheres, at once.
 //!
 //! A loop over numbers that lie side by side becomes a loop over four, eight or
 //! sixteen of them at a time, if each turn does the same. So a turn here has one
@@ -13,7 +13,8 @@ use common::rtweekend::*;
 use glam::Vec3 as SingleVec3;
 use multiversion::multiversion;
 
-use crate::single::SingleRay;
+use crate::plain;
+use crate::single::{self, SingleRay};
 
 /// How many there are in a block.
 pub const BLOCK: usize = 64;
@@ -49,7 +50,7 @@ pub fn numbers(ray: &Ray) -> [f64; 6] {
 
 /// Makes `half_b` for many rays in one precision: the same text, other numbers.
 macro_rules! half_b {
-    ($half_b:ident, $roots:ident, $first_ahead:ident, $float:ident, $bits:ident, $Vec:ident, $Ray:ident) => {
+    ($half_b:ident, $one_by_one:path, $roots:ident, $first_ahead:ident, $float:ident, $bits:ident, $Vec:ident, $Ray:ident) => {
         /// Sets `ts` to the nearest root of each ray on one sphere; ∞ for a miss.
         pub fn $half_b(
             (center, radius): ($Vec, $float),
@@ -66,7 +67,7 @@ macro_rules! half_b {
                             origin: $Vec::new(x, y, z),
                             direction: $Vec::new(dx, dy, dz),
                         };
-                        let root = crate::$half_b(center, radius, &ray, t_min, t_max);
+                        let root = $one_by_one(center, radius, &ray, t_min, t_max);
                         root.unwrap_or($float::INFINITY)
                     });
                 }
@@ -116,9 +117,19 @@ macro_rules! half_b {
     };
 }
 
-half_b!(half_b, roots, first_ahead, f64, u64, Vec3, Ray);
+half_b!(
+    half_b,
+    plain::half_b,
+    roots,
+    first_ahead,
+    f64,
+    u64,
+    Vec3,
+    Ray
+);
 half_b!(
     half_b_f32,
+    single::half_b_f32,
     roots_f32,
     first_ahead_f32,
     f32,
@@ -134,7 +145,7 @@ pub fn nearest(spheres: &[Block<f64, 4>], ray: &Ray, [t_min, t_max]: [f64; 2]) -
             .iter()
             .flat_map(|block| (0..BLOCK).map(|k| block.row(k)));
         let roots = rows.filter_map(|[x, y, z, radius]| {
-            crate::half_b(Point3::new(x, y, z), radius, ray, t_min, t_max)
+            plain::half_b(Point3::new(x, y, z), radius, ray, t_min, t_max)
         });
         roots.fold(f64::INFINITY, f64::min)
     })

@@ -5,6 +5,7 @@ use std::fmt;
 use common::rtweekend::*;
 
 use crate::method::{Method, Solve};
+use crate::precision::Precision;
 use crate::single::SingleRay;
 
 /// Does this ray meet this sphere, and where?
@@ -18,19 +19,10 @@ pub struct Case {
     pub ray: Ray,
 }
 
-/// The two kinds of numbers that methods compute with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Precision {
-    /// `f64`: 53 digits of base two, exponents to ±1000.
-    Double,
-    /// `f32`: 24 digits, exponents to ±126.
-    Single,
-}
-
 impl Case {
     /// What `method` answers: the nearest root between `t_min` and `t_max`.
     ///
-    /// A method in `f32` is asked the question [rounded](Case::rounded), and
+    /// A method in `f32` is asked about the case [rounded](Case::rounded), and
     /// its answer widened.
     #[inline]
     pub fn put_to(&self, method: &Method, t_min: f64, t_max: f64) -> Option<f64> {
@@ -47,7 +39,7 @@ impl Case {
         }
     }
 
-    /// The question with numbers that `precision` can hold, the nearest ones:
+    /// The case with numbers that `precision` can hold, the nearest ones:
     /// itself in `f64`.
     pub fn rounded(&self, precision: Precision) -> Self {
         match precision {
@@ -162,23 +154,5 @@ impl fmt::Display for Case {
             vector(self.ray.origin),
             vector(self.ray.direction),
         )
-    }
-}
-
-impl Precision {
-    /// The precision that `method` computes with, seen from outside.
-    pub fn of(method: &Method) -> Self {
-        match method.solve {
-            Solve::Double(_) => Self::Double,
-            Solve::Single(_) => Self::Single,
-        }
-    }
-
-    /// As it is called in Rust.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Double => "f64",
-            Self::Single => "f32",
-        }
     }
 }

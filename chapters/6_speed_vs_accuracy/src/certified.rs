@@ -1,4 +1,4 @@
-//! Answers that are proven, ray by ray, while they are computed.
+//! Filtered predicates: answers that are proven, ray by ray, while they are computed.
 //!
 //! A filter computes as `half_b_q` does, and knows how far off it can be. Nearly
 //! always that is enough. If not, the question goes to a stage with twice the
@@ -71,7 +71,7 @@ pub fn certified_t(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f6
         .unwrap_or_else(|Unclear| later_stages::<true>(center, radius, ray, t_min, t_max))
 }
 
-/// The stage that answers a question, from fast to slow.
+/// The stage that decides a case, from fast to slow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Stage {
     /// Plain `f64` with an error bound.

@@ -1,4 +1,4 @@
-//! Twice the digits: a number as the sum of two `f64`.
+//! Double-double arithmetic: a number as the sum of two `f64`.
 
 use std::ops::{Add, Mul, Neg, Sub};
 

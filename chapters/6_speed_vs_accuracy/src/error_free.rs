@@ -1,4 +1,5 @@
-//! Sums, differences and products together with what rounding took from them.
+//! Error-free transformations: sums and products together with what rounding took
+//! from them.
 //!
 //! The rounding error of +, − or × is itself an `f64`, and a few operations find
 //! it (Knuth; Dekker, *A floating-point technique for extending the available

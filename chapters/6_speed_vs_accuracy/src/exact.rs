@@ -1,4 +1,4 @@
-//! Without any rounding, until the last: the answer that the others are after.
+//! Exact integer arithmetic: nothing rounds until the last step.
 //!
 //! A finite `f64` is an integer times a power of two. Counted in one common
 //! power, the coefficients of a·t² − 2h·t + c = 0 are integers, and whether a

@@ -3,59 +3,71 @@
 
 use common::rtweekend::*;
 
-use crate::case::{Case, Precision};
-use crate::exact;
+use crate::case::Case;
 use crate::method::Method;
+use crate::precision::Precision;
 
 /// What a method decides about a square of neighboring rays.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FailureMap {
     /// Rays in a row, and rows.
     pub size: usize,
-    /// Row by row from above, whether the method says that the ray hits.
+    /// Row by row from above, whether the ray hits.
     pub hits: Vec<bool>,
-    /// In the same order, whether that is wrong.
+    /// In the same order, whether the method says the opposite.
     pub wrong: Vec<bool>,
 }
 
 /// The decisions of `method` about `size` × `size` parallel rays, whose origins
-/// are neighboring numbers in x and in y.
+/// are neighboring numbers in x and in y. The ray in the middle is the last that
+/// hits.
 ///
-/// The ray from the middle touches the sphere exactly: its sides are those of a
-/// triangle 3, 4, 5. Above the line through it, in the direction (4, 3), rays
-/// hit, and below it they miss. Source of the idea: the maps of the predicates
-/// of Shewchuk in georust/robust.
+/// Source of the idea: the maps of the predicates of Shewchuk in georust/robust.
 pub fn failure_map(method: &Method, size: usize) -> FailureMap {
-    let middle = (size / 2) as f64;
+    let precision = method.precision();
+    let (tangent, middle) = (tangent(precision), (size / 2) as f64);
+    // Between ½ and 1, where both coordinates lie, all neighbors are so far apart.
+    let step = precision.epsilon() / 2.0;
     let (hits, wrong) = (0..size * size)
         .map(|n| {
             let (column, row) = ((n % size) as f64, (n / size) as f64);
-            let question = near_tangent(Precision::of(method), column - middle, middle - row);
-            let Case {
-                center,
-                radius,
-                ray,
-            } = question;
-            let hit = question.put_to(method, 0.0, f64::INFINITY).is_some();
-            let right = exact(center, radius, &ray, 0.0, f64::INFINITY).is_some();
-            (hit, hit != right)
+            let from_tangent = Vec3::new(column - middle, middle - row, 0.0);
+            let origin = tangent + step * from_tangent;
+            let right = hits(&Method::EXACT, origin);
+            (right, hits(method, origin) != right)
         })
         .unzip();
     FailureMap { size, hits, wrong }
 }
 
-/// A ray that starts so many numbers right of, and above, one that touches.
-fn near_tangent(precision: Precision, right: f64, up: f64) -> Case {
-    // Between 1 and 2 all numbers have the same distance.
-    let step = match precision {
-        Precision::Double => f64::EPSILON,
-        Precision::Single => f64::from(f32::EPSILON),
-    };
-    let touching = Point3::new(1.5, 1.5, 1.5);
-    let (along, across) = (Vec3::new(4.0, 3.0, 0.0), Vec3::new(-3.0, 4.0, 0.0));
-    Case {
-        center: touching + 3.0 * along + 2.0 * across,
-        radius: 10.0,
-        ray: Ray::new(touching + step * Vec3::new(right, up, 0.0), along),
+/// An origin whose ray is as near to a tangent as numbers of that precision
+/// allow, by bisection.
+fn tangent(precision: Precision) -> Point3 {
+    let at = |x| Point3::new(x, 0.75, -1.5);
+    let (mut inside, mut outside) = (0.5, 1.0);
+    // Each step gains a digit, and no precision here has more than 53.
+    for _ in 0..53 {
+        let x = 0.5 * (inside + outside);
+        if hits(&Method::EXACT, at(x)) {
+            inside = x;
+        } else {
+            outside = x;
+        }
     }
+    match precision {
+        Precision::Double => at(inside),
+        Precision::Single => at(f64::from(inside as f32)),
+    }
+}
+
+/// Whether `method` says that the ray from there meets the sphere. It comes
+/// slantwise, so that no product is exact.
+fn hits(method: &Method, origin: Point3) -> bool {
+    let case = Case {
+        center: Point3::ZERO,
+        radius: 0.5,
+        ray: Ray::new(origin, Vec3::new(-0.25, -0.375, 1.0)),
+    };
+    case.put_to(method, f64::NEG_INFINITY, f64::INFINITY)
+        .is_some()
 }

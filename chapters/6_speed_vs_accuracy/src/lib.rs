@@ -11,23 +11,27 @@ mod error_free;
 mod exact;
 mod failure_map;
 mod method;
+mod methods;
 mod plain;
+mod precision;
 mod refined;
 mod regimes;
 mod scenes;
 mod single;
 
-pub use case::{Case, Precision};
+pub use case::Case;
 pub use certified::{Stage, certified_hit, certified_t, stage_of_hit, stage_of_t};
 pub use double_double::double_double;
 pub use exact::exact;
 pub use failure_map::{FailureMap, failure_map};
-pub use method::{METHODS, Method, Solve, find};
+pub use method::{Discriminant, Method, Solve};
+pub use methods::{METHODS, find};
 pub use plain::{
     adaptive_q, cross_q, full_b, haines, haines_q, half_b, half_b_q, kahan_q, scaled_q,
 };
+pub use precision::Precision;
 pub use regimes::{REGIMES, Random, Regime, find_regime};
-pub use scenes::{SCENES, Scene, find_scene};
+pub use scenes::{SCENES, Scene};
 pub use single::{SingleRay, cross_q_f32, half_b_f32, half_b_q_f32, widened_half_b_q_f32};
 
 use common::rtweekend::Picture;
@@ -35,7 +39,5 @@ use common::rtweekend::Picture;
 /// The picture at `width` pixels wide: a star in a telescope, on the left as
 /// chapter 5 sees it, on the right as it is.
 pub fn picture(width: u32) -> Picture {
-    let telescope = find_scene("telescope").expect("it is a scene");
-    let [left, right] = ["half_b", "certified_t"].map(|name| find(name).expect("it is a method"));
-    telescope.halves(left, right, width)
+    Scene::TELESCOPE.halves(Method::HALF_B, Method::CERTIFIED_T, width)
 }

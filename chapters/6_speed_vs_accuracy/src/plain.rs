@@ -1,4 +1,4 @@
-//! Methods in plain `f64`: each rounds as it goes and hopes for the best.
+//! Floating point, plain `f64`: each method rounds as it goes and hopes for the best.
 //!
 //! In what is said about errors, u = 2⁻⁵³ is the largest relative error of one
 //! operation, and M = oc·oc + r². What a method costs is counted in √ and ÷,

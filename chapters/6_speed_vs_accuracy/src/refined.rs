@@ -1,4 +1,4 @@
-//! One more step, for the last digits of a root.
+//! A correction step: the last digits of a root that is nearly right.
 
 use common::rtweekend::*;
 use glam::DVec4;

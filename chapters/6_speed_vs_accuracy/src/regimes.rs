@@ -1,6 +1,7 @@
-//! Where rays come from: the seven situations in which every method is tried.
+//! The workload: seven situations, here called *regimes*, in which every method is
+//! tried.
 //!
-//! The questions are random, and the same on every machine: only operations that
+//! The cases are random, and the same on every machine: only operations that
 //! round alike everywhere make them, + − × ÷ and √. Each is made for one of two
 //! precisions, because the hard places of `f32` lie elsewhere than those of
 //! `f64`, and all its numbers are numbers of that precision.
@@ -9,7 +10,8 @@ use std::ops::RangeInclusive;
 
 use common::rtweekend::*;
 
-use crate::case::{Case, Precision};
+use crate::case::Case;
+use crate::precision::Precision;
 
 /// A situation that rays and spheres are in, from mild to hard.
 #[derive(Clone, Copy, Debug)]
@@ -21,60 +23,18 @@ pub struct Regime {
     /// What a level means; empty if there is only one.
     pub level: &'static str,
     levels: [(i32, i32); 2],
-    question: fn(&mut Random, level: i32) -> Case,
+    case: fn(&mut Random, level: i32) -> Case,
 }
 
-/// All regimes, the book's first.
+/// All regimes, the book’s first.
 pub const REGIMES: [Regime; 7] = [
-    Regime {
-        name: "book",
-        title: "the book’s camera rays",
-        level: "",
-        levels: [(0, 0); 2],
-        question: |random, _| book(random),
-    },
-    Regime {
-        name: "grazing",
-        title: "grazing rays",
-        level: "the line passes the center at (1 ± 10⁻ᵏ) radii",
-        levels: [(1, 15), (1, 7)],
-        question: grazing,
-    },
-    Regime {
-        name: "far",
-        title: "a sphere far away",
-        level: "the ray starts 10ᵏ radii away",
-        levels: [(1, 15), (1, 6)],
-        question: far,
-    },
-    Regime {
-        name: "near_surface",
-        title: "rays that leave the surface",
-        level: "the sphere has a radius of 10ᵏ",
-        levels: [(0, 9), (0, 4)],
-        question: near_surface,
-    },
-    Regime {
-        name: "ground",
-        title: "above a huge ground",
-        level: "the ground has a radius of 10ᵏ",
-        levels: [(2, 9), (2, 6)],
-        question: ground,
-    },
-    Regime {
-        name: "inside",
-        title: "from inside",
-        level: "the ray starts at (1 − 10⁻ᵏ) radii from the center",
-        levels: [(0, 12), (0, 5)],
-        question: inside,
-    },
-    Regime {
-        name: "exponents",
-        title: "very large and very small numbers",
-        level: "lengths in space from 2⁻ᵏ to 2ᵏ, and so the direction’s",
-        levels: [(500, 500), (60, 60)],
-        question: exponents,
-    },
+    Regime::BOOK,
+    Regime::GRAZING,
+    Regime::FAR,
+    Regime::NEAR_SURFACE,
+    Regime::GROUND,
+    Regime::INSIDE,
+    Regime::EXPONENTS,
 ];
 
 /// The regime of that name.
@@ -83,8 +43,71 @@ pub fn find_regime(name: &str) -> Option<Regime> {
 }
 
 impl Regime {
-    /// So many questions from all levels alike, always the same for one `seed`.
-    pub fn questions(&self, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
+    /// The camera rays of the book’s own picture.
+    pub const BOOK: Self = Self {
+        name: "book",
+        title: "the book’s camera rays",
+        level: "",
+        levels: [(0, 0); 2],
+        case: |random, _| book(random),
+    };
+
+    /// Near a tangent.
+    pub const GRAZING: Self = Self {
+        name: "grazing",
+        title: "grazing rays",
+        level: "the line passes the center at (1 ± 10⁻ᵏ) radii",
+        levels: [(1, 15), (1, 7)],
+        case: grazing,
+    };
+
+    /// Small spheres far away.
+    pub const FAR: Self = Self {
+        name: "far",
+        title: "a sphere far away",
+        level: "the ray starts 10ᵏ radii away",
+        levels: [(1, 15), (1, 6)],
+        case: far,
+    };
+
+    /// From a point of the surface.
+    pub const NEAR_SURFACE: Self = Self {
+        name: "near_surface",
+        title: "rays that leave the surface",
+        level: "the sphere has a radius of 10ᵏ",
+        levels: [(0, 9), (0, 4)],
+        case: near_surface,
+    };
+
+    /// Above a sphere as large as an Earth.
+    pub const GROUND: Self = Self {
+        name: "ground",
+        title: "above a huge ground",
+        level: "the ground has a radius of 10ᵏ",
+        levels: [(2, 9), (2, 6)],
+        case: ground,
+    };
+
+    /// From inside the sphere.
+    pub const INSIDE: Self = Self {
+        name: "inside",
+        title: "from inside",
+        level: "the ray starts at (1 − 10⁻ᵏ) radii from the center",
+        levels: [(0, 12), (0, 5)],
+        case: inside,
+    };
+
+    /// In units that are very large or very small.
+    pub const EXPONENTS: Self = Self {
+        name: "exponents",
+        title: "very large and very small numbers",
+        level: "lengths in space from 2⁻ᵏ to 2ᵏ, and so the direction’s",
+        levels: [(500, 500), (60, 60)],
+        case: exponents,
+    };
+
+    /// So many cases from all levels alike, always the same for one `seed`.
+    pub fn cases(&self, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
         let levels = self.levels(precision);
         self.make(precision, seed, count, |random| {
             let span = levels.end() - levels.start() + 1;
@@ -92,14 +115,8 @@ impl Regime {
         })
     }
 
-    /// So many questions from one level.
-    pub fn questions_at(
-        &self,
-        level: i32,
-        precision: Precision,
-        seed: u64,
-        count: usize,
-    ) -> Vec<Case> {
+    /// So many cases from one level.
+    pub fn cases_at(&self, level: i32, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
         self.make(precision, seed, count, |_| level)
     }
 
@@ -120,11 +137,11 @@ impl Regime {
         level: impl Fn(&mut Random) -> i32,
     ) -> Vec<Case> {
         let mut random = Random::new(seed);
-        let mut question = || {
+        let mut case = || {
             let level = level(&mut random);
-            (self.question)(&mut random, level).rounded(precision)
+            (self.case)(&mut random, level).rounded(precision)
         };
-        (0..count).map(|_| question()).collect()
+        (0..count).map(|_| case()).collect()
     }
 }
 

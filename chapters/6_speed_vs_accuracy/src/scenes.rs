@@ -2,8 +2,9 @@
 
 use common::rtweekend::*;
 
-use crate::case::{Case, Precision};
-use crate::method::{Method, find};
+use crate::case::Case;
+use crate::method::Method;
+use crate::precision::Precision;
 
 /// Some spheres, and a camera that looks at them along the negative z axis.
 #[derive(Clone, Copy, Debug)]
@@ -21,9 +22,23 @@ pub struct Scene {
     sun: Option<Vec3>,
 }
 
-/// All scenes, the book's first.
+/// All scenes, the book’s first.
 pub const SCENES: [Scene; 6] = [
-    Scene {
+    Scene::BOOK,
+    Scene::TELESCOPE,
+    Scene::PLANET,
+    Scene::GRAZING,
+    Scene::INSIDE,
+    Scene::SHADOWS,
+];
+
+/// Shadow rays that hit closer than this are taken to hit where they start, as
+/// in the book's later chapters.
+const T_MIN_OF_SHADOWS: f64 = 1e-3;
+
+impl Scene {
+    /// The two spheres of the book.
+    pub const BOOK: Self = Self {
         name: "book",
         title: "the book’s",
         origin: Point3::ZERO,
@@ -33,28 +48,29 @@ pub const SCENES: [Scene; 6] = [
             (Point3::new(0.0, -100.5, -1.0), 100.0),
         ],
         sun: None,
-    },
-    // As far as a star like the Sun at seven light-years.
-    Scene {
+    };
+
+    /// As far as a star like the Sun at seven light-years.
+    pub const TELESCOPE: Self = Self {
         name: "telescope",
         title: "a star in a telescope",
-        origin: Point3::ZERO,
         zoom: [1.0 / 33_554_432.0; 2],
         spheres: &[(Point3::new(0.25, -0.5, -1e8), 1.0)],
-        sun: None,
-    },
-    // In meters, the eyes of someone who stands on the Earth.
-    Scene {
+        ..Self::BOOK
+    };
+
+    /// In meters, the eyes of someone who stands on the Earth.
+    pub const PLANET: Self = Self {
         name: "planet",
         title: "the horizon of a planet",
-        origin: Point3::ZERO,
         zoom: [1.0 / 256.0; 2],
         spheres: &[(Point3::new(-3000.0, -6_371_001.0, -2000.0), 6_371_000.0)],
-        sun: None,
-    },
-    // From as high as the balls are, so that a level ray touches them all. The
-    // lens is such that the round tops still look round.
-    Scene {
+        ..Self::BOOK
+    };
+
+    /// From as high as the balls are, so that a level ray touches them all. The
+    /// lens is such that the round tops still look round.
+    pub const GRAZING: Self = Self {
         name: "grazing",
         title: "a row of balls that a ray grazes",
         origin: Point3::new(0.0, 1.0, 0.0),
@@ -64,39 +80,30 @@ pub const SCENES: [Scene; 6] = [
             (Point3::new(0.0, 0.0, -12.0), 1.0),
             (Point3::new(-0.000_000_5, 0.0, -14.0), 1.0),
         ],
-        sun: None,
-    },
-    Scene {
+        ..Self::BOOK
+    };
+
+    /// From inside a sphere.
+    pub const INSIDE: Self = Self {
         name: "inside",
         title: "from inside",
         origin: Point3::new(0.5, 0.25, 0.125),
-        zoom: [1.0; 2],
         spheres: &[(Point3::ZERO, 1.0)],
-        sun: None,
-    },
-    Scene {
+        ..Self::BOOK
+    };
+
+    /// Two spheres, and the rays that leave them for the sun.
+    pub const SHADOWS: Self = Self {
         name: "shadows",
         title: "rays that leave a surface for the sun",
-        origin: Point3::ZERO,
-        zoom: [1.0; 2],
         spheres: &[
             (Point3::new(0.0, 0.0, -1.0), 0.5),
             (Point3::new(0.0, -10_000.5, -1.0), 10_000.0),
         ],
         sun: Some(Vec3::new(1.0, 0.25, 0.5)),
-    },
-];
+        ..Self::BOOK
+    };
 
-/// The scene of that name.
-pub fn find_scene(name: &str) -> Option<Scene> {
-    SCENES.into_iter().find(|scene| scene.name == name)
-}
-
-/// Shadow rays that hit closer than this are taken to hit where they start, as
-/// in the book's later chapters.
-const T_MIN_OF_SHADOWS: f64 = 1e-3;
-
-impl Scene {
     /// The picture at `width` pixels wide, by `method`.
     pub fn picture(self, method: Method, width: u32) -> Picture {
         self.seen_by(Eye::of(method), width)
@@ -139,11 +146,11 @@ impl Scene {
             Some(_) => Eye::exact(eye.precision),
             None => eye,
         };
-        let Some((question, t)) = self.nearest(first_eye, &ray, 0.0) else {
+        let Some((case, t)) = self.nearest(first_eye, &ray, 0.0) else {
             return sky(&Ray::new(self.origin, Vec3::new(x, y, z)));
         };
-        let point = question.point(t, eye.precision);
-        let normal = (point - question.center) / question.radius;
+        let point = case.point(t, eye.precision);
+        let normal = (point - case.center) / case.radius;
         let color = 0.5 * (normal + Vec3::ONE);
         let is_dark = self.sun.is_some_and(|sun| {
             let to_sun = Ray::new(point, sun);
@@ -152,20 +159,20 @@ impl Scene {
         if is_dark { 0.4 * color } else { color }
     }
 
-    /// The question about the sphere that is hit first, and where.
+    /// The case of the sphere that is hit first, and where.
     fn nearest(&self, eye: Eye, ray: &Ray, t_min: f64) -> Option<(Case, f64)> {
         let mut nearest = None;
         let mut closest_so_far = f64::INFINITY;
         for &(center, radius) in self.spheres {
-            let question = Case {
+            let case = Case {
                 center,
                 radius,
                 ray: *ray,
             }
             .rounded(eye.precision);
-            if let Some(t) = question.put_to(&eye.method, t_min, closest_so_far) {
+            if let Some(t) = case.put_to(&eye.method, t_min, closest_so_far) {
                 closest_so_far = t;
-                nearest = Some((question, t));
+                nearest = Some((case, t));
             }
         }
         nearest
@@ -181,12 +188,14 @@ struct Eye {
 
 impl Eye {
     fn of(method: Method) -> Self {
-        let precision = Precision::of(&method);
+        let precision = method.precision();
         Self { method, precision }
     }
 
     fn exact(precision: Precision) -> Self {
-        let method = find("exact").expect("exact is a method");
-        Self { method, precision }
+        Self {
+            method: Method::EXACT,
+            precision,
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! Methods in single precision.
+//! Single precision: methods in `f32`.
 //!
 //! The same formulas as in plain.rs, with u = 2⁻²⁴ instead of 2⁻⁵³ and exponents
 //! up to 1e38: all that fails in `f64` fails here at the square root of the

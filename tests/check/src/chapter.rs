@@ -1,4 +1,4 @@
-//! Every chapter, in reading order.
+//! The chapters, in reading order.
 
 use common::rtweekend::Picture;
 
@@ -19,6 +19,17 @@ pub enum Chapter {
     HittableList,
     /// Every method, and where it fails.
     SpeedVsAccuracy,
+}
+
+/// How many spheres a scene has room for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Room {
+    /// There is only a background.
+    None,
+    /// A center and a radius.
+    One,
+    /// A list.
+    Many,
 }
 
 impl Chapter {
@@ -79,6 +90,15 @@ impl Chapter {
                 "A far star: in the left half its edge frays into specks, in the right half it is \
                  round"
             }
+        }
+    }
+
+    /// How many spheres its scene has room for.
+    pub fn room(self) -> Room {
+        match self {
+            Self::BuildTest | Self::Gradient => Room::None,
+            Self::RedSphere | Self::Normals | Self::HalfBSphere => Room::One,
+            Self::HittableList | Self::SpeedVsAccuracy => Room::Many,
         }
     }
 

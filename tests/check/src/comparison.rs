@@ -1,4 +1,4 @@
-//! Where two pictures differ.
+//! Pixel-by-pixel comparison: where two pictures differ.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! Judges a reader's picture.
+//! The verdict on a reader's picture: right, wrong, or no picture.
 
 use common::rtweekend::Picture;
 

@@ -1,4 +1,4 @@
-//! From a wrong answer to the mistake that gives it.
+//! Fault localization: from a wrong answer to the formula that gives it.
 //!
 //! A wrong root is seldom a random number. It is the right answer to another
 //! formula, and the formulas that people write by mistake are known.

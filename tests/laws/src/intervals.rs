@@ -1,4 +1,4 @@
-//! What holds for a solver with a range of `t`, as `Sphere::hit` of chapter 5
+//! Laws for a solver with a range of `t`, as `Sphere::hit` of chapter 5
 //! and every method of chapter 6 has.
 //!
 //! The range is open: a root at `t_min` or `t_max` does not count. The bounds

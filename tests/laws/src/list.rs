@@ -1,4 +1,4 @@
-//! What holds for a list of spheres, whoever searches it.
+//! Metamorphic relations for a list of spheres, whoever searches it.
 
 use common::rtweekend::*;
 use proptest::collection::vec;

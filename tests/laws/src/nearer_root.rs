@@ -1,4 +1,4 @@
-//! What holds for a ray and a sphere, whoever computes it.
+//! Laws for the nearer root: what holds for a ray and a sphere, whoever computes it.
 //!
 //! A law is a plain function: it takes a solver and a [`Case`], and says
 //! whether the law holds. Most laws here are for a solver of the kind of

@@ -1,4 +1,5 @@
-//! Where a ray meets a sphere, without a rounding error.
+//! An oracle in exact integer arithmetic: where a ray meets a sphere, without a
+//! rounding error.
 //!
 //! A finite `f64` is an integer times a power of two. Over a common power of
 //! two, the equation |C − P(t)|² = r² therefore has integer coefficients, and
@@ -11,7 +12,6 @@
 
 use std::cmp::Ordering;
 
-use common::rtweekend::*;
 use dashu_int::ops::{BitTest, DivRemEuclid, SquareRootRem, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 use speed_vs_accuracy::Case;
@@ -47,22 +47,19 @@ pub struct Root<'a> {
 }
 
 impl Exact {
-    /// The same question as `case` with numbers that are never rounded.
+    /// `case` with numbers that are never rounded.
     ///
     /// # Panics
     /// If a number is not finite: then there is no exact answer.
     pub fn of(case: &Case) -> Self {
-        Self::new(case.center, case.radius, &case.ray)
-            .expect("strategies make finite cases, and laws ask for finite ones only")
+        Self::of_finite(case).expect("strategies make finite cases, and laws ask for no others")
     }
 
-    /// The sphere around `center` and the whole line of `ray`, or `None` if any
-    /// of the numbers is infinite or NaN.
-    pub fn new(center: Point3, radius: f64, ray: &Ray) -> Option<Self> {
-        let [cx, cy, cz] = center.to_array();
-        let [qx, qy, qz] = ray.origin.to_array();
-        let (lengths, unit_of_length) = integers([cx, cy, cz, qx, qy, qz, radius])?;
-        let (d, unit_of_direction) = integers(ray.direction.to_array())?;
+    /// The same, or `None` if a number is infinite or NaN.
+    pub fn of_finite(case: &Case) -> Option<Self> {
+        let [cx, cy, cz, r, qx, qy, qz, dx, dy, dz] = case.numbers();
+        let (lengths, unit_of_length) = integers([cx, cy, cz, qx, qy, qz, r])?;
+        let (d, unit_of_direction) = integers([dx, dy, dz])?;
 
         let [cx, cy, cz, qx, qy, qz, r] = lengths;
         let oc = [cx - qx, cy - qy, cz - qz];

@@ -1,5 +1,5 @@
-//! What holds for the small functions that everything else rests on: the dot
-//! product, the point on a ray, and the camera's map from pixels to rays.
+//! Laws for the small functions that everything else rests on: the dot product, the
+//! point on a ray, and the map from pixels to rays.
 
 use common::rtweekend::*;
 

@@ -1,4 +1,4 @@
-//! What holds for the record of a hit: its normal, and its side.
+//! Laws for the record of a hit: its normal, and its side.
 
 use common::rtweekend::*;
 use speed_vs_accuracy::Case;

@@ -1,4 +1,5 @@
-//! Puts a law to the test, and reports a broken one so that it teaches.
+//! Property testing: a runner that puts a function under laws, and reports a broken
+//! one so that it teaches.
 
 use std::env;
 use std::fmt::Debug;
@@ -7,8 +8,7 @@ use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use speed_vs_accuracy::Case;
 
-use crate::intervals::WithInterval;
-use crate::intervals::{NEAREST_IN_RANGE, RangeSolver};
+use crate::intervals::{NEAREST_IN_RANGE, RangeSolver, WithInterval};
 use crate::nearer_root::{Law, NEARER_ROOT, Solver};
 use crate::shrinker::{Simplify, simplified};
 use crate::strategies;

@@ -1,4 +1,4 @@
-//! From the case that was found to one that people can read.
+//! Shrinking: from the case that was found to one that people can read.
 //!
 //! proptest shrinks what a strategy starts from, and what comes out of the
 //! strategy still has sixteen digits. This goes on with the numbers themselves.

@@ -1,4 +1,5 @@
-//! Rays and spheres that lead to the hard places on purpose.
+//! Generators (proptest calls them strategies): rays and spheres that lead to the
+//! hard places on purpose.
 //!
 //! Each strategy builds its ray so that the answer is known beforehand, or lies
 //! where a method may fail. Nothing is filtered out.

@@ -1,4 +1,4 @@
-//! The true answer, kept so that the error of a wrong one takes a few operations
+//! A cached answer of the oracle: the error of a wrong one takes a few operations
 //! instead of long integers.
 
 use speed_vs_accuracy::Precision;

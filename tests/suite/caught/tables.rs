@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use check::Chapter;
-use check::slips::{self, Slip, Unseen};
+use check::slips::{self, Probe, Slip, Unseen};
 
 use super::{Outcome, Shown};
 
@@ -33,7 +33,8 @@ const VERDICT_WIDTH: usize = 12;
 fn write_head(table: &mut String, outcome: &Outcome) {
     let name = outcome.chapter.name();
     write!(table, "\n{name:NAME_WIDTH$}").expect("a string takes it");
-    for (exam, _) in &outcome.verdicts {
+    for (probe, _) in &outcome.verdicts {
+        let exam = probe.map_or("book", |probe| probe.name);
         write!(table, "{exam:>VERDICT_WIDTH$}").expect("a string takes it");
     }
     table.push_str("   law\n");
@@ -132,11 +133,11 @@ impl Outcome {
     /// The share of the book's pixels that differ, or else the first probe that
     /// shows the slip, or else that only a law does, or nothing.
     fn caught_first_by(&self) -> String {
-        let differs = |(_, verdict): &&(&str, Shown)| *verdict != Shown::Same;
+        let differs = |(_, verdict): &&(Option<Probe>, Shown)| *verdict != Shown::Same;
         match self.verdicts.iter().find(differs) {
-            Some(("book", Shown::Pixels(share, _))) => percent(*share),
-            Some(("book", _)) => "size".to_owned(),
-            Some((probe, _)) => format!("*{probe}*"),
+            Some((None, Shown::Pixels(share, _))) => percent(*share),
+            Some((None, _)) => "size".to_owned(),
+            Some((Some(probe), _)) => format!("*{}*", probe.name),
             None if self.is_equivalent() => "=".to_owned(),
             None => "law".to_owned(),
         }

@@ -1,7 +1,7 @@
 //! What is known of each method: how fast, how exact.
 
 use glam::DVec2;
-use speed_vs_accuracy::Precision;
+use speed_vs_accuracy::{Method, Precision, find};
 
 use crate::records::{Accuracy, Timing};
 use crate::svg::Svg;
@@ -40,18 +40,9 @@ impl Measured {
         digits(self.accuracy.p999_ulps, self.accuracy.precision)
     }
 
-    /// Whether its answers are proven to be right.
-    pub(super) fn certified(&self) -> bool {
-        certified(self.method())
-    }
-
     /// What color and mark it has.
     pub(super) fn idea(&self) -> &'static str {
-        match self.method() {
-            "half_b" => "reference",
-            _ if self.certified() => "certain",
-            _ => "ink",
-        }
+        idea(self.method())
     }
 
     /// Draws its mark.
@@ -63,9 +54,13 @@ impl Measured {
     }
 }
 
-/// Whether the answers of a method are proven to be right.
-pub(super) fn certified(method: &str) -> bool {
-    method.starts_with("certified")
+/// What color and mark the method of that name has.
+pub(super) fn idea(method: &str) -> &'static str {
+    match find(method) {
+        Some(method) if method.name == Method::REFERENCE.name => "reference",
+        Some(method) if method.is_certified => "certain",
+        _ => "ink",
+    }
 }
 
 /// How many decimal digits an error of so many ulps leaves.

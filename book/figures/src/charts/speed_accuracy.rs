@@ -159,7 +159,7 @@ impl<'a> Plot<'a> {
 
     /// The two lines that meet in `half_b`.
     fn through_reference(&self) -> Vec<[DVec2; 2]> {
-        let Some(reference) = self.shown.iter().find(|one| one.method() == "half_b") else {
+        let Some(reference) = self.shown.iter().find(|one| one.idea() == "reference") else {
             return Vec::new();
         };
         let DVec2 { x, y } = self.at(reference);

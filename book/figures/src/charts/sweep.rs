@@ -8,7 +8,7 @@ use speed_vs_accuracy::Precision;
 use super::axes::{Axis, Panel};
 use super::chart::{Chart, Drawn};
 use super::labels::spread;
-use super::methods::{certified, cross, digits};
+use super::methods::{cross, digits, idea};
 use crate::number::{raised, short};
 use crate::records::Level;
 use crate::svg::{Anchor, SMALL, Svg};
@@ -164,11 +164,7 @@ const STROKES: [&str; 3] = ["bold", "thin", "line"];
 
 impl Line {
     fn idea(&self) -> &'static str {
-        match &self.method[..] {
-            "half_b" => "reference",
-            method if certified(method) => "certain",
-            _ => "ink",
-        }
+        idea(&self.method)
     }
 
     fn stroke(&self) -> &'static str {

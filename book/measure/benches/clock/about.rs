@@ -1,4 +1,4 @@
-//! Under what conditions it was measured, and what came out, for people.
+//! Provenance: under what conditions was measured, and a table for people.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;

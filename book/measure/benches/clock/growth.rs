@@ -1,4 +1,4 @@
-//! The nearest hit among more and more spheres.
+//! Scaling: the nearest hit among more and more spheres.
 
 use std::error::Error;
 use std::hint::black_box;

@@ -14,7 +14,7 @@ use clap::Parser;
 use common::engine::output;
 use figures::records::Timing;
 use figures::table::{Record, Table};
-use speed_vs_accuracy::Precision;
+use speed_vs_accuracy::{METHODS, Method, Precision};
 
 use contest::{Effort, Group};
 
@@ -59,7 +59,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The numbers that the chapter promises something about.
 fn headlines(timings: &Table<Timing>) -> String {
     let mut text = "\nTimes half_b, one ray after the other:\n".to_owned();
-    for name in ["certified_hit", "certified_t"] {
+    for Method { name, .. } in METHODS.iter().filter(|method| method.is_certified) {
         let ratio = |place| ratio(timings.find("method", name, place));
         text += &format!(
             "  {name:<14} {} on the book’s camera rays, {} if all hit\n",

@@ -1,4 +1,4 @@
-//! Many rays at a time, and what the divider allows.
+//! Throughput: many rays at a time, and what the divider allows.
 
 use std::hint::black_box;
 
@@ -26,14 +26,13 @@ type Target<R> = ((Point3, f64), Vec<R>);
 
 /// The camera’s rays, first at the ball and then at the ground.
 fn targets<R>(precision: Precision, block: impl Fn(&[Case]) -> R) -> Vec<Target<R>> {
-    let questions = one_by_one::book_rays(precision, |_| true);
-    let [ball, ground] =
-        [0, questions.len() / 2].map(|from| &questions[from..][..questions.len() / 2]);
+    let cases = one_by_one::book_rays(precision, |_| true);
+    let [ball, ground] = [0, cases.len() / 2].map(|from| &cases[from..][..cases.len() / 2]);
     [ball, ground]
-        .map(|questions| {
-            let sphere = (questions[0].center, questions[0].radius);
+        .map(|cases| {
+            let sphere = (cases[0].center, cases[0].radius);
             // Repeated, because a loop over two blocks is hardly one.
-            let blocks = questions.chunks_exact(BLOCK).cycle().take(BLOCKS / 2);
+            let blocks = cases.chunks_exact(BLOCK).cycle().take(BLOCKS / 2);
             (sphere, blocks.map(&block).collect())
         })
         .into()
@@ -43,8 +42,8 @@ fn targets<R>(precision: Precision, block: impl Fn(&[Case]) -> R) -> Vec<Target<
 const BLOCKS: usize = 8;
 
 fn in_double() -> Runner {
-    let targets = targets(Precision::Double, |questions| {
-        Block::from_fn(|k| batch::numbers(&questions[k].ray))
+    let targets = targets(Precision::Double, |cases| {
+        Block::from_fn(|k| batch::numbers(&cases[k].ray))
     });
     let mut ts = [[0.0; BLOCK]; BLOCKS / 2];
     let key = ["batch", "half_b", "book"];
@@ -57,8 +56,8 @@ fn in_double() -> Runner {
 }
 
 fn in_single() -> Runner {
-    let targets = targets(Precision::Single, |questions| {
-        Block::from_fn(|k| batch::numbers(&questions[k].ray).map(|number| number as f32))
+    let targets = targets(Precision::Single, |cases| {
+        Block::from_fn(|k| batch::numbers(&cases[k].ray).map(|number| number as f32))
     });
     let mut ts = [[0.0; BLOCK]; BLOCKS / 2];
     let key = ["batch", "half_b_f32", "book"];

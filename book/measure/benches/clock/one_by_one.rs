@@ -1,7 +1,7 @@
-//! One ray against one sphere, one after the other.
+//! Latency: one ray against one sphere, one after the other.
 //!
 //! Each method is compiled into a loop of its own, as a renderer would have it.
-//! The loop hides each question from the compiler, which therefore cannot take
+//! The loop hides each case from the compiler, which therefore cannot take
 //! several at once: that is what many.rs measures.
 
 use std::hint::black_box;
@@ -12,8 +12,8 @@ use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, SingleRay};
 
 use crate::contest::{Group, Runner};
 
-/// So many questions fit into the fastest cache.
-const QUESTIONS: usize = 256;
+/// So many cases fit into the fastest cache.
+const CASES: usize = 256;
 
 /// All methods, in each regime and where all rays hit.
 pub(crate) fn groups() -> Vec<Group> {
@@ -24,7 +24,7 @@ pub(crate) fn groups() -> Vec<Group> {
     ];
     groups.extend(regimes.map(|regime| {
         group(regime.name, |precision| {
-            regime.questions(precision, SEED, QUESTIONS)
+            regime.cases(precision, SEED, CASES)
         })
     }));
     groups
@@ -32,10 +32,13 @@ pub(crate) fn groups() -> Vec<Group> {
 
 /// `half_b` on the book’s camera rays, to compare others with.
 pub(crate) fn reference() -> Runner {
-    let half_b = speed_vs_accuracy::find("half_b").expect("it is a method");
     Runner {
         is_wanted: false,
-        ..runner(&half_b, "book", &book_rays(Precision::Double, |_| true))
+        ..runner(
+            &Method::REFERENCE,
+            "book",
+            &book_rays(Precision::Double, |_| true),
+        )
     }
 }
 
@@ -56,41 +59,39 @@ pub(crate) fn book_rays(precision: Precision, wanted: impl Fn(&Case) -> bool) ->
                 ray: camera.ray(i, j),
             })
         })
-        .map(|question| question.rounded(precision))
+        .map(|case| case.rounded(precision))
         .filter(wanted)
         .collect();
     // Spread over the picture, and in its order.
-    (0..QUESTIONS)
-        .map(|k| all[k * all.len() / QUESTIONS])
-        .collect()
+    (0..CASES).map(|k| all[k * all.len() / CASES]).collect()
 }
 
 const SEED: u64 = 1;
 
-fn group(place: &str, questions: impl Fn(Precision) -> Vec<Case>) -> Group {
+fn group(place: &str, cases: impl Fn(Precision) -> Vec<Case>) -> Group {
     let runners = METHODS
         .iter()
-        .map(|method| runner(method, place, &questions(Precision::of(method))));
+        .map(|method| runner(method, place, &cases(method.precision())));
     let (half_b, others): (Vec<Runner>, Vec<Runner>) =
-        runners.partition(|runner| runner.row.name == "half_b");
+        runners.partition(|runner| runner.row.name == Method::REFERENCE.name);
     Group(half_b.into_iter().chain(others).collect())
 }
 
-fn runner(method: &Method, place: &str, questions: &[Case]) -> Runner {
+fn runner(method: &Method, place: &str, cases: &[Case]) -> Runner {
     let key = ["method", method.name, place];
-    let count = questions.len();
-    let run = run(method.name, questions);
-    Runner::new(key, Precision::of(method), count, count, run)
+    let count = cases.len();
+    let run = run(method.name, cases);
+    Runner::new(key, method.precision(), count, count, run)
 }
 
 /// A loop for each method: a function that is called by a pointer would be
 /// charged for the call.
 macro_rules! loops {
     (in f64: $($double:ident)*; in f32: $($single:ident)*;) => {
-        fn run(name: &str, questions: &[Case]) -> Box<dyn FnMut()> {
+        fn run(name: &str, cases: &[Case]) -> Box<dyn FnMut()> {
             match name {
-                $(stringify!($double) => Box::new(double(questions, speed_vs_accuracy::$double)),)*
-                $(stringify!($single) => Box::new(single(questions, speed_vs_accuracy::$single)),)*
+                $(stringify!($double) => Box::new(double(cases, speed_vs_accuracy::$double)),)*
+                $(stringify!($single) => Box::new(single(cases, speed_vs_accuracy::$single)),)*
                 other => panic!("name {other} in the list of loops"),
             }
         }
@@ -107,18 +108,18 @@ loops! {
 }
 
 fn double(
-    questions: &[Case],
+    cases: &[Case],
     solve: impl Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 'static,
 ) -> impl FnMut() + 'static {
-    let questions = questions.to_vec();
-    let mut answers = vec![None; questions.len()];
+    let cases = cases.to_vec();
+    let mut answers = vec![None; cases.len()];
     move || {
-        for (question, answer) in questions.iter().zip(&mut answers) {
+        for (case, answer) in cases.iter().zip(&mut answers) {
             let Case {
                 center,
                 radius,
                 ray,
-            } = black_box(question);
+            } = black_box(case);
             *answer = solve(*center, *radius, ray, 0.0, f64::INFINITY);
         }
         black_box(&mut answers);
@@ -126,18 +127,18 @@ fn double(
 }
 
 fn single(
-    questions: &[Case],
+    cases: &[Case],
     solve: impl Fn(glam::Vec3, f32, &SingleRay, f32, f32) -> Option<f32> + 'static,
 ) -> impl FnMut() + 'static {
-    let in_single = |question: &Case| {
-        let Case { center, radius, .. } = question;
-        (center.as_vec3(), *radius as f32, question.single_ray())
+    let in_single = |case: &Case| {
+        let Case { center, radius, .. } = case;
+        (center.as_vec3(), *radius as f32, case.single_ray())
     };
-    let questions: Vec<(glam::Vec3, f32, SingleRay)> = questions.iter().map(in_single).collect();
-    let mut answers = vec![None; questions.len()];
+    let cases: Vec<(glam::Vec3, f32, SingleRay)> = cases.iter().map(in_single).collect();
+    let mut answers = vec![None; cases.len()];
     move || {
-        for (question, answer) in questions.iter().zip(&mut answers) {
-            let (center, radius, ray) = black_box(question);
+        for (case, answer) in cases.iter().zip(&mut answers) {
+            let (center, radius, ray) = black_box(case);
             *answer = solve(*center, *radius, ray, 0.0, f32::INFINITY);
         }
         black_box(&mut answers);

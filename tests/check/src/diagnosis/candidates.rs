@@ -1,10 +1,10 @@
-//! Programs that may have drawn a picture, and how well each explains it.
+//! Hypotheses: programs that may have drawn a picture, and how well each explains it.
 
 use std::hash::{DefaultHasher, Hasher};
 
 use common::rtweekend::Picture;
 
-use super::Scene;
+use super::scene::Scene;
 use crate::reading::Reading;
 use crate::slips::{Output, Slip};
 

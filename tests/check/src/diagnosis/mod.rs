@@ -1,4 +1,4 @@
-//! Names the mistake that draws a picture.
+//! Diagnosis by synthesis: draws what each known mistake draws, and compares.
 //!
 //! Every slip is a program, so the question is which programs draw *this*
 //! picture. A look at a few thousand pixels leaves a handful, and these are

@@ -1,4 +1,4 @@
-//! What a picture is meant to show.
+//! The scene that a picture is meant to show.
 
 use common::rtweekend::Picture;
 

@@ -1,12 +1,12 @@
-//! Which slips give a picture its shape.
+//! Width and height: which mistakes give a picture its shape.
 
-use super::Scene;
-use crate::slips::Slip;
+use super::scene::Scene;
+use crate::slips::{Program, Slip};
 
 /// The slips with which a program draws `width` × `height` pixels where the
 /// right one does not, whatever the pixels are.
 pub fn giving(scene: &Scene, width: u32, height: u32) -> Vec<&'static Slip> {
-    let gives = |program: crate::slips::Program| {
+    let gives = |program: Program| {
         [width, height]
             .into_iter()
             .any(|asked| program.run(asked).size() == (width, height))

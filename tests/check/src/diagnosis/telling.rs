@@ -1,8 +1,8 @@
-//! A probe that tells mistakes apart.
+//! Discriminating tests: a probe that tells mistakes apart.
 
 use std::hash::{DefaultHasher, Hasher};
 
-use super::Scene;
+use super::scene::Scene;
 use crate::slips::{PROBES, Probe, Slip};
 
 /// A probe in which mistakes draw different pictures.
@@ -20,10 +20,9 @@ pub(super) fn apart(scene: &Scene, mistakes: &[Vec<&'static Slip>]) -> Option<Te
     if mistakes.len() < 2 {
         return None;
     }
-    let asked = scene.probe.map(|probe| probe.name);
     let tellings = PROBES
         .into_iter()
-        .filter(|probe| Some(probe.name) != asked)
+        .filter(|probe| Some(*probe) != scene.probe)
         .filter_map(|probe| {
             let scene = Scene::new(scene.chapter, Some(probe))?;
             let groups = groups(&scene, probe.width, mistakes);

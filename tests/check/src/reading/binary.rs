@@ -1,7 +1,9 @@
-//! P6: the same header, and then bytes.
+//! P6, raw PPM: the same header, and then bytes.
 
+use super::cause::Cause;
+use super::header;
+use super::numbers::Reading;
 use super::tokens::Tokens;
-use super::{Cause, Reading, header};
 
 /// Reads a P6 file.
 pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {

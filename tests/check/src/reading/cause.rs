@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{MOST_BYTES, MOST_PIXELS};
+use super::limits::{MOST_BYTES, MOST_PIXELS};
 
 /// What keeps a file from being a picture.
 #[derive(Clone, Debug, PartialEq, Eq)]

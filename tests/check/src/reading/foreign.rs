@@ -1,6 +1,6 @@
-//! What is neither PPM nor PNG.
+//! File signatures: what is neither PPM nor PNG, and what it is instead.
 
-use super::Cause;
+use super::cause::Cause;
 
 const REDIRECT: &str = "PowerShell before 7.4 does this to what > writes. Let the program write the file itself, or type: cmd /c \"program > picture.ppm\"";
 

@@ -1,7 +1,8 @@
-//! Three numbers: width, height and the highest level.
+//! The PPM header: width, height and the highest level.
 
+use super::cause::Cause;
+use super::limits::MOST_PIXELS;
 use super::tokens::Tokens;
-use super::{Cause, MOST_PIXELS};
 
 /// Width, height and maximum as they stand in the file.
 pub(super) type Header = [i64; 3];

@@ -18,52 +18,15 @@ mod binary;
 mod cause;
 mod foreign;
 mod header;
+mod limits;
+mod numbers;
 mod plain;
 mod portable;
 mod tokens;
 
-use common::rtweekend::Picture;
-
 pub use cause::Cause;
-
-/// The largest file that is read, in bytes. A P3 text of [`MOST_PIXELS`] fits.
-pub const MOST_BYTES: usize = 1 << 29;
-
-/// The most pixels that a picture may have: 7680 × 4320 and a little more.
-///
-/// With it, reading takes no more than another 2²⁹ bytes beside the file: 6 for
-/// each pixel of the result, and up to 8 while a PNG is unpacked.
-pub const MOST_PIXELS: u64 = 1 << 25;
-
-/// A picture as a reader's program wrote it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Reading {
-    /// Pixels in a row, at least 1.
-    pub width: u32,
-    /// Number of rows, at least 1.
-    pub height: u32,
-    /// Red, green and blue, row by row from the top.
-    ///
-    /// A P3 text may hold numbers that no level can be, such as 256 and −107,
-    /// and they tell much about a mistake. What 16 bits can't hold stops at
-    /// ±2¹⁵, which is far beyond what any mistake needs.
-    pub pixels: Vec<[i16; 3]>,
-}
-
-/// Numbers that are no levels: below 0 or above 255.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Outside {
-    /// How many pixels have at least one.
-    pub count: usize,
-    /// Column and row of the first one.
-    pub first: (u32, u32),
-    /// Its red, green and blue.
-    pub pixel: [i16; 3],
-    /// The lowest number of the picture.
-    pub lowest: i16,
-    /// The highest number of the picture.
-    pub highest: i16,
-}
+pub use limits::{MOST_BYTES, MOST_PIXELS};
+pub use numbers::{Outside, Reading};
 
 /// The picture that a file holds.
 ///
@@ -79,43 +42,5 @@ pub fn read(bytes: &[u8]) -> Result<Reading, Cause> {
         [b'P', b'6', ..] => binary::read(bytes),
         [0x89, b'P', b'N', b'G', ..] => portable::read(bytes),
         _ => Err(foreign::cause(bytes)),
-    }
-}
-
-impl Reading {
-    /// The same picture as numbers from a file hold it.
-    pub fn of(picture: &Picture) -> Self {
-        let (pixels, _) = picture.rgb().as_chunks::<3>();
-        Self {
-            width: picture.width(),
-            height: picture.height(),
-            pixels: pixels.iter().map(|pixel| pixel.map(i16::from)).collect(),
-        }
-    }
-
-    /// The picture that a viewer can show: numbers stop at 0 and 255.
-    pub fn picture(&self) -> Picture {
-        let levels = self.pixels.iter().flatten();
-        let rgb = levels.map(|&level| level.clamp(0, 255) as u8).collect();
-        Picture::from_rgb(self.width, self.height, rgb)
-            .expect("a reading has as many pixels as its size says")
-    }
-
-    /// The numbers that are no levels, if there are any.
-    pub fn outside(&self) -> Option<Outside> {
-        let is_outside = |pixel: &[i16; 3]| pixel.iter().any(|level| !(0..256).contains(level));
-        let n = self.pixels.iter().position(is_outside)?;
-        let levels = || self.pixels.iter().flatten().copied();
-        Some(Outside {
-            count: self
-                .pixels
-                .iter()
-                .filter(|&pixel| is_outside(pixel))
-                .count(),
-            first: (n as u32 % self.width, n as u32 / self.width),
-            pixel: self.pixels[n],
-            lowest: levels().min()?,
-            highest: levels().max()?,
-        })
     }
 }

@@ -1,7 +1,9 @@
-//! P3: numbers as text.
+//! P3, plain PPM: numbers as text.
 
+use super::cause::Cause;
+use super::header;
+use super::numbers::Reading;
 use super::tokens::Tokens;
-use super::{Cause, Reading, header};
 
 /// No pixel takes less text than `0 0 0` and a space.
 const LEAST_TEXT: usize = 6;

@@ -5,7 +5,9 @@ use std::io::{Cursor, ErrorKind};
 use image::codecs::png::PngDecoder;
 use image::{DynamicImage, ImageDecoder, ImageError, Limits};
 
-use super::{Cause, MOST_PIXELS, Reading};
+use super::cause::Cause;
+use super::limits::MOST_PIXELS;
+use super::numbers::Reading;
 
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 

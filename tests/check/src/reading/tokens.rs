@@ -1,6 +1,6 @@
-//! The words of a PPM text.
+//! A tokenizer for PPM: words, comments and line ends.
 
-use super::Cause;
+use super::cause::Cause;
 
 /// Words between white space, each with its place in the file. What follows a
 /// `#` up to the end of the line is a comment.

@@ -1,10 +1,11 @@
-//! What a wrong picture looks like beside the right one.
+//! Appearance: what a wrong picture looks like beside the right one.
 
 use common::rtweekend::Picture;
 
-use super::probes::PROBES;
+use super::catalogue::all;
+use super::probes::{PROBES, Probe};
 use super::program::Program;
-use super::{Slip, all};
+use super::slip::Slip;
 use crate::chapter::Chapter;
 
 /// What sets a wrong picture apart at first sight.
@@ -83,7 +84,7 @@ pub fn sights() -> Vec<Sight> {
 impl Slip {
     /// The first probe that shows the slip in one of its chapters.
     pub fn shown_by(&self) -> Option<&'static str> {
-        let shows = |probe: &&super::Probe| {
+        let shows = |probe: &&Probe| {
             self.chapters.iter().any(|&chapter| {
                 let drawn = |program| {
                     let program = probe.put_to(program)?;

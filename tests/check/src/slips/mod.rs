@@ -1,4 +1,5 @@
-//! The mistakes that readers make, as programs that make them.
+//! Mutants of the chapters: the mistakes that readers make, here called *slips*, as
+//! programs that make them.
 //!
 //! [`all`] lists them, [`Program`] draws what each of them draws,
 //! and a [`Probe`] is a small change of scene that makes one visible where the
@@ -32,9 +33,11 @@ mod output;
 mod probes;
 mod program;
 mod single;
+mod slip;
 
-pub use catalogue::{Slip, Unseen, all, find};
+pub use catalogue::{all, find};
 pub use look::{Look, SIGHT_WIDTH, Sight, sights};
 pub use output::Output;
 pub use probes::{PROBES, Probe, find as find_probe};
 pub use program::{Ball, Program};
+pub use slip::{Slip, Unseen};

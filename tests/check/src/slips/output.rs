@@ -1,4 +1,4 @@
-//! What a program prints, right or wrong.
+//! The output of a program, right or wrong, before it is a picture.
 
 use std::fmt;
 
@@ -16,14 +16,18 @@ pub struct Output {
     camera: Camera,
 }
 
-impl Output {
-    pub(super) fn new(program: Program, width: u32) -> Self {
-        Self {
-            program,
-            camera: program.camera(width),
+impl Program {
+    /// What the program prints when it is asked for a picture `width` pixels
+    /// wide. Nothing is traced before a pixel is asked for.
+    pub fn run(&self, width: u32) -> Output {
+        Output {
+            program: *self,
+            camera: self.camera(width),
         }
     }
+}
 
+impl Output {
     /// Width and height as the header tells them.
     pub fn size(&self) -> (u32, u32) {
         (self.program.header)(self.camera.image_width, self.camera.image_height)

@@ -1,12 +1,12 @@
-//! Small scenes that show what the book's picture can't.
+//! Probes: small scenes that show what the book's picture can't.
 
 use std::fmt::Write;
 
 use super::program::{Ball, Program};
-use crate::chapter::Chapter;
+use crate::chapter::{Chapter, Room};
 
 /// A change to a chapter of which every right program makes the same picture.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Probe {
     /// Its name on the command line.
     pub name: &'static str,
@@ -98,18 +98,18 @@ pub fn find(name: &str) -> Option<Probe> {
 
 impl Probe {
     /// The program with this probe's spheres and focal length; its picture is to
-    /// be [`width`](Self::width) pixels wide. `None` if the chapter has no place
-    /// for them: the first two have no sphere, those up to 4 have one.
+    /// be [`width`](Self::width) pixels wide. `None` if the chapter has no
+    /// [room](Chapter::room) for them.
     pub fn put_to(&self, program: Program) -> Option<Program> {
         let Some(world) = self.spheres else {
             return Some(program);
         };
-        let room = match program.chapter {
-            Chapter::BuildTest | Chapter::Gradient => 0,
-            Chapter::HittableList => world.len(),
-            _ => 1,
+        let has_room = match program.chapter.room() {
+            Room::None => false,
+            Room::One => world.len() == 1,
+            Room::Many => true,
         };
-        (world.len() <= room).then_some(Program {
+        has_room.then_some(Program {
             world,
             // A product, so that a slip in the focal length stays one.
             focal_length: self.focal_length * program.focal_length,
@@ -126,8 +126,8 @@ impl Probe {
         }
         for Ball { center, radius } in self.spheres.into_iter().flatten() {
             let [x, y, z] = center.to_array();
-            let line = match chapter {
-                Chapter::HittableList => format!("world.add(sphere(({x}, {y}, {z}), {radius}))"),
+            let line = match chapter.room() {
+                Room::Many => format!("world.add(sphere(({x}, {y}, {z}), {radius}))"),
                 _ => format!("center = ({x}, {y}, {z}), radius = {radius}"),
             };
             write!(lines, "\n{line}").expect("a string takes it");

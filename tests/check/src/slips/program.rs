@@ -1,8 +1,7 @@
-//! A chapter taken apart, so that one step of it can be replaced.
+//! A chapter as a table of functions, so that one step of it can be replaced.
 
 use common::rtweekend::*;
 
-use super::output::Output;
 use crate::chapter::Chapter;
 
 /// A sphere as plain data.
@@ -139,12 +138,6 @@ impl Program {
             Chapter::HittableList => HITTABLE_LIST,
             Chapter::SpeedVsAccuracy => panic!("chapter 6 is no program of the book"),
         }
-    }
-
-    /// What the program prints when it is asked for a picture `width` pixels
-    /// wide. Nothing is traced before a pixel is asked for.
-    pub fn run(&self, width: u32) -> Output {
-        Output::new(*self, width)
     }
 
     /// The camera of the program.

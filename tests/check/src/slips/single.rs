@@ -1,4 +1,4 @@
-//! The chapters in `f32`: a slip in all steps at once.
+//! Single precision: the chapters in `f32`, a slip in all steps at once.
 //!
 //! So it stands in for the steps from camera to color, and a second slip shows
 //! beside it only if it is in the scene or in the file.

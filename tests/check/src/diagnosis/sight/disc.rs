@@ -4,20 +4,16 @@ use std::ops::Range;
 
 use common::rtweekend::Picture;
 
-use super::View;
-use crate::chapter::Chapter;
-use crate::diagnosis::Scene;
+use super::view::View;
+use crate::chapter::{Chapter, Room};
 use crate::diagnosis::candidates::distance;
+use crate::diagnosis::scene::Scene;
 
 impl View<'_> {
     /// What the outline of the only sphere says, if there is one sphere and it is
     /// in full view.
     pub(super) fn disc(&self) -> Option<String> {
-        let one_sphere = matches!(
-            self.scene.chapter,
-            Chapter::RedSphere | Chapter::Normals | Chapter::HalfBSphere
-        );
-        if !one_sphere || self.scene.probe.is_some() {
+        if self.scene.chapter.room() != Room::One || self.scene.probe.is_some() {
             return None;
         }
         let (width, height) = (self.reading.width, self.reading.height);

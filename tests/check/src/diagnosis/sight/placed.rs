@@ -2,7 +2,7 @@
 
 use common::rtweekend::Camera;
 
-use super::{View, color};
+use super::view::{View, color};
 use crate::diagnosis::candidates::distance;
 use crate::slips::Program;
 

@@ -1,6 +1,6 @@
 //! Colors that are off in the same way everywhere.
 
-use super::View;
+use super::view::View;
 
 impl View<'_> {
     /// Red, green and blue in another order.

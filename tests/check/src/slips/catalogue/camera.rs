@@ -2,9 +2,10 @@
 
 use common::rtweekend::*;
 
-use super::super::program::Program;
-use super::{GRADIENT, RAYS, Slip, Unseen};
+use super::chapters::{GRADIENT, RAYS};
 use crate::chapter::Chapter;
+use crate::slips::program::Program;
+use crate::slips::slip::{Slip, Unseen};
 
 const WHITE: Color = Color::ONE;
 const BLUE: Color = Color::new(0.5, 0.7, 1.0);

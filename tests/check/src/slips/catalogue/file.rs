@@ -2,9 +2,10 @@
 
 use common::rtweekend::*;
 
-use super::super::program::Program;
-use super::super::single;
-use super::{BUILD_TEST, EVERY, RAYS, Slip, Unseen};
+use super::chapters::{BUILD_TEST, EVERY, RAYS};
+use crate::slips::program::Program;
+use crate::slips::single;
+use crate::slips::slip::{Slip, Unseen};
 
 pub(super) const SLIPS: &[Slip] = &[
     Slip {

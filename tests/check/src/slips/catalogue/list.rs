@@ -2,8 +2,9 @@
 
 use common::rtweekend::*;
 
-use super::super::program::{BALL, Ball, Program};
-use super::{HITTABLE_LIST, Slip, Unseen};
+use super::chapters::HITTABLE_LIST;
+use crate::slips::program::{BALL, Ball, Program};
+use crate::slips::slip::{Slip, Unseen};
 
 pub(super) const SLIPS: &[Slip] = &[
     Slip {

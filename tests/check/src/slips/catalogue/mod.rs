@@ -1,70 +1,13 @@
-//! Every slip by name.
+//! The catalogue: every slip by name.
 
 mod camera;
+mod chapters;
 mod file;
 mod list;
 mod normals;
 mod sphere;
 
-use super::program::Program;
-use crate::chapter::Chapter;
-
-/// A mistake: the right program with one step replaced.
-#[derive(Clone, Copy, Debug)]
-pub struct Slip {
-    /// What it is called, on the command line and in tables. It never changes.
-    pub name: &'static str,
-    /// The chapters in which it can be made.
-    pub chapters: &'static [Chapter],
-    /// What the code probably says, in no particular language.
-    pub wrong: &'static str,
-    /// What it should say.
-    pub right: &'static str,
-    /// Why that is wrong, and what it does to the picture.
-    pub explanation: &'static str,
-    /// Who made it: issues of `RayTracing/raytracing.github.io`, or of another
-    /// repository if that is named. Often empty: few people report a slip.
-    pub evidence: &'static [&'static str],
-    /// The page of the book and its heading that tell how it is right, as the
-    /// end of an address: `half_b_sphere#two-observations`.
-    pub page: &'static str,
-    /// The file of this workspace that has the line right.
-    pub source: &'static str,
-    /// Replaces the step.
-    pub alter: fn(Program) -> Program,
-    /// Where no picture and no probe shows it, with the reason.
-    pub unseen: &'static [(&'static [Chapter], Unseen)],
-}
-
-/// Why neither picture nor probe shows a slip.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unseen {
-    /// It draws the same picture; the sentence proves it.
-    Equivalent(&'static str),
-    /// It needs a ray that no camera here casts; the sentence is the law that
-    /// a test puts to [`Program::hit_sphere`], [`Program::hit`] or a ray.
-    OnlyByLaw(&'static str),
-}
-
-impl Slip {
-    /// The program of someone who made this slip in that chapter.
-    pub fn program(&self, chapter: Chapter) -> Program {
-        assert!(
-            self.chapters.contains(&chapter),
-            "{} can't be made in {chapter:?}",
-            self.name
-        );
-        (self.alter)(Program::right(chapter))
-    }
-
-    /// Why nothing shows the slip in that chapter, or `None` if something does.
-    pub fn unseen_in(&self, chapter: Chapter) -> Option<Unseen> {
-        self.unseen
-            .iter()
-            .find(|(chapters, _)| chapters.contains(&chapter))
-            .map(|&(_, why)| why)
-    }
-}
+use super::slip::Slip;
 
 /// All slips, in the order in which a reader can first make them.
 pub fn all() -> impl Iterator<Item = &'static Slip> {
@@ -83,22 +26,3 @@ pub fn all() -> impl Iterator<Item = &'static Slip> {
 pub fn find(name: &str) -> Option<&'static Slip> {
     all().find(|slip| slip.name == name)
 }
-
-const EVERY: &[Chapter] = &Chapter::OF_THE_BOOK;
-const BUILD_TEST: &[Chapter] = &[Chapter::BuildTest];
-const GRADIENT: &[Chapter] = &[Chapter::Gradient];
-const RED_SPHERE: &[Chapter] = &[Chapter::RedSphere];
-const NORMALS: &[Chapter] = &[Chapter::Normals];
-const HITTABLE_LIST: &[Chapter] = &[Chapter::HittableList];
-/// Every chapter that casts rays.
-const RAYS: &[Chapter] = EVERY.split_at(1).1;
-/// Every chapter that has a sphere.
-const SPHERES: &[Chapter] = EVERY.split_at(2).1;
-/// Every chapter that looks for roots and colors normals.
-const ROOTS: &[Chapter] = EVERY.split_at(3).1;
-/// The chapters that use b.
-const FULL_B: &[Chapter] = &[Chapter::RedSphere, Chapter::Normals];
-/// The chapters that use half of b.
-const HALF_B: &[Chapter] = &[Chapter::HalfBSphere, Chapter::HittableList];
-/// The chapters that make the normal a unit vector by its length.
-const ONE_SPHERE: &[Chapter] = &[Chapter::Normals, Chapter::HalfBSphere];

@@ -2,9 +2,11 @@
 
 use common::rtweekend::*;
 
-use super::super::program::{Ball, Program};
-use super::{HITTABLE_LIST, ONE_SPHERE, RED_SPHERE, ROOTS, Slip, Unseen};
+use super::chapters::{HITTABLE_LIST, ONE_SPHERE, ROOTS};
+use super::sphere::SIGN_OF_B;
 use crate::chapter::Chapter;
+use crate::slips::program::{Ball, Program};
+use crate::slips::slip::{Slip, Unseen};
 
 pub(super) const SLIPS: &[Slip] = &[
     Slip {
@@ -50,10 +52,7 @@ pub(super) const SLIPS: &[Slip] = &[
             world: const { &[Ball::new(0.0, 0.0, 1.0, 0.5)] },
             ..right
         },
-        unseen: &[(
-            RED_SPHERE,
-            Unseen::Equivalent("Only the sign of b changes, and the discriminant has its square."),
-        )],
+        unseen: SIGN_OF_B,
     },
     Slip {
         name: "normal-from-point",

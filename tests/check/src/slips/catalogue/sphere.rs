@@ -1,8 +1,15 @@
 //! Slips in the quadratic.
 
-use super::super::program::Program;
-use super::{FULL_B, HALF_B, NORMALS, ONE_SPHERE, RED_SPHERE, ROOTS, SPHERES, Slip, Unseen};
+use super::chapters::{FULL_B, HALF_B, NORMALS, ONE_SPHERE, RED_SPHERE, ROOTS, SPHERES};
 use crate::chapter::Chapter;
+use crate::slips::program::Program;
+use crate::slips::slip::{Slip, Unseen};
+
+/// Why chapter 2 does not show a slip in the sign of b.
+pub(super) const SIGN_OF_B: &[(&[Chapter], Unseen)] = &[(
+    RED_SPHERE,
+    Unseen::Equivalent("Only the sign of b changes, and the discriminant has its square."),
+)];
 
 pub(super) const SLIPS: &[Slip] = &[
     Slip {
@@ -18,10 +25,7 @@ pub(super) const SLIPS: &[Slip] = &[
             oc: |center, origin| origin - center,
             ..right
         },
-        unseen: &[(
-            RED_SPHERE,
-            Unseen::Equivalent("Only the sign of b changes, and the discriminant has its square."),
-        )],
+        unseen: SIGN_OF_B,
     },
     Slip {
         name: "b-sign",
@@ -36,10 +40,7 @@ pub(super) const SLIPS: &[Slip] = &[
             linear: |d_oc| 2.0 * d_oc,
             ..right
         },
-        unseen: &[(
-            RED_SPHERE,
-            Unseen::Equivalent("Only the sign of b changes, and the discriminant has its square."),
-        )],
+        unseen: SIGN_OF_B,
     },
     Slip {
         name: "b-not-doubled",

@@ -1,0 +1,39 @@
+//! Single and double precision: the two kinds of numbers that methods compute with.
+
+/// A kind of number, named as in IEEE 754.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// `f64`: 53 digits of base two, exponents to ±1000.
+    Double,
+    /// `f32`: 24 digits, exponents to ±126.
+    Single,
+}
+
+impl Precision {
+    /// Both, the finer one first.
+    pub const ALL: [Self; 2] = [Self::Double, Self::Single];
+
+    /// As it is called in Rust.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Double => "f64",
+            Self::Single => "f32",
+        }
+    }
+
+    /// How many decimal digits a number has.
+    pub const fn digits(self) -> f64 {
+        match self {
+            Self::Double => 16.0,
+            Self::Single => 7.0,
+        }
+    }
+
+    /// How far numbers from 1 to 2 are apart.
+    pub fn epsilon(self) -> f64 {
+        match self {
+            Self::Double => f64::EPSILON,
+            Self::Single => f32::EPSILON.into(),
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! A picture beside the right one, and what can be asked about their pixels.
+
+use common::rtweekend::{Camera, Picture};
+
+use crate::diagnosis::candidates::{distance, spread};
+use crate::diagnosis::scene::Scene;
+use crate::reading::Reading;
+use crate::slips::Program;
+
+/// How many pixels are looked at where all would be too many.
+const LOOK: u32 = 5000;
+
+/// A reader's picture beside the right one.
+pub(super) struct View<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) reading: &'a Reading,
+    pub(super) right: &'a Picture,
+    /// Pixels to look at.
+    pub(super) places: Vec<u32>,
+    /// Those of them that are more than one level off.
+    pub(super) wrong: Vec<u32>,
+}
+
+impl<'a> View<'a> {
+    pub(super) fn new(scene: &'a Scene, reading: &'a Reading, right: &'a Picture) -> Self {
+        let places: Vec<u32> = spread(LOOK, reading.pixels.len() as u32).collect();
+        let mut view = Self {
+            scene,
+            reading,
+            right,
+            places: Vec::new(),
+            wrong: Vec::new(),
+        };
+        let is_wrong = |n: &u32| distance(view.expected(*n), view.found(*n)) > 1;
+        view.wrong = places.iter().copied().filter(is_wrong).collect();
+        view.places = places;
+        view
+    }
+}
+
+impl View<'_> {
+    pub(super) fn found(&self, n: u32) -> [i16; 3] {
+        self.reading.pixels[n as usize]
+    }
+
+    pub(super) fn expected(&self, n: u32) -> [i16; 3] {
+        let (right, _) = self.right.rgb().as_chunks::<3>();
+        right[n as usize].map(i16::from)
+    }
+
+    /// Whether the reader's pixels are within a level of these, but for one in
+    /// a hundred: edges may differ.
+    pub(super) fn shows(&self, expected: impl Fn(u32) -> [i16; 3]) -> bool {
+        let off = |n: &&u32| distance(expected(**n), self.found(**n)) > 1;
+        100 * self.places.iter().filter(off).count() <= self.places.len()
+    }
+
+    pub(super) fn program(&self) -> Program {
+        self.scene
+            .shaped(self.reading.width, self.reading.height)
+            .program(&[])
+    }
+
+    pub(super) fn is_hit(&self, n: u32) -> bool {
+        let program = self.program();
+        let camera = program.camera(self.reading.width);
+        let ray = camera.ray(n % self.reading.width, n / self.reading.width);
+        (program.search)(&program, &ray).is_some()
+    }
+
+    /// Whether a neighbor is hit and this pixel is not, or the other way round.
+    pub(super) fn is_at_rim(&self, n: u32) -> bool {
+        let width = self.reading.width;
+        let neighbors = [
+            n.checked_sub(1),
+            n.checked_add(1),
+            n.checked_sub(width),
+            n.checked_add(width),
+        ];
+        let total = self.reading.pixels.len() as u32;
+        neighbors
+            .into_iter()
+            .flatten()
+            .any(|neighbor| neighbor < total && self.is_hit(neighbor) != self.is_hit(n))
+    }
+}
+
+pub(super) fn color(program: &Program, camera: &Camera, n: u32) -> [i16; 3] {
+    let (i, j) = (program.order)(n, camera.image_width, camera.image_height);
+    let color = (program.color)(program, camera, i, j).to_array();
+    color.map(|component| (program.level)(component).clamp(0, 255) as i16)
+}

@@ -1,0 +1,10 @@
+//! Limits: how much is read of what anyone may send.
+
+/// The largest file that is read, in bytes. A P3 text of [`MOST_PIXELS`] fits.
+pub const MOST_BYTES: usize = 1 << 29;
+
+/// The most pixels that a picture may have: 7680 × 4320 and a little more.
+///
+/// With it, reading takes no more than another 2²⁹ bytes beside the file: 6 for
+/// each pixel of the result, and up to 8 while a PNG is unpacked.
+pub const MOST_PIXELS: u64 = 1 << 25;
