@@ -7,7 +7,7 @@ use check::judge::{Check, Finding};
 use check::slips::Slip;
 use serde_json::{Value, json};
 
-use super::{Judged, text};
+use super::Judged;
 
 /// One object. Names of slips, probes, causes and verdicts never change.
 pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
@@ -108,7 +108,7 @@ fn slip_as_json(slip: &Slip) -> Value {
         "probably": slip.wrong,
         "should_be": slip.right,
         "why": slip.explanation,
-        "read": text::page(slip),
+        "read": slip.read(),
         "code": slip.source,
     })
 }
