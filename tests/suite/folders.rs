@@ -283,6 +283,8 @@ fn a_strangers_file_in_an_abandoned_folder_stays() {
     assert_eq!(names_in(&staging.join("old")), ["thesis.txt"]);
 }
 
+/// Two seldom meet between two renames: `KILLS=200 cargo test folders` is long
+/// enough for that.
 #[test]
 fn many_at_once_into_one_folder_all_succeed() {
     let output = TempDir::new().expect("a folder");
@@ -292,7 +294,7 @@ fn many_at_once_into_one_folder_all_succeed() {
     thread::scope(|scope| {
         for book in &books {
             scope.spawn(|| {
-                for _ in 0..8 {
+                for _ in 0..kills() {
                     assert_success(&book.weave(&target));
                 }
             });
@@ -382,7 +384,7 @@ fn braces_in_the_name_of_a_picture_are_only_braces() {
     assert!(html.contains("{remarks}{title}.ppm"), "{html}");
 }
 
-/// `KILLS=200 cargo test weaving_that_is_killed` for the long trial.
+/// `KILLS=200 cargo test folders` for the long trial.
 #[test]
 fn weaving_that_is_killed_leaves_nothing_to_repair() {
     let book = Book::new("Round 0.");
@@ -420,7 +422,7 @@ fn weaving_that_is_killed_leaves_nothing_to_repair() {
     println!("rtrace book: {counts:?}");
 }
 
-/// `KILLS=200 cargo test reporting_that_is_killed` for the long trial.
+/// `KILLS=200 cargo test folders` for the long trial.
 #[test]
 fn reporting_that_is_killed_leaves_nothing_to_repair() {
     let here = TempDir::new().expect("a folder");
@@ -447,9 +449,37 @@ fn reporting_that_is_killed_leaves_nothing_to_repair() {
 #[cfg(unix)]
 mod on_unix {
     use std::fs::Permissions;
+    use std::io::Write;
     use std::os::unix::fs::{PermissionsExt, symlink};
 
     use super::*;
+
+    /// The book waits for its page, which is a pipe, and meanwhile a file arrives.
+    #[test]
+    fn a_file_that_comes_while_the_book_is_woven_stays() {
+        let book = Book::new("The old text.");
+        assert_success(&book.weave(&book.output()));
+        let page = book.folder.path().join("notes/page.md");
+        fs::remove_file(&page).expect("the page goes");
+        let made = Command::new("mkfifo").arg(&page).status();
+        assert!(made.expect("mkfifo starts").success());
+        let mut weave = book.command();
+        weave.arg("--output").arg(book.output());
+        let child = weave.stderr(Stdio::piped()).spawn().expect("it starts");
+        // Opened for writing when the program has opened it for reading: by then it
+        // has looked into the folder, and found nothing.
+        let mut pipe = File::options().write(true).open(&page).expect("the pipe");
+        write(&book.output().join("thesis.txt"), "mine");
+        let before = contents(&book.output());
+        pipe.write_all(b"# Page\n\nThe new text.\n")
+            .expect("a page");
+        drop(pipe);
+        let output = child.wait_with_output().expect("it ends");
+        assert_eq!(output.status.code(), Some(2));
+        assert!(text(&output.stderr).contains("thesis.txt"));
+        assert!(contents(&book.output()) == before, "the old book is there");
+        assert_eq!(names_beside(&book), ["book.toml", "notes", "woven"]);
+    }
 
     #[test]
     fn a_link_to_a_folder_stays_and_leads_to_the_new_book() {
