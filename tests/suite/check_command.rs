@@ -185,7 +185,13 @@ fn a_report_is_a_page_that_needs_nothing_else() {
     let report = folder.path().join("report").join("mine");
     assert_eq!(
         names_in(&report),
-        ["difference.png", "expected.png", "index.html", "yours.png"]
+        [
+            ".rtrace-manifest",
+            "difference.png",
+            "expected.png",
+            "index.html",
+            "yours.png"
+        ]
     );
     let shown = |name: &str| {
         read(&fs::read(report.join(name)).expect("the file"))

@@ -1,11 +1,14 @@
 //! Each picture is the book's, to the last bit.
 
+use std::fs;
 use std::path::Path;
 
 use check::Chapter;
 use check::comparison::Comparison;
-use check::report::Report;
-use check::{png, reading};
+use check::diagnosis;
+use check::judge::{self, Finding};
+use check::report::{self, Report};
+use check::{png, reading, slips};
 use common::rtweekend::*;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
@@ -13,6 +16,7 @@ use insta::internals::SnapshotContents;
 use insta::{Comparator, Snapshot, assert_binary_snapshot};
 use sha2::{Digest, Sha256};
 use speed_vs_accuracy::{Method, Scene};
+use tempfile::TempDir;
 
 /// The pictures in the book are the snapshots: one file is shown and compared.
 const PICTURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/pictures");
@@ -150,6 +154,31 @@ fn a_snapshot_may_be_compressed_in_another_way_but_not_show_another_picture() {
 }
 
 #[test]
+fn a_wrong_picture_of_a_chapter_is_explained_with_its_cause_and_a_page() {
+    let right = png::encode(&half_b_sphere::picture(400));
+    let slip = slips::find("minus-h").expect("a slip");
+    let wrong = slip.program(Chapter::HalfBSphere).run(400).picture();
+    let folder = TempDir::new().expect("a folder");
+    let page = folder.path().join("page");
+    // The snapshot is right here, and the chapter is not.
+    let said = explained("half_b_sphere", &right, &png::encode(&wrong), &page);
+    let lines: Vec<&str> = said.lines().collect();
+    assert!(lines[0].starts_with("The picture of `half_b_sphere` is not its snapshot: "));
+    assert!(lines[1].ends_with("exactly this picture:"), "{said}");
+    let named = format!(
+        "  minus-h: probably {}, should be {}",
+        slip.wrong, slip.right
+    );
+    assert!(lines.contains(&&*named), "{said}");
+    let html = fs::read_to_string(page.join("index.html")).expect("a page");
+    assert!(html.contains("<h3>minus-h</h3>"), "{html}");
+    assert!(page.join("difference.png").is_file());
+    // Any other picture is shown without a cause.
+    let said = explained("telescope_right", &right, &png::encode(&wrong), &page);
+    assert!(!said.contains("minus-h"), "{said}");
+}
+
+#[test]
 fn pictures_are_equal_if_size_and_bytes_are() {
     let picture = |width, height, level| {
         Picture::from_rgb(width, height, vec![level; 12]).expect("12 bytes are 4 pixels")
@@ -203,25 +232,13 @@ impl Comparator for SamePixels {
             return true;
         }
         let name = test.snapshot_name().unwrap_or("picture");
-        let [expected, actual] = [expected, actual].map(decoded);
-        let page = Report {
-            title: name,
-            headline: &comparison.to_string(),
-            pictures: Some([&expected, &actual]),
-            remarks: "",
-        }
-        .write(
-            &Path::new(env!("CARGO_TARGET_TMPDIR"))
-                .join("picture-diff")
-                .join(name),
-        )
-        .expect("the target folder takes the page");
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+            .join("wrong-pictures")
+            .join(name);
         println!(
-            "\nThe picture of `{name}` is not its snapshot: {comparison}.\n\
-             See both, and the difference: {}\n\
-             Only if you meant to change it: INSTA_UPDATE=always cargo test the_snapshot_is_drawn_by::{name}\n\
+            "\n{}Only if you meant to change it: INSTA_UPDATE=always cargo test the_snapshot_is_drawn_by::{name}\n\
              (in PowerShell, first $env:INSTA_UPDATE = 'always')\n",
-            page.display()
+            explained(name, expected, actual, &folder)
         );
         false
     }
@@ -229,6 +246,50 @@ impl Comparator for SamePixels {
     fn dyn_clone(&self) -> Box<dyn Comparator> {
         Box::new(self.clone())
     }
+}
+
+/// Writes a page about a picture that is not its snapshot into `folder`, and says what
+/// is wrong: first the cause, if it is the picture of a chapter and the cause is known.
+fn explained(name: &str, expected: &[u8], actual: &[u8], folder: &Path) -> String {
+    let comparison = compare_files(expected, actual);
+    let chapter = Chapter::OF_THE_BOOK
+        .into_iter()
+        .find(|chapter| chapter.name() == name);
+    let scene = chapter.and_then(|chapter| diagnosis::Scene::new(chapter, None));
+    let (mut cause, mut remarks) = (String::new(), String::new());
+    if let Some(scene) = scene
+        && let Some(finding) = judge::check(&scene, actual, 0).finding()
+    {
+        cause = cause_of(finding);
+        remarks = report::remarks(&scene, finding, Path::new(report::BOOK));
+    }
+    let said = format!("The picture of `{name}` is not its snapshot: {comparison}.\n{cause}");
+    let [expected, actual] = [expected, actual].map(decoded);
+    let page = Report {
+        title: name,
+        headline: said.trim_end(),
+        pictures: Some([&expected, &actual]),
+        remarks: &remarks,
+    }
+    .write(folder)
+    .expect("the target folder takes the page");
+    let page = page.display();
+    format!("{said}See both, and the difference: {page}\n")
+}
+
+/// The mistakes that explain it best, or what can be seen. The page says more.
+fn cause_of(finding: &Finding) -> String {
+    let Some(set) = finding.diagnosis.sets.first() else {
+        let sights = finding.diagnosis.sights.iter();
+        return sights.map(|sight| format!("{sight}\n")).collect();
+    };
+    let mut said = set.title(finding.right.rgb().len() / 3) + "\n";
+    for slip in set.mistakes.iter().flatten() {
+        let (name, wrong, right) = (slip.name, slip.wrong, slip.right);
+        said += &format!("  {name}: probably {wrong}, should be {right}\n");
+        said += &format!("    read {}\n", slip.read());
+    }
+    said
 }
 
 fn file_of(snapshot: &Snapshot) -> Option<&[u8]> {

@@ -13,6 +13,7 @@ mod command_line;
 mod cpp_to_rust;
 mod errata;
 mod figures;
+mod folders;
 mod hit_command;
 mod left_out;
 mod lesson;

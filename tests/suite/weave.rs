@@ -9,7 +9,7 @@ use figures::{CHARTS, FIGURES};
 use tempfile::TempDir;
 
 use crate::book::woven;
-use crate::command_line::{assert_success, names_in, program_with, run, text};
+use crate::command_line::{assert_success, program_with, run, text};
 
 #[test]
 fn a_listing_is_the_item_with_its_comment_and_attributes() {
@@ -273,18 +273,6 @@ fn a_page_that_is_missing_fails_the_build() {
 }
 
 #[test]
-fn a_folder_that_holds_no_book_is_not_cleared() {
-    let book = Book::new("Text.");
-    let kept = book.folder.path().join("kept");
-    fs::create_dir(&kept).expect("a folder");
-    fs::write(kept.join("letter.txt"), "dear").expect("a file");
-    let output = book.weave(&kept);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("would be cleared"));
-    assert_eq!(names_in(&kept), ["letter.txt"]);
-}
-
-#[test]
 fn a_book_that_cannot_be_woven_leaves_the_old_one() {
     let book = Book::new("The old text.");
     assert!(book.page().contains("The old text."));
@@ -356,7 +344,7 @@ fn shown_as<'a>(name: &str, page: &'a str) -> &'a str {
 
 /// A book of one page, which begins with a heading and an empty line.
 pub(crate) struct Book {
-    folder: TempDir,
+    pub(crate) folder: TempDir,
 }
 
 impl Book {
@@ -374,13 +362,13 @@ impl Book {
         book
     }
 
-    fn write(&self, name: &str, text: &str) {
+    pub(crate) fn write(&self, name: &str, text: &str) {
         let path = self.folder.path().join("notes").join(name);
         fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
         fs::write(path, text).expect("a file");
     }
 
-    fn output(&self) -> PathBuf {
+    pub(crate) fn output(&self) -> PathBuf {
         self.folder.path().join("woven")
     }
 
@@ -391,7 +379,7 @@ impl Book {
         command
     }
 
-    fn weave(&self, output: &Path) -> Output {
+    pub(crate) fn weave(&self, output: &Path) -> Output {
         run(self.command().arg("--output").arg(output))
     }
 

@@ -8,7 +8,6 @@ use check::slips::Slip;
 use serde_json::{Value, json};
 
 use super::judged::Judged;
-use super::text;
 
 /// One object. Names of slips, probes, causes and verdicts never change.
 pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
@@ -109,7 +108,7 @@ fn slip_as_json(slip: &Slip) -> Value {
         "probably": slip.wrong,
         "should_be": slip.right,
         "why": slip.explanation,
-        "read": text::page(slip),
+        "read": slip.read(),
         "code": slip.source,
     })
 }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
-use check::diagnosis::{Conversion, Explains, Scene, Set};
+use check::diagnosis::{Scene, Set, names_of};
 use check::judge::{Check, Finding};
 use check::slips::Slip;
 
@@ -161,19 +161,20 @@ fn whereabouts(finding: &Finding, style: Style) -> String {
 
 fn diagnosis(scene: &Scene, finding: &Finding, style: Style) -> String {
     let mut text = String::new();
+    let pixels = finding.right.rgb().len() / 3;
     for set in &finding.diagnosis.sets {
-        write!(text, "\n{}\n", style.bold(&title(set, finding))).expect("a string takes it");
+        write!(text, "\n{}\n", style.bold(&set.title(pixels))).expect("a string takes it");
         for mistake in set.mistakes.iter().take(SHOWN_IN_FULL) {
             text += &in_full(mistake, style);
         }
         if set.mistakes.len() > SHOWN_IN_FULL {
             let others: Vec<String> = set.mistakes[SHOWN_IN_FULL..]
                 .iter()
-                .map(|mistake| names(mistake))
+                .map(|mistake| names_of(mistake))
                 .collect();
             writeln!(text, "\n  Also: {}.", others.join("; ")).expect("a string takes it");
         }
-        text += &telling(scene, set);
+        text += &set.how_to_tell(scene);
     }
     let sights = &finding.diagnosis.sights;
     if finding.difference.is_some() && !finding.diagnosis.sets.iter().any(Set::is_enough) {
@@ -194,41 +195,6 @@ fn diagnosis(scene: &Scene, finding: &Finding, style: Style) -> String {
     text
 }
 
-/// How well a set of mistakes explains the picture.
-pub(crate) fn title(set: &Set, finding: &Finding) -> String {
-    let several = set.mistakes.len() > 1;
-    let both = set.mistakes[0].len() > 1;
-    let who = match (several, both) {
-        (false, false) => "One mistake draws",
-        (true, false) => "Each of these mistakes draws",
-        (false, true) => "Two mistakes together draw",
-        (true, true) => "Each of these pairs of mistakes draws",
-    };
-    let (far, off, compared) = (set.fit.far, set.fit.off, set.fit.compared);
-    let what = match set.explains {
-        Explains::All if compared == finding.right.rgb().len() / 3 => {
-            "exactly this picture".to_owned()
-        }
-        Explains::All => format!("this picture in all {compared} pixels that were compared"),
-        Explains::AllButOneLevel => {
-            format!("this picture, but for one level in {off} of {compared} pixels")
-        }
-        Explains::Most if far > 0 => {
-            format!("most of this picture, but not all: {far} of {compared} pixels are still wrong")
-        }
-        Explains::Most => format!(
-            "most of this picture, but not all: {off} of {compared} pixels are still a level off"
-        ),
-    };
-    let wrapped = match set.conversion {
-        Conversion::Wrapped => {
-            " (if levels beyond 255 begin again at 0, as with a cast to a byte in C)"
-        }
-        _ => "",
-    };
-    format!("{who} {what}{wrapped}:")
-}
-
 fn in_full(mistake: &[&Slip], style: Style) -> String {
     let mut text = String::new();
     for slip in mistake {
@@ -244,46 +210,11 @@ fn in_full(mistake: &[&Slip], style: Style) -> String {
             label("why"),
             slip.explanation,
             label("read"),
-            page(slip),
+            slip.read(),
             label("code"),
             slip.source
         )
         .expect("a string takes it");
     }
     text
-}
-
-/// Where `cargo rtrace book` puts the page that tells how it is right.
-pub(crate) fn page(slip: &Slip) -> String {
-    format!("target/book/{}", slip.page.replace('#', ".html#"))
-}
-
-pub(crate) fn names(mistake: &[&Slip]) -> String {
-    let names: Vec<&str> = mistake.iter().map(|slip| slip.name).collect();
-    names.join(" and ")
-}
-
-/// How to find out which mistake of a set it is.
-pub(crate) fn telling(scene: &Scene, set: &Set) -> String {
-    if set.mistakes.len() < 2 {
-        return String::new();
-    }
-    let Some(telling) = &set.telling else {
-        return "\n  This picture can't tell them apart, and no probe can: look for each.\n"
-            .to_owned();
-    };
-    let groups: Vec<String> = telling
-        .groups
-        .iter()
-        .map(|group| {
-            let names: Vec<String> = group.iter().map(|&n| names(&set.mistakes[n])).collect();
-            names.join(", ")
-        })
-        .collect();
-    let (name, probe) = (scene.chapter.name(), telling.probe.name);
-    format!(
-        "\n  This picture can't tell them apart. The probe {probe} can: {}.\n  Change your program to\n    {}\n  and then: cargo rtrace check {name} --probe {probe} PICTURE\n",
-        groups.join(" | "),
-        telling.probe.lines(scene.chapter).replace('\n', "\n    "),
-    )
 }

@@ -18,10 +18,11 @@ mod warnings;
 mod woven;
 
 use std::error::Error;
-use std::fs::{self, File};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use common::engine::folder::{self, FolderError, NewFolder};
 use common::engine::output;
 use mdbook_driver::MDBook;
 use mdbook_preprocessor::book::{Book, BookItem};
@@ -54,8 +55,14 @@ pub(crate) fn book(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         Some(source) => source,
         None => Path::new(env!("CARGO_MANIFEST_DIR")),
     };
-    let index = weave(source, arguments.output.as_deref())?;
-    let said = format!("The book is in {}\n", draw::shown(&index).display());
+    let (index, aside) = weave(source, arguments.output.as_deref())?;
+    let mut said = format!("The book is in {}\n", draw::shown(&index).display());
+    if let Some(aside) = aside {
+        said += &format!(
+            "What was there had no list of its files, so it is now {}, to keep or to delete.\n",
+            draw::shown(&aside).display()
+        );
+    }
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
     if arguments.open {
         open::that_detached(&index).map_err(|cause| {
@@ -77,37 +84,67 @@ pub(crate) fn this_book() -> Result<(), Box<dyn Error>> {
     })
 }
 
-/// Weaves the book in the folder `source`; returns the path of its first page.
-fn weave(source: &Path, output: Option<&Path>) -> Result<PathBuf, Box<dyn Error>> {
-    let target = draw::folder()?.with_file_name("book");
-    let output = output.unwrap_or(&target);
-    refuse_to_clear(output)?;
-    // mdBook clears the folder and fills it again: one at a time.
-    let lock = File::create(target.with_extension("lock"))?;
-    lock.lock()?;
+/// Weaves the book in the folder `source`. Returns the path of its first page, and
+/// where a folder is now that was in the way.
+fn weave(
+    source: &Path,
+    output: Option<&Path>,
+) -> Result<(PathBuf, Option<PathBuf>), Box<dyn Error>> {
+    let default = || draw::folder().map(|pictures| pictures.with_file_name("book"));
+    let target = output.map_or_else(default, |output| Ok(output.to_owned()))?;
+    let folder = NewFolder::beside(&target, "book").map_err(refusal)?;
+    // Books that were woven before there were manifests have none. In our own folder
+    // they make way; elsewhere nobody knows whether it was a book.
+    let makes_way = output.is_none() && folder::is_unlisted(&target);
+    if !makes_way {
+        folder.check().map_err(refusal)?;
+    }
+    fill(&folder, source)?;
+    let aside = match makes_way {
+        true => folder::set_aside(&target).map_err(refusal)?,
+        false => None,
+    };
+    folder.put_in_place().map_err(refusal)?;
+    Ok((target.join("index.html"), aside))
+}
+
+/// Writes the book in the folder `source` into a new folder.
+fn fill(folder: &NewFolder, source: &Path) -> Result<(), Box<dyn Error>> {
     let warnings = warnings::collect(|| {
-        let mut book = MDBook::load(source)?;
-        book.config.build.build_dir = std::path::absolute(output)?;
+        let mut book = MDBook::load(source).map_err(cannot_weave)?;
+        refuse_inside(&book.source_dir(), folder.target())?;
+        book.config.build.build_dir = folder.path();
         book.with_preprocessor(Weave);
-        book.build()
-    })
-    .map_err(|error| format!("the book can't be woven\n{error:#}"))?;
+        book.build().map_err(cannot_weave)
+    })?;
     match warnings.is_empty() {
-        true => Ok(output.join("index.html")),
+        true => Ok(()),
         false => Err(format!("mdBook warns about the book\n{}", warnings.join("\n")).into()),
     }
 }
 
-/// A folder is cleared only if it holds a book, or nothing.
-fn refuse_to_clear(folder: &Path) -> Result<(), Box<dyn Error>> {
-    let is_empty = || fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_none());
-    if !folder.exists() || folder.join("print.html").exists() || is_empty() {
-        return Ok(());
+/// mdBook copies what lies among the pages into the book: the last book, too.
+fn refuse_inside(pages: &Path, target: &Path) -> Result<(), Box<dyn Error>> {
+    let above = target.parent().unwrap_or(target);
+    match fs::canonicalize(above)?.starts_with(fs::canonicalize(pages)?) {
+        false => Ok(()),
+        true => Err(misuse(&format!(
+            "{} lies among the pages of the book, and would become a part of the next one.\n\
+             Name a folder elsewhere.",
+            target.display()
+        ))),
     }
-    Err(misuse(&format!(
-        "{} is no folder with a book: it would be cleared. Name a new folder, or an empty one.",
-        folder.display()
-    )))
+}
+
+fn cannot_weave(error: anyhow::Error) -> Box<dyn Error> {
+    format!("the book can't be woven\n{error:#}").into()
+}
+
+fn refusal(error: FolderError) -> Box<dyn Error> {
+    match error {
+        FolderError::Refused(why) => misuse(&why),
+        FolderError::Failed(_) => error.into(),
+    }
 }
 
 /// Resolves what the pages have that mdBook does not know.

@@ -7,11 +7,18 @@
 use std::path::{Path, PathBuf};
 use std::{fmt, fs, io, iter};
 
+use common::engine::folder::NewFolder;
 use common::engine::output;
 use common::rtweekend::Picture;
 
 use crate::comparison::{Comparison, differing_pixels};
+use crate::diagnosis::{Scene, Set};
+use crate::judge::Finding;
 use crate::png;
+use crate::slips::Slip;
+
+/// The folder of the book, if it was woven.
+pub const BOOK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../target/book");
 
 /// What a report page shows.
 #[derive(Debug)]
@@ -27,27 +34,24 @@ pub struct Report<'a> {
 }
 
 impl Report<'_> {
-    /// Writes `index.html` into `folder`, and beside it the pictures it shows.
+    /// Replaces `folder` by one with `index.html` and the pictures that it shows.
     /// Returns the path of the page.
     ///
     /// # Errors
-    /// If the folder or a file in it cannot be written, with its name.
+    /// If the folder holds anything but an earlier report, or if it or a file in it
+    /// cannot be written, with its name.
     pub fn write(&self, folder: &Path) -> io::Result<PathBuf> {
-        fs::create_dir_all(folder).map_err(|cause| {
-            let place = folder.display();
-            io::Error::new(
-                cause.kind(),
-                format!("cannot create the folder {place}: {cause}"),
-            )
-        })?;
-        let page = folder.join("index.html");
+        let new = NewFolder::beside(folder, "report").map_err(io::Error::other)?;
+        new.check().map_err(io::Error::other)?;
+        // What the reader named comes last, so that braces in it are only braces.
         let html = TEMPLATE
+            .replace("{figures}", &self.figures(&new.path())?)
+            .replace("{remarks}", self.remarks)
             .replace("{title}", &escaped(self.title))
-            .replace("{headline}", &escaped(self.headline).replace('\n', "<br>"))
-            .replace("{figures}", &self.figures(folder)?)
-            .replace("{remarks}", self.remarks);
-        write(&page, html.as_bytes())?;
-        Ok(page)
+            .replace("{headline}", &escaped(self.headline).replace('\n', "<br>"));
+        write(&new.path().join("index.html"), html.as_bytes())?;
+        new.put_in_place().map_err(io::Error::other)?;
+        Ok(folder.join("index.html"))
     }
 
     /// Writes the pictures, and returns the figures that show them.
@@ -68,6 +72,27 @@ impl Report<'_> {
         }
         Ok(figures + "</div>\n" + ONION)
     }
+}
+
+/// What is to be said below the pictures: the mistakes that may draw yours, and what
+/// can be seen. Pages that are in the folder `book` are linked.
+pub fn remarks(scene: &Scene, finding: &Finding, book: &Path) -> String {
+    let mut html = String::new();
+    let pixels = finding.right.rgb().len() / 3;
+    for set in &finding.diagnosis.sets {
+        html += &format!("<h2>{}</h2>\n", escaped(set.title(pixels)));
+        for slip in set.mistakes.iter().flatten() {
+            html += &slip_as_html(slip, book);
+        }
+        html += &how_to_tell(scene, set);
+    }
+    if !finding.diagnosis.sights.is_empty() {
+        html += "<h2>What can be seen</h2>\n";
+        for sight in &finding.diagnosis.sights {
+            html += &format!("<p>{}</p>\n", escaped(sight));
+        }
+    }
+    html
 }
 
 /// Differing pixels in red on a faint gray copy of what was expected, or `None`
@@ -99,6 +124,63 @@ pub fn escaped(text: impl fmt::Display) -> String {
         .replace('<', "&lt;")
         .replace('>', "&gt;")
         .replace('"', "&quot;")
+}
+
+fn slip_as_html(slip: &Slip, book: &Path) -> String {
+    let [name, wrong, right, explanation, source] = [
+        slip.name,
+        slip.wrong,
+        slip.right,
+        slip.explanation,
+        slip.source,
+    ]
+    .map(escaped);
+    let page = page_of_book(slip, book);
+    format!(
+        "<h3>{name}</h3>\n<dl><dt>probably</dt><dd><code>{wrong}</code></dd>\
+         <dt>should be</dt><dd><code>{right}</code></dd>\
+         <dt>why</dt><dd>{explanation}</dd><dt>read</dt><dd>{page}</dd>\
+         <dt>code</dt><dd>{source}</dd></dl>\n"
+    )
+}
+
+/// The page that tells how it is right: a link, or only its name while there is no
+/// such page.
+fn page_of_book(slip: &Slip, book: &Path) -> String {
+    let name = escaped(slip.read());
+    let (page, heading) = slip.page.split_once('#').unwrap_or((slip.page, ""));
+    match fs::canonicalize(book.join(page).with_extension("html")) {
+        Ok(file) => format!("<a href=\"{}#{heading}\">{name}</a>", url_of(&file)),
+        Err(_) => name,
+    }
+}
+
+/// The address of a file on this machine: it leads there from wherever the report is.
+fn url_of(file: &Path) -> String {
+    let mut url = String::from("file://");
+    let path = file.to_string_lossy();
+    // Windows has no slash at the beginning, and a mark of its own that is none of
+    // the address.
+    let path = path.strip_prefix(r"\\?\").unwrap_or(&path);
+    if !path.starts_with('/') {
+        url.push('/');
+    }
+    for byte in path.bytes() {
+        match byte {
+            b'\\' if cfg!(windows) => url.push('/'),
+            b'/' | b':' | b'-' | b'.' | b'_' | b'~' => url.push(byte.into()),
+            _ if byte.is_ascii_alphanumeric() => url.push(byte.into()),
+            _ => url += &format!("%{byte:02X}"),
+        }
+    }
+    url
+}
+
+fn how_to_tell(scene: &Scene, set: &Set) -> String {
+    match set.how_to_tell(scene) {
+        nothing if nothing.is_empty() => nothing,
+        said => format!("<pre>{}</pre>\n", escaped(said.trim())),
+    }
 }
 
 fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {

@@ -10,6 +10,7 @@ mod scene;
 mod shape;
 mod sight;
 mod telling;
+mod wording;
 
 use common::rtweekend::Picture;
 
@@ -21,6 +22,7 @@ pub use candidates::{Conversion, Fit};
 pub use scene::Scene;
 pub use shape::giving as slips_giving;
 pub use telling::Telling;
+pub use wording::names_of;
 
 /// What may have drawn a wrong picture.
 #[derive(Clone, Debug)]

@@ -51,6 +51,12 @@ impl Slip {
         (self.alter)(Program::right(chapter))
     }
 
+    /// Where `cargo rtrace book` puts the page that tells how it is right, as seen
+    /// from the workspace.
+    pub fn read(&self) -> String {
+        format!("target/book/{}", self.page.replace('#', ".html#"))
+    }
+
     /// Why nothing shows the slip in that chapter, or `None` if something does.
     pub fn unseen_in(&self, chapter: Chapter) -> Option<Unseen> {
         self.unseen
