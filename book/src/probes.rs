@@ -32,5 +32,7 @@ pub(crate) fn list(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             write!(text, "\n{}\n  {}\n    {lines}\n", probe.name, probe.shows)?;
         }
     }
-    Ok(output::to_stdout(|out| out.write_all(text.as_bytes()))?)
+    Ok(output::to_open_stdout(|out| {
+        out.write_all(text.as_bytes())
+    })?)
 }

@@ -54,7 +54,7 @@ pub(crate) fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         Some(Destination::Stdout) if *open => Err(misuse(
             "--open needs a file: name one with --output, or leave --output out",
         )),
-        Some(Destination::Stdout) => Ok(output::to_stdout(|out| picture().write_p3(out))?),
+        Some(Destination::Stdout) => Ok(output::to_open_stdout(|out| picture().write_p3(out))?),
         Some(Destination::File(path, format)) => save_and_say(&picture(), *format, path, *open),
         None if *open => {
             let path = draw::folder()?.join(chapter.name()).with_extension("png");

@@ -88,7 +88,9 @@ fn list(chapter: Option<Chapter>) -> Result<(), Box<dyn Error>> {
         text,
         "{count} mistakes. To see one: cargo rtrace slips draw NAME --output FILE"
     )?;
-    Ok(output::to_stdout(|out| out.write_all(text.as_bytes()))?)
+    Ok(output::to_open_stdout(|out| {
+        out.write_all(text.as_bytes())
+    })?)
 }
 
 fn draw(arguments: &Draw) -> Result<(), Box<dyn Error>> {

@@ -28,7 +28,9 @@ pub(crate) fn print(
             part(&mut text, question, precision, &methods, range)?;
         }
     }
-    Ok(output::to_stdout(|out| out.write_all(text.as_bytes()))?)
+    Ok(output::to_open_stdout(|out| {
+        out.write_all(text.as_bytes())
+    })?)
 }
 
 /// What the methods of one precision say.

@@ -29,7 +29,7 @@ pub(crate) fn print(
     let bytes = bytes.map_err(|cause| format!("cannot read {name}: {cause}"))?;
     let text = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&bytes);
     let mut problem = None;
-    output::to_stdout(|out| {
+    output::to_open_stdout(|out| {
         problem = answer(text, methods, range, out)?;
         Ok(())
     })?;

@@ -26,13 +26,18 @@ pub fn main(book_width: u32, picture: fn(u32) -> Picture) -> ExitCode {
     let wish = match Wish::read(book_width, io::stdout().is_terminal()) {
         Ok(wish) => wish,
         Err(problem) => {
-            complain(&format!("{problem}\n\n{}", usage(book_width)));
+            let problem = problem.to_string();
+            complain(&format!(
+                "{}\n\n{}",
+                output::visible(&problem),
+                usage(book_width)
+            ));
             return ExitCode::from(2);
         }
     };
     let written = match wish {
         Wish::Help => output::to_stdout(|out| out.write_all(usage(book_width).as_bytes())),
-        Wish::Stdout(width) => output::to_stdout(|out| picture(width).write_p3(out)),
+        Wish::Stdout(width) => output::to_open_stdout(|out| picture(width).write_p3(out)),
         Wish::File(width, path) => output::to_file(&path, |out| picture(width).write_p3(out)),
     };
     match written {
