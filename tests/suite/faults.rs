@@ -270,6 +270,47 @@ fn a_name_is_shown_and_not_obeyed() {
     }
 }
 
+#[test]
+fn a_workspace_that_was_moved_is_not_made_again() {
+    let advice = ["not there any more", "cargo clean --package rtrace"];
+    for arguments in [&[][..], &["book"], &["show", "normals", "--open"]] {
+        // It was copied, and cargo runs it in the copy.
+        let elsewhere = TempDir::new().expect("a folder");
+        let mut command = program("rtrace");
+        command.env("CARGO_PKG_NAME", "rtrace").args(arguments);
+        command.env("CARGO_MANIFEST_DIR", elsewhere.path());
+        assert_failed(&mut command, &advice);
+
+        // It is gone: something empty hides it, and stays empty.
+        let hidden = "mount -t tmpfs none \"$0\"";
+        let Some((_copy, mut command)) = with_mounts(hidden, "! \"$@\" && find \"$0\"") else {
+            return;
+        };
+        let output = run(command.args(arguments));
+        let said = text(&output.stderr);
+        assert!(advice.iter().all(|words| said.contains(words)), "{said}");
+        let left = text(&output.stdout);
+        assert_eq!(left.trim_end(), workspace().to_string_lossy());
+    }
+}
+
+#[test]
+fn a_workspace_that_cannot_be_written_to_is_named() {
+    let read_only = "mount --bind \"$0\" \"$0\" && mount -o remount,bind,ro \"$0\"";
+    let Some((_copy, mut command)) = with_mounts(read_only, "exec \"$@\"") else {
+        return;
+    };
+    let pictures = workspace().join("target/pictures");
+    assert_failed(
+        &mut command,
+        &[
+            &pictures.to_string_lossy(),
+            "Read-only",
+            "show CHAPTER --output FILE",
+        ],
+    );
+}
+
 /// A short part of the campaign that the README describes: `KILLS` says how many
 /// times.
 #[test]
@@ -476,6 +517,32 @@ fn hears_signals(program: PathBuf) -> Command {
     let mut command = Command::new("env");
     command.arg(RESET).arg(program);
     command
+}
+
+fn workspace() -> PathBuf {
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR"));
+    tests.ancestors().nth(2).expect("tests/suite").to_owned()
+}
+
+/// A shell that runs `script` after `mounts`, which change what it sees at the
+/// place of the workspace. To both, `$0` is that place, and `$@` a copy of `rtrace`
+/// in the folder that is returned too, with what arguments follow.
+fn with_mounts(mounts: &str, script: &str) -> Option<(TempDir, Command)> {
+    let unshare = |script: &str| {
+        let mut command = unshare("--mount");
+        command.args(["sh", "-c", script]).arg(workspace());
+        command
+    };
+    if !can(&mut unshare(mounts)) {
+        left_out("there is no unshare here that lets the workspace be hidden");
+        return None;
+    }
+    let folder = TempDir::new().expect("a folder");
+    let copy = folder.path().join("rtrace");
+    fs::copy(path_of("rtrace"), &copy).expect("a copy that is not hidden");
+    let mut command = unshare(&format!("{mounts} && cd / && {script}"));
+    command.arg(copy);
+    Some((folder, command))
 }
 
 /// Runs a program with its own `kind` of system resources, as a container does.
