@@ -25,16 +25,37 @@ pub(crate) fn all() -> Result<(), Box<dyn Error>> {
 pub(crate) fn folder() -> Result<PathBuf, Box<dyn Error>> {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     let workspace = package.parent().unwrap_or(package);
+    if is_elsewhere(package) {
+        return Err(format!(
+            "this program was built for a workspace in {}, which is not there any more\n\
+             Build it for where the workspace is now: run cargo clean --package rtrace in it, \
+             then cargo rtrace.",
+            workspace.display()
+        )
+        .into());
+    }
     let folder = workspace.join("target").join("pictures");
     fs::create_dir_all(&folder).map_err(|cause| {
         format!(
             "cannot create the folder {}: {cause}\n\
-             Remove what is in its way. If the workspace was moved, run cargo inside it.",
+             Remove what is in its way, or allow yourself to write there. {WITHOUT_IT}",
             folder.display()
         )
     })?;
     Ok(folder)
 }
+
+/// Whether this package was moved after it was built, or copied and is now run by
+/// cargo in the copy. Cargo does not build a program anew for that.
+fn is_elsewhere(package: &Path) -> bool {
+    let run_by_cargo = env::var_os("CARGO_PKG_NAME").is_some_and(|it| it == env!("CARGO_PKG_NAME"));
+    let here = env::var_os("CARGO_MANIFEST_DIR").filter(|_| run_by_cargo);
+    let is_here = |here| fs::canonicalize(here).ok() == fs::canonicalize(package).ok();
+    !package.join("Cargo.toml").is_file() || here.is_some_and(|here| !is_here(here))
+}
+
+/// What can be done where nothing can be written into the workspace.
+const WITHOUT_IT: &str = "To draw elsewhere: cargo rtrace show CHAPTER --output FILE";
 
 fn draw(chapter: Chapter, folder: &Path) -> Result<String, Box<dyn Error>> {
     let start = Instant::now();
@@ -52,7 +73,7 @@ fn draw(chapter: Chapter, folder: &Path) -> Result<String, Box<dyn Error>> {
         let path = folder
             .join(chapter.name())
             .with_extension(format.extension());
-        save(&picture, format, &path)?;
+        save(&picture, format, &path).map_err(|error| format!("{error}\n{WITHOUT_IT}"))?;
         let kilobytes = fs::metadata(&path)?.len() as f64 / 1e3;
         line += &format!("  .{} {kilobytes:6.1} kB", format.extension());
     }

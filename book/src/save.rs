@@ -34,8 +34,11 @@ impl Format {
 
 /// Writes `picture` to `path`, whole or not at all.
 pub(crate) fn save(picture: &Picture, format: Format, path: &Path) -> Result<(), OutputError> {
-    output::to_file(path, |out| match format {
-        Format::Png => out.write_all(&png::encode(picture)),
-        Format::Ppm => picture.write_p3(out),
-    })
+    match format {
+        Format::Png => {
+            let bytes = png::encode(picture);
+            output::to_file(path, |out| out.write_all(&bytes))
+        }
+        Format::Ppm => output::to_file(path, |out| picture.write_p3(out)),
+    }
 }

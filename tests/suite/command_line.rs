@@ -700,7 +700,7 @@ pub(crate) fn assert_refused(command: &mut Command, words: &[&str]) {
 }
 
 /// A failure on the way: exit code 1, and a message with all of `words`.
-fn assert_failed(command: &mut Command, words: &[&str]) {
+pub(crate) fn assert_failed(command: &mut Command, words: &[&str]) {
     assert_exit(command, 1, words);
 }
 

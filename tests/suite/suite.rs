@@ -12,6 +12,8 @@ mod color;
 mod command_line;
 mod cpp_to_rust;
 mod errata;
+#[cfg(unix)]
+mod faults;
 mod figures;
 mod folders;
 mod hit_command;

@@ -26,7 +26,12 @@ pub fn main(book_width: u32, picture: fn(u32) -> Picture) -> ExitCode {
     let wish = match Wish::read(book_width, io::stdout().is_terminal()) {
         Ok(wish) => wish,
         Err(problem) => {
-            complain(&format!("{problem}\n\n{}", usage(book_width)));
+            let problem = problem.to_string();
+            complain(&format!(
+                "{}\n\n{}",
+                output::visible(&problem),
+                usage(book_width)
+            ));
             return ExitCode::from(2);
         }
     };
