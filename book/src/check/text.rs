@@ -98,10 +98,14 @@ pub(crate) fn headline(judged: &Judged, style: Style) -> String {
             };
             format!("{source} is {verdict}: {}.\n", counts(&name, finding))
         }
+        Check::WrongShape { cause, .. } => {
+            let verdict = style.red("wrong");
+            format!("{source} is {verdict}: {}.\n{}\n", cause.problem, cause.fix)
+        }
         Check::NotAPicture { cause, finding } => {
             let verdict = match finding {
                 None => style.red("not a picture"),
-                Some(_) => style.red("not a valid picture of this chapter"),
+                Some(_) => style.red("not a valid picture"),
             };
             format!("{source} is {verdict}: {}.\n{}\n", cause.problem, cause.fix)
         }
