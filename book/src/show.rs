@@ -1,8 +1,6 @@
 //! `show`: one picture, wherever the reader wants it.
 
-use std::env;
 use std::error::Error;
-use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
 use check::Chapter;
@@ -11,9 +9,10 @@ use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser}
 use common::engine::{output, parse_width};
 use common::rtweekend::Picture;
 
+use crate::draw;
 use crate::misuse::{Misuse, misuse};
 use crate::save::{Format, save};
-use crate::{draw, terminal};
+use crate::terminal::{self, Palette};
 
 /// What `cargo rtrace show` is told.
 #[derive(Args)]
@@ -61,11 +60,17 @@ pub(crate) fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             let path = draw::folder()?.join(chapter.name()).with_extension("png");
             save_and_say(&picture(), Format::Png, &path, true)
         }
-        None if can_show_colors() => Ok(output::to_stdout(|out| terminal::show(&picture(), out))?),
-        None => Err(misuse(
-            "there is no terminal with colors here to show the picture in: \
-             name a file with --output, or print the numbers with --output -",
-        )),
+        None => {
+            let palette = Palette::of_stdout().ok_or_else(|| {
+                misuse(
+                    "there is no terminal with colors here to show the picture in: \
+                     name a file with --output, or print the numbers with --output -",
+                )
+            })?;
+            Ok(output::to_stdout(|out| {
+                terminal::show(&picture(), palette, out)
+            })?)
+        }
     }
 }
 
@@ -95,10 +100,6 @@ fn save_and_say(
         })?;
     }
     Ok(())
-}
-
-fn can_show_colors() -> bool {
-    io::stdout().is_terminal() && env::var_os("TERM").is_none_or(|term| term != "dumb")
 }
 
 fn stage_parser() -> impl TypedValueParser<Value = Chapter> {

@@ -2,15 +2,55 @@
 
 use std::io::{self, Write};
 
+use anstyle::{AnsiColor, Color, RgbColor, Style};
 use common::rtweekend::Picture;
 use image::{Rgb, RgbImage, imageops};
+use supports_color::Stream;
+
+/// The colors that a terminal has.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Palette {
+    /// 24 bits: all.
+    All,
+    /// 256 of them.
+    Xterm,
+    /// The sixteen with names.
+    Ansi,
+}
+
+impl Palette {
+    /// The colors of the terminal that shows standard output, if there is one, if it
+    /// has colors, and if the reader wants them.
+    pub(crate) fn of_stdout() -> Option<Self> {
+        let level = supports_color::on(Stream::Stdout)?;
+        Some(if level.has_16m {
+            Self::All
+        } else if level.has_256 {
+            Self::Xterm
+        } else {
+            Self::Ansi
+        })
+    }
+
+    fn nearest(self, Rgb([red, green, blue]): Rgb<u8>) -> Color {
+        let color = RgbColor(red, green, blue);
+        match self {
+            Self::All => color.into(),
+            Self::Xterm => anstyle_lossy::rgb_to_xterm(color).into(),
+            Self::Ansi => {
+                let nearest: AnsiColor =
+                    anstyle_lossy::rgb_to_ansi(color, anstyle_lossy::palette::VGA);
+                nearest.into()
+            }
+        }
+    }
+}
 
 /// Shows `picture`, reduced as far as the terminal asks.
 ///
 /// The character is the upper half block: its own color is the upper pixel, its
-/// background the lower one. The terminal must know 24-bit colors, as all but
-/// the oldest do; on Windows that is Windows Terminal.
-pub(crate) fn show(picture: &Picture, out: &mut dyn Write) -> io::Result<()> {
+/// background the lower one.
+pub(crate) fn show(picture: &Picture, palette: Palette, out: &mut dyn Write) -> io::Result<()> {
     let (columns, lines) = terminal_size::terminal_size().map_or((80, 24), |(width, height)| {
         (width.0.into(), height.0.into())
     });
@@ -18,12 +58,9 @@ pub(crate) fn show(picture: &Picture, out: &mut dyn Write) -> io::Result<()> {
     let image = reduced(picture, columns, 2 * u32::saturating_sub(lines, 1));
     for j in (0..image.height()).step_by(2) {
         for i in 0..image.width() {
-            let Rgb([r, g, b]) = image.get_pixel(i, j);
-            write!(out, "\x1b[38;2;{r};{g};{b}m")?;
-            if let Some(Rgb([r, g, b])) = image.get_pixel_checked(i, j + 1) {
-                write!(out, "\x1b[48;2;{r};{g};{b}m")?;
-            }
-            write!(out, "▀")?;
+            let color = |j| Some(palette.nearest(*image.get_pixel_checked(i, j)?));
+            let style = Style::new().fg_color(color(j)).bg_color(color(j + 1));
+            write!(out, "{style}▀")?;
         }
         writeln!(out, "\x1b[0m")?;
     }

@@ -4,10 +4,12 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
 
-use check::Chapter;
-use check::reading::read;
+use check::reading::{MOST_PIXELS, read};
 use check::slips::{self, PROBES};
+use check::{Chapter, png};
+use common::rtweekend::Picture;
 use tempfile::TempDir;
 
 use crate::command_line::{
@@ -44,7 +46,7 @@ fn numbers_that_are_no_levels_are_shown_with_the_mistake() {
 
 #[test]
 fn a_wrong_shape_is_shown_with_the_mistake() {
-    insta::assert_snapshot!(said_of("gradient", "integer-aspect-ratio", "mine.png", 2));
+    insta::assert_snapshot!(said_of("gradient", "integer-aspect-ratio", "mine.png", 1));
 }
 
 #[test]
@@ -119,6 +121,62 @@ fn a_picture_may_come_from_standard_input_or_from_a_program() {
     }
 }
 
+/// Programs that would keep a check waiting: a loop, one that hands its output to a
+/// process that goes on, one that closes it and goes on, one that prints forever.
+#[cfg(unix)]
+#[test]
+fn a_program_ends_with_all_that_it_started_within_its_time() {
+    let mark = format!("sleep {}.5", std::process::id());
+    let gradient = path_of("gradient").display().to_string();
+    for (script, code, words) in [
+        (format!("exec {mark}"), 2, "did not end within 1s"),
+        (format!("{gradient} -; {mark} &"), 0, "is right"),
+        (format!("exec >&-; exec {mark}"), 2, "did not end within 1s"),
+        ("exec yes".to_owned(), 2, "has more than"),
+    ] {
+        let arguments = ["check", "gradient", "--timeout", "1", "--", "sh", "-c"];
+        let start = Instant::now();
+        let output = run(program_with("rtrace", &arguments).arg(&script));
+        assert_eq!(output.status.code(), Some(code), "{script}");
+        let said = text(&output.stdout);
+        assert!(said.contains(words), "{script}: {said}");
+        assert!(start.elapsed() < Duration::from_secs(20), "{script}");
+    }
+    let left = Command::new("pgrep").args(["-f", &mark]).output();
+    if let Ok(left) = left {
+        assert_eq!(text(&left.stdout), "", "these are still running");
+    }
+}
+
+#[test]
+fn a_time_that_is_none_is_refused() {
+    for time in ["0", "-1", "soon", "nan", "inf"] {
+        assert_refused(
+            &mut program_with(
+                "rtrace",
+                &["check", "gradient", "--timeout", time, "--", "true"],
+            ),
+            &["--timeout", "a number of seconds"],
+        );
+    }
+}
+
+/// As many pixels as are accepted, in a file of a few kilobytes.
+#[test]
+fn a_picture_of_an_absurd_shape_is_judged_by_its_shape() {
+    let folder = TempDir::new().expect("a folder");
+    for (width, height) in [(1, MOST_PIXELS as u32), (MOST_PIXELS as u32, 1)] {
+        let black = Picture::from_rgb(width, height, vec![0; 3 * MOST_PIXELS as usize]);
+        let file = png::encode(&black.expect("three bytes a pixel"));
+        write(&folder, "mine.png", &file);
+        let output = run(&mut check_in(&folder, &["normals", "mine.png"]));
+        assert_eq!(output.status.code(), Some(1));
+        let said = text(&output.stdout);
+        let size = format!("is {width} × {height}, but");
+        assert!(said.contains(&size) && said.lines().count() < 4, "{said}");
+    }
+}
+
 #[test]
 fn a_tolerance_accepts_what_it_says() {
     let folder = TempDir::new().expect("a folder");
@@ -144,7 +202,7 @@ fn a_probe_is_checked_with_its_own_scene() {
         &folder,
         &["hittable_list", "mine.ppm", "--probe", "odd-width"],
     ));
-    assert_eq!(odd.status.code(), Some(2));
+    assert_eq!(odd.status.code(), Some(1));
     assert!(text(&odd.stdout).contains("image_width = 227"));
     assert_refused(
         &mut check_in(&folder, &["gradient", "mine.ppm", "--probe", "inside"]),

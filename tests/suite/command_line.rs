@@ -255,6 +255,7 @@ fn a_file_that_may_not_be_changed_is_not_changed() {
 /// What needs pipes, devices, limits or terminals as Unix has them.
 #[cfg(unix)]
 mod on_unix {
+    use std::ffi::OsString;
     use std::fs::{File, Permissions};
     use std::io::{BufRead, BufReader};
     use std::os::unix::fs::PermissionsExt;
@@ -498,7 +499,12 @@ mod on_unix {
 
     #[test]
     fn at_a_terminal_rtrace_shows_the_picture_in_color() {
-        let (output, screen) = run_in_terminal(show("red_sphere").args(["--width", "16"]));
+        let mut command = show("red_sphere");
+        let (output, screen) = run_in_terminal(
+            command
+                .args(["--width", "16"])
+                .env("COLORTERM", "truecolor"),
+        );
         assert_success(&output);
         let lines: Vec<&str> = screen.lines().collect();
         // 16 × 9 pixels: four lines of two rows, and one with the last row.
@@ -517,11 +523,48 @@ mod on_unix {
     }
 
     #[test]
+    fn a_terminal_with_fewer_colors_gets_the_nearest_that_it_has() {
+        for (term, code) in [("xterm-256color", "\x1b[48;5;196m"), ("xterm", "\x1b[41m")] {
+            let mut command = show("red_sphere");
+            command.args(["--width", "16"]).env("TERM", term);
+            let (output, screen) = run_in_terminal(&mut command);
+            assert_success(&output);
+            assert!(screen.contains(code), "{term}: {screen:?}");
+            assert!(!screen.contains("8;2;"), "{term}: {screen:?}");
+        }
+    }
+
+    #[test]
     fn at_a_terminal_without_colors_rtrace_wants_a_file() {
-        let (output, screen) = run_in_terminal(show("red_sphere").env("TERM", "dumb"));
-        assert_eq!(output.status.code(), Some(2));
-        assert_eq!(screen, "");
-        assert!(text(&output.stderr).contains("--output"));
+        for unwanted in [
+            &mut *show("red_sphere").env("TERM", "dumb"),
+            show("red_sphere").env("NO_COLOR", "1"),
+            show("red_sphere").env_remove("TERM"),
+        ] {
+            let (output, screen) = run_in_terminal(unwanted);
+            assert_eq!(output.status.code(), Some(2));
+            assert_eq!(screen, "");
+            assert!(text(&output.stderr).contains("--output"));
+        }
+    }
+
+    #[test]
+    fn a_verdict_has_no_escape_characters_where_they_are_not_wanted() {
+        let wrong = || {
+            let mut command = program_with("rtrace", &["check", "normals", "--"]);
+            command.arg(path_of("gradient")).arg("-");
+            command
+        };
+        let (_, colored) = run_in_terminal(&mut wrong());
+        assert!(colored.contains('\x1b'), "{colored:?}");
+        for unwanted in [
+            &mut *wrong().env("TERM", "dumb"),
+            wrong().env("NO_COLOR", "1"),
+            wrong().env_remove("TERM"),
+        ] {
+            let (_, plain) = run_in_terminal(unwanted);
+            assert!(!plain.contains('\x1b'), "{plain:?}");
+        }
     }
 
     #[test]
@@ -597,6 +640,16 @@ mod on_unix {
             ws_ypixel: 0,
         };
         rustix::termios::tcsetwinsize(&terminal, size).expect("the terminal has a size");
+        let said: Vec<OsString> = command.get_envs().map(|(name, _)| name.into()).collect();
+        // What the test does not say is not taken from whoever runs it.
+        for name in ["COLORTERM", "NO_COLOR", "FORCE_COLOR", "CI"] {
+            if !said.iter().any(|said| said == name) {
+                command.env_remove(name);
+            }
+        }
+        if !said.iter().any(|said| said == "TERM") {
+            command.env("TERM", "xterm-256color");
+        }
 
         let reader = thread::spawn(move || {
             let mut screen = Vec::new();

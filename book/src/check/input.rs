@@ -5,9 +5,11 @@ use std::fmt;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::time::Duration;
 
 use check::reading::{Cause, MOST_BYTES};
+
+use super::program;
 
 /// A place to read a picture from.
 #[derive(Clone, Copy)]
@@ -29,8 +31,9 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// All bytes, as long as there are not too many.
-    pub(crate) fn read(&self) -> Result<Vec<u8>, Cause> {
+    /// All bytes, as long as there are not too many; of a program, as long as it does
+    /// not take longer than `limit`.
+    pub(crate) fn read(&self, limit: Duration) -> Result<Vec<u8>, Cause> {
         match self {
             Self::File(path) => File::open(path).and_then(limited).map_err(|cause| {
                 let problem = format!("it can't be read: {cause}");
@@ -40,7 +43,7 @@ impl<'a> Source<'a> {
                 let problem = format!("standard input can't be read: {cause}");
                 Cause::new("unreadable", problem, "Name a file instead.")
             }),
-            Self::Program(words) => run(words),
+            Self::Program(words) => program::output_of(words, limit),
         }
     }
 }
@@ -67,40 +70,4 @@ fn limited(input: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     input.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
-}
-
-fn run(words: &[OsString]) -> Result<Vec<u8>, Cause> {
-    let name = words[0].display();
-    let failed = |problem: String, fix: &str| Cause::new("program-failed", problem, fix);
-    let not_started = |cause: io::Error| {
-        failed(
-            format!("{name} does not start: {cause}"),
-            "Is it built, and is its path right? In this folder it is ./NAME.",
-        )
-    };
-    let mut child = Command::new(&words[0])
-        .args(&words[1..])
-        .stdout(Stdio::piped())
-        .spawn()
-        .map_err(not_started)?;
-    let bytes = child.stdout.take().map_or(Ok(Vec::new()), limited);
-    // One that still prints will find its pipe closed, and should not be waited for.
-    if bytes
-        .as_ref()
-        .map_or(true, |bytes| bytes.len() > MOST_BYTES)
-    {
-        let _ = child.kill();
-    }
-    let status = child.wait().map_err(not_started)?;
-    match bytes {
-        Ok(bytes) if bytes.len() > MOST_BYTES || status.success() => Ok(bytes),
-        Ok(_) => Err(failed(
-            format!("{name} ended with {status}"),
-            "A program that draws a picture ends with 0. What does it say above?",
-        )),
-        Err(cause) => Err(failed(
-            format!("the output of {name} can't be read: {cause}"),
-            "Let it write a file, and check that.",
-        )),
-    }
 }

@@ -14,11 +14,11 @@ pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
     let verdict = match &judged.check {
         Check::Right(_) => "right",
         Check::Wrong(finding) if finding.levels <= 1 => "within-one-level",
-        Check::Wrong(_) => "wrong",
+        Check::Wrong(_) | Check::WrongShape { .. } => "wrong",
         Check::NotAPicture { .. } => "not-a-picture",
     };
     let cause = match &judged.check {
-        Check::NotAPicture { cause, .. } => {
+        Check::WrongShape { cause, .. } | Check::NotAPicture { cause, .. } => {
             json!({ "name": cause.name, "problem": cause.problem, "fix": cause.fix })
         }
         _ => Value::Null,

@@ -5,6 +5,7 @@ mod json;
 mod judged;
 mod map;
 mod page;
+mod program;
 mod text;
 
 use std::error::Error;
@@ -12,6 +13,7 @@ use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::Duration;
 
 use check::Chapter;
 use check::diagnosis::Scene;
@@ -47,6 +49,10 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 0)]
     tolerance: u8,
 
+    /// How long your program may take
+    #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = seconds, allow_hyphen_values = true, requires = "program")]
+    timeout: Duration,
+
     /// Write a page that shows both pictures into this folder
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
@@ -76,7 +82,7 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         Some(path) => Source::of(path),
         None => Source::Program(&arguments.program),
     };
-    let check = match source.read() {
+    let check = match source.read(arguments.timeout) {
         Ok(bytes) => judge::check(&scene, &bytes, arguments.tolerance),
         Err(cause) => Check::NotAPicture {
             cause,
@@ -99,6 +105,13 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     };
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
     Ok(judged.check.exit_code())
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds = text.parse::<f64>().ok().filter(|&seconds| seconds > 0.0);
+    seconds
+        .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())
+        .ok_or("choose a number of seconds, such as 60".to_owned())
 }
 
 /// Takes the name of a chapter.

@@ -1,13 +1,12 @@
 //! Text: the result for people, in the terminal.
 
-use std::env;
 use std::fmt::Write;
-use std::io::{self, IsTerminal};
 use std::path::Path;
 
 use check::diagnosis::{Scene, Set, names_of};
 use check::judge::{Check, Finding};
 use check::slips::Slip;
+use supports_color::Stream;
 
 use super::judged::Judged;
 use super::map;
@@ -25,10 +24,8 @@ impl Style {
     /// Plain where nobody looks, where the terminal can't, and where the reader
     /// does not want it.
     pub(crate) fn of_stdout() -> Self {
-        let wanted = env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-        let able = env::var_os("TERM").is_none_or(|term| term != "dumb");
         Self {
-            colored: wanted && able && io::stdout().is_terminal(),
+            colored: supports_color::on(Stream::Stdout).is_some(),
         }
     }
 
@@ -98,10 +95,14 @@ pub(crate) fn headline(judged: &Judged, style: Style) -> String {
             };
             format!("{source} is {verdict}: {}.\n", counts(&name, finding))
         }
+        Check::WrongShape { cause, .. } => {
+            let verdict = style.red("wrong");
+            format!("{source} is {verdict}: {}.\n{}\n", cause.problem, cause.fix)
+        }
         Check::NotAPicture { cause, finding } => {
             let verdict = match finding {
                 None => style.red("not a picture"),
-                Some(_) => style.red("not a valid picture of this chapter"),
+                Some(_) => style.red("not a valid picture"),
             };
             format!("{source} is {verdict}: {}.\n{}\n", cause.problem, cause.fix)
         }

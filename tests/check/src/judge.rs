@@ -13,7 +13,14 @@ pub enum Check {
     Right(Right),
     /// It is a picture, and not the right one.
     Wrong(Finding),
-    /// It is no picture, or not one of the right shape.
+    /// It is a picture of another shape than the scene's.
+    WrongShape {
+        /// The shape that it should have, and what gives this one.
+        cause: Cause,
+        /// What its pixels tell, unless there are more than [`MOST_MISSHAPEN`].
+        finding: Option<Box<Finding>>,
+    },
+    /// It is no picture, or not a valid one.
     NotAPicture {
         /// Why.
         cause: Cause,
@@ -64,8 +71,23 @@ pub fn check(scene: &Scene, bytes: &[u8], tolerance: u8) -> Check {
     }
 }
 
+/// The most pixels of a picture of a wrong shape that are looked at. Its shape tells
+/// more than its pixels do, and to draw the right one in a shape that nobody wants may
+/// take long.
+pub const MOST_MISSHAPEN: u64 = 1 << 20;
+
 fn judge(scene: &Scene, reading: &Reading, tolerance: u8) -> Check {
     let (width, height) = (reading.width, reading.height);
+    let shape = wrong_shape(scene, width, height);
+    let size = u64::from(width) * u64::from(height);
+    if let Some(cause) = &shape
+        && size > MOST_MISSHAPEN
+    {
+        return Check::WrongShape {
+            cause: cause.clone(),
+            finding: None,
+        };
+    }
     let right = scene.right(width, height);
     let yours = reading.picture();
     let difference = match Comparison::of(&right, &yours) {
@@ -75,8 +97,8 @@ fn judge(scene: &Scene, reading: &Reading, tolerance: u8) -> Check {
     let levels = difference
         .as_ref()
         .map_or(0, |difference| difference.levels);
-    let cause = wrong_shape(scene, width, height).or_else(|| no_levels(reading));
-    if cause.is_none() && levels <= tolerance {
+    let outside = no_levels(reading);
+    if shape.is_none() && outside.is_none() && levels <= tolerance {
         return Check::Right(Right {
             width,
             height,
@@ -91,9 +113,13 @@ fn judge(scene: &Scene, reading: &Reading, tolerance: u8) -> Check {
         difference,
         levels,
     };
-    match cause {
-        None => Check::Wrong(finding),
-        Some(cause) => Check::NotAPicture {
+    match (shape, outside) {
+        (None, None) => Check::Wrong(finding),
+        (Some(cause), _) => Check::WrongShape {
+            cause,
+            finding: Some(Box::new(finding)),
+        },
+        (None, Some(cause)) => Check::NotAPicture {
             cause,
             finding: Some(Box::new(finding)),
         },
@@ -105,7 +131,7 @@ impl Check {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Right(_) => 0,
-            Self::Wrong(_) => 1,
+            Self::Wrong(_) | Self::WrongShape { .. } => 1,
             Self::NotAPicture { .. } => 2,
         }
     }
@@ -115,7 +141,9 @@ impl Check {
         match self {
             Self::Right(_) => None,
             Self::Wrong(finding) => Some(finding),
-            Self::NotAPicture { finding, .. } => finding.as_deref(),
+            Self::WrongShape { finding, .. } | Self::NotAPicture { finding, .. } => {
+                finding.as_deref()
+            }
         }
     }
 }

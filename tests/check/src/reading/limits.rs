@@ -3,8 +3,8 @@
 /// The largest file that is read, in bytes. A P3 text of [`MOST_PIXELS`] fits.
 pub const MOST_BYTES: usize = 1 << 29;
 
-/// The most pixels that a picture may have: 7680 × 4320 and a little more.
+/// The most pixels that a picture may have: 3840 × 2160 twice, and a little more.
 ///
-/// With it, reading takes no more than another 2²⁹ bytes beside the file: 6 for
+/// With it, reading takes no more than another 2²⁸ bytes beside the file: 6 for
 /// each pixel of the result, and up to 8 while a PNG is unpacked.
-pub const MOST_PIXELS: u64 = 1 << 25;
+pub const MOST_PIXELS: u64 = 1 << 24;

@@ -1,0 +1,158 @@
+//! A subprocess in a process group of its own, with limits on time and bytes.
+//!
+//! Whoever it starts belongs to the group and ends with it: a server that keeps the
+//! pipe open, a loop that never ends.
+
+use std::ffi::OsString;
+use std::io::{self, IsTerminal, Read};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use check::reading::{Cause, MOST_BYTES};
+
+/// All that the program prints, or one byte more than a picture may have, so that
+/// the reading of pictures can say so.
+///
+/// # Errors
+/// If the program does not start, fails, or takes longer than `limit`.
+pub(super) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, Cause> {
+    let name = words[0].display().to_string();
+    let mut group = Group::start(words).map_err(|cause| {
+        failed(
+            format!("{name} does not start: {cause}"),
+            "Is it built, and is its path right? In this folder it is ./NAME.",
+        )
+    })?;
+    match group.finish(limit) {
+        Ok(End::Itself(status, bytes)) if status.success() => Ok(bytes),
+        Ok(End::Full(bytes)) => Ok(bytes),
+        Ok(End::Itself(status, _)) => Err(failed(
+            format!("{name} ended with {status}"),
+            "A program that draws a picture ends with 0. What does it say above?",
+        )),
+        Ok(End::TooSlow) => Err(failed(
+            format!("{name} did not end within {limit:?}"),
+            "Draw a smaller picture, or give it more time with --timeout SECONDS.",
+        )),
+        Err(cause) => Err(failed(
+            format!("the output of {name} can't be read: {cause}"),
+            "Let it write a file, and check that.",
+        )),
+    }
+}
+
+fn failed(problem: String, fix: &str) -> Cause {
+    Cause::new("program-failed", problem, fix)
+}
+
+/// How a program came to its end.
+enum End {
+    /// By itself, after it had printed this.
+    Itself(ExitStatus, Vec<u8>),
+    /// It printed more than any picture has.
+    Full(Vec<u8>),
+    /// It took too long.
+    TooSlow,
+}
+
+/// A program and all that it starts; it ends when this is dropped.
+struct Group {
+    child: Child,
+    printed: Receiver<io::Result<Vec<u8>>>,
+}
+
+/// How long to wait for what a program has printed before it ended, and how often to
+/// look at the clock.
+const TICK: Duration = Duration::from_millis(50);
+
+impl Group {
+    fn start(words: &[OsString]) -> io::Result<Self> {
+        let mut command = Command::new(&words[0]);
+        command.args(&words[1..]).stdout(Stdio::piped());
+        // A group in the background is stopped when it reads from the terminal.
+        if io::stdin().is_terminal() {
+            command.stdin(Stdio::null());
+        }
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        let mut child = command.spawn()?;
+        let stdout = child.stdout.take();
+        let printed = stdout.map(pieces).ok_or(io::ErrorKind::BrokenPipe)?;
+        Ok(Self { child, printed })
+    }
+
+    /// Collects what is printed until the program ends, or has to.
+    fn finish(&mut self, limit: Duration) -> io::Result<End> {
+        let start = Instant::now();
+        let mut bytes = Vec::new();
+        let mut ended = None;
+        loop {
+            match self.printed.recv_timeout(TICK) {
+                Ok(piece) => bytes.append(&mut piece?),
+                Err(RecvTimeoutError::Disconnected) => {
+                    ended = self.wait_until(start + limit)?;
+                    return Ok(ended.map_or(End::TooSlow, |status| End::Itself(status, bytes)));
+                }
+                // One that has ended prints no more: another one keeps the pipe.
+                Err(RecvTimeoutError::Timeout) => {
+                    if let Some(status) = ended {
+                        return Ok(End::Itself(status, bytes));
+                    }
+                    ended = self.child.try_wait()?;
+                }
+            }
+            if bytes.len() > MOST_BYTES {
+                return Ok(End::Full(bytes));
+            }
+            if start.elapsed() > limit {
+                return Ok(End::TooSlow);
+            }
+        }
+    }
+
+    /// Waits for one that has closed its output and goes on.
+    fn wait_until(&mut self, deadline: Instant) -> io::Result<Option<ExitStatus>> {
+        loop {
+            let ended = self.child.try_wait()?;
+            if ended.is_some() || Instant::now() > deadline {
+                return Ok(ended);
+            }
+            thread::sleep(Duration::from_millis(1));
+        }
+    }
+}
+
+impl Drop for Group {
+    fn drop(&mut self) {
+        // Who has ended already can't be ended once more.
+        #[cfg(unix)]
+        let _ = rustix::process::kill_process_group(
+            rustix::process::Pid::from_child(&self.child),
+            rustix::process::Signal::KILL,
+        );
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// Reads on a thread of its own: a read can't be told to give up.
+fn pieces(mut output: impl Read + Send + 'static) -> Receiver<io::Result<Vec<u8>>> {
+    let (full, printed) = sync_channel(16);
+    thread::spawn(move || {
+        loop {
+            let mut piece = vec![0; 1 << 16];
+            let read = output.read(&mut piece);
+            let is_last = !matches!(read, Ok(1..));
+            let piece = read.map(|length| {
+                piece.truncate(length);
+                piece
+            });
+            if full.send(piece).is_err() || is_last {
+                return;
+            }
+        }
+    });
+    printed
+}
