@@ -4,7 +4,6 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
 
 use check::reading::{MOST_PIXELS, read};
 use check::slips::{self, PROBES};
@@ -128,19 +127,22 @@ fn a_picture_may_come_from_standard_input_or_from_a_program() {
 fn a_program_ends_with_all_that_it_started_within_its_time() {
     let mark = format!("sleep {}.5", std::process::id());
     let gradient = path_of("gradient").display().to_string();
-    for (script, code, words) in [
-        (format!("exec {mark}"), 2, "did not end within 1s"),
-        (format!("{gradient} -; {mark} &"), 0, "is right"),
-        (format!("exec >&-; exec {mark}"), 2, "did not end within 1s"),
-        ("exec yes".to_owned(), 2, "has more than"),
+    for (script, seconds, code, words) in [
+        (format!("exec {mark}"), "1", 2, "did not end within 1s"),
+        (format!("{gradient} -; {mark} &"), "600", 0, "is right"),
+        (
+            format!("exec >&-; exec {mark}"),
+            "1",
+            2,
+            "did not end within 1s",
+        ),
+        ("exec yes".to_owned(), "600", 2, "has more than"),
     ] {
-        let arguments = ["check", "gradient", "--timeout", "1", "--", "sh", "-c"];
-        let start = Instant::now();
+        let arguments = ["check", "gradient", "--timeout", seconds, "--", "sh", "-c"];
         let output = run(program_with("rtrace", &arguments).arg(&script));
         assert_eq!(output.status.code(), Some(code), "{script}");
         let said = text(&output.stdout);
         assert!(said.contains(words), "{script}: {said}");
-        assert!(start.elapsed() < Duration::from_secs(20), "{script}");
     }
     let left = Command::new("pgrep").args(["-f", &mark]).output();
     if let Ok(left) = left {
