@@ -79,6 +79,26 @@ fn what_is_no_picture_is_refused_with_cause_and_fix() {
 }
 
 #[test]
+fn bytes_that_a_stream_of_text_has_changed_are_told_with_what_to_do_on_windows() {
+    let folder = TempDir::new().expect("a folder");
+    let bytes: Vec<Vec<u8>> = [b"P6\n16 16\n255\n", build_test::picture(16).rgb()]
+        .concat()
+        .into_iter()
+        .map(|byte| match byte {
+            b'\n' => b"\r\n".to_vec(),
+            byte => vec![byte],
+        })
+        .collect();
+    write(&folder, "mine.ppm", &bytes.concat());
+    let output = run(&mut check_in(&folder, &["gradient", "mine.ppm"]));
+    assert_eq!(output.status.code(), Some(2));
+    let said = text(&output.stdout);
+    for words in ["is not a picture", "13 and 10", "_setmode", "wb"] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+}
+
+#[test]
 fn a_picture_may_come_from_standard_input_or_from_a_program() {
     let mut child = program_with("rtrace", &["check", "red_sphere", "-"])
         .stdin(Stdio::piped())

@@ -30,6 +30,82 @@ fn white_space_and_comments_are_free() {
     }
 }
 
+/// As `pnmtoplainpnm` of netpbm reads these very bytes.
+#[test]
+fn a_comment_behind_a_number_ends_it() {
+    for text in [
+        &b"P3#\n1#width\n1#height\n255#maximum\n97#red\n98#green\r99#blue"[..],
+        b"P6\n1#width\n1#height\n255\nabc",
+        b"P6 1 1 255#its newline is the white space\nabc",
+        b"P6 1 1 255#\rabc",
+    ] {
+        let shown = String::from_utf8_lossy(text);
+        let reading = read(text).unwrap_or_else(|cause| panic!("{shown}: {cause}"));
+        assert_eq!(reading.pixels, [[97, 98, 99]], "{shown}");
+    }
+    let after_space = read(b"P6 1 1 255 #bc").expect("a # is a level as well");
+    assert_eq!(after_space.pixels, [[35, 98, 99]]);
+    for (text, expected) in [
+        (&b"P3\n1 1\n255\n1.#IND 0 0\n"[..], "not-a-number"),
+        (b"P3\n1 1\n255\n-1.#QNAN0 0 0\n", "not-a-number"),
+        (b"P3\n1 1\n255\nx#y\n0 0\n", "text-in-body"),
+        (b"P6 1 1 255#", "too-few-bytes"),
+        (b"P6 1 1 255#abc", "too-few-bytes"),
+    ] {
+        assert_eq!(cause(text), expected, "{}", String::from_utf8_lossy(text));
+    }
+}
+
+#[test]
+fn bytes_that_were_taken_for_text_are_told_from_a_file_cut_off() {
+    let picture = build_test::picture(256);
+    let bytes = p6(&picture);
+    let header = bytes.len() - picture.rgb().len();
+    let with_crlf = |bytes: &[u8]| {
+        let pairs = bytes.iter().map(|&byte| match byte {
+            b'\n' => b"\r\n".to_vec(),
+            byte => vec![byte],
+        });
+        pairs.collect::<Vec<_>>().concat()
+    };
+    let without_cr = |bytes: &[u8]| {
+        bytes
+            .iter()
+            .copied()
+            .filter(|&byte| byte != b'\r')
+            .collect()
+    };
+    let body_alone = [&bytes[..header], &with_crlf(&bytes[header..])].concat();
+    let header_alone = [&with_crlf(&bytes[..header])[..], &bytes[header..]].concat();
+    let removed: Vec<u8> = without_cr(&bytes);
+    for (changed, words) in [
+        (with_crlf(&bytes), "has become 13 and 10"),
+        (body_alone, "has become 13 and 10"),
+        (header_alone, "end the header"),
+        (removed, "may have been removed"),
+    ] {
+        let refused = read(&changed).expect_err("it is not what was written");
+        assert_eq!(refused.name, "line-endings");
+        assert!(refused.problem.contains(words), "{refused}");
+        assert!(refused.fix.contains("_setmode"), "{refused}");
+    }
+    let cut_off = &bytes[..bytes.len() - 1000];
+    assert_eq!(cause(cut_off), "too-few-bytes");
+    let text = p3(&picture);
+    for text in [with_crlf(&text), with_crlf(&with_crlf(&text))] {
+        assert_eq!(read(&text), Ok(Reading::of(&picture)), "text stays text");
+    }
+}
+
+#[test]
+fn lines_are_counted_whatever_ends_them() {
+    for end in ["\n", "\r\n", "\r"] {
+        let text = format!("P3{end}1 1{end}255{end}{end}0 0 x{end}");
+        let refused = read(text.as_bytes()).expect_err("x is no number");
+        assert!(refused.problem.starts_with("line 5, "), "{refused}");
+    }
+}
+
 #[test]
 fn numbers_that_are_no_levels_are_kept_and_found() {
     let reading = read(

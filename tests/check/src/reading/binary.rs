@@ -1,6 +1,6 @@
 //! P6, raw PPM: the same header, and then bytes.
 
-use super::cause::Cause;
+use super::cause::{AS_BYTES, Cause};
 use super::header;
 use super::numbers::Reading;
 use super::tokens::Tokens;
@@ -9,8 +9,7 @@ use super::tokens::Tokens;
 pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     let mut tokens = Tokens::after_magic(bytes);
     let header = header::read(bytes, &mut tokens)?;
-    // Exactly one byte of white space ends the header.
-    let body = bytes.get(tokens.at() + 1..).unwrap_or_default();
+    let (header_text, body) = bytes.split_at(tokens.body().min(bytes.len()));
     if is_numbers(body) && !fits(header, body) {
         return Err(Cause::new(
             "p6-over-text",
@@ -24,7 +23,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     let (width, height) = header::size(header)?;
     let wanted = 3 * width as usize * height as usize;
     if body.len() != wanted {
-        return Err(miscounted(wanted, body));
+        return Err(miscounted(wanted, header_text, body));
     }
     let (pixels, _) = body.as_chunks::<3>();
     Ok(Reading {
@@ -51,18 +50,11 @@ fn is_numbers(body: &[u8]) -> bool {
 }
 
 /// Why there are not three bytes a pixel.
-fn miscounted(wanted: usize, body: &[u8]) -> Cause {
+fn miscounted(wanted: usize, header: &[u8], body: &[u8]) -> Cause {
     let found = body.len();
     let problem = format!("the picture needs {wanted} bytes after the header, but {found} follow");
-    let translated = body.windows(2).filter(|pair| pair == b"\r\n").count();
-    if translated > 0 && found - translated == wanted {
-        return Cause::new(
-            "line-endings",
-            format!(
-                "{problem}: each byte 10 has become 13 and 10, as if it were the end of a line"
-            ),
-            "Open the file, or standard output, in binary mode: \"wb\" in C and Python, _setmode(_fileno(stdout), _O_BINARY) on Windows.",
-        );
+    if let Some(change) = changed_ends_of_line(wanted, header, body) {
+        return Cause::new("line-endings", format!("{problem}: {change}"), AS_BYTES);
     }
     if body.windows(3).any(|three| three == "\u{fffd}".as_bytes()) {
         return Cause::new(
@@ -78,4 +70,28 @@ fn miscounted(wanted: usize, body: &[u8]) -> Cause {
         let fix = "One byte a level, three a pixel, nothing after the last: no text, no new line.";
         Cause::new("too-many-bytes", problem, fix)
     }
+}
+
+/// What was done to bytes that were taken for text, if their number tells. Windows
+/// ends a line with 13 and 10, other systems with 10 alone.
+fn changed_ends_of_line(wanted: usize, header: &[u8], body: &[u8]) -> Option<&'static str> {
+    // The second half of the end of the header's last line.
+    let rest = body.strip_prefix(b"\n").filter(|_| header.ends_with(b"\r"));
+    let levels = rest.unwrap_or(body);
+    let newlines = levels.iter().filter(|&&byte| byte == b'\n').count();
+    let pairs = levels.windows(2).filter(|pair| pair == b"\r\n").count();
+    if rest.is_some() && levels.len() == wanted {
+        return Some("13 and 10 end the header, and the second of them counts as a level");
+    }
+    if newlines == pairs && pairs > 0 && levels.len() - pairs == wanted {
+        return Some("each byte 10 has become 13 and 10, as if it were the end of a line");
+    }
+    // A 10 is as likely as a 13, so this many may be gone. A file that was cut off
+    // misses more, unless it has many a 10.
+    if pairs == 0 && levels.len() < wanted && wanted - levels.len() <= 2 * newlines {
+        return Some(
+            "no byte 10 has a 13 before it, which may have been removed as if it ended a line",
+        );
+    }
+    None
 }

@@ -50,3 +50,8 @@ impl fmt::Display for Cause {
         write!(f, "{}\n{}", self.problem, self.fix)
     }
 }
+
+/// What to do when bytes have been changed as if they were text.
+pub(super) const AS_BYTES: &str = "Print bytes as bytes. On Windows that is a file opened with \"wb\" in C and Python, or with \
+     std::ios::binary in C++; for standard output _setmode(_fileno(stdout), _O_BINARY) in C and C++, \
+     and sys.stdout.buffer in Python. A copy must be binary too: git may need *.ppm binary in .gitattributes.";

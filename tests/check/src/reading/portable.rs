@@ -5,7 +5,7 @@ use std::io::{Cursor, ErrorKind};
 use image::codecs::png::PngDecoder;
 use image::{DynamicImage, ImageDecoder, ImageError, Limits};
 
-use super::cause::Cause;
+use super::cause::{AS_BYTES, Cause};
 use super::limits::MOST_PIXELS;
 use super::numbers::Reading;
 
@@ -17,7 +17,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
         return Err(Cause::new(
             "line-endings",
             "this was a PNG file, but its line endings have been changed on the way",
-            "Copy it as binary: a PNG is not text.",
+            AS_BYTES,
         ));
     }
     let mut limits = Limits::default();

@@ -4,6 +4,10 @@ use super::cause::Cause;
 
 /// Words between white space, each with its place in the file. What follows a
 /// `#` up to the end of the line is a comment.
+///
+/// A comment may stand right behind a number, as in `400#width`, and ends it, as
+/// netpbm's own tools have it. Behind anything else, a `#` belongs to the word: of
+/// `1.#IND`, which Windows prints for NaN, a message shows all.
 #[derive(Clone)]
 pub(super) struct Tokens<'a> {
     bytes: &'a [u8],
@@ -23,9 +27,22 @@ impl<'a> Tokens<'a> {
         Self { bytes, at: 2 }
     }
 
-    /// Where the last word ended.
-    pub(super) fn at(&self) -> usize {
-        self.at
+    /// Where bytes begin that are no words: after the one byte of white space that
+    /// ends the last word. As netpbm has it, a comment right behind the word comes
+    /// before that byte, which is then the end of its line.
+    pub(super) fn body(&self) -> usize {
+        self.at + self.comment() + 1
+    }
+
+    /// How long the comment is that begins here, without the end of the line; 0 if
+    /// none does.
+    fn comment(&self) -> usize {
+        let rest = &self.bytes[self.at..];
+        let is_end = |byte: &u8| b"\r\n".contains(byte);
+        match rest {
+            [b'#', ..] => rest.iter().position(is_end).unwrap_or(rest.len()),
+            _ => 0,
+        }
     }
 }
 
@@ -36,10 +53,7 @@ impl<'a> Iterator for Tokens<'a> {
         loop {
             let byte = *self.bytes.get(self.at)?;
             if byte == b'#' {
-                let line = self.bytes[self.at..]
-                    .iter()
-                    .take_while(|byte| !b"\r\n".contains(byte));
-                self.at += line.count();
+                self.at += self.comment();
             } else if is_space(byte) {
                 self.at += 1;
             } else {
@@ -49,15 +63,25 @@ impl<'a> Iterator for Tokens<'a> {
         let start = self.at;
         let rest = &self.bytes[start..];
         let length = rest.iter().position(|&byte| is_space(byte));
-        self.at += length.unwrap_or(rest.len());
-        Some(Token {
-            word: &self.bytes[start..self.at],
+        let token = Token {
+            word: &rest[..length.unwrap_or(rest.len())],
             start,
-        })
+        };
+        let token = token.before_comment().unwrap_or(token);
+        self.at += token.word.len();
+        Some(token)
     }
 }
 
 impl Token<'_> {
+    /// The number that stands before a comment in this word, if one does.
+    fn before_comment(self) -> Option<Self> {
+        let end = self.word.iter().position(|&byte| byte == b'#')?;
+        let word = &self.word[..end];
+        let token = Self { word, ..self };
+        token.number().map(|_| token)
+    }
+
     /// The number that the word is; far beyond 16 bits it stops growing, since
     /// no size and no level is that large.
     pub(super) fn number(&self) -> Option<i64> {
@@ -96,8 +120,13 @@ impl Token<'_> {
 
     /// Where the word is, for a message.
     pub(super) fn place(&self, bytes: &[u8]) -> String {
-        let lines = bytes[..self.start].iter().filter(|&&byte| byte == b'\n');
-        format!("line {}, byte {}", lines.count() + 1, self.start)
+        // The old Macintosh ended a line with 13 alone, Windows does with 13 and 10.
+        let is_end = |at: &usize| match bytes[*at] {
+            b'\r' => bytes.get(at + 1) != Some(&b'\n'),
+            byte => byte == b'\n',
+        };
+        let lines = (0..self.start).filter(is_end).count() + 1;
+        format!("line {lines}, byte {}", self.start)
     }
 
     /// Why the word is no number, though one should be there.
