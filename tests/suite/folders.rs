@@ -342,6 +342,18 @@ fn a_report_replaces_the_last_one_and_nothing_else() {
     });
 }
 
+#[cfg(unix)]
+#[test]
+fn a_folder_for_a_report_is_refused_before_a_program_is_run() {
+    let here = TempDir::new().expect("a folder");
+    write(&here.path().join("page/thesis.txt"), "mine");
+    assert_nothing_changes(here.path(), || {
+        let mut command = check_in(here.path(), "page");
+        command.args(["gradient", "--", "touch", "it-was-run"]);
+        assert_refused(&mut command, &["thesis.txt", "as a report"]);
+    });
+}
+
 #[test]
 fn a_report_links_to_the_pages_of_the_book_that_are_there() {
     let here = TempDir::new().expect("a folder");

@@ -18,6 +18,7 @@ use std::time::Duration;
 use check::Chapter;
 use check::diagnosis::Scene;
 use check::judge::{self, Check};
+use check::report;
 use check::slips::{self, PROBES, Probe};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -78,6 +79,9 @@ pub(crate) fn check(arguments: &Arguments) -> ExitCode {
 fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     let scene = Scene::new(arguments.chapter, arguments.probe)
         .ok_or("this chapter has no place for the spheres of that probe; `cargo rtrace probes CHAPTER` lists those it has")?;
+    if let Some(folder) = &arguments.report {
+        report::check_folder(folder)?;
+    }
     let source = match &arguments.picture {
         Some(path) => Source::of(path),
         None => Source::Program(&arguments.program),

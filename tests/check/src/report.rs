@@ -41,8 +41,7 @@ impl Report<'_> {
     /// If the folder holds anything but an earlier report, or if it or a file in it
     /// cannot be written, with its name.
     pub fn write(&self, folder: &Path) -> io::Result<PathBuf> {
-        let new = NewFolder::beside(folder, "report").map_err(io::Error::other)?;
-        new.check().map_err(io::Error::other)?;
+        let new = new_folder(folder)?;
         // What the reader named comes last, so that braces in it are only braces.
         let html = TEMPLATE
             .replace("{figures}", &self.figures(&new.path())?)
@@ -72,6 +71,21 @@ impl Report<'_> {
         }
         Ok(figures + "</div>\n" + ONION)
     }
+}
+
+/// Refuses now what [`Report::write`] would refuse in the end, for those who have a
+/// long way to go until then.
+///
+/// # Errors
+/// If the folder holds anything but an earlier report, or can't be replaced.
+pub fn check_folder(folder: &Path) -> io::Result<()> {
+    new_folder(folder).map(drop)
+}
+
+fn new_folder(folder: &Path) -> io::Result<NewFolder> {
+    let new = NewFolder::beside(folder, "report").map_err(io::Error::other)?;
+    new.check().map_err(io::Error::other)?;
+    Ok(new)
 }
 
 /// What is to be said below the pictures: the mistakes that may draw yours, and what
