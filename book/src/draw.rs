@@ -14,7 +14,7 @@ use crate::save::{Format, save};
 /// it is, how large, and how long it took to trace.
 pub(crate) fn all() -> Result<(), Box<dyn Error>> {
     let folder = folder()?;
-    let mut report = format!("The pictures are in {}\n", shown(&folder).display());
+    let mut report = format!("The pictures are in {}\n", shown(&folder));
     for chapter in Chapter::ALL {
         report += &draw(chapter, &folder)?;
     }
@@ -81,9 +81,8 @@ fn draw(chapter: Chapter, folder: &Path) -> Result<String, Box<dyn Error>> {
 }
 
 /// `path` as seen from the folder that the reader is in, if it is below that.
-pub(crate) fn shown(path: &Path) -> &Path {
-    env::current_dir()
-        .ok()
-        .and_then(|here| path.strip_prefix(here).ok())
-        .unwrap_or(path)
+pub(crate) fn shown(path: &Path) -> String {
+    let here = env::current_dir().ok();
+    let below = here.and_then(|here| path.strip_prefix(here).ok());
+    output::shown(below.unwrap_or(path))
 }

@@ -11,7 +11,6 @@ mod slips;
 mod terminal;
 mod weave;
 
-use std::io::{self, Write};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -44,7 +43,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let done = match Cli::parse().command {
+    let done = match misuse::command_line::<Cli>().command {
         None => draw::all().and_then(|()| weave::this_book()),
         Some(Command::Book(arguments)) => weave::book(&arguments),
         Some(Command::Show(arguments)) => show::show(&arguments),
@@ -56,8 +55,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            // If even this can't be written, there is nobody left to tell.
-            let _ = writeln!(io::stderr(), "rtrace: {error}");
+            misuse::complain(&format!("rtrace: {error}"));
             misuse::exit_code(&*error)
         }
     }

@@ -2,7 +2,33 @@
 
 use std::error::Error;
 use std::fmt;
-use std::process::ExitCode;
+use std::io::{self, Write};
+use std::process::{ExitCode, exit};
+
+use clap::Parser;
+use common::engine::output;
+
+/// What the command line says. Who asks for help is helped, and who can't be
+/// understood is told why; that ends the program.
+pub(crate) fn command_line<Cli: Parser>() -> Cli {
+    Cli::try_parse().unwrap_or_else(|error| {
+        if !error.use_stderr() {
+            error.exit();
+        }
+        // It repeats what was typed.
+        complain(&error.to_string());
+        exit(error.exit_code())
+    })
+}
+
+/// Says on standard error what went wrong. What the terminal would obey in it, from
+/// the name of a file perhaps, is spelled out.
+pub(crate) fn complain(about: &str) {
+    for line in about.lines() {
+        // If even this can't be written, there is nobody left to tell.
+        let _ = writeln!(io::stderr(), "{}", output::visible(line));
+    }
+}
 
 /// A command line that can't be followed, as opposed to a failure on the way.
 #[derive(Debug)]

@@ -120,7 +120,7 @@ fn draw(arguments: &Draw) -> Result<(), Box<dyn Error>> {
         "{} in {}: {columns} × {rows} pixels in {}\n",
         slip.name,
         chapter.name(),
-        path.display()
+        output::shown(path)
     );
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }

@@ -249,6 +249,50 @@ fn a_name_is_shown_and_not_obeyed() {
     }
 }
 
+/// Whatever is typed comes back in what is said, or in a report of it.
+#[test]
+fn what_a_terminal_would_obey_is_spelled_out_by_every_command() {
+    let odd = "\u{1b}[31m\u{9b}\u{202e}é";
+    let shown = "\\u{1b}[31m\\u{9b}\\u{202e}é";
+    let [ppm, png, report] = ["o.ppm", "o.png", "report"].map(|end| format!("{odd}{end}"));
+    let desk = Desk::new();
+    for (arguments, code) in [
+        (&["show", "gradient", "--output", &png][..], 0),
+        (
+            &["show", "gradient", "--output", &format!("{odd}/a.ppm")],
+            1,
+        ),
+        (&["show", odd], 2),
+        (&["slips", "draw", "minus-h", "--output", &ppm], 0),
+        (&["slips", odd], 2),
+        (&["check", "normals", &ppm], 1),
+        (&["check", "normals", &ppm, "--report", &report], 1),
+        (
+            &["check", "normals", &ppm, "--json", "--report", &report],
+            1,
+        ),
+        (&["check", "gradient", &ppm, "--report", &png], 2),
+        (&["check", "normals", "--", odd], 2),
+        (&["check", "normals", "--", "echo", odd], 2),
+        (&["check", "normals", odd], 2),
+        (&["hit", "--csv", odd], 1),
+        (&["hit", "--csv", &ppm], 1),
+        (&["hit", "--origin", odd], 2),
+        (&["hit", "--csv", odd, "--method", odd], 2),
+        (&["book", "--output", &ppm], 2),
+        (&["book", "--output", "book", "--source", odd], 1),
+        (&[odd], 2),
+    ] {
+        let output = run(program("rtrace").args(arguments).current_dir(desk.0.path()));
+        let said = text(&output.stdout) + &text(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {said}");
+        assert!(!said.contains(['\u{1b}', '\u{9b}', '\u{202e}']), "{said:?}");
+        // As JSON, what is spelled out is spelled out once more.
+        let said = said.replace("\\\\", "\\");
+        assert!(said.contains(shown), "{arguments:?}: {said}");
+    }
+}
+
 #[test]
 fn a_workspace_that_was_moved_is_not_made_again() {
     let advice = ["not there any more", "cargo clean --package rtrace"];

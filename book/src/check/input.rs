@@ -8,6 +8,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use check::reading::{Cause, MOST_BYTES};
+use common::engine::output;
 
 use super::program;
 
@@ -51,13 +52,10 @@ impl<'a> Source<'a> {
 impl fmt::Display for Source<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::File(path) => write!(f, "{}", path.display()),
+            Self::File(path) => write!(f, "{}", output::shown(path)),
             Self::Stdin => write!(f, "standard input"),
             Self::Program(words) => {
-                let words: Vec<String> = words
-                    .iter()
-                    .map(|word| word.display().to_string())
-                    .collect();
+                let words: Vec<String> = words.iter().map(output::shown).collect();
                 write!(f, "what {} prints", words.join(" "))
             }
         }

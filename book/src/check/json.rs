@@ -5,6 +5,7 @@ use std::path::Path;
 use check::diagnosis::{Conversion, Explains, Scene, Set};
 use check::judge::{Check, Finding};
 use check::slips::Slip;
+use common::engine::output;
 use serde_json::{Value, json};
 
 use super::judged::Judged;
@@ -38,7 +39,7 @@ pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
         "difference": finding.map(difference),
         "diagnosis": sets.iter().map(|set| diagnosis(&judged.scene, set)).collect::<Value>(),
         "sights": finding.map(|finding| &finding.diagnosis.sights),
-        "report": report.map(|page| page.display().to_string()),
+        "report": report.map(output::shown),
     });
     format!("{object:#}\n")
 }

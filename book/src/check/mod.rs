@@ -10,7 +10,6 @@ mod text;
 
 use std::error::Error;
 use std::ffi::OsString;
-use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -26,6 +25,8 @@ use common::engine::output;
 
 use input::Source;
 use judged::Judged;
+
+use crate::misuse::complain;
 
 /// What `cargo rtrace check` is told.
 #[derive(Args)]
@@ -69,8 +70,7 @@ pub(crate) fn check(arguments: &Arguments) -> ExitCode {
     match try_check(arguments) {
         Ok(code) => ExitCode::from(code),
         Err(error) => {
-            // If even this can't be written, there is nobody left to tell.
-            let _ = writeln!(io::stderr(), "rtrace: {error}");
+            complain(&format!("rtrace: {error}"));
             ExitCode::from(2)
         }
     }

@@ -11,6 +11,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use check::reading::{Cause, MOST_BYTES};
+use common::engine::output;
 
 /// All that the program prints, or one byte more than a picture may have, so that
 /// the reading of pictures can say so.
@@ -18,7 +19,7 @@ use check::reading::{Cause, MOST_BYTES};
 /// # Errors
 /// If the program does not start, fails, or takes longer than `limit`.
 pub(super) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, Cause> {
-    let name = words[0].display().to_string();
+    let name = output::shown(&words[0]);
     let mut group = Group::start(words).map_err(|cause| {
         failed(
             format!("{name} does not start: {cause}"),

@@ -6,6 +6,7 @@ use std::path::Path;
 use check::diagnosis::{Scene, Set, names_of};
 use check::judge::{Check, Finding};
 use check::slips::Slip;
+use common::engine::output;
 use supports_color::Stream;
 
 use super::judged::Judged;
@@ -67,7 +68,7 @@ pub(crate) fn text(judged: &Judged, report: Option<&Path>, style: Style) -> Stri
         text += &diagnosis(&judged.scene, finding, style);
     }
     if let Some(page) = report {
-        writeln!(text, "\nThe page is {}", page.display()).expect("a string takes it");
+        writeln!(text, "\nThe page is {}", output::shown(page)).expect("a string takes it");
     }
     text
 }

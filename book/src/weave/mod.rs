@@ -56,11 +56,11 @@ pub(crate) fn book(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         None => Path::new(env!("CARGO_MANIFEST_DIR")),
     };
     let (index, aside) = weave(source, arguments.output.as_deref())?;
-    let mut said = format!("The book is in {}\n", draw::shown(&index).display());
+    let mut said = format!("The book is in {}\n", draw::shown(&index));
     if let Some(aside) = aside {
         said += &format!(
             "What was there had no list of its files, so it is now {}, to keep or to delete.\n",
-            draw::shown(&aside).display()
+            draw::shown(&aside)
         );
     }
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;

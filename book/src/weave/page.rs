@@ -57,7 +57,7 @@ impl<'a> Page<'a> {
     /// File and line of the byte `at`.
     fn place(&self, at: usize) -> String {
         let line = 1 + self.text[..at].matches('\n').count();
-        format!("{}:{line}", crate::draw::shown(&self.path).display())
+        format!("{}:{line}", crate::draw::shown(&self.path))
     }
 
     /// The formulas, and the ranges in which braces mean what they are.

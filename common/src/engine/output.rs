@@ -4,6 +4,7 @@
 //! was written there.
 
 use std::borrow::Cow;
+use std::ffi::OsStr;
 use std::fmt;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
@@ -81,6 +82,11 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     text.chars().map(spell).collect()
 }
 
+/// The name of a file, or another word of a command line, as a message shows it.
+pub fn shown(name: impl AsRef<OsStr>) -> String {
+    visible(&name.as_ref().to_string_lossy()).into_owned()
+}
+
 /// The marks of Unicode by which a text runs from right to left, or back.
 const TURNS: [char; 9] = [
     '\u{202a}', '\u{202b}', '\u{202c}', '\u{202d}', '\u{202e}', '\u{2066}', '\u{2067}', '\u{2068}',
@@ -134,10 +140,6 @@ impl OutputError {
 }
 
 const MAKE_ROOM: &str = "Free some space, or write to another disk.";
-
-fn shown(path: &Path) -> String {
-    visible(&path.to_string_lossy()).into_owned()
-}
 
 fn write_and_flush(
     file: &File,
