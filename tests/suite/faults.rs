@@ -1,6 +1,7 @@
 //! The real programs on bad days: interrupted, in company, and refused by the system.
 
 use std::fs::{self, Permissions};
+use std::io::{BufRead, BufReader, Read};
 use std::os::unix::fs::{MetadataExt, PermissionsExt, chown, symlink};
 use std::os::unix::process::{CommandExt, ExitStatusExt};
 use std::path::{Path, PathBuf};
@@ -27,6 +28,35 @@ fn a_signal_ends_the_program_and_its_partial_file_goes() {
         assert_eq!(ended(child).signal(), Some(signal.as_raw()), "{signal:?}");
         assert_eq!(desk.names(), [FILE]);
         assert_eq!(desk.read(), KEPT);
+    }
+}
+
+/// The program that is checked has started another one. Both hold the pipe, which ends
+/// when they have.
+#[test]
+fn a_signal_ends_the_program_that_is_checked_and_what_that_started() {
+    let script = "sleep 60 & echo it runs >&2; exec sleep 60";
+    for signal in [Signal::INT, Signal::TERM, Signal::HUP] {
+        // A terminal that is closed, and `timeout`, send theirs twice.
+        for times in [1, 2] {
+            let mut command = hears_signals(path_of("rtrace"));
+            command.args(["check", "gradient", "--", "sh", "-c", script]);
+            let piped = command.stdout(Stdio::null()).stderr(Stdio::piped());
+            let mut child = piped.spawn().expect("the program starts");
+            let mut pipe = BufReader::new(child.stderr.take().expect("it is piped"));
+            let mut said = String::new();
+            pipe.read_line(&mut said).expect("it starts");
+            assert_eq!(said, "it runs\n");
+            let start = Instant::now();
+            for _ in 0..times {
+                // The first one may have ended it.
+                let _ = kill_process(Pid::from_child(&child), signal);
+            }
+            assert_eq!(ended(child).signal(), Some(signal.as_raw()), "{signal:?}");
+            pipe.read_to_string(&mut said).expect("the pipe ends");
+            assert!(start.elapsed() < Duration::from_secs(30), "{signal:?}");
+            assert_eq!(said, "it runs\n");
+        }
     }
 }
 

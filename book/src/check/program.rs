@@ -1,7 +1,8 @@
 //! A subprocess in a process group of its own, with limits on time and bytes.
 //!
 //! Whoever it starts belongs to the group and ends with it: a server that keeps the
-//! pipe open, a loop that never ends.
+//! pipe open, a loop that never ends. A signal that ends us, such as Ctrl-C, does not
+//! reach the group, so we end it first.
 
 use std::ffi::OsString;
 use std::io::{self, IsTerminal, Read};
@@ -12,6 +13,8 @@ use std::time::{Duration, Instant};
 
 use check::reading::{Cause, MOST_BYTES};
 use common::engine::output;
+#[cfg(unix)]
+use common::engine::signals;
 
 /// All that the program prints, or one byte more than a picture may have, so that
 /// the reading of pictures can say so.
@@ -58,10 +61,13 @@ enum End {
     TooSlow,
 }
 
-/// A program and all that it starts; it ends when this is dropped.
+/// A program and all that it starts; it ends when this is dropped, and then we do, if a
+/// signal has asked for it meanwhile.
 struct Group {
     child: Child,
     printed: Receiver<io::Result<Vec<u8>>>,
+    #[cfg(unix)]
+    _until_it_has_ended: signals::Deferral,
 }
 
 /// How long to wait for what a program has printed before it ended, and how often to
@@ -70,6 +76,8 @@ const TICK: Duration = Duration::from_millis(50);
 
 impl Group {
     fn start(words: &[OsString]) -> io::Result<Self> {
+        #[cfg(unix)]
+        let deferral = signals::Deferral::new();
         let mut command = Command::new(&words[0]);
         command.args(&words[1..]).stdout(Stdio::piped());
         // A group in the background is stopped when it reads from the terminal.
@@ -81,7 +89,12 @@ impl Group {
         let mut child = command.spawn()?;
         let stdout = child.stdout.take();
         let printed = stdout.map(pieces).ok_or(io::ErrorKind::BrokenPipe)?;
-        Ok(Self { child, printed })
+        Ok(Self {
+            child,
+            printed,
+            #[cfg(unix)]
+            _until_it_has_ended: deferral,
+        })
     }
 
     /// Collects what is printed until the program ends, or has to.
@@ -90,6 +103,7 @@ impl Group {
         let mut bytes = Vec::new();
         let mut ended = None;
         loop {
+            stop_here_if_asked_to()?;
             match self.printed.recv_timeout(TICK) {
                 Ok(piece) => bytes.append(&mut piece?),
                 Err(RecvTimeoutError::Disconnected) => {
@@ -116,6 +130,7 @@ impl Group {
     /// Waits for one that has closed its output and goes on.
     fn wait_until(&mut self, deadline: Instant) -> io::Result<Option<ExitStatus>> {
         loop {
+            stop_here_if_asked_to()?;
             let ended = self.child.try_wait()?;
             if ended.is_some() || Instant::now() > deadline {
                 return Ok(ended);
@@ -123,6 +138,12 @@ impl Group {
             thread::sleep(Duration::from_millis(1));
         }
     }
+}
+
+fn stop_here_if_asked_to() -> io::Result<()> {
+    #[cfg(unix)]
+    signals::check()?;
+    Ok(())
 }
 
 impl Drop for Group {

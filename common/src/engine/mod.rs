@@ -16,7 +16,7 @@ mod program;
 mod render;
 mod ring;
 #[cfg(unix)]
-mod signals;
+pub mod signals;
 mod standard;
 
 pub use picture::Picture;

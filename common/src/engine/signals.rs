@@ -1,8 +1,9 @@
-//! Deferred signals: one that ends the program waits until a file is tidied away.
+//! Deferred signals: one that ends the program waits until a file is tidied away, or a
+//! program that it runs has ended.
 //!
 //! A handler may do next to nothing, least of all remove a file. Here it only
 //! raises a flag, which whoever writes the file looks at. This takes no thread,
-//! and nothing at all in a program that writes no file.
+//! and nothing at all in a program that writes no file and runs no program.
 
 use std::fs;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -13,13 +14,16 @@ use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::{flag, low_level};
 
 /// While one of these exists, a signal is only noted. When the last one goes,
-/// the program ends as the signal would have ended it. Does not wait for a
-/// second signal: that one ends the program at once.
-pub(super) struct Deferral(());
+/// the program ends as the signal would have ended it.
+///
+/// A second signal changes nothing: `timeout`, and a terminal that is closed, send
+/// two of them at once. So whoever defers must look often, with [`check`].
+pub struct Deferral(());
 
 impl Deferral {
     /// Defers the signals from now on.
-    pub(super) fn new() -> Self {
+    #[expect(clippy::new_without_default, reason = "it is not a value, but a time")]
+    pub fn new() -> Self {
         // If they can't be caught, they end the program as before.
         let _ = *CAUGHT;
         let mut deferrals = DEFERRALS.lock().unwrap_or_else(PoisonError::into_inner);
@@ -42,8 +46,11 @@ impl Drop for Deferral {
     }
 }
 
-/// An error if a signal waits to end the program.
-pub(super) fn check() -> io::Result<()> {
+/// Whether to go on.
+///
+/// # Errors
+/// If a signal waits to end the program.
+pub fn check() -> io::Result<()> {
     match NOTED.load(Ordering::SeqCst) {
         0 => Ok(()),
         // Not `Interrupted`, after which one tries again.
@@ -66,11 +73,8 @@ static CAUGHT: LazyLock<bool> = LazyLock::new(|| {
         .into_iter()
         .filter(|signal| ignored >> (signal - 1) & 1 == 0)
         .try_for_each(|signal| {
-            // In this order, so that a first signal only raises the flag at which
-            // a second one ends the program.
             flag::register_conditional_default(signal, &AT_ONCE)?;
-            flag::register_usize(signal, &NOTED, signal as usize)?;
-            flag::register(signal, &AT_ONCE).map(drop)
+            flag::register_usize(signal, &NOTED, signal as usize).map(drop)
         })
         .is_ok()
 });
