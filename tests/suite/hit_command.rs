@@ -1,13 +1,13 @@
 //! What `cargo rtrace hit` says.
 
 use std::fs;
-use std::io::Write;
+use std::io::{BufRead, BufReader, Write};
 use std::process::{Command, Output, Stdio};
 
 use speed_vs_accuracy::{METHODS, Precision, REGIMES};
 use tempfile::TempDir;
 
-use crate::command_line::{assert_refused, assert_success, program_with, run, text};
+use crate::command_line::{assert_refused, assert_success, path_of, program_with, run, text};
 
 mod one_ray {
     use super::*;
@@ -81,6 +81,8 @@ mod one_ray {
 
 mod a_file {
     use super::*;
+
+    const HEAD: &str = "ox,oy,oz,dx,dy,dz,cx,cy,cz,r";
 
     #[test]
     fn is_answered_row_by_row_by_every_method() {
@@ -207,6 +209,9 @@ mod a_file {
             ("\r\nHEAD\r\n\r\nGOOD\r\n\r\nBAD", 6),
             ("note,HEAD\n\"two\nlines\",GOOD\n\"and\ntwo\",BAD\n", 4),
             ("HEAD\r\nGOOD\r\nGOOD,1\r\n", 3),
+            ("HEAD\rGOOD\r\rBAD\r", 4),
+            ("\u{feff}HEAD\rGOOD\r\n\r\nBAD\n", 4),
+            ("note,HEAD\r\n\"two\r\nlines\",GOOD\r\n\"\r\n\",BAD", 4),
         ] {
             let file = file
                 .replace("HEAD", "ox,oy,oz,dx,dy,dz,cx,cy,cz,r")
@@ -227,6 +232,70 @@ mod a_file {
         let said = text(&answer(&file, &[]).stderr);
         assert!(said.contains("line 2: r is \"0.5"), "{said}");
         assert!(said.len() < 200, "{said}");
+    }
+
+    #[test]
+    fn is_answered_while_it_is_written() {
+        let mut child = start(&["--method", "half_b"]);
+        let mut stdin = child.stdin.take().expect("it is piped");
+        let mut answers = BufReader::new(child.stdout.take().expect("it is piped"));
+        let mut expected = "row,method,t\n".to_owned();
+        writeln!(stdin, "\u{feff}{HEAD}").expect("it reads");
+        for row in 1..=3 {
+            writeln!(stdin, "0,0,0,0,0,-1,0,0,-1,0.5").expect("it reads");
+            expected += &format!("{row},half_b,0.5\n");
+            let mut said = String::new();
+            while said.len() < expected.len() {
+                let length = answers.read_line(&mut said).expect("text");
+                assert!(length > 0, "it has ended after {said}");
+            }
+            assert_eq!(said, expected);
+            expected.clear();
+        }
+        drop(stdin);
+        assert!(child.wait().expect("the program ends").success());
+    }
+
+    /// In as much memory as a small file takes.
+    #[cfg(unix)]
+    #[test]
+    fn that_never_ends_is_refused_by_its_limits() {
+        let row = "0,0,0,0,0,-1,0,0,-1,0.5";
+        let padded = row.replace("0.5", &format!("{}.5", "0".repeat(60_000)));
+        for (shell, words) in [
+            ("cat /dev/zero", "line 1: no row ends within 65536 bytes"),
+            ("cat /dev/urandom", "line 1: this is no text"),
+            (
+                "echo HEAD; cat /dev/zero",
+                "line 2: no row ends within 65536",
+            ),
+            (
+                "echo HEAD; echo; echo '\"'; yes ROW",
+                "line 3: no row ends within",
+            ),
+            ("echo HEAD; yes ''", "no row ends within 65536 bytes"),
+            (
+                "echo HEAD; yes ROW",
+                "line 1000002: the file has more than 1000000 rows",
+            ),
+            (
+                "echo HEAD; yes PADDED",
+                "the file has more than 268435456 bytes",
+            ),
+        ] {
+            let writer = shell
+                .replace("HEAD", HEAD)
+                .replace("ROW", row)
+                .replace("PADDED", &padded);
+            let script = format!("{{ {writer}; }} | {{ ulimit -v 60000; exec \"$0\" \"$@\"; }}");
+            let mut command = Command::new("sh");
+            command.args(["-c", &script]).arg(path_of("rtrace"));
+            command.args(["hit", "--method", "half_b", "--csv", "-"]);
+            let output = run(&mut command);
+            let said = text(&output.stderr);
+            assert_eq!(output.status.code(), Some(1), "{shell}: {said}");
+            assert!(said.contains(words), "{shell}: {said}");
+        }
     }
 
     #[test]

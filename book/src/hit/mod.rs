@@ -1,5 +1,7 @@
 //! `hit`: rays and spheres under a microscope, by every method.
 
+mod cases;
+mod lines;
 mod number;
 mod one;
 mod strain;
@@ -43,9 +45,9 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "T", value_parser = bound, default_value = "inf", allow_hyphen_values = true)]
     t_max: f64,
 
-    /// Many rays and spheres, a row each, from a file with the columns ox, oy,
-    /// oz, dx, dy, dz, cx, cy, cz and r, or from standard input if it is -;
-    /// prints row,method,t
+    /// Many rays and spheres, a row each, a million at most, from a file with the
+    /// columns ox, oy, oz, dx, dy, dz, cx, cy, cz and r, or from standard input if
+    /// it is -; prints row,method,t as the rows come
     #[arg(long, value_name = "FILE", conflicts_with_all = ["origin", "direction", "center", "radius"])]
     csv: Option<PathBuf>,
 
