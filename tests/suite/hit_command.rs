@@ -8,6 +8,7 @@ use speed_vs_accuracy::{METHODS, Precision, REGIMES};
 use tempfile::TempDir;
 
 use crate::command_line::{assert_refused, assert_success, path_of, program_with, run, text};
+use crate::reading::Random;
 
 mod one_ray {
     use super::*;
@@ -56,6 +57,95 @@ mod one_ray {
         let output = run(program_with("rtrace", &ray).args(sphere));
         assert_success(&output);
         assert!(text(&output.stdout).starts_with("In f64, the ray hits at t = 3.0.\n"));
+    }
+
+    /// Where numbers end, or there is nothing to hit, or to hit with.
+    #[test]
+    fn beyond_all_numbers_is_told_in_words() {
+        const MAX: &str = "1.7976931348623157e308";
+        for (direction, center, radius, sentences) in [
+            (
+                "0,0,-1e-300",
+                "0,0,-1e300",
+                "1",
+                &[
+                    "In f64, the ray hits at t = 1.7976931348623157e308 or beyond, where f64 ends.",
+                    "as far as f64 goes",
+                ][..],
+            ),
+            ("0,0,1", &format!("0,0,{MAX}"), "0", &["as far as f64 goes"]),
+            (
+                "0,0,1e-30",
+                "0,0,1e30",
+                "1",
+                &[
+                    "In f64, the ray hits at t = 1e60.",
+                    "the ray hits at t = 3.4028234663852886e38 or beyond, where f32 ends.",
+                ],
+            ),
+            (
+                "0,0,-1e308",
+                "0,0,-5e-324",
+                "0",
+                &["In f64, the ray hits at a t so small that it rounds to 0."],
+            ),
+            (
+                "0,0,1e-50",
+                "0,0,1",
+                "0.5",
+                &[
+                    "In f64, the ray hits at t = 5e49.",
+                    "In f32, after the numbers are rounded to it, the direction is zero, and such a ray hits nothing.",
+                ],
+            ),
+            (
+                "0,0,-1",
+                "0,1e-200,-1e200",
+                "1e-201",
+                &["In f64, the ray misses."],
+            ),
+        ] {
+            let said = said_of(["0,0,0", direction, center], radius, &[]);
+            for sentence in sentences {
+                assert!(said.contains(sentence), "{sentence}: {said}");
+            }
+        }
+    }
+
+    #[test]
+    fn has_no_answer_that_is_no_number() {
+        let numbers = [
+            "0", "-1", "1e308", "5e-324", "1e-160", "1e160", "1e39", "1e-46",
+        ];
+        let mut random = Random(1);
+        for _ in 0..400 {
+            let mut number = || numbers[random.below(numbers.len())];
+            let vectors = [(); 3].map(|()| [(); 3].map(|()| number()).join(","));
+            let vectors = vectors.each_ref().map(String::as_str);
+            let radius = number();
+            let ranges: [&[&str]; 3] = [&[], &["--t-min=-inf"], &["--t-max=1e308"]];
+            let range = ranges[random.below(3)];
+            let said = said_of(vectors, radius, range);
+            let words = said.split(|letter: char| !letter.is_alphanumeric());
+            for word in words {
+                let odd = ["nan", "inf"].contains(&word.to_lowercase().as_str());
+                assert!(!odd, "{vectors:?} and {radius}: {said}");
+            }
+        }
+    }
+
+    /// Of origin, direction and center, and a radius.
+    fn said_of(vectors: [&str; 3], radius: &str, range: &[&str]) -> String {
+        let [origin, direction, center] = vectors;
+        let case = [
+            "--origin",
+            origin,
+            "--direction",
+            direction,
+            "--center",
+            center,
+        ];
+        said(&[&case[..], &["--radius", radius], range].concat())
     }
 
     #[test]

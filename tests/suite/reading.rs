@@ -423,10 +423,10 @@ fn crc(bytes: &[u8]) -> u32 {
 }
 
 /// Marsaglia's xorshift: quick, the same everywhere, and good enough to spoil.
-struct Random(u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    fn below(&mut self, limit: usize) -> usize {
+    pub(crate) fn below(&mut self, limit: usize) -> usize {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;

@@ -2,7 +2,9 @@
 
 /// Such as 0.41, 158, 1.3e-16.
 pub fn three_digits(value: f64) -> String {
-    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    // The largest numbers would round up to infinity.
+    let rounded = format!("{value:.2e}").parse().ok();
+    let rounded = rounded.filter(|it: &f64| it.is_finite()).unwrap_or(value);
     if rounded == 0.0 || (1e-3..1e6).contains(&rounded) {
         format!("{rounded}")
     } else {

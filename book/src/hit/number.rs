@@ -1,13 +1,21 @@
 //! Decimal numbers, as a command line and a file have them.
 
 use common::rtweekend::*;
-use speed_vs_accuracy::{Method, Solve};
+use speed_vs_accuracy::{Method, Precision, Solve};
 
 /// `t` in as few digits as lead back to it in the precision of `method`.
 pub(super) fn shortest(method: &Method, t: f64) -> String {
     match method.solve {
         Solve::Double(_) => format!("{t:?}"),
         Solve::Single(_) => format!("{:?}", t as f32),
+    }
+}
+
+/// The least normal number above 0, and the greatest of all.
+pub(super) fn ends(precision: Precision) -> (f64, f64) {
+    match precision {
+        Precision::Double => (f64::MIN_POSITIVE, f64::MAX),
+        Precision::Single => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)),
     }
 }
 

@@ -4,12 +4,13 @@ use std::error::Error;
 use std::fmt::Write;
 
 use common::engine::output;
+use common::rtweekend::*;
 use figures::number::three_digits;
 use laws::oracle::Exact;
 use laws::truth::Truth;
 use speed_vs_accuracy::{Case, Method, Precision};
 
-use super::number::shortest;
+use super::number::{ends, shortest};
 use super::strain;
 
 /// An error of this many ulps is what a handful of rounded operations leaves:
@@ -49,23 +50,23 @@ fn part(
     let Some(exact) = Exact::of_finite(&rounded) else {
         return writeln!(text, "{name} has no such numbers: they overflow.");
     };
-    let (t_min, t_max) = match precision {
+    let range_of_it = match precision {
         Precision::Double => range,
         Precision::Single => (f64::from(range.0 as f32), f64::from(range.1 as f32)),
     };
-    let truth = Truth::of(&exact, precision, t_min, t_max);
+    let truth = Truth::of(&exact, precision, range_of_it.0, range_of_it.1);
     let changed = match rounded == *case {
         true => "",
         false => ", after the numbers are rounded to it",
     };
-    match truth {
-        Some(truth) => writeln!(
-            text,
-            "In {name}{changed}, the ray hits at t = {:?}.",
-            truth.nearest()
-        )?,
-        None => writeln!(text, "In {name}{changed}, the ray misses.")?,
-    }
+    let found = match truth {
+        Some(truth) => whereabouts(truth, precision, &exact, range_of_it),
+        None if rounded.ray.direction == Vec3::ZERO => {
+            "the direction is zero, and such a ray hits nothing".to_owned()
+        }
+        None => "the ray misses".to_owned(),
+    };
+    writeln!(text, "In {name}{changed}, {found}.")?;
     for method in methods {
         let t = case.put_to(method, range.0, range.1);
         text.push_str(&line(method, case, t, truth));
@@ -73,20 +74,33 @@ fn part(
     Ok(())
 }
 
+/// Where the ray hits, also where no number says it.
+fn whereabouts(truth: Truth, precision: Precision, exact: &Exact, range: (f64, f64)) -> String {
+    let t = truth.nearest();
+    let is_zero = || {
+        exact
+            .nearest_root_in(range.0, range.1)
+            .is_some_and(|root| root == 0.0)
+    };
+    if is_at_the_end(t, precision) {
+        let (end, name) = (end(t, precision), precision.name());
+        format!("the ray hits at t = {end:?} or beyond, where {name} ends")
+    } else if t == 0.0 && !is_zero() {
+        "the ray hits at a t so small that it rounds to 0".to_owned()
+    } else {
+        format!("the ray hits at t = {t:?}")
+    }
+}
+
 fn line(method: &Method, case: &Case, t: Option<f64>, truth: Option<Truth>) -> String {
     let answer = t.map_or("miss".to_owned(), |t| {
         format!("hit  {}", shortest(method, t))
     });
-    let error = t.zip(truth).map(|(t, truth)| truth.error_in_ulps(t));
-    let verdict = match (t, truth, error) {
-        (_, _, Some(error)) => format!("{} ulps off", three_digits(error)),
-        (None, None, _) => "right".to_owned(),
-        (Some(_), ..) => "WRONG: it misses".to_owned(),
-        (None, ..) => "WRONG: it hits".to_owned(),
-    };
-    let is_ordinary = match error {
-        Some(error) => error <= ORDINARY,
-        None => t.is_none() && truth.is_none(),
+    let (verdict, is_ordinary) = match (t, truth) {
+        (Some(t), Some(truth)) => how_far_off(t, truth, method.precision()),
+        (None, None) => ("right".to_owned(), true),
+        (Some(_), None) => ("WRONG: it misses".to_owned(), false),
+        (None, Some(_)) => ("WRONG: it hits".to_owned(), false),
     };
     let mut line = format!("  {:<22}{answer:<30}{verdict}", method.name);
     line.push('\n');
@@ -96,4 +110,32 @@ fn line(method: &Method, case: &Case, t: Option<f64>, truth: Option<Truth>) -> S
         }
     }
     line
+}
+
+/// The error of `t` in words, and whether it needs no reason.
+fn how_far_off(t: f64, truth: Truth, precision: Precision) -> (String, bool) {
+    if is_at_the_end(truth.nearest(), precision) {
+        // Beyond the end there are no ulps to count.
+        return match t == end(truth.nearest(), precision) {
+            true => (format!("as far as {} goes", precision.name()), true),
+            false => ("WRONG: not so far".to_owned(), false),
+        };
+    }
+    match truth.error_in_ulps(t) {
+        f64::INFINITY => ("more than 1e308 ulps off".to_owned(), false),
+        error => (
+            format!("{} ulps off", three_digits(error)),
+            error <= ORDINARY,
+        ),
+    }
+}
+
+/// Whether no number of the precision is beyond `t`.
+fn is_at_the_end(t: f64, precision: Precision) -> bool {
+    t.abs() >= ends(precision).1
+}
+
+/// The last number on the side of `t`.
+fn end(t: f64, precision: Precision) -> f64 {
+    ends(precision).1.copysign(t)
 }

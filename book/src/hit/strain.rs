@@ -6,7 +6,9 @@
 
 use figures::number::three_digits;
 use laws::oracle::Exact;
-use speed_vs_accuracy::{Case, Discriminant, Method, Precision};
+use speed_vs_accuracy::{Case, Discriminant, Method};
+
+use super::number::ends;
 
 /// Why `method` may err on `case`: each reason a sentence, the worst first.
 ///
@@ -38,30 +40,41 @@ pub(super) fn reasons(method: &Method, case: &Case) -> Vec<String> {
 /// How many digits D loses.
 fn discriminant(method: &Method, case: &Case, exact: &Exact) -> Option<(f64, String)> {
     let margin = exact.discriminant_margin().abs();
-    let oc = case.center - case.ray.origin;
-    let away = oc.length() / case.radius.abs();
+    let away = away(case);
+    let from_where = match away {
+        _ if case.radius == 0.0 => "and the sphere is a point".to_owned(),
+        f64::INFINITY => "more than 1e308 radii from the center".to_owned(),
+        away => format!("{} radii from the center", three_digits(away)),
+    };
     match method.discriminant {
-        Discriminant::Difference => Some((
-            -margin.log10(),
-            format!(
-                "h² − a·c cancels, {} radii from the center",
-                three_digits(away)
-            ),
-        )),
+        Discriminant::Difference => {
+            Some((-margin.log10(), format!("h² − a·c cancels, {from_where}")))
+        }
         Discriminant::Distance => {
             // (r² − l²)/r² is D/(a·M) times M/r², and l has an error that grows
             // with the distance.
             let from_radius = margin * (1.0 + away * away);
             Some((
                 away.max(1.0).log10() - from_radius.log10(),
-                format!(
-                    "r² − l² cancels, {} radii from the center",
-                    three_digits(away)
-                ),
+                format!("r² − l² cancels, {from_where}"),
             ))
         }
         Discriminant::Certain => None,
     }
+}
+
+/// How far the origin is from the center, in radii. Infinite only if the quotient is
+/// too large for a number, or the radius is 0.
+fn away(case: &Case) -> f64 {
+    let (center, origin, radius) = (case.center, case.ray.origin, case.radius.abs());
+    let largest = (center.abs().max(origin.abs()).max_element()).max(radius);
+    // A power of two, by which no square overflows, and none underflows that counts.
+    let scale = match largest {
+        ..1e-150 => 2.0_f64.powi(1000),
+        1e150.. => 2.0_f64.powi(-600),
+        _ => 1.0,
+    };
+    (center * scale - origin * scale).length() / (radius * scale)
 }
 
 /// How many digits c loses.
@@ -92,10 +105,7 @@ fn numerator(method: &Method, case: &Case) -> Option<(f64, String)> {
 
 /// Whether a·M is out of range.
 fn exponent(method: &Method, case: &Case) -> Option<String> {
-    let (least, greatest) = match method.precision() {
-        Precision::Double => (f64::MIN_POSITIVE, f64::MAX),
-        Precision::Single => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)),
-    };
+    let (least, greatest) = ends(method.precision());
     let oc = (case.center - case.ray.origin).length();
     let a = 2.0 * case.ray.direction.length().log2();
     let m = 2.0 * oc.max(case.radius.abs()).log2();
