@@ -8,7 +8,7 @@ use speed_vs_accuracy::{METHODS, Precision, REGIMES};
 use tempfile::TempDir;
 
 use crate::command_line::{assert_refused, assert_success, path_of, program_with, run, text};
-use crate::reading::Random;
+use crate::spoiled::Random;
 
 mod one_ray {
     use super::*;

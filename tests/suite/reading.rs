@@ -1,10 +1,7 @@
 //! Whatever a file holds, it is read, or refused with the right reason.
 
-use std::env;
-use std::time::{Duration, Instant};
-
 use check::png;
-use check::reading::{Cause, MOST_PIXELS, Reading, read};
+use check::reading::{Cause, Reading, read};
 use common::rtweekend::*;
 
 use crate::pictures::p3;
@@ -292,146 +289,13 @@ fn text_in_the_body_is_shown_where_it_stands_and_harmless() {
     assert!(read(long.as_bytes()).expect_err("text").problem.len() < 200);
 }
 
-/// A short part of the campaign that the README describes: `READING_CASES` says
-/// how many pictures are spoiled, `READING_SEED` which ones.
-#[test]
-fn no_spoiled_picture_does_any_harm() {
-    let from_environment = |name: &str| env::var(name).ok().and_then(|number| number.parse().ok());
-    let cases: u64 = from_environment("READING_CASES").unwrap_or(20_000);
-    let mut random = Random(from_environment("READING_SEED").unwrap_or(1));
-    let seeds = seeds();
-    #[cfg(unix)]
-    if env::var_os("READING_CASES").is_some() {
-        limit_memory();
-    }
-    let mut read_in_the_end = 0;
-    for _ in 0..cases {
-        let spoiled = spoiled(&seeds, &mut random);
-        let start = Instant::now();
-        match read(&spoiled) {
-            Ok(reading) => {
-                let (width, height) = (u64::from(reading.width), u64::from(reading.height));
-                assert!((1..=MOST_PIXELS).contains(&(width * height)));
-                assert_eq!(reading.pixels.len() as u64, width * height);
-                read_in_the_end += 1;
-            }
-            Err(cause) => assert!(cause.to_string().len() < 1000, "{cause}"),
-        }
-        assert!(
-            start.elapsed() < Duration::from_secs(5),
-            "it hangs on {spoiled:?}"
-        );
-    }
-    // If all were refused, or none, the campaign would try nothing.
-    assert!(read_in_the_end > cases / 100 && read_in_the_end < cases);
-}
-
-/// Any memory beyond this is refused by the system, and ends the program.
-#[cfg(unix)]
-fn limit_memory() {
-    use rustix::process::{Resource, Rlimit, setrlimit};
-    let limit = Rlimit {
-        current: Some(1 << 30),
-        maximum: Some(1 << 30),
-    };
-    setrlimit(Resource::As, limit).expect("a limit may be lowered");
-}
-
-/// Small pictures in every format, good and bad.
-fn seeds() -> Vec<Vec<u8>> {
-    let pictures = [
-        build_test::picture(3),
-        gradient::picture(4),
-        hittable_list::picture(16),
-    ];
-    let mut seeds: Vec<Vec<u8>> = pictures
-        .iter()
-        .flat_map(|picture| [p3(picture), p6(picture), png::encode(picture)])
-        .collect();
-    seeds.push(b"P3 # a comment\n2 1\n255\n256 -107 511 0.5 nan -2147483648\n".to_vec());
-    seeds.push(
-        "P3\n1 1\n255\n1 2 3\n"
-            .encode_utf16()
-            .flat_map(u16::to_le_bytes)
-            .collect(),
-    );
-    seeds
-}
-
-/// One of the seeds with a few bytes changed, taken out, doubled, or replaced by
-/// something that numbers and headers are sensitive to.
-fn spoiled(seeds: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
-    const WORDS: [&[u8]; 12] = [
-        b"P6",
-        b"255",
-        b"-1",
-        b"0",
-        b"4294967295",
-        b"99999999999999999999",
-        b"#",
-        b"\r\n",
-        b"nan",
-        b"\xff\xfe",
-        b"\0",
-        b"IEND",
-    ];
-    let mut bytes = seeds[random.below(seeds.len())].clone();
-    for _ in 0..1 + random.below(4) {
-        let at = random.below(bytes.len() + 1);
-        let end = (at + random.below(9)).min(bytes.len());
-        match random.below(6) {
-            0 => bytes.truncate(at),
-            1 => drop(bytes.drain(at..end)),
-            2 => drop(bytes.splice(at..end, WORDS[random.below(WORDS.len())].iter().copied())),
-            3 => bytes.extend_from_within(at..end),
-            _ if at < bytes.len() => bytes[at] ^= 1 << random.below(8),
-            _ => bytes.push(random.below(256) as u8),
-        }
-    }
-    if bytes.starts_with(b"\x89PNG") && random.below(2) == 0 {
-        mend_sums(&mut bytes);
-    }
-    bytes
-}
-
-/// Makes the sums of a PNG right, so that what they guard is reached.
-fn mend_sums(bytes: &mut [u8]) {
-    let mut at = 8;
-    while let Some(length) = bytes.get(at..at + 4) {
-        let length = u32::from_be_bytes([length[0], length[1], length[2], length[3]]) as usize;
-        let Some(end) = at.checked_add(8).and_then(|at| at.checked_add(length)) else {
-            return;
-        };
-        let Some(sum) = bytes.get(at + 4..end).map(crc) else {
-            return;
-        };
-        let Some(place) = bytes.get_mut(end..end + 4) else {
-            return;
-        };
-        place.copy_from_slice(&sum.to_be_bytes());
-        at = end + 4;
-    }
-}
-
 /// The sum at the end of each part of a PNG.
-fn crc(bytes: &[u8]) -> u32 {
+pub(crate) fn crc(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(!0, |sum, &byte| {
         (0..8).fold(sum ^ u32::from(byte), |sum, _| {
             (sum >> 1) ^ (0xedb8_8320 * (sum & 1))
         })
     })
-}
-
-/// Marsaglia's xorshift: quick, the same everywhere, and good enough to spoil.
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    pub(crate) fn below(&mut self, limit: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0.wrapping_mul(0x2545_f491_4f6c_dd1d) >> 33) as usize % limit
-    }
 }
 
 fn cause(bytes: &[u8]) -> &'static str {
@@ -441,7 +305,7 @@ fn cause(bytes: &[u8]) -> &'static str {
     }
 }
 
-fn p6(picture: &Picture) -> Vec<u8> {
+pub(crate) fn p6(picture: &Picture) -> Vec<u8> {
     let header = format!("P6\n{} {}\n255\n", picture.width(), picture.height());
     [header.as_bytes(), picture.rgb()].concat()
 }

@@ -30,6 +30,7 @@ mod signs;
 mod slips;
 mod speed;
 mod speed_vs_accuracy;
+mod spoiled;
 mod stability;
 mod weave;
 
