@@ -1,38 +1,40 @@
 //! The camera maps pixels to rays as the book's does, and rays to points.
 
 use common::rtweekend::*;
-use laws::ray_and_camera;
+use laws::Trial;
+use laws::ray_and_camera::{self, Pixel};
+use laws::runner::succeed;
 use laws::verdict::Verdict;
 
 #[test]
 fn the_height_is_rounded_down_and_at_least_one() {
     let height = |width| Camera::new(width).image_height;
-    assert_holds(ray_and_camera::the_height_is_rounded_down_and_at_least_one(
-        &height,
-    ));
+    succeed(Trial::default().height(&height));
     // Rounded to the nearest integer, as the notes say, it would be 226.
     assert_eq!(height(401), 225);
 }
 
 #[test]
 fn the_point_at_t_is_t_directions_from_the_origin() {
-    assert_holds(ray_and_camera::the_point_at_t_is_t_directions_from_the_origin(&Ray::at));
+    succeed(Trial::default().at(&Ray::at));
 }
 
 #[test]
 fn the_ray_of_a_pixel_goes_through_its_center() {
     let ray =
         |[width, height]: [u32; 2], [i, j]: [u32; 2]| Camera::with_size(width, height).ray(i, j);
+    succeed(Trial::default().pixel_ray(&ray));
     for size in [[1, 1], [7, 5], [16, 9], [400, 225], [5, 7], [3840, 2160]] {
         let [width, height] = size;
-        for pixel in [
+        for place in [
             [0, 0],
             [width - 1, 0],
             [0, height - 1],
             [width / 2, height / 3],
         ] {
             assert_holds(ray_and_camera::the_ray_of_a_pixel_goes_through_its_center(
-                &ray, size, pixel,
+                &ray,
+                &Pixel { size, place },
             ));
         }
     }
@@ -53,23 +55,12 @@ fn a_ray_starts_at_the_eye_wherever_that_is() {
 
 #[test]
 fn dot_multiplies_equal_letters() {
-    let dot = |u: Vec3, v: Vec3| u.dot(v);
-    for vectors in [
-        [[1, 2, 3], [5, 7, 11]],
-        [[1, 0, 0], [0, 1, 0]],
-        [[0, 1, 0], [0, 0, 1]],
-        [[0, 0, 1], [1, 0, 0]],
-        [[-4, 9, 2], [3, -8, 6]],
-    ] {
-        assert_holds(ray_and_camera::dot_multiplies_equal_letters(&dot, vectors));
-    }
+    succeed(Trial::default().dot(&Vec3::dot));
 }
 
 #[test]
-fn a_swapped_letter_in_dot_breaks_its_law() {
-    let swapped = |u: Vec3, v: Vec3| u.x * v.x + u.y * v.y + u.z * u.z;
-    let verdict = ray_and_camera::dot_multiplies_equal_letters(&swapped, [[1, 2, 3], [5, 7, 11]]);
-    assert!(verdict.is_err());
+fn a_unit_vector_has_length_1_and_points_along() {
+    succeed(Trial::default().unit_vector(&Vec3::normalize));
 }
 
 #[test]

@@ -9,9 +9,11 @@ use check::Chapter;
 use check::comparison::Comparison;
 use check::slips::{self, Ball, PROBES, Probe, Program, Slip, Unseen};
 use common::rtweekend::*;
-use laws::verdict::{Broken, Verdict};
-use laws::{Case, WithInterval};
-use laws::{intervals, nearer_root, ray_and_camera, record, runner, strategies};
+use laws::Trial;
+use laws::list::World;
+use laws::record::Hit;
+use laws::report::Report;
+use laws::trial::Outcome as Tried;
 
 /// The book shows the tables, so they stand where the book finds them.
 const NOTES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/slips");
@@ -42,10 +44,9 @@ fn every_law_has_the_test_that_is_named() {
 
 #[test]
 fn a_program_without_a_slip_breaks_no_law() {
-    let samples = Samples::new();
     for chapter in Chapter::OF_THE_BOOK {
-        if let Some(broken) = samples.broken_law(&Program::right(chapter)) {
-            panic!("{chapter:?} breaks a law:\n{broken}");
+        if let Err(report) = tried(&Program::right(chapter)) {
+            panic!("{chapter:?} breaks a law:\n{report}");
         }
     }
 }
@@ -56,12 +57,11 @@ struct Outcome {
     chapter: Chapter,
     /// What the book's picture shows, and then each probe's.
     verdicts: Vec<(Option<Probe>, Shown)>,
-    /// The first law that the slip breaks.
-    broken: Option<Broken>,
+    /// The first law that the slip breaks, and what is said about it.
+    report: Option<Box<Report>>,
 }
 
 fn outcomes() -> Vec<Outcome> {
-    let samples = Samples::new();
     let mut outcomes = Vec::new();
     for chapter in Chapter::OF_THE_BOOK {
         let exams = exams(chapter);
@@ -72,7 +72,7 @@ fn outcomes() -> Vec<Outcome> {
                 slip,
                 chapter,
                 verdicts: exams.iter().map(verdict).collect(),
-                broken: samples.broken_law(&program),
+                report: tried(&program).err(),
             });
         }
     }
@@ -84,7 +84,7 @@ impl Outcome {
         let mut verdicts = self.verdicts.iter();
         let seen = verdicts.any(|(_, verdict)| *verdict != Shown::Same);
         let unseen = self.slip.unseen_in(self.chapter);
-        let complaint = match (seen, self.broken.is_some(), unseen) {
+        let complaint = match (seen, self.report.is_some(), unseen) {
             (false, _, None) => "is in no picture: add a probe, or say why nothing can show it",
             (true, _, Some(_)) => "is in a picture, but the catalogue says that none shows it",
             (_, false, Some(Unseen::OnlyByLaw(_))) => "breaks no law, but the catalogue says so",
@@ -98,120 +98,86 @@ impl Outcome {
     }
 
     fn breaks(&self, law: &str) -> bool {
-        self.broken.as_ref().is_some_and(|broken| broken.law == law)
+        let report = self.report.as_ref();
+        report.is_some_and(|report| report.broken.law == law)
     }
 
     fn has_a_named_law(&self) -> bool {
-        self.broken.is_none() || tables::TESTS.iter().any(|(law, ..)| self.breaks(law))
+        self.report.is_none() || tables::TESTS.iter().any(|(law, ..)| self.breaks(law))
     }
 }
 
 /// What the laws are tried on: enough to see a mistake, not to prove anything.
-struct Samples {
-    cases: Vec<Case>,
-    asked: Vec<WithInterval>,
+const TRIAL: Trial = Trial { cases: 60 };
+
+/// Puts the program under the laws that its chapter is old enough for.
+pub(crate) fn tried(program: &Program) -> Tried {
+    if program.chapter == Chapter::BuildTest {
+        return Ok(());
+    }
+    try_rays(program)?;
+    try_intersection(program)?;
+    if program.chapter == Chapter::HittableList {
+        try_record(program)?;
+        try_list(program)?;
+    }
+    Ok(())
 }
 
-impl Samples {
-    fn new() -> Self {
-        // The last one has both ends at a root: nothing lies between them.
-        let between_its_roots = WithInterval {
-            case: Case {
-                center: Vec3::NEG_Z,
-                radius: 0.5,
-                ray: Ray::new(Point3::ZERO, Vec3::NEG_Z),
-            },
-            t_min: 0.5,
-            t_max: 1.5,
+fn try_rays(program: &Program) -> Tried {
+    TRIAL.at(&|ray, t| (program.at)(program, ray, t))?;
+    TRIAL.unit_vector(&program.unit)?;
+    TRIAL.height(&|width| program.camera(width).image_height)?;
+    // The height is right, so it is that of the size that is asked for.
+    TRIAL.pixel_ray(&|[width, _], [i, j]| (program.ray)(&program.camera(width), i, j))?;
+    TRIAL.dot(&program.dot)
+}
+
+pub(crate) fn try_intersection(program: &Program) -> Tried {
+    let hit = |center, radius, ray: &Ray| program.hit_sphere(center, radius, ray);
+    match program.chapter {
+        Chapter::BuildTest | Chapter::Gradient => Ok(()),
+        Chapter::RedSphere => {
+            TRIAL.decision(&|center, radius, ray: &Ray| hit(center, radius, ray).is_some())
+        }
+        Chapter::HittableList => {
+            TRIAL.nearest_in_range(&|center, radius, ray: &Ray, t_min, t_max| {
+                program.hit(Ball { center, radius }, ray, t_min, t_max)
+            })
+        }
+        _ => TRIAL.nearer_root(&hit),
+    }
+}
+
+fn try_record(program: &Program) -> Tried {
+    TRIAL.record(&|center, radius, ray: &Ray, t_min, t_max| {
+        let ball = Ball { center, radius };
+        let t = program.hit(ball, ray, t_min, t_max)?;
+        let point = (program.at)(program, ray, t);
+        let outward = (program.outward)(program, point, ball);
+        Some(Hit {
+            t,
+            normal: (program.face)(program, ray.direction, outward),
+            front_face: (program.dot)(ray.direction, outward) < 0.0,
+        })
+    })
+}
+
+fn try_list(program: &Program) -> Tried {
+    TRIAL.list(&|world: &World| {
+        let balls = world.spheres.iter();
+        let balls: Vec<Ball> = balls
+            .map(|&(center, radius)| Ball { center, radius })
+            .collect();
+        let program = Program {
+            // A program's world is static. These are few and small.
+            world: Vec::leak(balls),
+            t_min: world.t_min,
+            t_max: world.t_max,
+            ..*program
         };
-        let mut cases = runner::samples(&strategies::anywhere(), 60);
-        cases.extend(runner::samples(&strategies::tangents(), 10));
-        let mut asked = runner::samples(&strategies::with_interval(strategies::anywhere()), 60);
-        asked.push(between_its_roots);
-        Self { cases, asked }
-    }
-
-    /// The first law that the program breaks, of those that its chapter is old
-    /// enough for.
-    fn broken_law(&self, program: &Program) -> Option<Broken> {
-        self.mapping(program)
-            .and_then(|()| self.nearer_root(program))
-            .and_then(|()| self.range(program))
-            .and_then(|()| self.normal(program))
-            .err()
-    }
-
-    fn mapping(&self, program: &Program) -> Verdict {
-        if program.chapter == Chapter::BuildTest {
-            return Ok(());
-        }
-        ray_and_camera::dot_multiplies_equal_letters(&program.dot, [[1, 2, 3], [5, 7, 11]])?;
-        ray_and_camera::the_point_at_t_is_t_directions_from_the_origin(&|ray, t| {
-            (program.at)(program, ray, t)
-        })?;
-        ray_and_camera::the_height_is_rounded_down_and_at_least_one(&|width| {
-            program.camera(width).image_height
-        })?;
-        let camera = program.camera(100);
-        let ray = |_, [i, j]: [u32; 2]| (program.ray)(&camera, i, j);
-        let size = [camera.image_width, camera.image_height];
-        ray_and_camera::the_ray_of_a_pixel_goes_through_its_center(&ray, size, [60, 20])
-    }
-
-    fn nearer_root(&self, program: &Program) -> Verdict {
-        let solve = |center, radius, ray: &Ray| program.hit_sphere(center, radius, ray);
-        let laws: &[nearer_root::Law] = match program.chapter {
-            Chapter::BuildTest | Chapter::Gradient => &[],
-            // Chapter 2 has no root, but it has to decide, on tangents too.
-            Chapter::RedSphere => &[
-                nearer_root::a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses,
-                nearer_root::the_line_hits_exactly_when_there_is_a_root,
-                nearer_root::a_tangent_is_a_hit,
-            ],
-            _ => &nearer_root::NEARER_ROOT,
-        };
-        laws.iter()
-            .flat_map(|law| self.cases.iter().map(|case| law(&solve, case)))
-            .collect()
-    }
-
-    fn range(&self, program: &Program) -> Verdict {
-        if program.chapter != Chapter::HittableList {
-            return Ok(());
-        }
-        let solve = |center, radius, ray: &Ray, t_min, t_max| {
-            program.hit(Ball { center, radius }, ray, t_min, t_max)
-        };
-        let laws = intervals::NEAREST_IN_RANGE.iter();
-        laws.flat_map(|law| self.asked.iter().map(|asked| law(&solve, asked)))
-            .collect()
-    }
-
-    fn normal(&self, program: &Program) -> Verdict {
-        if program.chapter < Chapter::Normals {
-            return Ok(());
-        }
-        for case in self.cases.iter().filter(|case| case.radius > 0.0) {
-            let Case {
-                center,
-                radius,
-                ray,
-            } = *case;
-            let Some(t) = program.hit_sphere(center, radius, &ray) else {
-                continue;
-            };
-            let point = (program.at)(program, &ray, t);
-            let outward = (program.outward)(program, point, Ball { center, radius });
-            record::the_normal_is_a_unit_vector(case, outward)?;
-            if program.chapter == Chapter::HittableList {
-                let normal = (program.face)(program, ray.direction, outward);
-                record::the_normal_points_against_the_ray(case, normal)?;
-                let front_face = (program.dot)(ray.direction, outward) < 0.0;
-                record::the_front_face_is_where_the_ray_enters(case, true, front_face)?;
-            }
-        }
-        Ok(())
-    }
+        (program.search)(&program, &world.ray).map(|(t, _)| t)
+    })
 }
 
 /// A picture that is compared: the book's, or a probe's.

@@ -54,7 +54,7 @@ mod every_method {
     fn obeys_the_laws_of_a_nearer_root() {
         for (name, solve) in in_double_precision() {
             println!("{name}");
-            runner::nearer_root(&|center, radius, ray| {
+            runner::nearer_root(&|center, radius, ray: &Ray| {
                 solve(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY)
             });
         }
@@ -246,7 +246,7 @@ mod the_certified_methods {
         let mut stages = [0; 6];
         for asked in runner::endless(&strategy, seed).take(cases as usize) {
             if let Err(broken) = is_certified(&asked) {
-                panic!("{broken}\n\n{}", asked.as_test());
+                panic!("{broken}\n\n{}", asked.as_test("certified_t"));
             }
             let Case {
                 center,

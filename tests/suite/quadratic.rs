@@ -1,66 +1,30 @@
 //! Each chapter's intersection, under the laws that it is old enough for.
 //!
-//! The laws and their bounds are in `src/laws.rs`, `src/intervals.rs` and
-//! `src/hits.rs`; the rays and spheres come from `src/strategies.rs`.
+//! The laws and their bounds are in the package `laws`, and so are the rays and
+//! spheres, and the mistakes that a report names.
 
 use ::hittable_list::{HitRecord, Hittable, HittableList, Sphere};
 use common::rtweekend::*;
 use laws::Case;
-use laws::list::{World, worlds};
+use laws::list::{self, World, worlds};
+use laws::record::Hit;
 use laws::runner::holds;
-use laws::shrinker::Simplify;
-use laws::verdict::Verdict;
-use laws::{intervals, nearer_root, record, runner, strategies};
-use proptest::prelude::*;
-
-/// A test for each law that is named, with the name of the law.
-macro_rules! laws_hold_for {
-    ($solve:expr => $($law:ident)*) => {
-        $(
-            #[test]
-            fn $law() {
-                runner::judge(nearer_root::$law, &$solve);
-            }
-        )*
-    };
-}
-
-/// The same for all laws of a nearer root, `nearer_root::NEARER_ROOT`.
-macro_rules! every_law_holds_for {
-    ($solve:expr) => {
-        laws_hold_for! { $solve =>
-            a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses
-            the_line_hits_exactly_when_there_is_a_root
-            the_point_lies_on_the_sphere
-            the_root_is_the_nearer_one_to_the_digits_that_remain
-            a_tangent_is_a_hit
-            the_root_of_a_tangent_is_exact
-            the_two_roots_add_and_multiply_to_the_coefficients
-            a_scene_in_another_unit_has_the_same_digits
-            a_scene_in_a_mirror_has_the_same_bits
-            a_scene_that_is_moved_has_almost_the_same_root
-            finite_input_never_gives_nan
-        }
-    };
-}
+use laws::{nearer_root, runner, strategies};
 
 mod red_sphere {
     use super::*;
 
-    /// Chapter 2 only says whether there is a root: any number stands for it.
-    fn decide(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
-        ::red_sphere::hit_sphere(center, radius, ray).then_some(0.0)
-    }
-
-    laws_hold_for! { decide =>
-        a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses
-        the_line_hits_exactly_when_there_is_a_root
-        a_tangent_is_a_hit
+    #[test]
+    fn obeys_the_laws_of_a_decision() {
+        runner::decision(&::red_sphere::hit_sphere);
     }
 
     #[test]
     fn it_hits_exactly_when_chapter_3_has_a_root() {
         holds(&strategies::anywhere(), |case| {
+            let decide = |center, radius, ray: &Ray| {
+                ::red_sphere::hit_sphere(center, radius, ray).then_some(0.0)
+            };
             nearer_root::it_hits_exactly_when_the_other_does(&decide, &::normals::hit_sphere, case)
         });
     }
@@ -69,13 +33,19 @@ mod red_sphere {
 mod normals {
     use super::*;
 
-    every_law_holds_for! { ::normals::hit_sphere }
+    #[test]
+    fn obeys_the_laws_of_a_nearer_root() {
+        runner::nearer_root(&::normals::hit_sphere);
+    }
 }
 
 mod half_b_sphere {
     use super::*;
 
-    every_law_holds_for! { ::half_b_sphere::hit_sphere }
+    #[test]
+    fn obeys_the_laws_of_a_nearer_root() {
+        runner::nearer_root(&::half_b_sphere::hit_sphere);
+    }
 
     #[test]
     fn it_is_the_full_formula_to_the_last_bit() {
@@ -102,32 +72,21 @@ mod hittable_list_sphere {
         hit(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY)
     }
 
-    every_law_holds_for! { nearer }
-
     #[test]
-    fn the_nearest_root_in_the_interval_is_returned() {
-        holds(
-            &strategies::with_interval(strategies::anywhere()),
-            |asked| intervals::the_nearest_root_in_the_interval_is_returned(&hit, asked),
-        );
+    fn obeys_the_laws_of_a_root_in_a_range() {
+        runner::nearest_in_range(&hit);
     }
 
     #[test]
-    fn no_t_outside_the_interval_is_returned() {
-        let cases = prop_oneof![strategies::anywhere(), strategies::specks()];
-        holds(&strategies::with_interval(cases), |asked| {
-            intervals::no_t_outside_the_interval_is_returned(&hit, asked)
+    fn obeys_the_laws_of_a_record() {
+        runner::record(&|center, radius, ray: &Ray, t_min, t_max| {
+            let record = Sphere::new(center, radius).hit(ray, t_min, t_max)?;
+            Some(Hit {
+                t: record.t,
+                normal: record.normal,
+                front_face: record.front_face,
+            })
         });
-    }
-
-    #[test]
-    fn the_farther_root_is_the_nearer_one_of_the_ray_turned_round() {
-        holds(
-            &strategies::with_interval(strategies::anywhere()),
-            |asked| {
-                intervals::the_farther_root_is_the_nearer_one_of_the_ray_turned_round(&hit, asked)
-            },
-        );
     }
 
     #[test]
@@ -172,82 +131,15 @@ mod hittable_list_sphere {
         assert_eq!(record.normal.x, 49.0 * (1.0 / 49.0));
         assert_ne!(record.normal.x, 1.0);
     }
-
-    #[test]
-    fn the_normal_is_a_unit_vector() {
-        for_each_record(|case, _, record| record::the_normal_is_a_unit_vector(case, record.normal));
-    }
-
-    #[test]
-    fn the_normal_points_against_the_ray() {
-        for_each_record(|case, _, record| {
-            record::the_normal_points_against_the_ray(case, record.normal)
-        });
-    }
-
-    #[test]
-    fn the_front_face_is_where_the_ray_enters() {
-        for_each_record(|case, nearer, record| {
-            record::the_front_face_is_where_the_ray_enters(case, nearer, record.front_face)
-        });
-    }
-
-    /// Applies `law` to the record of each root. The nearer one is what an
-    /// endless range finds, the farther one what a range behind it finds.
-    fn for_each_record(law: impl Fn(&Case, bool, &HitRecord) -> Verdict) {
-        holds(
-            &strategies::anywhere().prop_map(Recorded),
-            |Recorded(case)| {
-                let sphere = Sphere::new(case.center, case.radius);
-                let mut t_min = f64::NEG_INFINITY;
-                for nearer in [true, false] {
-                    let Some(record) = sphere.hit(&case.ray, t_min, f64::INFINITY) else {
-                        return Ok(());
-                    };
-                    law(case, nearer, &record)?;
-                    t_min = record.t;
-                }
-                Ok(())
-            },
-        );
-    }
-
-    /// A case of which the records matter.
-    #[derive(Clone, Debug)]
-    struct Recorded(Case);
-
-    impl Simplify for Recorded {
-        fn simpler(&self) -> Vec<Self> {
-            self.0.simpler().into_iter().map(Self).collect()
-        }
-
-        fn as_test(&self) -> String {
-            format!(
-                "{}\nlet sphere = Sphere::new(center, radius);\n\
-                 let nearer = sphere.hit(&ray, f64::NEG_INFINITY, f64::INFINITY).unwrap();\n\
-                 let farther = sphere.hit(&ray, nearer.t, f64::INFINITY).unwrap();\n\
-                 for (record, front_face) in [(nearer, true), (farther, false)] {{\n    \
-                 assert!((record.normal.length() - 1.0).abs() < 1e-9);\n    \
-                 assert!(ray.direction.dot(record.normal) <= 0.0);\n    \
-                 assert_eq!(record.front_face, front_face);\n}}",
-                self.0
-            )
-        }
-    }
 }
 
 mod hittable_list {
     use super::*;
-    use laws::list;
 
     #[test]
-    fn the_nearest_of_all_members_is_returned() {
-        for_flat_and_nested_lists(list::the_nearest_of_all_members_is_returned);
-    }
-
-    #[test]
-    fn the_order_of_members_does_not_matter() {
-        for_flat_and_nested_lists(list::the_order_of_members_does_not_matter);
+    fn obeys_the_laws_of_a_list() {
+        runner::list(&flat);
+        runner::list(&nested);
     }
 
     #[test]
@@ -288,11 +180,6 @@ mod hittable_list {
             .hit(&ahead, 0.0, f64::INFINITY)
             .expect("both are ahead");
         assert_eq!((record.t, record.front_face), (0.5, true));
-    }
-
-    fn for_flat_and_nested_lists(law: fn(&list::Search, &World) -> Verdict) {
-        holds(&worlds(), |world| law(&flat, world));
-        holds(&worlds(), |world| law(&nested, world));
     }
 
     fn flat(world: &World) -> Option<f64> {

@@ -4,6 +4,7 @@ mod book;
 mod browser;
 mod camera;
 mod caught;
+mod causes;
 mod changes;
 mod charts;
 mod check;

@@ -9,9 +9,9 @@ use std::fmt;
 use common::rtweekend::*;
 use speed_vs_accuracy::Case;
 
-use crate::causes;
-use crate::nearer_root::{BAND, root_bound};
+use crate::nearer_root::{BAND, EQUATION, root_bound};
 use crate::oracle::Exact;
+use crate::shrinker::number;
 use crate::verdict::{Broken, Verdict};
 
 /// A function from center, radius, ray, `t_min` and `t_max` to the nearest root
@@ -37,11 +37,10 @@ pub fn no_t_outside_the_interval_is_returned(solve: &RangeSolver, asked: &WithIn
             law: "a hit lies inside the open interval (t_min, t_max)",
             found: format!("t = {t:?}"),
             allowed: format!("{t_min:?} < t < {t_max:?}, or a miss"),
-            cause: if t.is_nan() {
-                "`t <= t_min || t_max <= t` lets NaN pass: say `t_min < t && t < t_max`".to_owned()
+            usually: if t.is_nan() {
+                "`t <= t_min || t_max <= t` lets NaN pass: say `t_min < t && t < t_max`"
             } else {
                 "one end is not tested, <= stands for <, or the farther root is not tested at all"
-                    .to_owned()
             },
             page: "chapter 5: both roots are tried, and each must lie in the range",
         }),
@@ -78,9 +77,8 @@ pub fn the_farther_root_is_the_nearer_one_of_the_ray_turned_round(
         law: "the farther root is the nearer one of the ray turned round, negated",
         found: format!("{farther:?}"),
         allowed: format!("{:?}, and no other bit", -turned),
-        cause: "the farther root is computed in another way than the nearer one: it is \
-                (h + √discriminant) / a"
-            .to_owned(),
+        usually: "the farther root is computed in another way than the nearer one: it is \
+                (h + √discriminant) / a",
         page: "equation (12) of the notes, with both signs",
     })
 }
@@ -119,7 +117,7 @@ pub fn the_nearest_root_in_the_interval_is_returned(
             allowed: expected.map_or("a miss".to_owned(), |root| {
                 format!("{root:?} ± {bound:.1e}")
             }),
-            cause: usual_cause(case, found, expected),
+            usually: EQUATION,
             page: "chapter 5: both roots are tried, the nearer one first",
         }),
     }
@@ -157,8 +155,7 @@ pub fn the_decision_is_exactly_right(solve: &RangeSolver, asked: &WithInterval) 
             Some(root) => format!("a hit near {:?}", root.rounded()),
             None => "a miss".to_owned(),
         },
-        cause: "a bound of the filter is too narrow, or an end of its range of exponents is open"
-            .to_owned(),
+        usually: "a bound of the filter is too narrow, or an end of its range of exponents is open",
         page: "the proofs of chapter 6",
     })
 }
@@ -179,7 +176,7 @@ pub fn t_is_within_ulps(solve: &RangeSolver, asked: &WithInterval, ulps: f64) ->
         law: "t is the exact root, rounded",
         found: format!("t = {t:?}, {error:.3} ulps away"),
         allowed: format!("{:?} ± {ulps} ulps", root.rounded()),
-        cause: "a bound of the filter is too narrow, or its last step loses digits".to_owned(),
+        usually: "a bound of the filter is too narrow, or its last step loses digits",
         page: "the proofs of chapter 6",
     })
 }
@@ -198,7 +195,8 @@ pub struct WithInterval {
 impl fmt::Display for WithInterval {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { case, t_min, t_max } = self;
-        write!(f, "{case}\nlet (t_min, t_max) = ({t_min:?}, {t_max:?});")
+        let [t_min, t_max] = [t_min, t_max].map(|&end| number(end));
+        write!(f, "{case}\nlet (t_min, t_max) = ({t_min}, {t_max});")
     }
 }
 
@@ -211,23 +209,5 @@ impl WithInterval {
             ray,
         } = &self.case;
         solve(*center, *radius, ray, self.t_min, self.t_max)
-    }
-}
-
-fn usual_cause(case: &Case, found: Option<f64>, expected: Option<f64>) -> String {
-    let nearer = Exact::of(case).nearer_root().map(|root| root.rounded());
-    match (found, expected) {
-        (Some(_), None) => {
-            "the root lies outside (t_min, t_max) and is not tested there, or only one end is"
-                .to_owned()
-        }
-        (Some(t), Some(root)) if (t - root).abs() < 1e-6 * root.abs() => {
-            "the right root with too few digits: is it computed from the other one?".to_owned()
-        }
-        (None, Some(root)) if nearer.is_some_and(|nearer| nearer < root) => {
-            "only the nearer root is tried: from inside a sphere it is behind the ray".to_owned()
-        }
-        (None, _) => causes::of_decision(case, false),
-        (Some(t), _) => causes::of_root(case, t),
     }
 }

@@ -1,9 +1,10 @@
 //! The laws: what holds for a ray and a sphere, whoever computes it.
 //!
-//! A law is a plain function over a reader's function and a case. [`runner`] puts a
-//! function under all of them, with cases that [`strategies`] makes and answers that
-//! [`oracle`] knows exactly; what breaks a law is made simple by [`shrinker`] and
-//! explained by [`causes`]. A reader's own crate depends on this one, so it is small.
+//! A law is a plain function over a reader's function and a question. [`runner`] and
+//! [`trial`] put a function under all of them, with questions that [`strategies`] make
+//! and answers that [`oracle`] knows exactly. What breaks a law is explained by
+//! [`causes`], made simple by [`shrinker`] and told by [`report`]. A reader's own crate
+//! depends on this one, so it is small.
 
 pub mod causes;
 pub mod intervals;
@@ -12,11 +13,14 @@ pub mod nearer_root;
 pub mod oracle;
 pub mod ray_and_camera;
 pub mod record;
+pub mod report;
 pub mod runner;
 pub mod shrinker;
 pub mod strategies;
+pub mod trial;
 pub mod truth;
 pub mod verdict;
 
 pub use intervals::WithInterval;
 pub use speed_vs_accuracy::Case;
+pub use trial::Trial;

@@ -5,8 +5,9 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use speed_vs_accuracy::Case;
 
+use crate::causes::Question;
 use crate::intervals::WithInterval;
-use crate::shrinker::Simplify;
+use crate::shrinker::{Simplify, number};
 use crate::strategies;
 use crate::verdict::{Broken, Verdict};
 
@@ -69,9 +70,8 @@ pub fn the_nearest_of_all_members_is_returned(search: &Search, world: &World) ->
         law: "of all that a ray hits, the nearest counts",
         found: format!("{found:?}"),
         allowed: format!("{expected:?}, the least of the members' own answers"),
-        cause: "closest_so_far does not start at t_max, or is not handed to the next object, or \
-                not updated; or the search ends at the first hit, or before the end of the list"
-            .to_owned(),
+        usually: "closest_so_far does not start at t_max, or is not handed to the next object, or \
+                not updated; or the search ends at the first hit, or before the end of the list",
         page: "chapter 5: closest_so_far",
     })
 }
@@ -91,7 +91,7 @@ pub fn the_order_of_members_does_not_matter(search: &Search, world: &World) -> V
                 law: "the order in which things are added does not matter",
                 found: format!("{found:?} for {:?}", other.spheres),
                 allowed: format!("{expected:?}"),
-                cause: "the last hit wins, or the first, instead of the nearest".to_owned(),
+                usually: "the last hit wins, or the first, instead of the nearest",
                 page: "chapter 5: closest_so_far",
             });
         }
@@ -109,10 +109,8 @@ pub fn both_find_the_same(search: &Search, other: &Search, world: &World) -> Ver
         law: "a list is nothing but its members, and a list in a list is no different",
         found: format!("{found:?}"),
         allowed: format!("{expected:?}"),
-        cause:
-            "the range is not handed on as it came (closest_so_far starts at t_max), or the hit \
-                of a member is changed"
-                .to_owned(),
+        usually: "the range is not handed on as it came (closest_so_far starts at t_max), or the hit \
+                of a member is changed",
         page: "chapter 5: a list is hittable too",
     })
 }
@@ -153,7 +151,7 @@ impl Simplify for World {
         shorter.chain(rounder).collect()
     }
 
-    fn as_test(&self) -> String {
+    fn as_test(&self, _: &str) -> String {
         let Self {
             spheres,
             ray,
@@ -161,9 +159,7 @@ impl Simplify for World {
             t_max,
         } = self;
         let vector = |v: Vec3| format!("new({:?}, {:?}, {:?})", v.x, v.y, v.z);
-        let mut code = "use hittable_list::{Hittable, HittableList, Sphere};\n\
-                        let mut world = HittableList::default();\n"
-            .to_owned();
+        let mut code = "let mut world = HittableList::default();\n".to_owned();
         for &(center, radius) in spheres {
             code += &format!(
                 "world.add(Sphere::new(Point3::{}, {radius:?}));\n",
@@ -172,15 +168,13 @@ impl Simplify for World {
         }
         code + &format!(
             "let ray = Ray::new(Point3::{}, Vec3::{});\n\
-             let found = world.hit(&ray, {t_min:?}, {}).map(|hit| hit.t);\n\
-             assert_eq!(found, /* see above */);",
+             let found = world.hit(&ray, {}, {}).map(|hit| hit.t);\n\
+             assert_eq!(found, {:?});",
             vector(ray.origin),
             vector(ray.direction),
-            if t_max.is_infinite() {
-                "f64::INFINITY".to_owned()
-            } else {
-                format!("{t_max:?}")
-            }
+            number(*t_min),
+            number(*t_max),
+            self.right()
         )
     }
 }

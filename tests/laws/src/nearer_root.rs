@@ -27,15 +27,18 @@
 use common::rtweekend::*;
 use speed_vs_accuracy::Case;
 
-use crate::causes;
 use crate::oracle::Exact;
 use crate::verdict::{Broken, Verdict};
 
 /// A function of the kind of `hit_sphere`: center, radius and ray to nearer root.
 pub type Solver<'a> = dyn Fn(Point3, f64, &Ray) -> Option<f64> + 'a;
 
-/// A law, as `judge` applies it.
+/// A law for a nearer root.
 pub type Law = fn(&Solver, &Case) -> Verdict;
+
+/// A case of which only hit or miss matters, as in chapter 2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Decided(pub Case);
 
 /// Half the distance from 1 to the next `f64`: the largest relative error of
 /// one rounded operation.
@@ -43,6 +46,17 @@ pub const U: f64 = f64::EPSILON / 2.0;
 
 /// As long as |D| is above this many times a·M, rounding can't change its sign.
 pub const BAND: f64 = 24.0 * U;
+
+/// What to do where no known mistake explains the answers.
+pub(crate) const EQUATION: &str =
+    "compare a, b and c with equations (13) to (15), letter by letter";
+
+/// The laws for a function that only decides, as that of chapter 2.
+pub const DECISION: [Law; 3] = [
+    a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses,
+    the_line_hits_exactly_when_there_is_a_root,
+    a_tangent_is_a_hit,
+];
 
 /// Every law for a nearer root, in the order in which they teach most.
 pub const NEARER_ROOT: [Law; 11] = [
@@ -83,14 +97,15 @@ pub fn a_ray_aimed_at_the_sphere_hits_and_one_aimed_past_it_misses(
             return Err(Broken {
                 law: "a ray aimed at the sphere hits it, and one aimed past it misses",
                 found: format!(
-                    "{found:?} for a ray in the direction {:?}",
+                    "{} for a ray in the direction {:?}",
+                    named(!should_hit),
                     aimed.ray.direction
                 ),
                 allowed: format!(
-                    "a {}: it passes the center at {k} radii or a little less",
-                    if should_hit { "hit" } else { "miss" }
+                    "{}: it passes the center at {k} radii or a little less",
+                    named(should_hit)
                 ),
-                cause: causes::of_decision(&aimed, found.is_some()),
+                usually: EQUATION,
                 page: "chapter 2: what the discriminant says",
             });
         }
@@ -112,15 +127,12 @@ pub fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -
     }
     Err(Broken {
         law: "the line hits the sphere exactly when the discriminant is not negative",
-        found: match found {
-            Some(t) => format!("a hit at t = {t:?}"),
-            None => "a miss".to_owned(),
-        },
+        found: named(found.is_some()).to_owned(),
         allowed: format!(
-            "a {}: the exact discriminant is {margin:.3e} of a·M, rounding reaches {BAND:.1e}",
-            if margin > 0.0 { "hit" } else { "miss" }
+            "{}: the exact discriminant is {margin:.3e} of a·M, rounding reaches {BAND:.1e}",
+            named(margin > 0.0)
         ),
-        cause: causes::of_decision(case, found.is_some()),
+        usually: EQUATION,
         page: "chapter 2, and equations (12) to (15) of the notes",
     })
 }
@@ -149,7 +161,7 @@ pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> Verdict {
         law: "the point at t lies on the sphere",
         found: format!("|P(t) − C|² = {squared:?} at t = {t:?}"),
         allowed: format!("r² = {r_squared:?} ± {bound:.1e}, which is 96u·M"),
-        cause: causes::of_root(case, t),
+        usually: EQUATION,
         page: "equation (7) of the notes: it defines what a root is",
     })
 }
@@ -177,7 +189,7 @@ pub fn the_root_is_the_nearer_one_to_the_digits_that_remain(
         law: "t is the nearer root",
         found: format!("t = {t:?}, {:.1e} ulps away", root.error_in_ulps(t)),
         allowed: format!("{:?} ± {bound:.1e}", root.rounded()),
-        cause: causes::of_root(case, t),
+        usually: EQUATION,
         page: "chapter 3, and equation (12) of the notes: the nearer root takes −√",
     })
 }
@@ -207,10 +219,7 @@ pub fn a_tangent_is_a_hit(solve: &Solver, case: &Case) -> Verdict {
             law: "a tangent is a hit",
             found: "a miss".to_owned(),
             allowed: format!("a hit, at t = {root:?}"),
-            cause:
-                "`discriminant <= 0.0` where it should say `discriminant < 0.0`, if this is the \
-                    only law that is broken"
-                    .to_owned(),
+            usually: "`discriminant <= 0.0` where it should say `discriminant < 0.0`",
             page: "chapter 2: what happens at a discriminant of zero",
         }),
         _ => Ok(()),
@@ -224,7 +233,7 @@ pub fn the_root_of_a_tangent_is_exact(solve: &Solver, case: &Case) -> Verdict {
             law: "the root of a tangent is exact where no operation rounds",
             found: format!("t = {t:?}"),
             allowed: format!("t = {root:?}"),
-            cause: causes::of_root(case, t),
+            usually: EQUATION,
             page: "equation (12) of the notes: with D = 0 both roots are the same",
         }),
         _ => Ok(()),
@@ -246,9 +255,8 @@ pub fn the_two_roots_add_and_multiply_to_the_coefficients(solve: &Solver, case: 
             law: "the line of a ray has two roots, whichever way the ray points",
             found: "a hit one way and a miss the other".to_owned(),
             allowed: "two hits".to_owned(),
-            cause: "the direction of the ray decides: the sign of h or of t is tested inside \
-                    hit_sphere"
-                .to_owned(),
+            usually: "the direction of the ray decides: the sign of h or of t is tested inside \
+                      hit_sphere",
             page: "chapter 2: a line goes both ways",
         });
     };
@@ -275,7 +283,7 @@ pub fn the_two_roots_add_and_multiply_to_the_coefficients(solve: &Solver, case: 
         allowed: format!(
             "sum {sum:?} ± {sum_bound:.1e}, product {product:?} ± {product_bound:.1e}"
         ),
-        cause: causes::of_root(case, nearer),
+        usually: EQUATION,
         page: "equation (12) of the notes, with both signs",
     })
 }
@@ -296,13 +304,8 @@ pub fn a_scene_in_another_unit_has_the_same_digits(solve: &Solver, case: &Case) 
         found,
         expected,
         "t scales with the scene: lengths × 8 and directions ÷ 16 make it t × 128",
-        found
-            .and_then(|t| causes::known_mistake(&scaled, t))
-            .unwrap_or(
-                "a number with a unit, such as 0.001, is compared with one without; or the radius \
-                 is not squared, or the direction is made a unit vector",
-            )
-            .to_owned(),
+        "a number with a unit, such as 0.001, is compared with one without; or the radius is not \
+         squared, or the direction is made a unit vector",
     )
 }
 
@@ -320,7 +323,7 @@ pub fn a_scene_in_a_mirror_has_the_same_bits(solve: &Solver, case: &Case) -> Ver
         mirrored.solve(solve),
         case.solve(solve),
         "a scene in a mirror has the same t",
-        "a letter is swapped in a dot product, or an absolute value hides a sign".to_owned(),
+        "a letter is swapped in a dot product, or an absolute value hides a sign",
     )
 }
 
@@ -352,8 +355,7 @@ pub fn a_scene_that_is_moved_has_almost_the_same_root(solve: &Solver, case: &Cas
             law: "only the way from the ray to the sphere counts, not where they are",
             found: format!("{found:?} after moving both by {by:?}"),
             allowed: format!("{expected:?} ± {bound:.1e}"),
-            cause: "center and origin are not subtracted but added, or one of them is left out"
-                .to_owned(),
+            usually: "center and origin are not subtracted but added, or one of them is left out",
             page: "equation (9) of the notes: only C − Q occurs",
         }),
     }
@@ -367,7 +369,7 @@ pub fn finite_input_never_gives_nan(solve: &Solver, case: &Case) -> Verdict {
             law: "finite numbers lead to a finite root",
             found: format!("t = {t:?}"),
             allowed: "a finite number".to_owned(),
-            cause: "the root of a negative discriminant, or a division by zero".to_owned(),
+            usually: "the root of a negative discriminant, or a division by zero",
             page: "chapter 2: no root without a test of the discriminant",
         }),
         _ => Ok(()),
@@ -385,19 +387,12 @@ pub fn two_chapters_agree_to_the_last_bit(
         return Ok(());
     }
     let (found, expected) = (case.solve(later), case.solve(earlier));
-    let mistake = |t: Option<f64>| causes::known_mistake(case, t?);
-    let cause = match (mistake(found), mistake(expected)) {
-        (Some(mistake), _) => format!("in the later chapter, {mistake}"),
-        (None, Some(mistake)) => format!("in the earlier chapter, {mistake}"),
-        (None, None) => "one of the two breaks other laws as well: start there. If not, both are \
-                         right, but one has another order of operations or a fused mul_add"
-            .to_owned(),
-    };
     same_bits(
         found,
         expected,
         "the full formula, half-b and the sphere of the list return the same t, to the last bit",
-        cause,
+        "one of the two breaks other laws as well: start there. If not, both are right, but one \
+         has another order of operations or a fused mul_add",
     )
 }
 
@@ -411,9 +406,13 @@ pub fn it_hits_exactly_when_the_other_does(solve: &Solver, other: &Solver, case:
         law: "there is a hit exactly when there is a root",
         found: format!("hit: {found}"),
         allowed: format!("root: {expected}"),
-        cause: causes::of_decision(case, found),
+        usually: EQUATION,
         page: "chapter 3: the same discriminant, with its roots",
     })
+}
+
+fn named(hit: bool) -> &'static str {
+    if hit { "a hit" } else { "a miss" }
 }
 
 /// The root of a case of small integers with D = 0 and a root that is an
@@ -430,7 +429,7 @@ fn same_bits(
     found: Option<f64>,
     expected: Option<f64>,
     law: &'static str,
-    cause: String,
+    usually: &'static str,
 ) -> Verdict {
     // −0 and 0 are the same place on a ray, so == is what is meant here.
     if found == expected {
@@ -440,7 +439,7 @@ fn same_bits(
         law,
         found: format!("{found:?}"),
         allowed: format!("{expected:?}, and no other bit"),
-        cause,
+        usually,
         page: "chapter 4: multiplying by a power of two never rounds",
     })
 }

@@ -7,6 +7,51 @@ use crate::nearer_root::U;
 use crate::oracle::Exact;
 use crate::verdict::{Broken, Verdict};
 
+/// A record of a hit, as far as there are laws for it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// The ray parameter, in lengths of the ray's direction.
+    pub t: f64,
+    /// The normal, which should be a unit vector against the ray.
+    pub normal: Vec3,
+    /// Whether the ray came from outside.
+    pub front_face: bool,
+}
+
+/// A function from center, radius, ray, `t_min` and `t_max` to the record of the
+/// nearest hit between the two.
+pub type Recorder<'a> = dyn Fn(Point3, f64, &Ray, f64, f64) -> Option<Hit> + 'a;
+
+/// A law for a record. The flag says whether it is that of the nearer root.
+pub type RecordLaw = fn(&Case, bool, &Hit) -> Verdict;
+
+/// Every law for a record.
+pub const RECORD: [RecordLaw; 3] = [
+    the_normal_is_a_unit_vector,
+    the_normal_points_against_the_ray,
+    the_front_face_is_where_the_ray_enters,
+];
+
+/// A case of which the records matter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Recorded(pub Case);
+
+impl Recorded {
+    /// The record of each root, the nearer one first: that is what an endless range
+    /// finds, and a range behind it finds the farther one.
+    pub fn hits(&self, record: &Recorder) -> Vec<Hit> {
+        let Case {
+            center,
+            radius,
+            ref ray,
+        } = self.0;
+        let behind = |t_min| record(center, radius, ray, t_min, f64::INFINITY);
+        let nearer = behind(f64::NEG_INFINITY);
+        let farther = nearer.and_then(|nearer| behind(nearer.t));
+        nearer.into_iter().chain(farther).collect()
+    }
+}
+
 /// The normal of a hit is a unit vector, as far as the point lies on the sphere.
 ///
 /// The error of t moves the point off the sphere by at most 43u·M/r², in radii:
@@ -16,11 +61,11 @@ use crate::verdict::{Broken, Verdict};
 ///
 /// A sphere of radius 0 can be hit, but it is a point, and a point has no
 /// normal: nothing is claimed for it here or below.
-pub fn the_normal_is_a_unit_vector(case: &Case, normal: Vec3) -> Verdict {
+pub fn the_normal_is_a_unit_vector(case: &Case, _nearer: bool, hit: &Hit) -> Verdict {
     let (m, r) = (case.m(), case.radius);
     let coordinates = case.center.length() + case.ray.origin.length() + 3.0 * m.sqrt();
     let bound = U * (43.0 * m / (r * r) + 4.0 * coordinates / r + 6.0);
-    let length = normal.length();
+    let length = hit.normal.length();
     if (length - 1.0).abs() <= bound || r == 0.0 || !case.is_well_scaled() {
         return Ok(());
     }
@@ -28,14 +73,15 @@ pub fn the_normal_is_a_unit_vector(case: &Case, normal: Vec3) -> Verdict {
         law: "the normal of a hit has length 1",
         found: format!("length {length:?}"),
         allowed: format!("1 ± {bound:.1e}"),
-        cause: "the vector from the center to the point is not divided by the radius".to_owned(),
+        usually: "the vector from the center to the point is not divided by the radius",
         page: "chapter 3: how long normals are, and why",
     })
 }
 
 /// The normal of a hit never points along the ray, on either side of the
 /// surface. Holds to the last bit: turning a vector turns its dot product.
-pub fn the_normal_points_against_the_ray(case: &Case, normal: Vec3) -> Verdict {
+pub fn the_normal_points_against_the_ray(case: &Case, _nearer: bool, hit: &Hit) -> Verdict {
+    let normal = hit.normal;
     let along = case.ray.direction.dot(normal);
     if along <= 0.0 || case.radius == 0.0 {
         return Ok(());
@@ -44,23 +90,19 @@ pub fn the_normal_points_against_the_ray(case: &Case, normal: Vec3) -> Verdict {
         law: "the normal of a hit points against the ray",
         found: format!("d·n = {along:?}, with n = {normal:?}"),
         allowed: "d·n ≤ 0".to_owned(),
-        cause: "the outward normal is not turned where the ray comes from inside; or front and \
-                back are mixed up"
-            .to_owned(),
+        usually: "the outward normal is not turned where the ray comes from inside; or front and \
+                back are mixed up",
         page: "chapter 5: `set_face_normal`",
     })
 }
 
 /// A ray that enters the sphere meets its front face, one that leaves meets the
-/// back. `nearer` says which of the two roots was hit.
+/// back.
 ///
 /// Silent where half the chord inside the sphere, √D/|d|, is not longer than
 /// the errors of the point and of the dot product together.
-pub fn the_front_face_is_where_the_ray_enters(
-    case: &Case,
-    nearer: bool,
-    front_face: bool,
-) -> Verdict {
+pub fn the_front_face_is_where_the_ray_enters(case: &Case, nearer: bool, hit: &Hit) -> Verdict {
+    let front_face = hit.front_face;
     let margin = Exact::of(case).discriminant_margin().max(0.0).sqrt();
     let scale = case.m().sqrt();
     let coordinates = case.center.length() + case.ray.origin.length();
@@ -72,9 +114,8 @@ pub fn the_front_face_is_where_the_ray_enters(
         law: "a ray meets the front face where it enters the sphere",
         found: format!("front_face = {front_face}"),
         allowed: format!("front_face = {nearer}"),
-        cause: "> where it should say `ray.direction.dot(outward_normal) < 0.0`, or the normal \
-                that is tested points inwards"
-            .to_owned(),
+        usually: "> where it should say `ray.direction.dot(outward_normal) < 0.0`, or the normal \
+                that is tested points inwards",
         page: "chapter 5: `set_face_normal`",
     })
 }

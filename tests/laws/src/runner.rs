@@ -1,18 +1,31 @@
-//! Property testing: a runner that puts a function under laws, and reports a broken
-//! one so that it teaches.
+//! Property testing: what a reader's test calls to put a function under the laws, and
+//! what lets a law be tried on many values.
 
 use std::env;
 use std::fmt::Debug;
 
+use common::rtweekend::*;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use speed_vs_accuracy::Case;
 
+use crate::causes::Cause;
 use crate::intervals::{NEAREST_IN_RANGE, RangeSolver, WithInterval};
-use crate::nearer_root::{Law, NEARER_ROOT, Solver};
+use crate::list::World;
+use crate::nearer_root::{DECISION, NEARER_ROOT, Solver};
+use crate::record::Hit;
+use crate::report::{self, Report};
 use crate::shrinker::{Simplify, simplified};
-use crate::strategies;
+use crate::trial::{Outcome, Trial};
 use crate::verdict::{Broken, Verdict};
+
+/// Puts `decide`, the `hit_sphere` of chapter 2, under every law for a decision.
+///
+/// # Panics
+/// If a law is broken.
+pub fn decision<F: Fn(Point3, f64, &Ray) -> bool + ?Sized>(decide: &F) {
+    succeed(Trial::default().decision(decide));
+}
 
 /// Puts `solve` under every law for a nearer root.
 ///
@@ -37,59 +50,90 @@ use crate::verdict::{Broken, Verdict};
 /// ```
 ///
 /// # Panics
-/// If a law is broken: the message says which, by what, and what usually makes
-/// it so.
+/// If a law is broken: the message says which, by what, and which mistake gives
+/// such answers. [`Trial::nearer_root`] returns it instead.
 ///
 /// ```should_panic
 /// # use common::rtweekend::*;
 /// laws::runner::nearer_root(&|_center, _radius, _ray: &Ray| None);
 /// ```
-pub fn nearer_root(solve: &Solver) {
-    for law in NEARER_ROOT {
-        judge(law, solve);
+pub fn nearer_root<F: Fn(Point3, f64, &Ray) -> Option<f64> + ?Sized>(solve: &F) {
+    succeed(Trial::default().nearer_root(solve));
+}
+
+/// Puts a solver with a range, as in chapter 5, under every law for one, and for a
+/// nearer root.
+///
+/// # Panics
+/// If a law is broken.
+pub fn nearest_in_range<F>(solve: &F)
+where
+    F: Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + ?Sized,
+{
+    succeed(Trial::default().nearest_in_range(solve));
+}
+
+/// Puts what records a hit, its normal and its side, under every law for that.
+///
+/// # Panics
+/// If a law is broken.
+pub fn record<F>(record: &F)
+where
+    F: Fn(Point3, f64, &Ray, f64, f64) -> Option<Hit> + ?Sized,
+{
+    succeed(Trial::default().record(record));
+}
+
+/// Puts what finds the nearest hit of a list under every law for that.
+///
+/// # Panics
+/// If a law is broken.
+pub fn list<F: Fn(&World) -> Option<f64>>(search: &F) {
+    succeed(Trial::default().list(search));
+}
+
+/// Panics with the report, if there is one.
+///
+/// # Panics
+/// If a law is broken.
+pub fn succeed(outcome: Outcome) {
+    if let Err(report) = outcome {
+        panic!("\n\n{report}\n{}", seed());
     }
 }
 
-/// Puts `solve` under one law, with cases from everywhere.
+/// Puts `decide` under every law for a decision, with this one case.
 ///
 /// # Panics
-/// If the law is broken.
-pub fn judge(law: Law, solve: &Solver) {
-    holds(&strategies::anywhere(), |case| law(solve, case));
+/// If a law is broken.
+pub fn one_decision(decide: &dyn Fn(Point3, f64, &Ray) -> bool, case: &Case) {
+    let solve = |center, radius, ray: &Ray| decide(center, radius, ray).then_some(0.0);
+    holds_once(DECISION.into_iter().map(|law| law(&solve, case)));
 }
 
-/// Puts `solve` under every law, with this one case.
+/// Puts `solve` under every law for a nearer root, with this one case.
 ///
 /// # Panics
 /// If a law is broken.
 pub fn one_case(solve: &Solver, case: &Case) {
-    for law in NEARER_ROOT {
-        if let Err(broken) = law(solve, case) {
-            panic!("{}", report(case, &broken));
-        }
-    }
+    holds_once(NEARER_ROOT.into_iter().map(|law| law(solve, case)));
 }
 
-/// Puts a solver with a range under every law for one.
+/// Puts a solver with a range under every law for one, with this one case.
 ///
 /// # Panics
 /// If a law is broken.
-pub fn nearest_in_range(solve: &RangeSolver) {
-    let strategy = strategies::with_interval(strategies::anywhere());
-    for law in NEAREST_IN_RANGE {
-        holds(&strategy, |asked| law(solve, asked));
-    }
+pub fn one_interval(solve: &RangeSolver, case: Case, t_min: f64, t_max: f64) {
+    let (least, greatest) = (f64::NEG_INFINITY, f64::INFINITY);
+    let nearer = |center, radius, ray: &Ray| solve(center, radius, ray, least, greatest);
+    holds_once(NEARER_ROOT.into_iter().map(|law| law(&nearer, &case)));
+    let asked = WithInterval { case, t_min, t_max };
+    holds_once(NEAREST_IN_RANGE.into_iter().map(|law| law(solve, &asked)));
 }
 
-/// Puts a solver with a range under every law, with this one case.
-///
-/// # Panics
-/// If a law is broken.
-pub fn one_interval(solve: &RangeSolver, asked: &WithInterval) {
-    for law in NEAREST_IN_RANGE {
-        if let Err(broken) = law(solve, asked) {
-            panic!("{}", report(asked, &broken));
-        }
+fn holds_once(mut verdicts: impl Iterator<Item = Verdict>) {
+    if let Some(broken) = verdicts.find_map(Verdict::err) {
+        panic!("\n\n{broken}\n");
     }
 }
 
@@ -99,28 +143,29 @@ pub fn one_interval(solve: &RangeSolver, asked: &WithInterval) {
 /// If the law is broken, with the simplest case that was found.
 pub fn holds<T: Simplify>(strategy: &impl Strategy<Value = T>, law: impl Fn(&T) -> Verdict) {
     if let Some((value, broken)) = first_broken(strategy, cases(), law) {
-        panic!("{}", report(&value, &broken));
+        let report = Report {
+            broken,
+            cause: Cause::default(),
+            others: 0,
+            test: report::test(&value, "super::hit", "hit"),
+        };
+        panic!("\n\n{report}\n{}", seed());
     }
 }
 
 /// Tries `law` on `count` values of `strategy`. If it is broken, returns how, and
 /// the simplest value that was found to break it.
-pub fn first_broken<T: Simplify>(
+fn first_broken<T: Simplify>(
     strategy: &impl Strategy<Value = T>,
     count: u32,
     law: impl Fn(&T) -> Verdict,
 ) -> Option<(T, Broken)> {
-    let mut runner = runner(&chosen_seed());
-    for _ in 0..count {
-        let mut tree = new_tree(strategy, &mut runner);
-        if law(&tree.current()).is_err() {
-            shrink(&mut tree, &law);
-            let simplest = simplified(tree.current(), &law);
-            let broken = law(&simplest).expect_err("simplifying keeps the law broken");
-            return Some((simplest, broken));
-        }
-    }
-    None
+    let found = endless(strategy, &chosen_seed())
+        .take(count as usize)
+        .find(|value| law(value).is_err())?;
+    let simplest = simplified(found, |simpler| law(simpler).is_err());
+    let broken = law(&simplest).expect_err("simplifying keeps the law broken");
+    Some((simplest, broken))
 }
 
 /// The first `count` values of `strategy`, the same in every run.
@@ -131,12 +176,16 @@ pub fn samples<T: Debug>(strategy: &impl Strategy<Value = T>, count: u32) -> Vec
 }
 
 /// Values of `strategy` without end, the same whenever the seed is.
-pub fn endless<T: Debug>(
-    strategy: &impl Strategy<Value = T>,
+pub fn endless<T: Debug, S: Strategy<Value = T>>(
+    strategy: S,
     seed: &str,
-) -> impl Iterator<Item = T> {
+) -> impl Iterator<Item = T> + use<T, S> {
     let mut runner = runner(seed);
-    std::iter::repeat_with(move || new_tree(strategy, &mut runner).current())
+    std::iter::repeat_with(move || {
+        let tree = strategy.new_tree(&mut runner);
+        tree.expect("no strategy here filters anything out")
+            .current()
+    })
 }
 
 /// How many cases a law is tried on: 1000, or what the environment variable
@@ -146,22 +195,6 @@ pub fn cases() -> u32 {
         .ok()
         .and_then(|number| number.parse().ok())
         .unwrap_or(1000)
-}
-
-/// Lets proptest make the value smaller as long as the law stays broken.
-fn shrink<T>(tree: &mut impl ValueTree<Value = T>, law: &impl Fn(&T) -> Verdict) {
-    const STEPS: usize = 2000;
-    for _ in 0..STEPS {
-        let moved = if law(&tree.current()).is_err() {
-            tree.simplify()
-        } else {
-            tree.complicate()
-        };
-        if !moved {
-            break;
-        }
-    }
-    while law(&tree.current()).is_ok() && tree.complicate() {}
 }
 
 /// The same cases in every run, so that a failure is never luck; or the cases
@@ -175,24 +208,14 @@ fn runner(seed: &str) -> TestRunner {
     TestRunner::new_with_rng(Config::default(), rng)
 }
 
-fn chosen_seed() -> String {
+pub(crate) fn chosen_seed() -> String {
     env::var("PROPTEST_SEED").unwrap_or_default()
 }
 
-fn new_tree<S: Strategy>(strategy: &S, runner: &mut TestRunner) -> S::Tree {
-    strategy
-        .new_tree(runner)
-        .expect("no strategy here filters anything out")
-}
-
-fn report(value: &impl Simplify, broken: &Broken) -> String {
-    let indented = value.as_test().replace('\n', "\n    ");
-    let seed = match chosen_seed().as_str() {
+/// What finds the same cases again, if they are not those of every run.
+fn seed() -> String {
+    match chosen_seed().as_str() {
         "" => String::new(),
-        seed => format!("\n\nFound with PROPTEST_SEED={seed}"),
-    };
-    format!(
-        "\n\nA law is broken.\n\n{broken}\n\nThe simplest case that was found, as a test:\n\n\
-         #[test]\nfn this_case_is_right() {{\n    use common::rtweekend::*;\n    {indented}\n}}{seed}\n"
-    )
+        seed => format!("\nFound with PROPTEST_SEED={seed}\n"),
+    }
 }

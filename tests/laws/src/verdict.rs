@@ -1,4 +1,4 @@
-//! A verdict: what a law says of a case, in words that teach.
+//! A verdict: what a law says of a question, in words that teach.
 
 use std::fmt;
 
@@ -14,8 +14,8 @@ pub struct Broken {
     pub found: String,
     /// What the law allows.
     pub allowed: String,
-    /// What usually makes it so.
-    pub cause: String,
+    /// What makes it so where [no known mistake](crate::causes) does.
+    pub usually: &'static str,
     /// Where to read about it.
     pub page: &'static str,
 }
@@ -26,12 +26,12 @@ impl fmt::Display for Broken {
             law,
             found,
             allowed,
-            cause,
+            usually,
             page,
         } = self;
         write!(
             f,
-            "the law:  {law}\nfound:    {found}\nallowed:  {allowed}\nusually:  {cause}\nread:     {page}"
+            "the law:  {law}\nfound:    {found}\nallowed:  {allowed}\nusually:  {usually}\nread:     {page}"
         )
     }
 }

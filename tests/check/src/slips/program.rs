@@ -76,6 +76,8 @@ pub struct Program {
     pub search: fn(&Program, &Ray) -> Option<(f64, Ball)>,
     /// Only a greater ray parameter counts.
     pub t_min: f64,
+    /// Only a lesser one counts: no bound in any chapter, but a list has one.
+    pub t_max: f64,
     /// Whether `t_min`, `t` and `t_max` follow each other.
     pub in_range: fn(f64, f64, f64) -> bool,
     /// From the ray's origin to the sphere's center, given center and origin.
@@ -182,13 +184,21 @@ impl Program {
     /// root `t`, in lengths of `ray.direction`. Chapter 2 only tells whether
     /// there is one.
     pub fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
-        let ball = Ball { center, radius };
-        self.hit(ball, ray, f64::NEG_INFINITY, f64::INFINITY)
+        self.roots(Ball { center, radius }, ray)
+            .map(|[first, _]| first)
     }
 
     /// The `hit` of a sphere in chapter 5: the first root tried that lies in
     /// the interval, in lengths of `ray.direction`.
     pub fn hit(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
+        let roots = self.roots(ball, ray)?;
+        roots
+            .into_iter()
+            .find(|&t| (self.in_range)(t_min, t, t_max))
+    }
+
+    /// The two roots that are tried, one after the other.
+    fn roots(&self, ball: Ball, ray: &Ray) -> Option<[f64; 2]> {
         let oc = (self.oc)(ball.center, ray.origin);
         let a = (self.a)(self, ray.direction);
         let b = (self.linear)((self.dot)(ray.direction, oc));
@@ -197,10 +207,8 @@ impl Program {
         if !(self.meets)(discriminant) {
             return None;
         }
-        (self.numerators)((self.first_term)(b), (self.sqrt)(discriminant))
-            .map(|numerator| (self.divide)(numerator, a))
-            .into_iter()
-            .find(|&t| (self.in_range)(t_min, t, t_max))
+        let numerators = (self.numerators)((self.first_term)(b), (self.sqrt)(discriminant));
+        Some(numerators.map(|numerator| (self.divide)(numerator, a)))
     }
 }
 
@@ -227,6 +235,7 @@ const HITTABLE_LIST: Program = Program {
     world: &[BALL, Ball::new(0.0, -100.5, -1.0, 100.0)],
     search: nearest,
     t_min: 0.0,
+    t_max: f64::INFINITY,
     in_range: |t_min, t, t_max| t_min < t && t < t_max,
     oc: |center, origin| center - origin,
     dot: Vec3::dot,
@@ -304,7 +313,7 @@ const BUILD_TEST: Program = Program {
 
 fn nearest(program: &Program, ray: &Ray) -> Option<(f64, Ball)> {
     let mut found = None;
-    let mut closest_so_far = f64::INFINITY;
+    let mut closest_so_far = program.t_max;
     for &ball in program.world {
         if let Some(t) = program.hit(ball, ray, program.t_min, closest_so_far) {
             closest_so_far = t;

@@ -1,0 +1,271 @@
+//! A trial: a function is put under all laws that there are for its kind, and found
+//! wrong with one report, which names the cause.
+
+use std::any::type_name;
+
+use common::rtweekend::*;
+use proptest::prelude::*;
+use speed_vs_accuracy::Case;
+
+use crate::causes::{self, Question};
+use crate::intervals::{NEAREST_IN_RANGE, WithInterval};
+use crate::list::{self, Search, World, worlds};
+use crate::nearer_root::{DECISION, Decided, NEARER_ROOT};
+use crate::ray_and_camera::{self, Arrow, Letters, Pixel, Place, Width};
+use crate::record::{Hit, RECORD, Recorded};
+use crate::report::{self, Report};
+use crate::runner::{cases, chosen_seed, endless};
+use crate::shrinker::simplified;
+use crate::strategies;
+use crate::verdict::Verdict;
+
+/// `Ok` if every law holds.
+pub type Outcome = Result<(), Box<Report>>;
+
+/// How functions are tried.
+#[derive(Clone, Copy, Debug)]
+pub struct Trial {
+    /// On how many questions each law is tried.
+    pub cases: u32,
+}
+
+impl Default for Trial {
+    /// With as many questions as [`cases`] says.
+    fn default() -> Self {
+        Self { cases: cases() }
+    }
+}
+
+/// A function under trial.
+struct Tried<'a, Q: Question> {
+    /// The name of its type, which for a function is its path.
+    path: &'a str,
+    answer: &'a dyn Fn(&Q) -> Q::Answer,
+    /// In teaching order.
+    laws: &'a [&'a dyn Fn(&Q) -> Verdict],
+    /// The questions, from the start.
+    questions: &'a dyn Fn() -> Box<dyn Iterator<Item = Q>>,
+}
+
+impl Trial {
+    /// A function that only decides whether the line meets the sphere, as in chapter 2.
+    pub fn decision<F>(&self, decide: &F) -> Outcome
+    where
+        F: Fn(Point3, f64, &Ray) -> bool + ?Sized,
+    {
+        // The laws are for roots: any number stands for one.
+        let solve = |center, radius, ray: &Ray| decide(center, radius, ray).then_some(0.0);
+        let laws = DECISION.map(|law| move |Decided(case): &Decided| law(&solve, case));
+        Tried {
+            path: type_name::<F>(),
+            answer: &|Decided(case)| case.solve(&solve).is_some(),
+            laws: &laws.each_ref().map(|law| law as _),
+            questions: &|| self.generated(strategies::anywhere().prop_map(Decided)),
+        }
+        .outcome()
+    }
+
+    /// A function that returns the nearer root, as in chapters 3 and 4.
+    pub fn nearer_root<F>(&self, solve: &F) -> Outcome
+    where
+        F: Fn(Point3, f64, &Ray) -> Option<f64> + ?Sized,
+    {
+        let solver = |center, radius, ray: &Ray| solve(center, radius, ray);
+        let laws = NEARER_ROOT.map(|law| move |case: &Case| law(&solver, case));
+        Tried {
+            path: type_name::<F>(),
+            answer: &|case: &Case| case.solve(&solver),
+            laws: &laws.each_ref().map(|law| law as _),
+            questions: &|| self.generated(strategies::anywhere()),
+        }
+        .outcome()
+    }
+
+    /// A function that returns the nearest root between `t_min` and `t_max`, as the
+    /// sphere of chapter 5: on the whole line, that is the nearer root.
+    pub fn nearest_in_range<F>(&self, solve: &F) -> Outcome
+    where
+        F: Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + ?Sized,
+    {
+        let solver = |center, radius, ray: &Ray, low, high| solve(center, radius, ray, low, high);
+        let (least, greatest) = (f64::NEG_INFINITY, f64::INFINITY);
+        let nearer = |center, radius, ray: &Ray| solve(center, radius, ray, least, greatest);
+        let on_the_line =
+            NEARER_ROOT.map(|law| move |asked: &WithInterval| law(&nearer, &asked.case));
+        let in_range = NEAREST_IN_RANGE.map(|law| move |asked: &WithInterval| law(&solver, asked));
+        let laws: Vec<&dyn Fn(&WithInterval) -> Verdict> = on_the_line
+            .iter()
+            .map(|law| law as _)
+            .chain(in_range.iter().map(|law| law as _))
+            .collect();
+        let questions = || {
+            // An end exactly at a root tells an open range from a closed one.
+            self.generated(prop_oneof![
+                8 => strategies::with_interval(strategies::anywhere()),
+                1 => strategies::with_interval(strategies::specks()),
+                1 => strategies::with_hostile_interval(strategies::tangents()),
+            ])
+        };
+        Tried {
+            path: type_name::<F>(),
+            answer: &|asked: &WithInterval| asked.solve(&solver),
+            laws: &laws,
+            questions: &questions,
+        }
+        .outcome()
+    }
+
+    /// A function that returns the record of the nearest hit between `t_min` and
+    /// `t_max`: its normal, and its side. That `t` is right is another trial.
+    pub fn record<F>(&self, record: &F) -> Outcome
+    where
+        F: Fn(Point3, f64, &Ray, f64, f64) -> Option<Hit> + ?Sized,
+    {
+        let recorder =
+            |center, radius, ray: &Ray, low, high| record(center, radius, ray, low, high);
+        let laws = RECORD.map(|law| {
+            move |asked: &Recorded| {
+                let hits = asked.hits(&recorder);
+                let mut hits = [true, false].into_iter().zip(&hits);
+                hits.try_for_each(|(nearer, hit)| law(&asked.0, nearer, hit))
+            }
+        });
+        Tried {
+            path: type_name::<F>(),
+            answer: &|asked: &Recorded| asked.hits(&recorder),
+            laws: &laws.each_ref().map(|law| law as _),
+            questions: &|| self.generated(strategies::anywhere().prop_map(Recorded)),
+        }
+        .outcome()
+    }
+
+    /// A list that is searched for the nearest hit.
+    pub fn list<F>(&self, search: &F) -> Outcome
+    where
+        F: Fn(&World) -> Option<f64>,
+    {
+        let laws = [
+            list::the_nearest_of_all_members_is_returned as fn(&Search, &World) -> Verdict,
+            list::the_order_of_members_does_not_matter,
+        ]
+        .map(|law| move |world: &World| law(search, world));
+        Tried {
+            path: type_name::<F>(),
+            answer: search,
+            laws: &laws.each_ref().map(|law| law as _),
+            questions: &|| self.generated(worlds()),
+        }
+        .outcome()
+    }
+
+    /// A dot product.
+    pub fn dot<F: Fn(Vec3, Vec3) -> f64>(&self, dot: &F) -> Outcome {
+        let answer = |letters: &Letters| {
+            let [u, v] = letters.vectors();
+            dot(u, v)
+        };
+        small::<Letters, F>(&answer, &|letters| {
+            ray_and_camera::dot_multiplies_equal_letters(dot, letters)
+        })
+    }
+
+    /// A function that makes a vector one of length 1.
+    pub fn unit_vector<F: Fn(Vec3) -> Vec3>(&self, unit: &F) -> Outcome {
+        small::<Arrow, F>(&|arrow| unit(arrow.0), &|arrow| {
+            ray_and_camera::a_unit_vector_has_length_1_and_points_along(unit, arrow)
+        })
+    }
+
+    /// A function that returns the point of a ray at `t`.
+    pub fn at<F: Fn(&Ray, f64) -> Point3>(&self, at: &F) -> Outcome {
+        small::<Place, F>(&|place| at(&place.ray, place.t), &|place| {
+            ray_and_camera::the_point_at_t_is_t_directions_from_the_origin(at, place)
+        })
+    }
+
+    /// A function that returns the height of a picture of 16:9 from its width.
+    pub fn height<F: Fn(u32) -> u32>(&self, height: &F) -> Outcome {
+        small::<Width, F>(&|width| height(width.0), &|width| {
+            ray_and_camera::the_height_is_rounded_down_and_at_least_one(height, width)
+        })
+    }
+
+    /// A function that returns the ray of a pixel, from the size of the picture and
+    /// the pixel's column and row.
+    pub fn pixel_ray<F: Fn([u32; 2], [u32; 2]) -> Ray>(&self, ray: &F) -> Outcome {
+        small::<Pixel, F>(&|pixel| ray(pixel.size, pixel.place), &|pixel| {
+            ray_and_camera::the_ray_of_a_pixel_goes_through_its_center(ray, pixel)
+        })
+    }
+
+    fn generated<Q: Question>(
+        &self,
+        strategy: impl Strategy<Value = Q> + 'static,
+    ) -> Box<dyn Iterator<Item = Q>> {
+        Box::new(endless(strategy, &chosen_seed()).take(self.cases as usize))
+    }
+}
+
+/// The trial of a function with one law, and few questions that are always the same.
+fn small<Q: Question, F>(answer: &dyn Fn(&Q) -> Q::Answer, law: &dyn Fn(&Q) -> Verdict) -> Outcome {
+    Tried {
+        path: type_name::<F>(),
+        answer,
+        laws: &[law],
+        questions: &|| Box::new(Q::telling().into_iter()),
+    }
+    .outcome()
+}
+
+impl<Q: Question> Tried<'_, Q> {
+    fn outcome(&self) -> Outcome {
+        let telling = Q::telling();
+        // What ordinary questions show comes before what only an overflow does.
+        let Some((first, found)) = self
+            .first_broken(|| telling.iter().cloned())
+            .or_else(|| self.first_broken(self.questions))
+        else {
+            return Ok(());
+        };
+        let law = self.laws[first];
+        let (cause, hypothesis) = causes::of(self.answer, telling, &found);
+        let (degenerate, wrong) = (found.is_degenerate(), self.is_wrong(&found));
+        let simplest = simplified(found, |simpler| {
+            law(simpler).is_err()
+                && (degenerate || !simpler.is_degenerate())
+                && (!wrong || self.is_wrong(simpler))
+                && hypothesis.as_ref().is_none_or(|cause| {
+                    simpler.same(&(self.answer)(simpler), &(cause.answer)(simpler))
+                })
+        });
+        let (path, function) = report::import(self.path, Q::FUNCTION);
+        Err(Box::new(Report {
+            broken: law(&simplest).expect_err("what is simpler breaks the law as well"),
+            cause,
+            others: self.laws[first + 1..]
+                .iter()
+                .filter(|law| self.breaks(law))
+                .count(),
+            test: report::test(&simplest, &path, &function),
+        }))
+    }
+
+    /// The first law that is broken by one of the questions, and the most telling of
+    /// those: its own answer is wrong, though a law may ask further ones.
+    fn first_broken<I: Iterator<Item = Q>>(&self, questions: impl Fn() -> I) -> Option<(usize, Q)> {
+        self.laws.iter().enumerate().find_map(|(place, law)| {
+            let breaking = || questions().filter(|question| law(question).is_err());
+            let wrong = |question: &Q| !question.is_degenerate() && self.is_wrong(question);
+            let found = breaking().find(wrong).or_else(|| breaking().next())?;
+            Some((place, found))
+        })
+    }
+
+    fn breaks(&self, law: &dyn Fn(&Q) -> Verdict) -> bool {
+        (self.questions)().any(|question| law(&question).is_err())
+    }
+
+    fn is_wrong(&self, question: &Q) -> bool {
+        !question.same(&(self.answer)(question), &question.right())
+    }
+}
