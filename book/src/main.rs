@@ -1,14 +1,20 @@
 //! `cargo rtrace`: the reader's companion.
 
 mod check;
+mod done;
 mod draw;
 mod hit;
+mod mine;
 mod misuse;
 mod probes;
+mod program;
 mod save;
 mod show;
 mod slips;
+mod start;
+mod steps;
 mod terminal;
+mod watch;
 mod weave;
 
 use std::process::ExitCode;
@@ -34,6 +40,12 @@ enum Command {
     Show(show::Arguments),
     /// Check your own picture, and learn which mistake draws it
     Check(check::Arguments),
+    /// Make a crate of your own for a chapter, ready to be typed into
+    Start(start::Arguments),
+    /// Judge your crate or program whenever you save it
+    Watch(watch::Arguments),
+    /// Show the list of what you have done, or add a line to it
+    Done(done::Arguments),
     /// Look at one ray and one sphere through every method of chapter 6
     Hit(hit::Arguments),
     /// List the small scenes that show what the book's picture can't
@@ -48,6 +60,12 @@ fn main() -> ExitCode {
         Some(Command::Book(arguments)) => weave::book(&arguments),
         Some(Command::Show(arguments)) => show::show(&arguments),
         Some(Command::Check(arguments)) => return check::check(&arguments),
+        Some(Command::Start(arguments)) => start::start(&arguments),
+        Some(Command::Watch(arguments)) => match watch::watch(&arguments) {
+            Ok(code) => return code,
+            Err(error) => Err(error),
+        },
+        Some(Command::Done(arguments)) => done::done(&arguments),
         Some(Command::Hit(arguments)) => hit::hit(&arguments),
         Some(Command::Probes(arguments)) => probes::list(&arguments),
         Some(Command::Slips(arguments)) => slips::slips(&arguments),

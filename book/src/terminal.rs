@@ -51,20 +51,31 @@ impl Palette {
 /// The character is the upper half block: its own color is the upper pixel, its
 /// background the lower one.
 pub(crate) fn show(picture: &Picture, palette: Palette, out: &mut dyn Write) -> io::Result<()> {
-    let (columns, lines) = terminal_size::terminal_size().map_or((80, 24), |(width, height)| {
-        (width.0.into(), height.0.into())
-    });
+    let (columns, terminal_lines) = terminal_size::terminal_size()
+        .map_or((80, 24), |(width, height)| {
+            (width.0.into(), height.0.into())
+        });
     // The prompt wants a line of its own below the picture.
-    let image = reduced(picture, columns, 2 * u32::saturating_sub(lines, 1));
-    for j in (0..image.height()).step_by(2) {
-        for i in 0..image.width() {
-            let color = |j| Some(palette.nearest(*image.get_pixel_checked(i, j)?));
-            let style = Style::new().fg_color(color(j)).bg_color(color(j + 1));
-            write!(out, "{style}▀")?;
-        }
-        writeln!(out, "\x1b[0m")?;
+    let rows = 2 * u32::saturating_sub(terminal_lines, 1);
+    for line in lines(picture, palette, columns, rows) {
+        writeln!(out, "{line}")?;
     }
     Ok(())
+}
+
+/// The lines that show `picture`, reduced to at most `columns` × `rows` pixels.
+pub(crate) fn lines(picture: &Picture, palette: Palette, columns: u32, rows: u32) -> Vec<String> {
+    let image = reduced(picture, columns, rows);
+    let line = |j| {
+        let character = |i| {
+            let color = |j| Some(palette.nearest(*image.get_pixel_checked(i, j)?));
+            let style = Style::new().fg_color(color(j)).bg_color(color(j + 1));
+            format!("{style}▀")
+        };
+        let characters: String = (0..image.width()).map(character).collect();
+        characters + "\x1b[0m"
+    };
+    (0..image.height()).step_by(2).map(line).collect()
 }
 
 /// The picture at its own size if it fits into `columns` × `rows` pixels, else

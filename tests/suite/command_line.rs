@@ -255,17 +255,14 @@ fn a_file_that_may_not_be_changed_is_not_changed() {
 /// What needs pipes, devices, limits or terminals as Unix has them.
 #[cfg(unix)]
 mod on_unix {
-    use std::ffi::OsString;
     use std::fs::{File, Permissions};
     use std::io::{BufRead, BufReader};
     use std::os::unix::fs::PermissionsExt;
     use std::os::unix::process::CommandExt;
     use std::time::Duration;
 
-    use rustix::fs::{Mode, OFlags};
-    use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
-
     use super::*;
+    use crate::terminal;
     #[cfg(target_os = "linux")]
     use crate::weave::Book;
 
@@ -627,39 +624,17 @@ mod on_unix {
     /// Runs `command` with a terminal of 80 columns and 24 lines as its standard
     /// output. Returns what it did, and what appeared on that terminal.
     fn run_in_terminal(command: &mut Command) -> (Output, String) {
-        let controller = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).expect("a terminal");
-        grantpt(&controller).expect("access to the terminal");
-        unlockpt(&controller).expect("the terminal is unlocked");
-        let name = ptsname(&controller, Vec::new()).expect("the terminal has a name");
-        let terminal = rustix::fs::open(name, OFlags::RDWR | OFlags::NOCTTY, Mode::empty())
-            .expect("the terminal opens");
-        let size = rustix::termios::Winsize {
-            ws_row: 24,
-            ws_col: 80,
-            ws_xpixel: 0,
-            ws_ypixel: 0,
-        };
-        rustix::termios::tcsetwinsize(&terminal, size).expect("the terminal has a size");
-        let said: Vec<OsString> = command.get_envs().map(|(name, _)| name.into()).collect();
-        // What the test does not say is not taken from whoever runs it.
-        for name in ["COLORTERM", "NO_COLOR", "FORCE_COLOR", "CI"] {
-            if !said.iter().any(|said| said == name) {
-                command.env_remove(name);
-            }
-        }
-        if !said.iter().any(|said| said == "TERM") {
-            command.env("TERM", "xterm-256color");
-        }
-
+        let (mut controller, end) = terminal::open();
+        terminal::forget_ours(command);
         let reader = thread::spawn(move || {
             let mut screen = Vec::new();
             // When the other end is closed, some systems end the file and some
             // report an error; what was read until then counts.
-            let _ = File::from(controller).read_to_end(&mut screen);
+            let _ = controller.read_to_end(&mut screen);
             text(&screen).replace("\r\n", "\n")
         });
         let child = command
-            .stdout(terminal)
+            .stdout(end)
             .stderr(Stdio::piped())
             .spawn()
             .expect("the program starts");

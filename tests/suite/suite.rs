@@ -33,6 +33,11 @@ mod speed;
 mod speed_vs_accuracy;
 mod spoiled;
 mod stability;
+mod start;
+#[cfg(unix)]
+mod terminal;
+#[cfg(unix)]
+mod watch;
 mod weave;
 
 /// The answers to the exercises of the book, which shows them.

@@ -10,7 +10,7 @@ use std::time::Duration;
 use check::reading::{Cause, MOST_BYTES};
 use common::engine::output;
 
-use super::program;
+use crate::program;
 
 /// A place to read a picture from.
 #[derive(Clone, Copy)]

@@ -5,7 +5,6 @@ mod json;
 mod judged;
 mod map;
 mod page;
-mod program;
 mod text;
 
 use std::error::Error;
@@ -25,6 +24,7 @@ use common::engine::output;
 
 use input::Source;
 use judged::Judged;
+pub(crate) use text::Style;
 
 use crate::misuse::complain;
 
@@ -105,13 +105,13 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     let said = if arguments.json {
         json::json(&judged, report.as_deref())
     } else {
-        text::text(&judged, report.as_deref(), text::Style::of_stdout())
+        text::text(&judged, report.as_deref(), Style::of_stdout())
     };
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
     Ok(judged.check.exit_code())
 }
 
-fn seconds(text: &str) -> Result<Duration, String> {
+pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
     let seconds = text.parse::<f64>().ok().filter(|&seconds| seconds > 0.0);
     seconds
         .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())
@@ -124,7 +124,7 @@ pub(crate) fn chapter_parser() -> impl TypedValueParser<Value = Chapter> {
         .map(|name| Chapter::find(&name).expect("only names of chapters are accepted"))
 }
 
-fn probe_parser() -> impl TypedValueParser<Value = Probe> {
+pub(crate) fn probe_parser() -> impl TypedValueParser<Value = Probe> {
     PossibleValuesParser::new(PROBES.map(|probe| probe.name))
         .map(|name| slips::find_probe(&name).expect("only names of probes are accepted"))
 }

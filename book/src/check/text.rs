@@ -47,7 +47,7 @@ impl Style {
         self.wrapped("31", text)
     }
 
-    fn green(self, text: &str) -> String {
+    pub(crate) fn green(self, text: &str) -> String {
         self.wrapped("32", text)
     }
 

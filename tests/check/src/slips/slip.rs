@@ -57,6 +57,11 @@ impl Slip {
         format!("target/book/{}", self.page.replace('#', ".html#"))
     }
 
+    /// Whether the line is in a chapter, and not in what all of them share.
+    pub fn is_in_a_chapter(&self) -> bool {
+        self.source.starts_with("chapters/")
+    }
+
     /// Why nothing shows the slip in that chapter, or `None` if something does.
     pub fn unseen_in(&self, chapter: Chapter) -> Option<Unseen> {
         self.unseen

@@ -21,15 +21,15 @@ use common::engine::signals;
 ///
 /// # Errors
 /// If the program does not start, fails, or takes longer than `limit`.
-pub(super) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, Cause> {
+pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, Cause> {
     let name = output::shown(&words[0]);
-    let mut group = Group::start(words).map_err(|cause| {
+    let mut group = Group::start(words, Stdio::inherit()).map_err(|cause| {
         failed(
             format!("{name} does not start: {cause}"),
             "Is it built, and is its path right? In this folder it is ./NAME.",
         )
     })?;
-    match group.finish(limit) {
+    match group.finish(limit, &mut || false) {
         Ok(End::Itself(status, bytes)) if status.success() => Ok(bytes),
         Ok(End::Full(bytes)) => Ok(bytes),
         Ok(End::Itself(status, _)) => Err(failed(
@@ -40,6 +40,7 @@ pub(super) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, 
             format!("{name} did not end within {limit:?}"),
             "Draw a smaller picture, or give it more time with --timeout SECONDS.",
         )),
+        Ok(End::Interrupted) => unreachable!("nothing is newer"),
         Err(cause) => Err(failed(
             format!("the output of {name} can't be read: {cause}"),
             "Let it write a file, and check that.",
@@ -51,14 +52,34 @@ fn failed(problem: String, fix: &str) -> Cause {
     Cause::new("program-failed", problem, fix)
 }
 
+/// Runs the program, unless `is_old` says meanwhile that this is no longer wanted. How
+/// it ended, and the last of what it wrote to standard error.
+///
+/// # Errors
+/// If the program does not start, or can't be read from.
+pub(crate) fn run(
+    words: &[OsString],
+    limit: Duration,
+    is_old: &mut dyn FnMut() -> bool,
+) -> io::Result<(End, String)> {
+    let mut group = Group::start(words, Stdio::piped())?;
+    let errors = group.child.stderr.take().map(last_words);
+    let end = group.finish(limit, is_old)?;
+    drop(group);
+    let errors = errors.and_then(|errors| errors.recv_timeout(10 * TICK).ok());
+    Ok((end, errors.unwrap_or_default()))
+}
+
 /// How a program came to its end.
-enum End {
+pub(crate) enum End {
     /// By itself, after it had printed this.
     Itself(ExitStatus, Vec<u8>),
     /// It printed more than any picture has.
     Full(Vec<u8>),
     /// It took too long.
     TooSlow,
+    /// It is no longer wanted.
+    Interrupted,
 }
 
 /// A program and all that it starts; it ends when this is dropped, and then we do, if a
@@ -75,11 +96,14 @@ struct Group {
 const TICK: Duration = Duration::from_millis(50);
 
 impl Group {
-    fn start(words: &[OsString]) -> io::Result<Self> {
+    fn start(words: &[OsString], errors: Stdio) -> io::Result<Self> {
         #[cfg(unix)]
         let deferral = signals::Deferral::new();
         let mut command = Command::new(&words[0]);
-        command.args(&words[1..]).stdout(Stdio::piped());
+        command
+            .args(&words[1..])
+            .stdout(Stdio::piped())
+            .stderr(errors);
         // A group in the background is stopped when it reads from the terminal.
         if io::stdin().is_terminal() {
             command.stdin(Stdio::null());
@@ -98,7 +122,7 @@ impl Group {
     }
 
     /// Collects what is printed until the program ends, or has to.
-    fn finish(&mut self, limit: Duration) -> io::Result<End> {
+    fn finish(&mut self, limit: Duration, is_old: &mut dyn FnMut() -> bool) -> io::Result<End> {
         let start = Instant::now();
         let mut bytes = Vec::new();
         let mut ended = None;
@@ -123,6 +147,9 @@ impl Group {
             }
             if start.elapsed() > limit {
                 return Ok(End::TooSlow);
+            }
+            if is_old() {
+                return Ok(End::Interrupted);
             }
         }
     }
@@ -177,4 +204,20 @@ fn pieces(mut output: impl Read + Send + 'static) -> Receiver<io::Result<Vec<u8>
         }
     });
     printed
+}
+
+/// Reads to the end on a thread of its own, and keeps the last of it.
+fn last_words(mut errors: impl Read + Send + 'static) -> Receiver<String> {
+    const KEPT: usize = 1 << 14;
+    let (done, words) = sync_channel(1);
+    thread::spawn(move || {
+        let mut kept = Vec::new();
+        let mut piece = vec![0; KEPT];
+        while let Ok(length @ 1..) = errors.read(&mut piece) {
+            kept.extend_from_slice(&piece[..length]);
+            kept.drain(..kept.len().saturating_sub(KEPT));
+        }
+        let _ = done.send(String::from_utf8_lossy(&kept).into_owned());
+    });
+    words
 }

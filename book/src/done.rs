@@ -1,0 +1,153 @@
+//! `done`: the list of done things, and what is still ahead.
+
+use std::error::Error;
+use std::fs::{self, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use check::Chapter;
+use clap::Args;
+use common::engine::output;
+use jiff::Zoned;
+
+use crate::draw::shown;
+use crate::mine::Mine;
+use crate::steps;
+
+/// What `cargo rtrace done` is told.
+#[derive(Args)]
+pub(crate) struct Arguments {
+    /// What you have done or understood, in a few words
+    #[arg(value_name = "TEXT")]
+    text: Option<String>,
+
+    /// The folder of the list [default: this one if it has a list, or else mine]
+    #[arg(long = "in", value_name = "FOLDER")]
+    in_folder: Option<PathBuf>,
+}
+
+/// Adds a line to the list, or shows it with what is ahead.
+pub(crate) fn done(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let list = Done::find(arguments.in_folder.as_deref());
+    let said = match &arguments.text {
+        Some(text) => {
+            let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+            list.add(&line)?;
+            format!("{}: {line}\n", shown(&list.file))
+        }
+        None => list.show()?,
+    };
+    let mut lines = said.lines().map(output::visible);
+    Ok(output::to_stdout(|out| {
+        lines.try_for_each(|line| writeln!(out, "{line}"))
+    })?)
+}
+
+/// The name of the list.
+pub(crate) const DONE: &str = "done.md";
+
+/// The list in a reader's folder: a line for each thing, with date and time.
+pub(crate) struct Done {
+    file: PathBuf,
+}
+
+impl Done {
+    pub(crate) fn in_folder(folder: &Path) -> Self {
+        let file = folder.join(DONE);
+        Self { file }
+    }
+
+    /// The list in the chosen folder, in the current one if there is one, or in `mine`.
+    fn find(chosen: Option<&Path>) -> Self {
+        let here = Self::in_folder(Path::new("."));
+        match chosen {
+            Some(folder) => Self::in_folder(folder),
+            None if here.file.is_file() => here,
+            None => Self::in_folder(Mine::find(None).folder()),
+        }
+    }
+
+    /// Adds those of `things` that are not on the list yet, and returns them.
+    pub(crate) fn add_all(&self, things: &[String]) -> io::Result<Vec<String>> {
+        let text = self.text()?;
+        let is_new = |thing: &&String| !is_on(&text, thing);
+        let news: Vec<String> = things.iter().filter(is_new).cloned().collect();
+        for thing in &news {
+            self.add(thing)?;
+        }
+        Ok(news)
+    }
+
+    /// Adds a line. Nothing else in the file is touched: it is the reader's.
+    fn add(&self, thing: &str) -> io::Result<()> {
+        let text = self.text()?;
+        let before = match text.as_str() {
+            "" => "# Done\n\n",
+            text if text.ends_with('\n') => "",
+            _ => "\n",
+        };
+        if let Some(folder) = self.file.parent() {
+            fs::create_dir_all(folder)?;
+        }
+        let now = Zoned::now().strftime("%Y-%m-%d %H:%M").to_string();
+        let mut file = OpenOptions::new()
+            .append(true)
+            .create(true)
+            .open(&self.file)?;
+        file.write_all(format!("{before}- {now}  {thing}\n").as_bytes())
+    }
+
+    fn text(&self) -> io::Result<String> {
+        match fs::read_to_string(&self.file) {
+            Err(cause) if cause.kind() == io::ErrorKind::NotFound => Ok(String::new()),
+            text => text,
+        }
+    }
+
+    fn show(&self) -> Result<String, Box<dyn Error>> {
+        let text = self.text()?;
+        let lines: Vec<&str> = text.lines().filter(|line| line.starts_with("- ")).collect();
+        let mut said = match lines.is_empty() {
+            true => "Nothing is done yet.\n".to_owned(),
+            false => format!("Done, in {}\n  {}\n", shown(&self.file), lines.join("\n  ")),
+        };
+        let ahead: String = Chapter::OF_THE_BOOK
+            .into_iter()
+            .flat_map(|chapter| ahead(chapter, &text))
+            .collect();
+        said += &match ahead.is_empty() {
+            true => "Nothing is ahead: these were all chapters.\n".to_owned(),
+            false => format!("Ahead\n{ahead}"),
+        };
+        Ok(said)
+    }
+}
+
+/// What the list says when a step of a chapter shows what it should.
+pub(crate) fn step_is_done(chapter: Chapter, step: usize) -> String {
+    format!("{}: step {step} shows what it should", chapter.name())
+}
+
+/// What the list says when the picture of a chapter is right.
+pub(crate) fn picture_is_right(chapter: Chapter) -> String {
+    format!("{}: the picture is right, to the last bit", chapter.name())
+}
+
+/// A line for each step after the last one on the list, if the chapter's picture is not
+/// on it.
+fn ahead(chapter: Chapter, text: &str) -> Vec<String> {
+    if is_on(text, &picture_is_right(chapter)) {
+        return Vec::new();
+    }
+    let steps = (1..).zip(steps::of(chapter));
+    let last = (1..=steps::of(chapter).len()).rfind(|&n| is_on(text, &step_is_done(chapter, n)));
+    steps
+        .skip(last.unwrap_or(0))
+        .map(|(number, step)| format!("  {:<14} {number}. {}\n", chapter.name(), step.says))
+        .collect()
+}
+
+/// Whether a line of the list ends with this.
+fn is_on(text: &str, thing: &str) -> bool {
+    text.lines().any(|line| line.ends_with(thing))
+}

@@ -1,0 +1,184 @@
+//! Source-to-source: what a reader wrote in one chapter goes on into the next.
+//!
+//! A skeleton says by marks what becomes of it. `// carry NAME` puts the reader's item
+//! in the place of the skeleton's next one, `// carry NAME as OTHER` puts it there by
+//! another name, and `// show NAME` puts it there as a comment, to be looked at. What no
+//! skeleton knows, such as a function that the reader added, goes to the end.
+
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+use quote::ToTokens;
+use syn::Item;
+use syn::spanned::Spanned;
+
+/// The crate that a reader wrote for a chapter.
+pub(super) struct Written {
+    chapter: String,
+    /// The named items of `src/lib.rs` with their texts; or why it can't be read.
+    items: Result<Vec<(String, String)>, String>,
+    /// The other files of `src`, by their names as seen from the crate.
+    pub(super) files: Vec<(String, String)>,
+}
+
+impl Written {
+    pub(super) fn read(folder: &Path) -> io::Result<Self> {
+        let source = folder.join("src");
+        let mut files = Vec::new();
+        for path in files_below(&source)? {
+            let name = path.strip_prefix(folder).unwrap_or(&path);
+            let name = name.display().to_string().replace('\\', "/");
+            if !["src/lib.rs", "src/main.rs"].contains(&name.as_str()) {
+                files.push((name, fs::read_to_string(&path)?));
+            }
+        }
+        let text = fs::read_to_string(source.join("lib.rs"))?;
+        let chapter = folder.file_name().unwrap_or_default();
+        Ok(Self {
+            chapter: chapter.to_string_lossy().into_owned(),
+            items: items(&text),
+            files,
+        })
+    }
+
+    /// Whether vectors and rays are the reader's own.
+    pub(super) fn has_own_prelude(&self) -> bool {
+        self.files
+            .iter()
+            .any(|(name, _)| name == "src/rtweekend.rs")
+    }
+}
+
+/// A chapter to be typed, and what to say about its origin.
+pub(super) struct Carried {
+    pub(super) source: String,
+    pub(super) said: String,
+}
+
+/// The skeleton, with what was written before.
+pub(super) fn into(skeleton: &str, written: Option<&Written>) -> Carried {
+    let (items, said) = match written {
+        None => (&[][..], String::new()),
+        Some(Written {
+            chapter,
+            items: Ok(items),
+            ..
+        }) => (
+            &items[..],
+            format!("It begins with what you wrote in {chapter}.\n"),
+        ),
+        Some(Written {
+            chapter,
+            items: Err(why),
+            ..
+        }) => (
+            &[][..],
+            format!("Nothing is carried over from {chapter}, which can't be read: {why}\n"),
+        ),
+    };
+    let find = |name: &str| {
+        items
+            .iter()
+            .find(|(own, _)| own == name)
+            .map(|(_, text)| text)
+    };
+    let mut used = defined(skeleton);
+    let mut source = String::new();
+    let mut lines = skeleton.lines();
+    while let Some(line) = lines.next() {
+        let words: Vec<&str> = line.split(' ').collect();
+        match words[..] {
+            ["//", "carry", name, "as", other] => {
+                used.push(name.to_owned());
+                used.push(other.to_owned());
+                match find(name) {
+                    Some(text) => source += &format!("{}\n", renamed(text, name, other)),
+                    // The mark goes, and the empty line below it.
+                    None => drop(lines.next()),
+                }
+            }
+            ["//", "carry", name] => {
+                if let Some(text) = find(name) {
+                    source += &format!("{text}\n");
+                    lines.find(|&line| line == "}");
+                }
+            }
+            ["//", "show", name] => {
+                used.push(name.to_owned());
+                if let Some(text) = find(name) {
+                    source += &shown(text);
+                }
+            }
+            _ => source += &format!("{line}\n"),
+        }
+    }
+    for (name, text) in items {
+        if !used.contains(name) {
+            source += &format!("\n{text}\n");
+        }
+    }
+    Carried { source, said }
+}
+
+/// The item as a comment, for the eyes.
+fn shown(text: &str) -> String {
+    let is_doc = |line: &&str| line.trim_start().starts_with("///");
+    let lines = text.lines().filter(|line| !is_doc(line));
+    let comment: String = lines.map(|line| format!("// {line}\n")).collect();
+    format!("// What you wrote before:\n//\n{comment}\n")
+}
+
+/// The text of a function by another name.
+fn renamed(text: &str, name: &str, other: &str) -> String {
+    text.replacen(&format!("fn {name}("), &format!("fn {other}("), 1)
+}
+
+/// The names that the skeleton defines.
+fn defined(skeleton: &str) -> Vec<String> {
+    let items = items(skeleton).expect("a skeleton is Rust");
+    items.into_iter().map(|(name, _)| name).collect()
+}
+
+/// Each item of the source that has a name, with all its lines.
+fn items(source: &str) -> Result<Vec<(String, String)>, String> {
+    let file = syn::parse_file(source)
+        .map_err(|cause| format!("line {}: {cause}", cause.span().start().line))?;
+    let lines: Vec<&str> = source.lines().collect();
+    let text = |item: &Item| {
+        let span = item.span();
+        lines[span.start().line - 1..span.end().line].join("\n")
+    };
+    let named = |item: &Item| Some((name(item)?, text(item)));
+    Ok(file.items.iter().filter_map(named).collect())
+}
+
+/// What an item goes by: an impl block by its header, so that it stays with its type.
+fn name(item: &Item) -> Option<String> {
+    Some(match item {
+        Item::Const(item) => item.ident.to_string(),
+        Item::Enum(item) => item.ident.to_string(),
+        Item::Fn(item) => item.sig.ident.to_string(),
+        Item::Mod(item) => item.ident.to_string(),
+        Item::Static(item) => item.ident.to_string(),
+        Item::Struct(item) => item.ident.to_string(),
+        Item::Trait(item) => item.ident.to_string(),
+        Item::Type(item) => item.ident.to_string(),
+        Item::Use(item) => item.tree.to_token_stream().to_string(),
+        Item::Impl(block) => block.self_ty.to_token_stream().to_string(),
+        _ => return None,
+    })
+}
+
+/// All files below the folder, however deep.
+fn files_below(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        match path.is_dir() {
+            true => files.append(&mut files_below(&path)?),
+            false => files.push(path),
+        }
+    }
+    files.sort();
+    Ok(files)
+}

@@ -1,0 +1,30 @@
+//! Your sphere, its record and your list, under the laws: `cargo test`
+
+use common::rtweekend::*;
+use laws::list::World;
+use laws::record::Hit;
+use my_hittable_list::{HitRecord, Hittable, HittableList, Sphere};
+
+#[test]
+fn sphere_record_and_list_obey_the_laws() {
+    laws::runner::nearest_in_range(&|center, radius, ray: &Ray, t_min, t_max| {
+        Some(hit(center, radius, ray, t_min, t_max)?.t)
+    });
+    laws::runner::record(&|center, radius, ray: &Ray, t_min, t_max| {
+        let HitRecord { t, normal, front_face, .. } = hit(center, radius, ray, t_min, t_max)?;
+        Some(Hit { t, normal, front_face })
+    });
+    laws::runner::list(&nearest);
+}
+
+fn hit(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
+    Sphere::new(center, radius).hit(ray, t_min, t_max)
+}
+
+fn nearest(world: &World) -> Option<f64> {
+    let mut list = HittableList::default();
+    for &(center, radius) in &world.spheres {
+        list.add(Sphere::new(center, radius));
+    }
+    Some(list.hit(&world.ray, world.t_min, world.t_max)?.t)
+}

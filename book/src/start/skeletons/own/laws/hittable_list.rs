@@ -1,0 +1,45 @@
+//! Your sphere, its record and your list, under the laws: `cargo test`
+
+use common::rtweekend as theirs;
+use laws::list::World;
+use laws::record::Hit;
+use my_hittable_list::{HitRecord, Hittable, HittableList, Sphere, ray::Ray, vec3::Vec3};
+
+#[test]
+fn sphere_record_and_list_obey_the_laws() {
+    laws::runner::nearest_in_range(&|center, radius, ray: &theirs::Ray, t_min, t_max| {
+        Some(hit(center, radius, ray, t_min, t_max)?.t)
+    });
+    laws::runner::record(&|center, radius, ray: &theirs::Ray, t_min, t_max| {
+        let HitRecord { t, normal, front_face, .. } = hit(center, radius, ray, t_min, t_max)?;
+        let normal = theirs::Vec3::new(normal.x, normal.y, normal.z);
+        Some(Hit { t, normal, front_face })
+    });
+    laws::runner::list(&nearest);
+}
+
+fn hit(
+    center: theirs::Point3,
+    radius: f64,
+    ray: &theirs::Ray,
+    t_min: f64,
+    t_max: f64,
+) -> Option<HitRecord> {
+    Sphere::new(own(center), radius).hit(&own_ray(ray), t_min, t_max)
+}
+
+fn nearest(world: &World) -> Option<f64> {
+    let mut list = HittableList::default();
+    for &(center, radius) in &world.spheres {
+        list.add(Sphere::new(own(center), radius));
+    }
+    Some(list.hit(&own_ray(&world.ray), world.t_min, world.t_max)?.t)
+}
+
+fn own_ray(ray: &theirs::Ray) -> Ray {
+    Ray::new(own(ray.origin), own(ray.direction))
+}
+
+fn own(v: theirs::Vec3) -> Vec3 {
+    Vec3::new(v.x, v.y, v.z)
+}

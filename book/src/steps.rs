@@ -1,0 +1,96 @@
+//! The steps of each chapter: a few lines to type, and one thing to see.
+
+use check::Chapter;
+use check::diagnosis::Scene;
+use common::rtweekend::*;
+
+/// A few lines to type, after which there is something new to see.
+pub(crate) struct Step {
+    /// What to type, and what it will show.
+    pub(crate) says: &'static str,
+    shows: Shows,
+}
+
+/// What a picture shows when a step is done.
+enum Shows {
+    /// The picture of a chapter.
+    Chapter(Chapter),
+    /// What each ray sees, in the shape of the book's pictures.
+    Rays(fn(&Ray) -> Color),
+}
+
+impl Step {
+    /// The picture that there is to see, in the size of the reader's.
+    pub(crate) fn picture(&self, width: u32, height: u32) -> Picture {
+        match self.shows {
+            Shows::Chapter(chapter) => of_chapter(chapter).right(width, height),
+            Shows::Rays(ray_color) => {
+                let camera = Camera::with_size(width, height);
+                Picture::paint(width, height, move |i, j| ray_color(&camera.ray(i, j)))
+            }
+        }
+    }
+}
+
+/// The steps that lead to the picture of `chapter`, which the last of them shows.
+pub(crate) fn of(chapter: Chapter) -> &'static [Step] {
+    match chapter {
+        Chapter::BuildTest => &[Step {
+            says: "Red grows to the right and green grows downwards, from 0 to 1.",
+            shows: Shows::Chapter(Chapter::BuildTest),
+        }],
+        Chapter::Gradient => &[
+            Step {
+                says: "Every ray is white: `ray_color` returns (1, 1, 1).",
+                shows: Shows::Rays(|_| Color::ONE),
+            },
+            Step {
+                says: "How steeply does it climb? Gray of a = ½(y + 1), with the y of the unit direction.",
+                shows: Shows::Rays(|ray| 0.5 * (ray.direction.normalize().y + 1.0) * Color::ONE),
+            },
+            Step {
+                says: "Blend white and the blue (0.5, 0.7, 1) by the weight a.",
+                shows: Shows::Chapter(Chapter::Gradient),
+            },
+        ],
+        Chapter::RedSphere => &[
+            Step {
+                says: "Nothing is hit yet: `hit_sphere` says false, and the sky of chapter 1 is there.",
+                shows: Shows::Chapter(Chapter::Gradient),
+            },
+            Step {
+                says: "oc, a, b, c and the discriminant: `hit_sphere` says whether there is a root.",
+                shows: Shows::Chapter(Chapter::RedSphere),
+            },
+        ],
+        Chapter::Normals => &[
+            Step {
+                says: "`hit_sphere` says where: the nearer root. The disc stays red where there is one.",
+                shows: Shows::Chapter(Chapter::RedSphere),
+            },
+            Step {
+                says: "Where t > 0, the unit normal at `ray.at(t)` becomes the color: ½(n + 1).",
+                shows: Shows::Chapter(Chapter::Normals),
+            },
+        ],
+        Chapter::HalfBSphere => &[Step {
+            says: "With h = −b/2 in place of b, every 2 and 4 goes. Not one bit changes.",
+            shows: Shows::Chapter(Chapter::HalfBSphere),
+        }],
+        Chapter::HittableList => &[
+            Step {
+                says: "A `Sphere` is `Hittable`, and a list of one finds it: the ball of chapter 4 is back.",
+                shows: Shows::Chapter(Chapter::HalfBSphere),
+            },
+            Step {
+                says: "`world` gets the ground, at (0, −100.5, −1) with radius 100, and the list finds the nearest.",
+                shows: Shows::Chapter(Chapter::HittableList),
+            },
+        ],
+        Chapter::SpeedVsAccuracy => &[],
+    }
+}
+
+fn of_chapter(chapter: Chapter) -> Scene {
+    Scene::new(chapter, None).expect("a chapter has room for its own scene")
+}

@@ -1,0 +1,174 @@
+//! `watch`: a loop from each save to a verdict, one screen long.
+
+mod build;
+mod changes;
+mod laws;
+mod screen;
+mod verdict;
+
+use std::env;
+use std::error::Error;
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::{Duration, Instant, SystemTime};
+
+use check::Chapter;
+use check::diagnosis::Scene;
+use check::slips::Probe;
+use clap::Args;
+use common::engine::output;
+
+use crate::check::{chapter_parser, probe_parser, seconds};
+use crate::done::Done;
+use crate::draw::shown;
+use crate::mine::Mine;
+use crate::misuse::misuse;
+use crate::program::{self, End};
+use changes::Changes;
+use verdict::{Judge, Verdict};
+
+/// What `cargo rtrace watch` is told.
+#[derive(Args)]
+pub(crate) struct Arguments {
+    /// Which picture it should be
+    #[arg(value_name = "CHAPTER", value_parser = chapter_parser())]
+    chapter: Chapter,
+
+    /// Your own program, which prints the picture; the current folder is watched
+    /// [default: the crate that `start` made, whose folder is watched]
+    #[arg(last = true, value_name = "PROGRAM", conflicts_with = "in_folder")]
+    program: Vec<OsString>,
+
+    /// Where your crates are, if not in mine
+    #[arg(long = "in", value_name = "FOLDER")]
+    in_folder: Option<PathBuf>,
+
+    /// Your program draws the scene of this probe (see `cargo rtrace probes`)
+    #[arg(long, value_name = "NAME", value_parser = probe_parser())]
+    probe: Option<Probe>,
+
+    /// How long your program may take
+    #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = seconds, allow_hyphen_values = true)]
+    timeout: Duration,
+
+    /// Say it once, and end with 0 if it is right
+    #[arg(long)]
+    once: bool,
+}
+
+/// Says how far the reader is, now and whenever something is saved.
+pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
+    let subject = Subject::of(arguments)?;
+    let mut changes = Changes::below(&subject.folder)?;
+    let mut was_stale = false;
+    if subject.is_built_for_the_first_time() {
+        let said = "Building what your crate stands on. The first time, that takes a minute.\n";
+        output::to_stdout(|out| out.write_all(said.as_bytes()))?;
+    }
+    loop {
+        let start = Instant::now();
+        // Twice in a row would be for ever, if the program itself writes what changes.
+        let verdict = subject.judge(&mut || !was_stale && changes.make_it_old());
+        let end = SystemTime::now();
+        was_stale = verdict.is_stale;
+        if !was_stale {
+            let news = subject.done.add_all(&verdict.done)?;
+            let screen = screen::compose(&subject.title(), &verdict, &news, start.elapsed());
+            output::to_stdout(|out| out.write_all(screen.as_bytes()))?;
+        }
+        if arguments.once {
+            return Ok(ExitCode::from(u8::from(!verdict.is_right)));
+        }
+        if !changes.wait(end) {
+            return Err(format!("{} is not there any more", shown(&subject.folder)).into());
+        }
+    }
+}
+
+/// What is watched and judged.
+struct Subject {
+    scene: Scene,
+    /// The reader's program with its arguments, or none for the crate in `folder`.
+    program: Vec<OsString>,
+    folder: PathBuf,
+    limit: Duration,
+    done: Done,
+}
+
+impl Subject {
+    fn of(arguments: &Arguments) -> Result<Self, Box<dyn Error>> {
+        let chapter = arguments.chapter;
+        let scene = Scene::new(chapter, arguments.probe)
+            .ok_or_else(|| misuse("this chapter has no place for the spheres of that probe"))?;
+        let mine = Mine::find(arguments.in_folder.as_deref());
+        let (folder, done) = match arguments.program.is_empty() {
+            true => (mine.of(chapter), Done::in_folder(mine.folder())),
+            false => {
+                let here = env::current_dir()?;
+                let done = Done::in_folder(&here);
+                (here, done)
+            }
+        };
+        if !folder.is_dir() {
+            return Err(misuse(&format!(
+                "there is no {} yet\nMake it with cargo rtrace start {name}, or name your program: cargo rtrace watch {name} -- PROGRAM",
+                shown(&folder),
+                name = chapter.name()
+            )));
+        }
+        let (program, limit) = (arguments.program.clone(), arguments.timeout);
+        Ok(Self {
+            scene,
+            program,
+            folder,
+            limit,
+            done,
+        })
+    }
+
+    fn is_built_for_the_first_time(&self) -> bool {
+        self.program.is_empty() && !self.folder.with_file_name("target").exists()
+    }
+
+    fn title(&self) -> String {
+        let name = self.scene.chapter.name();
+        match self.scene.probe {
+            Some(probe) => format!("{name}, probe {}", probe.name),
+            None => name.to_owned(),
+        }
+    }
+
+    /// Builds, draws and compares, unless `is_old` says meanwhile that there is
+    /// something newer to judge.
+    fn judge(&self, is_old: &mut dyn FnMut() -> bool) -> Verdict {
+        let built = match self.program.is_empty() {
+            true => match build::build(&self.folder) {
+                Ok(built) => Some(built),
+                Err(problem) => return Verdict::not_built(&problem),
+            },
+            false => None,
+        };
+        let words = match &built {
+            Some(built) => vec![built.program.clone(), "-".into()],
+            None => self.program.clone(),
+        };
+        let ran = program::run(&words, self.limit, is_old);
+        let laws = built.and_then(|built| built.laws);
+        let ask_laws = || laws::ask(laws.as_deref()?, self.limit);
+        let judge = Judge {
+            scene: &self.scene,
+            is_chapter_only: self.program.is_empty()
+                && !self.folder.join("src/rtweekend.rs").exists(),
+            ask_laws: &ask_laws,
+        };
+        match ran {
+            Ok((End::Interrupted, _)) => Verdict::stale(),
+            Ok((End::Itself(status, bytes), _)) if status.success() => judge.of_picture(&bytes),
+            Ok((End::Full(bytes), _)) => judge.of_picture(&bytes),
+            Ok((End::Itself(status, _), errors)) => Verdict::failed(&self.scene, &status, &errors),
+            Ok((End::TooSlow, errors)) => Verdict::too_slow(self.limit, &errors),
+            Err(cause) => Verdict::not_started(&words[0], &cause),
+        }
+    }
+}

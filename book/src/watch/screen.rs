@@ -1,0 +1,103 @@
+//! One screen: both pictures small, the verdict, its cause, and what is next.
+
+use std::io::{IsTerminal, stdout};
+use std::time::Duration;
+
+use common::engine::output;
+use jiff::Zoned;
+
+use super::verdict::{Line, Verdict};
+use crate::check::Style;
+use crate::terminal::{self, Palette};
+
+/// No more lines than this, whatever there is to say.
+const MOST_LINES: usize = 25;
+
+/// How large each picture is, in characters.
+const PICTURE: (u32, u32) = (32, 9);
+
+/// How wide text may become, in characters.
+const WIDEST: usize = 96;
+
+/// The screen as text; on a terminal it replaces the one before.
+pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], took: Duration) -> String {
+    let style = Style::of_stdout();
+    let now = Zoned::now().strftime("%H:%M:%S").to_string();
+    let mut lines = vec![format!(
+        "{}  {}",
+        style.bold(title),
+        style.dim(&format!(
+            "saved {now}, judged in {:.1} s",
+            took.as_secs_f64()
+        ))
+    )];
+    lines.extend(pictures(verdict));
+    lines.extend(wrapped("", &colored(verdict, style)));
+    let mut below: Vec<String> = Vec::new();
+    if !verdict.next.is_empty() {
+        below.extend(wrapped("next", &verdict.next));
+    }
+    below.extend(news.iter().map(|thing| labeled("done", thing)));
+    let room = MOST_LINES.saturating_sub(lines.len() + below.len());
+    let mut cause: Vec<String> = verdict.cause.iter().flat_map(shown).collect();
+    if cause.len() > room {
+        cause.truncate(room.saturating_sub(1));
+        cause.push("…".to_owned());
+    }
+    lines.extend(cause);
+    lines.extend(below);
+    lines.truncate(MOST_LINES);
+    let clear = match stdout().is_terminal() {
+        true => "\x1b[2J\x1b[H",
+        false => "",
+    };
+    format!("{clear}{}\n", lines.join("\n"))
+}
+
+fn colored(verdict: &Verdict, style: Style) -> String {
+    match verdict.is_right {
+        true => style.green(&verdict.headline),
+        false => style.bold(&verdict.headline),
+    }
+}
+
+/// Yours at the left, and at the right what it should be.
+fn pictures(verdict: &Verdict) -> Vec<String> {
+    let (Some(palette), Some((yours, right))) = (Palette::of_stdout(), &verdict.pictures) else {
+        return Vec::new();
+    };
+    let (columns, rows) = PICTURE;
+    let [yours, right] = [yours, right].map(|it| terminal::lines(it, palette, columns, 2 * rows));
+    let both = yours.iter().zip(&right);
+    let mut lines: Vec<String> = both
+        .map(|(yours, right)| format!("{yours}  {right}"))
+        .collect();
+    let label = format!("{:<34}{}", "yours", "what it should be");
+    lines.push(label);
+    lines
+}
+
+fn shown(line: &Line) -> Vec<String> {
+    match line {
+        Line::Labeled(label, text) => wrapped(label, text),
+        Line::Printed(line) => vec![line.clone()],
+    }
+}
+
+/// The text in as many lines as it takes, with the label before the first.
+fn wrapped(label: &str, text: &str) -> Vec<String> {
+    let indent = if label.is_empty() { 0 } else { 11 };
+    let width = terminal_size::terminal_size().map_or(80, |(width, _)| usize::from(width.0));
+    let width = width.clamp(20, WIDEST) - indent;
+    let lines = textwrap::wrap(text, width).into_iter();
+    let labels = std::iter::once(label).chain(std::iter::repeat(""));
+    let labeled = labels.zip(lines).map(|(label, line)| match indent {
+        0 => line.into_owned(),
+        _ => labeled(label, &line),
+    });
+    labeled.collect()
+}
+
+fn labeled(label: &str, text: &str) -> String {
+    format!("{label:<9}  {}", output::visible(text))
+}

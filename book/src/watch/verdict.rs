@@ -1,0 +1,329 @@
+//! What to say after a save: one verdict, one cause, one thing to do next.
+
+use std::ffi::OsStr;
+use std::io;
+use std::process::ExitStatus;
+use std::time::Duration;
+
+use check::Chapter;
+use check::diagnosis::{Scene, Set, names_of};
+use check::judge::{self, Check, Finding};
+use check::reading::{self, Cause};
+use check::slips::Slip;
+use common::engine::output;
+use common::rtweekend::Picture;
+
+use super::build::Problem;
+use super::laws::Answer;
+use crate::done::{picture_is_right, step_is_done};
+use crate::steps;
+
+/// What a save has come to.
+#[derive(Default)]
+pub(super) struct Verdict {
+    /// Whether nothing is left to do here.
+    pub(super) is_right: bool,
+    /// Whether it is about something that was saved over meanwhile.
+    pub(super) is_stale: bool,
+    /// The reader's picture and the one that it should be, if there is one.
+    pub(super) pictures: Option<(Picture, Picture)>,
+    /// What it is, in a line.
+    pub(super) headline: String,
+    /// The first cause, or what is known of it.
+    pub(super) cause: Vec<Line>,
+    /// What to do now.
+    pub(super) next: String,
+    /// What came out right.
+    pub(super) done: Vec<String>,
+}
+
+/// A line below the headline.
+pub(super) enum Line {
+    /// A label, and text that may be long.
+    Labeled(&'static str, String),
+    /// As a compiler or a program has printed it.
+    Printed(String),
+}
+
+impl Verdict {
+    pub(super) fn stale() -> Self {
+        Self {
+            is_stale: true,
+            ..Self::default()
+        }
+    }
+
+    pub(super) fn not_built(problem: &Problem) -> Self {
+        let more = match problem.more {
+            0 => String::new(),
+            more => format!(" This is the first of {}.", more + 1),
+        };
+        Self {
+            headline: format!("It does not compile.{more}"),
+            cause: problem
+                .first
+                .lines()
+                .map(|line| Line::Printed(line.to_owned()))
+                .collect(),
+            next: "put this right; rustc --explain tells more of an error with a number".to_owned(),
+            ..Self::default()
+        }
+    }
+
+    pub(super) fn not_started(program: &OsStr, cause: &io::Error) -> Self {
+        let name = program.to_string_lossy();
+        Self {
+            headline: format!("{} does not start: {cause}.", output::visible(&name)),
+            next: "is it built, and is its path right? In this folder it is ./NAME".to_owned(),
+            ..Self::default()
+        }
+    }
+
+    pub(super) fn too_slow(limit: Duration, errors: &str) -> Self {
+        Self {
+            headline: format!("It did not end within {limit:?}."),
+            cause: printed(errors),
+            next: "does a loop end? If it is only slow: a smaller picture, or --timeout SECONDS"
+                .to_owned(),
+            ..Self::default()
+        }
+    }
+
+    /// It ended with another code than 0, and these were its last words.
+    pub(super) fn failed(scene: &Scene, status: &ExitStatus, errors: &str) -> Self {
+        match not_written_yet(errors) {
+            Some(place) => Self {
+                headline: format!("Not written yet: todo!() at {place}."),
+                next: first_step(scene.chapter),
+                ..Self::default()
+            },
+            None => Self {
+                headline: format!("It ended with {status}, and drew nothing."),
+                cause: printed(errors),
+                next: "a program that draws a picture ends with 0".to_owned(),
+                ..Self::default()
+            },
+        }
+    }
+}
+
+/// Who was asked, and can be asked more.
+pub(super) struct Judge<'a> {
+    pub(super) scene: &'a Scene,
+    /// Whether all but the chapter itself is ours, and so has no mistake of the reader's.
+    pub(super) is_chapter_only: bool,
+    /// Puts the reader's function under the laws, where there is one.
+    pub(super) ask_laws: &'a dyn Fn() -> Option<Answer>,
+}
+
+impl Judge<'_> {
+    /// The verdict on what the program has printed. Laws are asked where they know more
+    /// than the picture.
+    pub(super) fn of_picture(&self, bytes: &[u8]) -> Verdict {
+        let scene = self.scene;
+        if let Some(verdict) = of_step(scene, bytes) {
+            return verdict;
+        }
+        match judge::check(scene, bytes, 0) {
+            Check::Right(right) => {
+                let picture = scene.right(right.width, right.height);
+                of_right_picture(scene, picture, (self.ask_laws)())
+            }
+            Check::Wrong(finding) => self.of_wrong_picture(finding),
+            Check::WrongShape { cause, finding } => of_no_picture("wrong", &cause, finding),
+            Check::NotAPicture { cause, finding } => of_no_picture("no picture", &cause, finding),
+        }
+    }
+
+    fn of_wrong_picture(&self, finding: Finding) -> Verdict {
+        let (cause, next) = match &self.mistakes(&finding)[..] {
+            [one] => (in_full(one), String::new()),
+            mistakes => match (self.ask_laws)() {
+                Some(Answer::Broken(report)) => (printed(&report.join("\n")), String::new()),
+                _ if mistakes.is_empty() => (sights(&finding), String::new()),
+                _ => undecided(self.scene, &finding.diagnosis.sets[0], mistakes),
+            },
+        };
+        let difference = finding.difference.as_ref();
+        let count = difference.map_or(0, |difference| difference.count);
+        let total = finding.right.rgb().len() / 3;
+        Verdict {
+            headline: format!("Wrong: {count} of {total} pixels."),
+            cause,
+            next,
+            pictures: Some((finding.yours, finding.right)),
+            ..Verdict::default()
+        }
+    }
+
+    /// The mistakes that explain the picture; of these, the ones that the reader can have
+    /// made.
+    fn mistakes<'f>(&self, finding: &'f Finding) -> Vec<&'f Mistake> {
+        let set = finding.diagnosis.sets.first().filter(|set| set.is_enough());
+        let all: Vec<&Mistake> = set.map_or(Vec::new(), |set| set.mistakes.iter().collect());
+        let own = |mistake: &&&Mistake| mistake.iter().all(|slip| slip.is_in_a_chapter());
+        let of_chapter: Vec<&Mistake> = all.iter().filter(own).copied().collect();
+        match self.is_chapter_only && !of_chapter.is_empty() {
+            true => of_chapter,
+            false => all,
+        }
+    }
+}
+
+/// Slips that were made together: most often a single one.
+type Mistake = Vec<&'static Slip>;
+
+/// A picture that a step before the last one shows.
+fn of_step(scene: &Scene, bytes: &[u8]) -> Option<Verdict> {
+    let reading = reading::read(bytes).ok()?;
+    let (width, height) = (reading.width, reading.height);
+    if scene.probe.is_some() || scene.height(width) != height || reading.outside().is_some() {
+        return None;
+    }
+    let steps = steps::of(scene.chapter);
+    let yours = reading.picture();
+    let (_, earlier) = steps.split_last()?;
+    let shows = |step: &steps::Step| step.picture(width, height).rgb() == yours.rgb();
+    let at = earlier.iter().rposition(shows)?;
+    Some(Verdict {
+        headline: format!("Step {} of {} is right.", at + 1, steps.len()),
+        next: step_says(at + 1, &steps[at + 1]),
+        done: vec![step_is_done(scene.chapter, at + 1)],
+        pictures: Some((yours, scene.right(width, height))),
+        ..Verdict::default()
+    })
+}
+
+fn of_right_picture(scene: &Scene, picture: Picture, laws: Option<Answer>) -> Verdict {
+    let (width, height) = (picture.width(), picture.height());
+    let again = scene.right(width, height);
+    let chapter = scene.chapter;
+    let mut verdict = Verdict {
+        is_right: true,
+        headline: format!("Right: all {width} × {height} pixels, to the last bit."),
+        pictures: Some((picture, again)),
+        done: match scene.probe {
+            Some(probe) => vec![format!("{}, probe {}: right", chapter.name(), probe.name)],
+            None => vec![picture_is_right(chapter)],
+        },
+        ..Verdict::default()
+    };
+    match laws {
+        Some(Answer::Broken(report)) => {
+            verdict.is_right = false;
+            verdict.headline = "The picture is right, but a law is broken.".to_owned();
+            verdict.cause = printed(&report.join("\n"));
+            verdict.next = "cargo test, in the folder of your crate, shows the case".to_owned();
+        }
+        Some(Answer::Unknown(errors)) => {
+            verdict.is_right = false;
+            verdict.headline = "The picture is right, but the laws can't be tried.".to_owned();
+            verdict.cause = printed(&errors);
+            verdict.next = "cargo test, in the folder of your crate, shows more".to_owned();
+        }
+        Some(Answer::Obeyed) => {
+            verdict.headline += " The laws hold.";
+            verdict
+                .done
+                .push(format!("{}: the laws hold", chapter.name()));
+            verdict.next = next_chapter(chapter);
+        }
+        None => verdict.next = next_chapter(chapter),
+    }
+    verdict
+}
+
+fn of_no_picture(verdict: &str, cause: &Cause, finding: Option<Box<Finding>>) -> Verdict {
+    let slip = finding
+        .as_ref()
+        .and_then(|finding| finding.diagnosis.sets.first());
+    let slip = slip.filter(|set| set.is_enough() && set.mistakes.len() == 1);
+    Verdict {
+        headline: format!("It is {verdict}: {}.", cause.problem),
+        cause: slip.map_or(Vec::new(), |set| in_full(&set.mistakes[0])),
+        next: cause.fix.clone(),
+        pictures: finding.map(|finding| (finding.yours, finding.right)),
+        ..Verdict::default()
+    }
+}
+
+/// A slip, or two that were made together.
+fn in_full(mistake: &[&Slip]) -> Vec<Line> {
+    let lines = mistake.iter().flat_map(|slip| {
+        [
+            Line::Labeled("probably", slip.wrong.to_owned()),
+            Line::Labeled("should be", slip.right.to_owned()),
+            Line::Labeled("why", slip.explanation.to_owned()),
+        ]
+    });
+    lines.collect()
+}
+
+/// Slips that draw the same picture, and how to find out which it is.
+fn undecided(scene: &Scene, set: &Set, mistakes: &[&Mistake]) -> (Vec<Line>, String) {
+    let one_of = mistakes.iter().map(|mistake| {
+        let wrong: Vec<&str> = mistake.iter().map(|slip| slip.wrong).collect();
+        Line::Labeled(
+            "probably",
+            format!("{}  ({})", wrong.join("; "), names_of(mistake)),
+        )
+    });
+    let next = match &set.telling {
+        Some(telling) => format!(
+            "the probe {} tells them apart: {}",
+            telling.probe.name,
+            telling.probe.lines(scene.chapter)
+        ),
+        None => "look for each: no probe tells them apart".to_owned(),
+    };
+    (one_of.collect(), next)
+}
+
+/// What can be seen where no mistake explains it.
+fn sights(finding: &Finding) -> Vec<Line> {
+    let seen = finding.diagnosis.sights.iter().cloned();
+    let mut lines: Vec<Line> = seen.map(|sight| Line::Labeled("seen", sight)).collect();
+    if let Some(difference) = &finding.difference {
+        let (column, row) = difference.first;
+        lines.push(Line::Labeled(
+            "first",
+            format!(
+                "column {column}, row {row}: expected {:?}, got {:?}",
+                difference.expected, difference.actual
+            ),
+        ));
+    }
+    lines
+}
+
+fn printed(text: &str) -> Vec<Line> {
+    let visible = |line| Line::Printed(output::visible(line).into_owned());
+    text.lines().map(visible).collect()
+}
+
+/// Where a panic says that nothing has been written yet.
+fn not_written_yet(errors: &str) -> Option<&str> {
+    let (before, _) = errors.split_once("not yet implemented")?;
+    let (_, place) = before.trim_end().rsplit_once("panicked at ")?;
+    Some(place.trim_end_matches(':'))
+}
+
+fn first_step(chapter: Chapter) -> String {
+    let steps = steps::of(chapter);
+    steps
+        .first()
+        .map_or(String::new(), |step| step_says(0, step))
+}
+
+fn step_says(at: usize, step: &steps::Step) -> String {
+    format!("step {}: {}", at + 1, step.says)
+}
+
+fn next_chapter(chapter: Chapter) -> String {
+    let next = Chapter::OF_THE_BOOK
+        .into_iter()
+        .find(|&next| next > chapter);
+    next.map_or("that was the last chapter to type".to_owned(), |next| {
+        format!("{next}: cargo rtrace start {next}", next = next.name())
+    })
+}

@@ -1,0 +1,350 @@
+//! A crate of the reader's own: made, typed, carried on, and put under the laws.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use tempfile::TempDir;
+
+use crate::command_line::{assert_failed, assert_refused, assert_success, program, run, text};
+
+/// The chapters that are typed.
+const TYPED: [&str; 5] = [
+    "gradient",
+    "red_sphere",
+    "normals",
+    "half_b_sphere",
+    "hittable_list",
+];
+
+/// A folder for a reader's crates, which all tests build in one place.
+pub(crate) struct Mine(TempDir);
+
+impl Mine {
+    pub(crate) fn new() -> Self {
+        Self(TempDir::new().expect("a folder"))
+    }
+
+    pub(crate) fn path(&self) -> &Path {
+        self.0.path()
+    }
+
+    /// `rtrace` with these words, about this folder.
+    pub(crate) fn rtrace(&self, words: &[&str]) -> Command {
+        let mut command = program("rtrace");
+        let built = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/mine");
+        command.args(words).env("CARGO_TARGET_DIR", built);
+        command
+    }
+
+    pub(crate) fn start(&self, chapter: &str, more: &[&str]) -> Command {
+        let into = self.path().to_str().expect("a name in UTF-8");
+        self.rtrace(&[&["start", chapter, "--into", into], more].concat())
+    }
+
+    pub(crate) fn watch_once(&self, chapter: &str) -> String {
+        let into = self.path().to_str().expect("a name in UTF-8");
+        text(&run(&mut self.rtrace(&["watch", chapter, "--in", into, "--once"])).stdout)
+    }
+
+    pub(crate) fn lib(&self, chapter: &str) -> PathBuf {
+        self.path().join(chapter).join("src/lib.rs")
+    }
+
+    /// Replaces `old`, which is there once, by `new`.
+    pub(crate) fn edit(&self, chapter: &str, old: &str, new: &str) {
+        let file = self.lib(chapter);
+        let source = fs::read_to_string(&file).expect("the chapter");
+        assert_eq!(source.matches(old).count(), 1, "{old} in\n{source}");
+        fs::write(file, source.replace(old, new)).expect("the chapter is saved");
+    }
+}
+
+#[test]
+fn every_chapter_can_be_typed_and_begins_with_the_one_before() {
+    let mine = Mine::new();
+    for chapter in TYPED {
+        assert_success(&run(&mut mine.start(chapter, &[])));
+        let said = mine.watch_once(chapter);
+        assert!(
+            said.contains("Not written yet: todo!() at src/lib.rs:"),
+            "{said}"
+        );
+        type_all(&mine, chapter);
+        let said = mine.watch_once(chapter);
+        assert!(said.contains("to the last bit"), "{chapter}:\n{said}");
+        assert!(
+            chapter == "gradient" || said.contains("The laws hold"),
+            "{said}"
+        );
+    }
+    // What was typed in chapter 1 is still what the sky is.
+    let last = fs::read_to_string(mine.lib("hittable_list")).expect("the chapter");
+    assert!(
+        last.contains("pub fn sky(ray: &Ray) -> Color {\n    let up"),
+        "{last}"
+    );
+}
+
+/// The prelude is typed too: vectors, rays, the camera and the text of a picture.
+#[test]
+fn a_reader_may_type_the_prelude_as_well() {
+    let mine = Mine::new();
+    for chapter in TYPED {
+        assert_success(&run(&mut mine.start(chapter, &["--own-prelude"])));
+        if chapter == "gradient" {
+            type_prelude(&mine);
+        }
+        type_all(&mine, chapter);
+        let said = mine.watch_once(chapter);
+        assert!(said.contains("to the last bit"), "{chapter}:\n{said}");
+        assert!(
+            chapter == "gradient" || said.contains("The laws hold"),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn nothing_that_was_typed_is_written_over() {
+    let mine = Mine::new();
+    assert_success(&run(&mut mine.start("normals", &[])));
+    fs::write(mine.lib("normals"), "// mine").expect("a file");
+    assert_refused(
+        &mut mine.start("normals", &[]),
+        &["normals is there already", "--again"],
+    );
+    assert_eq!(
+        fs::read_to_string(mine.lib("normals")).expect("a file"),
+        "// mine"
+    );
+
+    let again = run(&mut mine.start("normals", &["--again"]));
+    assert_success(&again);
+    assert!(
+        text(&again.stdout).contains("normals.1"),
+        "{}",
+        text(&again.stdout)
+    );
+    let kept = fs::read_to_string(mine.path().join("normals.1/src/lib.rs"));
+    assert_eq!(kept.expect("what was there"), "// mine");
+    assert!(
+        fs::read_to_string(mine.lib("normals"))
+            .expect("a file")
+            .contains("todo!()")
+    );
+}
+
+#[test]
+fn what_cannot_be_read_is_not_carried_over_and_that_is_said() {
+    let mine = Mine::new();
+    assert_success(&run(&mut mine.start("gradient", &[])));
+    fs::write(mine.lib("gradient"), "pub fn ray_color(").expect("a file");
+    let started = run(&mut mine.start("red_sphere", &[]));
+    assert_success(&started);
+    let said = text(&started.stdout);
+    assert!(
+        said.contains("Nothing is carried over from gradient"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_named() {
+    let mine = Mine::new();
+    fs::write(mine.path().join("file"), "").expect("a file");
+    let into = mine.path().join("file/mine");
+    let into = into.to_str().expect("a name in UTF-8");
+    assert_failed(
+        &mut mine.rtrace(&["start", "normals", "--into", into]),
+        &["cannot write", "file/mine"],
+    );
+}
+
+#[test]
+fn the_list_of_done_things_has_what_came_out_right_once_and_the_readers_own_lines() {
+    let mine = Mine::new();
+    assert_success(&run(&mut mine.start("gradient", &[])));
+    mine.edit("gradient", "todo!()", "Color::new(1.0, 1.0, 1.0)");
+    mine.watch_once("gradient");
+    mine.watch_once("gradient");
+    let into = mine.path().to_str().expect("a name in UTF-8");
+    let done = |words: &[&str]| {
+        let output = run(&mut mine.rtrace(&[&["done", "--in", into], words].concat()));
+        assert_success(&output);
+        text(&output.stdout)
+    };
+    done(&["red and green\nwere swapped"]);
+    let list = fs::read_to_string(mine.path().join("done.md")).expect("the list");
+    let lines: Vec<&str> = list.lines().collect();
+    assert_eq!(lines[..2], ["# Done", ""]);
+    assert_eq!(lines.len(), 4, "{list}");
+    for (line, what) in lines[2..].iter().zip([
+        "gradient: step 1 shows what it should",
+        "red and green were swapped",
+    ]) {
+        let (when, thing) = line.split_at("- 2026-11-22 10:41  ".len());
+        assert_eq!(thing, what);
+        assert!(when.starts_with("- 20") && when.ends_with("  "), "{when}");
+    }
+    let said = done(&[]);
+    assert!(
+        said.contains("were swapped") && said.contains("gradient       2. How steeply"),
+        "{said}"
+    );
+    assert!(!said.contains("gradient       1."), "{said}");
+}
+
+/// Types all that is missing.
+fn type_all(mine: &Mine, chapter: &str) {
+    match chapter {
+        "gradient" => mine.edit(chapter, "todo!()", "let up = 0.5 * (ray.direction.normalize().y + 1.0);\n    (1.0 - up) * Color::new(1.0, 1.0, 1.0) + up * Color::new(0.5, 0.7, 1.0)"),
+        "red_sphere" => mine.edit(chapter, "todo!()", DECISION),
+        "normals" => {
+            fill(mine, chapter, "pub fn ray_color(ray: &Ray) -> Color", NORMAL_AS_COLOR);
+            fill(mine, chapter, "-> Option<f64>", FULL);
+        }
+        "half_b_sphere" => mine.edit(chapter, "todo!()", HALF),
+        _ => {
+            fill(mine, chapter, "world: &dyn Hittable) -> Color", "match world.hit(ray, 0.0, f64::INFINITY) {\n        Some(record) => 0.5 * (record.normal + Vec3::new(1.0, 1.0, 1.0)),\n        None => sky(ray),\n    }");
+            fill(mine, chapter, "outward_normal: Vec3)", "self.front_face = ray.direction.dot(outward_normal) < 0.0;\n        self.normal = if self.front_face { outward_normal } else { -outward_normal };");
+            fill(mine, chapter, "impl Hittable for Sphere", SPHERE);
+            fill(mine, chapter, "impl Hittable for HittableList", LIST);
+            mine.edit(chapter, "    world\n}", "    world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0));\n    world\n}");
+        }
+    }
+}
+
+/// Puts `body` in the place of the first `todo!()` behind `place`.
+fn fill(mine: &Mine, chapter: &str, place: &str, body: &str) {
+    let file = mine.lib(chapter);
+    let source = fs::read_to_string(&file).expect("the chapter");
+    let (before, behind) = source.split_once(place).expect("the place");
+    let behind = behind.replacen("todo!()", body, 1);
+    fs::write(&file, format!("{before}{place}{behind}")).expect("the chapter is saved");
+}
+
+const DECISION: &str = "let oc = center - ray.origin;
+    let a = ray.direction.dot(ray.direction);
+    let b = -2.0 * ray.direction.dot(oc);
+    let c = oc.dot(oc) - radius * radius;
+    b * b - 4.0 * a * c >= 0.0";
+
+const FULL: &str = "let oc = center - ray.origin;
+    let a = ray.direction.dot(ray.direction);
+    let b = -2.0 * ray.direction.dot(oc);
+    let c = oc.dot(oc) - radius * radius;
+    let discriminant = b * b - 4.0 * a * c;
+    if discriminant < 0.0 {
+        return None;
+    }
+    Some((-b - discriminant.sqrt()) / (2.0 * a))";
+
+const NORMAL_AS_COLOR: &str = "let center = Point3::new(0.0, 0.0, -1.0);
+    match hit_sphere(center, 0.5, ray) {
+        Some(t) if t > 0.0 => {
+            let normal = (ray.at(t) - center).normalize();
+            0.5 * (normal + Vec3::new(1.0, 1.0, 1.0))
+        }
+        _ => sky(ray),
+    }";
+
+const HALF: &str = "let oc = center - ray.origin;
+    let a = ray.direction.length_squared();
+    let h = ray.direction.dot(oc);
+    let c = oc.length_squared() - radius * radius;
+    let discriminant = h * h - a * c;
+    if discriminant < 0.0 {
+        return None;
+    }
+    Some((h - discriminant.sqrt()) / a)";
+
+const SPHERE: &str = "let oc = self.center - ray.origin;
+        let a = ray.direction.length_squared();
+        let h = ray.direction.dot(oc);
+        let c = oc.length_squared() - self.radius * self.radius;
+        let discriminant = h * h - a * c;
+        if discriminant < 0.0 {
+            return None;
+        }
+        let roots = [-discriminant.sqrt(), discriminant.sqrt()].map(|root| (h + root) / a);
+        let t = roots.into_iter().find(|&t| t_min < t && t < t_max)?;
+        let point = ray.at(t);
+        let mut record = HitRecord { t, point, ..HitRecord::default() };
+        record.set_face_normal(ray, (1.0 / self.radius) * (point - self.center));
+        Some(record)";
+
+const LIST: &str = "let mut nearest: Option<HitRecord> = None;
+        for object in &self.objects {
+            let closest = nearest.map_or(t_max, |record| record.t);
+            nearest = object.hit(ray, t_min, closest).or(nearest);
+        }
+        nearest";
+
+fn type_prelude(mine: &Mine) {
+    let source = mine.path().join("gradient/src");
+    let answers: [(&str, &[(&str, &str)]); 3] = [
+        (
+            "vec3.rs",
+            &[
+                (
+                    "fn dot(self, other: Self) -> f64",
+                    "self.x * other.x + self.y * other.y + self.z * other.z",
+                ),
+                ("fn length_squared(self) -> f64", "self.dot(self)"),
+                ("fn length(self) -> f64", "self.length_squared().sqrt()"),
+                ("fn normalize(self) -> Self", "(1.0 / self.length()) * self"),
+                (
+                    "fn add(self, other: Self)",
+                    "Self::new(self.x + other.x, self.y + other.y, self.z + other.z)",
+                ),
+                ("fn sub(self, other: Self)", "self + -other"),
+                ("fn neg(self)", "-1.0 * self"),
+                (
+                    "fn mul(self, v: Vec3)",
+                    "Vec3::new(self * v.x, self * v.y, self * v.z)",
+                ),
+            ],
+        ),
+        (
+            "ray.rs",
+            &[("fn at(&self, t: f64)", "self.origin + t * self.direction")],
+        ),
+        (
+            "render.rs",
+            &[("ray_color: impl Fn(&Ray) -> Color) -> Picture", RENDER)],
+        ),
+    ];
+    for (name, functions) in answers {
+        let file = source.join(name);
+        let mut text = fs::read_to_string(&file).expect("the prelude");
+        for (place, body) in functions {
+            let (before, behind) = text.split_once(place).expect("the place");
+            text = format!("{before}{place}{}", behind.replacen("todo!()", body, 1));
+        }
+        fs::write(file, text).expect("the prelude is saved");
+    }
+}
+
+const RENDER: &str = "use crate::vec3::Vec3;
+
+    let height = ((f64::from(width) / (16.0 / 9.0)) as u32).max(1);
+    let viewport = 2.0 * (f64::from(width) / f64::from(height));
+    let (u, v) = (Vec3::new(viewport, 0.0, 0.0), Vec3::new(0.0, -2.0, 0.0));
+    let delta_u = (1.0 / f64::from(width)) * u;
+    let delta_v = (1.0 / f64::from(height)) * v;
+    let eye = Vec3::new(0.0, 0.0, 0.0);
+    let corner = eye - Vec3::new(0.0, 0.0, 1.0) - 0.5 * u - 0.5 * v;
+    let first = corner + 0.5 * (delta_u + delta_v);
+    let mut text = format!(\"P3\\n{width} {height}\\n255\\n\");
+    for j in 0..height {
+        for i in 0..width {
+            let pixel = first + f64::from(i) * delta_u + f64::from(j) * delta_v;
+            let color = ray_color(&Ray::new(eye, pixel - eye));
+            for component in [color.x, color.y, color.z] {
+                text += &format!(\"{} \", (255.999 * component) as u8);
+            }
+            text.push('\\n');
+        }
+    }
+    text";

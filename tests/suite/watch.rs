@@ -1,0 +1,344 @@
+//! The loop from a save to a verdict, watched in a terminal as a reader sees it.
+
+use std::fs;
+use std::io::Read;
+use std::process::{Child, Command};
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use insta::assert_binary_snapshot;
+use rustix::process::{Pid, Signal, kill_process};
+use tempfile::TempDir;
+
+use crate::command_line::{assert_refused, assert_success, program, run, text};
+use crate::left_out::left_out;
+use crate::start::Mine;
+use crate::terminal;
+
+/// The first hour of the introduction, which shows some of these screens.
+#[test]
+fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
+    let mine = Mine::new();
+    assert_success(&run(&mut mine.start("normals", &[])));
+    let into = mine.path().to_str().expect("a name in UTF-8");
+    let mut desk = Desk::sit_down(&mut mine.rtrace(&["watch", "normals", "--in", into]));
+    keep("not_written", &desk.see("Not written yet"));
+
+    mine.edit("normals", RAY_COLOR_TODO, RED_DISC);
+    desk.see("src/lib.rs:");
+    // The first mistake: a bracket too few. The compiler says so itself.
+    mine.edit(
+        "normals",
+        HIT_SPHERE_TODO,
+        &FULL.replace("(2.0 * a)", "(2.0 * a"),
+    );
+    let screen = desk.see("It does not compile");
+    assert!(plain(&screen).contains("src/lib.rs"), "{screen}");
+    mine.edit("normals", "(2.0 * a", "(2.0 * a)");
+    keep("step", &desk.see("Step 1 of 2 is right."));
+
+    // The second: the normal is not mapped from −1…1 to 0…1, but by another half.
+    mine.edit(
+        "normals",
+        RED_BODY,
+        &NORMAL_BODY.replace("ray.at(t) - center", "center - ray.at(t)"),
+    );
+    keep("wrong", &desk.see("Wrong:"));
+    mine.edit("normals", "center - ray.at(t)", "ray.at(t) - center");
+    desk.see("The laws hold.");
+
+    // The third: the sign of b.
+    mine.edit("normals", "let b = -2.0", "let b = 2.0");
+    let screen = plain(&desk.see("Wrong:"));
+    assert!(screen.contains("b = "), "{screen}");
+    mine.edit("normals", "let b = 2.0", "let b = -2.0");
+    keep("right", &desk.see("The laws hold."));
+
+    for screen in desk.screens() {
+        assert!(screen.lines().count() <= 25, "{screen}");
+    }
+    desk.leave();
+    let list = fs::read_to_string(mine.path().join("done.md")).expect("the list");
+    for done in ["step 1 shows", "the picture is right", "the laws hold"] {
+        assert_eq!(list.matches(done).count(), 1, "{list}");
+    }
+}
+
+#[test]
+fn a_program_in_any_language_is_watched_with_its_folder() {
+    let Some(python) = python() else {
+        left_out("there is no Python here to watch a program of");
+        return;
+    };
+    let here = TempDir::new().expect("a folder");
+    let file = here.path().join("gradient.py");
+    fs::write(&file, GRADIENT_PY).expect("the program");
+    let mut watch = program("rtrace");
+    watch.args(["watch", "gradient", "--", &python, "gradient.py"]);
+    let mut desk = Desk::sit_down(watch.current_dir(here.path()));
+    desk.see("Right: all 64 × 36 pixels");
+
+    let save = |old: &str, new: &str| {
+        let source = fs::read_to_string(&file).expect("the program");
+        assert!(source.contains(old));
+        fs::write(&file, source.replace(old, new)).expect("it is saved");
+    };
+    save("(1 - a) * 1 + a * 0.5", "a * 1 + (1 - a) * 0.5");
+    desk.see("Wrong:");
+    save("import math", "import maths");
+    assert!(plain(&desk.see("drew nothing")).contains("maths"));
+    save("import maths", "import math\nimport time\ntime.sleep(60)");
+    // It hangs, and is not waited for once there is something newer.
+    thread::sleep(Duration::from_millis(400));
+    save(
+        "time.sleep(60)",
+        "open('own.ppm', 'w').write(str(time.time()))",
+    );
+    let saved = Instant::now();
+    desk.see("Wrong:");
+    assert!(
+        saved.elapsed() < Duration::from_secs(9),
+        "it was waited for"
+    );
+    // A program that writes a new file on every run is not judged for ever.
+    thread::sleep(Duration::from_secs(3));
+    let before = desk.screens().len();
+    thread::sleep(Duration::from_secs(2));
+    assert_eq!(desk.screens().len(), before);
+    save("a * 1 + (1 - a) * 0.5", "(1 - a) * 1 + a * 0.5");
+    desk.see("Right:");
+
+    fs::remove_dir_all(here.path()).expect("the folder goes");
+    assert!(!desk.ended().success());
+}
+
+#[test]
+fn what_cannot_be_watched_is_said() {
+    let here = TempDir::new().expect("a folder");
+    let mut none = program("rtrace");
+    none.args(["watch", "normals"]).current_dir(here.path());
+    assert_refused(
+        &mut none,
+        &[
+            "there is no mine/normals yet",
+            "start normals",
+            "-- PROGRAM",
+        ],
+    );
+
+    let once = |words: &[&str]| {
+        let mut watch = program("rtrace");
+        watch
+            .args(["watch", "gradient", "--once"])
+            .args(words)
+            .current_dir(here.path());
+        run(&mut watch)
+    };
+    let output = once(&["--", "./no-such-program"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        text(&output.stdout).contains("does not start"),
+        "{output:?}"
+    );
+    let output = once(&["--timeout", "0.3", "--", "sleep", "60"]);
+    assert!(
+        text(&output.stdout).contains("did not end within 300ms"),
+        "{output:?}"
+    );
+    let output = once(&["--", "echo", "hello"]);
+    assert!(text(&output.stdout).contains("no picture"), "{output:?}");
+}
+
+/// Somebody at a terminal, before whom the program runs.
+struct Desk {
+    child: Child,
+    shown: Arc<Mutex<Vec<u8>>>,
+    /// How much of it has been seen.
+    seen: usize,
+}
+
+/// What clears the screen.
+const CLEAR: &str = "\x1b[2J\x1b[H";
+
+impl Desk {
+    fn sit_down(command: &mut Command) -> Self {
+        let (mut controller, end) = terminal::open();
+        command.env("COLORTERM", "truecolor");
+        terminal::forget_ours(command);
+        let child = command.stdout(end).spawn().expect("the program starts");
+        // Only who has started it holds the terminal.
+        command.stdout(std::process::Stdio::null());
+        let shown = Arc::new(Mutex::new(Vec::new()));
+        let screen = Arc::clone(&shown);
+        thread::spawn(move || {
+            let mut piece = [0; 4096];
+            while let Ok(length @ 1..) = controller.read(&mut piece) {
+                let mut screen = screen.lock().expect("nobody panics with it");
+                screen.extend_from_slice(&piece[..length]);
+            }
+        });
+        Self {
+            child,
+            shown,
+            seen: 0,
+        }
+    }
+
+    /// All screens so far, each as it was before the next one replaced it.
+    fn screens(&self) -> Vec<String> {
+        let shown = text(&self.shown.lock().expect("nobody panics with it")).replace("\r\n", "\n");
+        shown.split(CLEAR).skip(1).map(str::to_owned).collect()
+    }
+
+    /// Waits for a new screen that says this.
+    fn see(&mut self, what: &str) -> String {
+        // The first one may have to build all that a crate stands on.
+        let patience = Duration::from_secs(if self.seen == 0 { 300 } else { 30 });
+        let patience = Instant::now() + patience;
+        loop {
+            let screens = self.screens();
+            let new = screens.iter().skip(self.seen);
+            let found = new
+                .zip(self.seen..)
+                .find(|(screen, _)| plain(screen).contains(what));
+            if let Some((screen, at)) = found
+                && screen.ends_with('\n')
+            {
+                self.seen = at + 1;
+                return screen.clone();
+            }
+            assert!(
+                Instant::now() < patience,
+                "{what} is not said:\n{}",
+                screens.join("\n---\n")
+            );
+            thread::sleep(Duration::from_millis(20));
+        }
+    }
+
+    fn ended(&mut self) -> std::process::ExitStatus {
+        let patience = Instant::now() + Duration::from_secs(20);
+        loop {
+            if let Some(status) = self.child.try_wait().expect("it can be asked") {
+                return status;
+            }
+            assert!(Instant::now() < patience, "it does not end");
+            thread::sleep(Duration::from_millis(20));
+        }
+    }
+
+    /// Presses Ctrl-C. Whatever was switched on in the terminal is off again.
+    fn leave(mut self) {
+        kill_process(Pid::from_child(&self.child), Signal::INT).expect("it is running");
+        assert!(!self.ended().success());
+        let shown = text(&self.shown.lock().expect("nobody panics with it"));
+        assert!(
+            !shown.contains("\x1b[?"),
+            "a mode of the terminal was changed"
+        );
+        let last = shown.rfind("\x1b[").map_or("", |at| &shown[at..]);
+        assert!(last.starts_with("\x1b[0m"), "{last:?}");
+    }
+}
+
+impl Drop for Desk {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// Keeps a screen for the introduction, without what differs from run to run.
+fn keep(name: &str, screen: &str) {
+    let screen: String = screen
+        .lines()
+        .map(|line| match line.split_once("  \x1b[2msaved ") {
+            Some((title, _)) => format!("{title}\n"),
+            None => format!("{line}\n"),
+        })
+        .collect();
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path("../../book/notes/terminal");
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| {
+        let svg = anstyle_svg::Term::new().render_svg(&screen);
+        assert_binary_snapshot!(&format!("{name}.svg"), svg.into_bytes());
+    });
+}
+
+/// The text without colors.
+fn plain(screen: &str) -> String {
+    let mut pieces = screen.split("\x1b[");
+    let first = pieces.next().unwrap_or_default().to_owned();
+    pieces.fold(first, |text, piece| {
+        let end = piece.find(|letter: char| letter.is_ascii_alphabetic());
+        text + &piece[end.map_or(0, |end| end + 1)..]
+    })
+}
+
+fn python() -> Option<String> {
+    let has = |name: &&str| {
+        Command::new(name)
+            .arg("--version")
+            .output()
+            .is_ok_and(|it| it.status.success())
+    };
+    ["python3", "python"]
+        .iter()
+        .copied()
+        .find(|name| has(name))
+        .map(str::to_owned)
+}
+
+const RAY_COLOR_TODO: &str = "pub fn ray_color(ray: &Ray) -> Color {
+    todo!()";
+
+const RED_DISC: &str = "pub fn ray_color(ray: &Ray) -> Color {
+    let center = Point3::new(0.0, 0.0, -1.0);
+    if let Some(t) = hit_sphere(center, 0.5, ray)
+        && t > 0.0
+    {
+        return Color::new(1.0, 0.0, 0.0);
+    }
+    sky(ray)";
+
+const RED_BODY: &str = "        return Color::new(1.0, 0.0, 0.0);";
+
+const NORMAL_BODY: &str = "        let normal = (ray.at(t) - center).normalize();
+        return 0.5 * (normal + Vec3::ONE);";
+
+const HIT_SPHERE_TODO: &str = "-> Option<f64> {
+    todo!()";
+
+const FULL: &str = "-> Option<f64> {
+    let oc = center - ray.origin;
+    let a = ray.direction.dot(ray.direction);
+    let b = -2.0 * ray.direction.dot(oc);
+    let c = oc.dot(oc) - radius * radius;
+    let discriminant = b * b - 4.0 * a * c;
+    if discriminant < 0.0 {
+        return None;
+    }
+    Some((-b - discriminant.sqrt()) / (2.0 * a))";
+
+/// Chapter 1, as somebody types it who likes Python.
+const GRADIENT_PY: &str = r#"import math
+
+width, height = 64, 36
+viewport = 2.0 * (width / height)
+du, dv = viewport * (1.0 / width), -2.0 * (1.0 / height)
+x0 = -0.5 * viewport + 0.5 * du
+y0 = 0.5 * 2.0 + 0.5 * dv
+print("P3", width, height, 255)
+for j in range(height):
+    for i in range(width):
+        x, y, z = x0 + i * du, y0 + j * dv, -1.0
+        y = y * (1.0 / math.sqrt(x * x + y * y + z * z))
+        a = 0.5 * (y + 1.0)
+        red = (1 - a) * 1 + a * 0.5
+        green = (1 - a) * 1 + a * 0.7
+        blue = (1 - a) * 1 + a * 1
+        print(int(255.999 * red), int(255.999 * green), int(255.999 * blue))
+"#;
