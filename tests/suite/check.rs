@@ -4,7 +4,7 @@ use check::Chapter;
 use check::diagnosis::{Explains, Scene};
 use check::judge::{Check, Finding, check};
 use check::png;
-use check::slips::{self, Ball, Program, Slip};
+use check::slips::{self, Ball, PROBES, Probe, Program, Slip};
 use common::rtweekend::*;
 
 use crate::slips::slip;
@@ -264,12 +264,6 @@ fn in_a_probe_the_probe_is_judged() {
             .iter()
             .any(|name| name == "face-normal-missing")
     );
-    let book = check(&scene, &png::encode(&hittable_list::picture(64)), 0);
-    assert!(
-        sights(&book).contains("without the probe's changes"),
-        "{}",
-        sights(&book)
-    );
     assert!(Scene::new(Chapter::Gradient, Some(probe)).is_none());
 }
 
@@ -386,11 +380,6 @@ fn what_no_slip_draws_is_described() {
         other.contains("right picture of the chapter normals"),
         "{other}"
     );
-    let inside = slips::find_probe("off-axis").expect("a probe");
-    let probe = Scene::new(Chapter::Normals, Some(inside))
-        .expect("room")
-        .right(160, 90);
-    assert!(seen(Chapter::Normals, &probe).contains("--probe off-axis"));
 }
 
 #[test]
@@ -447,6 +436,52 @@ fn a_mirrored_or_moved_picture_is_described() {
         shifted.contains("moved by 1 pixel to the left"),
         "{shifted}"
     );
+}
+
+#[test]
+fn of_100_mistakes_95_are_named_first_or_in_a_set_with_the_probe_that_decides() {
+    let (mut named, mut missed) = (0, Vec::new());
+    for chapter in Chapter::OF_THE_BOOK {
+        let scene = scene(chapter);
+        let right = chapter.picture(60);
+        for slip in scene.slips() {
+            let picture = slip.program(chapter).run(60).picture();
+            if picture == right {
+                continue;
+            }
+            let check = check(&scene, &png::encode(&picture), 0);
+            match check
+                .finding()
+                .is_some_and(|finding| is_decided(&scene, finding, slip))
+            {
+                true => named += 1,
+                false => missed.push(format!("{} in {chapter:?}", slip.name)),
+            }
+        }
+    }
+    println!("{named} are named, these are not: {missed:#?}");
+    assert!(95 * missed.len() <= 5 * named, "{missed:#?}");
+}
+
+/// Whether it is the first mistake that the reader is told of, or one of several with
+/// the probe that decides. Nothing does if all of them draw the same in every probe, as
+/// rows from below and a viewport that is upside down.
+fn is_decided(scene: &Scene, finding: &Finding, slip: &Slip) -> bool {
+    let Some(set) = finding.diagnosis.sets.first() else {
+        return false;
+    };
+    let is_it = |mistake: &Vec<&Slip>| mistake.len() == 1 && mistake[0].name == slip.name;
+    let draw_the_same = |probe: Probe| {
+        let drawn = |scene: &Scene, mistake| scene.program(mistake).run(probe.width).picture();
+        Scene::new(scene.chapter, Some(probe)).is_none_or(|scene| {
+            let first = drawn(&scene, &set.mistakes[0]);
+            let mut others = set.mistakes.iter();
+            others.all(|mistake| drawn(&scene, mistake) == first)
+        })
+    };
+    let nothing_decides = || PROBES.into_iter().all(draw_the_same);
+    is_it(&set.mistakes[0])
+        || (set.mistakes.iter().any(is_it) && (set.telling.is_some() || nothing_decides()))
 }
 
 /// Saved as PNG, as the text of C++ at another size, and with some levels off by

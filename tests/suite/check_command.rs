@@ -17,15 +17,28 @@ use crate::command_line::{
 use crate::pictures::p3;
 
 #[test]
-fn a_right_picture_takes_one_line() {
+fn a_right_picture_is_followed_by_what_it_can_not_show() {
     let folder = TempDir::new().expect("a folder");
-    write(&folder, "mine.ppm", &p3(&normals::picture(200)));
+    write(&folder, "mine.ppm", &p3(&normals::picture(400)));
     let output = run(&mut check_in(&folder, &["normals", "mine.ppm"]));
     assert_success(&output);
-    assert_eq!(
-        text(&output.stdout),
-        "mine.ppm is right: all 22400 pixels of normals at 200 × 112, to the last bit.\n"
-    );
+    insta::assert_snapshot!(text(&output.stdout));
+    let json = run(&mut check_in(&folder, &["normals", "mine.ppm", "--json"]));
+    let json: serde_json::Value = serde_json::from_slice(&json.stdout).expect("an object");
+    let next = &json["blind_spots"]["shown_by"][0];
+    assert_eq!(next["probe"], "behind");
+    assert_eq!(next["mistakes"][1], "behind-drawn");
+    assert_eq!(json["blind_spots"]["only_by_law"][0], "ray-normalized");
+}
+
+#[test]
+fn a_forgotten_change_is_told_before_anything_else() {
+    let folder = TempDir::new().expect("a folder");
+    write(&folder, "mine.ppm", &p3(&normals::picture(200)));
+    let inside = ["normals", "mine.ppm", "--probe", "off-axis"];
+    let output = run(&mut check_in(&folder, &inside));
+    assert_eq!(output.status.code(), Some(1));
+    insta::assert_snapshot!(text(&output.stdout));
 }
 
 #[test]

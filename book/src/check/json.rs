@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use check::blind_spots::{BlindSpots, Showing};
 use check::diagnosis::{Conversion, Explains, Scene, Set};
 use check::judge::{Check, Finding};
 use check::slips::Slip;
@@ -15,11 +16,13 @@ pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
     let verdict = match &judged.check {
         Check::Right(_) => "right",
         Check::Wrong(finding) if finding.levels <= 1 => "within-one-level",
-        Check::Wrong(_) | Check::WrongShape { .. } => "wrong",
+        Check::Wrong(_) | Check::WrongShape { .. } | Check::Another { .. } => "wrong",
         Check::NotAPicture { .. } => "not-a-picture",
     };
     let cause = match &judged.check {
-        Check::WrongShape { cause, .. } | Check::NotAPicture { cause, .. } => {
+        Check::Another { cause, .. }
+        | Check::WrongShape { cause, .. }
+        | Check::NotAPicture { cause, .. } => {
             json!({ "name": cause.name, "problem": cause.problem, "fix": cause.fix })
         }
         _ => Value::Null,
@@ -36,6 +39,8 @@ pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
         "verdict": verdict,
         "exit_code": judged.check.exit_code(),
         "cause": cause,
+        "other_scenes": judged.check.others().iter().map(other_scene).collect::<Value>(),
+        "blind_spots": judged.blind_spots.as_ref().map(blind_spots),
         "difference": finding.map(difference),
         "diagnosis": sets.iter().map(|set| diagnosis(&judged.scene, set)).collect::<Value>(),
         "sights": finding.map(|finding| &finding.diagnosis.sights),
@@ -51,6 +56,27 @@ fn size(check: &Check) -> Option<[u32; 2]> {
             .finding()
             .map(|finding| [finding.yours.width(), finding.yours.height()]),
     }
+}
+
+/// The chapter's own scene has no probe.
+fn other_scene(scene: &Scene) -> Value {
+    json!({ "chapter": scene.chapter.name(), "probe": scene.probe.map(|probe| probe.name) })
+}
+
+fn blind_spots(blind_spots: &BlindSpots) -> Value {
+    let names = |slips: &[&Slip]| slips.iter().map(|slip| slip.name).collect::<Value>();
+    let showing = |showing: &Showing| {
+        json!({
+            "probe": showing.scene.probe.map(|probe| probe.name),
+            "width": showing.width,
+            "change": showing.scene.change(showing.width).lines().collect::<Vec<_>>(),
+            "mistakes": names(&showing.slips),
+        })
+    };
+    json!({
+        "shown_by": blind_spots.shown_by.iter().map(showing).collect::<Value>(),
+        "only_by_law": names(&blind_spots.by_law),
+    })
 }
 
 fn difference(finding: &Finding) -> Value {

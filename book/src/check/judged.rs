@@ -1,7 +1,8 @@
 //! A picture with its verdict: what text, JSON and the page tell.
 
+use check::blind_spots::BlindSpots;
 use check::diagnosis::Scene;
-use check::judge::Check;
+use check::judge::{Check, Right};
 
 use super::input::Source;
 
@@ -13,4 +14,25 @@ pub(crate) struct Judged<'a> {
     pub(crate) source: Source<'a>,
     /// What was found.
     pub(crate) check: Check,
+    /// What is still hidden, if the picture is right to the last bit.
+    pub(crate) blind_spots: Option<BlindSpots>,
+}
+
+impl<'a> Judged<'a> {
+    /// Says of a right picture what it can't show. That of a probe follows the chapter's
+    /// own, so it has to show only what is left.
+    pub(crate) fn new(scene: Scene, source: Source<'a>, check: Check) -> Self {
+        let blind_spots = match check {
+            Check::Right(Right {
+                width, levels: 0, ..
+            }) => Some(BlindSpots::after(&scene, width)),
+            _ => None,
+        };
+        Self {
+            scene,
+            source,
+            check,
+            blind_spots,
+        }
+    }
 }

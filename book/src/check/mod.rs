@@ -93,11 +93,7 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
             finding: None,
         },
     };
-    let judged = Judged {
-        scene,
-        source,
-        check,
-    };
+    let judged = Judged::new(scene, source, check);
     let report = match &arguments.report {
         Some(folder) => Some(page::write(folder, &judged)?),
         None => None,

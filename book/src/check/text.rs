@@ -63,6 +63,9 @@ impl Style {
 /// The whole result.
 pub(crate) fn text(judged: &Judged, report: Option<&Path>, style: Style) -> String {
     let mut text = headline(judged, style);
+    if let Some(blind_spots) = &judged.blind_spots {
+        write!(text, "\n{}", blind_spots.told(&judged.scene)).expect("a string takes it");
+    }
     if let Some(finding) = judged.check.finding() {
         text += &whereabouts(finding, style);
         text += &diagnosis(&judged.scene, finding, style);
@@ -96,7 +99,7 @@ pub(crate) fn headline(judged: &Judged, style: Style) -> String {
             };
             format!("{source} is {verdict}: {}.\n", counts(&name, finding))
         }
-        Check::WrongShape { cause, .. } => {
+        Check::Another { cause, .. } | Check::WrongShape { cause, .. } => {
             let verdict = style.red("wrong");
             format!("{source} is {verdict}: {}.\n{}\n", cause.problem, cause.fix)
         }
@@ -177,6 +180,14 @@ fn diagnosis(scene: &Scene, finding: &Finding, style: Style) -> String {
             writeln!(text, "\n  Also: {}.", others.join("; ")).expect("a string takes it");
         }
         text += &set.how_to_tell(scene);
+    }
+    for other in &finding.others {
+        let command = other.command();
+        writeln!(
+            text,
+            "\n  It is also the right picture of a probe: {command}"
+        )
+        .expect("a string takes it");
     }
     let sights = &finding.diagnosis.sights;
     if finding.difference.is_some() && !finding.diagnosis.sets.iter().any(Set::is_enough) {

@@ -13,6 +13,14 @@ pub enum Check {
     Right(Right),
     /// It is a picture, and not the right one.
     Wrong(Finding),
+    /// It is right, but of another scene of the chapter: a change was forgotten, or is
+    /// still there.
+    Another {
+        /// Which one it is, and how to go on.
+        cause: Cause,
+        /// The scenes that it shows: several if their right pictures are the same.
+        scenes: Vec<Scene>,
+    },
     /// It is a picture of another shape than the scene's.
     WrongShape {
         /// The shape that it should have, and what gives this one.
@@ -57,6 +65,9 @@ pub struct Finding {
     pub levels: u8,
     /// The mistakes that draw it.
     pub diagnosis: Diagnosis,
+    /// Probes of which it is the right picture, as wide as it has to be, though one
+    /// mistake draws it as well.
+    pub others: Vec<Scene>,
 }
 
 /// Compares the picture in `bytes` with the scene's, and accepts components that
@@ -77,69 +88,124 @@ pub fn check(scene: &Scene, bytes: &[u8], tolerance: u8) -> Check {
 pub const MOST_MISSHAPEN: u64 = 1 << 20;
 
 fn judge(scene: &Scene, reading: &Reading, tolerance: u8) -> Check {
-    let (width, height) = (reading.width, reading.height);
-    let shape = wrong_shape(scene, width, height);
-    let size = u64::from(width) * u64::from(height);
-    if let Some(cause) = &shape
-        && size > MOST_MISSHAPEN
-    {
-        return Check::WrongShape {
-            cause: cause.clone(),
-            finding: None,
-        };
+    if let Some(cause) = wrong_shape(scene, reading.width, reading.height) {
+        return misshapen(scene, reading, cause);
     }
-    let right = scene.right(width, height);
-    let yours = reading.picture();
-    let difference = match Comparison::of(&right, &yours) {
-        Comparison::Pixels(difference) => Some(difference),
-        _ => None,
-    };
-    let levels = difference
-        .as_ref()
-        .map_or(0, |difference| difference.levels);
     let outside = no_levels(reading);
-    if shape.is_none() && outside.is_none() && levels <= tolerance {
-        return Check::Right(Right {
-            width,
-            height,
-            off: difference.map_or(0, |difference| difference.count),
-            levels,
-        });
+    let finding = Finding::undiagnosed(scene, reading);
+    if outside.is_none() && finding.levels <= tolerance {
+        return Check::Right(finding.into_right());
     }
-    let finding = Finding {
-        diagnosis: diagnosis::diagnose(scene, reading, &right),
-        right,
-        yours,
-        difference,
-        levels,
-    };
-    match (shape, outside) {
-        (None, None) => Check::Wrong(finding),
-        (Some(cause), _) => Check::WrongShape {
+    match outside {
+        None => wrong(scene, reading, finding),
+        Some(cause) => Check::NotAPicture {
             cause,
-            finding: Some(Box::new(finding)),
-        },
-        (None, Some(cause)) => Check::NotAPicture {
-            cause,
-            finding: Some(Box::new(finding)),
+            finding: Some(Box::new(finding.diagnosed(scene, reading))),
         },
     }
 }
 
+fn wrong(scene: &Scene, reading: &Reading, finding: Finding) -> Check {
+    // What is off by single levels is this scene, in another way of rounding.
+    let mut others = match finding.levels {
+        0 | 1 => Vec::new(),
+        _ => scene.others(reading),
+    };
+    if others.first().is_some_and(|other| other.probe.is_none()) {
+        return Check::of_another(scene, others);
+    }
+    let finding = finding.diagnosed(scene, reading);
+    if !finding.diagnosis.is_certain() && !others.is_empty() {
+        return Check::of_another(scene, others);
+    }
+    others.retain(|other| {
+        other
+            .probe
+            .is_some_and(|probe| probe.width == reading.width)
+    });
+    Check::Wrong(Finding { others, ..finding })
+}
+
+fn misshapen(scene: &Scene, reading: &Reading, cause: Cause) -> Check {
+    let others = scene.others(reading);
+    if !others.is_empty() {
+        return Check::of_another(scene, others);
+    }
+    let size = u64::from(reading.width) * u64::from(reading.height);
+    let finding = || Box::new(Finding::undiagnosed(scene, reading).diagnosed(scene, reading));
+    Check::WrongShape {
+        cause,
+        finding: (size <= MOST_MISSHAPEN).then(finding),
+    }
+}
+
+impl Finding {
+    /// The reader's picture beside the right one, before anybody has asked why.
+    fn undiagnosed(scene: &Scene, reading: &Reading) -> Self {
+        let right = scene.right(reading.width, reading.height);
+        let yours = reading.picture();
+        let difference = match Comparison::of(&right, &yours) {
+            Comparison::Pixels(difference) => Some(difference),
+            _ => None,
+        };
+        Self {
+            levels: difference
+                .as_ref()
+                .map_or(0, |difference| difference.levels),
+            right,
+            yours,
+            difference,
+            diagnosis: Diagnosis::default(),
+            others: Vec::new(),
+        }
+    }
+
+    fn diagnosed(self, scene: &Scene, reading: &Reading) -> Self {
+        Self {
+            diagnosis: diagnosis::diagnose(scene, reading, &self.right),
+            ..self
+        }
+    }
+
+    fn into_right(self) -> Right {
+        Right {
+            width: self.right.width(),
+            height: self.right.height(),
+            off: self.difference.map_or(0, |difference| difference.count),
+            levels: self.levels,
+        }
+    }
+}
+
 impl Check {
+    fn of_another(scene: &Scene, scenes: Vec<Scene>) -> Self {
+        Self::Another {
+            cause: scene.but_shown(&scenes),
+            scenes,
+        }
+    }
+
     /// The exit code: 0 for right, 1 for wrong, 2 for not a picture.
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Right(_) => 0,
-            Self::Wrong(_) | Self::WrongShape { .. } => 1,
+            Self::Wrong(_) | Self::WrongShape { .. } | Self::Another { .. } => 1,
             Self::NotAPicture { .. } => 2,
+        }
+    }
+
+    /// Other scenes of the chapter of which it is the right picture.
+    pub fn others(&self) -> &[Scene] {
+        match self {
+            Self::Another { scenes, .. } => scenes,
+            other => other.finding().map_or(&[], |finding| &finding.others),
         }
     }
 
     /// What is wrong, if there are pixels to judge.
     pub fn finding(&self) -> Option<&Finding> {
         match self {
-            Self::Right(_) => None,
+            Self::Right(_) | Self::Another { .. } => None,
             Self::Wrong(finding) => Some(finding),
             Self::WrongShape { finding, .. } | Self::NotAPicture { finding, .. } => {
                 finding.as_deref()

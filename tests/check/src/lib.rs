@@ -5,6 +5,7 @@
 //! [`comparison`], [`diagnosis`] looks for the mistake among the known [`slips`],
 //! and [`report`] shows both pictures on a page.
 
+pub mod blind_spots;
 pub mod chapter;
 pub mod comparison;
 pub mod diagnosis;

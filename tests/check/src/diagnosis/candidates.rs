@@ -179,7 +179,7 @@ impl<'a> Evidence<'a> {
 
 /// Up to `count` numbers below `total`, spread evenly and in no step with the
 /// width of a picture: multiples of the golden ratio without their integer part.
-pub(super) fn spread(count: u32, total: u32) -> impl Iterator<Item = u32> {
+pub(crate) fn spread(count: u32, total: u32) -> impl Iterator<Item = u32> {
     const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
     let evenly = move |n: u32| ((u64::from(n).wrapping_mul(GOLDEN) >> 32) * u64::from(total)) >> 32;
     let all = count >= total;

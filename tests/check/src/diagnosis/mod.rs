@@ -5,6 +5,7 @@
 //! compared pixel by pixel. Slips that draw the same picture are one [`Set`]:
 //! the picture can't tell them apart, but a probe may.
 
+mod another;
 mod candidates;
 mod scene;
 mod shape;
@@ -17,6 +18,7 @@ use common::rtweekend::Picture;
 use crate::reading::Reading;
 use crate::slips::Slip;
 
+pub(crate) use candidates::spread;
 use candidates::{Candidate, Evidence, Judged};
 pub use candidates::{Conversion, Fit};
 pub use scene::Scene;
@@ -25,12 +27,20 @@ pub use telling::Telling;
 pub use wording::names_of;
 
 /// What may have drawn a wrong picture.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Diagnosis {
     /// Mistakes that explain it, best first.
     pub sets: Vec<Set>,
     /// What can be seen, where no mistake explains it all.
     pub sights: Vec<String>,
+}
+
+impl Diagnosis {
+    /// Whether one mistake alone draws the picture, to the last bit.
+    pub fn is_certain(&self) -> bool {
+        let draws_it = |set: &Set| set.explains == Explains::All && set.mistakes[0].len() == 1;
+        self.sets.first().is_some_and(draws_it)
+    }
 }
 
 /// Mistakes that draw the same picture.

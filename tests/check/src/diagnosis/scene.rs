@@ -1,5 +1,6 @@
 //! The scene that a picture is meant to show.
 
+use common::engine::companion;
 use common::rtweekend::Picture;
 
 use crate::chapter::Chapter;
@@ -27,6 +28,24 @@ impl Scene {
             probe,
             shape: None,
         })
+    }
+
+    /// What a reader changes to draw it that wide, a line each.
+    pub fn change(&self, width: u32) -> String {
+        match self.probe {
+            Some(probe) => probe.lines(self.chapter),
+            None => format!("image_width = {width}"),
+        }
+    }
+
+    /// The command that checks a picture of it.
+    pub fn command(&self) -> String {
+        let probe = self.probe.map(|probe| format!("--probe {} ", probe.name));
+        let (companion, chapter) = (companion(), self.chapter.name());
+        format!(
+            "{companion} check {chapter} {}PICTURE",
+            probe.unwrap_or_default()
+        )
     }
 
     /// The same scene in a picture of another shape.

@@ -1,5 +1,7 @@
 //! What there is to say about a set of mistakes, wherever it is said.
 
+use common::engine::companion;
+
 use super::{Conversion, Explains, Scene, Set};
 use crate::slips::Slip;
 
@@ -39,9 +41,10 @@ impl Set {
         let groups: Vec<String> = telling.groups.iter().map(group).collect();
         let (name, probe) = (scene.chapter.name(), telling.probe.name);
         format!(
-            "\n  This picture can't tell them apart. The probe {probe} can: {}.\n  Change your program to\n    {}\n  and then: cargo rtrace check {name} --probe {probe} PICTURE\n",
+            "\n  This picture can't tell them apart. The probe {probe} can: {}.\n  Change your program to\n    {}\n  and then: {} check {name} --probe {probe} PICTURE\n",
             groups.join(" | "),
             telling.probe.lines(scene.chapter).replace('\n', "\n    "),
+            companion(),
         )
     }
 

@@ -14,7 +14,6 @@ use super::candidates::distance;
 use super::scene::Scene;
 use crate::chapter::{Chapter, Room};
 use crate::reading::Reading;
-use crate::slips::{PROBES, Probe};
 
 use view::{View, color};
 
@@ -48,7 +47,7 @@ pub(super) fn sights(scene: &Scene, reading: &Reading, right: &Picture) -> Vec<S
 }
 
 impl View<'_> {
-    /// The right picture of another chapter, of another scene.
+    /// The right picture of another chapter.
     fn another_picture(&self) -> Option<String> {
         let (width, height) = (self.reading.width, self.reading.height);
         let is = |scene: Scene| {
@@ -58,21 +57,6 @@ impl View<'_> {
             let near = |&n: &u32| distance(color(&program, &camera, n), self.found(n)) <= 1;
             self.places.iter().all(near)
         };
-        let name = self.scene.chapter.name();
-        if self.scene.probe.is_some() && Scene::new(self.scene.chapter, None).is_some_and(is) {
-            return Some(format!(
-                "It is the book's picture of {name}, without the probe's changes."
-            ));
-        }
-        let mut probes = PROBES
-            .into_iter()
-            .filter(|probe| probe.spheres.is_some() && self.scene.probe != Some(*probe));
-        let of_probe = |probe| Scene::new(self.scene.chapter, Some(probe)).is_some_and(is);
-        if let Some(Probe { name: probe, .. }) = probes.find(|&probe| of_probe(probe)) {
-            return Some(format!(
-                "It is the picture of the probe {probe}: check {name} --probe {probe}."
-            ));
-        }
         let mut others = Chapter::OF_THE_BOOK
             .into_iter()
             .filter(|&other| other != self.scene.chapter);

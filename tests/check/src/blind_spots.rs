@@ -1,0 +1,192 @@
+//! Blind spots: the known mistakes that draw a right picture, and what shows them.
+//!
+//! Found by drawing, like a diagnosis: a slip is hidden if its program draws the
+//! right picture to the last bit, at the very width that the reader drew.
+
+use std::iter;
+
+use common::rtweekend::Picture;
+
+use crate::chapter::Chapter;
+use crate::diagnosis::{Scene, spread};
+use crate::slips::{self, PROBES, Slip, Unseen};
+
+/// What right pictures of a chapter leave open.
+#[derive(Clone, Debug)]
+pub struct BlindSpots {
+    /// Pictures that show the hidden slips, the one that shows most of them first,
+    /// of equals the cheapest: the first is what to draw next. No slip is in two.
+    pub shown_by: Vec<Showing>,
+    /// The slips that no picture shows, only a law.
+    pub by_law: Vec<&'static Slip>,
+}
+
+/// A picture to draw, and the slips that would spoil it.
+#[derive(Clone, Debug)]
+pub struct Showing {
+    /// A probe, or the chapter's own scene if it was drawn too small to show them.
+    pub scene: Scene,
+    /// How wide to draw it, in pixels.
+    pub width: u32,
+    /// The slips.
+    pub slips: Vec<&'static Slip>,
+}
+
+impl BlindSpots {
+    /// What a right picture of `scene`, so many pixels wide, can't show. That of a probe
+    /// follows the chapter's own at the book's width, so only the rest is left to it.
+    pub fn after(scene: &Scene, width: u32) -> Self {
+        let chapter = scene.chapter;
+        let own = Scene::new(chapter, None).map(|own| (own, chapter.book_width()));
+        let before = own.filter(|_| scene.probe.is_some());
+        let right: Vec<(Scene, u32)> = before.into_iter().chain([(*scene, width)]).collect();
+        Self::of(chapter, &right)
+    }
+
+    /// What right pictures of these scenes of `chapter`, each so many pixels wide,
+    /// can't show even together.
+    ///
+    /// Slips that change no picture and break no law are left out: whoever makes
+    /// one has a right program.
+    pub fn of(chapter: Chapter, right: &[(Scene, u32)]) -> Self {
+        let passed: Vec<Exam> = right.iter().map(|&exam| Exam::new(exam)).collect();
+        let unseen = |slip: &Slip| slip.unseen_in(chapter);
+        let hidden = slips::all()
+            .filter(|slip| slip.chapters.contains(&chapter))
+            .filter(|slip| !matches!(unseen(slip), Some(Unseen::Equivalent(_))))
+            .filter(|slip| passed.iter().all(|exam| exam.hides(slip)));
+        let (by_law, hidden): (Vec<_>, Vec<_>) = hidden.partition(|slip| unseen(slip).is_some());
+        let exams = exams(chapter).filter(|exam| !passed.iter().any(|passed| passed.is(exam)));
+        Self {
+            shown_by: cover(exams.map(|exam| exam.showing(&hidden)).collect()),
+            by_law,
+        }
+    }
+}
+
+/// What a reader of the chapter can draw: its own picture as large as in the book,
+/// and the probes, the cheapest change first.
+fn exams(chapter: Chapter) -> impl Iterator<Item = Exam> {
+    let probes = PROBES.map(|probe| (Scene::new(chapter, Some(probe)), probe.width));
+    iter::once((Scene::new(chapter, None), chapter.book_width()))
+        .chain(probes)
+        .filter_map(|(scene, width)| Some(Exam::new((scene?, width))))
+}
+
+/// Few of the pictures that show as much as all of them: again and again the one that
+/// shows most of what is left.
+fn cover(mut left: Vec<Showing>) -> Vec<Showing> {
+    let mut cover = Vec::new();
+    // Of equals `max_by_key` takes the last one.
+    while let Some(best) = left.iter().rev().max_by_key(|showing| showing.slips.len())
+        && !best.slips.is_empty()
+    {
+        let best = best.clone();
+        for showing in &mut left {
+            showing.slips.retain(|slip| !best.shows(slip));
+        }
+        cover.push(best);
+    }
+    cover
+}
+
+impl Showing {
+    fn shows(&self, slip: &Slip) -> bool {
+        self.slips.iter().any(|shown| shown.name == slip.name)
+    }
+}
+
+/// A picture that a program has to draw.
+struct Exam {
+    scene: Scene,
+    right: Picture,
+}
+
+/// How many pixels are compared first: most slips differ in one of them.
+const GLANCE: u32 = 500;
+/// How many are compared in the end, spread over the picture: all of one that is 596
+/// pixels wide. More would keep the reader waiting and tell the same.
+const LOOK: u32 = 200_000;
+
+impl Exam {
+    fn new((scene, width): (Scene, u32)) -> Self {
+        Self {
+            scene,
+            right: scene.right(width, scene.height(width)),
+        }
+    }
+
+    fn is(&self, other: &Self) -> bool {
+        self.scene.probe == other.scene.probe && self.right.width() == other.right.width()
+    }
+
+    /// Whether a program with the slip draws this very picture.
+    fn hides(&self, slip: &'static Slip) -> bool {
+        let output = self.scene.program(&[slip]).run(self.right.width());
+        let (pixels, _) = self.right.rgb().as_chunks::<3>();
+        let is_right =
+            |n: u32| pixels[n as usize] == output.pixel(n).map(|level| level.clamp(0, 255) as u8);
+        let total = pixels.len() as u32;
+        output.size() == (self.right.width(), self.right.height())
+            && spread(GLANCE, total)
+                .chain(spread(LOOK, total))
+                .all(is_right)
+    }
+
+    fn showing(&self, slips: &[&'static Slip]) -> Showing {
+        let shown = slips.iter().copied().filter(|slip| !self.hides(slip));
+        Showing {
+            scene: self.scene,
+            width: self.right.width(),
+            slips: shown.collect(),
+        }
+    }
+}
+
+impl BlindSpots {
+    /// What there is to say after the right picture of `scene`: which picture shows
+    /// which slips, and how to draw the next one.
+    pub fn told(&self, scene: &Scene) -> String {
+        let this = match scene.probe {
+            None => "this picture",
+            Some(_) => "the chapter's own picture and this one",
+        };
+        let shown = self.shown_by.iter();
+        let groups: Vec<(String, String)> = shown
+            .map(|showing| (showing.label(), names(&showing.slips)))
+            .chain([("only a law".to_owned(), names(&self.by_law))])
+            .filter(|(_, names)| !names.is_empty())
+            .collect();
+        let Some(width) = groups.iter().map(|(label, _)| label.len()).max() else {
+            return format!("No known mistake of the chapter can hide from {this}.\n");
+        };
+        let lines = groups
+            .iter()
+            .map(|(label, names)| format!("  {label:<width$}  {names}\n"));
+        iter::once(format!(
+            "These mistakes can hide from {this}. What shows them:\n"
+        ))
+        .chain(lines)
+        .chain(self.shown_by.first().map(Showing::next))
+        .collect()
+    }
+}
+
+impl Showing {
+    fn label(&self) -> String {
+        match self.scene.probe {
+            Some(probe) => format!("probe {}", probe.name),
+            None => format!("{} wide", self.width),
+        }
+    }
+
+    fn next(&self) -> String {
+        let change = self.scene.change(self.width).replace('\n', "; ");
+        format!("Next: {change}; and then\n  {}\n", self.scene.command())
+    }
+}
+
+fn names(slips: &[&Slip]) -> String {
+    let names: Vec<&str> = slips.iter().map(|slip| slip.name).collect();
+    names.join(", ")
+}
