@@ -10,9 +10,9 @@ use clap::Args;
 use common::engine::output;
 use jiff::Zoned;
 
-use crate::draw::shown;
 use crate::mine::Mine;
 use crate::steps;
+use check::places::shown;
 
 /// What `cargo rtrace done` is told.
 #[derive(Args)]

@@ -6,7 +6,8 @@ use std::time::Instant;
 use std::{env, fs};
 
 use check::Chapter;
-use common::engine::output;
+use check::places::shown;
+use common::engine::{companion, output};
 
 use crate::save::{Format, save};
 
@@ -23,26 +24,33 @@ pub(crate) fn all() -> Result<(), Box<dyn Error>> {
 
 /// Where the pictures go: `target/pictures` of this workspace.
 pub(crate) fn folder() -> Result<PathBuf, Box<dyn Error>> {
+    let folder = workspace()?.join("target").join("pictures");
+    fs::create_dir_all(&folder).map_err(|cause| {
+        format!(
+            "cannot create the folder {}: {cause}\n\
+             Remove what is in its way, or allow yourself to write there. {}",
+            folder.display(),
+            without_it()
+        )
+    })?;
+    Ok(folder)
+}
+
+/// The workspace that this program was built for, if it is still there.
+pub(crate) fn workspace() -> Result<&'static Path, Box<dyn Error>> {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     let workspace = package.parent().unwrap_or(package);
     if is_elsewhere(package) {
         return Err(format!(
             "this program was built for a workspace in {}, which is not there any more\n\
              Build it for where the workspace is now: run cargo clean --package rtrace in it, \
-             then cargo rtrace.",
-            workspace.display()
+             then cargo rtrace, or cargo install --path book if it was installed.\n{}",
+            workspace.display(),
+            without_it()
         )
         .into());
     }
-    let folder = workspace.join("target").join("pictures");
-    fs::create_dir_all(&folder).map_err(|cause| {
-        format!(
-            "cannot create the folder {}: {cause}\n\
-             Remove what is in its way, or allow yourself to write there. {WITHOUT_IT}",
-            folder.display()
-        )
-    })?;
-    Ok(folder)
+    Ok(workspace)
 }
 
 /// Whether this package was moved after it was built, or copied and is now run by
@@ -55,7 +63,10 @@ fn is_elsewhere(package: &Path) -> bool {
 }
 
 /// What can be done where nothing can be written into the workspace.
-const WITHOUT_IT: &str = "To draw elsewhere: cargo rtrace show CHAPTER --output FILE";
+fn without_it() -> String {
+    let companion = companion();
+    format!("To draw elsewhere: {companion} show CHAPTER --output FILE")
+}
 
 fn draw(chapter: Chapter, folder: &Path) -> Result<String, Box<dyn Error>> {
     let start = Instant::now();
@@ -73,16 +84,9 @@ fn draw(chapter: Chapter, folder: &Path) -> Result<String, Box<dyn Error>> {
         let path = folder
             .join(chapter.name())
             .with_extension(format.extension());
-        save(&picture, format, &path).map_err(|error| format!("{error}\n{WITHOUT_IT}"))?;
+        save(&picture, format, &path).map_err(|error| format!("{error}\n{}", without_it()))?;
         let kilobytes = fs::metadata(&path)?.len() as f64 / 1e3;
         line += &format!("  .{} {kilobytes:6.1} kB", format.extension());
     }
     Ok(line + "\n")
-}
-
-/// `path` as seen from the folder that the reader is in, if it is below that.
-pub(crate) fn shown(path: &Path) -> String {
-    let here = env::current_dir().ok();
-    let below = here.and_then(|here| path.strip_prefix(here).ok());
-    output::shown(below.unwrap_or(path))
 }

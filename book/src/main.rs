@@ -20,13 +20,14 @@ mod weave;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use common::engine::companion;
 
 /// The pictures of Ray Tracing in One Weekend, chapter by chapter.
 ///
 /// Without a command: draws all of them into target/pictures, as PNG and as
 /// PPM files, and weaves the book into target/book.
 #[derive(Parser)]
-#[command(name = "rtrace", bin_name = "cargo rtrace")]
+#[command(name = "rtrace", bin_name = companion())]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,

@@ -4,6 +4,7 @@ use std::env;
 use std::path::{Path, PathBuf};
 
 use check::Chapter;
+use check::places;
 
 /// The folder of a reader's crates, each of which is named after its chapter.
 pub(crate) struct Mine(PathBuf);
@@ -13,8 +14,8 @@ impl Mine {
     /// and in the current folder for everybody else.
     pub(crate) fn find(chosen: Option<&Path>) -> Self {
         let here = env::current_dir().unwrap_or_default();
-        let home = workspace().filter(|workspace| here.starts_with(workspace));
-        let usual = || home.unwrap_or(here.clone()).join("mine");
+        let home = places::workspace().filter(|workspace| here.starts_with(workspace));
+        let usual = || home.unwrap_or(&here).join("mine");
         Self(chosen.map_or_else(usual, |chosen| here.join(chosen)))
     }
 
@@ -27,13 +28,4 @@ impl Mine {
     pub(crate) fn of(&self, chapter: Chapter) -> PathBuf {
         self.0.join(chapter.name())
     }
-}
-
-/// The workspace that this program was built from, if it is still there.
-pub(crate) fn workspace() -> Option<PathBuf> {
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent()?;
-    workspace
-        .join("common/Cargo.toml")
-        .is_file()
-        .then(|| workspace.to_owned())
 }

@@ -7,7 +7,7 @@ use check::Chapter;
 use check::diagnosis::Scene;
 use check::slips::PROBES;
 use clap::Args;
-use common::engine::output;
+use common::engine::{companion, output};
 
 use crate::check::chapter_parser;
 
@@ -24,7 +24,8 @@ pub(crate) fn list(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let chapter = arguments.chapter;
     let name = chapter.name();
     let mut text = format!(
-        "Probes for {name}. Change your program as it says, draw, and then:\n  cargo rtrace check {name} --probe NAME PICTURE\n"
+        "Probes for {name}. Change your program as it says, draw, and then:\n  {} check {name} --probe NAME PICTURE\n",
+        companion()
     );
     for probe in PROBES {
         if Scene::new(chapter, Some(probe)).is_some() {

@@ -10,7 +10,7 @@ use check::png;
 use check::slips::{self, Slip, Unseen};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Subcommand, value_parser};
-use common::engine::output;
+use common::engine::{companion, output};
 
 use crate::check::chapter_parser;
 use crate::misuse::misuse;
@@ -86,7 +86,8 @@ fn list(chapter: Option<Chapter>) -> Result<(), Box<dyn Error>> {
     let count = slips::all().filter(can_be_made).count();
     writeln!(
         text,
-        "{count} mistakes. To see one: cargo rtrace slips draw NAME --output FILE"
+        "{count} mistakes. To see one: {} slips draw NAME --output FILE",
+        companion()
     )?;
     Ok(output::to_stdout(|out| out.write_all(text.as_bytes()))?)
 }
@@ -95,9 +96,10 @@ fn draw(arguments: &Draw) -> Result<(), Box<dyn Error>> {
     let slip = arguments.slip;
     let chapter = arguments.chapter.unwrap_or_else(|| first_seen(slip));
     if !slip.chapters.contains(&chapter) {
-        return Err(misuse(
-            "that mistake can't be made in that chapter: `cargo rtrace slips CHAPTER` lists those that can",
-        ));
+        return Err(misuse(&format!(
+            "that mistake can't be made in that chapter: `{} slips CHAPTER` lists those that can",
+            companion()
+        )));
     }
     let width = arguments.width.unwrap_or(chapter.book_width());
     let drawn = slip.program(chapter).run(width);

@@ -3,14 +3,16 @@
 use std::fs;
 use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::{Command, Output, Stdio};
 
+use check::places;
 use check::reading::{MOST_PIXELS, read};
 use check::slips::{self, PROBES};
 use check::{Chapter, png};
 use common::rtweekend::Picture;
 use tempfile::TempDir;
 
+use crate::book::woven;
 use crate::command_line::{
     assert_refused, assert_success, names_in, path_of, program_with, run, text,
 };
@@ -247,6 +249,7 @@ fn a_probe_is_checked_with_its_own_scene() {
 
 #[test]
 fn programs_get_the_same_as_json() {
+    woven();
     let folder = TempDir::new().expect("a folder");
     draw(&folder, "closest-ignored", "hittable_list", "mine.png");
     let output = run(&mut check_in(
@@ -254,7 +257,7 @@ fn programs_get_the_same_as_json() {
         &["hittable_list", "mine.png", "--json"],
     ));
     assert_eq!(output.status.code(), Some(1));
-    insta::assert_snapshot!(text(&output.stdout));
+    insta::assert_snapshot!(in_any_workspace(&output));
 
     let output =
         run(program_with("rtrace", &["check", "normals", "--json", "-"]).stdin(Stdio::null()));
@@ -393,12 +396,20 @@ fn every_slip_is_listed_and_can_be_drawn() {
 
 /// What is said of the picture that a slip draws, under the name of that file.
 fn said_of(chapter: &str, slip: &str, name: &str, code: i32) -> String {
+    woven();
     let folder = TempDir::new().expect("a folder");
     draw(&folder, slip, chapter, name);
     let output = run(&mut check_in(&folder, &[chapter, name]));
     assert_eq!(output.status.code(), Some(code), "{}", text(&output.stderr));
     assert_eq!(text(&output.stderr), "");
-    text(&output.stdout)
+    in_any_workspace(&output)
+}
+
+/// What a program printed, with the paths of pages and sources as they are everywhere.
+fn in_any_workspace(output: &Output) -> String {
+    let workspace = places::workspace().expect("it is here");
+    let workspace = format!("{}/", workspace.display());
+    text(&output.stdout).replace(&workspace, "WORKSPACE/")
 }
 
 fn draw(folder: &TempDir, slip: &str, chapter: &str, name: &str) {

@@ -660,7 +660,7 @@ pub(crate) fn rtrace_alone() -> &'static str {
 /// The program of that name, as `cargo run` would start it.
 pub(crate) fn program(name: &str) -> Command {
     let mut command = Command::new(path_of(name));
-    command.stdin(Stdio::null());
+    command.stdin(Stdio::null()).env("CARGO", env!("CARGO"));
     command
 }
 

@@ -7,6 +7,7 @@ use check::Chapter;
 use check::comparison::Comparison;
 use check::diagnosis;
 use check::judge::{self, Finding};
+use check::places;
 use check::report::{self, Report};
 use check::{png, reading, slips};
 use common::rtweekend::*;
@@ -287,7 +288,8 @@ fn cause_of(finding: &Finding) -> String {
     for slip in set.mistakes.iter().flatten() {
         let (name, wrong, right) = (slip.name, slip.wrong, slip.right);
         said += &format!("  {name}: probably {wrong}, should be {right}\n");
-        said += &format!("    read {}\n", slip.read());
+        let read = places::page(slip).unwrap_or_else(|| slip.page_in_words());
+        said += &format!("    read {read}\n");
     }
     said
 }

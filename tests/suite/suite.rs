@@ -1,5 +1,6 @@
 //! All tests. A file tests what its name says; each begins by saying how.
 
+mod anywhere;
 mod blind_spots;
 mod book;
 mod browser;

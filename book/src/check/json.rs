@@ -5,6 +5,7 @@ use std::path::Path;
 use check::blind_spots::{BlindSpots, Showing};
 use check::diagnosis::{Conversion, Explains, Scene, Set};
 use check::judge::{Check, Finding};
+use check::places;
 use check::slips::Slip;
 use common::engine::output;
 use serde_json::{Value, json};
@@ -135,7 +136,8 @@ fn slip_as_json(slip: &Slip) -> Value {
         "probably": slip.wrong,
         "should_be": slip.right,
         "why": slip.explanation,
-        "read": slip.read(),
-        "code": slip.source,
+        "page": slip.page,
+        "read": places::page(slip),
+        "code": places::source(slip),
     })
 }

@@ -20,7 +20,7 @@ use check::report;
 use check::slips::{self, PROBES, Probe};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use common::engine::output;
+use common::engine::{companion, output};
 
 use input::Source;
 use judged::Judged;
@@ -43,7 +43,7 @@ pub(crate) struct Arguments {
     #[arg(last = true, value_name = "PROGRAM", conflicts_with = "picture")]
     program: Vec<OsString>,
 
-    /// The picture shows the scene of this probe (see `cargo rtrace probes`)
+    /// The picture shows the scene of this probe: `probes` lists them
     #[arg(long, value_name = "NAME", value_parser = probe_parser())]
     probe: Option<Probe>,
 
@@ -77,8 +77,12 @@ pub(crate) fn check(arguments: &Arguments) -> ExitCode {
 }
 
 fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
-    let scene = Scene::new(arguments.chapter, arguments.probe)
-        .ok_or("this chapter has no place for the spheres of that probe; `cargo rtrace probes CHAPTER` lists those it has")?;
+    let scene = Scene::new(arguments.chapter, arguments.probe).ok_or_else(|| {
+        format!(
+            "this chapter has no place for the spheres of that probe; `{} probes CHAPTER` lists those it has",
+            companion()
+        )
+    })?;
     if let Some(folder) = &arguments.report {
         report::check_folder(folder)?;
     }

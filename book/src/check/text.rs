@@ -5,8 +5,9 @@ use std::path::Path;
 
 use check::diagnosis::{Scene, Set, names_of};
 use check::judge::{Check, Finding};
+use check::places;
 use check::slips::Slip;
-use common::engine::output;
+use common::engine::{companion, output};
 use supports_color::Stream;
 
 use super::judged::Judged;
@@ -181,13 +182,13 @@ fn diagnosis(scene: &Scene, finding: &Finding, style: Style) -> String {
         }
         text += &set.how_to_tell(scene);
     }
+    if !finding.others.is_empty() {
+        text.push('\n');
+    }
     for other in &finding.others {
         let command = other.command();
-        writeln!(
-            text,
-            "\n  It is also the right picture of a probe: {command}"
-        )
-        .expect("a string takes it");
+        writeln!(text, "  It is also the right picture of a probe: {command}")
+            .expect("a string takes it");
     }
     let sights = &finding.diagnosis.sights;
     if finding.difference.is_some() && !finding.diagnosis.sets.iter().any(Set::is_enough) {
@@ -211,23 +212,28 @@ fn diagnosis(scene: &Scene, finding: &Finding, style: Style) -> String {
 fn in_full(mistake: &[&Slip], style: Style) -> String {
     let mut text = String::new();
     for slip in mistake {
-        let label = |label: &str| style.dim(&format!("{label:<9}"));
-        write!(
-            text,
-            "\n  {}\n    {} {}\n    {} {}\n    {} {}\n    {} {}\n    {} {}\n",
-            style.bold(slip.name),
-            label("probably"),
-            slip.wrong,
-            label("should be"),
-            slip.right,
-            label("why"),
-            slip.explanation,
-            label("read"),
-            slip.read(),
-            label("code"),
-            slip.source
-        )
-        .expect("a string takes it");
+        let rows = [
+            ("probably", Some(slip.wrong.to_owned())),
+            ("should be", Some(slip.right.to_owned())),
+            ("why", Some(slip.explanation.to_owned())),
+            ("read", Some(read(slip))),
+            ("code", places::source(slip)),
+        ];
+        text += &format!("\n  {}\n", style.bold(slip.name));
+        for (label, said) in rows {
+            if let Some(said) = said {
+                let label = style.dim(&format!("{label:<9}"));
+                text += &format!("    {label} {said}\n");
+            }
+        }
     }
     text
+}
+
+/// A page that can be opened, or else what to look for in the book.
+fn read(slip: &Slip) -> String {
+    places::page(slip).unwrap_or_else(|| match places::workspace() {
+        Some(_) => format!("{}: {} book weaves it", slip.page_in_words(), companion()),
+        None => slip.page_in_words(),
+    })
 }

@@ -11,12 +11,12 @@ use carry::Written;
 use check::Chapter;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use common::engine::output;
+use common::engine::{companion, output};
 
-use crate::draw::shown;
-use crate::mine::{Mine, workspace};
+use crate::mine::Mine;
 use crate::misuse::misuse;
 use crate::steps;
+use check::places::{shown, workspace};
 
 /// What `cargo rtrace start` is told.
 #[derive(Args)]
@@ -56,8 +56,9 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         if !arguments.again {
             return Err(misuse(&format!(
                 "{} is there already, and nothing is written over it\n\
-                 Go on with cargo rtrace watch {name}, or begin once more with cargo rtrace start {name} --again.",
+                 Go on with {companion} watch {name}, or begin once more with {companion} start {name} --again.",
                 shown(&folder),
+                companion = companion(),
                 name = arguments.chapter.name(),
             )));
         }
@@ -102,7 +103,7 @@ impl New {
             ("src/lib.rs", about(chapter) + &carried.source),
             ("src/main.rs", main(chapter, own)),
             ("tests/laws.rs", test(chapter, own)),
-            ("Cargo.toml", manifest(chapter, own, &workspace)),
+            ("Cargo.toml", manifest(chapter, own, workspace)),
             // The same versions as ours: they have been downloaded.
             (
                 "Cargo.lock",
@@ -150,7 +151,10 @@ impl New {
         for (number, step) in (1..).zip(steps::of(self.chapter)) {
             said += &format!("  step {number}  {}\n", step.says);
         }
-        said + &format!("Open it in your editor, and in a terminal: cargo rtrace watch {name}\n")
+        said + &format!(
+            "Open it in your editor, and in a terminal: {} watch {name}\n",
+            companion()
+        )
     }
 }
 

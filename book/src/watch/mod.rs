@@ -17,15 +17,15 @@ use check::Chapter;
 use check::diagnosis::Scene;
 use check::slips::Probe;
 use clap::Args;
-use common::engine::output;
+use common::engine::{companion, output};
 
 use crate::check::{chapter_parser, probe_parser, seconds};
 use crate::done::Done;
-use crate::draw::shown;
 use crate::mine::Mine;
 use crate::misuse::misuse;
 use crate::program::{self, End};
 use changes::Changes;
+use check::places::shown;
 use verdict::{Judge, Verdict};
 
 /// What `cargo rtrace watch` is told.
@@ -112,8 +112,9 @@ impl Subject {
         };
         if !folder.is_dir() {
             return Err(misuse(&format!(
-                "there is no {} yet\nMake it with cargo rtrace start {name}, or name your program: cargo rtrace watch {name} -- PROGRAM",
+                "there is no {} yet\nMake it with {companion} start {name}, or name your program: {companion} watch {name} -- PROGRAM",
                 shown(&folder),
+                companion = companion(),
                 name = chapter.name()
             )));
         }

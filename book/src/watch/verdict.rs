@@ -6,11 +6,12 @@ use std::process::ExitStatus;
 use std::time::Duration;
 
 use check::Chapter;
+use check::blind_spots::BlindSpots;
 use check::diagnosis::{Scene, Set, names_of};
 use check::judge::{self, Check, Finding};
 use check::reading::{self, Cause};
 use check::slips::Slip;
-use common::engine::output;
+use common::engine::{companion, output};
 use common::rtweekend::Picture;
 
 use super::build::Problem;
@@ -70,6 +71,12 @@ impl Verdict {
         }
     }
 
+    fn and_obeys_the_laws(mut self, chapter: Chapter) -> Self {
+        self.headline += " The laws hold.";
+        self.done.push(format!("{}: the laws hold", chapter.name()));
+        self
+    }
+
     pub(super) fn not_started(program: &OsStr, cause: &io::Error) -> Self {
         let name = program.to_string_lossy();
         Self {
@@ -127,11 +134,75 @@ impl Judge<'_> {
         match judge::check(scene, bytes, 0) {
             Check::Right(right) => {
                 let picture = scene.right(right.width, right.height);
-                of_right_picture(scene, picture, (self.ask_laws)())
+                self.of_right_picture(picture)
             }
             Check::Wrong(finding) => self.of_wrong_picture(finding),
+            Check::Another { cause, .. } => Verdict {
+                headline: sentence(&cause.problem),
+                next: cause.fix.replace('\n', " "),
+                ..Verdict::default()
+            },
             Check::WrongShape { cause, finding } => of_no_picture("wrong", &cause, finding),
             Check::NotAPicture { cause, finding } => of_no_picture("no picture", &cause, finding),
+        }
+    }
+
+    fn of_right_picture(&self, picture: Picture) -> Verdict {
+        let (width, height, chapter) = (picture.width(), picture.height(), self.scene.chapter);
+        let verdict = Verdict {
+            is_right: true,
+            headline: format!("Right: all {width} × {height} pixels, to the last bit."),
+            pictures: Some((picture, self.scene.right(width, height))),
+            next: next_chapter(chapter),
+            done: vec![match self.scene.probe {
+                Some(probe) => format!("{}, probe {}: right", chapter.name(), probe.name),
+                None => picture_is_right(chapter),
+            }],
+            ..Verdict::default()
+        };
+        match (self.ask_laws)() {
+            Some(Answer::Obeyed) => verdict.and_obeys_the_laws(chapter),
+            Some(Answer::Broken(report)) => Verdict {
+                is_right: false,
+                headline: "The picture is right, but a law is broken.".to_owned(),
+                cause: printed(&report.join("\n")),
+                next: "cargo test, in the folder of your crate, shows the case".to_owned(),
+                ..verdict
+            },
+            Some(Answer::Unknown(errors)) => Verdict {
+                is_right: false,
+                headline: "The picture is right, but the laws can't be tried.".to_owned(),
+                cause: printed(&errors),
+                next: "cargo test, in the folder of your crate, shows more".to_owned(),
+                ..verdict
+            },
+            None if self.is_chapter_only => verdict,
+            None => self.with_blind_spots(verdict, width),
+        }
+    }
+
+    /// Names what can hide from the picture, and the probe that shows most of it.
+    fn with_blind_spots(&self, verdict: Verdict, width: u32) -> Verdict {
+        let hidden = BlindSpots::after(self.scene, width);
+        let Some(showing) = hidden.shown_by.into_iter().next() else {
+            return verdict;
+        };
+        let names: Vec<&str> = showing.slips.iter().map(|slip| slip.name).collect();
+        let change = showing.scene.change(showing.width).replace('\n', "; ");
+        let probe = showing.scene.probe;
+        let command = probe.map_or(String::new(), |probe| {
+            let (companion, chapter) = (companion(), self.scene.chapter.name());
+            format!(
+                "; and then {companion} watch {chapter} --probe {} …",
+                probe.name
+            )
+        });
+        Verdict {
+            cause: vec![
+                Line::Labeled("can hide", names.join(", ")),
+                Line::Labeled("to see it", change + &command),
+            ],
+            ..verdict
         }
     }
 
@@ -192,45 +263,6 @@ fn of_step(scene: &Scene, bytes: &[u8]) -> Option<Verdict> {
         pictures: Some((yours, scene.right(width, height))),
         ..Verdict::default()
     })
-}
-
-fn of_right_picture(scene: &Scene, picture: Picture, laws: Option<Answer>) -> Verdict {
-    let (width, height) = (picture.width(), picture.height());
-    let again = scene.right(width, height);
-    let chapter = scene.chapter;
-    let mut verdict = Verdict {
-        is_right: true,
-        headline: format!("Right: all {width} × {height} pixels, to the last bit."),
-        pictures: Some((picture, again)),
-        done: match scene.probe {
-            Some(probe) => vec![format!("{}, probe {}: right", chapter.name(), probe.name)],
-            None => vec![picture_is_right(chapter)],
-        },
-        ..Verdict::default()
-    };
-    match laws {
-        Some(Answer::Broken(report)) => {
-            verdict.is_right = false;
-            verdict.headline = "The picture is right, but a law is broken.".to_owned();
-            verdict.cause = printed(&report.join("\n"));
-            verdict.next = "cargo test, in the folder of your crate, shows the case".to_owned();
-        }
-        Some(Answer::Unknown(errors)) => {
-            verdict.is_right = false;
-            verdict.headline = "The picture is right, but the laws can't be tried.".to_owned();
-            verdict.cause = printed(&errors);
-            verdict.next = "cargo test, in the folder of your crate, shows more".to_owned();
-        }
-        Some(Answer::Obeyed) => {
-            verdict.headline += " The laws hold.";
-            verdict
-                .done
-                .push(format!("{}: the laws hold", chapter.name()));
-            verdict.next = next_chapter(chapter);
-        }
-        None => verdict.next = next_chapter(chapter),
-    }
-    verdict
 }
 
 fn of_no_picture(verdict: &str, cause: &Cause, finding: Option<Box<Finding>>) -> Verdict {
@@ -296,6 +328,15 @@ fn sights(finding: &Finding) -> Vec<Line> {
     lines
 }
 
+/// With a large letter, and a full stop.
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters
+        .next()
+        .map_or(String::new(), |first| first.to_uppercase().to_string());
+    format!("{first}{}.", letters.as_str())
+}
+
 fn printed(text: &str) -> Vec<Line> {
     let visible = |line| Line::Printed(output::visible(line).into_owned());
     text.lines().map(visible).collect()
@@ -324,6 +365,6 @@ fn next_chapter(chapter: Chapter) -> String {
         .into_iter()
         .find(|&next| next > chapter);
     next.map_or("that was the last chapter to type".to_owned(), |next| {
-        format!("{next}: cargo rtrace start {next}", next = next.name())
+        format!("{next}: {} start {next}", companion(), next = next.name())
     })
 }

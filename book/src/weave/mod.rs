@@ -21,6 +21,7 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use check::places::shown;
 use clap::Args;
 use common::engine::folder::{self, FolderError, NewFolder};
 use common::engine::output;
@@ -52,15 +53,15 @@ pub(crate) struct Arguments {
 /// Weaves the book, says where it is, and opens it on request.
 pub(crate) fn book(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let source = match &arguments.source {
-        Some(source) => source,
-        None => Path::new(env!("CARGO_MANIFEST_DIR")),
+        Some(source) => source.clone(),
+        None => draw::workspace()?.join("book"),
     };
-    let (index, aside) = weave(source, arguments.output.as_deref())?;
-    let mut said = format!("The book is in {}\n", draw::shown(&index));
+    let (index, aside) = weave(&source, arguments.output.as_deref())?;
+    let mut said = format!("The book is in {}\n", shown(&index));
     if let Some(aside) = aside {
         said += &format!(
             "What was there had no list of its files, so it is now {}, to keep or to delete.\n",
-            draw::shown(&aside)
+            shown(&aside)
         );
     }
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use check::places::shown;
 use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag};
 
 use super::directive;
@@ -57,7 +58,7 @@ impl<'a> Page<'a> {
     /// File and line of the byte `at`.
     fn place(&self, at: usize) -> String {
         let line = 1 + self.text[..at].matches('\n').count();
-        format!("{}:{line}", crate::draw::shown(&self.path))
+        format!("{}:{line}", shown(&self.path))
     }
 
     /// The formulas, and the ranges in which braces mean what they are.

@@ -28,6 +28,8 @@ use staging::Staging;
 
 pub use manifest::is_unlisted;
 
+use super::companion;
+
 /// A folder that is being filled, and will take the place of another.
 ///
 /// Dropped before it is [put in place](Self::put_in_place), it goes, and nothing has
@@ -117,9 +119,10 @@ impl NewFolder {
             return Ok(());
         }
         Err(FolderError::Refused(format!(
-            "{} holds what cargo rtrace did not write there as a {}: {}.\n\
+            "{} holds what {} did not write there as a {}: {}.\n\
              Nothing was changed. Move that elsewhere, or name a new folder, or an empty one.",
             target.display(),
+            companion(),
             self.kind,
             first_few(&strangers)
         )))
