@@ -5,11 +5,9 @@
 
 use std::iter;
 
-use common::rtweekend::Picture;
-
 use crate::chapter::Chapter;
 use crate::diagnosis::{Scene, spread};
-use crate::slips::{self, PROBES, Slip, Unseen};
+use crate::slips::{self, Output, PROBES, Slip, Unseen};
 
 /// What right pictures of a chapter leave open.
 #[derive(Clone, Debug)]
@@ -96,51 +94,56 @@ impl Showing {
     }
 }
 
-/// A picture that a program has to draw.
+/// A picture that a program has to draw, and those of its pixels that are looked at.
 struct Exam {
     scene: Scene,
-    right: Picture,
+    width: u32,
+    right: Vec<(u32, [u8; 3])>,
 }
 
-/// How many pixels are compared first: most slips differ in one of them.
+/// How many pixels are looked at first: most slips differ in one of them.
 const GLANCE: u32 = 500;
-/// How many are compared in the end, spread over the picture: all of one that is 596
+/// How many are looked at in the end, spread over the picture: all of one that is 596
 /// pixels wide. More would keep the reader waiting and tell the same.
 const LOOK: u32 = 200_000;
 
 impl Exam {
     fn new((scene, width): (Scene, u32)) -> Self {
+        let output = scene.program(&[]).run(width);
+        let (columns, rows) = output.size();
+        let places = spread(GLANCE, columns * rows).chain(spread(LOOK, columns * rows));
         Self {
             scene,
-            right: scene.right(width, scene.height(width)),
+            width,
+            right: places.map(|n| (n, levels(&output, n))).collect(),
         }
     }
 
     fn is(&self, other: &Self) -> bool {
-        self.scene.probe == other.scene.probe && self.right.width() == other.right.width()
+        self.scene.probe == other.scene.probe && self.width == other.width
     }
 
     /// Whether a program with the slip draws this very picture.
     fn hides(&self, slip: &'static Slip) -> bool {
-        let output = self.scene.program(&[slip]).run(self.right.width());
-        let (pixels, _) = self.right.rgb().as_chunks::<3>();
-        let is_right =
-            |n: u32| pixels[n as usize] == output.pixel(n).map(|level| level.clamp(0, 255) as u8);
-        let total = pixels.len() as u32;
-        output.size() == (self.right.width(), self.right.height())
-            && spread(GLANCE, total)
-                .chain(spread(LOOK, total))
-                .all(is_right)
+        let [right, wrong] =
+            [&[][..], &[slip]].map(|slips| self.scene.program(slips).run(self.width));
+        let is_right = |&(n, right): &(u32, [u8; 3])| levels(&wrong, n) == right;
+        wrong.size() == right.size() && self.right.iter().all(is_right)
     }
 
     fn showing(&self, slips: &[&'static Slip]) -> Showing {
         let shown = slips.iter().copied().filter(|slip| !self.hides(slip));
         Showing {
             scene: self.scene,
-            width: self.right.width(),
+            width: self.width,
             slips: shown.collect(),
         }
     }
+}
+
+/// The `n`th pixel as Rust draws it, where a conversion to a byte stops at 0 and 255.
+fn levels(output: &Output, n: u32) -> [u8; 3] {
+    output.pixel(n).map(|level| level.clamp(0, 255) as u8)
 }
 
 impl BlindSpots {
