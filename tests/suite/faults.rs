@@ -22,12 +22,14 @@ use crate::pictures::p3;
 #[test]
 fn a_signal_ends_the_program_and_its_partial_file_goes() {
     for signal in [Signal::INT, Signal::TERM, Signal::HUP] {
-        let desk = Desk::new();
-        let child = desk.start_largest();
-        kill_process(Pid::from_child(&child), signal).expect("it is running");
-        assert_eq!(ended(child).signal(), Some(signal.as_raw()), "{signal:?}");
-        assert_eq!(desk.names(), [FILE]);
-        assert_eq!(desk.read(), KEPT);
+        for times in [1, 2] {
+            let desk = Desk::new();
+            let child = desk.start_largest();
+            send(&child, signal, times);
+            assert_eq!(ended(child).signal(), Some(signal.as_raw()), "{signal:?}");
+            assert_eq!(desk.names(), [FILE]);
+            assert_eq!(desk.read(), KEPT);
+        }
     }
 }
 
@@ -37,7 +39,6 @@ fn a_signal_ends_the_program_and_its_partial_file_goes() {
 fn a_signal_ends_the_program_that_is_checked_and_what_that_started() {
     let script = "sleep 60 & echo it runs >&2; exec sleep 60";
     for signal in [Signal::INT, Signal::TERM, Signal::HUP] {
-        // A terminal that is closed, and `timeout`, send theirs twice.
         for times in [1, 2] {
             let mut command = hears_signals(path_of("rtrace"));
             command.args(["check", "gradient", "--", "sh", "-c", script]);
@@ -48,10 +49,7 @@ fn a_signal_ends_the_program_that_is_checked_and_what_that_started() {
             pipe.read_line(&mut said).expect("it starts");
             assert_eq!(said, "it runs\n");
             let start = Instant::now();
-            for _ in 0..times {
-                // The first one may have ended it.
-                let _ = kill_process(Pid::from_child(&child), signal);
-            }
+            send(&child, signal, times);
             assert_eq!(ended(child).signal(), Some(signal.as_raw()), "{signal:?}");
             pipe.read_to_string(&mut said).expect("the pipe ends");
             assert!(start.elapsed() < Duration::from_secs(30), "{signal:?}");
@@ -540,6 +538,13 @@ impl Desk {
         while self.partials().is_empty() {
             assert!(Instant::now() < soon, "no partial file in ten seconds");
         }
+    }
+}
+
+/// Sends a signal, or two of them as `timeout` does, and a terminal that is closed.
+fn send(child: &Child, signal: Signal, times: usize) {
+    for _ in 0..times {
+        kill_process(Pid::from_child(child), signal).expect("it is there until we wait for it");
     }
 }
 
