@@ -1,4 +1,5 @@
-//! Exit codes: what tells a wrong command line from a failure.
+//! Complaints: what is said on standard error, and the exit code, which tells a wrong
+//! command line from a failure.
 
 use std::error::Error;
 use std::fmt;
