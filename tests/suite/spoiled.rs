@@ -40,14 +40,11 @@ fn no_picture_does_any_harm() {
         }
         let start = Instant::now();
         let answer = check(&scene, &bytes, 0);
-        assert!(
-            start.elapsed() < Duration::from_secs(5),
-            "it hangs on {bytes:?}"
-        );
+        assert!(start.elapsed() < HANGS, "it hangs on {bytes:?}");
         assert_sane(&scene, &bytes, &answer);
         counts[match answer {
             Check::Right(_) => 0,
-            Check::Wrong(_) => 1,
+            Check::Wrong(_) | Check::Another { .. } => 1,
             Check::WrongShape { .. } => 2,
             Check::NotAPicture { .. } => 3,
         }] += 1;
@@ -77,10 +74,7 @@ fn no_file_of_rays_does_any_harm() {
         let start = Instant::now();
         let mut command = program_with("rtrace", &["hit", "--method", "certified_t", "--csv"]);
         let output = run(command.arg(&path));
-        assert!(
-            start.elapsed() < Duration::from_secs(5),
-            "it hangs on {bytes:?}"
-        );
+        assert!(start.elapsed() < HANGS, "it hangs on {bytes:?}");
         let (code, problem) = (output.status.code(), text(&output.stderr));
         let shown = String::from_utf8_lossy(&bytes);
         match code {
@@ -97,6 +91,9 @@ fn no_file_of_rays_does_any_harm() {
         "{counts:?}"
     );
 }
+
+/// Whatever takes so long hangs, however busy the machine is.
+const HANGS: Duration = Duration::from_secs(60);
 
 /// How many files are spoiled, and which.
 struct Campaign {
