@@ -129,7 +129,9 @@ impl Subject {
     }
 
     fn is_built_for_the_first_time(&self) -> bool {
-        self.program.is_empty() && !self.folder.with_file_name("target").exists()
+        let target = env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
+        let target = target.unwrap_or(self.folder.with_file_name("target"));
+        self.program.is_empty() && !target.exists()
     }
 
     fn title(&self) -> String {
@@ -159,6 +161,7 @@ impl Subject {
         let ask_laws = || laws::ask(laws.as_deref()?, self.limit);
         let judge = Judge {
             scene: &self.scene,
+            is_crate: self.program.is_empty(),
             is_chapter_only: self.program.is_empty()
                 && !self.folder.join("src/rtweekend.rs").exists(),
             ask_laws: &ask_laws,

@@ -1,6 +1,7 @@
 //! One screen: both pictures small, the verdict, its cause, and what is next.
 
 use std::io::{IsTerminal, stdout};
+use std::iter;
 use std::time::Duration;
 
 use common::engine::output;
@@ -16,7 +17,7 @@ const MOST_LINES: usize = 25;
 /// How large each picture is, in characters.
 const PICTURE: (u32, u32) = (32, 9);
 
-/// How wide text may become, in characters.
+/// Wider text is harder to read, in characters.
 const WIDEST: usize = 96;
 
 /// The screen as text; on a terminal it replaces the one before.
@@ -32,7 +33,8 @@ pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], took: Dur
         ))
     )];
     lines.extend(pictures(verdict));
-    lines.extend(wrapped("", &colored(verdict, style)));
+    let headline = textwrap::wrap(&verdict.headline, width());
+    lines.extend(headline.iter().map(|line| colored(line, verdict, style)));
     let mut below: Vec<String> = Vec::new();
     if !verdict.next.is_empty() {
         below.extend(wrapped("next", &verdict.next));
@@ -54,10 +56,10 @@ pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], took: Dur
     format!("{clear}{}\n", lines.join("\n"))
 }
 
-fn colored(verdict: &Verdict, style: Style) -> String {
+fn colored(line: &str, verdict: &Verdict, style: Style) -> String {
     match verdict.is_right {
-        true => style.green(&verdict.headline),
-        false => style.bold(&verdict.headline),
+        true => style.green(line),
+        false => style.bold(line),
     }
 }
 
@@ -86,16 +88,18 @@ fn shown(line: &Line) -> Vec<String> {
 
 /// The text in as many lines as it takes, with the label before the first.
 fn wrapped(label: &str, text: &str) -> Vec<String> {
-    let indent = if label.is_empty() { 0 } else { 11 };
-    let width = terminal_size::terminal_size().map_or(80, |(width, _)| usize::from(width.0));
-    let width = width.clamp(20, WIDEST) - indent;
-    let lines = textwrap::wrap(text, width).into_iter();
-    let labels = std::iter::once(label).chain(std::iter::repeat(""));
-    let labeled = labels.zip(lines).map(|(label, line)| match indent {
-        0 => line.into_owned(),
-        _ => labeled(label, &line),
-    });
-    labeled.collect()
+    let lines = textwrap::wrap(text, width() - labeled("", "").len()).into_iter();
+    let labels = iter::once(label).chain(iter::repeat(""));
+    labels
+        .zip(lines)
+        .map(|(label, line)| labeled(label, &line))
+        .collect()
+}
+
+/// How wide text may become, in characters.
+fn width() -> usize {
+    let columns = terminal_size::terminal_size().map_or(80, |(width, _)| usize::from(width.0));
+    columns.clamp(30, WIDEST)
 }
 
 fn labeled(label: &str, text: &str) -> String {

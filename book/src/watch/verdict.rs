@@ -41,7 +41,7 @@ pub(super) struct Verdict {
 /// A line below the headline.
 pub(super) enum Line {
     /// A label, and text that may be long.
-    Labeled(&'static str, String),
+    Labeled(String, String),
     /// As a compiler or a program has printed it.
     Printed(String),
 }
@@ -117,6 +117,8 @@ impl Verdict {
 /// Who was asked, and can be asked more.
 pub(super) struct Judge<'a> {
     pub(super) scene: &'a Scene,
+    /// Whether the reader works in a crate that `start` made.
+    pub(super) is_crate: bool,
     /// Whether all but the chapter itself is ours, and so has no mistake of the reader's.
     pub(super) is_chapter_only: bool,
     /// Puts the reader's function under the laws, where there is one.
@@ -139,7 +141,7 @@ impl Judge<'_> {
             Check::Wrong(finding) => self.of_wrong_picture(finding),
             Check::Another { cause, .. } => Verdict {
                 headline: sentence(&cause.problem),
-                next: cause.fix.replace('\n', " "),
+                next: cause.fix.split_whitespace().collect::<Vec<_>>().join(" "),
                 ..Verdict::default()
             },
             Check::WrongShape { cause, finding } => of_no_picture("wrong", &cause, finding),
@@ -153,7 +155,7 @@ impl Judge<'_> {
             is_right: true,
             headline: format!("Right: all {width} × {height} pixels, to the last bit."),
             pictures: Some((picture, self.scene.right(width, height))),
-            next: next_chapter(chapter),
+            next: self.next_chapter(),
             done: vec![match self.scene.probe {
                 Some(probe) => format!("{}, probe {}: right", chapter.name(), probe.name),
                 None => picture_is_right(chapter),
@@ -165,7 +167,7 @@ impl Judge<'_> {
             Some(Answer::Broken(report)) => Verdict {
                 is_right: false,
                 headline: "The picture is right, but a law is broken.".to_owned(),
-                cause: printed(&report.join("\n")),
+                cause: law(&report),
                 next: "cargo test, in the folder of your crate, shows the case".to_owned(),
                 ..verdict
             },
@@ -199,10 +201,20 @@ impl Judge<'_> {
         });
         Verdict {
             cause: vec![
-                Line::Labeled("can hide", names.join(", ")),
-                Line::Labeled("to see it", change + &command),
+                labeled("can hide", names.join(", ")),
+                labeled("to see it", change + &command),
             ],
             ..verdict
+        }
+    }
+
+    fn next_chapter(&self) -> String {
+        let chapters = Chapter::OF_THE_BOOK.into_iter();
+        let next = chapters.skip_while(|&it| it <= self.scene.chapter).next();
+        match (next.map(Chapter::name), self.is_crate) {
+            (None, _) => "that was the last chapter to type".to_owned(),
+            (Some(name), true) => format!("{name}: {} start {name}", companion()),
+            (Some(name), false) => format!("{name}: {} watch {name} -- PROGRAM", companion()),
         }
     }
 
@@ -210,7 +222,7 @@ impl Judge<'_> {
         let (cause, next) = match &self.mistakes(&finding)[..] {
             [one] => (in_full(one), String::new()),
             mistakes => match (self.ask_laws)() {
-                Some(Answer::Broken(report)) => (printed(&report.join("\n")), String::new()),
+                Some(Answer::Broken(report)) => (law(&report), String::new()),
                 _ if mistakes.is_empty() => (sights(&finding), String::new()),
                 _ => undecided(self.scene, &finding.diagnosis.sets[0], mistakes),
             },
@@ -283,9 +295,9 @@ fn of_no_picture(verdict: &str, cause: &Cause, finding: Option<Box<Finding>>) ->
 fn in_full(mistake: &[&Slip]) -> Vec<Line> {
     let lines = mistake.iter().flat_map(|slip| {
         [
-            Line::Labeled("probably", slip.wrong.to_owned()),
-            Line::Labeled("should be", slip.right.to_owned()),
-            Line::Labeled("why", slip.explanation.to_owned()),
+            labeled("probably", slip.wrong.to_owned()),
+            labeled("should be", slip.right.to_owned()),
+            labeled("why", slip.explanation.to_owned()),
         ]
     });
     lines.collect()
@@ -295,7 +307,7 @@ fn in_full(mistake: &[&Slip]) -> Vec<Line> {
 fn undecided(scene: &Scene, set: &Set, mistakes: &[&Mistake]) -> (Vec<Line>, String) {
     let one_of = mistakes.iter().map(|mistake| {
         let wrong: Vec<&str> = mistake.iter().map(|slip| slip.wrong).collect();
-        Line::Labeled(
+        labeled(
             "probably",
             format!("{}  ({})", wrong.join("; "), names_of(mistake)),
         )
@@ -314,10 +326,10 @@ fn undecided(scene: &Scene, set: &Set, mistakes: &[&Mistake]) -> (Vec<Line>, Str
 /// What can be seen where no mistake explains it.
 fn sights(finding: &Finding) -> Vec<Line> {
     let seen = finding.diagnosis.sights.iter().cloned();
-    let mut lines: Vec<Line> = seen.map(|sight| Line::Labeled("seen", sight)).collect();
+    let mut lines: Vec<Line> = seen.map(|sight| labeled("seen", sight)).collect();
     if let Some(difference) = &finding.difference {
         let (column, row) = difference.first;
-        lines.push(Line::Labeled(
+        lines.push(labeled(
             "first",
             format!(
                 "column {column}, row {row}: expected {:?}, got {:?}",
@@ -326,6 +338,19 @@ fn sights(finding: &Finding) -> Vec<Line> {
         ));
     }
     lines
+}
+
+fn labeled(label: &str, text: String) -> Line {
+    Line::Labeled(label.to_owned(), text)
+}
+
+/// A report on a law, whose lines have a label, or go on with the one before.
+fn law(report: &[String]) -> Vec<Line> {
+    let line = |line: &String| match line.split_once(":  ") {
+        Some((label, text)) if !label.contains("  ") => labeled(label, text.to_owned()),
+        _ => labeled("", line.trim_start().to_owned()),
+    };
+    report.iter().map(line).collect()
 }
 
 /// With a large letter, and a full stop.
@@ -358,13 +383,4 @@ fn first_step(chapter: Chapter) -> String {
 
 fn step_says(at: usize, step: &steps::Step) -> String {
     format!("step {}: {}", at + 1, step.says)
-}
-
-fn next_chapter(chapter: Chapter) -> String {
-    let next = Chapter::OF_THE_BOOK
-        .into_iter()
-        .find(|&next| next > chapter);
-    next.map_or("that was the last chapter to type".to_owned(), |next| {
-        format!("{next}: {} start {next}", companion(), next = next.name())
-    })
 }
