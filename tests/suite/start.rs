@@ -17,7 +17,8 @@ const TYPED: [&str; 5] = [
     "hittable_list",
 ];
 
-/// A folder for a reader's crates, which all tests build in one place.
+/// A folder of somebody who has installed `cargo rtrace`, with their crates in `mine`;
+/// all tests build these in one place.
 pub(crate) struct Mine(TempDir);
 
 impl Mine {
@@ -25,26 +26,26 @@ impl Mine {
         Self(TempDir::new().expect("a folder"))
     }
 
-    pub(crate) fn path(&self) -> &Path {
-        self.0.path()
+    pub(crate) fn path(&self) -> PathBuf {
+        self.0.path().join("mine")
     }
 
-    /// `rtrace` with these words, about this folder.
     pub(crate) fn rtrace(&self, words: &[&str]) -> Command {
         let mut command = program("rtrace");
         let built = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/mine");
-        command.args(words).env("CARGO_TARGET_DIR", built);
+        command.args(words).current_dir(self.0.path());
+        command
+            .env("CARGO_TARGET_DIR", built)
+            .env("CARGO", env!("CARGO"));
         command
     }
 
     pub(crate) fn start(&self, chapter: &str, more: &[&str]) -> Command {
-        let into = self.path().to_str().expect("a name in UTF-8");
-        self.rtrace(&[&["start", chapter, "--into", into], more].concat())
+        self.rtrace(&[&["start", chapter], more].concat())
     }
 
     pub(crate) fn watch_once(&self, chapter: &str) -> String {
-        let into = self.path().to_str().expect("a name in UTF-8");
-        text(&run(&mut self.rtrace(&["watch", chapter, "--in", into, "--once"])).stdout)
+        text(&run(&mut self.rtrace(&["watch", chapter, "--once"])).stdout)
     }
 
     pub(crate) fn lib(&self, chapter: &str) -> PathBuf {
@@ -152,12 +153,10 @@ fn what_cannot_be_read_is_not_carried_over_and_that_is_said() {
 #[test]
 fn a_folder_that_cannot_be_written_is_named() {
     let mine = Mine::new();
-    fs::write(mine.path().join("file"), "").expect("a file");
-    let into = mine.path().join("file/mine");
-    let into = into.to_str().expect("a name in UTF-8");
+    fs::write(mine.path(), "").expect("a file");
     assert_failed(
-        &mut mine.rtrace(&["start", "normals", "--into", into]),
-        &["cannot write", "file/mine"],
+        &mut mine.start("normals", &["--into", "mine/deeper"]),
+        &["cannot write", "mine/deeper/normals"],
     );
 }
 
@@ -168,9 +167,8 @@ fn the_list_of_done_things_has_what_came_out_right_once_and_the_readers_own_line
     mine.edit("gradient", "todo!()", "Color::new(1.0, 1.0, 1.0)");
     mine.watch_once("gradient");
     mine.watch_once("gradient");
-    let into = mine.path().to_str().expect("a name in UTF-8");
     let done = |words: &[&str]| {
-        let output = run(&mut mine.rtrace(&[&["done", "--in", into], words].concat()));
+        let output = run(&mut mine.rtrace(&[&["done"], words].concat()));
         assert_success(&output);
         text(&output.stdout)
     };

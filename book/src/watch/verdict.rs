@@ -347,7 +347,9 @@ fn labeled(label: &str, text: String) -> Line {
 /// A report on a law, whose lines have a label, or go on with the one before.
 fn law(report: &[String]) -> Vec<Line> {
     let line = |line: &String| match line.split_once(":  ") {
-        Some((label, text)) if !label.contains("  ") => labeled(label, text.trim_start().to_owned()),
+        Some((label, text)) if !label.contains("  ") => {
+            labeled(label, text.trim_start().to_owned())
+        }
         _ => labeled("", line.trim_start().to_owned()),
     };
     report.iter().map(line).collect()
