@@ -11,7 +11,7 @@ use common::engine::output;
 use jiff::Zoned;
 
 use crate::mine::Mine;
-use crate::steps;
+use crate::{steps, terminal};
 use check::places::shown;
 
 /// What `cargo rtrace done` is told.
@@ -143,7 +143,8 @@ fn ahead(chapter: Chapter, text: &str) -> Vec<String> {
     let last = (1..=steps::of(chapter).len()).rfind(|&n| is_on(text, &step_is_done(chapter, n)));
     steps
         .skip(last.unwrap_or(0))
-        .map(|(number, step)| format!("  {:<14} {number}. {}\n", chapter.name(), step.says))
+        .map(|(number, step)| format!("  {:<14} {number}. {}", chapter.name(), step.says))
+        .map(|line| terminal::hanging(&line, 20) + "\n")
         .collect()
 }
 

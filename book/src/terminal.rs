@@ -46,6 +46,20 @@ impl Palette {
     }
 }
 
+/// How wide text should be, in characters: as the terminal, but no wider than is easy to
+/// read.
+pub(crate) fn text_width() -> usize {
+    let columns = terminal_size::terminal_size().map_or(80, |(width, _)| usize::from(width.0));
+    columns.clamp(30, 96)
+}
+
+/// `text` in lines that are no wider than that, those after the first with this indent.
+pub(crate) fn hanging(text: &str, indent: usize) -> String {
+    let indent = " ".repeat(indent);
+    let options = textwrap::Options::new(text_width()).subsequent_indent(&indent);
+    textwrap::fill(text, options)
+}
+
 /// Shows `picture`, reduced as far as the terminal asks.
 ///
 /// The character is the upper half block: its own color is the upper pixel, its

@@ -20,6 +20,7 @@ use crate::terminal;
 #[test]
 fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
     let mine = Mine::new();
+    run(&mut mine.start("red_sphere", &[]));
     let started = run(&mut mine.start("normals", &[]));
     keep("start", &text(&started.stdout));
     let mut desk = Desk::sit_down(&mut mine.rtrace(&["watch", "normals"]));
@@ -317,9 +318,11 @@ const RED_DISC: &str = "pub fn ray_color(ray: &Ray) -> Color {
     }
     sky(ray)";
 
-const RED_BODY: &str = "        return Color::new(1.0, 0.0, 0.0);";
+const RED_BODY: &str = "    {
+        return Color::new(1.0, 0.0, 0.0);";
 
-const NORMAL_BODY: &str = "        let normal = (ray.at(t) - center).normalize();
+const NORMAL_BODY: &str = "    {
+        let normal = (ray.at(t) - center).normalize();
         return 0.5 * (normal + Vec3::ONE);";
 
 const HIT_SPHERE_TODO: &str = "-> Option<f64> {

@@ -15,7 +15,7 @@ use common::engine::{companion, output};
 
 use crate::mine::Mine;
 use crate::misuse::misuse;
-use crate::steps;
+use crate::{steps, terminal};
 use check::places::{shown, workspace};
 
 /// What `cargo rtrace start` is told.
@@ -149,7 +149,8 @@ impl New {
         let file = folder.join("src/lib.rs");
         let mut said = format!("{} is yours.\n{}", shown(&file), self.carried);
         for (number, step) in (1..).zip(steps::of(self.chapter)) {
-            said += &format!("  step {number}  {}\n", step.says);
+            let line = format!("  step {number}  {}", step.says);
+            said += &(terminal::hanging(&line, 10) + "\n");
         }
         said + &format!(
             "Open it in your editor, and in a terminal: {} watch {name}\n",

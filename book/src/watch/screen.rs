@@ -17,9 +17,6 @@ const MOST_LINES: usize = 25;
 /// How large each picture is, in characters.
 const PICTURE: (u32, u32) = (32, 9);
 
-/// Wider text is harder to read, in characters.
-const WIDEST: usize = 96;
-
 /// The screen as text; on a terminal it replaces the one before.
 pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], took: Duration) -> String {
     let style = Style::of_stdout();
@@ -33,7 +30,7 @@ pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], took: Dur
         ))
     )];
     lines.extend(pictures(verdict));
-    let headline = textwrap::wrap(&verdict.headline, width());
+    let headline = textwrap::wrap(&verdict.headline, terminal::text_width());
     lines.extend(headline.iter().map(|line| colored(line, verdict, style)));
     let mut below: Vec<String> = Vec::new();
     if !verdict.next.is_empty() {
@@ -88,18 +85,12 @@ fn shown(line: &Line) -> Vec<String> {
 
 /// The text in as many lines as it takes, with the label before the first.
 fn wrapped(label: &str, text: &str) -> Vec<String> {
-    let lines = textwrap::wrap(text, width() - labeled("", "").len()).into_iter();
+    let lines = textwrap::wrap(text, terminal::text_width() - labeled("", "").len()).into_iter();
     let labels = iter::once(label).chain(iter::repeat(""));
     labels
         .zip(lines)
         .map(|(label, line)| labeled(label, &line))
         .collect()
-}
-
-/// How wide text may become, in characters.
-fn width() -> usize {
-    let columns = terminal_size::terminal_size().map_or(80, |(width, _)| usize::from(width.0));
-    columns.clamp(30, WIDEST)
 }
 
 fn labeled(label: &str, text: &str) -> String {
