@@ -6,6 +6,25 @@ use laws::ray_and_camera::{self, Pixel};
 use laws::runner::succeed;
 use laws::verdict::Verdict;
 
+/// Whether the small functions that every chapter from the first on rests on obey
+/// their laws.
+pub(crate) fn is_right() -> bool {
+    let trial = Trial::default();
+    [
+        trial.at(&Ray::at),
+        trial.unit_vector(&Vec3::normalize),
+        trial.height(&|width| Camera::new(width).image_height),
+        trial.pixel_ray(&ray_of_pixel),
+        trial.dot(&Vec3::dot),
+    ]
+    .iter()
+    .all(Result::is_ok)
+}
+
+fn ray_of_pixel([width, height]: [u32; 2], [i, j]: [u32; 2]) -> Ray {
+    Camera::with_size(width, height).ray(i, j)
+}
+
 #[test]
 fn the_height_is_rounded_down_and_at_least_one() {
     let height = |width| Camera::new(width).image_height;
@@ -21,9 +40,7 @@ fn the_point_at_t_is_t_directions_from_the_origin() {
 
 #[test]
 fn the_ray_of_a_pixel_goes_through_its_center() {
-    let ray =
-        |[width, height]: [u32; 2], [i, j]: [u32; 2]| Camera::with_size(width, height).ray(i, j);
-    succeed(Trial::default().pixel_ray(&ray));
+    succeed(Trial::default().pixel_ray(&ray_of_pixel));
     for size in [[1, 1], [7, 5], [16, 9], [400, 225], [5, 7], [3840, 2160]] {
         let [width, height] = size;
         for place in [
@@ -33,7 +50,7 @@ fn the_ray_of_a_pixel_goes_through_its_center() {
             [width / 2, height / 3],
         ] {
             assert_holds(ray_and_camera::the_ray_of_a_pixel_goes_through_its_center(
-                &ray,
+                &ray_of_pixel,
                 &Pixel { size, place },
             ));
         }

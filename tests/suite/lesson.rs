@@ -6,10 +6,12 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use check::Chapter;
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::book::{self, files, text_of};
 use crate::pictures::p3;
@@ -18,12 +20,12 @@ use crate::pictures::p3;
 const DRAWS_NOTHING: [(&str, &str, &str); 2] = [
     (
         "gradient.html",
-        "pub fn at(&self, t: f64) -> Point3 {",
+        "at",
         "nothing is hit yet, so no ray is asked for a point",
     ),
     (
         "gradient.html",
-        "pub fn sky(ray: &Ray) -> Color {",
+        "sky",
         "chapter 1 writes it out as its own ray_color; the later chapters draw with it",
     ),
 ];
@@ -57,7 +59,7 @@ fn a_panic_in_a_function_that_a_page_lists_breaks_the_picture_of_that_page() {
                 is_right,
                 function.draws_nothing(*chapter),
                 "{} on {}: {}",
-                function.signature,
+                function.name,
                 page_of(*chapter),
                 if is_right {
                     "with a panic in it the picture is still right, so the page shows what does not run"
@@ -81,40 +83,34 @@ const BROKEN: &str = "BROKEN_FUNCTION";
 struct Function {
     /// Its file, as seen from the workspace.
     file: String,
-    /// The line in which it begins, without the space before it.
-    signature: String,
+    /// Its name, which no other function of the file has.
+    name: String,
 }
 
 impl Function {
     fn key(&self) -> String {
-        format!("{} {}", self.file, self.signature)
+        format!("{} {}", self.file, self.name)
     }
 
     fn draws_nothing(&self, chapter: Chapter) -> bool {
         DRAWS_NOTHING
             .iter()
-            .any(|&(page, signature, _)| page == page_of(chapter) && signature == self.signature)
+            .any(|&(page, name, _)| page == page_of(chapter) && name == self.name)
     }
 
-    /// Puts the panic first into its body, among the `lines` of its file.
-    fn break_in(&self, lines: &mut Vec<String>) {
-        let begins = |line: &&mut String| line.trim() == self.signature;
-        let found = lines.iter_mut().filter(begins).count();
-        assert_eq!(found, 1, "how often {} is there", self.key());
-        let start = lines
-            .iter()
-            .position(|line| line.trim() == self.signature)
-            .expect("it was counted");
-        let body = start
-            + lines[start..]
-                .iter()
-                .position(|line| line.ends_with('{'))
-                .expect("a body");
+    /// Puts the panic first into its body, in the `text` of its file.
+    fn break_in(&self, text: &mut String) {
+        let mut bodies = Vec::new();
+        find_bodies(parsed(text), &mut bodies);
+        bodies.retain(|(name, _)| *name == self.name);
+        let [(_, body)] = &bodies[..] else {
+            panic!("{} is there {} times", self.key(), bodies.len());
+        };
         let guard = format!(
             "if std::env::var_os({BROKEN:?}).is_some_and(|name| name == {:?}) {{ panic!() }}",
             self.key()
         );
-        lines.insert(body + 1, guard);
+        text.insert_str(body.start + 1, &guard);
     }
 }
 
@@ -145,19 +141,47 @@ fn listed_on_page_of(chapter: Chapter) -> Vec<Function> {
 
 /// The functions in `code` that have a body.
 fn functions_of(file: &str, code: &str) -> Vec<Function> {
-    let lines: Vec<&str> = code.lines().map(str::trim).collect();
-    let begins = |line: &str| ["fn ", "pub fn "].iter().any(|word| line.starts_with(word));
-    let has_body = |n: usize| {
-        let end = lines[n..].iter().find(|line| line.ends_with(['{', ';']));
-        end.is_some_and(|line| line.ends_with('{'))
+    let mut bodies = Vec::new();
+    find_bodies(parsed(code), &mut bodies);
+    let function = |(name, _)| Function {
+        file: file.to_owned(),
+        name,
     };
-    (0..lines.len())
-        .filter(|&n| begins(lines[n]) && has_body(n))
-        .map(|n| Function {
-            file: file.to_owned(),
-            signature: lines[n].to_owned(),
-        })
-        .collect()
+    bodies.into_iter().map(function).collect()
+}
+
+/// As tokens, because a reader may break lines wherever they like.
+fn parsed(code: &str) -> TokenStream {
+    code.parse().expect("a source consists of tokens")
+}
+
+/// Finds the name and the body of each function: the first braces after `fn`, unless a
+/// semicolon comes before.
+fn find_bodies(code: TokenStream, bodies: &mut Vec<(String, Range<usize>)>) {
+    let mut name = None;
+    let mut is_named = false;
+    for token in code {
+        match token {
+            TokenTree::Ident(word) if is_named => name = Some(word.to_string()),
+            TokenTree::Punct(mark) if mark.as_char() == ';' => name = None,
+            TokenTree::Group(group) => {
+                if group.delimiter() == Delimiter::Brace
+                    && let Some(name) = name.take()
+                {
+                    bodies.push((name, group.span().byte_range()));
+                }
+                find_bodies(group.stream(), bodies);
+                is_named = false;
+                continue;
+            }
+            TokenTree::Ident(word) if word == "fn" => {
+                is_named = true;
+                continue;
+            }
+            _ => {}
+        }
+        is_named = false;
+    }
 }
 
 fn page_of(chapter: Chapter) -> String {
@@ -175,14 +199,13 @@ fn build_copy(functions: BTreeSet<&Function>) -> PathBuf {
     for folder in ["common", "chapters"] {
         for file in files(&workspace.join(folder)) {
             let place = file.strip_prefix(&workspace).expect("it is inside");
-            let text = fs::read_to_string(&file).expect("a source");
-            let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+            let mut text = fs::read_to_string(&file).expect("a source");
             for function in &functions {
                 if place == Path::new(&function.file) {
-                    function.break_in(&mut lines);
+                    function.break_in(&mut text);
                 }
             }
-            write_if_changed(&copy.join(place), &(lines.join("\n") + "\n"));
+            write_if_changed(&copy.join(place), &text);
         }
     }
     let manifest = fs::read_to_string(workspace.join("Cargo.toml")).expect("a manifest");

@@ -1,40 +1,26 @@
-//! Each picture is the book's, to the last bit.
+//! Pictures of chapter 6, and how pictures are compared.
 
 use std::fs;
-use std::path::Path;
 
 use check::Chapter;
 use check::comparison::Comparison;
-use check::diagnosis;
-use check::judge::{self, Finding};
-use check::places;
-use check::report::{self, Report};
-use check::{png, reading, slips};
+use check::{png, slips};
 use common::rtweekend::*;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
-use insta::internals::SnapshotContents;
-use insta::{Comparator, Snapshot, assert_binary_snapshot};
-use sha2::{Digest, Sha256};
 use speed_vs_accuracy::{Method, Scene};
 use tempfile::TempDir;
 
-/// The pictures in the book are the snapshots: one file is shown and compared.
-const PICTURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/pictures");
+pub(crate) use crate::drawn::p3;
+use crate::drawn::{assert_picture, compare_files, explained};
 
 mod the_snapshot_is_drawn_by {
-    macro_rules! stages {
-        ($($chapter:ident)*) => {
-            pub(super) const NAMES: &[&str] = &[$(stringify!($chapter)),*];
-            $(
-                #[test]
-                fn $chapter() {
-                    super::assert_stage(stringify!($chapter));
-                }
-            )*
-        };
+    use super::*;
+
+    #[test]
+    fn speed_vs_accuracy() {
+        assert_picture("speed_vs_accuracy", &::speed_vs_accuracy::picture(400));
     }
-    stages! { build_test gradient red_sphere normals half_b_sphere hittable_list speed_vs_accuracy }
 }
 
 /// Scenes of chapter 6 in which a method fails, and what they should look like.
@@ -64,43 +50,6 @@ mod the_snapshot_is_drawn_by_a_method {
         assert_ne!(wrong, right);
         assert_picture(&format!("{}_{}", scene.name, method.name), &wrong);
         assert_picture(&format!("{}_right", scene.name), &right);
-    }
-}
-
-#[test]
-fn no_stage_goes_without_a_snapshot() {
-    let names: Vec<&str> = Chapter::ALL.iter().map(|chapter| chapter.name()).collect();
-    assert_eq!(
-        names,
-        the_snapshot_is_drawn_by::NAMES,
-        "name the new chapter in the list above this test, in the same order"
-    );
-}
-
-#[test]
-fn the_text_of_each_picture_has_the_sum_of_the_books_own() {
-    let sums: Vec<(&str, &str, u32)> = include_str!("reference_sums.txt")
-        .lines()
-        .filter(|line| !line.starts_with('#'))
-        .map(|line| match line.split(' ').collect::<Vec<_>>()[..] {
-            [sum, name, width] => (sum, name, width.parse().expect("a width is a number")),
-            _ => panic!("reference_sums.txt has a line that is not `sum chapter width`: {line}"),
-        })
-        .collect();
-    for &(expected, name, width) in &sums {
-        let chapter = Chapter::find(name).expect("reference_sums.txt names stages");
-        let actual = sha256(&p3(&chapter.picture(width)));
-        let same_as = sums.iter().find(|(sum, ..)| *sum == actual);
-        assert!(
-            actual == expected,
-            "{name} at {width} wide is not what the book's C++ draws{}.\n\
-             If its snapshot differs too, start there. If only this differs, look for another \
-             order of operations, a fused multiply-add, f32 somewhere, v / s for v * (1.0 / s), or the \
-             text: P3, width and height, 255, each on its line, then a pixel a line.",
-            same_as.map_or(String::new(), |(_, name, _)| format!(
-                ": it is exactly the picture of {name}"
-            ))
-        );
     }
 }
 
@@ -200,128 +149,9 @@ fn bytes_that_are_not_three_a_pixel_are_no_picture() {
     assert!(Picture::from_rgb(2, 2, vec![0; 12]).is_some());
 }
 
-/// Compares the picture of the chapter with its snapshot.
-fn assert_stage(name: &str) {
-    let chapter = Chapter::find(name).expect("the chapter is in the list of stages");
-    assert_picture(name, &chapter.picture(chapter.book_width()));
-}
-
-/// Compares the picture with the snapshot of that name.
-fn assert_picture(name: &str, picture: &Picture) {
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(PICTURES);
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.set_comparator(Box::new(SamePixels));
-    settings.bind(|| {
-        assert_binary_snapshot!(&format!("{name}.png"), png::encode(picture));
-    });
-}
-
-/// Compares the pixels of two PNG snapshots, and explains a difference.
-#[derive(Clone)]
-pub(crate) struct SamePixels;
-
-impl Comparator for SamePixels {
-    fn matches(&self, reference: &Snapshot, test: &Snapshot) -> bool {
-        let (Some(expected), Some(actual)) = (file_of(reference), file_of(test)) else {
-            println!("The .png file of a snapshot is missing: restore it, or accept a new one.");
-            return false;
-        };
-        let comparison = compare_files(expected, actual);
-        if comparison == Comparison::Equal {
-            return true;
-        }
-        let name = test.snapshot_name().unwrap_or("picture");
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
-            .join("wrong-pictures")
-            .join(name);
-        println!(
-            "\n{}Only if you meant to change it: INSTA_UPDATE=always cargo test the_snapshot_is_drawn_by::{name}\n\
-             (in PowerShell, first $env:INSTA_UPDATE = 'always')\n",
-            explained(name, expected, actual, &folder)
-        );
-        false
-    }
-
-    fn dyn_clone(&self) -> Box<dyn Comparator> {
-        Box::new(self.clone())
-    }
-}
-
-/// Writes a page about a picture that is not its snapshot into `folder`, and says what
-/// is wrong: first the cause, if it is the picture of a chapter and the cause is known.
-fn explained(name: &str, expected: &[u8], actual: &[u8], folder: &Path) -> String {
-    let comparison = compare_files(expected, actual);
-    let chapter = Chapter::OF_THE_BOOK
-        .into_iter()
-        .find(|chapter| chapter.name() == name);
-    let scene = chapter.and_then(|chapter| diagnosis::Scene::new(chapter, None));
-    let (mut cause, mut remarks) = (String::new(), String::new());
-    if let Some(scene) = scene
-        && let Some(finding) = judge::check(&scene, actual, 0).finding()
-    {
-        cause = cause_of(finding);
-        remarks = report::remarks(&scene, finding, Path::new(report::BOOK));
-    }
-    let said = format!("The picture of `{name}` is not its snapshot: {comparison}.\n{cause}");
-    let [expected, actual] = [expected, actual].map(decoded);
-    let page = Report {
-        title: name,
-        headline: said.trim_end(),
-        pictures: Some([&expected, &actual]),
-        remarks: &remarks,
-    }
-    .write(folder)
-    .expect("the target folder takes the page");
-    let page = page.display();
-    format!("{said}See both, and the difference: {page}\n")
-}
-
-/// The mistakes that explain it best, or what can be seen. The page says more.
-fn cause_of(finding: &Finding) -> String {
-    let Some(set) = finding.diagnosis.sets.first() else {
-        let sights = finding.diagnosis.sights.iter();
-        return sights.map(|sight| format!("{sight}\n")).collect();
-    };
-    let mut said = set.title(finding.right.rgb().len() / 3) + "\n";
-    for slip in set.mistakes.iter().flatten() {
-        let (name, wrong, right) = (slip.name, slip.wrong, slip.right);
-        said += &format!("  {name}: probably {wrong}, should be {right}\n");
-        let read = places::page(slip).unwrap_or_else(|| slip.page_in_words());
-        said += &format!("    read {read}\n");
-    }
-    said
-}
-
-fn file_of(snapshot: &Snapshot) -> Option<&[u8]> {
-    match snapshot.contents() {
-        SnapshotContents::Binary(Some(file)) => Some(file),
-        _ => None,
-    }
-}
-
-fn compare_files(expected: &[u8], actual: &[u8]) -> Comparison {
-    let [expected, actual] = [expected, actual].map(decoded);
-    Comparison::of(&expected, &actual)
-}
-
-fn decoded(file: &[u8]) -> Picture {
-    reading::read(file)
-        .expect("a snapshot is a PNG file")
-        .picture()
-}
-
 fn assert_equal(expected: &Picture, actual: &Picture, what: &str) {
     let comparison = Comparison::of(expected, actual);
     assert!(comparison == Comparison::Equal, "{what}: {comparison}");
-}
-
-/// The text of a picture.
-pub(crate) fn p3(picture: &Picture) -> Vec<u8> {
-    let mut text = Vec::new();
-    picture.write_p3(&mut text).expect("memory takes it");
-    text
 }
 
 /// The same, by so many threads.
@@ -331,11 +161,4 @@ pub(crate) fn p3_with_threads(picture: &Picture, threads: usize) -> Vec<u8> {
         .write_p3_with_threads(threads, &mut text)
         .expect("memory takes it");
     text
-}
-
-fn sha256(bytes: &[u8]) -> String {
-    Sha256::digest(bytes)
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
 }

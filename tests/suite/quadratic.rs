@@ -3,29 +3,24 @@
 //! The laws and their bounds are in the package `laws`, and so are the rays and
 //! spheres, and the mistakes that a report names.
 
-use ::hittable_list::{HitRecord, Hittable, HittableList, Sphere};
+use ::hittable_list::{Hittable, HittableList, Sphere};
+use check::Chapter;
 use common::rtweekend::*;
-use laws::Case;
 use laws::list::{self, World, worlds};
 use laws::record::Hit;
-use laws::runner::holds;
-use laws::{nearer_root, runner, strategies};
+use laws::runner::{self, holds};
+use laws::trial::Outcome;
+use laws::{Case, Trial};
+
+use crate::drawn::more;
 
 mod red_sphere {
     use super::*;
 
     #[test]
-    fn obeys_the_laws_of_a_decision() {
-        runner::decision(&::red_sphere::hit_sphere);
-    }
-
-    #[test]
-    fn it_hits_exactly_when_chapter_3_has_a_root() {
-        holds(&strategies::anywhere(), |case| {
-            let decide = |center, radius, ray: &Ray| {
-                ::red_sphere::hit_sphere(center, radius, ray).then_some(0.0)
-            };
-            nearer_root::it_hits_exactly_when_the_other_does(&decide, &::normals::hit_sphere, case)
+    fn obeys_its_laws() {
+        assert_lawful(Chapter::RedSphere, |trial| {
+            trial.decision(&::red_sphere::hit_sphere)
         });
     }
 }
@@ -34,8 +29,11 @@ mod normals {
     use super::*;
 
     #[test]
-    fn obeys_the_laws_of_a_nearer_root() {
-        runner::nearer_root(&::normals::hit_sphere);
+    fn obeys_its_laws() {
+        assert_lawful(Chapter::Normals, |trial| {
+            trial.nearer_root(&::normals::hit_sphere)
+        });
+        solves_what_was_once_special(&::normals::hit_sphere);
     }
 }
 
@@ -43,93 +41,11 @@ mod half_b_sphere {
     use super::*;
 
     #[test]
-    fn obeys_the_laws_of_a_nearer_root() {
-        runner::nearer_root(&::half_b_sphere::hit_sphere);
-    }
-
-    #[test]
-    fn it_is_the_full_formula_to_the_last_bit() {
-        holds(&strategies::anywhere(), |case| {
-            nearer_root::two_chapters_agree_to_the_last_bit(
-                &::half_b_sphere::hit_sphere,
-                &::normals::hit_sphere,
-                case,
-            )
+    fn obeys_its_laws() {
+        assert_lawful(Chapter::HalfBSphere, |trial| {
+            trial.nearer_root(&::half_b_sphere::hit_sphere)
         });
-    }
-}
-
-mod hittable_list_sphere {
-    use super::*;
-
-    fn hit(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
-        let sphere = Sphere::new(center, radius);
-        sphere.hit(ray, t_min, t_max).map(|hit| hit.t)
-    }
-
-    /// On the whole line, the nearest root is the nearer one.
-    pub(super) fn nearer(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
-        hit(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY)
-    }
-
-    #[test]
-    fn obeys_the_laws_of_a_root_in_a_range() {
-        runner::nearest_in_range(&hit);
-    }
-
-    #[test]
-    fn obeys_the_laws_of_a_record() {
-        runner::record(&|center, radius, ray: &Ray, t_min, t_max| {
-            let record = Sphere::new(center, radius).hit(ray, t_min, t_max)?;
-            Some(Hit {
-                t: record.t,
-                normal: record.normal,
-                front_face: record.front_face,
-            })
-        });
-    }
-
-    #[test]
-    fn it_is_the_half_b_of_chapter_4_to_the_last_bit() {
-        holds(&strategies::anywhere(), |case| {
-            nearer_root::two_chapters_agree_to_the_last_bit(
-                &nearer,
-                &::half_b_sphere::hit_sphere,
-                case,
-            )
-        });
-    }
-
-    #[test]
-    fn the_point_of_a_record_is_where_the_ray_is_at_t() {
-        let ray = Ray::new(Point3::new(0.5, 1.0, 3.0), Vec3::new(0.0, -0.25, -2.0));
-        let sphere = Sphere::new(Point3::new(0.25, 0.5, -1.0), 1.5);
-        let record = sphere.hit(&ray, 0.0, f64::INFINITY).expect("it is ahead");
-        assert_eq!(record.point, ray.at(record.t));
-        assert!(record.front_face);
-    }
-
-    #[test]
-    fn a_ray_at_a_right_angle_to_the_normal_counts_as_coming_from_inside() {
-        let along = Ray::new(Point3::ZERO, Vec3::X);
-        let mut record = HitRecord {
-            front_face: true,
-            ..HitRecord::default()
-        };
-        record.set_face_normal(&along, Vec3::Y);
-        assert!(!record.front_face);
-        assert_eq!(record.normal, -Vec3::Y);
-    }
-
-    /// As the book does. 49 · (1/49) is not 1.
-    #[test]
-    fn a_normal_is_a_product_with_the_reciprocal_of_the_radius() {
-        let sphere = Sphere::new(Point3::ZERO, 49.0);
-        let towards = Ray::new(Point3::new(50.0, 0.0, 0.0), Vec3::NEG_X);
-        let record = sphere.hit(&towards, 0.0, 2.0).expect("it is ahead");
-        assert_eq!(record.point.x, 49.0);
-        assert_eq!(record.normal.x, 49.0 * (1.0 / 49.0));
-        assert_ne!(record.normal.x, 1.0);
+        solves_what_was_once_special(&::half_b_sphere::hit_sphere);
     }
 }
 
@@ -137,12 +53,20 @@ mod hittable_list {
     use super::*;
 
     #[test]
-    fn obeys_the_laws_of_a_list() {
-        runner::list(&flat);
-        runner::list(&nested);
+    fn obeys_its_laws() {
+        assert_lawful(Chapter::HittableList, |trial| {
+            trial.nearest_in_range(&hit)?;
+            trial.record(&recorded)?;
+            trial.list(&flat)?;
+            trial.list(&nested)
+        });
+        a_list_of_one_is_that_one();
+        a_nested_list_is_the_flat_list();
+        solves_what_was_once_special(&|center, radius, ray: &Ray| {
+            hit(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY)
+        });
     }
 
-    #[test]
     fn a_list_of_one_is_that_one() {
         holds(&worlds(), |world| {
             let (center, radius) = world.spheres[0];
@@ -155,31 +79,24 @@ mod hittable_list {
         });
     }
 
-    #[test]
     fn a_nested_list_is_the_flat_list() {
         holds(&worlds(), |world| {
             list::both_find_the_same(&nested, &flat, world)
         });
     }
 
-    #[test]
-    fn an_empty_list_is_missed() {
-        let empty = HittableList::default();
-        let ahead = Ray::new(Point3::ZERO, Vec3::NEG_Z);
-        assert_eq!(empty.hit(&ahead, f64::NEG_INFINITY, f64::INFINITY), None);
+    fn hit(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
+        let sphere = Sphere::new(center, radius);
+        sphere.hit(ray, t_min, t_max).map(|hit| hit.t)
     }
 
-    #[test]
-    fn of_two_that_are_equally_near_the_first_is_hit() {
-        let mut list = HittableList::default();
-        list.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5));
-        // The ray starts inside this one.
-        list.add(Sphere::new(Point3::new(0.0, 0.0, 0.5), 1.0));
-        let ahead = Ray::new(Point3::ZERO, Vec3::NEG_Z);
-        let record = list
-            .hit(&ahead, 0.0, f64::INFINITY)
-            .expect("both are ahead");
-        assert_eq!((record.t, record.front_face), (0.5, true));
+    fn recorded(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
+        let record = Sphere::new(center, radius).hit(ray, t_min, t_max)?;
+        Some(Hit {
+            t: record.t,
+            normal: record.normal,
+            front_face: record.front_face,
+        })
     }
 
     fn flat(world: &World) -> Option<f64> {
@@ -209,80 +126,24 @@ mod hittable_list {
     }
 }
 
-mod every_chapter {
-    use super::*;
-
-    #[test]
-    fn solves_the_cases_that_were_once_special() {
-        for case in regressions() {
-            runner::one_case(&::normals::hit_sphere, &case);
-            runner::one_case(&::half_b_sphere::hit_sphere, &case);
-            runner::one_case(&hittable_list_sphere::nearer, &case);
-        }
-    }
-
-    /// What the chapters say to input that is no ray or no sphere. None of it
-    /// is checked for: a scene has no such things.
-    #[test]
-    fn answers_nonsense_without_a_panic() {
-        let ahead = Ray::new(Point3::ZERO, Vec3::NEG_Z);
-        let center = Point3::new(0.0, 0.0, -1.0);
-        let nowhere = Ray::new(Point3::ZERO, Vec3::ZERO);
-        let lost = Ray::new(Point3::new(f64::NAN, 0.0, 0.0), Vec3::NEG_Z);
-        let endless = Ray::new(Point3::ZERO, Vec3::new(0.0, 0.0, f64::NEG_INFINITY));
-        let too_long = Ray::new(Point3::ZERO, Vec3::new(0.0, 0.0, -1e200));
-
-        // A discriminant of NaN is not negative, so chapters 3 and 4 go on and
-        // return NaN. Their `t > 0.0` then draws the sky.
-        for (ray, radius) in [
-            (nowhere, 0.5),
-            (lost, 0.5),
-            (endless, 0.5),
-            (too_long, 0.5),
-            (ahead, f64::NAN),
-        ] {
-            for hit_sphere in [::normals::hit_sphere, ::half_b_sphere::hit_sphere] {
-                let t = hit_sphere(center, radius, &ray).expect("a root, of a kind");
-                assert!(t.is_nan(), "{t} for {ray:?} and radius {radius}");
-            }
-        }
-        // To chapter 2 a NaN is a miss, a direction of zero is a hit.
-        assert!(!::red_sphere::hit_sphere(center, 0.5, &lost));
-        assert!(!::red_sphere::hit_sphere(center, 0.5, &endless));
-        assert!(!::red_sphere::hit_sphere(center, 0.5, &too_long));
-        assert!(!::red_sphere::hit_sphere(center, f64::NAN, &ahead));
-        assert!(::red_sphere::hit_sphere(center, 0.5, &nowhere));
-
-        // Chapter 5 asks whether t lies in the range, and NaN lies in none.
-        let sphere = Sphere::new(center, 0.5);
-        for ray in [nowhere, lost, endless, too_long] {
-            assert_eq!(sphere.hit(&ray, 0.0, f64::INFINITY), None);
-        }
-        assert_eq!(sphere.hit(&ahead, f64::NAN, f64::INFINITY), None);
-        assert_eq!(sphere.hit(&ahead, 0.0, f64::NAN), None);
-        // A radius that is negative or NaN counts as 0, as in the book.
-        for radius in [-1.0, f64::NAN] {
-            assert_eq!(Sphere::new(center, radius), Sphere::new(center, 0.0));
-        }
-        // A sphere without end contains every ray, and its surface is nowhere.
-        assert_eq!(
-            Sphere::new(center, f64::INFINITY).hit(&ahead, 0.0, f64::INFINITY),
-            None
+/// Fails with the first law that is broken, and says where there is more to see.
+fn assert_lawful(chapter: Chapter, attempt: impl Fn(&Trial) -> Outcome) {
+    if let Err(report) = attempt(&Trial::default()) {
+        panic!(
+            "\n\nChapter `{}` breaks a law.\n\n{report}\n\n{}",
+            chapter.name(),
+            more(chapter)
         );
     }
+}
 
-    fn regressions() -> Vec<Case> {
-        include_str!("regressions.txt")
-            .lines()
-            .filter(|line| !line.is_empty() && !line.starts_with('#'))
-            .map(|line| {
-                let numbers: Vec<f64> = line
-                    .split_whitespace()
-                    .map(|number| number.parse().expect("regressions.txt holds numbers"))
-                    .collect();
-                let numbers = numbers.try_into().expect("a case is ten numbers");
-                Case::from_numbers(numbers)
-            })
-            .collect()
+/// The cases of a file, each of which was once hard for somebody.
+fn solves_what_was_once_special(solve: &laws::nearer_root::Solver) {
+    let lines = include_str!("regressions.txt").lines();
+    for line in lines.filter(|line| !line.is_empty() && !line.starts_with('#')) {
+        let numbers = line.split_whitespace().map(str::parse);
+        let numbers: Vec<f64> = numbers.map(|number| number.expect("a number")).collect();
+        let case = Case::from_numbers(numbers.try_into().expect("a case is ten numbers"));
+        runner::one_case(solve, &case);
     }
 }

@@ -1,19 +1,20 @@
-//! All tests. A file tests what its name says; each begins by saying how.
+//! What stands on right chapters: cargo runs it once the tests of the program
+//! `chapters` pass. A file tests what its name says; each begins by saying how.
 
 mod anywhere;
 mod blind_spots;
 mod book;
 mod browser;
-mod camera;
 mod caught;
 mod causes;
 mod changes;
 mod charts;
 mod check;
 mod check_command;
-mod color;
 mod command_line;
 mod cpp_to_rust;
+mod details;
+mod drawn;
 mod errata;
 #[cfg(unix)]
 mod faults;
@@ -27,7 +28,6 @@ mod methods;
 mod oracle;
 mod pictures;
 mod proofs;
-mod quadratic;
 mod reading;
 mod signs;
 mod slips;

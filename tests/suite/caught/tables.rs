@@ -199,61 +199,53 @@ pub(super) const TESTS: &[(&str, &str, &str)] = &[
     (
         "a ray aimed at the sphere hits it, and one aimed past it misses",
         "quadratic.rs",
-        "obeys_the_laws_of_a_decision",
+        "obeys_its_laws",
     ),
     (
         "the line hits the sphere exactly when the discriminant is not negative",
         "quadratic.rs",
-        "obeys_the_laws_of_a_decision",
+        "obeys_its_laws",
     ),
-    (
-        "a tangent is a hit",
-        "quadratic.rs",
-        "obeys_the_laws_of_a_decision",
-    ),
+    ("a tangent is a hit", "quadratic.rs", "obeys_its_laws"),
     (
         "the point at t lies on the sphere",
         "quadratic.rs",
-        "obeys_the_laws_of_a_nearer_root",
+        "obeys_its_laws",
     ),
-    (
-        "t is the nearer root",
-        "quadratic.rs",
-        "obeys_the_laws_of_a_nearer_root",
-    ),
+    ("t is the nearer root", "quadratic.rs", "obeys_its_laws"),
     (
         "a hit lies inside the open interval (t_min, t_max)",
         "quadratic.rs",
-        "obeys_the_laws_of_a_root_in_a_range",
+        "obeys_its_laws",
     ),
     (
         "the farther root is the nearer one of the ray turned round, negated",
         "quadratic.rs",
-        "obeys_the_laws_of_a_root_in_a_range",
+        "obeys_its_laws",
     ),
     (
         "the nearest root in the open interval (t_min, t_max) is returned",
         "quadratic.rs",
-        "obeys_the_laws_of_a_root_in_a_range",
+        "obeys_its_laws",
     ),
     (
         "the normal of a hit has length 1",
         "quadratic.rs",
-        "obeys_the_laws_of_a_record",
+        "obeys_its_laws",
     ),
     (
         "the normal of a hit points against the ray",
         "quadratic.rs",
-        "obeys_the_laws_of_a_record",
+        "obeys_its_laws",
     ),
     (
         "a ray meets the front face where it enters the sphere",
         "quadratic.rs",
-        "obeys_the_laws_of_a_record",
+        "obeys_its_laws",
     ),
     (
         "of all that a ray hits, the nearest counts",
         "quadratic.rs",
-        "obeys_the_laws_of_a_list",
+        "obeys_its_laws",
     ),
 ];
