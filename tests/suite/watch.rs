@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::Read;
-use std::process::{Child, Command};
+use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -173,9 +173,10 @@ impl Desk {
         let (mut controller, end) = terminal::open();
         command.env("COLORTERM", "truecolor");
         terminal::forget_ours(command);
-        let child = command.stdout(end).spawn().expect("the program starts");
+        command.stdout(end).stderr(Stdio::null());
+        let child = command.spawn().expect("the program starts");
         // Only who has started it holds the terminal.
-        command.stdout(std::process::Stdio::null());
+        command.stdout(Stdio::null());
         let shown = Arc::new(Mutex::new(Vec::new()));
         let screen = Arc::clone(&shown);
         thread::spawn(move || {
@@ -224,7 +225,7 @@ impl Desk {
         }
     }
 
-    fn ended(&mut self) -> std::process::ExitStatus {
+    fn ended(&mut self) -> ExitStatus {
         let patience = Instant::now() + Duration::from_secs(20);
         loop {
             if let Some(status) = self.child.try_wait().expect("it can be asked") {
