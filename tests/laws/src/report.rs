@@ -20,6 +20,14 @@ pub struct Report {
     pub test: String,
 }
 
+impl Report {
+    /// What makes it so, a line each: the mistakes that give these answers, if any is
+    /// known that does.
+    pub fn usually(&self) -> Vec<String> {
+        self.cause.lines(&self.broken)
+    }
+}
+
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Broken {
@@ -29,7 +37,7 @@ impl fmt::Display for Report {
             page,
             ..
         } = &self.broken;
-        let usually = self.cause.lines(&self.broken).join("\n          ");
+        let usually = self.usually().join("\n          ");
         writeln!(f, "the law:  {law}\nfound:    {found}\nallowed:  {allowed}")?;
         writeln!(f, "usually:  {usually}\nread:     {page}")?;
         match self.others {

@@ -7,7 +7,7 @@ use common::rtweekend::*;
 use proptest::prelude::*;
 use speed_vs_accuracy::Case;
 
-use crate::causes::{self, Question};
+use crate::causes::{self, Hypothesis, Question};
 use crate::intervals::{NEAREST_IN_RANGE, WithInterval};
 use crate::list::{self, Search, World, worlds};
 use crate::nearer_root::{DECISION, Decided, NEARER_ROOT};
@@ -36,13 +36,16 @@ impl Default for Trial {
     }
 }
 
+/// A law of a function under trial.
+type Law<'a, Q> = dyn Fn(&Q) -> Verdict + 'a;
+
 /// A function under trial.
 struct Tried<'a, Q: Question> {
     /// The name of its type, which for a function is its path.
     path: &'a str,
     answer: &'a dyn Fn(&Q) -> Q::Answer,
     /// In teaching order.
-    laws: &'a [&'a dyn Fn(&Q) -> Verdict],
+    laws: &'a [&'a Law<'a, Q>],
     /// The questions, from the start.
     questions: &'a dyn Fn() -> Box<dyn Iterator<Item = Q>>,
 }
@@ -93,7 +96,7 @@ impl Trial {
         let on_the_line =
             NEARER_ROOT.map(|law| move |asked: &WithInterval| law(&nearer, &asked.case));
         let in_range = NEAREST_IN_RANGE.map(|law| move |asked: &WithInterval| law(&solver, asked));
-        let laws: Vec<&dyn Fn(&WithInterval) -> Verdict> = on_the_line
+        let laws: Vec<&Law<WithInterval>> = on_the_line
             .iter()
             .map(|law| law as _)
             .chain(in_range.iter().map(|law| law as _))
@@ -207,7 +210,7 @@ impl Trial {
 }
 
 /// The trial of a function with one law, and few questions that are always the same.
-fn small<Q: Question, F>(answer: &dyn Fn(&Q) -> Q::Answer, law: &dyn Fn(&Q) -> Verdict) -> Outcome {
+fn small<Q: Question, F>(answer: &dyn Fn(&Q) -> Q::Answer, law: &Law<Q>) -> Outcome {
     Tried {
         path: type_name::<F>(),
         answer,
@@ -229,15 +232,7 @@ impl<Q: Question> Tried<'_, Q> {
         };
         let law = self.laws[first];
         let (cause, hypothesis) = causes::of(self.answer, telling, &found);
-        let (degenerate, wrong) = (found.is_degenerate(), self.is_wrong(&found));
-        let simplest = simplified(found, |simpler| {
-            law(simpler).is_err()
-                && (degenerate || !simpler.is_degenerate())
-                && (!wrong || self.is_wrong(simpler))
-                && hypothesis.as_ref().is_none_or(|cause| {
-                    simpler.same(&(self.answer)(simpler), &(cause.answer)(simpler))
-                })
-        });
+        let simplest = self.simplest(found, law, hypothesis.as_ref());
         let (path, function) = report::import(self.path, Q::FUNCTION);
         Err(Box::new(Report {
             broken: law(&simplest).expect_err("what is simpler breaks the law as well"),
@@ -248,6 +243,20 @@ impl<Q: Question> Tried<'_, Q> {
                 .count(),
             test: report::test(&simplest, &path, &function),
         }))
+    }
+
+    /// The simplest question that breaks the law as the one that was found does: from the
+    /// same cause, with a wrong answer, and not by chance.
+    fn simplest(&self, found: Q, law: &Law<Q>, cause: Option<&Hypothesis<Q>>) -> Q {
+        let (degenerate, wrong) = (found.is_degenerate(), self.is_wrong(&found));
+        simplified(found, |simpler| {
+            law(simpler).is_err()
+                && (degenerate || !simpler.is_degenerate())
+                && (!wrong || self.is_wrong(simpler))
+                && cause.is_none_or(|cause| {
+                    simpler.same(&(self.answer)(simpler), &(cause.answer)(simpler))
+                })
+        })
     }
 
     /// The first law that is broken by one of the questions, and the most telling of
@@ -261,7 +270,7 @@ impl<Q: Question> Tried<'_, Q> {
         })
     }
 
-    fn breaks(&self, law: &dyn Fn(&Q) -> Verdict) -> bool {
+    fn breaks(&self, law: &Law<Q>) -> bool {
         (self.questions)().any(|question| law(&question).is_err())
     }
 

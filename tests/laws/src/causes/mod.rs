@@ -103,7 +103,7 @@ pub struct Cause {
 
 impl Cause {
     /// What to tell a reader, a line each.
-    pub fn lines(&self, broken: &Broken) -> Vec<String> {
+    pub(crate) fn lines(&self, broken: &Broken) -> Vec<String> {
         let Self {
             mistakes,
             explained,
@@ -143,37 +143,30 @@ pub(crate) fn of<Q: Question>(
 ) -> (Cause, Option<Hypothesis<Q>>) {
     questions.push(found.clone());
     let answers: Vec<Q::Answer> = questions.iter().map(answer).collect();
-    let fitting = |wrong: &dyn Fn(&Q) -> Q::Answer| {
+    let fits = |wrong: &dyn Fn(&Q) -> Q::Answer| {
         let both = questions.iter().zip(&answers);
         both.filter(|(question, answer)| question.same(answer, &wrong(question)))
             .count()
     };
-    let asked = questions.len();
-    let right = fitting(&Q::right);
-    let mut hypotheses: Vec<(usize, Hypothesis<Q>)> = Q::hypotheses()
-        .into_iter()
-        .map(|hypothesis| (fitting(&*hypothesis.answer), hypothesis))
-        .collect();
-    let most = hypotheses.iter().map(|(fits, _)| *fits).max().unwrap_or(0);
+    let (asked, right) = (questions.len(), fits(&Q::right));
     // One answer in twenty may be due to a second mistake.
-    if most <= right || 20 * most < 19 * asked {
-        let explained = if 20 * right < 19 * asked { 0 } else { right };
-        let cause = Cause {
-            mistakes: Vec::new(),
-            explained,
-            asked,
-        };
-        return (cause, None);
-    }
-    hypotheses.retain(|(fits, _)| *fits == most);
-    let mut mistakes: Vec<Mistake> = hypotheses.iter().map(|(_, one)| one.mistake).collect();
+    let enough = |fits: usize| 20 * fits >= 19 * asked;
+    let mut fitting: Vec<(usize, Hypothesis<Q>)> = Q::hypotheses()
+        .into_iter()
+        .map(|hypothesis| (fits(&*hypothesis.answer), hypothesis))
+        .filter(|&(fits, _)| fits > right && enough(fits))
+        .collect();
+    let most = fitting.iter().map(|&(fits, _)| fits).max();
+    fitting.retain(|&(fits, _)| Some(fits) == most);
+    let mut mistakes: Vec<Mistake> = fitting.iter().map(|(_, one)| one.mistake).collect();
     mistakes.dedup();
     mistakes.truncate(NAMED);
+    let explained = most.unwrap_or(if enough(right) { right } else { 0 });
+    let first = fitting.into_iter().next().map(|(_, first)| first);
     let cause = Cause {
         mistakes,
-        explained: most,
+        explained,
         asked,
     };
-    let first = hypotheses.into_iter().next().map(|(_, first)| first);
-    (cause, first.filter(|_| most == asked))
+    (cause, first.filter(|_| explained == asked))
 }
