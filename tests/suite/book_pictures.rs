@@ -3,45 +3,16 @@
 use check::Chapter;
 use sha2::{Digest, Sha256};
 
-use crate::camera;
 use crate::drawn::{assert_picture, more, p3};
 use crate::left_out::left_out;
-
-mod the_snapshot_is_drawn_by {
-    macro_rules! stages {
-        ($($chapter:ident)*) => {
-            pub(super) const NAMES: &[&str] = &[$(stringify!($chapter)),*];
-            $(
-                #[test]
-                fn $chapter() {
-                    super::assert_stage(stringify!($chapter));
-                }
-            )*
-        };
-    }
-    stages! { build_test gradient red_sphere normals half_b_sphere hittable_list }
-}
-
-#[test]
-fn no_stage_goes_without_a_snapshot() {
-    // The picture of chapter 6 stands on the other chapters, so it is another program's.
-    let chapters = Chapter::ALL
-        .iter()
-        .filter(|&&chapter| chapter != Chapter::SpeedVsAccuracy);
-    let names: Vec<&str> = chapters.map(|chapter| chapter.name()).collect();
-    assert_eq!(
-        names,
-        the_snapshot_is_drawn_by::NAMES,
-        "name the new chapter in the list above this test, in the same order"
-    );
-}
+use crate::quadratic::gradient;
 
 /// Compares the picture of the chapter with its snapshot, and its text at many widths
 /// with the sums of the book's own.
-fn assert_stage(name: &str) {
-    let chapter = Chapter::find(name).expect("the chapter is in the list of stages");
+pub(crate) fn is_drawn_by(chapter: Chapter) {
+    let name = chapter.name();
     // The camera is chapter 1's lesson: a mistake in it is told there.
-    if chapter > Chapter::Gradient && !camera::is_right() {
+    if chapter > Chapter::Gradient && !gradient::is_lawful() {
         left_out(&format!(
             "the picture of `{name}` waits until the camera is right"
         ));

@@ -1,46 +1,14 @@
 //! The camera maps pixels to rays as the book's does, and rays to points.
 
 use common::rtweekend::*;
-use laws::Trial;
 use laws::ray_and_camera::{self, Pixel};
-use laws::runner::succeed;
 use laws::verdict::Verdict;
 
-/// Whether the small functions that every chapter from the first on rests on obey
-/// their laws.
-pub(crate) fn is_right() -> bool {
-    let trial = Trial::default();
-    [
-        trial.at(&Ray::at),
-        trial.unit_vector(&Vec3::normalize),
-        trial.height(&|width| Camera::new(width).image_height),
-        trial.pixel_ray(&ray_of_pixel),
-        trial.dot(&Vec3::dot),
-    ]
-    .iter()
-    .all(Result::is_ok)
-}
-
-fn ray_of_pixel([width, height]: [u32; 2], [i, j]: [u32; 2]) -> Ray {
-    Camera::with_size(width, height).ray(i, j)
-}
-
+/// The law itself is in quadratic.rs; these sizes are not of 16:9.
 #[test]
-fn the_height_is_rounded_down_and_at_least_one() {
-    let height = |width| Camera::new(width).image_height;
-    succeed(Trial::default().height(&height));
-    // Rounded to the nearest integer, as the notes say, it would be 226.
-    assert_eq!(height(401), 225);
-}
-
-#[test]
-fn the_point_at_t_is_t_directions_from_the_origin() {
-    succeed(Trial::default().at(&Ray::at));
-}
-
-#[test]
-fn the_ray_of_a_pixel_goes_through_its_center() {
-    succeed(Trial::default().pixel_ray(&ray_of_pixel));
+fn the_ray_of_a_pixel_goes_through_its_center_in_pictures_of_any_shape() {
+    let ray =
+        |[width, height]: [u32; 2], [i, j]: [u32; 2]| Camera::with_size(width, height).ray(i, j);
     for size in [[1, 1], [7, 5], [16, 9], [400, 225], [5, 7], [3840, 2160]] {
         let [width, height] = size;
         for place in [
@@ -50,7 +18,7 @@ fn the_ray_of_a_pixel_goes_through_its_center() {
             [width / 2, height / 3],
         ] {
             assert_holds(ray_and_camera::the_ray_of_a_pixel_goes_through_its_center(
-                &ray_of_pixel,
+                &ray,
                 &Pixel { size, place },
             ));
         }
@@ -70,14 +38,10 @@ fn a_ray_starts_at_the_eye_wherever_that_is() {
     assert_eq!(ray.at(1.0), Point3::new(1.5, -0.5, -1.0));
 }
 
+/// Rounded to the nearest integer, as the notes say, it would be 226.
 #[test]
-fn dot_multiplies_equal_letters() {
-    succeed(Trial::default().dot(&Vec3::dot));
-}
-
-#[test]
-fn a_unit_vector_has_length_1_and_points_along() {
-    succeed(Trial::default().unit_vector(&Vec3::normalize));
+fn the_height_of_a_picture_401_wide_is_225() {
+    assert_eq!(Camera::new(401).image_height, 225);
 }
 
 #[test]

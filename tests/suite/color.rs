@@ -65,31 +65,12 @@ fn a_build_test_of_one_pixel_is_black() {
     );
 }
 
-/// A test for each chapter that colors normals.
-macro_rules! normals_are_colored_by {
-    ($($chapter:ident: $ray_color:expr;)*) => {
-        $(
-            mod $chapter {
-                #[test]
-                fn colors_what_is_ahead_by_its_normal() {
-                    let ray_color = $ray_color;
-                    super::normals_have_length_one_and_point_against_the_ray(&ray_color);
-                    super::what_is_behind_the_ray_is_not_drawn(&ray_color);
-                    super::what_is_close_to_the_eye_or_far_from_it_is_drawn(&ray_color);
-                    super::a_moved_eye_sees_the_point_on_its_ray(&ray_color);
-                }
-            }
-        )*
-    };
-}
-
-normals_are_colored_by! {
-    normals: ::normals::ray_color;
-    half_b_sphere: ::half_b_sphere::ray_color;
-    hittable_list: {
-        let world = ::hittable_list::world();
-        move |ray: &_| ::hittable_list::ray_color(ray, &world)
-    };
+/// A hit in front is colored by its normal, and everything else as the sky.
+pub(crate) fn normals_are_colored_by(ray_color: impl Fn(&Ray) -> Color) {
+    normals_have_length_one_and_point_against_the_ray(&ray_color);
+    what_is_behind_the_ray_is_not_drawn(&ray_color);
+    what_is_close_to_the_eye_or_far_from_it_is_drawn(&ray_color);
+    a_moved_eye_sees_the_point_on_its_ray(&ray_color);
 }
 
 type RayColor<'a> = &'a dyn Fn(&Ray) -> Color;

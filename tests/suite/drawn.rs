@@ -46,7 +46,7 @@ impl Comparator for SamePixels {
             .join("wrong-pictures")
             .join(name);
         println!(
-            "\n{}Only if you meant to change it: INSTA_UPDATE=always cargo test the_snapshot_is_drawn_by::{name}\n\
+            "\n{}Only if you meant to change it: INSTA_UPDATE=always cargo test is_right::{name}\n\
              (in PowerShell, first $env:INSTA_UPDATE = 'always')\n{}",
             explained(name, expected, actual, &folder),
             Chapter::find(name).map_or(String::new(), more)

@@ -14,7 +14,7 @@ use tempfile::TempDir;
 pub(crate) use crate::drawn::p3;
 use crate::drawn::{assert_picture, compare_files, explained};
 
-mod the_snapshot_is_drawn_by {
+mod is_right {
     use super::*;
 
     #[test]

@@ -5,6 +5,7 @@ mod anywhere;
 mod blind_spots;
 mod book;
 mod browser;
+mod camera;
 mod caught;
 mod causes;
 mod changes;

@@ -173,28 +173,28 @@ fn laws(outcomes: &[Outcome]) -> String {
 pub(super) const TESTS: &[(&str, &str, &str)] = &[
     (
         "the point at t is t directions away from the origin",
-        "camera.rs",
-        "the_point_at_t_is_t_directions_from_the_origin",
+        "quadratic.rs",
+        "obeys_its_laws",
     ),
     (
         "a unit vector has length 1 and points where the vector does",
-        "camera.rs",
-        "a_unit_vector_has_length_1_and_points_along",
+        "quadratic.rs",
+        "obeys_its_laws",
     ),
     (
         "the height of a picture is rounded down, and at least 1",
-        "camera.rs",
-        "the_height_is_rounded_down_and_at_least_one",
+        "quadratic.rs",
+        "obeys_its_laws",
     ),
     (
         "the ray of a pixel goes from the eye through the pixel's center",
-        "camera.rs",
-        "the_ray_of_a_pixel_goes_through_its_center",
+        "quadratic.rs",
+        "obeys_its_laws",
     ),
     (
         "a dot product multiplies equal letters and adds",
-        "camera.rs",
-        "dot_multiplies_equal_letters",
+        "quadratic.rs",
+        "obeys_its_laws",
     ),
     (
         "a ray aimed at the sphere hits it, and one aimed past it misses",
