@@ -380,7 +380,7 @@ fn a_report_without_a_book_only_names_the_pages() {
     let nowhere = Path::new("/nonexistent");
     let html = report::remarks(&scene, check.finding().expect("it is wrong"), nowhere);
     assert!(
-        html.contains("<dd>target/book/half_b_sphere.html#"),
+        html.contains(", on the page half_b_sphere of the book</dd>"),
         "{html}"
     );
     assert!(!html.contains("href"), "{html}");

@@ -158,14 +158,17 @@ fn slip_as_html(slip: &Slip, book: &Path) -> String {
     )
 }
 
-/// The page that tells how it is right: a link, or only its name while there is no
+/// The page that tells how it is right: a link, or its name in words while there is no
 /// such page.
 fn page_of_book(slip: &Slip, book: &Path) -> String {
-    let name = escaped(slip.read());
     let (page, heading) = slip.page.split_once('#').unwrap_or((slip.page, ""));
     match fs::canonicalize(book.join(page).with_extension("html")) {
-        Ok(file) => format!("<a href=\"{}#{heading}\">{name}</a>", url_of(&file)),
-        Err(_) => name,
+        Ok(file) => format!(
+            "<a href=\"{}#{heading}\">{}</a>",
+            url_of(&file),
+            escaped(slip.read())
+        ),
+        Err(_) => escaped(slip.page_in_words()),
     }
 }
 
