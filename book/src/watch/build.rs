@@ -40,8 +40,6 @@ pub(super) fn build(folder: &Path) -> Result<Built, Problem> {
         .args(what)
         .args(["--quiet", format])
         .current_dir(folder)
-        // What cargo says of the package that runs this is not about the reader's.
-        .env_remove("CARGO_MANIFEST_DIR")
         .stdin(Stdio::null())
         .output();
     let output = output.map_err(|cause| Problem {

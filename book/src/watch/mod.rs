@@ -69,7 +69,8 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     loop {
         let start = Instant::now();
         // Twice in a row would be for ever, if the program itself writes what changes.
-        let verdict = subject.judge(&mut || !was_stale && changes.make_it_old());
+        let may_be_old = !arguments.once && !was_stale;
+        let verdict = subject.judge(&mut || may_be_old && changes.make_it_old());
         let end = SystemTime::now();
         was_stale = verdict.is_stale;
         if !was_stale {
