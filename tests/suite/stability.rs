@@ -213,6 +213,26 @@ mod the_length_of_the_direction {
         assert_eq!(range(s), None);
     }
 
+    /// Below 2⁻¹⁰²² there are fewer digits the smaller a number is, and h² is smaller
+    /// than b²: where the last digit of one is lost, the other may have it still.
+    #[test]
+    fn about_two_to_minus_515_tells_the_two_formulas_apart() {
+        let scale = two_to(-515);
+        let hits = runner::samples(&strategies::anywhere(), 4000).into_iter();
+        let hits =
+            hits.map(|case| case.with_ray(case.ray.origin, scale * case.ray.direction.normalize()));
+        let answers = hits.map(|case| {
+            let ask = |solve: fn(Point3, f64, &Ray) -> Option<f64>| {
+                solve(case.center, case.radius, &case.ray)
+            };
+            (ask(::normals::hit_sphere), ask(::half_b_sphere::hit_sphere))
+        });
+        let both: Vec<(f64, f64)> = answers.filter_map(|(full, half)| full.zip(half)).collect();
+        let differ = both.iter().filter(|(full, half)| full != half).count();
+        let of = both.len();
+        assert!(4 * differ > of, "{differ} of {of}");
+    }
+
     /// At s = 2⁻⁵³⁷ a is 2⁻¹⁰⁷⁴, the least number above zero, and a·c = ¾a
     /// rounds to a: D is 0, and the sphere is touched at its center.
     #[test]
