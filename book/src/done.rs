@@ -7,10 +7,11 @@ use std::path::{Path, PathBuf};
 
 use check::Chapter;
 use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
 use common::engine::output;
 use jiff::Zoned;
 
-use crate::mine::Mine;
+use crate::mine::{Mine, TYPED};
 use crate::{steps, terminal};
 use check::places::shown;
 
@@ -18,7 +19,7 @@ use check::places::shown;
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// What you have done or understood, in a few words
-    #[arg(value_name = "TEXT")]
+    #[arg(value_name = "TEXT", allow_hyphen_values = true, value_parser = NonEmptyStringValueParser::new())]
     text: Option<String>,
 
     /// The folder of the list [default: this one if it has a list, or else mine]
@@ -90,18 +91,26 @@ impl Done {
             fs::create_dir_all(folder)?;
         }
         let now = Zoned::now().strftime("%Y-%m-%d %H:%M").to_string();
-        let mut file = OpenOptions::new()
+        let line = format!("{before}- {now}  {thing}\n");
+        let file = OpenOptions::new()
             .append(true)
             .create(true)
-            .open(&self.file)?;
-        file.write_all(format!("{before}- {now}  {thing}\n").as_bytes())
+            .open(&self.file);
+        let added = file.and_then(|mut file| file.write_all(line.as_bytes()));
+        added.map_err(|cause| self.named(&cause))
     }
 
+    /// What the reader has made of it; nothing, if there is no list yet.
     fn text(&self) -> io::Result<String> {
-        match fs::read_to_string(&self.file) {
+        match fs::read(&self.file) {
+            Ok(bytes) => Ok(String::from_utf8_lossy(&bytes).into_owned()),
             Err(cause) if cause.kind() == io::ErrorKind::NotFound => Ok(String::new()),
-            text => text,
+            Err(cause) => Err(self.named(&cause)),
         }
+    }
+
+    fn named(&self, cause: &io::Error) -> io::Error {
+        io::Error::new(cause.kind(), format!("{}: {cause}", shown(&self.file)))
     }
 
     fn show(&self) -> Result<String, Box<dyn Error>> {
@@ -111,7 +120,7 @@ impl Done {
             true => "Nothing is done yet.\n".to_owned(),
             false => format!("Done, in {}\n  {}\n", shown(&self.file), lines.join("\n  ")),
         };
-        let ahead: String = Chapter::OF_THE_BOOK
+        let ahead: String = TYPED
             .into_iter()
             .flat_map(|chapter| ahead(chapter, &text))
             .collect();

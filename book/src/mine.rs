@@ -1,21 +1,37 @@
-//! The reader's own folder: where their crates are, and where ours is.
+//! The reader's own folder: where their crates are.
 
 use std::env;
 use std::path::{Path, PathBuf};
 
-use check::Chapter;
-use check::places;
+use check::{Chapter, places};
+
+/// The chapters that are typed in a crate of one's own; the one before them is the setup.
+pub(crate) const TYPED: [Chapter; 5] = [
+    Chapter::Gradient,
+    Chapter::RedSphere,
+    Chapter::Normals,
+    Chapter::HalfBSphere,
+    Chapter::HittableList,
+];
 
 /// The folder of a reader's crates, each of which is named after its chapter.
 pub(crate) struct Mine(PathBuf);
 
 impl Mine {
-    /// The chosen folder; or else `mine`, in this workspace for whoever stands in it,
-    /// and in the current folder for everybody else.
+    /// The chosen folder. Or else `mine`: in this workspace for whoever stands in it, and
+    /// for everybody else in the nearest folder above that has one with a crate, or here.
     pub(crate) fn find(chosen: Option<&Path>) -> Self {
         let here = env::current_dir().unwrap_or_default();
-        let home = places::workspace().filter(|workspace| here.starts_with(workspace));
-        let usual = || home.unwrap_or(&here).join("mine");
+        let workspace = places::workspace().filter(|workspace| here.starts_with(workspace));
+        let has_one = |folder: &&Path| {
+            TYPED
+                .iter()
+                .any(|it| folder.join("mine").join(it.name()).is_dir())
+        };
+        let usual = || {
+            let home = workspace.or_else(|| here.ancestors().find(has_one));
+            home.unwrap_or(&here).join("mine")
+        };
         Self(chosen.map_or_else(usual, |chosen| here.join(chosen)))
     }
 

@@ -6,6 +6,7 @@
 
 use std::ffi::OsString;
 use std::io::{self, IsTerminal, Read};
+use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::thread;
@@ -23,7 +24,7 @@ use common::engine::signals;
 /// If the program does not start, fails, or takes longer than `limit`.
 pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, Cause> {
     let name = output::shown(&words[0]);
-    let mut group = Group::start(words, Stdio::inherit()).map_err(|cause| {
+    let mut group = Group::start(words, None, Stdio::inherit()).map_err(|cause| {
         failed(
             format!("{name} does not start: {cause}"),
             "Is it built, and is its path right? In this folder it is ./NAME.",
@@ -52,17 +53,18 @@ fn failed(problem: String, fix: &str) -> Cause {
     Cause::new("program-failed", problem, fix)
 }
 
-/// Runs the program, unless `is_old` says meanwhile that this is no longer wanted. How
+/// Runs the program in `folder`, unless `is_old` says meanwhile that this is no longer wanted. How
 /// it ended, and the last of what it wrote to standard error.
 ///
 /// # Errors
 /// If the program does not start, or can't be read from.
 pub(crate) fn run(
     words: &[OsString],
+    folder: &Path,
     limit: Duration,
     is_old: &mut dyn FnMut() -> bool,
 ) -> io::Result<(End, String)> {
-    let mut group = Group::start(words, Stdio::piped())?;
+    let mut group = Group::start(words, Some(folder), Stdio::piped())?;
     let errors = group.child.stderr.take().map(last_words);
     let end = group.finish(limit, is_old)?;
     drop(group);
@@ -96,7 +98,7 @@ struct Group {
 const TICK: Duration = Duration::from_millis(50);
 
 impl Group {
-    fn start(words: &[OsString], errors: Stdio) -> io::Result<Self> {
+    fn start(words: &[OsString], folder: Option<&Path>, errors: Stdio) -> io::Result<Self> {
         #[cfg(unix)]
         let deferral = signals::Deferral::new();
         let mut command = Command::new(&words[0]);
@@ -104,6 +106,9 @@ impl Group {
             .args(&words[1..])
             .stdout(Stdio::piped())
             .stderr(errors);
+        if let Some(folder) = folder {
+            command.current_dir(folder);
+        }
         // A group in the background is stopped when it reads from the terminal.
         if io::stdin().is_terminal() {
             command.stdin(Stdio::null());
@@ -131,8 +136,13 @@ impl Group {
             match self.printed.recv_timeout(TICK) {
                 Ok(piece) => bytes.append(&mut piece?),
                 Err(RecvTimeoutError::Disconnected) => {
-                    ended = self.wait_until(start + limit)?;
-                    return Ok(ended.map_or(End::TooSlow, |status| End::Itself(status, bytes)));
+                    let deadline = start + limit;
+                    ended = self.wait_until(&mut || is_old() || Instant::now() > deadline)?;
+                    return Ok(match ended {
+                        Some(status) => End::Itself(status, bytes),
+                        None if Instant::now() > deadline => End::TooSlow,
+                        None => End::Interrupted,
+                    });
                 }
                 // One that has ended prints no more: another one keeps the pipe.
                 Err(RecvTimeoutError::Timeout) => {
@@ -154,12 +164,15 @@ impl Group {
         }
     }
 
-    /// Waits for one that has closed its output and goes on.
-    fn wait_until(&mut self, deadline: Instant) -> io::Result<Option<ExitStatus>> {
+    /// Waits for one that has closed its output and goes on, until it is enough.
+    fn wait_until(
+        &mut self,
+        is_enough: &mut dyn FnMut() -> bool,
+    ) -> io::Result<Option<ExitStatus>> {
         loop {
             stop_here_if_asked_to()?;
             let ended = self.child.try_wait()?;
-            if ended.is_some() || Instant::now() > deadline {
+            if ended.is_some() || is_enough() {
                 return Ok(ended);
             }
             thread::sleep(Duration::from_millis(1));

@@ -6,7 +6,9 @@ use std::process::Command;
 
 use tempfile::TempDir;
 
-use crate::command_line::{assert_failed, assert_refused, assert_success, program, run, text};
+use crate::command_line::{
+    assert_failed, assert_refused, assert_success, names_in, program, run, text,
+};
 
 /// The chapters that are typed.
 const TYPED: [&str; 5] = [
@@ -148,6 +150,81 @@ fn what_cannot_be_read_is_not_carried_over_and_that_is_said() {
         said.contains("Nothing is carried over from gradient"),
         "{said}"
     );
+
+    // An editor has it open, and a note is no text.
+    let beside = |name: &str| mine.lib("gradient").with_file_name(name);
+    fs::write(beside(".lib.rs.swp"), b"\xff").expect("a file");
+    fs::write(beside("note.bin"), b"\xff").expect("a file");
+    fs::remove_file(mine.lib("gradient")).expect("it goes");
+    assert_success(&run(&mut mine.start("red_sphere", &["--again"])));
+    let source = mine.lib("red_sphere");
+    assert!(source.is_file() && source.with_file_name("note.bin").is_file());
+    assert!(!source.with_file_name(".lib.rs.swp").exists());
+    let left = names_in(&mine.path());
+    assert_eq!(
+        left,
+        ["gradient", "red_sphere", "red_sphere.1"],
+        "and nothing beside"
+    );
+}
+
+#[test]
+fn from_anywhere_below_the_same_crates_are_meant() {
+    let mine = Mine::new();
+    assert_success(&run(&mut mine.start("gradient", &[])));
+    let inside = mine.path().join("gradient/src");
+    for words in [&["start", "red_sphere"][..], &["done", "-b was b"]] {
+        assert_success(&run(mine.rtrace(words).current_dir(&inside)));
+    }
+    assert_eq!(
+        names_in(&mine.path()),
+        ["done.md", "gradient", "red_sphere"]
+    );
+    assert_refused(&mut mine.rtrace(&["done", ""]), &["TEXT"]);
+}
+
+/// A report ends with a test to paste, and that is where it came from.
+#[test]
+fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
+    for prelude in [&[][..], &["--own-prelude"]] {
+        let mine = Mine::new();
+        for chapter in TYPED {
+            assert_success(&run(&mut mine.start(chapter, prelude)));
+            if chapter == "gradient" && !prelude.is_empty() {
+                type_prelude(&mine);
+            }
+            type_all(&mine, chapter);
+        }
+        for (chapter, right, wrong) in [
+            ("red_sphere", "4.0 * a * c", "a * c"),
+            ("normals", "2.0 * a)", "a)"),
+            ("hittable_list", "(h + root) / a", "(root - h) / a"),
+        ] {
+            mine.edit(chapter, right, wrong);
+            let law = mine.path().join(chapter).join("tests/laws.rs");
+            let test = |words: &[&str]| {
+                let mut cargo = Command::new(env!("CARGO"));
+                let built = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/mine");
+                cargo.args(["test", "--quiet"]).args(words);
+                cargo
+                    .env("CARGO_TARGET_DIR", built)
+                    .env_remove("RUST_BACKTRACE");
+                run(cargo.current_dir(mine.path().join(chapter)))
+            };
+            let said = test(&[]).stdout;
+            let said = text(&said);
+            let (_, pasted) = said.split_once("#[test]\n").expect("a test to paste");
+            let (pasted, _) = pasted.split_once("\n}\n").expect("its end");
+            let source = fs::read_to_string(&law).expect("the test");
+            fs::write(&law, format!("{source}\n#[test]\n{pasted}\n}}\n")).expect("it is pasted");
+            let said = test(&["this_case_is_right"]);
+            let said = text(&said.stdout) + &text(&said.stderr);
+            assert!(
+                said.contains("0 passed; 1 failed"),
+                "{chapter}: {pasted}\n{said}"
+            );
+        }
+    }
 }
 
 #[test]

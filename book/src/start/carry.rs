@@ -5,8 +5,8 @@
 //! another name, and `// show NAME` puts it there as a comment, to be looked at. What no
 //! skeleton knows, such as a function that the reader added, goes to the end.
 
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 use quote::ToTokens;
 use syn::Item;
@@ -18,34 +18,26 @@ pub(super) struct Written {
     /// The named items of `src/lib.rs` with their texts; or why it can't be read.
     items: Result<Vec<(String, String)>, String>,
     /// The other files of `src`, by their names as seen from the crate.
-    pub(super) files: Vec<(String, String)>,
+    pub(super) files: Vec<(PathBuf, Vec<u8>)>,
 }
 
 impl Written {
-    pub(super) fn read(folder: &Path) -> io::Result<Self> {
-        let source = folder.join("src");
-        let mut files = Vec::new();
-        for path in files_below(&source)? {
-            let name = path.strip_prefix(folder).unwrap_or(&path);
-            let name = name.display().to_string().replace('\\', "/");
-            if !["src/lib.rs", "src/main.rs"].contains(&name.as_str()) {
-                files.push((name, fs::read_to_string(&path)?));
-            }
-        }
-        let text = fs::read_to_string(source.join("lib.rs"))?;
+    pub(super) fn read(folder: &Path) -> Self {
+        let text = fs::read_to_string(folder.join("src/lib.rs"));
+        let items = text.map_err(|cause| format!("src/lib.rs: {cause}"));
         let chapter = folder.file_name().unwrap_or_default();
-        Ok(Self {
+        Self {
             chapter: chapter.to_string_lossy().into_owned(),
-            items: items(&text),
-            files,
-        })
+            items: items.and_then(|text| items_of(&text)),
+            files: other_files(folder, Path::new("src")),
+        }
     }
 
     /// Whether vectors and rays are the reader's own.
     pub(super) fn has_own_prelude(&self) -> bool {
         self.files
             .iter()
-            .any(|(name, _)| name == "src/rtweekend.rs")
+            .any(|(name, _)| name == Path::new("src/rtweekend.rs"))
     }
 }
 
@@ -76,6 +68,7 @@ pub(super) fn into(skeleton: &str, written: Option<&Written>) -> Carried {
             format!("Nothing is carried over from {chapter}, which can't be read: {why}\n"),
         ),
     };
+    let own = skeleton.contains("mod rtweekend;");
     let find = |name: &str| {
         items
             .iter()
@@ -114,7 +107,8 @@ pub(super) fn into(skeleton: &str, written: Option<&Written>) -> Carried {
         }
     }
     for (name, text) in items {
-        if !used.contains(name) {
+        // Who types the prelude has no use for ours any more.
+        if !used.contains(name) && !(own && name == "common :: rtweekend :: *") {
             source += &format!("\n{text}\n");
         }
     }
@@ -136,12 +130,12 @@ fn renamed(text: &str, name: &str, other: &str) -> String {
 
 /// The names that the skeleton defines.
 fn defined(skeleton: &str) -> Vec<String> {
-    let items = items(skeleton).expect("a skeleton is Rust");
+    let items = items_of(skeleton).expect("a skeleton is Rust");
     items.into_iter().map(|(name, _)| name).collect()
 }
 
 /// Each item of the source that has a name, with all its lines.
-fn items(source: &str) -> Result<Vec<(String, String)>, String> {
+fn items_of(source: &str) -> Result<Vec<(String, String)>, String> {
     let file = syn::parse_file(source)
         .map_err(|cause| format!("line {}: {cause}", cause.span().start().line))?;
     let lines: Vec<&str> = source.lines().collect();
@@ -159,6 +153,7 @@ fn name(item: &Item) -> Option<String> {
         Item::Const(item) => item.ident.to_string(),
         Item::Enum(item) => item.ident.to_string(),
         Item::Fn(item) => item.sig.ident.to_string(),
+        Item::Macro(item) => item.ident.as_ref()?.to_string(),
         Item::Mod(item) => item.ident.to_string(),
         Item::Static(item) => item.ident.to_string(),
         Item::Struct(item) => item.ident.to_string(),
@@ -170,16 +165,26 @@ fn name(item: &Item) -> Option<String> {
     })
 }
 
-/// All files below the folder, however deep.
-fn files_below(folder: &Path) -> io::Result<Vec<PathBuf>> {
-    let mut files = Vec::new();
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        match path.is_dir() {
-            true => files.append(&mut files_below(&path)?),
-            false => files.push(path),
-        }
-    }
-    files.sort();
-    Ok(files)
+/// The files below a folder of the crate, however deep, but for the chapter itself and
+/// what an editor or a system hides there.
+fn other_files(folder: &Path, below: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let entries = fs::read_dir(folder.join(below))
+        .into_iter()
+        .flatten()
+        .flatten();
+    let shown = entries.filter(|entry| !entry.file_name().to_string_lossy().starts_with('.'));
+    let names = shown.map(|entry| below.join(entry.file_name()));
+    let is_chapter = |name: &PathBuf| {
+        ["src/lib.rs", "src/main.rs"]
+            .map(Path::new)
+            .contains(&&**name)
+    };
+    names
+        .filter(|name| !is_chapter(name))
+        .flat_map(|name| match fs::read(folder.join(&name)) {
+            Ok(bytes) => vec![(name, bytes)],
+            // A folder, or nothing that can be read.
+            Err(_) => other_files(folder, &name),
+        })
+        .collect()
 }

@@ -3,7 +3,6 @@
 mod carry;
 
 use std::error::Error;
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -13,7 +12,7 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use common::engine::{companion, output};
 
-use crate::mine::Mine;
+use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;
 use crate::{steps, terminal};
 use check::places::{shown, workspace};
@@ -38,41 +37,29 @@ pub(crate) struct Arguments {
     again: bool,
 }
 
-/// The chapters that are typed; the setup page has the one before.
-const TYPED: [Chapter; 5] = [
-    Chapter::Gradient,
-    Chapter::RedSphere,
-    Chapter::Normals,
-    Chapter::HalfBSphere,
-    Chapter::HittableList,
-];
-
 /// Makes the crate, and says where it is and what comes next.
 pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let (chapter, name) = (arguments.chapter, arguments.chapter.name());
     let mine = Mine::find(arguments.into.as_deref());
-    let folder = mine.of(arguments.chapter);
-    let mut said = String::new();
-    if folder.exists() {
-        if !arguments.again {
-            return Err(misuse(&format!(
-                "{} is there already, and nothing is written over it\n\
-                 Go on with {companion} watch {name}, or begin once more with {companion} start {name} --again.",
-                shown(&folder),
-                companion = companion(),
-                name = arguments.chapter.name(),
-            )));
-        }
-        let kept = put_aside(&folder)?;
-        writeln!(said, "What you had is in {}", shown(&kept))?;
+    let folder = mine.of(chapter);
+    if folder.exists() && !arguments.again {
+        return Err(misuse(&format!(
+            "{} is there already, and nothing is written over it\n\
+             Go on with {companion} watch {name}, or begin once more with {companion} start {name} --again.",
+            shown(&folder),
+            companion = companion(),
+        )));
     }
-    let before = TYPED.into_iter().rev().filter(|&it| it < arguments.chapter);
-    let before = before
-        .map(|chapter| mine.of(chapter))
-        .find(|it| it.is_dir());
+    let before = TYPED.into_iter().rev().filter(|&it| it < chapter);
+    let before = before.map(|it| mine.of(it)).find(|it| it.is_dir());
     let new = New::compose(arguments, before.as_deref())?;
-    new.write(&folder)
+    let kept = new
+        .write(&folder)
         .map_err(|cause| format!("cannot write {}: {cause}", shown(&folder)))?;
-    said += &new.said(&folder);
+    let kept = kept.map_or(String::new(), |kept| {
+        format!("What you had is in {}.\n", shown(&kept))
+    });
+    let said = kept + &new.said(&folder);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 
@@ -80,7 +67,7 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 struct New {
     chapter: Chapter,
     /// Its files, by their names.
-    files: Vec<(String, String)>,
+    files: Vec<(PathBuf, Vec<u8>)>,
     /// What was carried over from the chapter before, or why nothing was.
     carried: String,
 }
@@ -92,56 +79,59 @@ impl New {
             "your crate would use the prelude and the laws of the workspace that this program \
              was built from, and that is not there any more",
         )?;
-        let written = before.map(Written::read).transpose()?;
-        let own = arguments.own_prelude || written.as_ref().is_some_and(Written::has_own_prelude);
+        let written = before.map(Written::read);
+        let has_own = written.as_ref().is_some_and(Written::has_own_prelude);
+        let own = arguments.own_prelude || has_own;
         let mut carried = carry::into(&skeleton(chapter, own), written.as_ref());
         if own && written.is_none() && chapter > Chapter::Gradient {
             carried.source += include_str!("skeletons/own/sky.rs");
         }
-        let kept = written.map_or(Vec::new(), |written| written.files);
-        let mut files: Vec<(String, String)> = [
+        let lock = fs::read_to_string(workspace.join("Cargo.lock"));
+        let texts = [
             ("src/lib.rs", about(chapter) + &carried.source),
             ("src/main.rs", main(chapter, own)),
             ("tests/laws.rs", test(chapter, own)),
             ("Cargo.toml", manifest(chapter, own, workspace)),
             // The same versions as ours: they have been downloaded.
-            (
-                "Cargo.lock",
-                fs::read_to_string(workspace.join("Cargo.lock"))?,
-            ),
-        ]
-        .map(|(name, text)| (name.to_owned(), text))
-        .into();
-        if own && kept.is_empty() {
-            files.extend(OWN_PRELUDE.map(|(name, text)| (name.to_owned(), text.to_owned())));
-        }
-        files.extend(kept);
-        files.retain(|(_, text)| !text.is_empty());
-        let carried = carried.said;
+            ("Cargo.lock", lock.unwrap_or_default()),
+            (".cargo/config.toml", config(workspace)),
+        ];
+        let prelude = OWN_PRELUDE.map(|(name, text)| (name, text.to_owned()));
+        let prelude = prelude.into_iter().filter(|_| own && !has_own);
+        let texts = texts
+            .into_iter()
+            .chain(prelude)
+            .filter(|(_, text)| !text.is_empty());
+        let files = texts.map(|(name, text)| (name.into(), text.into_bytes()));
+        let kept = written.map_or(Vec::new(), |written| written.files);
         Ok(Self {
             chapter,
-            files,
-            carried,
+            files: files.chain(kept).collect(),
+            carried: carried.said,
         })
     }
 
-    /// Writes all files, or none: into a folder beside it, which then gets the name.
-    fn write(&self, folder: &Path) -> io::Result<()> {
+    /// Writes all files, or none: into a folder beside it, which then gets the name. Where
+    /// the folder is, if it had the name before.
+    fn write(&self, folder: &Path) -> io::Result<Option<PathBuf>> {
         let mine = folder.parent().expect("a crate is in a folder");
-        fs::create_dir_all(mine.join(".cargo"))?;
-        let config = mine.join(".cargo/config.toml");
-        if !config.exists() {
-            fs::write(config, CONFIG)?;
-        }
+        fs::create_dir_all(mine)?;
         let partial = tempfile::Builder::new()
             .prefix(".start-")
             .tempdir_in(mine)?;
+        // A folder like others, not only for its owner.
+        let new = partial.path().join("new");
         for (name, text) in &self.files {
-            let path = partial.path().join(name);
+            let path = new.join(name);
             fs::create_dir_all(path.parent().expect("a file is in a folder"))?;
             fs::write(path, text)?;
         }
-        fs::rename(partial.keep(), folder)
+        let kept = folder.exists().then(|| put_aside(folder)).transpose()?;
+        let named = fs::rename(new, folder);
+        if let (Err(_), Some(kept)) = (&named, &kept) {
+            fs::rename(kept, folder)?;
+        }
+        named.map(|()| kept)
     }
 
     fn said(&self, folder: &Path) -> String {
@@ -196,8 +186,17 @@ const OWN_PRELUDE: [(&str, &str); 4] = [
     ("src/render.rs", include_str!("skeletons/own/render.rs")),
 ];
 
-/// All crates of a reader share what was built once.
-const CONFIG: &str = "[build]\ntarget-dir = \"target\"\n";
+/// All crates of a reader share what was built once, and in each of them `cargo rtrace`
+/// is what it is in the workspace.
+fn config(workspace: &Path) -> String {
+    let [manifest, target] =
+        ["Cargo.toml", "target"].map(|name| toml_string(&workspace.join(name)));
+    format!(
+        "[build]\ntarget-dir = \"../target\"\n\n[alias]\n\
+         rtrace = [\"run\", \"--manifest-path\", {manifest}, \"--target-dir\", {target}, \
+         \"--package\", \"rtrace\", \"--\"]\n"
+    )
+}
 
 /// The head of the chapter: its steps.
 fn about(chapter: Chapter) -> String {

@@ -1,12 +1,14 @@
 //! Cargo as a subprocess, whose messages are JSON: what was built, or why not.
 
-use std::env;
 use std::ffi::OsString;
-use std::io::IsTerminal;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::time::Duration;
+use std::{env, iter};
 
 use serde_json::Value;
+use supports_color::Stream;
+
+use crate::program::{self, End};
 
 /// The programs of a reader's crate.
 pub(super) struct Built {
@@ -24,41 +26,52 @@ pub(super) struct Problem {
     pub(super) more: usize,
 }
 
-/// Builds the crate in `folder`, and the test that puts it under the laws.
-pub(super) fn build(folder: &Path) -> Result<Built, Problem> {
+/// Builds the crate in `folder`, and the test that puts it under the laws; `None` if
+/// `is_old` says meanwhile that there is something newer.
+pub(super) fn build(
+    folder: &Path,
+    is_old: &mut dyn FnMut() -> bool,
+) -> Result<Option<Built>, Problem> {
     let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let format = match std::io::stdout().is_terminal() {
-        true => "--message-format=json-diagnostic-rendered-ansi",
-        false => "--message-format=json",
-    };
     // A test brings its program with it.
     let what: &[&str] = match folder.join("tests/laws.rs").is_file() {
         true => &["test", "--no-run", "--test", "laws"],
         false => &["build"],
     };
-    let output = Command::new(cargo)
-        .args(what)
-        .args(["--quiet", format])
-        .current_dir(folder)
-        .stdin(Stdio::null())
-        .output();
-    let output = output.map_err(|cause| Problem {
-        first: format!("cargo does not start: {cause}"),
-        more: 0,
-    })?;
-    let text = String::from_utf8_lossy(&output.stdout);
-    let messages: Vec<Value> = text
-        .lines()
-        .filter_map(|line| serde_json::from_str(line).ok())
+    let format = match supports_color::on(Stream::Stdout) {
+        Some(_) => "--message-format=json-diagnostic-rendered-ansi",
+        None => "--message-format=json",
+    };
+    let words: Vec<OsString> = iter::once(cargo)
+        .chain(what.iter().chain(&["--quiet", format]).map(OsString::from))
         .collect();
-    if !output.status.success() {
-        return Err(problem(&messages, &String::from_utf8_lossy(&output.stderr)));
+    match program::run(&words, folder, LONGEST, is_old) {
+        Ok((End::Interrupted, _)) => Ok(None),
+        Ok((End::Itself(status, said), errors)) => {
+            let messages = messages(&said);
+            match status.success() {
+                true => built(&messages).map(Some),
+                false => Err(problem(&messages, &errors)),
+            }
+        }
+        Ok((_, errors)) => Err(problem(&[], &errors)),
+        Err(cause) => Err(problem(&[], &format!("cargo does not start: {cause}"))),
     }
-    let program = executable(&messages, "bin").ok_or_else(|| Problem {
-        first: "the crate has no program: src/main.rs is missing".to_owned(),
-        more: 0,
-    })?;
-    let laws = executable(&messages, "test");
+}
+
+/// The first build takes a minute, on a slow machine some.
+const LONGEST: Duration = Duration::from_secs(1800);
+
+fn messages(said: &[u8]) -> Vec<Value> {
+    let text = String::from_utf8_lossy(said);
+    let messages = text.lines().map(serde_json::from_str);
+    messages.filter_map(Result::ok).collect()
+}
+
+fn built(messages: &[Value]) -> Result<Built, Problem> {
+    let missing = "the crate has no program: src/main.rs is missing";
+    let program = executable(messages, "bin").ok_or_else(|| problem(&[], missing))?;
+    let laws = executable(messages, "test");
     Ok(Built { program, laws })
 }
 
@@ -68,19 +81,27 @@ fn problem(messages: &[Value], said: &str) -> Problem {
         .iter()
         .filter(|message| message["message"]["level"] == "error")
         .filter_map(|message| message["message"]["rendered"].as_str())
+        // The last one of each program only counts the others.
+        .filter(|rendered| !rendered.contains("aborting due to"))
         .collect();
     Problem {
         first: errors.first().unwrap_or(&said).trim_end().to_owned(),
-        // The last one only counts the others.
-        more: errors.len().saturating_sub(2),
+        more: errors.len().saturating_sub(1),
     }
 }
 
-/// The program that was built of a target of this kind.
+/// The program that was built of a target of this kind: of several, the one that `start`
+/// named.
 fn executable(messages: &[Value], kind: &str) -> Option<OsString> {
     messages
         .iter()
         .filter(|message| message["target"]["kind"][0] == kind)
-        .find_map(|message| message["executable"].as_str())
-        .map(OsString::from)
+        .filter_map(|message| {
+            Some((
+                message["target"]["name"].as_str()?,
+                message["executable"].as_str()?,
+            ))
+        })
+        .max_by_key(|(name, _)| name.starts_with("my_"))
+        .map(|(_, program)| program.into())
 }

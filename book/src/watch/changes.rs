@@ -1,15 +1,16 @@
 //! File notification: waits until something below a folder is saved.
 //!
-//! What counts is what a file holds. A program that draws the same picture again, or an
-//! editor that saves twice, changes nothing.
+//! What counts is what a file holds once nothing happens any more. A program that draws
+//! the same picture again, or an editor that saves twice, changes nothing.
 
 use std::collections::{HashMap, HashSet};
-use std::fs;
+use std::fs::{self, File};
 use std::hash::{DefaultHasher, Hash, Hasher};
+use std::io::Read;
 use std::mem;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
-use std::time::{Duration, SystemTime};
+use std::time::{Duration, Instant, SystemTime};
 
 use notify::event::{EventKind, ModifyKind};
 use notify::{Config, Event, PollWatcher, RecursiveMode, Watcher};
@@ -19,9 +20,11 @@ use crate::done::DONE;
 /// The files below a folder, as far as they change.
 pub(super) struct Changes {
     folder: PathBuf,
+    /// When the folder was made, where the system knows: another one may take its place.
+    made: Option<SystemTime>,
     events: Receiver<notify::Result<Event>>,
-    /// What was saved and has not been judged yet.
-    fresh: HashSet<PathBuf>,
+    /// What something has happened to since it was last looked at.
+    touched: HashSet<PathBuf>,
     /// What the files held when they were last looked at.
     held: HashMap<PathBuf, u64>,
     /// Files that have changed while no program ran: the reader's.
@@ -32,14 +35,19 @@ pub(super) struct Changes {
     _watcher: Box<dyn Watcher>,
 }
 
-/// How long nothing must happen before a save counts as finished.
+/// How long nothing must happen before a save counts as finished, and after what time it
+/// does whatever happens.
 const QUIET: Duration = Duration::from_millis(40);
+const PATIENCE: Duration = Duration::from_secs(1);
 
 /// How often to see whether the folder is still there.
 const LOOK: Duration = Duration::from_millis(500);
 
 /// A file that changes in every one of so many runs is written by the program.
 const OFTEN: u32 = 3;
+
+/// So much of a file is looked at: more than any source has.
+const MOST: u64 = 1 << 24;
 
 impl Changes {
     pub(super) fn below(folder: &Path) -> notify::Result<Self> {
@@ -53,8 +61,9 @@ impl Changes {
         }
         Ok(Self {
             folder: folder.to_owned(),
+            made: made(folder),
             events,
-            fresh: HashSet::new(),
+            touched: HashSet::new(),
             held: HashMap::new(),
             typed: HashSet::new(),
             written: HashMap::new(),
@@ -63,21 +72,24 @@ impl Changes {
     }
 
     /// Whether the reader has saved something since the program was started.
-    pub(super) fn make_it_old(&mut self) -> bool {
+    pub(super) fn has_a_save(&mut self) -> bool {
         while let Ok(event) = self.events.try_recv() {
-            self.take(event);
+            self.touch(event);
         }
-        self.fresh.iter().any(|path| self.typed.contains(path))
+        let is_news = |path: &PathBuf| holds(path).as_ref() != self.held.get(path);
+        let mut typed = self.touched.intersection(&self.typed);
+        typed.any(is_news)
     }
 
     /// Waits for a save, or returns at once if there was one since the program was
     /// started, which has ended at `end`; `false` if the folder is gone.
-    pub(super) fn wait(&mut self, end: SystemTime) -> bool {
+    ///
+    /// # Errors
+    /// If another folder has taken its place and can't be watched.
+    pub(super) fn wait(&mut self, end: SystemTime) -> notify::Result<bool> {
         self.settle();
-        let (during, later): (HashSet<PathBuf>, HashSet<PathBuf>) = self
-            .fresh
-            .drain()
-            .partition(|path| is_from_before(path, end));
+        let (later, during): (HashSet<PathBuf>, HashSet<PathBuf>) =
+            self.news().partition(|path| is_from_after(path, end));
         self.written.retain(|path, _| during.contains(path));
         let mut again = !later.is_empty();
         self.typed.extend(later);
@@ -87,64 +99,104 @@ impl Changes {
             again |= self.typed.contains(&path) || *runs < OFTEN;
         }
         while !again {
+            if !self.folder.is_dir() {
+                return Ok(false);
+            }
+            if made(&self.folder) != self.made {
+                *self = Self::below(&self.folder)?;
+                return Ok(true);
+            }
             match self.events.recv_timeout(LOOK) {
                 Ok(event) => {
-                    self.take(event);
-                    self.settle();
-                    let fresh = mem::take(&mut self.fresh);
-                    again = !fresh.is_empty();
-                    self.typed.extend(fresh);
+                    if self.touch(event) {
+                        self.settle();
+                    }
+                    let news: Vec<PathBuf> = self.news().collect();
+                    again = !news.is_empty();
+                    self.typed.extend(news);
                 }
-                Err(RecvTimeoutError::Timeout) if self.folder.is_dir() => {}
-                Err(_) => return false,
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => return Ok(false),
             }
         }
-        self.folder.is_dir()
+        Ok(true)
     }
 
-    /// Takes events until nothing happens any more.
+    /// Takes events until nothing happens any more to what is watched.
     fn settle(&mut self) {
-        while let Ok(event) = self.events.recv_timeout(QUIET) {
-            self.take(event);
-        }
-    }
-
-    fn take(&mut self, event: notify::Result<Event>) {
-        let Ok(event) = event else { return };
-        let is_change = !matches!(
-            event.kind,
-            EventKind::Access(_) | EventKind::Modify(ModifyKind::Metadata(_))
-        );
-        for path in event.paths.into_iter().filter(|_| is_change) {
-            if self.is_watched(&path) && self.has_changed(&path) {
-                self.fresh.insert(path);
+        let patience = Instant::now() + PATIENCE;
+        let mut quiet = Instant::now() + QUIET;
+        while let Ok(event) = self.events.recv_timeout(quiet - Instant::now().min(quiet)) {
+            if self.touch(event) {
+                quiet = (Instant::now() + QUIET).min(patience);
             }
         }
     }
 
-    /// Not what is hidden, what is built, and what is written here.
-    fn is_watched(&self, path: &Path) -> bool {
-        let below = path.strip_prefix(&self.folder).unwrap_or(path);
-        below.iter().all(|name| {
-            let name = name.to_string_lossy();
-            !name.starts_with('.') && !["target", "__pycache__", DONE].contains(&&*name)
-        })
+    /// Notes what something has happened to, and says whether that is watched.
+    fn touch(&mut self, event: notify::Result<Event>) -> bool {
+        let Ok(Event { kind, paths, .. }) = event else {
+            return false;
+        };
+        if let EventKind::Access(_) | EventKind::Modify(ModifyKind::Metadata(_)) = kind {
+            return false;
+        }
+        let mut watched = false;
+        for path in paths {
+            if is_watched(&self.folder, &path) {
+                self.touched.insert(path);
+                watched = true;
+            }
+        }
+        watched
     }
 
-    /// Whether the file holds something else than when it was last looked at.
-    fn has_changed(&mut self, path: &Path) -> bool {
-        let Ok(bytes) = fs::read(path) else {
-            // A folder, or a file that is gone.
-            return self.held.remove(path).is_some();
-        };
-        let mut hasher = DefaultHasher::new();
-        bytes.hash(&mut hasher);
-        let holds = hasher.finish();
-        self.held.insert(path.to_owned(), holds) != Some(holds)
+    /// The files that hold something else than when they were last looked at.
+    fn news(&mut self) -> impl Iterator<Item = PathBuf> + use<'_> {
+        let held = &mut self.held;
+        mem::take(&mut self.touched)
+            .into_iter()
+            .filter(move |path| match holds(path) {
+                Some(now) => held.insert(path.clone(), now) != Some(now),
+                // What is gone may come back as it was.
+                None => false,
+            })
     }
 }
 
-fn is_from_before(path: &Path, end: SystemTime) -> bool {
+/// Not what is hidden, what is built, and what is written here.
+fn is_watched(folder: &Path, path: &Path) -> bool {
+    path.strip_prefix(folder)
+        .unwrap_or(path)
+        .iter()
+        .all(|name| {
+            let name = name.to_string_lossy();
+            !name.starts_with('.') && !["target", "__pycache__", DONE].contains(&&*name)
+        })
+}
+
+/// What the file holds, as a number; `None` for what is no file, or is gone.
+fn holds(path: &Path) -> Option<u64> {
+    // To open a pipe would be to wait for somebody at its other end.
+    let file = fs::metadata(path).ok().filter(|file| file.is_file())?;
+    let mut bytes = Vec::new();
+    File::open(path)
+        .ok()?
+        .take(MOST)
+        .read_to_end(&mut bytes)
+        .ok()?;
+    let mut hasher = DefaultHasher::new();
+    (file.len(), bytes).hash(&mut hasher);
+    Some(hasher.finish())
+}
+
+fn is_from_after(path: &Path, end: SystemTime) -> bool {
     let saved = fs::metadata(path).and_then(|file| file.modified());
-    saved.is_ok_and(|saved| saved <= end)
+    saved.is_ok_and(|saved| saved > end)
+}
+
+fn made(folder: &Path) -> Option<SystemTime> {
+    fs::metadata(folder)
+        .and_then(|folder| folder.created())
+        .ok()
 }

@@ -1,7 +1,13 @@
 //! The laws, which the reader's crate puts its own function under.
 
 use std::ffi::{OsStr, OsString};
+use std::path::Path;
 use std::time::Duration;
+
+use ::laws::trial::Trial;
+use check::Chapter;
+use check::slips::{Ball, Program};
+use common::rtweekend::*;
 
 use crate::program::{self, End};
 
@@ -16,9 +22,9 @@ pub(super) enum Answer {
 }
 
 /// Runs the test of a reader's crate; `None` if it has none.
-pub(super) fn ask(test: &OsStr, limit: Duration) -> Option<Answer> {
+pub(super) fn ask(test: &OsStr, folder: &Path, limit: Duration) -> Option<Answer> {
     let words: [OsString; 2] = [test.into(), "--nocapture".into()];
-    Some(match program::run(&words, limit, &mut || false) {
+    Some(match program::run(&words, folder, limit, &mut || false) {
         Ok((End::Itself(status, _), _)) if status.success() => Answer::Obeyed,
         Ok((End::Itself(..), errors)) => match report(&errors) {
             Some(lines) => Answer::Broken(lines),
@@ -27,6 +33,25 @@ pub(super) fn ask(test: &OsStr, limit: Duration) -> Option<Answer> {
         Ok(_) => Answer::Unknown(format!("the laws were not done within {limit:?}")),
         Err(cause) => Answer::Unknown(cause.to_string()),
     })
+}
+
+/// Whether the laws that the test of a chapter asks would find a mistake in the program.
+pub(super) fn find(program: &Program) -> bool {
+    let hit = |center, radius, ray: &Ray| program.hit_sphere(center, radius, ray);
+    let trial = Trial::default();
+    let outcome = match program.chapter {
+        Chapter::RedSphere => {
+            trial.decision(&|center, radius, ray: &Ray| hit(center, radius, ray).is_some())
+        }
+        Chapter::Normals | Chapter::HalfBSphere => trial.nearer_root(&hit),
+        Chapter::HittableList => {
+            trial.nearest_in_range(&|center, radius, ray: &Ray, t_min, t_max| {
+                program.hit(Ball { center, radius }, ray, t_min, t_max)
+            })
+        }
+        _ => Ok(()),
+    };
+    outcome.is_err()
 }
 
 /// From the law to the page that tells of it.

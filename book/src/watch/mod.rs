@@ -11,17 +11,18 @@ use std::error::Error;
 use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::time::{Duration, Instant, SystemTime};
+use std::time::{Duration, SystemTime};
 
 use check::Chapter;
 use check::diagnosis::Scene;
 use check::slips::Probe;
 use clap::Args;
 use common::engine::{companion, output};
+use jiff::Zoned;
 
 use crate::check::{chapter_parser, probe_parser, seconds};
 use crate::done::Done;
-use crate::mine::Mine;
+use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;
 use crate::program::{self, End};
 use changes::Changes;
@@ -67,21 +68,22 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
         output::to_stdout(|out| out.write_all(said.as_bytes()))?;
     }
     loop {
-        let start = Instant::now();
+        let saved = Zoned::now();
         // Twice in a row would be for ever, if the program itself writes what changes.
         let may_be_old = !arguments.once && !was_stale;
-        let verdict = subject.judge(&mut || may_be_old && changes.make_it_old());
+        let verdict = subject.judge(&mut || may_be_old && changes.has_a_save());
         let end = SystemTime::now();
         was_stale = verdict.is_stale;
         if !was_stale {
-            let news = subject.done.add_all(&verdict.done)?;
-            let screen = screen::compose(&subject.title(), &verdict, &news, start.elapsed());
+            let news = subject.done.add_all(&verdict.done);
+            let news = news.unwrap_or_else(|problem| vec![problem.to_string()]);
+            let screen = screen::compose(&subject.title(), &verdict, &news, &saved);
             output::to_stdout(|out| out.write_all(screen.as_bytes()))?;
         }
         if arguments.once {
             return Ok(ExitCode::from(u8::from(!verdict.is_right)));
         }
-        if !changes.wait(end) {
+        if !changes.wait(end)? {
             return Err(format!("{} is not there any more", shown(&subject.folder)).into());
         }
     }
@@ -112,11 +114,14 @@ impl Subject {
             }
         };
         if !folder.is_dir() {
+            let (companion, name) = (companion(), chapter.name());
+            let make = match TYPED.contains(&chapter) {
+                true => format!("Make it with {companion} start {name}, or name"),
+                false => "Name".to_owned(),
+            };
             return Err(misuse(&format!(
-                "there is no {} yet\nMake it with {companion} start {name}, or name your program: {companion} watch {name} -- PROGRAM",
-                shown(&folder),
-                companion = companion(),
-                name = chapter.name()
+                "there is no {} yet\n{make} your program: {companion} watch {name} -- PROGRAM",
+                shown(&folder)
             )));
         }
         let (program, limit) = (arguments.program.clone(), arguments.timeout);
@@ -147,8 +152,9 @@ impl Subject {
     /// something newer to judge.
     fn judge(&self, is_old: &mut dyn FnMut() -> bool) -> Verdict {
         let built = match self.program.is_empty() {
-            true => match build::build(&self.folder) {
-                Ok(built) => Some(built),
+            true => match build::build(&self.folder, is_old) {
+                Ok(Some(built)) => Some(built),
+                Ok(None) => return Verdict::stale(),
                 Err(problem) => return Verdict::not_built(&problem),
             },
             false => None,
@@ -157,9 +163,9 @@ impl Subject {
             Some(built) => vec![built.program.clone(), "-".into()],
             None => self.program.clone(),
         };
-        let ran = program::run(&words, self.limit, is_old);
+        let ran = program::run(&words, &self.folder, self.limit, is_old);
         let laws = built.and_then(|built| built.laws);
-        let ask_laws = || laws::ask(laws.as_deref()?, self.limit);
+        let ask_laws = || laws::ask(laws.as_deref()?, &self.folder, self.limit);
         let judge = Judge {
             scene: &self.scene,
             is_crate: self.program.is_empty(),

@@ -2,7 +2,6 @@
 
 use std::io::{IsTerminal, stdout};
 use std::iter;
-use std::time::Duration;
 
 use common::engine::output;
 use jiff::Zoned;
@@ -18,34 +17,21 @@ const MOST_LINES: usize = 25;
 const PICTURE: (u32, u32) = (32, 9);
 
 /// The screen as text; on a terminal it replaces the one before.
-pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], took: Duration) -> String {
-    let style = Style::of_stdout();
-    let now = Zoned::now().strftime("%H:%M:%S").to_string();
-    let mut lines = vec![format!(
-        "{}  {}",
-        style.bold(title),
-        style.dim(&format!(
-            "saved {now}, judged in {:.1} s",
-            took.as_secs_f64()
-        ))
-    )];
+pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], saved: &Zoned) -> String {
+    let mut lines = vec![head(title, saved)];
     lines.extend(pictures(verdict));
     let headline = textwrap::wrap(&verdict.headline, terminal::text_width());
-    lines.extend(headline.iter().map(|line| colored(line, verdict, style)));
-    let mut below: Vec<String> = Vec::new();
-    if !verdict.next.is_empty() {
-        below.extend(wrapped("next", &verdict.next));
-    }
-    below.extend(news.iter().map(|thing| labeled("done", thing)));
-    let room = MOST_LINES.saturating_sub(lines.len() + below.len());
-    let mut cause: Vec<String> = verdict.cause.iter().flat_map(shown).collect();
-    if cause.len() > room {
-        cause.truncate(room.saturating_sub(1));
-        cause.push("…".to_owned());
-    }
-    lines.extend(cause);
+    lines.extend(headline.iter().map(|line| colored(line, verdict)));
+    let next = match verdict.next.as_str() {
+        "" => Vec::new(),
+        next => wrapped("next", next),
+    };
+    let done = news.iter().flat_map(|thing| wrapped("done", thing));
+    let below: Vec<String> = next.into_iter().chain(done).collect();
+    let above: usize = lines.iter().chain(&below).map(|line| rows(line)).sum();
+    let cause = verdict.cause.iter().flat_map(shown).collect();
+    lines.extend(clipped(cause, most_lines().saturating_sub(above)));
     lines.extend(below);
-    lines.truncate(MOST_LINES);
     let clear = match stdout().is_terminal() {
         true => "\x1b[2J\x1b[H",
         false => "",
@@ -53,7 +39,45 @@ pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], took: Dur
     format!("{clear}{}\n", lines.join("\n"))
 }
 
-fn colored(line: &str, verdict: &Verdict, style: Style) -> String {
+/// What is judged, when it was saved, and how long that took.
+fn head(title: &str, saved: &Zoned) -> String {
+    let style = Style::of_stdout();
+    let took = saved.duration_until(&Zoned::now()).as_secs_f64();
+    let when = format!(
+        "saved {}, judged in {took:.1} s",
+        saved.strftime("%H:%M:%S")
+    );
+    format!("{}  {}", style.bold(title), style.dim(&when))
+}
+
+/// As many of the lines as there is room for, with a mark where some are left out.
+fn clipped(lines: Vec<String>, room: usize) -> Vec<String> {
+    if lines.iter().map(|line| rows(line)).sum::<usize>() <= room {
+        return lines;
+    }
+    let mut used = 1;
+    let fits = |line: &String| {
+        used += rows(line);
+        used <= room
+    };
+    let fitting = lines.into_iter().take_while(fits);
+    fitting.chain(iter::once("…".to_owned())).collect()
+}
+
+/// How many lines of the terminal the line fills.
+fn rows(line: &str) -> usize {
+    let columns = terminal_size::terminal_size().map_or(usize::MAX, |(width, _)| width.0.into());
+    textwrap::core::display_width(line).div_ceil(columns).max(1)
+}
+
+/// A line is left for the cursor.
+fn most_lines() -> usize {
+    let lines = terminal_size::terminal_size().map(|(_, height)| usize::from(height.0));
+    lines.map_or(MOST_LINES, |lines| MOST_LINES.min(lines.saturating_sub(1)))
+}
+
+fn colored(line: &str, verdict: &Verdict) -> String {
+    let style = Style::of_stdout();
     match verdict.is_right {
         true => style.green(line),
         false => style.bold(line),
@@ -65,6 +89,9 @@ fn pictures(verdict: &Verdict) -> Vec<String> {
     let (Some(palette), Some((yours, right))) = (Palette::of_stdout(), &verdict.pictures) else {
         return Vec::new();
     };
+    if terminal::text_width() < 70 {
+        return Vec::new();
+    }
     let (columns, rows) = PICTURE;
     let [yours, right] = [yours, right].map(|it| terminal::lines(it, palette, columns, 2 * rows));
     let both = yours.iter().zip(&right);

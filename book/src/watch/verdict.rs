@@ -15,7 +15,7 @@ use common::engine::{companion, output};
 use common::rtweekend::Picture;
 
 use super::build::Problem;
-use super::laws::Answer;
+use super::laws::{self, Answer};
 use crate::done::{picture_is_right, step_is_done};
 use crate::steps;
 
@@ -105,7 +105,7 @@ impl Verdict {
                 ..Self::default()
             },
             None => Self {
-                headline: format!("It ended with {status}, and drew nothing."),
+                headline: format!("It ended with {status}."),
                 cause: printed(errors),
                 next: "a program that draws a picture ends with 0".to_owned(),
                 ..Self::default()
@@ -130,7 +130,7 @@ impl Judge<'_> {
     /// than the picture.
     pub(super) fn of_picture(&self, bytes: &[u8]) -> Verdict {
         let scene = self.scene;
-        if let Some(verdict) = of_step(scene, bytes) {
+        if let Some(verdict) = self.of_step(bytes) {
             return verdict;
         }
         match judge::check(scene, bytes, 0) {
@@ -149,6 +149,48 @@ impl Judge<'_> {
         }
     }
 
+    /// A picture that a step before the last one shows; or a mistake in the next one does.
+    fn of_step(&self, bytes: &[u8]) -> Option<Verdict> {
+        let scene = self.scene;
+        let reading = reading::read(bytes).ok()?;
+        let (width, height) = (reading.width, reading.height);
+        if scene.probe.is_some() || scene.height(width) != height || reading.outside().is_some() {
+            return None;
+        }
+        let steps = steps::of(scene.chapter);
+        let yours = reading.picture();
+        let (_, earlier) = steps.split_last()?;
+        let shows = |step: &steps::Step| step.picture(width, height).rgb() == yours.rgb();
+        let at = earlier.iter().rposition(shows)?;
+        let check = judge::check(scene, bytes, 0);
+        let mistakes = check
+            .finding()
+            .map_or(Vec::new(), |finding| self.mistakes(finding));
+        let or = mistakes.iter().take(SHOWN).enumerate().map(|(n, mistake)| {
+            let label = if n == 0 { "or" } else { "" };
+            let wrong: Vec<&str> = mistake.iter().map(|slip| slip.wrong).collect();
+            labeled(
+                label,
+                format!("{}  ({})", wrong.join("; "), names_of(mistake)),
+            )
+        });
+        Some(Verdict {
+            headline: match mistakes.is_empty() {
+                true => format!("Step {} of {} is right.", at + 1, steps.len()),
+                false => format!(
+                    "This is what step {} of {} shows, or what a mistake in the next one does.",
+                    at + 1,
+                    steps.len()
+                ),
+            },
+            cause: or.collect(),
+            next: step_says(at + 1, &steps[at + 1]),
+            done: vec![step_is_done(scene.chapter, at + 1)],
+            pictures: Some((yours, scene.right(width, height))),
+            ..Verdict::default()
+        })
+    }
+
     fn of_right_picture(&self, picture: Picture) -> Verdict {
         let (width, height, chapter) = (picture.width(), picture.height(), self.scene.chapter);
         let verdict = Verdict {
@@ -163,10 +205,13 @@ impl Judge<'_> {
             ..Verdict::default()
         };
         match (self.ask_laws)() {
-            Some(Answer::Obeyed) => verdict.and_obeys_the_laws(chapter),
+            Some(Answer::Obeyed) => {
+                self.with_blind_spots(verdict.and_obeys_the_laws(chapter), width, true)
+            }
             Some(Answer::Broken(report)) => Verdict {
                 is_right: false,
                 headline: "The picture is right, but a law is broken.".to_owned(),
+                done: Vec::new(),
                 cause: law(&report),
                 next: "cargo test, in the folder of your crate, shows the case".to_owned(),
                 ..verdict
@@ -174,26 +219,38 @@ impl Judge<'_> {
             Some(Answer::Unknown(errors)) => Verdict {
                 is_right: false,
                 headline: "The picture is right, but the laws can't be tried.".to_owned(),
+                done: Vec::new(),
                 cause: printed(&errors),
                 next: "cargo test, in the folder of your crate, shows more".to_owned(),
                 ..verdict
             },
-            None if self.is_chapter_only => verdict,
-            None => self.with_blind_spots(verdict, width),
+            None => self.with_blind_spots(verdict, width, false),
         }
     }
 
-    /// Names what can hide from the picture, and the probe that shows most of it.
-    fn with_blind_spots(&self, verdict: Verdict, width: u32) -> Verdict {
+    /// Names what can hide from the picture, and the probe that shows most of it: but not
+    /// what the reader can't have done, nor what the laws would have found.
+    fn with_blind_spots(&self, verdict: Verdict, width: u32, laws_hold: bool) -> Verdict {
+        let chapter = self.scene.chapter;
+        let is_open = |slip: &&Slip| {
+            !(self.is_chapter_only && !slip.is_in_a_chapter()
+                || laws_hold && laws::find(&slip.program(chapter)))
+        };
         let hidden = BlindSpots::after(self.scene, width);
-        let Some(showing) = hidden.shown_by.into_iter().next() else {
+        let open = hidden.shown_by.into_iter().map(|showing| {
+            let slips = showing.slips.iter().copied().filter(is_open);
+            let names: Vec<&str> = slips.map(|slip| slip.name).collect();
+            (showing, names)
+        });
+        let Some((showing, names)) = open.max_by_key(|(_, names)| names.len()) else {
             return verdict;
         };
-        let names: Vec<&str> = showing.slips.iter().map(|slip| slip.name).collect();
+        if names.is_empty() {
+            return verdict;
+        }
         let change = showing.scene.change(showing.width).replace('\n', "; ");
-        let probe = showing.scene.probe;
-        let command = probe.map_or(String::new(), |probe| {
-            let (companion, chapter) = (companion(), self.scene.chapter.name());
+        let command = showing.scene.probe.map_or(String::new(), |probe| {
+            let (companion, chapter) = (companion(), chapter.name());
             format!(
                 "; and then {companion} watch {chapter} --probe {} …",
                 probe.name
@@ -253,29 +310,11 @@ impl Judge<'_> {
     }
 }
 
+/// So many mistakes are shown that draw what an earlier step shows.
+const SHOWN: usize = 4;
+
 /// Slips that were made together: most often a single one.
 type Mistake = Vec<&'static Slip>;
-
-/// A picture that a step before the last one shows.
-fn of_step(scene: &Scene, bytes: &[u8]) -> Option<Verdict> {
-    let reading = reading::read(bytes).ok()?;
-    let (width, height) = (reading.width, reading.height);
-    if scene.probe.is_some() || scene.height(width) != height || reading.outside().is_some() {
-        return None;
-    }
-    let steps = steps::of(scene.chapter);
-    let yours = reading.picture();
-    let (_, earlier) = steps.split_last()?;
-    let shows = |step: &steps::Step| step.picture(width, height).rgb() == yours.rgb();
-    let at = earlier.iter().rposition(shows)?;
-    Some(Verdict {
-        headline: format!("Step {} of {} is right.", at + 1, steps.len()),
-        next: step_says(at + 1, &steps[at + 1]),
-        done: vec![step_is_done(scene.chapter, at + 1)],
-        pictures: Some((yours, scene.right(width, height))),
-        ..Verdict::default()
-    })
-}
 
 fn of_no_picture(verdict: &str, cause: &Cause, finding: Option<Box<Finding>>) -> Verdict {
     let slip = finding

@@ -109,7 +109,7 @@ impl Cause {
             explained,
             asked,
         } = self;
-        let share = format!("{explained} of {asked} other answers");
+        let share = format!("{explained} of {asked} answers");
         let mut lines: Vec<String> = mistakes.iter().map(Mistake::to_string).collect();
         match lines.len() {
             0 if *explained == 0 && *asked > 0 => {

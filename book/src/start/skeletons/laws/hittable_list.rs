@@ -7,18 +7,19 @@ use my_hittable_list::{HitRecord, Hittable, HittableList, Sphere};
 
 #[test]
 fn sphere_record_and_list_obey_the_laws() {
-    laws::runner::nearest_in_range(&|center, radius, ray: &Ray, t_min, t_max| {
-        Some(hit(center, radius, ray, t_min, t_max)?.t)
-    });
-    laws::runner::record(&|center, radius, ray: &Ray, t_min, t_max| {
-        let HitRecord { t, normal, front_face, .. } = hit(center, radius, ray, t_min, t_max)?;
-        Some(Hit { t, normal, front_face })
-    });
+    laws::runner::nearest_in_range(&hit);
+    laws::runner::record(&record);
     laws::runner::list(&nearest);
 }
 
-fn hit(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
-    Sphere::new(center, radius).hit(ray, t_min, t_max)
+fn hit(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
+    Some(record(center, radius, ray, t_min, t_max)?.t)
+}
+
+fn record(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
+    let record = Sphere::new(center, radius).hit(ray, t_min, t_max)?;
+    let HitRecord { t, normal, front_face, .. } = record;
+    Some(Hit { t, normal, front_face })
 }
 
 fn nearest(world: &World) -> Option<f64> {
