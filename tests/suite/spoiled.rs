@@ -104,7 +104,10 @@ struct Campaign {
 
 impl Campaign {
     fn of(few: u64) -> Self {
-        let number = |name| env::var(name).ok().and_then(|number| number.parse().ok());
+        let number = |name| {
+            let said = env::var(name).ok();
+            said.map(|number| number.parse().expect("cases and seed are numbers"))
+        };
         Self {
             cases: number("SPOILED_CASES").unwrap_or(few),
             random: Random(number("SPOILED_SEED").unwrap_or(1)),
