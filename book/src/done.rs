@@ -20,7 +20,7 @@ use check::places::shown;
 pub(crate) struct Arguments {
     /// What you have done or understood, in a few words
     #[arg(value_name = "TEXT", allow_hyphen_values = true, value_parser = NonEmptyStringValueParser::new())]
-    text: Option<String>,
+    text: Vec<String>,
 
     /// The folder of the list [default: this one if it has a list, or else mine]
     #[arg(long = "in", value_name = "FOLDER")]
@@ -30,13 +30,14 @@ pub(crate) struct Arguments {
 /// Adds a line to the list, or shows it with what is ahead.
 pub(crate) fn done(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let list = Done::find(arguments.in_folder.as_deref());
-    let said = match &arguments.text {
-        Some(text) => {
-            let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
-            list.add(&line)?;
+    let text = arguments.text.join(" ");
+    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let said = match line.as_str() {
+        "" => list.show()?,
+        line => {
+            list.add(line)?;
             format!("{}: {line}\n", shown(&list.file))
         }
-        None => list.show()?,
     };
     let mut lines = said.lines().map(output::visible);
     Ok(output::to_stdout(|out| {
@@ -58,13 +59,17 @@ impl Done {
         Self { file }
     }
 
-    /// The list in the chosen folder, in the current one if there is one, or in `mine`.
+    /// The list in the chosen folder; in the current one if there is one; in `mine`, if
+    /// that is there.
     fn find(chosen: Option<&Path>) -> Self {
         let here = Self::in_folder(Path::new("."));
         match chosen {
             Some(folder) => Self::in_folder(folder),
             None if here.file.is_file() => here,
-            None => Self::in_folder(Mine::find(None).folder()),
+            None => match Mine::find(None).folder() {
+                mine if mine.is_dir() => Self::in_folder(mine),
+                _ => here,
+            },
         }
     }
 
@@ -107,6 +112,11 @@ impl Done {
             Err(cause) if cause.kind() == io::ErrorKind::NotFound => Ok(String::new()),
             Err(cause) => Err(self.named(&cause)),
         }
+    }
+
+    /// Whether this is on the list.
+    pub(crate) fn has(&self, thing: &str) -> bool {
+        self.text().is_ok_and(|text| is_on(&text, thing))
     }
 
     fn named(&self, cause: &io::Error) -> io::Error {

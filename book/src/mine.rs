@@ -4,6 +4,7 @@ use std::env;
 use std::path::{Path, PathBuf};
 
 use check::{Chapter, places};
+use common::engine::output;
 
 /// The chapters that are typed in a crate of one's own; the one before them is the setup.
 pub(crate) const TYPED: [Chapter; 5] = [
@@ -15,7 +16,11 @@ pub(crate) const TYPED: [Chapter; 5] = [
 ];
 
 /// The folder of a reader's crates, each of which is named after its chapter.
-pub(crate) struct Mine(PathBuf);
+pub(crate) struct Mine {
+    folder: PathBuf,
+    /// The words that choose it on a command line, if it was chosen.
+    option: String,
+}
 
 impl Mine {
     /// The chosen folder. Or else `mine`: in this workspace for whoever stands in it, and
@@ -32,16 +37,26 @@ impl Mine {
             let home = workspace.or_else(|| here.ancestors().find(has_one));
             home.unwrap_or(&here).join("mine")
         };
-        Self(chosen.map_or_else(usual, |chosen| here.join(chosen)))
+        Self {
+            folder: chosen.map_or_else(usual, |chosen| here.join(chosen)),
+            option: chosen.map_or(String::new(), |chosen| {
+                format!(" --in {:?}", output::shown(chosen))
+            }),
+        }
     }
 
     /// The folder itself, which may not exist yet.
     pub(crate) fn folder(&self) -> &Path {
-        &self.0
+        &self.folder
+    }
+
+    /// What a command is to be told that is about this folder.
+    pub(crate) fn option(&self) -> &str {
+        &self.option
     }
 
     /// Where the reader's crate of `chapter` is, or would be.
     pub(crate) fn of(&self, chapter: Chapter) -> PathBuf {
-        self.0.join(chapter.name())
+        self.folder.join(chapter.name())
     }
 }

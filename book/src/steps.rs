@@ -8,6 +8,8 @@ use common::rtweekend::*;
 pub(crate) struct Step {
     /// What to type, and what it will show.
     pub(crate) says: &'static str,
+    /// Whether all that the laws ask for is written by then.
+    pub(crate) has_laws: bool,
     shows: Shows,
 }
 
@@ -37,53 +39,64 @@ pub(crate) fn of(chapter: Chapter) -> &'static [Step] {
     match chapter {
         Chapter::BuildTest => &[Step {
             says: "Red grows to the right and green grows downwards, from 0 to 1.",
+            has_laws: false,
             shows: Shows::Chapter(Chapter::BuildTest),
         }],
         Chapter::Gradient => &[
             Step {
                 says: "Every ray is white: `ray_color` returns (1, 1, 1).",
+                has_laws: false,
                 shows: Shows::Rays(|_| Color::ONE),
             },
             Step {
                 says: "How steeply does it climb? Gray of a = ½(y + 1), with the y of the unit direction.",
+                has_laws: false,
                 shows: Shows::Rays(|ray| 0.5 * (ray.direction.normalize().y + 1.0) * Color::ONE),
             },
             Step {
                 says: "Blend white and the blue (0.5, 0.7, 1) by the weight a.",
+                has_laws: false,
                 shows: Shows::Chapter(Chapter::Gradient),
             },
         ],
         Chapter::RedSphere => &[
             Step {
                 says: "Nothing is hit yet: `hit_sphere` says false, and the sky of chapter 1 is there.",
+                has_laws: false,
                 shows: Shows::Chapter(Chapter::Gradient),
             },
             Step {
                 says: "oc, a, b, c and the discriminant: `hit_sphere` says whether there is a root.",
+                has_laws: false,
                 shows: Shows::Chapter(Chapter::RedSphere),
             },
         ],
         Chapter::Normals => &[
             Step {
                 says: "`hit_sphere` says where: the nearer root. The disc stays red where there is one.",
+                has_laws: true,
                 shows: Shows::Chapter(Chapter::RedSphere),
             },
             Step {
                 says: "Where t > 0, the unit normal at `ray.at(t)` becomes the color: ½(n + 1).",
+                has_laws: false,
                 shows: Shows::Chapter(Chapter::Normals),
             },
         ],
         Chapter::HalfBSphere => &[Step {
             says: "With h = −b/2 in place of b, every 2 and 4 goes. Not one bit changes.",
+            has_laws: false,
             shows: Shows::Chapter(Chapter::HalfBSphere),
         }],
         Chapter::HittableList => &[
             Step {
                 says: "A `Sphere` is `Hittable`, and a list of one finds it: the ball of chapter 4 is back.",
+                has_laws: false,
                 shows: Shows::Chapter(Chapter::HalfBSphere),
             },
             Step {
                 says: "`world` gets the ground, at (0, −100.5, −1) with radius 100, and the list finds the nearest.",
+                has_laws: false,
                 shows: Shows::Chapter(Chapter::HittableList),
             },
         ],

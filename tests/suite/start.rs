@@ -198,7 +198,11 @@ fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
         for (chapter, right, wrong) in [
             ("red_sphere", "4.0 * a * c", "a * c"),
             ("normals", "2.0 * a)", "a)"),
-            ("hittable_list", "(h + root) / a", "(root - h) / a"),
+            (
+                "hittable_list",
+                "t = (h + sqrtd) / a;",
+                "t = (h - sqrtd) / a;",
+            ),
         ] {
             mine.edit(chapter, right, wrong);
             let law = mine.path().join(chapter).join("tests/laws.rs");
@@ -225,6 +229,20 @@ fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
             );
         }
     }
+}
+
+#[test]
+fn a_folder_of_the_workspace_is_refused() {
+    let mine = Mine::new();
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let chapters = fs::canonicalize(workspace.join("chapters")).expect("our chapters");
+    let before = names_in(&chapters);
+    let into = chapters.to_str().expect("a name in UTF-8");
+    assert_refused(
+        &mut mine.start("gradient", &["--into", into]),
+        &["belongs to this workspace"],
+    );
+    assert_eq!(names_in(&chapters), before);
 }
 
 #[test]
@@ -334,6 +352,7 @@ const HALF: &str = "let oc = center - ray.origin;
     }
     Some((h - discriminant.sqrt()) / a)";
 
+/// As the book compares: NaN passes, which no law minds.
 const SPHERE: &str = "let oc = self.center - ray.origin;
         let a = ray.direction.length_squared();
         let h = ray.direction.dot(oc);
@@ -342,8 +361,14 @@ const SPHERE: &str = "let oc = self.center - ray.origin;
         if discriminant < 0.0 {
             return None;
         }
-        let roots = [-discriminant.sqrt(), discriminant.sqrt()].map(|root| (h + root) / a);
-        let t = roots.into_iter().find(|&t| t_min < t && t < t_max)?;
+        let sqrtd = discriminant.sqrt();
+        let mut t = (h - sqrtd) / a;
+        if t <= t_min || t_max <= t {
+            t = (h + sqrtd) / a;
+            if t <= t_min || t_max <= t {
+                return None;
+            }
+        }
         let point = ray.at(t);
         let mut record = HitRecord { t, point, ..HitRecord::default() };
         record.set_face_normal(ray, (1.0 / self.radius) * (point - self.center));

@@ -213,7 +213,10 @@ impl Desk {
     /// All screens so far, each as it was before the next one replaced it.
     fn screens(&self) -> Vec<String> {
         let shown = text(&self.shown.lock().expect("nobody panics with it")).replace("\r\n", "\n");
-        shown.split(CLEAR).skip(1).map(str::to_owned).collect()
+        let screens = shown.split(CLEAR).skip(1);
+        // What is said while the next one is made stays on the line of the cursor.
+        let whole = screens.map(|screen| screen.trim_end_matches("judging …"));
+        whole.map(str::to_owned).collect()
     }
 
     /// Waits for a new screen that says this.

@@ -108,7 +108,8 @@ pub(super) fn into(skeleton: &str, written: Option<&Written>) -> Carried {
     }
     for (name, text) in items {
         // Who types the prelude has no use for ours any more.
-        if !used.contains(name) && !(own && name == "common :: rtweekend :: *") {
+        let is_ours = own && name == "common :: rtweekend :: *";
+        if !is_ours && !used.contains(name) {
             source += &format!("\n{text}\n");
         }
     }

@@ -25,7 +25,7 @@ pub(crate) struct Arguments {
     chapter: Chapter,
 
     /// Where your crates are to be [default: mine]
-    #[arg(long, value_name = "FOLDER")]
+    #[arg(long, alias = "in", value_name = "FOLDER")]
     into: Option<PathBuf>,
 
     /// Type the prelude as well: vectors, rays, camera and the text of a picture
@@ -41,13 +41,15 @@ pub(crate) struct Arguments {
 pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let (chapter, name) = (arguments.chapter, arguments.chapter.name());
     let mine = Mine::find(arguments.into.as_deref());
+    refuse_ours(&mine)?;
     let folder = mine.of(chapter);
     if folder.exists() && !arguments.again {
         return Err(misuse(&format!(
             "{} is there already, and nothing is written over it\n\
-             Go on with {companion} watch {name}, or begin once more with {companion} start {name} --again.",
+             Go on with {companion} watch {name}{option}, or begin once more with {companion} start {name}{option} --again.",
             shown(&folder),
             companion = companion(),
+            option = mine.option(),
         )));
     }
     let before = TYPED.into_iter().rev().filter(|&it| it < chapter);
@@ -59,8 +61,21 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let kept = kept.map_or(String::new(), |kept| {
         format!("What you had is in {}.\n", shown(&kept))
     });
-    let said = kept + &new.said(&folder);
+    let said = kept + &new.said(&mine);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
+}
+
+/// Whatever is in our folders belongs to our workspace, and it would take the crate for
+/// one of its own.
+fn refuse_ours(mine: &Mine) -> Result<(), Box<dyn Error>> {
+    let ours = ["common", "chapters", "book", "tests"];
+    let below = workspace().and_then(|it| mine.folder().strip_prefix(it).ok());
+    match below.is_some_and(|below| ours.iter().any(|name| below.starts_with(name))) {
+        true => Err(misuse(
+            "that folder belongs to this workspace: choose one of your own, such as mine",
+        )),
+        false => Ok(()),
+    }
 }
 
 /// A crate that is about to be written.
@@ -134,16 +149,16 @@ impl New {
         named.map(|()| kept)
     }
 
-    fn said(&self, folder: &Path) -> String {
-        let name = self.chapter.name();
-        let file = folder.join("src/lib.rs");
+    fn said(&self, mine: &Mine) -> String {
+        let (name, option) = (self.chapter.name(), mine.option());
+        let file = mine.of(self.chapter).join("src/lib.rs");
         let mut said = format!("{} is yours.\n{}", shown(&file), self.carried);
         for (number, step) in (1..).zip(steps::of(self.chapter)) {
             let line = format!("  step {number}  {}", step.says);
             said += &(terminal::hanging(&line, 10) + "\n");
         }
         said + &format!(
-            "Open it in your editor, and in a terminal: {} watch {name}\n",
+            "Open it in your editor, and in a terminal: {} watch {name}{option}\n",
             companion()
         )
     }

@@ -27,7 +27,9 @@ pub(super) struct Changes {
     touched: HashSet<PathBuf>,
     /// What the files held when they were last looked at.
     held: HashMap<PathBuf, u64>,
-    /// Files that have changed while no program ran: the reader's.
+    /// Whether all files are the reader's, because nothing else writes there.
+    are_all_typed: bool,
+    /// Files that have changed while no program ran: the reader's too.
     typed: HashSet<PathBuf>,
     /// In how many runs, one after the other, another file has changed.
     written: HashMap<PathBuf, u32>,
@@ -50,7 +52,7 @@ const OFTEN: u32 = 3;
 const MOST: u64 = 1 << 24;
 
 impl Changes {
-    pub(super) fn below(folder: &Path) -> notify::Result<Self> {
+    pub(super) fn below(folder: &Path, are_all_typed: bool) -> notify::Result<Self> {
         let (sender, events) = channel();
         let config = Config::default().with_poll_interval(LOOK);
         let mut watcher: Box<dyn Watcher> = Box::new(notify::recommended_watcher(sender.clone())?);
@@ -65,6 +67,7 @@ impl Changes {
             events,
             touched: HashSet::new(),
             held: HashMap::new(),
+            are_all_typed,
             typed: HashSet::new(),
             written: HashMap::new(),
             _watcher: watcher,
@@ -77,8 +80,8 @@ impl Changes {
             self.touch(event);
         }
         let is_news = |path: &PathBuf| holds(path).as_ref() != self.held.get(path);
-        let mut typed = self.touched.intersection(&self.typed);
-        typed.any(is_news)
+        let is_typed = |path: &&PathBuf| self.are_all_typed || self.typed.contains(*path);
+        self.touched.iter().filter(is_typed).any(is_news)
     }
 
     /// Waits for a save, or returns at once if there was one since the program was
@@ -103,7 +106,7 @@ impl Changes {
                 return Ok(false);
             }
             if made(&self.folder) != self.made {
-                *self = Self::below(&self.folder)?;
+                *self = Self::below(&self.folder, self.are_all_typed)?;
                 return Ok(true);
             }
             match self.events.recv_timeout(LOOK) {
@@ -153,13 +156,13 @@ impl Changes {
 
     /// The files that hold something else than when they were last looked at.
     fn news(&mut self) -> impl Iterator<Item = PathBuf> + use<'_> {
-        let held = &mut self.held;
+        let Self { held, typed, .. } = self;
         mem::take(&mut self.touched)
             .into_iter()
             .filter(move |path| match holds(path) {
                 Some(now) => held.insert(path.clone(), now) != Some(now),
-                // What is gone may come back as it was.
-                None => false,
+                // What a program has removed comes back as it was.
+                None => typed.contains(path) && held.remove(path).is_some(),
             })
     }
 }

@@ -6,12 +6,12 @@ mod laws;
 mod screen;
 mod verdict;
 
-use std::env;
 use std::error::Error;
 use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, SystemTime};
+use std::{env, fs};
 
 use check::Chapter;
 use check::diagnosis::Scene;
@@ -61,7 +61,7 @@ pub(crate) struct Arguments {
 /// Says how far the reader is, now and whenever something is saved.
 pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     let subject = Subject::of(arguments)?;
-    let mut changes = Changes::below(&subject.folder)?;
+    let mut changes = Changes::below(&subject.folder, subject.program.is_empty())?;
     let mut was_stale = false;
     if subject.is_built_for_the_first_time() {
         let said = "Building what your crate stands on. The first time, that takes a minute.\n";
@@ -69,6 +69,9 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     }
     loop {
         let saved = Zoned::now();
+        if screen::replaces_the_last() {
+            output::to_stdout(|out| out.write_all("judging …".as_bytes()))?;
+        }
         // Twice in a row would be for ever, if the program itself writes what changes.
         let may_be_old = !arguments.once && !was_stale;
         let verdict = subject.judge(&mut || may_be_old && changes.has_a_save());
@@ -116,7 +119,10 @@ impl Subject {
         if !folder.is_dir() {
             let (companion, name) = (companion(), chapter.name());
             let make = match TYPED.contains(&chapter) {
-                true => format!("Make it with {companion} start {name}, or name"),
+                true => format!(
+                    "Make it with {companion} start {name}{}, or name",
+                    mine.option()
+                ),
                 false => "Name".to_owned(),
             };
             return Err(misuse(&format!(
@@ -137,7 +143,14 @@ impl Subject {
     fn is_built_for_the_first_time(&self) -> bool {
         let target = env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
         let target = target.unwrap_or(self.folder.with_file_name("target"));
-        self.program.is_empty() && !target.exists()
+        let has_laws = self.folder.join("tests/laws.rs").is_file();
+        let needed = if has_laws { "liblaws-" } else { "libcommon-" };
+        let mut built = fs::read_dir(target.join("debug/deps"))
+            .into_iter()
+            .flatten()
+            .flatten();
+        let is_built = built.any(|file| file.file_name().to_string_lossy().starts_with(needed));
+        self.program.is_empty() && !is_built
     }
 
     fn title(&self) -> String {
@@ -171,6 +184,7 @@ impl Subject {
             is_crate: self.program.is_empty(),
             is_chapter_only: self.program.is_empty()
                 && !self.folder.join("src/rtweekend.rs").exists(),
+            is_done: &|thing| self.done.has(thing),
             ask_laws: &ask_laws,
         };
         match ran {

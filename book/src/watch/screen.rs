@@ -1,7 +1,7 @@
 //! One screen: both pictures small, the verdict, its cause, and what is next.
 
 use std::io::{IsTerminal, stdout};
-use std::iter;
+use std::{env, iter};
 
 use common::engine::output;
 use jiff::Zoned;
@@ -32,11 +32,16 @@ pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], saved: &Z
     let cause = verdict.cause.iter().flat_map(shown).collect();
     lines.extend(clipped(cause, most_lines().saturating_sub(above)));
     lines.extend(below);
-    let clear = match stdout().is_terminal() {
+    let clear = match replaces_the_last() {
         true => "\x1b[2J\x1b[H",
         false => "",
     };
     format!("{clear}{}\n", lines.join("\n"))
+}
+
+/// Whether each screen takes the place of the one before: on a terminal that can.
+pub(super) fn replaces_the_last() -> bool {
+    stdout().is_terminal() && env::var_os("TERM").is_some_and(|term| term != "dumb")
 }
 
 /// What is judged, when it was saved, and how long that took.

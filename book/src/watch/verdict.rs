@@ -1,9 +1,9 @@
 //! What to say after a save: one verdict, one cause, one thing to do next.
 
 use std::ffi::OsStr;
-use std::io;
 use std::process::ExitStatus;
 use std::time::Duration;
+use std::{io, iter};
 
 use check::Chapter;
 use check::blind_spots::BlindSpots;
@@ -121,6 +121,8 @@ pub(super) struct Judge<'a> {
     pub(super) is_crate: bool,
     /// Whether all but the chapter itself is ours, and so has no mistake of the reader's.
     pub(super) is_chapter_only: bool,
+    /// Whether the reader's list has this line.
+    pub(super) is_done: &'a dyn Fn(&str) -> bool,
     /// Puts the reader's function under the laws, where there is one.
     pub(super) ask_laws: &'a dyn Fn() -> Option<Answer>,
 }
@@ -162,6 +164,20 @@ impl Judge<'_> {
         let (_, earlier) = steps.split_last()?;
         let shows = |step: &steps::Step| step.picture(width, height).rgb() == yours.rgb();
         let at = earlier.iter().rposition(shows)?;
+        if steps[at].has_laws
+            && let Some(Answer::Broken(report)) = (self.ask_laws)()
+        {
+            return Some(Verdict {
+                headline: format!(
+                    "The picture of step {} is right, but a law is broken.",
+                    at + 1
+                ),
+                cause: law(&report),
+                pictures: Some((yours, scene.right(width, height))),
+                ..Verdict::default()
+            });
+        }
+        let again = (self.is_done)(&step_is_done(scene.chapter, at + 1));
         let check = judge::check(scene, bytes, 0);
         let mistakes = check
             .finding()
@@ -175,9 +191,14 @@ impl Judge<'_> {
             )
         });
         Some(Verdict {
-            headline: match mistakes.is_empty() {
-                true => format!("Step {} of {} is right.", at + 1, steps.len()),
-                false => format!(
+            headline: match (again, mistakes.is_empty()) {
+                (true, true) => format!(
+                    "This is what step {} of {} shows, again.",
+                    at + 1,
+                    steps.len()
+                ),
+                (false, true) => format!("Step {} of {} is right.", at + 1, steps.len()),
+                (_, false) => format!(
                     "This is what step {} of {} shows, or what a mistake in the next one does.",
                     at + 1,
                     steps.len()
@@ -266,8 +287,8 @@ impl Judge<'_> {
     }
 
     fn next_chapter(&self) -> String {
-        let chapters = Chapter::OF_THE_BOOK.into_iter();
-        let next = chapters.skip_while(|&it| it <= self.scene.chapter).next();
+        let mut chapters = Chapter::OF_THE_BOOK.into_iter();
+        let next = chapters.find(|&it| it > self.scene.chapter);
         match (next.map(Chapter::name), self.is_crate) {
             (None, _) => "that was the last chapter to type".to_owned(),
             (Some(name), true) => format!("{name}: {} start {name}", companion()),
@@ -280,8 +301,8 @@ impl Judge<'_> {
             [one] => (in_full(one), String::new()),
             mistakes => match (self.ask_laws)() {
                 Some(Answer::Broken(report)) => (law(&report), String::new()),
-                _ if mistakes.is_empty() => (sights(&finding), String::new()),
-                _ => undecided(self.scene, &finding.diagnosis.sets[0], mistakes),
+                Some(Answer::Obeyed) => self.with_laws(&finding, mistakes),
+                _ => self.undecided(&finding, mistakes),
             },
         };
         let difference = finding.difference.as_ref();
@@ -293,6 +314,35 @@ impl Judge<'_> {
             next,
             pictures: Some((finding.yours, finding.right)),
             ..Verdict::default()
+        }
+    }
+
+    /// What is left where the laws hold: no mistake that they would have found.
+    fn with_laws(&self, finding: &Finding, mistakes: &[&Mistake]) -> (Vec<Line>, String) {
+        let chapter = self.scene.chapter;
+        let is_found = |mistake: &Mistake| {
+            let mut slips = mistake.iter();
+            slips.any(|slip| laws::find(&slip.program(chapter)))
+        };
+        let left: Vec<&Mistake> = mistakes
+            .iter()
+            .copied()
+            .filter(|it| !is_found(it))
+            .collect();
+        let (mut cause, next) = match left[..] {
+            [one] => (in_full(one), String::new()),
+            _ => self.undecided(finding, &left),
+        };
+        let laws = "they hold: look at what calls the function, and what becomes of its answer";
+        cause.insert(0, labeled("the laws", laws.to_owned()));
+        (cause, next)
+    }
+
+    /// Several mistakes that draw the same picture, or none that is known.
+    fn undecided(&self, finding: &Finding, mistakes: &[&Mistake]) -> (Vec<Line>, String) {
+        match mistakes.is_empty() {
+            true => (sights(finding), String::new()),
+            false => undecided(self.scene, &finding.diagnosis.sets[0], mistakes),
         }
     }
 
@@ -344,18 +394,21 @@ fn in_full(mistake: &[&Slip]) -> Vec<Line> {
 
 /// Slips that draw the same picture, and how to find out which it is.
 fn undecided(scene: &Scene, set: &Set, mistakes: &[&Mistake]) -> (Vec<Line>, String) {
-    let one_of = mistakes.iter().map(|mistake| {
+    let labels = iter::once("probably").chain(iter::repeat("or"));
+    let one_of = labels.zip(mistakes).map(|(label, mistake)| {
         let wrong: Vec<&str> = mistake.iter().map(|slip| slip.wrong).collect();
         labeled(
-            "probably",
+            label,
             format!("{}  ({})", wrong.join("; "), names_of(mistake)),
         )
     });
     let next = match &set.telling {
         Some(telling) => format!(
-            "the probe {} tells them apart: {}",
-            telling.probe.name,
-            telling.probe.lines(scene.chapter)
+            "the probe {probe} tells them apart: {}; and then {} watch {} --probe {probe} …",
+            telling.probe.lines(scene.chapter).replace('\n', "; "),
+            companion(),
+            scene.chapter.name(),
+            probe = telling.probe.name,
         ),
         None => "look for each: no probe tells them apart".to_owned(),
     };

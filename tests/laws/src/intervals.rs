@@ -28,10 +28,15 @@ pub const NEAREST_IN_RANGE: [RangeLaw; 3] = [
     the_nearest_root_in_the_interval_is_returned,
 ];
 
-/// Whatever the input, NaN and infinity included, a `t` that is returned lies
-/// between the ends. So it is never NaN.
+/// A `t` that is returned lies between the ends. So it is never NaN.
+///
+/// Says nothing where an end is NaN, or the case is out of scale: what lies between is
+/// then a matter of how the comparison is written, and the book writes it the other way.
 pub fn no_t_outside_the_interval_is_returned(solve: &RangeSolver, asked: &WithInterval) -> Verdict {
-    let WithInterval { t_min, t_max, .. } = *asked;
+    let WithInterval { case, t_min, t_max } = *asked;
+    if !case.is_well_scaled() || t_min.is_nan() || t_max.is_nan() {
+        return Ok(());
+    }
     match asked.solve(solve) {
         Some(t) if !(t_min < t && t < t_max) => Err(Broken {
             law: "a hit lies inside the open interval (t_min, t_max)",
