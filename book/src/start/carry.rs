@@ -49,31 +49,36 @@ pub(super) struct Carried {
 
 /// The skeleton, with what was written before.
 pub(super) fn into(skeleton: &str, written: Option<&Written>) -> Carried {
-    let (items, said) = match written {
+    let (items, said) = match written.map(|written| (&written.chapter, &written.items)) {
         None => (&[][..], String::new()),
-        Some(Written {
-            chapter,
-            items: Ok(items),
-            ..
-        }) => (
+        Some((chapter, Ok(items))) => (
             &items[..],
             format!("It begins with what you wrote in {chapter}.\n"),
         ),
-        Some(Written {
-            chapter,
-            items: Err(why),
-            ..
-        }) => (
+        Some((chapter, Err(why))) => (
             &[][..],
             format!("Nothing is carried over from {chapter}, which can't be read: {why}\n"),
         ),
     };
-    let own = skeleton.contains("mod rtweekend;");
+    let (mut source, mut used) = filled(skeleton, items);
+    if skeleton.contains("mod rtweekend;") {
+        // Who types the prelude has no use for ours any more.
+        used.push("common :: rtweekend :: *".to_owned());
+    }
+    for (name, text) in items {
+        if !used.contains(name) {
+            source += &format!("\n{text}\n");
+        }
+    }
+    Carried { source, said }
+}
+
+/// The skeleton with items in the places of its marks, and the names of all that now has
+/// a place.
+fn filled(skeleton: &str, items: &[(String, String)]) -> (String, Vec<String>) {
     let find = |name: &str| {
-        items
-            .iter()
-            .find(|(own, _)| own == name)
-            .map(|(_, text)| text)
+        let named = items.iter().find(|(own, _)| own == name);
+        named.map(|(_, text)| text)
     };
     let mut used = defined(skeleton);
     let mut source = String::new();
@@ -82,8 +87,7 @@ pub(super) fn into(skeleton: &str, written: Option<&Written>) -> Carried {
         let words: Vec<&str> = line.split(' ').collect();
         match words[..] {
             ["//", "carry", name, "as", other] => {
-                used.push(name.to_owned());
-                used.push(other.to_owned());
+                used.extend([name, other].map(str::to_owned));
                 match find(name) {
                     Some(text) => source += &format!("{}\n", renamed(text, name, other)),
                     // The mark goes, and the empty line below it.
@@ -99,21 +103,13 @@ pub(super) fn into(skeleton: &str, written: Option<&Written>) -> Carried {
             ["//", "show", name] => {
                 used.push(name.to_owned());
                 // What was never written tells nobody anything.
-                if let Some(text) = find(name).filter(|text| !text.contains("todo!()")) {
-                    source += &shown(text);
-                }
+                let text = find(name).filter(|text| !text.contains("todo!()"));
+                source += &text.map_or(String::new(), |text| shown(text));
             }
             _ => source += &format!("{line}\n"),
         }
     }
-    for (name, text) in items {
-        // Who types the prelude has no use for ours any more.
-        let is_ours = own && name == "common :: rtweekend :: *";
-        if !is_ours && !used.contains(name) {
-            source += &format!("\n{text}\n");
-        }
-    }
-    Carried { source, said }
+    (source, used)
 }
 
 /// The item as a comment, for the eyes.

@@ -2,6 +2,7 @@
 
 mod build;
 mod changes;
+mod judge;
 mod laws;
 mod screen;
 mod verdict;
@@ -27,7 +28,8 @@ use crate::misuse::misuse;
 use crate::program::{self, End};
 use changes::Changes;
 use check::places::shown;
-use verdict::{Judge, Verdict};
+use judge::Judge;
+use verdict::Verdict;
 
 /// What `cargo rtrace watch` is told.
 #[derive(Args)]
