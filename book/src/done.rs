@@ -6,6 +6,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use check::Chapter;
+use check::places::shown;
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 use common::engine::output;
@@ -13,7 +14,6 @@ use jiff::Zoned;
 
 use crate::mine::{Mine, TYPED};
 use crate::{steps, terminal};
-use check::places::shown;
 
 /// What `cargo rtrace done` is told.
 #[derive(Args)]

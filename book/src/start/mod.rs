@@ -1,6 +1,7 @@
 //! `start`: a crate of the reader's own, ready to be typed into.
 
 mod carry;
+mod files;
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -8,6 +9,7 @@ use std::{fs, io};
 
 use carry::Written;
 use check::Chapter;
+use check::places::{shown, workspace};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use common::engine::{companion, output};
@@ -15,7 +17,6 @@ use common::engine::{companion, output};
 use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;
 use crate::{steps, terminal};
-use check::places::{shown, workspace};
 
 /// What `cargo rtrace start` is told.
 #[derive(Args)]
@@ -97,21 +98,21 @@ impl New {
         let written = before.map(Written::read);
         let has_own = written.as_ref().is_some_and(Written::has_own_prelude);
         let own = arguments.own_prelude || has_own;
-        let mut carried = carry::into(&skeleton(chapter, own), written.as_ref());
+        let mut carried = carry::into(&files::skeleton(chapter, own), written.as_ref());
         if own && written.is_none() && chapter > Chapter::Gradient {
             carried.source += include_str!("skeletons/own/sky.rs");
         }
         let lock = fs::read_to_string(workspace.join("Cargo.lock"));
         let texts = [
-            ("src/lib.rs", about(chapter) + &carried.source),
-            ("src/main.rs", main(chapter, own)),
-            ("tests/laws.rs", test(chapter, own)),
-            ("Cargo.toml", manifest(chapter, own, workspace)),
+            ("src/lib.rs", files::about(chapter) + &carried.source),
+            ("src/main.rs", files::main(chapter, own)),
+            ("tests/laws.rs", files::test(chapter, own)),
+            ("Cargo.toml", files::manifest(chapter, own, workspace)),
             // The same versions as ours: they have been downloaded.
             ("Cargo.lock", lock.unwrap_or_default()),
-            (".cargo/config.toml", config(workspace)),
+            (".cargo/config.toml", files::config(workspace)),
         ];
-        let prelude = OWN_PRELUDE.map(|(name, text)| (name, text.to_owned()));
+        let prelude = files::OWN_PRELUDE.map(|(name, text)| (name, text.to_owned()));
         let prelude = prelude.into_iter().filter(|_| own && !has_own);
         let texts = texts
             .into_iter()
@@ -171,119 +172,6 @@ fn put_aside(folder: &Path) -> io::Result<PathBuf> {
     let free = free.expect("there are more numbers than folders");
     fs::rename(folder, &free)?;
     Ok(free)
-}
-
-/// The chapter with nothing in its functions.
-fn skeleton(chapter: Chapter, own: bool) -> String {
-    let body = match chapter {
-        Chapter::Gradient => include_str!("skeletons/gradient.rs"),
-        Chapter::RedSphere => include_str!("skeletons/red_sphere.rs"),
-        Chapter::Normals => include_str!("skeletons/normals.rs"),
-        Chapter::HalfBSphere => include_str!("skeletons/half_b_sphere.rs"),
-        Chapter::HittableList => include_str!("skeletons/hittable_list.rs"),
-        Chapter::BuildTest | Chapter::SpeedVsAccuracy => unreachable!("it is not typed"),
-    };
-    let prelude = match own {
-        true => include_str!("skeletons/own/head.rs"),
-        false => include_str!("skeletons/head.rs"),
-    };
-    format!("{prelude}\n{body}")
-}
-
-/// The files of a prelude that the reader types.
-const OWN_PRELUDE: [(&str, &str); 4] = [
-    (
-        "src/rtweekend.rs",
-        include_str!("skeletons/own/rtweekend.rs"),
-    ),
-    ("src/vec3.rs", include_str!("skeletons/own/vec3.rs")),
-    ("src/ray.rs", include_str!("skeletons/own/ray.rs")),
-    ("src/render.rs", include_str!("skeletons/own/render.rs")),
-];
-
-/// All crates of a reader share what was built once, and in each of them `cargo rtrace`
-/// is what it is in the workspace.
-fn config(workspace: &Path) -> String {
-    let [manifest, target] =
-        ["Cargo.toml", "target"].map(|name| toml_string(&workspace.join(name)));
-    format!(
-        "[build]\ntarget-dir = \"../target\"\n\n[alias]\n\
-         rtrace = [\"run\", \"--manifest-path\", {manifest}, \"--target-dir\", {target}, \
-         \"--package\", \"rtrace\", \"--\"]\n"
-    )
-}
-
-/// The head of the chapter: its steps.
-fn about(chapter: Chapter) -> String {
-    let number = chapter as usize;
-    let mut about = format!(
-        "//! Chapter {number}, {}, typed by hand.\n//!\n",
-        chapter.name()
-    );
-    for (step, says) in (1..).zip(steps::of(chapter).iter().map(|step| step.says)) {
-        let lines = textwrap::wrap(says, 72);
-        for (n, line) in lines.iter().enumerate() {
-            let label = match n {
-                0 => format!("{step}."),
-                _ => "  ".to_owned(),
-            };
-            about += &format!("//! {label} {line}\n");
-        }
-    }
-    about + "\n"
-}
-
-fn main(chapter: Chapter, own: bool) -> String {
-    let name = chapter.name();
-    let body = match own {
-        true => format!("fn main() {{\n    print!(\"{{}}\", my_{name}::picture(400));\n}}\n"),
-        false => format!(
-            "fn main() -> std::process::ExitCode {{\n    common::engine::main(400, my_{name}::picture)\n}}\n"
-        ),
-    };
-    format!("//! Prints the picture: `cargo run > {name}.ppm`\n\n{body}")
-}
-
-fn manifest(chapter: Chapter, own: bool, workspace: &Path) -> String {
-    let name = chapter.name();
-    let path = |package: &str| toml_string(&workspace.join(package));
-    let common = format!("common = {{ path = {} }}\n", path("common"));
-    let laws = format!("laws = {{ path = {} }}\n", path("tests/laws"));
-    // An own prelude meets ours in the tests alone.
-    let (common, common_for_tests) = match own {
-        true => ("", common.as_str()),
-        false => (common.as_str(), ""),
-    };
-    format!(
-        "[package]\nname = \"my_{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\npublish = false\n\n\
-         [dependencies]\n{common}\n[dev-dependencies]\n{common_for_tests}{laws}\n\
-         # A workspace of its own: what breaks here breaks nothing else.\n[workspace]\n\n\
-         [profile.dev]\nopt-level = 1\ndebug = \"line-tables-only\"\n"
-    )
-}
-
-/// The path as TOML quotes it.
-fn toml_string(path: &Path) -> String {
-    format!("{:?}", path.display().to_string())
-}
-
-/// The test that puts what the chapter computes under the laws; empty where it
-/// intersects nothing.
-fn test(chapter: Chapter, own: bool) -> String {
-    let test = match (chapter, own) {
-        (Chapter::RedSphere, false) => include_str!("skeletons/laws/red_sphere.rs"),
-        (Chapter::RedSphere, true) => include_str!("skeletons/own/laws/red_sphere.rs"),
-        (Chapter::HittableList, false) => include_str!("skeletons/laws/hittable_list.rs"),
-        (Chapter::HittableList, true) => include_str!("skeletons/own/laws/hittable_list.rs"),
-        (Chapter::Normals | Chapter::HalfBSphere, false) => {
-            include_str!("skeletons/laws/nearer_root.rs")
-        }
-        (Chapter::Normals | Chapter::HalfBSphere, true) => {
-            include_str!("skeletons/own/laws/nearer_root.rs")
-        }
-        _ => "",
-    };
-    test.replace("my_chapter", &format!("my_{}", chapter.name()))
 }
 
 fn typed_parser() -> impl TypedValueParser<Value = Chapter> {

@@ -16,6 +16,7 @@ use std::{env, fs};
 
 use check::Chapter;
 use check::diagnosis::Scene;
+use check::places::shown;
 use check::slips::Probe;
 use clap::Args;
 use common::engine::{companion, output};
@@ -27,7 +28,6 @@ use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;
 use crate::program::{self, End};
 use changes::Changes;
-use check::places::shown;
 use judge::Judge;
 use verdict::Verdict;
 

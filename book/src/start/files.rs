@@ -1,0 +1,120 @@
+//! Templates: the files of a new crate.
+
+use std::path::Path;
+
+use check::Chapter;
+
+use crate::steps;
+
+/// The chapter with nothing in its functions.
+pub(super) fn skeleton(chapter: Chapter, own: bool) -> String {
+    let body = match chapter {
+        Chapter::Gradient => include_str!("skeletons/gradient.rs"),
+        Chapter::RedSphere => include_str!("skeletons/red_sphere.rs"),
+        Chapter::Normals => include_str!("skeletons/normals.rs"),
+        Chapter::HalfBSphere => include_str!("skeletons/half_b_sphere.rs"),
+        Chapter::HittableList => include_str!("skeletons/hittable_list.rs"),
+        Chapter::BuildTest | Chapter::SpeedVsAccuracy => unreachable!("it is not typed"),
+    };
+    let prelude = match own {
+        true => include_str!("skeletons/own/head.rs"),
+        false => include_str!("skeletons/head.rs"),
+    };
+    format!("{prelude}\n{body}")
+}
+
+/// The files of a prelude that the reader types.
+pub(super) const OWN_PRELUDE: [(&str, &str); 4] = [
+    (
+        "src/rtweekend.rs",
+        include_str!("skeletons/own/rtweekend.rs"),
+    ),
+    ("src/vec3.rs", include_str!("skeletons/own/vec3.rs")),
+    ("src/ray.rs", include_str!("skeletons/own/ray.rs")),
+    ("src/render.rs", include_str!("skeletons/own/render.rs")),
+];
+
+/// All crates of a reader share what was built once, and in each of them `cargo rtrace`
+/// is what it is in the workspace.
+pub(super) fn config(workspace: &Path) -> String {
+    let [manifest, target] =
+        ["Cargo.toml", "target"].map(|name| toml_string(&workspace.join(name)));
+    format!(
+        "[build]\ntarget-dir = \"../target\"\n\n[alias]\n\
+         rtrace = [\"run\", \"--manifest-path\", {manifest}, \"--target-dir\", {target}, \
+         \"--package\", \"rtrace\", \"--\"]\n"
+    )
+}
+
+/// The head of the chapter: its steps.
+pub(super) fn about(chapter: Chapter) -> String {
+    let number = chapter as usize;
+    let mut about = format!(
+        "//! Chapter {number}, {}, typed by hand.\n//!\n",
+        chapter.name()
+    );
+    for (step, says) in (1..).zip(steps::of(chapter).iter().map(|step| step.says)) {
+        let lines = textwrap::wrap(says, 72);
+        for (n, line) in lines.iter().enumerate() {
+            let label = match n {
+                0 => format!("{step}."),
+                _ => "  ".to_owned(),
+            };
+            about += &format!("//! {label} {line}\n");
+        }
+    }
+    about + "\n"
+}
+
+pub(super) fn main(chapter: Chapter, own: bool) -> String {
+    let name = chapter.name();
+    let body = match own {
+        true => format!("fn main() {{\n    print!(\"{{}}\", my_{name}::picture(400));\n}}\n"),
+        false => format!(
+            "fn main() -> std::process::ExitCode {{\n    common::engine::main(400, my_{name}::picture)\n}}\n"
+        ),
+    };
+    format!("//! Prints the picture: `cargo run > {name}.ppm`\n\n{body}")
+}
+
+pub(super) fn manifest(chapter: Chapter, own: bool, workspace: &Path) -> String {
+    let name = chapter.name();
+    let path = |package: &str| toml_string(&workspace.join(package));
+    let common = format!("common = {{ path = {} }}\n", path("common"));
+    let laws = format!("laws = {{ path = {} }}\n", path("tests/laws"));
+    // An own prelude meets ours in the tests alone.
+    let (common, common_for_tests) = match own {
+        true => ("", common.as_str()),
+        false => (common.as_str(), ""),
+    };
+    format!(
+        "[package]\nname = \"my_{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\npublish = false\n\n\
+         [dependencies]\n{common}\n[dev-dependencies]\n{common_for_tests}{laws}\n\
+         # A workspace of its own: what breaks here breaks nothing else.\n[workspace]\n\n\
+         [profile.dev]\nopt-level = 1\ndebug = \"line-tables-only\"\n"
+    )
+}
+
+/// The path as TOML quotes it.
+fn toml_string(path: &Path) -> String {
+    format!("{:?}", path.display().to_string())
+}
+
+/// The test that puts what the chapter computes under the laws; empty where it
+/// intersects nothing.
+pub(super) fn test(chapter: Chapter, own: bool) -> String {
+    let test = match (chapter, own) {
+        (Chapter::RedSphere, false) => include_str!("skeletons/laws/red_sphere.rs"),
+        (Chapter::RedSphere, true) => include_str!("skeletons/own/laws/red_sphere.rs"),
+        (Chapter::HittableList, false) => include_str!("skeletons/laws/hittable_list.rs"),
+        (Chapter::HittableList, true) => include_str!("skeletons/own/laws/hittable_list.rs"),
+        (Chapter::Normals | Chapter::HalfBSphere, false) => {
+            include_str!("skeletons/laws/nearer_root.rs")
+        }
+        (Chapter::Normals | Chapter::HalfBSphere, true) => {
+            include_str!("skeletons/own/laws/nearer_root.rs")
+        }
+        _ => "",
+    };
+    test.replace("my_chapter", &format!("my_{}", chapter.name()))
+}
