@@ -20,12 +20,18 @@ use crate::save::Format;
 #[derive(Args)]
 #[command(args_conflicts_with_subcommands = true)]
 pub(crate) struct Arguments {
-    /// Only the mistakes that can be made in this chapter
-    #[arg(value_name = "CHAPTER", value_parser = chapter_parser())]
-    chapter: Option<Chapter>,
+    /// Only the mistakes that can be made in this chapter, or the one of that name
+    #[arg(value_name = "CHAPTER|NAME", value_parser = which_parser(), hide_possible_values = true)]
+    which: Option<Which>,
 
     #[command(subcommand)]
     command: Option<Command>,
+}
+
+#[derive(Clone, Copy)]
+enum Which {
+    Of(Chapter),
+    One(&'static Slip),
 }
 
 #[derive(Subcommand)]
@@ -60,14 +66,22 @@ const WIDEST: i64 = 4096;
 /// Lists the catalogue, or draws one of its mistakes.
 pub(crate) fn slips(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     match &arguments.command {
-        None => list(arguments.chapter),
+        None => list(arguments.which),
         Some(Command::Draw(arguments)) => draw(arguments),
     }
 }
 
-fn list(chapter: Option<Chapter>) -> Result<(), Box<dyn Error>> {
+fn list(which: Option<Which>) -> Result<(), Box<dyn Error>> {
     let mut text = String::new();
-    let can_be_made = |slip: &&Slip| chapter.is_none_or(|chapter| slip.chapters.contains(&chapter));
+    let chapter = match which {
+        Some(Which::Of(chapter)) => Some(chapter),
+        _ => None,
+    };
+    let can_be_made = |slip: &&Slip| match which {
+        None => true,
+        Some(Which::Of(chapter)) => slip.chapters.contains(&chapter),
+        Some(Which::One(one)) => slip.name == one.name,
+    };
     for slip in slips::all().filter(can_be_made) {
         write!(
             text,
@@ -83,10 +97,13 @@ fn list(chapter: Option<Chapter>) -> Result<(), Box<dyn Error>> {
         }
         text.push('\n');
     }
-    let count = slips::all().filter(can_be_made).count();
+    let count = match slips::all().filter(can_be_made).count() {
+        1 => "1 mistake".to_owned(),
+        count => format!("{count} mistakes"),
+    };
     writeln!(
         text,
-        "{count} mistakes. To see one: {} slips draw NAME --output FILE",
+        "{count}. To see one: {} slips draw NAME --output FILE",
         companion()
     )?;
     Ok(output::to_stdout(|out| out.write_all(text.as_bytes()))?)
@@ -143,6 +160,17 @@ fn first_seen(slip: &Slip) -> Chapter {
         .iter()
         .find(shows)
         .unwrap_or(&slip.chapters[0])
+}
+
+fn which_parser() -> impl TypedValueParser<Value = Which> {
+    let chapters = Chapter::OF_THE_BOOK.map(Chapter::name);
+    let names = chapters
+        .into_iter()
+        .chain(slips::all().map(|slip| slip.name));
+    PossibleValuesParser::new(names).map(|name| match Chapter::find(&name) {
+        Some(chapter) => Which::Of(chapter),
+        None => Which::One(slips::find(&name).expect("only names of slips are left")),
+    })
 }
 
 fn slip_parser() -> impl TypedValueParser<Value = &'static Slip> {

@@ -346,6 +346,11 @@ fn every_slip_is_listed_and_can_be_drawn() {
         !text(&output.stdout).contains("minus-h"),
         "there is no h yet"
     );
+    let one = text(&run(&mut program_with("rtrace", &["slips", "minus-h"])).stdout);
+    assert!(
+        one.starts_with("minus-h\n") && one.contains("1 mistake."),
+        "{one}"
+    );
 
     let folder = TempDir::new().expect("a folder");
     let path = folder.path().join("wrong.ppm");

@@ -212,7 +212,12 @@ impl Judge<'_> {
         let count = difference.map_or(0, |difference| difference.count);
         let total = finding.right.rgb().len() / 3;
         Verdict {
-            headline: format!("Wrong: {count} of {total} pixels."),
+            headline: match finding.levels {
+                1 => format!(
+                    "Right within one level, but for the last bit: {count} of {total} pixels."
+                ),
+                _ => format!("Wrong: {count} of {total} pixels."),
+            },
             cause,
             next,
             pictures: Some((finding.yours, finding.right)),
