@@ -565,7 +565,7 @@ fn can(command: &mut Command) -> bool {
 
 /// `program` as someone starts it at a terminal. What a shell starts in the
 /// background, as these tests may be, ignores the signal of Ctrl-C.
-fn hears_signals(program: PathBuf) -> Command {
+pub(crate) fn hears_signals(program: PathBuf) -> Command {
     const RESET: &str = "--default-signal=INT,TERM,HUP";
     static CAN_RESET: LazyLock<bool> =
         LazyLock::new(|| can(Command::new("env").args([RESET, "true"])));

@@ -12,6 +12,7 @@ use rustix::process::{Pid, Signal, kill_process};
 use tempfile::TempDir;
 
 use crate::command_line::{assert_refused, program, run, text};
+use crate::faults::hears_signals;
 use crate::left_out::left_out;
 use crate::start::Mine;
 use crate::terminal;
@@ -186,14 +187,20 @@ struct Desk {
 const CLEAR: &str = "\x1b[2J\x1b[H";
 
 impl Desk {
-    fn sit_down(command: &mut Command) -> Self {
+    fn sit_down(wanted: &Command) -> Self {
         let (mut controller, end) = terminal::open();
+        let mut command = hears_signals(wanted.get_program().into());
+        command.args(wanted.get_args());
+        for (name, value) in wanted.get_envs() {
+            command.env(name, value.unwrap_or_default());
+        }
+        if let Some(folder) = wanted.get_current_dir() {
+            command.current_dir(folder);
+        }
         command.env("COLORTERM", "truecolor");
-        terminal::forget_ours(command);
+        terminal::forget_ours(&mut command);
         command.stdout(end).stderr(Stdio::null());
         let child = command.spawn().expect("the program starts");
-        // Only who has started it holds the terminal.
-        command.stdout(Stdio::null());
         let shown = Arc::new(Mutex::new(Vec::new()));
         let screen = Arc::clone(&shown);
         thread::spawn(move || {
