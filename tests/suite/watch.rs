@@ -24,7 +24,7 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
     run(&mut mine.start("red_sphere", &[]));
     let started = run(&mut mine.start("normals", &[]));
     keep("start", &text(&started.stdout));
-    let mut desk = Desk::sit_down(&mut mine.rtrace(&["watch", "normals"]));
+    let mut desk = Desk::sit_down(&mine.rtrace(&["watch", "normals"]));
     desk.see("Not written yet");
 
     mine.edit("normals", RAY_COLOR_TODO, RED_DISC);
