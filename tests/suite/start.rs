@@ -231,6 +231,22 @@ fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
     }
 }
 
+/// Cargo puts the settings of all folders above together.
+#[test]
+fn in_a_crate_inside_the_workspace_cargo_rtrace_is_the_same() {
+    let mine = TempDir::new_in(env!("CARGO_TARGET_TMPDIR")).expect("a folder");
+    let into = mine.path().to_str().expect("a name in UTF-8");
+    assert_success(&run(&mut Mine::new().start("normals", &["--into", into])));
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["rtrace", "slips", "minus-h"]);
+    let said = run(cargo.current_dir(mine.path().join("normals/src")));
+    assert!(
+        text(&said.stdout).starts_with("minus-h"),
+        "{}",
+        text(&said.stderr)
+    );
+}
+
 #[test]
 fn a_folder_of_the_workspace_is_refused() {
     let mine = Mine::new();

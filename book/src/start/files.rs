@@ -35,15 +35,17 @@ pub(super) const OWN_PRELUDE: [(&str, &str); 4] = [
 ];
 
 /// All crates of a reader share what was built once, and in each of them `cargo rtrace`
-/// is what it is in the workspace.
+/// is what it is in the workspace. The alias is one text, as there, or cargo would not put
+/// the two together; so there is none where a path has a space in it.
 pub(super) fn config(workspace: &Path) -> String {
-    let [manifest, target] =
-        ["Cargo.toml", "target"].map(|name| toml_string(&workspace.join(name)));
-    format!(
-        "[build]\ntarget-dir = \"../target\"\n\n[alias]\n\
-         rtrace = [\"run\", \"--manifest-path\", {manifest}, \"--target-dir\", {target}, \
-         \"--package\", \"rtrace\", \"--\"]\n"
-    )
+    let target = "[build]\ntarget-dir = \"../target\"\n".to_owned();
+    let paths = ["Cargo.toml", "target"].map(|name| workspace.join(name).display().to_string());
+    if paths.iter().any(|path| path.contains(char::is_whitespace)) {
+        return target;
+    }
+    let [manifest, built] = paths;
+    let alias = format!("run --manifest-path {manifest} --target-dir {built} --package rtrace --");
+    format!("{target}\n[alias]\nrtrace = {alias:?}\n")
 }
 
 /// The head of the chapter: its steps.
