@@ -85,27 +85,19 @@ impl Judge<'_> {
         let mistakes = check
             .finding()
             .map_or(Vec::new(), |finding| self.mistakes(finding));
-        let or = mistakes.iter().take(SHOWN).enumerate().map(|(n, mistake)| {
-            let label = if n == 0 { "or" } else { "" };
+        let or = mistakes.iter().take(SHOWN).map(|mistake| {
             let wrong: Vec<&str> = mistake.iter().map(|slip| slip.wrong).collect();
+            let (next, wrong) = (at + 2, wrong.join("; "));
             labeled(
-                label,
-                format!("{}  ({})", wrong.join("; "), names_of(mistake)),
+                "or",
+                format!("step {next} says {wrong}  ({})", names_of(mistake)),
             )
         });
+        let (step, all) = (at + 1, steps.len());
         Some(Verdict {
-            headline: match (again, mistakes.is_empty()) {
-                (true, true) => format!(
-                    "This is what step {} of {} shows, again.",
-                    at + 1,
-                    steps.len()
-                ),
-                (false, true) => format!("Step {} of {} is right.", at + 1, steps.len()),
-                (_, false) => format!(
-                    "This is what step {} of {} shows, or what a mistake in the next one does.",
-                    at + 1,
-                    steps.len()
-                ),
+            headline: match again {
+                true => format!("This is what step {step} of {all} shows, again."),
+                false => format!("Step {step} of {all} is right."),
             },
             cause: or.collect(),
             next: step_says(at + 1, &steps[at + 1]),
