@@ -17,13 +17,7 @@ use crate::slips::slip;
 #[test]
 fn messages_use_the_name_that_it_was_called_by() {
     let home = Home::new();
-    home.draw(
-        "mine.ppm",
-        &slip("minus-h")
-            .program(Chapter::HalfBSphere)
-            .run(100)
-            .picture(),
-    );
+    home.draw("mine.ppm", &wrong_picture());
     home.draw("right.ppm", &half_b_sphere::picture(100));
     for (arguments, words) in [
         (
@@ -99,13 +93,7 @@ fn what_needs_no_workspace_works_in_any_folder() {
 fn what_there_is_to_read_is_a_path_that_exists() {
     woven();
     let home = Home::new();
-    home.draw(
-        "mine.ppm",
-        &slip("minus-h")
-            .program(Chapter::HalfBSphere)
-            .run(100)
-            .picture(),
-    );
+    home.draw("mine.ppm", &wrong_picture());
     let output = run(home.rtrace().args(["check", "half_b_sphere", "mine.ppm"]));
     let said = text(&output.stdout);
     let places = |label| {
@@ -143,6 +131,12 @@ fn cargo_rtrace_without_its_companion_says_so() {
         said.contains("the rtrace beside it does not start"),
         "{said}"
     );
+}
+
+/// What someone draws in chapter 4 who has one minus too many.
+fn wrong_picture() -> Picture {
+    let program = slip("minus-h").program(Chapter::HalfBSphere);
+    program.run(100).picture()
 }
 
 /// A folder outside of the workspace, with copies of both programs.

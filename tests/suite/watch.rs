@@ -14,7 +14,7 @@ use tempfile::TempDir;
 use crate::command_line::{assert_refused, program, run, text};
 use crate::faults::hears_signals;
 use crate::left_out::left_out;
-use crate::start::Mine;
+use crate::start::{FULL, Mine};
 use crate::terminal;
 
 /// The first hour of the introduction, which shows some of these screens.
@@ -30,10 +30,11 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
     mine.edit("normals", RAY_COLOR_TODO, RED_DISC);
     desk.see("src/lib.rs:");
     // The first mistake: a bracket too few. The compiler says so itself.
+    let bracket_lost = FULL.replace("(2.0 * a)", "(2.0 * a");
     mine.edit(
         "normals",
         HIT_SPHERE_TODO,
-        &FULL.replace("(2.0 * a)", "(2.0 * a"),
+        &HIT_SPHERE_TODO.replace("todo!()", &bracket_lost),
     );
     let screen = desk.see("It does not compile");
     assert!(plain(&screen).contains("src/lib.rs"), "{screen}");
@@ -369,17 +370,6 @@ const NORMAL_BODY: &str = "    {
 
 const HIT_SPHERE_TODO: &str = "-> Option<f64> {
     todo!()";
-
-const FULL: &str = "-> Option<f64> {
-    let oc = center - ray.origin;
-    let a = ray.direction.dot(ray.direction);
-    let b = -2.0 * ray.direction.dot(oc);
-    let c = oc.dot(oc) - radius * radius;
-    let discriminant = b * b - 4.0 * a * c;
-    if discriminant < 0.0 {
-        return None;
-    }
-    Some((-b - discriminant.sqrt()) / (2.0 * a))";
 
 /// Chapter 1, as somebody types it who likes Python.
 const GRADIENT_PY: &str = r#"import math
