@@ -129,7 +129,7 @@ fn try_rays(program: &Program) -> Tried {
     TRIAL.unit_vector(&program.unit)?;
     TRIAL.height(&|width| program.camera(width).image_height)?;
     // The height is right, so it is that of the size that is asked for.
-    TRIAL.pixel_ray(&|[width, _], [i, j]| (program.ray)(&program.camera(width), i, j))?;
+    TRIAL.pixel_ray(&|[width, _], [i, j]| (program.ray)(program, &program.camera(width), i, j))?;
     TRIAL.dot(&program.dot)
 }
 

@@ -103,7 +103,7 @@ fn a_program_in_any_language_is_watched_with_its_folder() {
         assert!(source.contains(old));
         fs::write(&file, source.replace(old, new)).expect("it is saved");
     };
-    save("(1 - a) * 1 + a * 0.5", "a * 1 + (1 - a) * 0.5");
+    save("(1 - a) * 1 + a * 0.5", "(1 - a) * 1 + a * a * 0.5");
     desk.see("Wrong:");
     save("import math", "import maths");
     assert!(plain(&desk.see("It ended with")).contains("maths"));
@@ -123,7 +123,7 @@ fn a_program_in_any_language_is_watched_with_its_folder() {
     );
     desk.see("Wrong:");
     desk.see_no_more();
-    save("a * 1 + (1 - a) * 0.5", "(1 - a) * 1 + a * 0.5");
+    save("(1 - a) * 1 + a * a * 0.5", "(1 - a) * 1 + a * 0.5");
     desk.see("Right:");
 
     // Another folder takes the place of this one.
@@ -132,7 +132,7 @@ fn a_program_in_any_language_is_watched_with_its_folder() {
     fs::create_dir(here.path()).expect("a folder");
     fs::write(&file, new.expect("the program")).expect("it is there again");
     desk.see("Right:");
-    save("(1 - a) * 1 + a * 0.5", "a * 1 + (1 - a) * 0.5");
+    save("(1 - a) * 1 + a * 0.5", "(1 - a) * 1 + a * a * 0.5");
     desk.see("Wrong:");
     fs::remove_dir_all(aside).expect("what was aside goes");
     fs::remove_dir_all(here.path()).expect("the folder goes");

@@ -3,11 +3,12 @@
 use std::path::Path;
 
 use check::blind_spots::{BlindSpots, Showing};
-use check::diagnosis::{Conversion, Explains, Scene, Set};
+use check::diagnosis::{But, Conversion, Explains, Near, Scene, Set};
 use check::judge::{Check, Finding};
 use check::places;
-use check::slips::Slip;
+use check::slips::{Edition, Slip};
 use common::engine::output;
+use common::rtweekend::Color;
 use serde_json::{Value, json};
 
 use super::judged::Judged;
@@ -16,6 +17,7 @@ use super::judged::Judged;
 pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
     let verdict = match &judged.check {
         Check::Right(_) => "right",
+        Check::Near(_) => "right-but",
         Check::Wrong(finding) if finding.levels <= 1 => "within-one-level",
         Check::Wrong(_) | Check::WrongShape { .. } | Check::Another { .. } => "wrong",
         Check::NotAPicture { .. } => "not-a-picture",
@@ -37,11 +39,13 @@ pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
         "probe": judged.scene.probe.map(|probe| probe.name),
         "picture": judged.source.to_string(),
         "size": size(&judged.check),
+        "edition": edition(&judged.check),
         "verdict": verdict,
         "exit_code": judged.check.exit_code(),
         "cause": cause,
         "other_scenes": judged.check.others().iter().map(other_scene).collect::<Value>(),
         "blind_spots": judged.blind_spots.as_ref().map(blind_spots),
+        "but": finding.and_then(|finding| finding.diagnosis.near.as_ref()).map(but),
         "difference": finding.map(difference),
         "diagnosis": sets.iter().map(|set| diagnosis(&judged.scene, set)).collect::<Value>(),
         "sights": finding.map(|finding| &finding.diagnosis.sights),
@@ -57,6 +61,35 @@ fn size(check: &Check) -> Option<[u32; 2]> {
             .finding()
             .map(|finding| [finding.yours.width(), finding.yours.height()]),
     }
+}
+
+/// The version of the book that the picture is judged by.
+fn edition(check: &Check) -> Option<&'static str> {
+    let scene = match check {
+        Check::Right(right) => Some(right.scene),
+        other => other.finding().map(|finding| finding.diagnosis.scene),
+    };
+    scene.map(|scene| scene.edition.name())
+}
+
+/// What a right picture has that the book's does not have.
+fn but(near: &Near) -> Value {
+    let color = |color: Color| color.to_array();
+    let colors = |sky: [Color; 2]| sky.map(color);
+    let but = near.but.iter().map(|but| match but {
+        But::Antialiased { samples } => json!({ "name": "antialiased", "samples": samples }),
+        But::Curve(curve) => json!({ "name": "curve", "power": curve.power }),
+        But::Rounded { off, far, compared } => json!({
+            "name": "rounded", "pixels_off": off, "pixels_far_off": far, "pixels_compared": compared,
+        }),
+    });
+    json!({
+        "said": near.told(),
+        "sky": near.scene.chosen.sky.map(colors),
+        "sphere": near.scene.chosen.paint.map(color),
+        "blue": near.scene.chosen.blue,
+        "besides": but.collect::<Value>(),
+    })
 }
 
 /// The chapter's own scene has no probe.
@@ -103,6 +136,7 @@ fn diagnosis(scene: &Scene, set: &Set) -> Value {
     let explains = match set.explains {
         Explains::All => "all",
         Explains::AllButOneLevel => "all-but-one-level",
+        Explains::Antialiased => "antialiased",
         Explains::Most => "most",
     };
     let conversion = match set.conversion {
@@ -110,6 +144,7 @@ fn diagnosis(scene: &Scene, set: &Set) -> Value {
         Conversion::Clamped => "clamped",
         Conversion::Wrapped => "wrapped",
     };
+    let edition = set.scene.edition;
     let names = |mistake: &Vec<&Slip>| mistake.iter().map(|slip| slip.name).collect::<Value>();
     let probe = set.telling.as_ref().map(|telling| {
         let group = |group: &Vec<usize>| group.iter().map(|&n| names(&set.mistakes[n])).collect();
@@ -125,17 +160,19 @@ fn diagnosis(scene: &Scene, set: &Set) -> Value {
         "pixels_off": set.fit.off,
         "pixels_far_off": set.fit.far,
         "conversion": conversion,
-        "mistakes": set.mistakes.iter().map(|mistake| mistake.iter().map(|slip| slip_as_json(slip)).collect()).collect::<Vec<Value>>(),
+        "edition": edition.name(),
+        "mistakes": set.mistakes.iter().map(|mistake| mistake.iter().map(|slip| slip_as_json(slip, edition)).collect()).collect::<Vec<Value>>(),
         "probe": probe,
     })
 }
 
-fn slip_as_json(slip: &Slip) -> Value {
+fn slip_as_json(slip: &Slip, edition: Edition) -> Value {
+    let words = slip.words(edition);
     json!({
         "name": slip.name,
-        "probably": slip.wrong,
-        "should_be": slip.right,
-        "why": slip.explanation,
+        "probably": words.wrong,
+        "should_be": words.right,
+        "why": words.explanation,
         "page": slip.page,
         "read": places::page(slip),
         "code": places::source(slip),

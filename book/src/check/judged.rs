@@ -24,7 +24,10 @@ impl<'a> Judged<'a> {
     pub(crate) fn new(scene: Scene, source: Source<'a>, check: Check) -> Self {
         let blind_spots = match check {
             Check::Right(Right {
-                width, levels: 0, ..
+                scene,
+                width,
+                levels: 0,
+                ..
             }) => Some(BlindSpots::after(&scene, width)),
             _ => None,
         };

@@ -17,7 +17,7 @@ use check::Chapter;
 use check::diagnosis::Scene;
 use check::judge::{self, Check};
 use check::report;
-use check::slips::{self, PROBES, Probe};
+use check::slips::{self, Edition, PROBES, Probe};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use common::engine::{companion, output};
@@ -46,6 +46,10 @@ pub(crate) struct Arguments {
     /// The picture shows the scene of this probe: `probes` lists them
     #[arg(long, value_name = "NAME", value_parser = probe_parser())]
     probe: Option<Probe>,
+
+    /// The picture follows this version of the book; without it, any will do
+    #[arg(long, value_name = "VERSION", value_parser = edition_parser())]
+    edition: Option<Edition>,
 
     /// Accept components that are up to N levels off
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -83,6 +87,10 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
             companion()
         )
     })?;
+    let scene = match arguments.edition {
+        Some(edition) => scene.only_by(edition),
+        None => scene,
+    };
     if let Some(folder) = &arguments.report {
         report::check_folder(folder)?;
     }
@@ -122,6 +130,14 @@ pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
 pub(crate) fn chapter_parser() -> impl TypedValueParser<Value = Chapter> {
     PossibleValuesParser::new(Chapter::OF_THE_BOOK.iter().map(|chapter| chapter.name()))
         .map(|name| Chapter::find(&name).expect("only names of chapters are accepted"))
+}
+
+fn edition_parser() -> impl TypedValueParser<Value = Edition> {
+    PossibleValuesParser::new(Edition::ALL.map(Edition::name)).map(|name| {
+        let is_it = |edition: &Edition| edition.name() == name;
+        let edition = Edition::ALL.into_iter().find(is_it);
+        edition.expect("only names of editions are accepted")
+    })
 }
 
 pub(crate) fn probe_parser() -> impl TypedValueParser<Value = Probe> {

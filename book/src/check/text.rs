@@ -3,10 +3,10 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use check::diagnosis::{Scene, Set, names_of};
+use check::diagnosis::{Near, Scene, Set, names_of};
 use check::judge::{Check, Finding};
 use check::places;
-use check::slips::Slip;
+use check::slips::{Edition, Slip};
 use common::engine::{companion, output};
 use supports_color::Stream;
 
@@ -67,9 +67,14 @@ pub(crate) fn text(judged: &Judged, report: Option<&Path>, style: Style) -> Stri
     if let Some(blind_spots) = &judged.blind_spots {
         write!(text, "\n{}", blind_spots.told(&judged.scene)).expect("a string takes it");
     }
-    if let Some(finding) = judged.check.finding() {
-        text += &whereabouts(finding, style);
-        text += &diagnosis(&judged.scene, finding, style);
+    match &judged.check {
+        Check::Near(_) => {}
+        other => {
+            if let Some(finding) = other.finding() {
+                text += &whereabouts(finding, style);
+                text += &diagnosis(&judged.scene, finding, style);
+            }
+        }
     }
     if let Some(page) = report {
         writeln!(text, "\nThe page is {}", output::shown(page)).expect("a string takes it");
@@ -91,14 +96,34 @@ pub(crate) fn headline(judged: &Judged, style: Style) -> String {
                     "{off} of {all} pixels of {name} are off, by no more than {levels}, which is tolerated"
                 ),
             };
-            format!("{source} is {}: {how}.\n", style.green("right"))
+            let shape = match right.scene.has_another_shape() {
+                true => " in this shape, which is not the book's",
+                false => "",
+            };
+            let by = right.scene.edition.said();
+            let notes = edition(right.scene.edition);
+            format!(
+                "{source} is {}{by}{shape}: {how}.\n{notes}",
+                style.green("right")
+            )
+        }
+        Check::Near(finding) => {
+            let near = finding.diagnosis.near.as_ref();
+            let but = near.map_or(String::new(), Near::told);
+            let by = finding.diagnosis.scene.edition;
+            let (right, notes) = (style.green("right"), edition(by));
+            format!("{source} is {right}{}, but {but}.\n{notes}", by.said())
         }
         Check::Wrong(finding) => {
             let verdict = match finding.levels {
                 0 | 1 => style.red("right within one level, but not to the last bit"),
                 _ => style.red("wrong"),
             };
-            format!("{source} is {verdict}: {}.\n", counts(&name, finding))
+            let notes = edition(finding.diagnosis.scene.edition);
+            format!(
+                "{source} is {verdict}: {}.\n{notes}",
+                counts(&name, finding)
+            )
         }
         Check::Another { cause, .. } | Check::WrongShape { cause, .. } => {
             let verdict = style.red("wrong");
@@ -111,6 +136,17 @@ pub(crate) fn headline(judged: &Judged, style: Style) -> String {
             };
             format!("{source} is {verdict}: {}.\n{}\n", cause.problem, cause.fix)
         }
+    }
+}
+
+/// What an edition has otherwise than the one that this workspace follows.
+fn edition(edition: Edition) -> String {
+    match edition {
+        Edition::V4 => String::new(),
+        older => format!(
+            "What it has otherwise than version 4, which this workspace follows: {}.\n--edition 4 insists on that.\n",
+            older.differs_by()
+        ),
     }
 }
 
@@ -130,7 +166,8 @@ fn counts(name: &str, finding: &Finding) -> String {
     let (count, total) = (difference.count, difference.total);
     let share = 100.0 * count as f64 / total as f64;
     format!(
-        "{count} of {total} pixels ({share:.1} %) are not those of {name} at {width} × {height}"
+        "{count} of {total} pixels ({share:.1} %) are not those of {name} at {width} × {height}{}",
+        finding.diagnosis.scene.edition.said()
     )
 }
 
@@ -171,7 +208,7 @@ fn diagnosis(scene: &Scene, finding: &Finding, style: Style) -> String {
     for set in &finding.diagnosis.sets {
         write!(text, "\n{}\n", style.bold(&set.title(pixels))).expect("a string takes it");
         for mistake in set.mistakes.iter().take(SHOWN_IN_FULL) {
-            text += &in_full(mistake, style);
+            text += &in_full(mistake, set.scene.edition, style);
         }
         if set.mistakes.len() > SHOWN_IN_FULL {
             let others: Vec<String> = set.mistakes[SHOWN_IN_FULL..]
@@ -209,13 +246,14 @@ fn diagnosis(scene: &Scene, finding: &Finding, style: Style) -> String {
     text
 }
 
-fn in_full(mistake: &[&Slip], style: Style) -> String {
+fn in_full(mistake: &[&Slip], edition: Edition, style: Style) -> String {
     let mut text = String::new();
     for slip in mistake {
+        let words = slip.words(edition);
         let rows = [
-            ("probably", Some(slip.wrong.to_owned())),
-            ("should be", Some(slip.right.to_owned())),
-            ("why", Some(slip.explanation.to_owned())),
+            ("probably", Some(words.wrong.to_owned())),
+            ("should be", Some(words.right.to_owned())),
+            ("why", Some(words.explanation.to_owned())),
             ("read", Some(read(slip))),
             ("code", places::source(slip)),
         ];

@@ -5,10 +5,10 @@ use std::iter;
 
 use check::Chapter;
 use check::blind_spots::BlindSpots;
-use check::diagnosis::{Scene, Set, names_of};
+use check::diagnosis::{Near, Scene, Set, names_of};
 use check::judge::{self, Check, Finding};
 use check::reading::{self, Cause};
-use check::slips::Slip;
+use check::slips::{Edition, Slip};
 use common::engine::companion;
 use common::rtweekend::Picture;
 
@@ -40,9 +40,22 @@ impl Judge<'_> {
         }
         match judge::check(scene, bytes, 0) {
             Check::Right(right) => {
-                let picture = scene.right(right.width, right.height);
-                self.of_right_picture(picture)
+                let picture = right.scene.right(right.width, right.height);
+                self.of_right_picture(&right.scene, picture)
             }
+            Check::Near(finding) => Verdict {
+                headline: format!(
+                    "Right, but {}.",
+                    finding
+                        .diagnosis
+                        .near
+                        .as_ref()
+                        .map_or(String::new(), Near::told)
+                ),
+                next: "as the book has it, it can be compared to the last bit".to_owned(),
+                pictures: Some((finding.yours, finding.right)),
+                ..Verdict::default()
+            },
             Check::Wrong(finding) => self.of_wrong_picture(finding),
             Check::Another { cause, .. } => Verdict {
                 headline: sentence(&cause.problem),
@@ -107,12 +120,15 @@ impl Judge<'_> {
         })
     }
 
-    fn of_right_picture(&self, picture: Picture) -> Verdict {
+    fn of_right_picture(&self, scene: &Scene, picture: Picture) -> Verdict {
         let (width, height, chapter) = (picture.width(), picture.height(), self.scene.chapter);
         let verdict = Verdict {
             is_right: true,
-            headline: format!("Right: all {width} × {height} pixels, to the last bit."),
-            pictures: Some((picture, self.scene.right(width, height))),
+            headline: format!(
+                "Right{}: all {width} × {height} pixels, to the last bit.",
+                scene.edition.said()
+            ),
+            pictures: Some((picture, scene.right(width, height))),
             next: self.next_chapter(),
             done: vec![match self.scene.probe {
                 Some(probe) => format!("{}, probe {}: right", chapter.name(), probe.name),
@@ -193,7 +209,7 @@ impl Judge<'_> {
 
     fn of_wrong_picture(&self, finding: Finding) -> Verdict {
         let (cause, next) = match &self.mistakes(&finding)[..] {
-            [one] => (in_full(one), String::new()),
+            [one] => (in_full(one, finding.diagnosis.scene.edition), String::new()),
             mistakes => match (self.ask_laws)() {
                 Some(Answer::Broken(report)) => (law(&report), String::new()),
                 Some(Answer::Obeyed) => self.with_laws(&finding, mistakes),
@@ -230,7 +246,7 @@ impl Judge<'_> {
             .filter(|it| !is_found(it))
             .collect();
         let (mut cause, next) = match left[..] {
-            [one] => (in_full(one), String::new()),
+            [one] => (in_full(one, finding.diagnosis.scene.edition), String::new()),
             _ => self.undecided(finding, &left),
         };
         let laws = "they hold: look at what calls the function, and what becomes of its answer";
@@ -273,7 +289,9 @@ fn of_no_picture(verdict: &str, cause: &Cause, finding: Option<Box<Finding>>) ->
     let slip = slip.filter(|set| set.is_enough() && set.mistakes.len() == 1);
     Verdict {
         headline: format!("It is {verdict}: {}.", cause.problem),
-        cause: slip.map_or(Vec::new(), |set| in_full(&set.mistakes[0])),
+        cause: slip.map_or(Vec::new(), |set| {
+            in_full(&set.mistakes[0], set.scene.edition)
+        }),
         next: cause.fix.clone(),
         pictures: finding.map(|finding| (finding.yours, finding.right)),
         ..Verdict::default()
@@ -281,12 +299,13 @@ fn of_no_picture(verdict: &str, cause: &Cause, finding: Option<Box<Finding>>) ->
 }
 
 /// A slip, or two that were made together.
-fn in_full(mistake: &[&Slip]) -> Vec<Line> {
+fn in_full(mistake: &[&Slip], edition: Edition) -> Vec<Line> {
     let lines = mistake.iter().flat_map(|slip| {
+        let words = slip.words(edition);
         [
-            labeled("probably", slip.wrong.to_owned()),
-            labeled("should be", slip.right.to_owned()),
-            labeled("why", slip.explanation.to_owned()),
+            labeled("probably", words.wrong.to_owned()),
+            labeled("should be", words.right.to_owned()),
+            labeled("why", words.explanation.to_owned()),
         ]
     });
     lines.collect()
@@ -296,7 +315,10 @@ fn in_full(mistake: &[&Slip]) -> Vec<Line> {
 fn undecided(scene: &Scene, set: &Set, mistakes: &[&Mistake]) -> (Vec<Line>, String) {
     let labels = iter::once("probably").chain(iter::repeat("or"));
     let one_of = labels.zip(mistakes).map(|(label, mistake)| {
-        let wrong: Vec<&str> = mistake.iter().map(|slip| slip.wrong).collect();
+        let wrong = mistake
+            .iter()
+            .map(|slip| slip.words(set.scene.edition).wrong);
+        let wrong: Vec<&str> = wrong.collect();
         labeled(
             label,
             format!("{}  ({})", wrong.join("; "), names_of(mistake)),

@@ -35,8 +35,8 @@ impl BlindSpots {
     /// follows the chapter's own at the book's width, so only the rest is left to it.
     pub fn after(scene: &Scene, width: u32) -> Self {
         let chapter = scene.chapter;
-        let own = Scene::new(chapter, None).map(|own| (own, chapter.book_width()));
-        let before = own.filter(|_| scene.probe.is_some());
+        let own = (scene.without_probe(), chapter.book_width());
+        let before = scene.probe.map(|_| own);
         let right: Vec<(Scene, u32)> = before.into_iter().chain([(*scene, width)]).collect();
         Self::of(chapter, &right)
     }
@@ -54,7 +54,10 @@ impl BlindSpots {
             .filter(|slip| !matches!(unseen(slip), Some(Unseen::Equivalent(_))))
             .filter(|slip| passed.iter().all(|exam| exam.hides(slip)));
         let (by_law, hidden): (Vec<_>, Vec<_>) = hidden.partition(|slip| unseen(slip).is_some());
-        let exams = exams(chapter).filter(|exam| !passed.iter().any(|passed| passed.is(exam)));
+        let own = right.first().map(|(scene, _)| scene.without_probe());
+        let own = own.or_else(|| Scene::new(chapter, None));
+        let exams = own.into_iter().flat_map(exams);
+        let exams = exams.filter(|exam| !passed.iter().any(|passed| passed.is(exam)));
         Self {
             shown_by: cover(exams.map(|exam| exam.showing(&hidden)).collect()),
             by_law,
@@ -64,9 +67,9 @@ impl BlindSpots {
 
 /// What a reader of the chapter can draw: its own picture as large as in the book,
 /// and the probes, the cheapest change first.
-fn exams(chapter: Chapter) -> impl Iterator<Item = Exam> {
-    let probes = PROBES.map(|probe| (Scene::new(chapter, Some(probe)), probe.width));
-    iter::once((Scene::new(chapter, None), chapter.book_width()))
+fn exams(own: Scene) -> impl Iterator<Item = Exam> {
+    let probes = PROBES.map(|probe| (own.with_probe(probe), probe.width));
+    iter::once((Some(own), own.chapter.book_width()))
         .chain(probes)
         .filter_map(|(scene, width)| Some(Exam::new((scene?, width))))
 }

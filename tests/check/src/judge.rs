@@ -3,7 +3,7 @@
 use common::rtweekend::Picture;
 
 use crate::comparison::{Comparison, Difference};
-use crate::diagnosis::{self, Diagnosis, Scene};
+use crate::diagnosis::{self, Diagnosis, Scene, Set};
 use crate::reading::{self, Cause, Reading};
 
 /// What there is to say about a picture.
@@ -11,10 +11,12 @@ use crate::reading::{self, Cause, Reading};
 pub enum Check {
     /// It is right.
     Right(Right),
+    /// It is right but for something that is no mistake, which the diagnosis names.
+    Near(Finding),
     /// It is a picture, and not the right one.
     Wrong(Finding),
-    /// It is right, but of another scene of the chapter: a change was forgotten, or is
-    /// still there.
+    /// It is right, but of another scene: a change was forgotten, or is still there, or
+    /// it is another chapter's.
     Another {
         /// Which one it is, and how to go on.
         cause: Cause,
@@ -38,8 +40,10 @@ pub enum Check {
 }
 
 /// A right picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Right {
+    /// The scene, by the edition of the book that draws this picture.
+    pub scene: Scene,
     /// Pixels in a row.
     pub width: u32,
     /// Number of rows.
@@ -51,10 +55,10 @@ pub struct Right {
     pub levels: u8,
 }
 
-/// What is wrong with a picture.
+/// What is to be seen in a picture that is not right to the last bit.
 #[derive(Debug)]
 pub struct Finding {
-    /// The right picture in the same size.
+    /// The right picture in the same size, by the edition that comes nearest.
     pub right: Picture,
     /// The reader's, as a viewer shows it.
     pub yours: Picture,
@@ -63,15 +67,15 @@ pub struct Finding {
     pub difference: Option<Difference>,
     /// The farthest that a component is off, in levels.
     pub levels: u8,
-    /// The mistakes that draw it.
+    /// The mistakes that draw it, or what it is instead of a mistake.
     pub diagnosis: Diagnosis,
     /// Probes of which it is the right picture, as wide as it has to be, though one
     /// mistake draws it as well.
     pub others: Vec<Scene>,
 }
 
-/// Compares the picture in `bytes` with the scene's, and accepts components that
-/// are at most `tolerance` levels off.
+/// Compares the picture in `bytes` with the scene's, by each edition of the book that
+/// will do, and accepts components that are at most `tolerance` levels off.
 pub fn check(scene: &Scene, bytes: &[u8], tolerance: u8) -> Check {
     match reading::read(bytes) {
         Ok(reading) => judge(scene, &reading, tolerance),
@@ -88,33 +92,39 @@ pub fn check(scene: &Scene, bytes: &[u8], tolerance: u8) -> Check {
 pub const MOST_MISSHAPEN: u64 = 1 << 20;
 
 fn judge(scene: &Scene, reading: &Reading, tolerance: u8) -> Check {
-    if let Some(cause) = wrong_shape(scene, reading.width, reading.height) {
+    if let Some(cause) = not_as_wide(scene, reading) {
         return misshapen(scene, reading, cause);
     }
-    let outside = no_levels(reading);
-    let finding = Finding::undiagnosed(scene, reading);
-    if outside.is_none() && finding.levels <= tolerance {
-        return Check::Right(finding.into_right());
-    }
-    match outside {
-        None => wrong(scene, reading, finding),
-        Some(cause) => Check::NotAPicture {
+    let (width, height) = (reading.width, reading.height);
+    let another_shape = wrong_shape(scene, width, height);
+    if another_shape.is_none()
+        && let Some(cause) = no_levels(reading)
+    {
+        return Check::NotAPicture {
             cause,
-            finding: Some(Box::new(finding.diagnosed(scene, reading))),
-        },
+            finding: Some(Box::new(Finding::of(scene, reading))),
+        };
+    }
+    let is_on_purpose = is_a_shape_to_choose(width, height)
+        && diagnosis::slips_giving(scene, width, height).is_empty();
+    match (Right::of(scene, reading, tolerance), another_shape) {
+        (Some(right), None) => Check::Right(right),
+        (Some(right), Some(_)) if is_on_purpose => Check::Right(right),
+        (_, Some(cause)) => misshapen(scene, reading, cause),
+        (None, None) => wrong(scene, reading),
     }
 }
 
-fn wrong(scene: &Scene, reading: &Reading, finding: Finding) -> Check {
+fn wrong(scene: &Scene, reading: &Reading) -> Check {
     // What is off by single levels is this scene, in another way of rounding.
-    let mut others = match finding.levels {
-        0 | 1 => Vec::new(),
+    let mut others = match Comparison::of(&nearest(scene, reading), &reading.picture()) {
+        Comparison::Pixels(difference) if difference.levels <= 1 => Vec::new(),
         _ => scene.others(reading),
     };
     if others.first().is_some_and(|other| other.probe.is_none()) {
         return Check::of_another(scene, others);
     }
-    let finding = finding.diagnosed(scene, reading);
+    let finding = Finding::of(scene, reading);
     if !finding.diagnosis.is_certain() && !others.is_empty() {
         return Check::of_another(scene, others);
     }
@@ -123,7 +133,7 @@ fn wrong(scene: &Scene, reading: &Reading, finding: Finding) -> Check {
             .probe
             .is_some_and(|probe| probe.width == reading.width)
     });
-    Check::Wrong(Finding { others, ..finding })
+    Finding { others, ..finding }.judged(scene, reading, Check::Wrong)
 }
 
 fn misshapen(scene: &Scene, reading: &Reading, cause: Cause) -> Check {
@@ -132,17 +142,52 @@ fn misshapen(scene: &Scene, reading: &Reading, cause: Cause) -> Check {
         return Check::of_another(scene, others);
     }
     let size = u64::from(reading.width) * u64::from(reading.height);
-    let finding = || Box::new(Finding::undiagnosed(scene, reading).diagnosed(scene, reading));
-    Check::WrongShape {
-        cause,
-        finding: (size <= MOST_MISSHAPEN).then(finding),
+    match (size <= MOST_MISSHAPEN).then(|| Finding::of(scene, reading)) {
+        Some(finding) => finding.judged(scene, reading, |finding| Check::WrongShape {
+            cause,
+            finding: Some(Box::new(finding)),
+        }),
+        None => Check::WrongShape {
+            cause,
+            finding: None,
+        },
+    }
+}
+
+impl Right {
+    /// The first edition that draws the picture to the last bit, or else the first that
+    /// draws it within the tolerance.
+    fn of(scene: &Scene, reading: &Reading, tolerance: u8) -> Option<Self> {
+        let within = |tolerance| {
+            let (width, height) = (reading.width, reading.height);
+            scene
+                .by_editions(width, height)
+                .filter(|scene| scene.may_be_shown_by(reading, tolerance))
+                .find_map(|scene| {
+                    let (off, levels) =
+                        match Comparison::of(&scene.right(width, height), &reading.picture()) {
+                            Comparison::Pixels(difference) => (difference.count, difference.levels),
+                            _ => (0, 0),
+                        };
+                    (levels <= tolerance).then_some(Self {
+                        scene,
+                        width,
+                        height,
+                        off,
+                        levels,
+                    })
+                })
+        };
+        within(0).or_else(|| within(tolerance))
     }
 }
 
 impl Finding {
-    /// The reader's picture beside the right one, before anybody has asked why.
-    fn undiagnosed(scene: &Scene, reading: &Reading) -> Self {
-        let right = scene.right(reading.width, reading.height);
+    /// The reader's picture beside the right one that comes nearest, and why it is not
+    /// that one.
+    fn of(scene: &Scene, reading: &Reading) -> Self {
+        let diagnosis = diagnosis::diagnose(scene, reading);
+        let right = diagnosis.scene.right(reading.width, reading.height);
         let yours = reading.picture();
         let difference = match Comparison::of(&right, &yours) {
             Comparison::Pixels(difference) => Some(difference),
@@ -155,24 +200,25 @@ impl Finding {
             right,
             yours,
             difference,
-            diagnosis: Diagnosis::default(),
+            diagnosis,
             others: Vec::new(),
         }
     }
 
-    fn diagnosed(self, scene: &Scene, reading: &Reading) -> Self {
-        Self {
-            diagnosis: diagnosis::diagnose(scene, reading, &self.right),
-            ..self
+    /// What no mistake explains may be a neighbor of the right picture, or the picture of
+    /// another chapter; the rest is `wrong`.
+    fn judged(self, scene: &Scene, reading: &Reading, wrong: impl FnOnce(Self) -> Check) -> Check {
+        if self.diagnosis.near.is_some() {
+            return Check::Near(self);
         }
-    }
-
-    fn into_right(self) -> Right {
-        Right {
-            width: self.right.width(),
-            height: self.right.height(),
-            off: self.difference.map_or(0, |difference| difference.count),
-            levels: self.levels,
+        let is_explained =
+            self.diagnosis.sets.iter().any(Set::is_enough) || self.difference.is_none();
+        match (!is_explained)
+            .then(|| scene.of_another_chapter(reading))
+            .flatten()
+        {
+            Some(other) => Check::of_another(scene, vec![other]),
+            None => wrong(self),
         }
     }
 }
@@ -185,16 +231,17 @@ impl Check {
         }
     }
 
-    /// The exit code: 0 for right, 1 for wrong, 2 for not a picture.
+    /// The exit code: 0 for right, 1 for wrong, 2 for not a picture. Right is what an
+    /// edition of the book draws, to the last bit or within the tolerance.
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Right(_) => 0,
-            Self::Wrong(_) | Self::WrongShape { .. } | Self::Another { .. } => 1,
+            Self::Near(_) | Self::Wrong(_) | Self::WrongShape { .. } | Self::Another { .. } => 1,
             Self::NotAPicture { .. } => 2,
         }
     }
 
-    /// Other scenes of the chapter of which it is the right picture.
+    /// Other scenes of which it is the right picture.
     pub fn others(&self) -> &[Scene] {
         match self {
             Self::Another { scenes, .. } => scenes,
@@ -202,11 +249,11 @@ impl Check {
         }
     }
 
-    /// What is wrong, if there are pixels to judge.
+    /// What is to be seen, if there are pixels to judge and they are not right.
     pub fn finding(&self) -> Option<&Finding> {
         match self {
             Self::Right(_) | Self::Another { .. } => None,
-            Self::Wrong(finding) => Some(finding),
+            Self::Near(finding) | Self::Wrong(finding) => Some(finding),
             Self::WrongShape { finding, .. } | Self::NotAPicture { finding, .. } => {
                 finding.as_deref()
             }
@@ -214,26 +261,41 @@ impl Check {
     }
 }
 
+/// Whether somebody may want a picture of that shape: no stripe, and nothing endless.
+fn is_a_shape_to_choose(width: u32, height: u32) -> bool {
+    let [width, height] = [width, height].map(u64::from);
+    width * height <= MOST_MISSHAPEN && width.max(height) <= 8 * width.min(height)
+}
+
+/// The right picture in the reader's size, by the edition that comes nearest.
+fn nearest(scene: &Scene, reading: &Reading) -> Picture {
+    diagnosis::nearest(scene, reading).right(reading.width, reading.height)
+}
+
+/// Why the picture is not that of the probe, which is about one width.
+fn not_as_wide(scene: &Scene, reading: &Reading) -> Option<Cause> {
+    let probe = scene.probe.filter(|probe| probe.spheres.is_none())?;
+    let (width, height) = (reading.width, reading.height);
+    let (name, wanted, chapter) = (probe.name, probe.width, scene.chapter.name());
+    (wanted != width).then(|| Cause::new(
+        "wrong-shape",
+        format!(
+            "the picture is {width} × {height}, but the probe {name} is about one {wanted} pixels wide"
+        ),
+        format!("Draw {chapter} with image_width = {wanted}."),
+    ))
+}
+
 /// Why the picture is not of the scene's shape, if it is not.
 fn wrong_shape(scene: &Scene, width: u32, height: u32) -> Option<Cause> {
-    let name = scene.chapter.name();
-    if let Some(probe) = scene.probe
-        && probe.spheres.is_none()
-        && probe.width != width
+    if scene
+        .by_editions(width, height)
+        .any(|scene| !scene.has_another_shape())
     {
-        let (probe, wanted) = (probe.name, probe.width);
-        return Some(Cause::new(
-            "wrong-shape",
-            format!(
-                "the picture is {width} × {height}, but the probe {probe} is about one {wanted} pixels wide"
-            ),
-            format!("Draw {name} with image_width = {wanted}."),
-        ));
-    }
-    let expected = scene.height(width);
-    if expected == height {
         return None;
     }
+    let name = scene.chapter.name();
+    let expected = scene.height(width);
     let slips: Vec<&str> = diagnosis::slips_giving(scene, width, height)
         .iter()
         .map(|slip| slip.name)

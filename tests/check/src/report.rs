@@ -15,7 +15,7 @@ use crate::comparison::{Comparison, differing_pixels};
 use crate::diagnosis::{Scene, Set};
 use crate::judge::Finding;
 use crate::png;
-use crate::slips::Slip;
+use crate::slips::{Edition, Slip};
 
 /// The folder of the book, if it was woven.
 pub const BOOK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../target/book");
@@ -96,7 +96,7 @@ pub fn remarks(scene: &Scene, finding: &Finding, book: &Path) -> String {
     for set in &finding.diagnosis.sets {
         html += &format!("<h2>{}</h2>\n", escaped(set.title(pixels)));
         for slip in set.mistakes.iter().flatten() {
-            html += &slip_as_html(slip, book);
+            html += &slip_as_html(slip, set.scene.edition, book);
         }
         html += &how_to_tell(scene, set);
     }
@@ -140,12 +140,13 @@ pub fn escaped(text: impl fmt::Display) -> String {
         .replace('"', "&quot;")
 }
 
-fn slip_as_html(slip: &Slip, book: &Path) -> String {
+fn slip_as_html(slip: &Slip, edition: Edition, book: &Path) -> String {
+    let words = slip.words(edition);
     let [name, wrong, right, explanation, source] = [
         slip.name,
-        slip.wrong,
-        slip.right,
-        slip.explanation,
+        words.wrong,
+        words.right,
+        words.explanation,
         slip.source,
     ]
     .map(escaped);

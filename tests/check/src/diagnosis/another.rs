@@ -1,9 +1,16 @@
-//! A right picture of another scene: a change that was forgotten, or is still there.
+//! A right picture of another scene: a change that was forgotten, or is still there, or
+//! another chapter.
 
-use super::candidates::distance;
+use super::candidates::{distance, spread};
+use super::near::near;
 use super::scene::Scene;
+use super::search::Search;
+use crate::chapter::Chapter;
 use crate::reading::{Cause, Reading};
-use crate::slips::PROBES;
+use crate::slips::{Edition, PROBES};
+
+/// How many pixels a glance is.
+const GLANCE: u32 = 64;
 
 impl Scene {
     /// The other scenes of this chapter that the picture shows, to within a level: the
@@ -22,12 +29,48 @@ impl Scene {
     }
 
     fn is_shown_by(&self, reading: &Reading) -> bool {
+        self.by_editions(reading.width, reading.height)
+            .any(|scene| {
+                !scene.has_another_shape()
+                    && scene.shows(reading, 0..reading.pixels.len() as u32, 1)
+            })
+    }
+
+    /// Whether a glance at the picture does not exclude that it is the right one of this
+    /// scene, to within so many levels.
+    pub(crate) fn may_be_shown_by(&self, reading: &Reading, tolerance: u8) -> bool {
+        self.shows(
+            reading,
+            spread(GLANCE, reading.pixels.len() as u32),
+            tolerance,
+        )
+    }
+
+    fn shows(&self, reading: &Reading, mut places: impl Iterator<Item = u32>, levels: u8) -> bool {
         let output = self.program(&[]).run(reading.width);
-        let near = |n: usize| {
-            let expected = output.pixel(n as u32).map(|level| level as i16);
-            distance(expected, reading.pixels[n]) <= 1
+        output.size() == (reading.width, reading.height)
+            && places.all(|n| {
+                let expected = output.pixel(n).map(|level| level as i16);
+                distance(expected, reading.pixels[n as usize]) <= levels.into()
+            })
+    }
+
+    /// The scene of another chapter of which it is the right picture, or one that is
+    /// right but for something that is no mistake.
+    pub(crate) fn of_another_chapter(&self, reading: &Reading) -> Option<Self> {
+        let others = Chapter::OF_THE_BOOK
+            .into_iter()
+            .filter(|&other| other != self.chapter);
+        let others = others.map(|chapter| self.of_chapter(chapter));
+        let exact = |scene: &Self| {
+            let mut editions = scene.by_editions(reading.width, reading.height);
+            editions.find(|scene| scene.shows(reading, 0..reading.pixels.len() as u32, 0))
         };
-        output.size() == (reading.width, reading.height) && (0..reading.pixels.len()).all(near)
+        let nearly = |scene: &Self| near(&Search::new(scene, reading)).map(|near| near.scene);
+        let all: Vec<Self> = others.collect();
+        all.iter()
+            .find_map(exact)
+            .or_else(|| all.iter().find_map(nearly))
     }
 
     /// Why a picture of `others`, scenes of this chapter, is not the right one.
@@ -37,6 +80,21 @@ impl Scene {
             .iter()
             .filter_map(|scene| Some(scene.probe?.name))
             .collect();
+        if others[0].chapter != self.chapter {
+            let other = others[0];
+            let by = match other.edition {
+                Edition::V4 => String::new(),
+                edition => format!(", by {edition}"),
+            };
+            return Cause::new(
+                "another-chapter",
+                format!(
+                    "this is a picture of the chapter {}{by}, not of {own}",
+                    other.chapter.name()
+                ),
+                format!("Look at it as what it is: {}", other.command()),
+            );
+        }
         let (problem, fix) = match (self.probe, others[0].probe) {
             (Some(probe), None) => (
                 format!(

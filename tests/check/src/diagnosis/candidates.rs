@@ -2,8 +2,6 @@
 
 use std::hash::{DefaultHasher, Hasher};
 
-use common::rtweekend::Picture;
-
 use super::scene::Scene;
 use crate::reading::Reading;
 use crate::slips::{Output, Slip};
@@ -79,6 +77,13 @@ impl Candidate {
         })
     }
 
+    /// The `n`th pixel as it stands in the file.
+    pub(super) fn pixel(&self, n: u32) -> [i16; 3] {
+        self.output
+            .pixel(n)
+            .map(|level| self.conversion.apply(level))
+    }
+
     /// Compares with the reader's picture at some places, and gives up when more
     /// than `most` pixels are far off.
     pub(super) fn judge(
@@ -94,10 +99,7 @@ impl Candidate {
         };
         let mut hasher = DefaultHasher::new();
         for &n in places {
-            let drawn = self
-                .output
-                .pixel(n)
-                .map(|level| self.conversion.apply(level));
+            let drawn = self.pixel(n);
             hasher.write_u64(in_one(drawn));
             let found = reading.pixels[n as usize];
             let distance = distance(drawn, found);
@@ -143,6 +145,13 @@ pub(super) fn distance(drawn: [i16; 3], found: [i16; 3]) -> u16 {
     components.max().unwrap_or(0)
 }
 
+/// In so many pixels what is wrong is looked for first.
+const SOME_EVIDENCE: u32 = 20_000;
+/// So many wrong pixels are enough.
+const ENOUGH: usize = 400;
+/// If there are fewer, all pixels of a picture 800 pixels wide are looked at.
+const MOST_EVIDENCE: u32 = 400_000;
+
 /// The reader's picture, and where it is not the right one.
 pub(super) struct Evidence<'a> {
     pub(super) reading: &'a Reading,
@@ -150,13 +159,18 @@ pub(super) struct Evidence<'a> {
 }
 
 impl<'a> Evidence<'a> {
-    /// `right` is the right picture in the same size.
-    pub(super) fn new(reading: &'a Reading, right: &Picture) -> Self {
-        let (right, _) = right.rgb().as_chunks::<3>();
-        let differs = |&n: &u32| reading.pixels[n as usize] != right[n as usize].map(i16::from);
+    /// `right` draws what is right in the same size; without it, all is wrong.
+    pub(super) fn new(reading: &'a Reading, right: Option<&Candidate>) -> Self {
+        let total = reading.pixels.len() as u32;
+        let differs =
+            |n: &u32| right.is_none_or(|right| right.pixel(*n) != reading.pixels[*n as usize]);
+        let some: Vec<u32> = spread(SOME_EVIDENCE, total).filter(differs).collect();
         Self {
             reading,
-            differing: (0..reading.pixels.len() as u32).filter(differs).collect(),
+            differing: match some.len() < ENOUGH {
+                true => spread(MOST_EVIDENCE, total).filter(differs).collect(),
+                false => some,
+            },
         }
     }
 

@@ -1,20 +1,37 @@
 //! The scene that a picture is meant to show.
 
 use common::engine::companion;
-use common::rtweekend::Picture;
+use common::rtweekend::{Color, Picture};
 
 use crate::chapter::Chapter;
-use crate::slips::{self, Probe, Program, Slip};
+use crate::slips::{self, Edition, Probe, Program, Slip};
 
-/// A chapter's scene, or a probe's in that chapter.
+/// A chapter's scene, or a probe's in that chapter, by one edition of the book.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene {
     /// The chapter.
     pub chapter: Chapter,
     /// The probe, or `None` for the book's own scene.
     pub probe: Option<Probe>,
+    /// The edition whose program draws it.
+    pub edition: Edition,
+    /// Whether no other edition will do.
+    insists: bool,
     /// Width and height in pixels, if they are not the chapter's own.
     shape: Option<(u32, u32)>,
+    /// What the reader chose.
+    pub chosen: Chosen,
+}
+
+/// What a reader chose otherwise than the book, and not by mistake.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Chosen {
+    /// The colors of the sky, below and above.
+    pub sky: Option<[Color; 2]>,
+    /// The color of the sphere where it has only one.
+    pub paint: Option<Color>,
+    /// Blue in every pixel of the build test.
+    pub blue: Option<f64>,
 }
 
 impl Scene {
@@ -26,8 +43,50 @@ impl Scene {
         Some(Self {
             chapter,
             probe,
+            edition: Edition::V4,
+            insists: false,
             shape: None,
+            chosen: Chosen::default(),
         })
+    }
+
+    /// The same scene by that edition and no other.
+    pub fn only_by(self, edition: Edition) -> Self {
+        Self {
+            edition,
+            insists: true,
+            ..self
+        }
+    }
+
+    /// The same with that probe, or `None` if the chapter has no place for its spheres.
+    pub fn with_probe(self, probe: Probe) -> Option<Self> {
+        probe.put_to(Program::right(self.chapter))?;
+        Some(Self {
+            probe: Some(probe),
+            shape: None,
+            ..self
+        })
+    }
+
+    /// The chapter's own scene by the same edition.
+    pub fn without_probe(self) -> Self {
+        self.of_chapter(self.chapter)
+    }
+
+    /// The scene of another chapter by the same edition.
+    pub(super) fn of_chapter(self, chapter: Chapter) -> Self {
+        Self {
+            chapter,
+            probe: None,
+            shape: None,
+            ..self
+        }
+    }
+
+    /// The same scene with what a reader chose.
+    pub(super) fn with(self, chosen: Chosen) -> Self {
+        Self { chosen, ..self }
     }
 
     /// What a reader changes to draw it that wide, a line each.
@@ -48,6 +107,32 @@ impl Scene {
         )
     }
 
+    /// The same scene by each edition that will do, in a picture of that size: the
+    /// latest edition first.
+    pub(crate) fn by_editions(self, width: u32, height: u32) -> impl Iterator<Item = Self> {
+        Edition::ALL
+            .into_iter()
+            .filter(move |edition| !self.insists || edition.name() == self.edition.name())
+            .map(move |edition| Self { edition, ..self }.fitting(width, height))
+    }
+
+    /// The same scene in a picture of that size, whose shape may be the scene's own.
+    pub(crate) fn fitting(self, width: u32, height: u32) -> Self {
+        let own = self.in_own_shape();
+        match own.height(width) == height {
+            true => own,
+            false => self.shaped(width, height),
+        }
+    }
+
+    /// The same scene in the chapter's own shape.
+    pub(super) fn in_own_shape(self) -> Self {
+        Self {
+            shape: None,
+            ..self
+        }
+    }
+
     /// The same scene in a picture of another shape.
     pub(super) fn shaped(self, width: u32, height: u32) -> Self {
         Self {
@@ -56,13 +141,22 @@ impl Scene {
         }
     }
 
+    /// Whether the shape is not that of the chapter.
+    pub fn has_another_shape(&self) -> bool {
+        self.shape.is_some()
+    }
+
     /// The program that draws the scene, with these slips in it.
     pub fn program(&self, slips: &[&Slip]) -> Program {
-        let mut program = Program::right(self.chapter);
+        let mut program = self.edition.put_to(Program::right(self.chapter));
         if let Some((width, height)) = self.shape {
             program.aspect_ratio = ratio(width, height);
             program.image_height = |width, ratio| ((width / ratio) as u32).max(1);
+            program.viewport_ratio = |width, height, _| width / height;
         }
+        program.sky = self.chosen.sky.unwrap_or(program.sky);
+        program.paint = self.chosen.paint.unwrap_or(program.paint);
+        program.blue = self.chosen.blue.unwrap_or(program.blue);
         for slip in slips {
             program = (slip.alter)(program);
         }
@@ -87,7 +181,7 @@ impl Scene {
 
     /// The right picture in the size of the reader's.
     pub fn right(&self, width: u32, height: u32) -> Picture {
-        let program = self.shaped(width, height).program(&[]);
+        let program = self.fitting(width, height).program(&[]);
         let camera = program.camera(width);
         Picture::paint(width, height, move |i, j| {
             (program.color)(&program, &camera, i, j)

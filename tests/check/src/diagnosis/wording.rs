@@ -1,9 +1,10 @@
 //! What there is to say about a set of mistakes, wherever it is said.
 
 use common::engine::companion;
+use common::rtweekend::Color;
 
-use super::{Conversion, Explains, Scene, Set};
-use crate::slips::Slip;
+use super::{But, Chosen, Conversion, Curve, Explains, Near, Scene, Set};
+use crate::slips::{Edition, Slip};
 
 impl Set {
     /// How well the mistakes explain a picture of that many pixels.
@@ -22,7 +23,9 @@ impl Set {
             }
             _ => "",
         };
-        format!("{who} {}{wrapped}:", self.extent(pixels))
+        let chosen = self.scene.chosen.told();
+        let chosen = chosen.map_or(String::new(), |chosen| format!(", {chosen}"));
+        format!("{who} {}{wrapped}{chosen}:", self.extent(pixels))
     }
 
     /// How to find out which mistake it is, if there are several.
@@ -56,12 +59,108 @@ impl Set {
             Explains::AllButOneLevel => {
                 format!("this picture, but for one level in {off} of {compared} pixels")
             }
+            Explains::Antialiased => {
+                "this picture, if each pixel is the mean of several rays".to_owned()
+            }
             Explains::Most if far > 0 => format!(
                 "most of this picture, but not all: {far} of {compared} pixels are still wrong"
             ),
             Explains::Most => format!(
                 "most of this picture, but not all: {off} of {compared} pixels are still a level off"
             ),
+        }
+    }
+}
+
+impl Near {
+    /// What it is instead of the book's picture, after "right, but".
+    pub fn told(&self) -> String {
+        let chosen = self.scene.chosen.told();
+        let buts = self.but.iter().map(But::told);
+        let all: Vec<String> = chosen.into_iter().chain(buts).collect();
+        all.join(", and ")
+    }
+}
+
+impl Chosen {
+    /// The reader's own colors, if there are some.
+    pub fn told(&self) -> Option<String> {
+        let color = |color: Color| {
+            let [r, g, b] = color
+                .to_array()
+                .map(|component| (component * 1000.0).round() / 1000.0);
+            format!("({r}, {g}, {b})")
+        };
+        let sky = self.sky.map(|[below, above]| match below == above {
+            true => format!("a sky of {}", color(below)),
+            false => format!(
+                "a sky from {} below to {} above",
+                color(below),
+                color(above)
+            ),
+        });
+        let paint = self
+            .paint
+            .map(|paint| format!("a sphere of {}", color(paint)));
+        let blue = self
+            .blue
+            .map(|blue| format!("blue {}", (blue * 1000.0).round() / 1000.0));
+        let all: Vec<String> = [sky, paint, blue].into_iter().flatten().collect();
+        (!all.is_empty()).then(|| format!("in colors of your own: {}", all.join(" and ")))
+    }
+}
+
+impl But {
+    fn told(&self) -> String {
+        match self {
+            Self::Antialiased { samples } => {
+                let count = match samples {
+                    Some(samples) if *samples < 150.0 => format!("about {}", about(*samples)),
+                    Some(_) => "a hundred or more".to_owned(),
+                    None => "several".to_owned(),
+                };
+                format!(
+                    "antialiased, with {count} samples a pixel: that is the next chapter of the book"
+                )
+            }
+            Self::Curve(curve) => curve.told(),
+            Self::Rounded {
+                off,
+                far: 0,
+                compared,
+            } => format!(
+                "not to the last bit: {off} of {compared} pixels are a level off, as by another way of rounding"
+            ),
+            Self::Rounded { off, far, compared } => format!(
+                "not to the last bit: of {compared} pixels {off} are off, all by a level but {far} at edges, as with less precision"
+            ),
+        }
+    }
+}
+
+impl Curve {
+    fn told(&self) -> String {
+        let ends = [64, 128, 192].map(|level| format!("{level} is {}", self.apply(level)));
+        let power = self.power.map_or(String::new(), |power| {
+            format!(", near the power {power:.2}, as gamma correction has it")
+        });
+        format!("with all levels on a curve{power}: {}", ends.join(", "))
+    }
+}
+
+/// With one digit that counts: nobody could tell 90 samples from 100.
+fn about(samples: f64) -> f64 {
+    let scale = 10_f64.powf(samples.max(1.0).log10().floor());
+    (samples / scale).round().max(1.0) * scale
+}
+
+impl Edition {
+    /// After "right" or "wrong": which edition it is judged by, if it is not the one
+    /// that this workspace follows.
+    pub fn said(self) -> String {
+        match self {
+            Self::V4 => String::new(),
+            older => format!(" by {older}"),
         }
     }
 }

@@ -28,6 +28,7 @@
 //! ```
 
 mod catalogue;
+mod edition;
 mod look;
 mod output;
 mod probes;
@@ -36,8 +37,9 @@ mod single;
 mod slip;
 
 pub use catalogue::{all, find};
+pub use edition::Edition;
 pub use look::{Look, SIGHT_WIDTH, Sight, sights};
 pub use output::Output;
 pub use probes::{PROBES, Probe, find as find_probe};
 pub use program::{Ball, Program};
-pub use slip::{Slip, Unseen};
+pub use slip::{Slip, Unseen, Words};

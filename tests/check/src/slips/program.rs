@@ -2,6 +2,7 @@
 
 use common::rtweekend::*;
 
+use super::edition::Edition;
 use crate::chapter::Chapter;
 
 /// A sphere as plain data.
@@ -35,6 +36,8 @@ pub(super) const BALL: Ball = Ball::new(0.0, 0.0, -1.0, 0.5);
 pub struct Program {
     /// Which chapter it is meant to be.
     pub chapter: Chapter,
+    /// Which edition of the book it follows.
+    pub edition: Edition,
     /// Width over height, as the reader would like it.
     pub aspect_ratio: f64,
     /// Rows of the picture, from its width and the aspect ratio.
@@ -52,24 +55,30 @@ pub struct Program {
     pub focal_length: f64,
     /// Which part of the two edges lies left of, and above, the axis.
     pub corner: f64,
-    /// From pixel to pixel along both edges, given these and the picture's
-    /// width and height.
-    pub pixel_deltas: fn(Vec3, Vec3, f64, f64) -> [Vec3; 2],
+    /// By how much columns and rows are divided to run from 0 to 1, given the
+    /// picture's width and height.
+    pub divisors: fn(f64, f64) -> [f64; 2],
+    /// From pixel to pixel along both edges, given these and the divisors.
+    pub pixel_deltas: fn(Vec3, Vec3, [f64; 2]) -> [Vec3; 2],
     /// How far the first pixel is from the upper left corner, in pixels.
     pub inset: f64,
     /// The column and row of the nth printed pixel, given the picture's width
     /// and height.
     pub order: fn(u32, u32, u32) -> (u32, u32),
+    /// Blue in every pixel of the build test.
+    pub blue: f64,
     /// The color of the pixel in a column and row.
     pub color: fn(&Program, &Camera, u32, u32) -> Color,
     /// The ray through the pixel in a column and row.
-    pub ray: fn(&Camera, u32, u32) -> Ray,
+    pub ray: fn(&Program, &Camera, u32, u32) -> Ray,
     /// The vector of length 1 in the same direction.
     pub unit: fn(Vec3) -> Vec3,
     /// The weight of blue in the sky, from the direction of the ray.
     pub blend: fn(&Program, Vec3) -> f64,
-    /// The sky's color from the weight of blue.
-    pub lerp: fn(f64) -> Color,
+    /// The colors of the sky, below and above.
+    pub sky: [Color; 2],
+    /// The sky's color from the weight of the one above.
+    pub lerp: fn([Color; 2], f64) -> Color,
     /// What there is to hit.
     pub world: &'static [Ball],
     /// Which hit wins.
@@ -112,8 +121,10 @@ pub struct Program {
     /// The normal that is colored, from the ray's direction and the one that
     /// points out.
     pub face: fn(&Program, Vec3, Vec3) -> Vec3,
-    /// The color of a normal.
-    pub shade: fn(Vec3) -> Color,
+    /// The color of a sphere that has only one.
+    pub paint: Color,
+    /// The color of a hit, from the one above or from the normal.
+    pub shade: fn(Color, Vec3) -> Color,
     /// An integer for the file, from a color's component.
     pub level: fn(f64) -> i32,
     /// Which component is printed first, second and third.
@@ -153,7 +164,7 @@ impl Program {
         let viewport_u = (self.viewport_u)(self.viewport_height * viewport_ratio);
         let viewport_v = (self.viewport_v)(self.viewport_height);
         let [pixel_delta_u, pixel_delta_v] =
-            (self.pixel_deltas)(viewport_u, viewport_v, width, height);
+            (self.pixel_deltas)(viewport_u, viewport_v, (self.divisors)(width, height));
 
         let viewport_upper_left = center
             - Vec3::new(0.0, 0.0, self.focal_length)
@@ -174,10 +185,23 @@ impl Program {
         match (self.search)(self, ray) {
             Some((t, ball)) => {
                 let outward = (self.outward)(self, (self.at)(self, ray, t), ball);
-                (self.shade)((self.face)(self, ray.direction, outward))
+                (self.shade)(self.paint, (self.face)(self, ray.direction, outward))
             }
-            None => (self.lerp)((self.blend)(self, ray.direction)),
+            None => (self.lerp)(self.sky, (self.blend)(self, ray.direction)),
         }
+    }
+
+    /// The ray of a program without a slip in it.
+    pub(super) fn right_ray(&self, camera: &Camera, i: u32, j: u32) -> Ray {
+        let row = self.edition.row(j, camera.image_height);
+        self.edition.ray(self, camera, i.into(), row)
+    }
+
+    /// The color of the build test where red is made of `i` and green of `j`.
+    pub(super) fn ramp(&self, camera: &Camera, i: f64, j: f64) -> Color {
+        let (width, height) = (camera.image_width, camera.image_height);
+        let [across, down] = (self.divisors)(width.into(), height.into());
+        Color::new(i / across, j / down, self.blue)
     }
 
     /// The `hit_sphere` of chapters 2 to 4, which knows no interval: the nearer
@@ -216,6 +240,7 @@ impl Program {
 /// a few steps less.
 const HITTABLE_LIST: Program = Program {
     chapter: Chapter::HittableList,
+    edition: Edition::V4,
     aspect_ratio: 16.0 / 9.0,
     image_height: |width, aspect_ratio| ((width / aspect_ratio) as u32).max(1),
     viewport_ratio: |width, height, _| width / height,
@@ -224,14 +249,17 @@ const HITTABLE_LIST: Program = Program {
     viewport_v: |height| Vec3::new(0.0, -height, 0.0),
     focal_length: 1.0,
     corner: 0.5,
-    pixel_deltas: |u, v, width, height| [u * (1.0 / width), v * (1.0 / height)],
+    divisors: |width, height| [width, height],
+    pixel_deltas: |u, v, [across, down]| [u * (1.0 / across), v * (1.0 / down)],
     inset: 0.5,
     order: |n, width, _| (n % width, n / width),
-    color: |program, camera, i, j| program.ray_color(&(program.ray)(camera, i, j)),
-    ray: Camera::ray,
+    blue: 0.0,
+    color: |program, camera, i, j| program.ray_color(&(program.ray)(program, camera, i, j)),
+    ray: Program::right_ray,
     unit: Vec3::normalize,
     blend: |program, direction| 0.5 * ((program.unit)(direction).y + 1.0),
-    lerp: |a| (1.0 - a) * Color::new(1.0, 1.0, 1.0) + a * Color::new(0.5, 0.7, 1.0),
+    sky: [Color::new(1.0, 1.0, 1.0), Color::new(0.5, 0.7, 1.0)],
+    lerp: |[below, above], a| (1.0 - a) * below + a * above,
     world: &[BALL, Ball::new(0.0, -100.5, -1.0, 100.0)],
     search: nearest,
     t_min: 0.0,
@@ -258,7 +286,8 @@ const HITTABLE_LIST: Program = Program {
             -outward
         }
     },
-    shade: |normal| 0.5 * (normal + Vec3::ONE),
+    paint: Color::new(1.0, 0.0, 0.0),
+    shade: |_, normal| 0.5 * (normal + Vec3::ONE),
     level: |component| (255.999 * component) as i32,
     channels: [0, 1, 2],
     header: |width, height| (width, height),
@@ -287,7 +316,7 @@ const NORMALS: Program = Program {
 const RED_SPHERE: Program = Program {
     chapter: Chapter::RedSphere,
     t_min: f64::NEG_INFINITY,
-    shade: |_| Color::new(1.0, 0.0, 0.0),
+    shade: |paint, _| paint,
     ..NORMALS
 };
 
@@ -300,12 +329,12 @@ const GRADIENT: Program = Program {
 const BUILD_TEST: Program = Program {
     chapter: Chapter::BuildTest,
     image_height: |width, _| width as u32,
-    color: |_, camera, i, j| {
-        let part = |n: u32, size: u32| f64::from(n) / f64::from((size - 1).max(1));
-        Color::new(
-            part(i, camera.image_width),
-            part(j, camera.image_height),
-            0.0,
+    divisors: |width, height| [(width - 1.0).max(1.0), (height - 1.0).max(1.0)],
+    color: |program, camera, i, j| {
+        program.ramp(
+            camera,
+            i.into(),
+            program.edition.row(j, camera.image_height),
         )
     },
     ..GRADIENT

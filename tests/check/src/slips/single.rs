@@ -5,6 +5,7 @@
 
 use common::rtweekend::{Camera, Color};
 
+use super::edition::Edition;
 use super::program::{Ball, Program};
 use crate::chapter::Chapter;
 
@@ -12,20 +13,33 @@ type Vector = [f32; 3];
 
 /// The color of a pixel, with every operation rounded to 24 bits.
 pub(super) fn color(program: &Program, camera: &Camera, i: u32, j: u32) -> Color {
-    let [x, y] = on_viewport(camera, i as f32, j as f32);
+    let [x, y] = on_viewport(program, camera, i, j);
     let direction = [x, y, -(program.focal_length as f32)];
     let color = nearest(program, direction)
-        .map(|(t, ball)| shade(program.chapter, t, ball, direction))
-        .unwrap_or_else(|| sky(direction));
+        .map(|(t, ball)| shade(program, t, ball, direction))
+        .unwrap_or_else(|| sky(program, direction));
     Color::from_array(color.map(f64::from))
 }
 
-fn on_viewport(camera: &Camera, i: f32, j: f32) -> [f32; 2] {
-    let [width, height] = [camera.image_width, camera.image_height].map(|size| size as f32);
-    let viewport = [2.0 * (width / height), -2.0];
-    let delta = [viewport[0] * (1.0 / width), viewport[1] * (1.0 / height)];
-    let pixel00 = [0, 1].map(|axis| -0.5 * viewport[axis] + 0.5 * delta[axis]);
-    [pixel00[0] + i * delta[0], pixel00[1] + j * delta[1]]
+fn on_viewport(program: &Program, camera: &Camera, i: u32, j: u32) -> [f32; 2] {
+    let [width, height] = [camera.image_width, camera.image_height].map(f64::from);
+    let ratio = (program.viewport_ratio)(width, height, program.aspect_ratio) as f32;
+    let divisors = (program.divisors)(width, height).map(|divisor| divisor as f32);
+    let at = [i as f32, program.edition.row(j, camera.image_height) as f32];
+    let axis = |n: usize, viewport: f32| match program.edition.counts_from_below() {
+        true => -0.5 * viewport + at[n] / divisors[n] * viewport,
+        false => {
+            let delta = viewport * (1.0 / divisors[n]);
+            (-0.5 * viewport + 0.5 * delta) + at[n] * delta
+        }
+    };
+    let high = program.viewport_height as f32;
+    let down = if program.edition.counts_from_below() {
+        high
+    } else {
+        -high
+    };
+    [axis(0, high * ratio), axis(1, down)]
 }
 
 fn nearest(program: &Program, direction: Vector) -> Option<(f32, Ball)> {
@@ -61,9 +75,10 @@ fn roots(ball: Ball, direction: Vector) -> Option<[f32; 2]> {
     })
 }
 
-fn shade(chapter: Chapter, t: f32, ball: Ball, direction: Vector) -> Vector {
+fn shade(program: &Program, t: f32, ball: Ball, direction: Vector) -> Vector {
+    let chapter = program.chapter;
     if chapter == Chapter::RedSphere {
-        return [1.0, 0.0, 0.0];
+        return program.paint.to_array().map(|component| component as f32);
     }
     let center = ball.center.to_array().map(|x| x as f32);
     let outward = [0, 1, 2].map(|axis| t * direction[axis] - center[axis]);
@@ -73,19 +88,23 @@ fn shade(chapter: Chapter, t: f32, ball: Ball, direction: Vector) -> Vector {
             let against = dot(direction, outward) < 0.0;
             outward.map(|x| if against { x } else { -x })
         }
-        _ => unit(outward),
+        _ => unit(program, outward),
     };
     normal.map(|x| 0.5 * (x + 1.0))
 }
 
-fn sky(direction: Vector) -> Vector {
-    let a = 0.5 * (unit(direction)[1] + 1.0);
-    [0.5, 0.7, 1.0].map(|blue| (1.0 - a) + a * blue)
+fn sky(program: &Program, direction: Vector) -> Vector {
+    let a = 0.5 * (unit(program, direction)[1] + 1.0);
+    let [below, above] = program.sky.map(|color| color.to_array());
+    [0, 1, 2].map(|n| (1.0 - a) * below[n] as f32 + a * above[n] as f32)
 }
 
-fn unit(v: Vector) -> Vector {
-    let scale = 1.0 / dot(v, v).sqrt();
-    v.map(|x| x * scale)
+fn unit(program: &Program, v: Vector) -> Vector {
+    let length = dot(v, v).sqrt();
+    match program.edition {
+        Edition::V1 | Edition::V1InDouble => v.map(|x| x / length),
+        _ => v.map(|x| x * (1.0 / length)),
+    }
 }
 
 fn dot(u: Vector, v: Vector) -> f32 {

@@ -1,5 +1,6 @@
 //! A slip: a mutation of the right program, and what there is to say about it.
 
+use super::edition::Edition;
 use super::program::Program;
 use crate::chapter::Chapter;
 
@@ -16,6 +17,9 @@ pub struct Slip {
     pub right: &'static str,
     /// Why that is wrong, and what it does to the picture.
     pub explanation: &'static str,
+    /// The same three for who follows an edition before version 4, where they are
+    /// others.
+    pub before_4: Option<[&'static str; 3]>,
     /// Who made it: issues of `RayTracing/raytracing.github.io`, or of another
     /// repository if that is named. Often empty: few people report a slip.
     pub evidence: &'static [&'static str],
@@ -40,7 +44,47 @@ pub enum Unseen {
     OnlyByLaw(&'static str),
 }
 
+/// What there is to say of a slip in one edition: what the code probably says, what it
+/// should say, and why.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Words {
+    /// What the code probably says.
+    pub wrong: &'static str,
+    /// What it should say.
+    pub right: &'static str,
+    /// Why, and what it does to the picture.
+    pub explanation: &'static str,
+}
+
 impl Slip {
+    /// What most slips have in common; the rest is empty.
+    pub(super) const USUAL: Self = Self {
+        name: "",
+        chapters: &[],
+        wrong: "",
+        right: "",
+        explanation: "",
+        before_4: None,
+        evidence: &[],
+        page: "",
+        source: "",
+        alter: |right| right,
+        unseen: &[],
+    };
+
+    /// What there is to say of it to someone who follows that edition.
+    pub fn words(&self, edition: Edition) -> Words {
+        let [wrong, right, explanation] = match self.before_4 {
+            Some(words) if edition != Edition::V4 => words,
+            _ => [self.wrong, self.right, self.explanation],
+        };
+        Words {
+            wrong,
+            right,
+            explanation,
+        }
+    }
+
     /// The program of someone who made this slip in that chapter.
     pub fn program(&self, chapter: Chapter) -> Program {
         assert!(

@@ -7,7 +7,6 @@ use common::rtweekend::Picture;
 use super::view::View;
 use crate::chapter::{Chapter, Room};
 use crate::diagnosis::candidates::distance;
-use crate::diagnosis::scene::Scene;
 
 impl View<'_> {
     /// What the outline of the only sphere says, if there is one sphere and it is
@@ -17,7 +16,8 @@ impl View<'_> {
             return None;
         }
         let (width, height) = (self.reading.width, self.reading.height);
-        let sky = Scene::new(Chapter::Gradient, None)?.right(width, height);
+        let gradient = self.scene.of_chapter(Chapter::Gradient);
+        let sky = gradient.right(width, height);
         let Some(found) = Disc::of(&sky, &self.reading.picture()) else {
             return Some("There is only sky: no sphere is to be seen.".to_owned());
         };

@@ -8,23 +8,18 @@ mod placed;
 mod tinted;
 mod view;
 
-use common::rtweekend::Picture;
-
-use super::candidates::distance;
 use super::scene::Scene;
-use crate::chapter::{Chapter, Room};
+use crate::chapter::Room;
 use crate::reading::Reading;
 
-use view::{View, color};
+use view::View;
 
 /// What can be seen, the most telling first.
-pub(super) fn sights(scene: &Scene, reading: &Reading, right: &Picture) -> Vec<String> {
-    let view = View::new(scene, reading, right);
+pub(super) fn sights(scene: &Scene, reading: &Reading) -> Vec<String> {
+    let right = scene.right(reading.width, reading.height);
+    let view = View::new(scene, reading, &right);
     if view.wrong.is_empty() {
         return Vec::new();
-    }
-    if let Some(another) = view.another_picture() {
-        return vec![another];
     }
     if let Some(plain) = view.plain() {
         return vec![plain];
@@ -38,7 +33,6 @@ pub(super) fn sights(scene: &Scene, reading: &Reading, right: &Picture) -> Vec<S
         view.gray(),
         view.where_it_differs(),
         view.sky(),
-        view.power(),
     ]
     .into_iter()
     .flatten()
@@ -47,26 +41,6 @@ pub(super) fn sights(scene: &Scene, reading: &Reading, right: &Picture) -> Vec<S
 }
 
 impl View<'_> {
-    /// The right picture of another chapter.
-    fn another_picture(&self) -> Option<String> {
-        let (width, height) = (self.reading.width, self.reading.height);
-        let is = |scene: Scene| {
-            let program = scene.shaped(width, height).program(&[]);
-            let camera = program.camera(width);
-            // All pixels, because a small sphere may be all there is.
-            let near = |&n: &u32| distance(color(&program, &camera, n), self.found(n)) <= 1;
-            self.places.iter().all(near)
-        };
-        let mut others = Chapter::OF_THE_BOOK
-            .into_iter()
-            .filter(|&other| other != self.scene.chapter);
-        let other = others.find(|&other| Scene::new(other, None).is_some_and(is))?;
-        Some(format!(
-            "It is the right picture of the chapter {}.",
-            other.name()
-        ))
-    }
-
     fn plain(&self) -> Option<String> {
         let first = self.found(0);
         let all_same = self.reading.pixels.iter().all(|&pixel| pixel == first);

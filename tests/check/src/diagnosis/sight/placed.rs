@@ -6,6 +6,9 @@ use super::view::{View, color};
 use crate::diagnosis::candidates::distance;
 use crate::slips::Program;
 
+/// The right color of the place to which a turn takes a pixel.
+type Turn<'a> = &'a dyn Fn(u32) -> [i16; 3];
+
 impl View<'_> {
     /// Mirrored, upside down, or both.
     pub(super) fn turned(&self) -> Option<String> {
@@ -15,17 +18,34 @@ impl View<'_> {
             |n: u32| width - 1 - n % width,
             |n: u32| height - 1 - n / width,
         );
-        if self.shows(|n| at(n % width, down(n))) {
-            return Some("It is upside down: the last row should be the first one.".to_owned());
-        }
-        if self.shows(|n| at(across(n), n / width)) {
-            return Some("It is mirrored: left and right have changed places.".to_owned());
-        }
-        if self.shows(|n| at(across(n), down(n))) {
-            return Some("It is turned by half a turn.".to_owned());
-        }
-        let transposed = width == height && self.shows(|n| at(n / width, n % width));
-        transposed.then(|| "It is transposed: columns and rows have changed places.".to_owned())
+        let turned: [(Turn, &str); 4] = [
+            (
+                &|n| at(n % width, down(n)),
+                "It is upside down: the last row should be the first one.",
+            ),
+            (
+                &|n| at(across(n), n / width),
+                "It is mirrored: left and right have changed places.",
+            ),
+            (&|n| at(across(n), down(n)), "It is turned by half a turn."),
+            (
+                &|n| at(n / width, n % width),
+                "It is transposed: columns and rows have changed places.",
+            ),
+        ];
+        let turned = match width == height {
+            true => &turned[..],
+            false => &turned[..3],
+        };
+        // What is the same both ways, as a sphere in the middle is, was not turned.
+        let is_other = |turn: Turn| {
+            let off = |n: &&u32| distance(turn(**n), self.expected(**n)) > 1;
+            20 * self.places.iter().filter(off).count() > self.places.len()
+        };
+        turned
+            .iter()
+            .find(|(turn, _)| is_other(turn) && self.shows(turn))
+            .map(|(_, said)| (*said).to_owned())
     }
 
     /// The whole scene moved by half a pixel or by one.

@@ -1,6 +1,8 @@
 //! Colors that are off in the same way everywhere.
 
 use super::view::View;
+use crate::chapter::Chapter;
+use crate::diagnosis::chosen::chosen;
 
 impl View<'_> {
     /// Red, green and blue in another order.
@@ -25,71 +27,13 @@ impl View<'_> {
         gray.then(|| "It has no color: red, green and blue are equal in each pixel.".to_owned())
     }
 
-    /// Between which two colors the sky blends, if it does.
+    /// Between which two colors the sky blends, if it does and they are not the book's.
     pub(super) fn sky(&self) -> Option<String> {
-        let program = self.program();
-        let camera = program.camera(self.reading.width);
-        let weight = |n: u32| {
-            let ray = camera.ray(n % self.reading.width, n / self.reading.width);
-            (program.blend)(&program, ray.direction)
-        };
-        let sky: Vec<u32> = self
-            .places
-            .iter()
-            .copied()
-            .filter(|&n| !self.is_hit(n))
-            .collect();
-        let weights: Vec<f64> = sky.iter().map(|&n| weight(n)).collect();
-        let (mut below, mut above) = ([0.0; 3], [0.0; 3]);
-        for (channel, (below, above)) in below.iter_mut().zip(&mut above).enumerate() {
-            let levels: Vec<f64> = sky.iter().map(|&n| self.found(n)[channel].into()).collect();
-            let (white, slope) = line(&weights, &levels)?;
-            // The fraction was cut off, which takes half a level on the average.
-            let is_near =
-                |(weight, level): (&f64, &f64)| (white + slope * weight - level).abs() <= 1.5;
-            if !weights.iter().zip(&levels).all(is_near) {
-                return None;
-            }
-            *below = (white + 0.5) / 255.999;
-            *above = (white + slope + 0.5) / 255.999;
-        }
-        let is_right = |end: [f64; 3], right: [f64; 3]| {
-            end.into_iter()
-                .zip(right)
-                .all(|(end, right)| (end - right).abs() < 0.01)
-        };
-        if is_right(below, [1.0; 3]) && is_right(above, [0.5, 0.7, 1.0]) {
-            return None;
-        }
-        let ([r0, g0, b0], [r1, g1, b1]) = (below, above);
+        let sky = chosen(self.scene, self.reading)?.chosen.sky?;
+        let [[r0, g0, b0], [r1, g1, b1]] = sky.map(|color| color.to_array());
         Some(format!(
             "The sky blends from ({r0:.2}, {g0:.2}, {b0:.2}) below to ({r1:.2}, {g1:.2}, {b1:.2}) above, instead of (1, 1, 1) and (0.5, 0.7, 1)."
         ))
-    }
-
-    /// Every component raised to the same power, as gamma correction does.
-    pub(super) fn power(&self) -> Option<String> {
-        let part = |level: i16| (f64::from(level) + 0.5) / 256.0;
-        let components = |n: u32| self.expected(n).into_iter().zip(self.found(n));
-        let powers = self
-            .places
-            .iter()
-            .flat_map(|&n| components(n))
-            .filter(|(expected, _)| (32..224).contains(expected));
-        let mut powers: Vec<f64> = powers
-            .map(|(expected, found)| part(found).ln() / part(expected).ln())
-            .collect();
-        powers.sort_by(f64::total_cmp);
-        let power = *powers.get(powers.len() / 2)?;
-        let raised = |level: i16| (256.0 * part(level).powf(power)) as i16;
-        // A power changes the steps between levels, so one more may be lost.
-        let off = |n: &&u32| {
-            components(**n).any(|(expected, found)| raised(expected).abs_diff(found) > 3)
-        };
-        let is_everywhere = 100 * self.places.iter().filter(off).count() <= self.places.len();
-        (is_everywhere && (power - 1.0).abs() > 0.02).then(|| {
-            format!("Every component is raised to the power {power:.2}, as gamma correction does.")
-        })
     }
 
     /// Components that are off in the same way everywhere, for sky and spheres.
@@ -97,7 +41,11 @@ impl View<'_> {
         let (spheres, sky): (Vec<u32>, Vec<u32>) =
             self.places.iter().partition(|&&n| self.is_hit(n));
         let mut tints = Vec::new();
-        for (name, places) in [("the sky", sky), ("what is hit", spheres)] {
+        let background = match self.scene.chapter {
+            Chapter::BuildTest => "the picture",
+            _ => "the sky",
+        };
+        for (name, places) in [(background, sky), ("what is hit", spheres)] {
             for (channel, color) in ["red", "green", "blue"].into_iter().enumerate() {
                 tints.extend(
                     self.tint(&places, channel)
@@ -143,19 +91,4 @@ impl View<'_> {
         (sums.0 > 0.0 && everywhere(&|expected| factor * expected))
             .then(|| format!("{factor:.2} times what it should be"))
     }
-}
-
-/// The line through points by least squares: its height at 0, and its slope.
-fn line(x: &[f64], y: &[f64]) -> Option<(f64, f64)> {
-    let count = x.len() as f64;
-    let mean = |values: &[f64]| values.iter().sum::<f64>() / count;
-    let (middle, height) = (mean(x), mean(y));
-    let spread: f64 = x.iter().map(|x| (x - middle) * (x - middle)).sum();
-    let together: f64 = x
-        .iter()
-        .zip(y)
-        .map(|(x, y)| (x - middle) * (y - height))
-        .sum();
-    let slope = together / spread;
-    (spread > 0.0).then_some((height - slope * middle, slope))
 }

@@ -57,14 +57,15 @@ impl View<'_> {
 
     pub(super) fn program(&self) -> Program {
         self.scene
-            .shaped(self.reading.width, self.reading.height)
+            .fitting(self.reading.width, self.reading.height)
             .program(&[])
     }
 
     pub(super) fn is_hit(&self, n: u32) -> bool {
         let program = self.program();
         let camera = program.camera(self.reading.width);
-        let ray = camera.ray(n % self.reading.width, n / self.reading.width);
+        let (i, j) = (n % self.reading.width, n / self.reading.width);
+        let ray = (program.ray)(&program, &camera, i, j);
         (program.search)(&program, &ray).is_some()
     }
 

@@ -4,11 +4,9 @@ use common::rtweekend::*;
 
 use super::chapters::{GRADIENT, RAYS};
 use crate::chapter::Chapter;
+use crate::slips::edition::Edition;
 use crate::slips::program::Program;
 use crate::slips::slip::{Slip, Unseen};
-
-const WHITE: Color = Color::ONE;
-const BLUE: Color = Color::new(0.5, 0.7, 1.0);
 
 pub(super) const SLIPS: &[Slip] = &[
     Slip {
@@ -17,14 +15,22 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "viewport_v = (0, viewport_height, 0)",
         right: "viewport_v = (0, -viewport_height, 0)",
         explanation: "Rows run downwards while y points up, so the edge from top to bottom is negative. The picture stands on its head.",
+        before_4: Some([
+            "vertical = (0, -viewport_height, 0)",
+            "vertical = (0, viewport_height, 0)",
+            "Rows are counted from below, so the edge from the lower left corner points up. The picture stands on its head.",
+        ]),
         evidence: &["#879", "#1076", "#1579"],
         page: "gradient#the-grid-of-pixels",
         source: "common/src/camera.rs",
         alter: |right| Program {
-            viewport_v: |height| Vec3::new(0.0, height, 0.0),
+            viewport_v: match right.edition.counts_from_below() {
+                true => |height| Vec3::new(0.0, -height, 0.0),
+                false => |height| Vec3::new(0.0, height, 0.0),
+            },
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "viewport-mirrored",
@@ -32,7 +38,11 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "viewport_u = (-viewport_width, 0, 0)",
         right: "viewport_u = (viewport_width, 0, 0)",
         explanation: "Left and right change places. The sky and a disc in the middle don't show it, the colors of normals do.",
-        evidence: &[],
+        before_4: Some([
+            "horizontal = (-viewport_width, 0, 0)",
+            "horizontal = (viewport_width, 0, 0)",
+            "Left and right change places. The sky and a disc in the middle don't show it, the colors of normals do.",
+        ]),
         page: "gradient#the-grid-of-pixels",
         source: "common/src/camera.rs",
         alter: |right| Program {
@@ -45,6 +55,7 @@ pub(super) const SLIPS: &[Slip] = &[
                 "Only the sign of x changes, and the sky depends on y and the length of the direction.",
             ),
         )],
+        ..Slip::USUAL
     },
     Slip {
         name: "grid-not-inset",
@@ -59,7 +70,7 @@ pub(super) const SLIPS: &[Slip] = &[
             inset: 0.0,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "older-camera",
@@ -67,17 +78,14 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "u = i / (image_width - 1), v = j / (image_height - 1)",
         right: "pixel00 + i * pixel_delta_u + j * pixel_delta_v",
         explanation: "The camera of older editions puts the first and last pixels on the edges of the viewport: nearly right, but edges differ.",
-        evidence: &[],
         page: "gradient#the-grid-of-pixels",
         source: "common/src/camera.rs",
         alter: |right| Program {
-            pixel_deltas: |u, v, width, height| {
-                [u * (1.0 / (width - 1.0)), v * (1.0 / (height - 1.0))]
-            },
+            divisors: |width, height| [width - 1.0, height - 1.0],
             inset: 0.0,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "viewport-not-centered",
@@ -85,14 +93,18 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "viewport_upper_left = center - (0, 0, focal_length)",
         right: "… - viewport_u / 2 - viewport_v / 2",
         explanation: "Without the two halves the axis goes through the upper left corner, and only a quarter of the scene is left.",
-        evidence: &[],
+        before_4: Some([
+            "lower_left_corner = origin - (0, 0, focal_length)",
+            "lower_left_corner = origin - horizontal / 2 - vertical / 2 - (0, 0, focal_length)",
+            "Without the two halves the axis goes through the lower left corner, and only a quarter of the scene is left.",
+        ]),
         page: "gradient#the-grid-of-pixels",
         source: "common/src/camera.rs",
         alter: |right| Program {
             corner: 0.0,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "corner-not-halved",
@@ -100,14 +112,18 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "… - viewport_u - viewport_v",
         right: "… - viewport_u / 2 - viewport_v / 2",
         explanation: "With whole edges the axis goes through the lower right corner, and only a quarter of the scene is left.",
-        evidence: &[],
+        before_4: Some([
+            "lower_left_corner = origin - horizontal - vertical - …",
+            "lower_left_corner = origin - horizontal / 2 - vertical / 2 - …",
+            "With whole edges the axis goes through the upper right corner, and only a quarter of the scene is left.",
+        ]),
         page: "gradient#the-grid-of-pixels",
         source: "common/src/camera.rs",
         alter: |right| Program {
             corner: 1.0,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "focal-length-added",
@@ -115,6 +131,11 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "viewport_upper_left = center + (0, 0, focal_length) - …",
         right: "viewport_upper_left = center - (0, 0, focal_length) - …",
         explanation: "The camera looks along the negative z axis. With a plus it looks the other way, where nothing is.",
+        before_4: Some([
+            "lower_left_corner = … + (0, 0, focal_length)",
+            "lower_left_corner = … - (0, 0, focal_length)",
+            "The camera looks along the negative z axis. With a plus it looks the other way, where nothing is.",
+        ]),
         evidence: &["#1578"],
         page: "gradient#the-camera",
         source: "common/src/camera.rs",
@@ -128,6 +149,7 @@ pub(super) const SLIPS: &[Slip] = &[
                 "Only the sign of z changes, and the sky depends on y and the length of the direction.",
             ),
         )],
+        ..Slip::USUAL
     },
     Slip {
         name: "focal-length-forgotten",
@@ -135,14 +157,18 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "viewport_upper_left = center - viewport_u / 2 - viewport_v / 2",
         right: "viewport_upper_left = center - (0, 0, focal_length) - …",
         explanation: "The eye lies in the plane of the viewport, and every ray stays in it.",
-        evidence: &[],
+        before_4: Some([
+            "lower_left_corner = origin - horizontal / 2 - vertical / 2",
+            "lower_left_corner = … - (0, 0, focal_length)",
+            "The eye lies in the plane of the viewport, and every ray stays in it.",
+        ]),
         page: "gradient#the-camera",
         source: "common/src/camera.rs",
         alter: |right| Program {
             focal_length: 0.0,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "focal-length-two",
@@ -150,14 +176,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "focal_length = 2",
         right: "focal_length = 1",
         explanation: "Twice as far from the viewport, the eye sees half of the angle: everything is twice as large.",
-        evidence: &[],
         page: "gradient#the-camera",
         source: "common/src/camera.rs",
         alter: |right| Program {
             focal_length: 2.0,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "viewport-height-one",
@@ -165,14 +190,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "viewport_height = 1",
         right: "viewport_height = 2",
         explanation: "Through half a viewport everything is twice as large, as with a focal length of 2.",
-        evidence: &[],
         page: "gradient#the-camera",
         source: "common/src/camera.rs",
         alter: |right| Program {
             viewport_height: 1.0,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "integer-aspect-ratio",
@@ -187,7 +211,7 @@ pub(super) const SLIPS: &[Slip] = &[
             aspect_ratio: 1.0,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "inverted-aspect-ratio",
@@ -195,14 +219,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "image_height = image_width * aspect_ratio",
         right: "image_height = image_width / aspect_ratio",
         explanation: "A ratio of width to height divides the width. Multiplied, the picture is higher than wide.",
-        evidence: &[],
         page: "gradient#how-large-is-the-picture",
         source: "common/src/camera.rs",
         alter: |right| Program {
             image_height: |width, aspect_ratio| (width * aspect_ratio) as u32,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "height-rounded",
@@ -210,14 +233,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "image_height = round(image_width / aspect_ratio)",
         right: "image_height = int(image_width / aspect_ratio)",
         explanation: "The height is cut off, not rounded: at half of all widths the picture has a row too many.",
-        evidence: &[],
         page: "gradient#how-large-is-the-picture",
         source: "common/src/camera.rs",
         alter: |right| Program {
             image_height: |width, aspect_ratio| ((width / aspect_ratio).round() as u32).max(1),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "height-may-be-zero",
@@ -225,14 +247,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "image_height = int(image_width / aspect_ratio)",
         right: "… and image_height = (image_height < 1) ? 1 : image_height",
         explanation: "A picture one pixel wide is cut off to no row at all.",
-        evidence: &[],
         page: "gradient#how-large-is-the-picture",
         source: "common/src/camera.rs",
         alter: |right| Program {
             image_height: |width, aspect_ratio| (width / aspect_ratio) as u32,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "ideal-viewport-ratio",
@@ -247,7 +268,7 @@ pub(super) const SLIPS: &[Slip] = &[
             viewport_ratio: |_, _, aspect_ratio| aspect_ratio,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "integer-viewport-ratio",
@@ -255,14 +276,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "viewport_width = viewport_height * (image_width / image_height)",
         right: "viewport_width = viewport_height * (double(image_width) / image_height)",
         explanation: "Two integers divide to an integer, 1: the viewport is a square, and the sphere an ellipse.",
-        evidence: &[],
         page: "gradient#how-large-is-the-picture",
         source: "common/src/camera.rs",
         alter: |right| Program {
             viewport_ratio: |width, height, _| (width / height).floor(),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "inverted-viewport-ratio",
@@ -277,7 +297,7 @@ pub(super) const SLIPS: &[Slip] = &[
             viewport_ratio: |width, height, _| height / width,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "pixel-deltas-swapped",
@@ -285,14 +305,21 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "pixel_delta_u = viewport_u / image_height, pixel_delta_v = viewport_v / image_width",
         right: "pixel_delta_u = viewport_u / image_width, pixel_delta_v = viewport_v / image_height",
         explanation: "Each edge is divided by the pixels along the other one: stretched sideways, squeezed upwards.",
-        evidence: &[],
+        before_4: Some([
+            "u = i / (image_height - 1), v = j / (image_width - 1)",
+            "u = i / (image_width - 1), v = j / (image_height - 1)",
+            "Each count is divided by the pixels along the other edge: stretched sideways, squeezed upwards.",
+        ]),
         page: "gradient#the-grid-of-pixels",
         source: "common/src/camera.rs",
         alter: |right| Program {
-            pixel_deltas: |u, v, width, height| [u * (1.0 / height), v * (1.0 / width)],
+            divisors: match right.edition {
+                Edition::V3 | Edition::V3_1_0 => |width, height| [height - 1.0, width - 1.0],
+                _ => |width, height| [height, width],
+            },
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "column-and-row-swapped",
@@ -300,14 +327,21 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "pixel00 + j * pixel_delta_u + i * pixel_delta_v",
         right: "pixel00 + i * pixel_delta_u + j * pixel_delta_v",
         explanation: "Column i goes to the right and row j down. Swapped, the picture is transposed and runs out of the viewport.",
-        evidence: &[],
+        before_4: Some([
+            "u = j / (image_width - 1), v = i / (image_height - 1)",
+            "u = i / (image_width - 1), v = j / (image_height - 1)",
+            "Column i goes to the right and row j up. Swapped, the picture is transposed and runs out of the viewport.",
+        ]),
         page: "gradient#the-grid-of-pixels",
         source: "common/src/camera.rs",
         alter: |right| Program {
-            ray: |camera, i, j| camera.ray(j, i),
+            ray: |program, camera, i, j| {
+                let row = program.edition.row(j, camera.image_height);
+                program.edition.ray(program, camera, row, i.into())
+            },
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "pixel-center-as-direction",
@@ -315,12 +349,11 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "ray_direction = pixel_center",
         right: "ray_direction = pixel_center - camera_center",
         explanation: "A direction is a difference of two points. It shows as soon as the camera leaves the origin.",
-        evidence: &[],
         page: "gradient#the-camera",
         source: "common/src/camera.rs",
         alter: |right| Program {
-            ray: |camera, i, j| {
-                let ray = camera.ray(i, j);
+            ray: |program, camera, i, j| {
+                let ray = program.right_ray(camera, i, j);
                 Ray::new(ray.origin, ray.origin + ray.direction)
             },
             ..right
@@ -329,6 +362,7 @@ pub(super) const SLIPS: &[Slip] = &[
             RAYS,
             Unseen::Equivalent("The camera is at the origin, and x - 0 is x."),
         )],
+        ..Slip::USUAL
     },
     Slip {
         name: "ray-normalized",
@@ -336,13 +370,12 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "ray(center, unit_vector(pixel_center - center))",
         right: "ray(center, pixel_center - center)",
         explanation: "The same lines, so the same picture; but t is now a distance, and no longer 1 on the viewport.",
-        evidence: &[],
         page: "gradient#the-camera",
         source: "common/src/camera.rs",
         alter: |right| Program {
-            ray: |camera, i, j| {
-                let ray = camera.ray(i, j);
-                Ray::new(ray.origin, ray.direction.normalize())
+            ray: |program, camera, i, j| {
+                let ray = program.right_ray(camera, i, j);
+                Ray::new(ray.origin, (program.unit)(ray.direction))
             },
             ..right
         },
@@ -350,6 +383,7 @@ pub(super) const SLIPS: &[Slip] = &[
             RAYS,
             Unseen::OnlyByLaw("A ray meets the viewport at t = 1."),
         )],
+        ..Slip::USUAL
     },
     Slip {
         name: "direction-not-normalized",
@@ -364,7 +398,7 @@ pub(super) const SLIPS: &[Slip] = &[
             blend: |_, direction| 0.5 * (direction.y + 1.0),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "divided-by-length-squared",
@@ -372,14 +406,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "unit_vector(v) = v / v.length_squared()",
         right: "unit_vector(v) = v / v.length()",
         explanation: "A unit vector is v divided by its length. Divided by its square, long vectors become too short and short ones too long.",
-        evidence: &[],
         page: "gradient#the-color-of-the-sky",
         source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
             unit: |v| v * (1.0 / v.length_squared()),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "length-with-swapped-letter",
@@ -387,7 +420,6 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "e[0]*e[0] + e[1]*e[1] + e[1]*e[1]",
         right: "e[0]*e[0] + e[1]*e[1] + e[2]*e[2]",
         explanation: "One component counts twice, one never: each length is wrong, and with it each unit vector.",
-        evidence: &[],
         page: "gradient#the-color-of-the-sky",
         source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
@@ -398,7 +430,7 @@ pub(super) const SLIPS: &[Slip] = &[
             },
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "blend-not-mapped",
@@ -406,14 +438,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "a = unit_direction.y()",
         right: "a = 0.5 * (unit_direction.y() + 1)",
         explanation: "y runs from -1 to 1, a weight from 0 to 1. Below the horizon the weight is negative, and white exceeds 1.",
-        evidence: &[],
         page: "gradient#the-color-of-the-sky",
         source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
             blend: |program, direction| (program.unit)(direction).y,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "blend-not-halved",
@@ -421,14 +452,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "a = unit_direction.y() + 1",
         right: "a = 0.5 * (unit_direction.y() + 1)",
         explanation: "y + 1 runs from 0 to 2. Above the horizon the weight exceeds 1, and the sky is too blue.",
-        evidence: &[],
         page: "gradient#the-color-of-the-sky",
         source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
             blend: |program, direction| (program.unit)(direction).y + 1.0,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "blend-along-x",
@@ -436,14 +466,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "a = 0.5 * (unit_direction.x() + 1)",
         right: "a = 0.5 * (unit_direction.y() + 1)",
         explanation: "x points to the right, so the gradient runs from left to right.",
-        evidence: &[],
         page: "gradient#the-color-of-the-sky",
         source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
             blend: |program, direction| 0.5 * ((program.unit)(direction).x + 1.0),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "blend-along-z",
@@ -451,14 +480,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "a = 0.5 * (unit_direction.z() + 1)",
         right: "a = 0.5 * (unit_direction.y() + 1)",
         explanation: "z points to the viewer, so the gradient is a ring around the middle.",
-        evidence: &[],
         page: "gradient#the-color-of-the-sky",
         source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
             blend: |program, direction| 0.5 * ((program.unit)(direction).z + 1.0),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "white-and-blue-swapped",
@@ -470,10 +498,10 @@ pub(super) const SLIPS: &[Slip] = &[
         page: "gradient#the-color-of-the-sky",
         source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
-            lerp: |a| a * WHITE + (1.0 - a) * BLUE,
+            lerp: |[below, above], a| a * below + (1.0 - a) * above,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "white-in-full",
@@ -481,14 +509,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "white + a * blue",
         right: "(1 - a) * white + a * blue",
         explanation: "The two weights add up to 1. Without the first one, everything is brighter than white.",
-        evidence: &[],
         page: "gradient#the-color-of-the-sky",
         source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
-            lerp: |a| WHITE + a * BLUE,
+            lerp: |[below, above], a| below + a * above,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
 ];
 

@@ -3,6 +3,7 @@
 use common::rtweekend::*;
 
 use super::chapters::{BUILD_TEST, EVERY, RAYS};
+use crate::slips::edition::Edition;
 use crate::slips::program::Program;
 use crate::slips::single;
 use crate::slips::slip::{Slip, Unseen};
@@ -14,17 +15,17 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "r = i / (image_width - 1)",
         right: "r = double(i) / (image_width - 1)",
         explanation: "Two integers divide to an integer: 0 everywhere but in the last column, where it is 1.",
-        evidence: &[],
         page: "setup#the-code",
         source: "chapters/0_build_test/src/lib.rs",
         alter: |right| Program {
-            color: |_, camera, i, j| {
-                let last = (camera.image_width - 1).max(1);
-                Color::new(f64::from(i / last), f64::from(j / last), 0.0)
+            color: |program, camera, i, j| {
+                let row = program.edition.row(j, camera.image_height);
+                let right = program.ramp(camera, i.into(), row);
+                Color::new(right.x.floor(), right.y.floor(), right.z)
             },
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "divided-by-size",
@@ -36,13 +37,10 @@ pub(super) const SLIPS: &[Slip] = &[
         page: "setup#the-code",
         source: "chapters/0_build_test/src/lib.rs",
         alter: |right| Program {
-            color: |_, camera, i, j| {
-                let size = f64::from(camera.image_width);
-                Color::new(f64::from(i) / size, f64::from(j) / size, 0.0)
-            },
+            divisors: |width, height| [width, height],
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "red-and-green-swapped",
@@ -50,14 +48,16 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "r = j / (height - 1), g = i / (width - 1)",
         right: "r = i / (width - 1), g = j / (height - 1)",
         explanation: "Columns run to the right and carry red; here they carry green. The picture is transposed.",
-        evidence: &[],
         page: "setup#the-code",
         source: "chapters/0_build_test/src/lib.rs",
         alter: |right| Program {
-            color: |_, camera, i, j| ramp(camera, j.into(), i.into()),
+            color: |program, camera, i, j| {
+                let row = program.edition.row(j, camera.image_height);
+                program.ramp(camera, row, i.into())
+            },
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "green-upwards",
@@ -65,17 +65,23 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "g = 1 - j / (height - 1)",
         right: "g = j / (height - 1)",
         explanation: "Older editions count rows from below. Here row 0 is at the top, and green grows downwards.",
+        before_4: Some([
+            "g = 1 - j / (image_height - 1)",
+            "g = j / (image_height - 1)",
+            "Green grows with j, which counts rows from below.",
+        ]),
         evidence: &["#879"],
         page: "setup#the-code",
         source: "chapters/0_build_test/src/lib.rs",
         alter: |right| Program {
-            color: |_, camera, i, j| {
-                let from_below = f64::from(camera.image_height) - 1.0 - f64::from(j);
-                ramp(camera, i.into(), from_below)
+            color: |program, camera, i, j| {
+                let row = program.edition.row(j, camera.image_height);
+                let turned = f64::from(camera.image_height) - 1.0 - row;
+                program.ramp(camera, i.into(), turned)
             },
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "quarter-blue",
@@ -87,10 +93,10 @@ pub(super) const SLIPS: &[Slip] = &[
         page: "setup#the-code",
         source: "chapters/0_build_test/src/lib.rs",
         alter: |right| Program {
-            color: |_, camera, i, j| ramp(camera, i.into(), j.into()) + Color::new(0.0, 0.0, 0.25),
+            blue: 0.25,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "columns-first",
@@ -98,14 +104,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "for i … for j … print",
         right: "for j … for i … print",
         explanation: "A file holds row after row. With the loops the other way round it gets column after column.",
-        evidence: &[],
         page: "setup#a-picture-is-text",
         source: "common/src/engine/picture.rs",
         alter: |right| Program {
             order: |n, _, height| (n / height, n % height),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "rows-from-below",
@@ -113,6 +118,11 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "for j = image_height - 1 down to 0",
         right: "for j = 0 up to image_height - 1",
         explanation: "Older editions print from the last row upwards. With the camera of this one the picture stands on its head.",
+        before_4: Some([
+            "for j = 0 up to image_height - 1",
+            "for j = image_height - 1 down to 0",
+            "Rows are counted from below, and a file begins with the highest one. Printed from row 0 on, the picture stands on its head.",
+        ]),
         evidence: &["PR #1051", "#766", "#879"],
         page: "setup#a-picture-is-text",
         source: "common/src/engine/picture.rs",
@@ -120,7 +130,7 @@ pub(super) const SLIPS: &[Slip] = &[
             order: |n, width, height| (n % width, height - 1 - n / width),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "loops-from-one",
@@ -128,14 +138,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "for j = 1 to image_height, for i = 1 to image_width",
         right: "for j = 0 to image_height - 1, for i = 0 to image_width - 1",
         explanation: "Pixels are counted from 0. Counted from 1, the picture moves by a pixel to the left and upwards.",
-        evidence: &[],
         page: "setup#a-picture-is-text",
         source: "common/src/engine/picture.rs",
         alter: |right| Program {
             order: |n, width, _| (n % width + 1, n / width + 1),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "header-swapped",
@@ -143,7 +152,6 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "print image_height, image_width",
         right: "print image_width, image_height",
         explanation: "The header tells the width first. Swapped, every row breaks at the wrong pixel and the picture shears.",
-        evidence: &[],
         page: "setup#a-picture-is-text",
         source: "common/src/engine/picture.rs",
         alter: |right| Program {
@@ -154,6 +162,7 @@ pub(super) const SLIPS: &[Slip] = &[
             BUILD_TEST,
             Unseen::Equivalent("The picture is a square, so both numbers are the same."),
         )],
+        ..Slip::USUAL
     },
     Slip {
         name: "channels-reversed",
@@ -161,14 +170,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "print b, g, r",
         right: "print r, g, b",
         explanation: "A pixel is red, green, blue. Reversed, red and blue change places all over the picture.",
-        evidence: &[],
         page: "setup#a-picture-is-text",
         source: "common/src/engine/picture.rs",
         alter: |right| Program {
             channels: [2, 1, 0],
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "times-255",
@@ -183,7 +191,7 @@ pub(super) const SLIPS: &[Slip] = &[
             level: |component| (255.0 * component) as i32,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "times-255-99",
@@ -191,14 +199,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "int(255.99 * r)",
         right: "int(255.999 * r)",
         explanation: "The factor of older editions: a few pixels are a level darker.",
-        evidence: &[],
         page: "setup#a-picture-is-text",
         source: "common/src/color.rs",
         alter: |right| Program {
             level: |component| (255.99 * component) as i32,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "times-256",
@@ -213,7 +220,7 @@ pub(super) const SLIPS: &[Slip] = &[
             level: |component| (256.0 * component) as i32,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "times-256-clamped",
@@ -221,14 +228,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "int(256 * clamp(r, 0.000, 0.999))",
         right: "int(255.999 * r)",
         explanation: "How a later chapter of the book does it: a few pixels are a level brighter.",
-        evidence: &[],
         page: "setup#a-picture-is-text",
         source: "common/src/color.rs",
         alter: |right| Program {
             level: |component| (256.0 * component.clamp(0.0, 0.999)) as i32,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "rounded",
@@ -236,14 +242,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "round(255 * r)",
         right: "int(255.999 * r)",
         explanation: "Rounding to the nearest level is no worse, but it is another picture: half of the pixels are a level off.",
-        evidence: &[],
         page: "setup#a-picture-is-text",
         source: "common/src/color.rs",
         alter: |right| Program {
             level: |component| (255.0 * component).round() as i32,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "cast-too-early",
@@ -251,14 +256,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "255 * int(r)",
         right: "int(255.999 * r)",
         explanation: "The conversion cuts off everything below 1 before the factor can spread it: levels are 0 or 255.",
-        evidence: &[],
         page: "setup#a-picture-is-text",
         source: "common/src/color.rs",
         alter: |right| Program {
             level: |component| 255_i32.saturating_mul(component as i32),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "gamma-too-early",
@@ -266,14 +270,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "int(255.999 * sqrt(r))",
         right: "int(255.999 * r)",
         explanation: "The square root is the gamma correction of a later chapter: everything is too bright.",
-        evidence: &[],
         page: "setup#a-picture-is-text",
         source: "common/src/color.rs",
         alter: |right| Program {
             level: |component| (255.999 * component.sqrt()) as i32,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "single-precision",
@@ -286,20 +289,12 @@ pub(super) const SLIPS: &[Slip] = &[
         source: "tests/suite/stability.rs",
         alter: |right| Program {
             color: single::color,
-            level: |component| (255.999_f32 * component as f32) as i32,
+            level: match right.edition {
+                Edition::V1 | Edition::V1InDouble => right.level,
+                _ => |component| (255.999_f32 * component as f32) as i32,
+            },
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
 ];
-
-/// Red by column and green by row, full in the last of each. Fractions, because
-/// together with another slip a column or row may be one that does not exist.
-fn ramp(camera: &Camera, i: f64, j: f64) -> Color {
-    let last = |size: u32| f64::from((size - 1).max(1));
-    Color::new(
-        i / last(camera.image_width),
-        j / last(camera.image_height),
-        0.0,
-    )
-}

@@ -20,7 +20,7 @@ pub(super) const SLIPS: &[Slip] = &[
             search: last_hit,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "first-hit-wins",
@@ -28,14 +28,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "if (object.hit(…)) return true",
         right: "closest_so_far = rec.t; …",
         explanation: "The first object that is hit hides nearer ones that follow. The book adds the near sphere first, so its picture is right.",
-        evidence: &[],
         page: "hittable_list#the-nearest-one",
         source: "chapters/5_hittable_list/src/hittable_list.rs",
         alter: |right| Program {
             search: first_hit,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "farthest-wins",
@@ -43,14 +42,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "if (rec.t > closest_so_far)",
         right: "if (rec.t < closest_so_far)",
         explanation: "The farthest hit covers all nearer ones.",
-        evidence: &[],
         page: "hittable_list#the-nearest-one",
         source: "chapters/5_hittable_list/src/hittable_list.rs",
         alter: |right| Program {
             search: farthest_hit,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "near-root-only",
@@ -58,14 +56,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "root = (h - sqrtd) / a; if (!range.surrounds(root)) return false",
         right: "… root = (h + sqrtd) / a; if (!range.surrounds(root)) return false",
         explanation: "From inside a sphere the nearer root is behind, and the far one is what the eye sees.",
-        evidence: &[],
         page: "hittable_list#the-nearest-one",
         source: "chapters/5_hittable_list/src/sphere.rs",
         alter: |right| Program {
             numerators: |first, sqrtd| [first - sqrtd; 2],
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "range-not-tested",
@@ -73,14 +70,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "root = (h - sqrtd) / a; rec.t = root",
         right: "if (!ray_t.surrounds(root)) …",
         explanation: "Hits behind the camera count too, and beat those in front: the sky shows the ground's back.",
-        evidence: &[],
         page: "hittable_list#anything-that-a-ray-can-hit",
         source: "chapters/5_hittable_list/src/sphere.rs",
         alter: |right| Program {
             in_range: |_, _, _| true,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "range-behind-allowed",
@@ -88,14 +84,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "world.hit(r, interval(-infinity, infinity), rec)",
         right: "world.hit(r, interval(0, infinity), rec)",
         explanation: "The nearest t of all is the smallest: the ground behind the camera beats what is in front.",
-        evidence: &[],
         page: "hittable_list#anything-that-a-ray-can-hit",
         source: "chapters/5_hittable_list/src/lib.rs",
         alter: |right| Program {
             t_min: f64::NEG_INFINITY,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "range-closed",
@@ -103,7 +98,6 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "t_min <= t && t <= t_max",
         right: "t_min < t && t < t_max",
         explanation: "A root exactly at an end of the interval does not count: a ray that leaves a surface must not hit it at t = 0.",
-        evidence: &[],
         page: "hittable_list#anything-that-a-ray-can-hit",
         source: "chapters/5_hittable_list/src/sphere.rs",
         alter: |right| Program {
@@ -114,6 +108,7 @@ pub(super) const SLIPS: &[Slip] = &[
             HITTABLE_LIST,
             Unseen::OnlyByLaw("A root at an end of the interval is no hit."),
         )],
+        ..Slip::USUAL
     },
     Slip {
         name: "range-too-early",
@@ -121,7 +116,6 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "world.hit(r, interval(0.001, infinity), rec)",
         right: "world.hit(r, interval(0, infinity), rec)",
         explanation: "A later chapter needs it, where rays start on surfaces. Here they start at the eye.",
-        evidence: &[],
         page: "hittable_list#anything-that-a-ray-can-hit",
         source: "chapters/5_hittable_list/src/lib.rs",
         alter: |right| Program {
@@ -134,6 +128,7 @@ pub(super) const SLIPS: &[Slip] = &[
                 "No surface of any scene here is so near to the eye that t is 0.001 or less.",
             ),
         )],
+        ..Slip::USUAL
     },
     Slip {
         name: "face-normal-missing",
@@ -141,14 +136,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "rec.normal = outward_normal",
         right: "rec.set_face_normal(r, outward_normal)",
         explanation: "From inside a sphere the normal has to turn against the ray. The book's camera is outside of everything.",
-        evidence: &[],
         page: "hittable_list#outward-or-against-the-ray",
         source: "chapters/5_hittable_list/src/hittable.rs",
         alter: |right| Program {
             face: |_, _, outward| outward,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "faces-swapped",
@@ -169,7 +163,7 @@ pub(super) const SLIPS: &[Slip] = &[
             },
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "ground-too-high",
@@ -177,14 +171,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "sphere((0, -100, -1), 100)",
         right: "sphere((0, -100.5, -1), 100)",
         explanation: "The small sphere must stand on the ground, its lowest point at -0.5. Here it is half sunk.",
-        evidence: &[],
         page: "hittable_list#the-world",
         source: "chapters/5_hittable_list/src/lib.rs",
         alter: |right| Program {
             world: const { &[BALL, Ball::new(0.0, -100.0, -1.0, 100.0)] },
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "ground-too-large",
@@ -192,14 +185,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "sphere((0, -100.5, -1), 100.5)",
         right: "sphere((0, -100.5, -1), 100)",
         explanation: "The ground reaches up to 0, so the small sphere is half sunk.",
-        evidence: &[],
         page: "hittable_list#the-world",
         source: "chapters/5_hittable_list/src/lib.rs",
         alter: |right| Program {
             world: const { &[BALL, Ball::new(0.0, -100.5, -1.0, 100.5)] },
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "ground-below-the-eye",
@@ -207,14 +199,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "sphere((0, -100.5, 0), 100)",
         right: "sphere((0, -100.5, -1), 100)",
         explanation: "The ground's center lies below the sphere. A unit nearer, its colors shift a little.",
-        evidence: &[],
         page: "hittable_list#the-world",
         source: "chapters/5_hittable_list/src/lib.rs",
         alter: |right| Program {
             world: const { &[BALL, Ball::new(0.0, -100.5, 0.0, 100.0)] },
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "ground-not-added",
@@ -222,14 +213,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "world.add(sphere((0, 0, -1), 0.5))",
         right: "… and world.add(sphere((0, -100.5, -1), 100))",
         explanation: "Without the ground the picture is that of the chapter before.",
-        evidence: &[],
         page: "hittable_list#the-world",
         source: "chapters/5_hittable_list/src/lib.rs",
         alter: |right| Program {
             world: &[BALL],
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
 ];
 

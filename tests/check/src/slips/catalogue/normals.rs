@@ -22,7 +22,7 @@ pub(super) const SLIPS: &[Slip] = &[
             t_min: f64::NEG_INFINITY,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "range-loosened",
@@ -37,7 +37,7 @@ pub(super) const SLIPS: &[Slip] = &[
             t_min: -1.0,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "sphere-at-plus-one",
@@ -53,6 +53,7 @@ pub(super) const SLIPS: &[Slip] = &[
             ..right
         },
         unseen: SIGN_OF_B,
+        ..Slip::USUAL
     },
     Slip {
         name: "normal-from-point",
@@ -60,14 +61,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "N = unit_vector(r.at(t))",
         right: "N = unit_vector(r.at(t) - center)",
         explanation: "A normal points away from the center of the sphere, not from the eye.",
-        evidence: &[],
         page: "normals#which-way-the-normal",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             outward: |program, point, _| (program.unit)(point),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "center-added",
@@ -75,14 +75,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "N = unit_vector(r.at(t) + center)",
         right: "N = unit_vector(r.at(t) - center)",
         explanation: "A normal is the way from the center to the point, a difference.",
-        evidence: &[],
         page: "normals#which-way-the-normal",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             outward: |program, point, ball| rescaled(program, point + ball.center, ball),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "normal-inward",
@@ -90,7 +89,6 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "N = unit_vector(center - r.at(t))",
         right: "N = unit_vector(r.at(t) - center)",
         explanation: "The way from the point to the center points in.",
-        evidence: &[],
         page: "normals#which-way-the-normal",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
@@ -101,6 +99,7 @@ pub(super) const SLIPS: &[Slip] = &[
             HITTABLE_LIST,
             Unseen::OnlyByLaw("The front face is hit exactly when the ray comes from outside."),
         )],
+        ..Slip::USUAL
     },
     Slip {
         name: "normal-not-unit",
@@ -115,7 +114,7 @@ pub(super) const SLIPS: &[Slip] = &[
             outward: |_, point, ball| point - ball.center,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "normal-times-radius",
@@ -123,14 +122,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "outward_normal = (p - center) * radius",
         right: "outward_normal = (p - center) / radius",
         explanation: "The way from the center to the point is as long as the radius: dividing makes it a unit vector.",
-        evidence: &[],
         page: "normals#which-way-the-normal",
         source: "chapters/5_hittable_list/src/sphere.rs",
         alter: |right| Program {
             outward: |_, point, ball| (point - ball.center) * ball.radius,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "unit-vector-for-radius",
@@ -151,6 +149,7 @@ pub(super) const SLIPS: &[Slip] = &[
                 "The point is on the sphere, so its distance from the center is the radius, but for a few roundings.",
             ),
         )],
+        ..Slip::USUAL
     },
     Slip {
         name: "point-along-unit-direction",
@@ -158,14 +157,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "r.at(t) = origin + t * unit_vector(direction)",
         right: "r.at(t) = origin + t * direction",
         explanation: "t counts lengths of the direction, whatever that length is.",
-        evidence: &[],
         page: "gradient#a-ray-is-a-function",
         source: "common/src/ray.rs",
         alter: |right| Program {
             at: |program, ray, t| ray.origin + t * (program.unit)(ray.direction),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "point-without-origin",
@@ -173,7 +171,6 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "r.at(t) = t * direction",
         right: "r.at(t) = origin + t * direction",
         explanation: "It shows as soon as a ray starts anywhere but at the origin.",
-        evidence: &[],
         page: "gradient#a-ray-is-a-function",
         source: "common/src/ray.rs",
         alter: |right| Program {
@@ -181,6 +178,7 @@ pub(super) const SLIPS: &[Slip] = &[
             ..right
         },
         unseen: &[(ROOTS, Unseen::OnlyByLaw("A ray is at its origin at t = 0."))],
+        ..Slip::USUAL
     },
     Slip {
         name: "normal-not-mapped",
@@ -188,14 +186,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "color(N.x(), N.y(), N.z())",
         right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
         explanation: "A normal's components run from -1 to 1, a color's from 0 to 1. Negative ones are printed or cut off.",
-        evidence: &[],
         page: "normals#a-color-for-each-direction",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
-            shade: |normal| normal,
+            shade: |_, normal| normal,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "normal-only-halved",
@@ -203,14 +200,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "0.5 * color(N.x(), N.y(), N.z())",
         right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
         explanation: "Without the 1 half of the components stay negative.",
-        evidence: &[],
         page: "normals#a-color-for-each-direction",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
-            shade: |normal| 0.5 * normal,
+            shade: |_, normal| 0.5 * normal,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "normal-only-shifted",
@@ -218,14 +214,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "color(N.x() + 1, N.y() + 1, N.z() + 1)",
         right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
         explanation: "Without the half components run from 0 to 2, and half of them are too bright for a picture.",
-        evidence: &[],
         page: "normals#a-color-for-each-direction",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
-            shade: |normal| normal + Vec3::ONE,
+            shade: |_, normal| normal + Vec3::ONE,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "normal-channels-reversed",
@@ -233,14 +228,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "0.5 * color(N.z() + 1, N.y() + 1, N.x() + 1)",
         right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
         explanation: "x is red and z is blue. The sky is right, the sphere's red and blue have changed places.",
-        evidence: &[],
         page: "normals#a-color-for-each-direction",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
-            shade: |normal| 0.5 * (Vec3::new(normal.z, normal.y, normal.x) + Vec3::ONE),
+            shade: |_, normal| 0.5 * (Vec3::new(normal.z, normal.y, normal.x) + Vec3::ONE),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "normal-as-absolute",
@@ -248,14 +242,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "color(abs(N.x()), abs(N.y()), abs(N.z()))",
         right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
         explanation: "Absolute values fit into a color, but left and right, above and below look the same.",
-        evidence: &[],
         page: "normals#a-color-for-each-direction",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
-            shade: |normal| normal.abs(),
+            shade: |_, normal| normal.abs(),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
 ];
 

@@ -18,6 +18,11 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "oc = r.origin() - center",
         right: "oc = center - r.origin()",
         explanation: "Older editions have it this way round, with another sign in the formula. Mixed, every root changes its sign and the sphere is behind the camera.",
+        before_4: Some([
+            "oc = center - r.origin()",
+            "oc = r.origin() - center",
+            "Version 4 has it that way round, with another sign in the formula. Mixed, every root changes its sign and the sphere is behind the camera.",
+        ]),
         evidence: &["#1292", "PR #1304", "#1643"],
         page: "signs#every-mixture",
         source: "chapters/2_red_sphere/src/lib.rs",
@@ -26,6 +31,7 @@ pub(super) const SLIPS: &[Slip] = &[
             ..right
         },
         unseen: SIGN_OF_B,
+        ..Slip::USUAL
     },
     Slip {
         name: "b-sign",
@@ -33,6 +39,11 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "b = 2 * dot(r.direction(), oc)",
         right: "b = -2 * dot(r.direction(), oc)",
         explanation: "The sign belongs to oc = center - origin. Without it every root changes its sign and the sphere is behind the camera.",
+        before_4: Some([
+            "b = -2.0 * dot(oc, r.direction())",
+            "b = 2.0 * dot(oc, r.direction())",
+            "The minus belongs to oc = center - origin, as in version 4. With it every root changes its sign and the sphere is behind the camera.",
+        ]),
         evidence: &["#1292", "#1643"],
         page: "signs#every-mixture",
         source: "chapters/2_red_sphere/src/lib.rs",
@@ -41,6 +52,7 @@ pub(super) const SLIPS: &[Slip] = &[
             ..right
         },
         unseen: SIGN_OF_B,
+        ..Slip::USUAL
     },
     Slip {
         name: "b-not-doubled",
@@ -48,14 +60,18 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "b = -dot(r.direction(), oc)",
         right: "b = -2 * dot(r.direction(), oc)",
         explanation: "That is half of b, and the formula is the one for the whole: the discriminant is far too small.",
-        evidence: &[],
+        before_4: Some([
+            "b = dot(oc, r.direction())",
+            "b = 2.0 * dot(oc, r.direction())",
+            "That is half of b, and the formula is the one for the whole: the discriminant is far too small.",
+        ]),
         page: "red_sphere#the-ray-in-the-equation",
         source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             linear: |d_oc| -d_oc,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "discriminant-without-four",
@@ -70,7 +86,7 @@ pub(super) const SLIPS: &[Slip] = &[
             discriminant: |a, b, c| b * b - a * c,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "discriminant-with-four",
@@ -78,6 +94,11 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "discriminant = h*h - 4*a*c",
         right: "discriminant = h*h - a*c",
         explanation: "Halving b cancels the 4. With it the discriminant is too small, and the small sphere is gone.",
+        before_4: Some([
+            "discriminant = half_b*half_b - 4*a*c",
+            "discriminant = half_b*half_b - a*c",
+            "Halving b cancels the 4. With it the discriminant is too small, and the small sphere is gone.",
+        ]),
         evidence: &["#113", "#126", "#146", "RayTracing/InOneWeekend#17"],
         page: "half_b_sphere#two-observations",
         source: "chapters/4_half_b_sphere/src/lib.rs",
@@ -85,7 +106,7 @@ pub(super) const SLIPS: &[Slip] = &[
             discriminant: |a, h, c| h * h - 4.0 * a * c,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "discriminant-with-plus",
@@ -93,7 +114,6 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "b*b + 4*a*c, or h*h + a*c",
         right: "b*b - 4*a*c, or h*h - a*c",
         explanation: "From outside a sphere c is positive, so the sum is as well, and every line seems to meet the sphere.",
-        evidence: &[],
         page: "red_sphere#what-the-discriminant-says",
         source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
@@ -103,7 +123,7 @@ pub(super) const SLIPS: &[Slip] = &[
             },
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "tangent-missed",
@@ -119,6 +139,7 @@ pub(super) const SLIPS: &[Slip] = &[
             ..right
         },
         unseen: &[(SPHERES, Unseen::OnlyByLaw("A tangent is a hit."))],
+        ..Slip::USUAL
     },
     Slip {
         name: "radius-not-squared",
@@ -126,14 +147,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "c = dot(oc, oc) - radius",
         right: "c = dot(oc, oc) - radius*radius",
         explanation: "A radius of 0.5 acts as its square root, 0.707: the disc is too large.",
-        evidence: &[],
         page: "red_sphere#the-equation-of-a-sphere",
         source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             constant: |oc_squared, radius| oc_squared - radius,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "radius-added",
@@ -141,14 +161,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "c = dot(oc, oc) + radius*radius",
         right: "c = dot(oc, oc) - radius*radius",
         explanation: "The square of the radius comes from the right side of the equation. With a plus there is no such sphere.",
-        evidence: &[],
         page: "red_sphere#the-equation-of-a-sphere",
         source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             constant: |oc_squared, radius| oc_squared + radius * radius,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "center-not-squared",
@@ -156,14 +175,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "c = oc.length() - radius*radius",
         right: "c = dot(oc, oc) - radius*radius",
         explanation: "The equation has the square of the distance. Near 1 the two are alike, so a sphere at -1 hides it.",
-        evidence: &[],
         page: "red_sphere#the-equation-of-a-sphere",
         source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             constant: |oc_squared, radius| oc_squared.sqrt() - radius * radius,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "a-taken-as-one",
@@ -171,14 +189,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "a = 1",
         right: "a = dot(r.direction(), r.direction())",
         explanation: "That holds for unit directions only. Here it gives every ray the discriminant of the one in the middle, and every ray hits.",
-        evidence: &[],
         page: "red_sphere#the-ray-in-the-equation",
         source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             a: |_, _| 1.0,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "dot-with-swapped-letter",
@@ -193,7 +210,7 @@ pub(super) const SLIPS: &[Slip] = &[
             dot: |u, v| u.x * v.x + u.y * v.y + u.z * u.z,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "dot-without-z",
@@ -201,14 +218,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "u.x*v.x + u.y*v.y",
         right: "u.x*v.x + u.y*v.y + u.z*v.z",
         explanation: "A dot product has three terms. Without the third, depth is lost.",
-        evidence: &[],
         page: "red_sphere#the-ray-in-the-equation",
         source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             dot: |u, v| u.x * v.x + u.y * v.y,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "stale-boolean",
@@ -216,14 +232,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "return discriminant >= 0",
         right: "return (-b - sqrt(discriminant)) / (2*a)",
         explanation: "Left from chapter 2: true turns into t = 1 for every hit. The disc is right, its colors are a wheel of directions without depth.",
-        evidence: &[],
         page: "normals#where-the-nearer-root",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             divide: |_, _| 1.0,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "minus-one-is-true",
@@ -239,7 +254,7 @@ pub(super) const SLIPS: &[Slip] = &[
             divide: |_, _| 1.0,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "minus-h",
@@ -247,6 +262,11 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "(-h - sqrt(discriminant)) / a",
         right: "(h - sqrt(discriminant)) / a",
         explanation: "b is -2h, so -b is 2h: the minus is used up. With another one the root is minus the far one, and the sphere is behind the camera.",
+        before_4: Some([
+            "(half_b - sqrt(discriminant)) / a",
+            "(-half_b - sqrt(discriminant)) / a",
+            "Here half_b is half of b, so the root begins with a minus, as it does with b. Without it the root is minus the far one, and the sphere is behind the camera.",
+        ]),
         evidence: &["#1292", "PR #1304", "#1643"],
         page: "half_b_sphere#the-sign-that-got-lost",
         source: "chapters/4_half_b_sphere/src/lib.rs",
@@ -254,7 +274,7 @@ pub(super) const SLIPS: &[Slip] = &[
             first_term: |h| -h,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "plus-b",
@@ -262,14 +282,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "(b - sqrt(discriminant)) / (2*a)",
         right: "(-b - sqrt(discriminant)) / (2*a)",
         explanation: "Without the minus the root is minus the far one, and the sphere is behind the camera.",
-        evidence: &[],
         page: "signs#every-mixture",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             first_term: |b| b,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "far-root",
@@ -277,14 +296,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "(-b + sqrt(discriminant)) / (2*a)",
         right: "(-b - sqrt(discriminant)) / (2*a)",
         explanation: "The plus gives the far side of the sphere, seen from inside.",
-        evidence: &[],
         page: "normals#where-the-nearer-root",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             numerators: |first, sqrtd| [first + sqrtd; 2],
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "square-root-forgotten",
@@ -292,14 +310,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "(-b - discriminant) / (2*a)",
         right: "(-b - sqrt(discriminant)) / (2*a)",
         explanation: "The discriminant's sign alone decides which lines meet the sphere, so the disc stays; but the points are not on it.",
-        evidence: &[],
         page: "normals#where-the-nearer-root",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             sqrt: |discriminant| discriminant,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "two-a-without-brackets",
@@ -307,14 +324,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "(-b - sqrt(discriminant)) / 2*a",
         right: "(-b - sqrt(discriminant)) / (2*a)",
         explanation: "That divides by 2 and then multiplies by a. In the middle, where a is 1, it is right.",
-        evidence: &[],
         page: "normals#where-the-nearer-root",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             divide: |numerator, a| numerator / 2.0 * a,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "divided-by-a",
@@ -322,14 +338,13 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "(-b - sqrt(discriminant)) / a",
         right: "(-b - sqrt(discriminant)) / (2*a)",
         explanation: "That is the division of the next chapter, where b is halved. Here t is twice as large.",
-        evidence: &[],
         page: "normals#where-the-nearer-root",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             divide: |numerator, a| numerator / a,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "divided-by-two-a",
@@ -337,14 +352,18 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "(h - sqrt(discriminant)) / (2*a)",
         right: "(h - sqrt(discriminant)) / a",
         explanation: "Halving b cancels the 2. With it t is half as large.",
-        evidence: &[],
+        before_4: Some([
+            "(-half_b - sqrt(discriminant)) / (2*a)",
+            "(-half_b - sqrt(discriminant)) / a",
+            "Halving b cancels the 2. With it t is half as large.",
+        ]),
         page: "half_b_sphere#two-observations",
         source: "chapters/4_half_b_sphere/src/lib.rs",
         alter: |right| Program {
             divide: |numerator, a| numerator / (2.0 * a),
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
     Slip {
         name: "not-divided",
@@ -352,13 +371,17 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "h - sqrt(discriminant)",
         right: "(h - sqrt(discriminant)) / a",
         explanation: "That is right for unit directions only. The rays here are longer away from the middle.",
-        evidence: &[],
+        before_4: Some([
+            "-half_b - sqrt(discriminant)",
+            "(-half_b - sqrt(discriminant)) / a",
+            "That is right for unit directions only. The rays here are longer away from the middle.",
+        ]),
         page: "half_b_sphere#two-observations",
         source: "chapters/4_half_b_sphere/src/lib.rs",
         alter: |right| Program {
             divide: |numerator, _| numerator,
             ..right
         },
-        unseen: &[],
+        ..Slip::USUAL
     },
 ];

@@ -1,0 +1,186 @@
+//! Neighbors of the right picture: right, but for something that is no mistake.
+
+use std::iter;
+
+use super::antialiasing::{self, Around, Seen};
+use super::candidates::{distance, spread};
+use super::curve::Curve;
+use super::scene::Scene;
+use super::search::Search;
+use crate::reading::Reading;
+use crate::slips::{Output, Program};
+
+/// A picture that is right, but for something that is no mistake.
+#[derive(Clone, Debug)]
+pub struct Near {
+    /// The scene, in the reader's own colors if there are some.
+    pub scene: Scene,
+    /// What else is not the book's.
+    pub but: Vec<But>,
+}
+
+/// What a picture has that the book's does not have.
+#[derive(Clone, Debug, PartialEq)]
+pub enum But {
+    /// Each pixel is the mean of several rays.
+    Antialiased {
+        /// About how many, if there are edges enough to tell.
+        samples: Option<f64>,
+    },
+    /// All levels went through the same curve, as gamma correction does it.
+    Curve(Curve),
+    /// So many of the pixels that were compared are a level off, and so many at edges
+    /// are those of a neighbor: other rounding, or less precision.
+    Rounded {
+        /// Pixels that are off.
+        off: usize,
+        /// Those of them that are off by more than a level.
+        far: usize,
+        /// Pixels that were compared.
+        compared: usize,
+    },
+}
+
+impl Near {
+    /// Whether the reader's choice explains each pixel to the last bit.
+    pub fn is_exact(&self) -> bool {
+        self.but.is_empty()
+    }
+}
+
+/// How many pixels are looked at first, and then.
+const LOOKS: [u32; 2] = [300, 4000];
+/// In how many edges are looked for, and single pixels that speak against a rounding: all
+/// of a picture 800 pixels wide.
+const LONG_LOOK: u32 = 400_000;
+/// In how many scenes a curve is looked for.
+const NEARBY: usize = 2;
+
+/// What the picture is if it is right but for choices, the plainest first: the book's own
+/// colors, then others; no curve of levels, then one.
+pub(super) fn near(search: &Search) -> Option<Near> {
+    if search.reading.outside().is_some() {
+        return None;
+    }
+    let scenes = || search.scenes.iter().chain(&search.chosen);
+    let exact = search.chosen.iter().find(|scene| {
+        let drawn = scene.program(&[]).run(search.reading.width);
+        let is_same = |(n, found): (u32, &[i16; 3])| {
+            drawn.pixel(n).map(|level| level.clamp(0, 255) as i16) == *found
+        };
+        (0..).zip(&search.reading.pixels).all(is_same)
+    });
+    if let Some(&scene) = exact {
+        return Some(Near {
+            scene,
+            but: Vec::new(),
+        });
+    }
+    let plain = scenes().find_map(|scene| View::new(scene, search.reading, None).near());
+    plain.or_else(|| {
+        search.scenes.iter().take(NEARBY).find_map(|scene| {
+            let curve = Curve::of(scene, search.reading)?;
+            View::new(scene, search.reading, Some(curve)).near()
+        })
+    })
+}
+
+/// How far the reader's pixel is from what a program draws.
+fn off(output: &Output, reading: &Reading, n: u32) -> u16 {
+    let drawn = output.pixel(n).map(|level| level.clamp(0, 255) as i16);
+    distance(drawn, reading.pixels[n as usize])
+}
+
+/// A picture beside that of a scene, whose levels may have gone through a curve.
+struct View<'a> {
+    scene: &'a Scene,
+    program: Program,
+    reading: &'a Reading,
+    curve: Option<Curve>,
+}
+
+impl<'a> View<'a> {
+    fn new(scene: &'a Scene, reading: &'a Reading, curve: Option<Curve>) -> Self {
+        Self {
+            scene,
+            program: scene.program(&[]),
+            reading,
+            curve,
+        }
+    }
+
+    fn near(&self) -> Option<Near> {
+        let mut seen = Seen::default();
+        for look in LOOKS {
+            seen = self.seen(look);
+            if 20 * seen.strange > seen.compared {
+                return None;
+            }
+        }
+        let but = self.curve.clone().map(But::Curve).into_iter();
+        if seen.is_rounded() {
+            return match self.curve {
+                Some(_) => Some(self.with(but)),
+                None => self.rounded().map(|but| self.with(iter::once(but))),
+            };
+        }
+        if !seen.is_antialiased() {
+            return None;
+        }
+        let samples = match self.curve {
+            Some(_) => None,
+            None => antialiasing::samples(&self.program, self.reading, self.far()),
+        };
+        Some(self.with(iter::once(But::Antialiased { samples }).chain(but)))
+    }
+
+    /// The pixels that are off by more than a level.
+    fn far(&self) -> impl Iterator<Item = u32> {
+        let output = self.program.run(self.reading.width);
+        let is_far = move |n: &u32| off(&output, self.reading, *n) > 1;
+        spread(LONG_LOOK, self.reading.pixels.len() as u32).filter(is_far)
+    }
+
+    /// How many pixels are off, if not one of them is by more than a rounding.
+    fn rounded(&self) -> Option<But> {
+        let camera = self.program.camera(self.reading.width);
+        let output = self.program.run(self.reading.width);
+        let total = self.reading.pixels.len() as u32;
+        let mut far = 0;
+        for n in self.far() {
+            far += 1;
+            let around = Around::of(&self.program, &camera, n);
+            if !around.may_be_moved_to(self.reading.pixels[n as usize]) {
+                return None;
+            }
+        }
+        Some(But::Rounded {
+            off: spread(LONG_LOOK, total)
+                .filter(|&n| off(&output, self.reading, n) > 0)
+                .count(),
+            far,
+            compared: LONG_LOOK.min(total) as usize,
+        })
+    }
+
+    fn with(&self, but: impl Iterator<Item = But>) -> Near {
+        Near {
+            scene: *self.scene,
+            but: but.collect(),
+        }
+    }
+
+    fn seen(&self, look: u32) -> Seen {
+        let camera = self.program.camera(self.reading.width);
+        let mut seen = Seen::default();
+        for n in spread(look, self.reading.pixels.len() as u32) {
+            let mut around = Around::of(&self.program, &camera, n);
+            if let Some(curve) = &self.curve {
+                around.map(|level| curve.apply(level));
+            }
+            let slack = if self.curve.is_some() { 2 } else { 1 };
+            seen.add(&around, self.reading.pixels[n as usize], slack);
+        }
+        seen
+    }
+}
