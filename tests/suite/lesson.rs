@@ -100,6 +100,9 @@ impl Function {
 
     /// Puts the panic first into its body, in the `text` of its file.
     fn break_in(&self, text: &mut String) {
+        // What runs when it is compiled can't ask for a variable.
+        let name = format!("fn {}(", self.name);
+        *text = text.replace(&format!("const {name}"), &name);
         let mut bodies = Vec::new();
         find_bodies(parsed(text), &mut bodies);
         bodies.retain(|(name, _)| *name == self.name);
@@ -124,7 +127,7 @@ fn listed_on_page_of(chapter: Chapter) -> Vec<Function> {
     let listings = page.all(".listing").into_iter();
     let functions: BTreeSet<Function> = listings
         .flat_map(|listing| {
-            let [file, code] = [".source", "code"].map(|part| {
+            let [file, code] = [".file", "code"].map(|part| {
                 let part = listing.select(&book::select(part)).next();
                 text_of(part.expect("a listing has its file and its code"))
             });
@@ -184,7 +187,7 @@ fn find_bodies(code: TokenStream, bodies: &mut Vec<(String, Range<usize>)>) {
     }
 }
 
-fn page_of(chapter: Chapter) -> String {
+pub(crate) fn page_of(chapter: Chapter) -> String {
     match chapter {
         Chapter::BuildTest => "setup.html".to_owned(),
         _ => format!("{}.html", chapter.name()),
@@ -208,6 +211,13 @@ fn build_copy(functions: BTreeSet<&Function>) -> PathBuf {
             write_if_changed(&copy.join(place), &text);
         }
     }
+    write_manifest(&copy);
+    build(&copy)
+}
+
+/// Makes a workspace of the folder: ours, but only `common` and the chapters.
+pub(crate) fn write_manifest(copy: &Path) {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let manifest = fs::read_to_string(workspace.join("Cargo.toml")).expect("a manifest");
     let members = |line: &&str| !line.contains("members =");
     let manifest: Vec<&str> = manifest.lines().filter(members).collect();
@@ -219,7 +229,6 @@ fn build_copy(functions: BTreeSet<&Function>) -> PathBuf {
     // The same versions, which are there already.
     let lock = fs::read_to_string(workspace.join("Cargo.lock")).expect("a lock file");
     write_if_changed(&copy.join("Cargo.lock"), &lock);
-    build(&copy)
 }
 
 /// Builds the programs in a folder of their own, and as quickly as can be.
@@ -241,7 +250,7 @@ fn build(copy: &Path) -> PathBuf {
 }
 
 /// Leaves a file as it is that says so already: cargo builds what is newer.
-fn write_if_changed(path: &Path, text: &str) {
+pub(crate) fn write_if_changed(path: &Path, text: &str) {
     if fs::read_to_string(path).is_ok_and(|there| there == text) {
         return;
     }

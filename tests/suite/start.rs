@@ -7,6 +7,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::TempDir;
 
+use crate::book::files;
 use crate::command_line::{
     assert_failed, assert_refused, assert_success, names_in, program, run, text,
 };
@@ -40,16 +41,20 @@ impl Mine {
         }
     }
 
+    /// Where all crates of readers are built.
+    pub(crate) fn built() -> PathBuf {
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/mine")
+    }
+
     pub(crate) fn path(&self) -> PathBuf {
         self.home.path().join("mine")
     }
 
     pub(crate) fn rtrace(&self, words: &[&str]) -> Command {
         let mut command = program("rtrace");
-        let built = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/mine");
         command.args(words).current_dir(self.home.path());
         command
-            .env("CARGO_TARGET_DIR", built)
+            .env("CARGO_TARGET_DIR", Self::built())
             .env("CARGO", env!("CARGO"));
         command
     }
@@ -68,10 +73,24 @@ impl Mine {
 
     /// Replaces `old`, which is there once, by `new`.
     pub(crate) fn edit(&self, chapter: &str, old: &str, new: &str) {
-        let file = self.lib(chapter);
-        let source = fs::read_to_string(&file).expect("the chapter");
+        let (file, source) = self.source_with(chapter, old);
         assert_eq!(source.matches(old).count(), 1, "{old} in\n{source}");
         fs::write(file, source.replace(old, new)).expect("the chapter is saved");
+    }
+
+    /// The one file of the chapter with `text` in it, and all that is in it.
+    fn source_with(&self, chapter: &str, text: &str) -> (PathBuf, String) {
+        let sources = files(&self.path().join(chapter).join("src"));
+        let read = |file: PathBuf| (fs::read_to_string(&file).expect("a source"), file);
+        let found: Vec<_> = sources
+            .into_iter()
+            .map(read)
+            .filter(|(source, _)| source.contains(text))
+            .collect();
+        let [(source, file)] = &found[..] else {
+            panic!("{text} is in {} files", found.len());
+        };
+        (file.clone(), source.clone())
     }
 }
 
@@ -189,10 +208,9 @@ fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
             let law = mine.path().join(chapter).join("tests/laws.rs");
             let test = |words: &[&str]| {
                 let mut cargo = Command::new(env!("CARGO"));
-                let built = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/mine");
                 cargo.args(["test", "--quiet"]).args(words);
                 cargo
-                    .env("CARGO_TARGET_DIR", built)
+                    .env("CARGO_TARGET_DIR", Mine::built())
                     .env_remove("RUST_BACKTRACE");
                 run(cargo.current_dir(mine.path().join(chapter)))
             };
@@ -328,8 +346,7 @@ fn type_all(mine: &Mine, chapter: &str) {
 
 /// Puts `body` in the place of the first `todo!()` behind `place`.
 fn fill(mine: &Mine, chapter: &str, place: &str, body: &str) {
-    let file = mine.lib(chapter);
-    let source = fs::read_to_string(&file).expect("the chapter");
+    let (file, source) = mine.source_with(chapter, place);
     let (before, behind) = source.split_once(place).expect("the place");
     let behind = behind.replacen("todo!()", body, 1);
     fs::write(&file, format!("{before}{place}{behind}")).expect("the chapter is saved");

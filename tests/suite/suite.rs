@@ -13,6 +13,7 @@ mod charts;
 mod check;
 mod check_command;
 mod command_line;
+mod compiler;
 mod cpp_to_rust;
 mod details;
 mod drawn;
@@ -39,6 +40,7 @@ mod stability;
 mod start;
 #[cfg(unix)]
 mod terminal;
+mod typed;
 #[cfg(unix)]
 mod watch;
 mod weave;

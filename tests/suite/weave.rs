@@ -38,7 +38,7 @@ fn a_listing_without_items_is_the_whole_file() {
 }
 
 #[test]
-fn methods_and_impl_blocks_go_by_their_headers() {
+fn methods_go_by_the_header_of_their_block_and_are_shown_inside_it() {
     let book = Book::new(
         "{{code shapes.rs Disc::new, impl Shape for Disc::size}}\n\n\
          {{code shapes.rs impl From<[f64; 1]> for Disc, Shape::size}}",
@@ -46,11 +46,50 @@ fn methods_and_impl_blocks_go_by_their_headers() {
     book.write("shapes.rs", SHAPES);
     let page = book.page();
     for listed in [
-        "fn new(radius: f64) -&gt; Self {\n    Self { radius }\n}\n\n/// As large as its area.\nfn size(&amp;self) -&gt; f64 {\n    area(self)\n}</code>",
+        "impl Disc {\n    fn new(radius: f64) -&gt; Self {\n        Self { radius }\n    }\n}\n\nimpl Shape for Disc {\n    /// As large as its area.\n    fn size(&amp;self) -&gt; f64 {\n        area(self)\n    }\n}</code>",
         "impl From&lt;[f64; 1]&gt; for Disc {\n    fn from([radius]: [f64; 1])",
-        "/// How large it is.\nfn size(&amp;self) -&gt; f64;</code>",
+        "trait Shape {\n    /// How large it is.\n    fn size(&amp;self) -&gt; f64;\n}</code>",
     ] {
         assert!(page.contains(listed), "{listed} is missing from\n{page}");
+    }
+}
+
+#[test]
+fn methods_of_one_block_share_it_and_imports_stand_together() {
+    let book =
+        Book::new("{{code two.rs use std::fmt, use std::io::{self, Write}, Two::b, Two::a}}");
+    book.write(
+        "two.rs",
+        "use std::fmt;\nuse std::io::{self, Write};\n\nstruct Two;\n\nimpl Two {\n    fn a() {}\n\n    fn b() {}\n}\n",
+    );
+    let page = book.page();
+    let listed = "use std::fmt;\nuse std::io::{self, Write};\n\nimpl Two {\n    fn b() {}\n\n    fn a() {}\n}</code>";
+    assert!(page.contains(listed), "{page}");
+}
+
+#[test]
+fn a_listing_says_beside_which_of_the_others_it_stands() {
+    let book = Book::new(
+        "{{code shapes.rs NAMES}}\n\n{{code shapes.rs area, Disc::new}}\n\n\
+         {{code shapes.rs Disc}}\n\n{{code shapes.rs impl Shape for Disc}}",
+    );
+    book.write("shapes.rs", SHAPES);
+    let page = book.page();
+    let sources: Vec<&str> = page.split("class=\"file\">").skip(1).collect();
+    let beside = [
+        "",
+        ", below <b>NAMES</b>",
+        ", above <b>NAMES</b>",
+        ", below <b>impl Disc</b>",
+    ];
+    assert_eq!(sources.len(), beside.len());
+    for (source, beside) in sources.iter().zip(beside) {
+        let expected = format!("shapes.rs</span>{beside}</p>");
+        let (place, _) = source.split_once('\n').expect("a line");
+        assert!(
+            place.ends_with(&expected),
+            "{place} does not end with {expected}"
+        );
     }
 }
 

@@ -41,14 +41,14 @@ impl Written {
     }
 }
 
-/// A chapter to be typed, and what to say about its origin.
+/// The files of a chapter to be typed, and what to say about their origin.
 pub(super) struct Carried {
-    pub(super) source: String,
+    pub(super) files: Vec<(&'static str, String)>,
     pub(super) said: String,
 }
 
-/// The skeleton, with what was written before.
-pub(super) fn into(skeleton: &str, written: Option<&Written>) -> Carried {
+/// The skeletons, `src/lib.rs` first, with what was written before.
+pub(super) fn into(skeletons: Vec<(&'static str, String)>, written: Option<&Written>) -> Carried {
     let (items, said) = match written.map(|written| (&written.chapter, &written.items)) {
         None => (&[][..], String::new()),
         Some((chapter, Ok(items))) => (
@@ -60,27 +60,32 @@ pub(super) fn into(skeleton: &str, written: Option<&Written>) -> Carried {
             format!("Nothing is carried over from {chapter}, which can't be read: {why}\n"),
         ),
     };
-    let (mut source, mut used) = filled(skeleton, items);
-    if skeleton.contains("mod rtweekend;") {
-        // Who types the prelude has no use for ours any more.
-        used.push("common :: rtweekend :: *".to_owned());
+    let mut used = Vec::new();
+    let mut files = skeletons;
+    for (_, text) in &mut files {
+        if text.contains("mod rtweekend;") {
+            // Who types the prelude has no use for ours any more.
+            used.push("common :: rtweekend :: *".to_owned());
+        }
+        *text = filled(text, items, &mut used);
     }
+    let (_, lib) = &mut files[0];
     for (name, text) in items {
         if !used.contains(name) {
-            source += &format!("\n{text}\n");
+            *lib += &format!("\n{text}\n");
         }
     }
-    Carried { source, said }
+    Carried { files, said }
 }
 
-/// The skeleton with items in the places of its marks, and the names of all that now has
-/// a place.
-fn filled(skeleton: &str, items: &[(String, String)]) -> (String, Vec<String>) {
+/// The skeleton with items in the places of its marks. `used` gets the names of all that
+/// now has a place.
+fn filled(skeleton: &str, items: &[(String, String)], used: &mut Vec<String>) -> String {
     let find = |name: &str| {
         let named = items.iter().find(|(own, _)| own == name);
         named.map(|(_, text)| text)
     };
-    let mut used = defined(skeleton);
+    used.extend(defined(skeleton));
     let mut source = String::new();
     let mut lines = skeleton.lines();
     while let Some(line) = lines.next() {
@@ -109,7 +114,7 @@ fn filled(skeleton: &str, items: &[(String, String)]) -> (String, Vec<String>) {
             _ => source += &format!("{line}\n"),
         }
     }
-    (source, used)
+    source
 }
 
 /// The item as a comment, for the eyes.

@@ -6,22 +6,57 @@ use check::Chapter;
 
 use crate::steps;
 
-/// The chapter with nothing in its functions.
-pub(super) fn skeleton(chapter: Chapter, own: bool) -> String {
-    let body = match chapter {
+/// The files of the chapter with nothing in its functions, `src/lib.rs` first: the same as
+/// those that the page lists.
+pub(super) fn skeletons(chapter: Chapter, own: bool) -> Vec<(&'static str, String)> {
+    let lib = match chapter {
         Chapter::Gradient => include_str!("skeletons/gradient.rs"),
         Chapter::RedSphere => include_str!("skeletons/red_sphere.rs"),
         Chapter::Normals => include_str!("skeletons/normals.rs"),
         Chapter::HalfBSphere => include_str!("skeletons/half_b_sphere.rs"),
-        Chapter::HittableList => include_str!("skeletons/hittable_list.rs"),
+        Chapter::HittableList => include_str!("skeletons/hittable_list/lib.rs"),
         Chapter::BuildTest | Chapter::SpeedVsAccuracy => unreachable!("it is not typed"),
     };
-    let prelude = match own {
-        true => include_str!("skeletons/own/head.rs"),
-        false => include_str!("skeletons/head.rs"),
+    let modules = match chapter {
+        Chapter::HittableList => HITTABLE_LIST,
+        _ => &[],
     };
-    format!("{prelude}\n{body}")
+    let (head, prelude) = match own {
+        true => (
+            include_str!("skeletons/own/head.rs"),
+            "use crate::rtweekend::*;\n",
+        ),
+        false => {
+            let prelude = include_str!("skeletons/head.rs");
+            (prelude, prelude)
+        }
+    };
+    let mut files = vec![("src/lib.rs", format!("{head}\n{lib}"))];
+    files.extend(modules.iter().map(|&(name, module)| {
+        let above = match module.starts_with("use ") {
+            true => prelude.to_owned(),
+            false => format!("{prelude}\n"),
+        };
+        (name, above + module)
+    }));
+    files
 }
+
+/// The modules of chapter 5.
+const HITTABLE_LIST: &[(&str, &str)] = &[
+    (
+        "src/hittable.rs",
+        include_str!("skeletons/hittable_list/hittable.rs"),
+    ),
+    (
+        "src/sphere.rs",
+        include_str!("skeletons/hittable_list/sphere.rs"),
+    ),
+    (
+        "src/hittable_list.rs",
+        include_str!("skeletons/hittable_list/hittable_list.rs"),
+    ),
+];
 
 /// The files of a prelude that the reader types.
 pub(super) const OWN_PRELUDE: [(&str, &str); 4] = [

@@ -98,13 +98,14 @@ impl New {
         let written = before.map(Written::read);
         let has_own = written.as_ref().is_some_and(Written::has_own_prelude);
         let own = arguments.own_prelude || has_own;
-        let mut carried = carry::into(&files::skeleton(chapter, own), written.as_ref());
+        let mut carried = carry::into(files::skeletons(chapter, own), written.as_ref());
+        let (_, lib) = &mut carried.files[0];
+        lib.insert_str(0, &files::about(chapter));
         if own && written.is_none() && chapter > Chapter::Gradient {
-            carried.source += include_str!("skeletons/own/sky.rs");
+            *lib += include_str!("skeletons/own/sky.rs");
         }
         let lock = fs::read_to_string(workspace.join("Cargo.lock"));
         let texts = [
-            ("src/lib.rs", files::about(chapter) + &carried.source),
             ("src/main.rs", files::main(chapter, own)),
             ("tests/laws.rs", files::test(chapter, own)),
             ("Cargo.toml", files::manifest(chapter, own, workspace)),
@@ -114,15 +115,18 @@ impl New {
         ];
         let prelude = files::OWN_PRELUDE.map(|(name, text)| (name, text.to_owned()));
         let prelude = prelude.into_iter().filter(|_| own && !has_own);
-        let texts = texts
+        let texts = carried
+            .files
             .into_iter()
+            .chain(texts)
             .chain(prelude)
             .filter(|(_, text)| !text.is_empty());
         let files = texts.map(|(name, text)| (name.into(), text.into_bytes()));
+        // A file of the chapter takes the place of one that has its name.
         let kept = written.map_or(Vec::new(), |written| written.files);
         Ok(Self {
             chapter,
-            files: files.chain(kept).collect(),
+            files: kept.into_iter().chain(files).collect(),
             carried: carried.said,
         })
     }

@@ -4,34 +4,74 @@ use std::fs;
 use std::ops::Range;
 use std::path::Path;
 
-use proc_macro2::Span;
+use proc_macro2::{LineColumn, Span};
 use syn::spanned::Spanned;
 use syn::{ImplItem, Item, TraitItem};
 
+/// What a page has listed so far, so that a listing can say what it stands beside: the
+/// file, the lines, and what to look for there.
+#[derive(Default)]
+pub(super) struct Listed(Vec<(String, Range<usize>, String)>);
+
+impl Listed {
+    /// `, below …` or `, above …`, if something else of the same file was listed before.
+    fn beside(&self, file: &str, item: &Named) -> String {
+        let of_file = || self.0.iter().filter(|(of, ..)| of == file);
+        let before = of_file().filter(|(_, lines, _)| lines.end <= item.lines.start);
+        let behind = of_file().filter(|(_, lines, _)| lines.start >= item.lines.end);
+        let below = before.max_by_key(|(_, lines, _)| lines.end);
+        let above = behind.min_by_key(|(_, lines, _)| lines.start);
+        match (below, above) {
+            (Some((_, _, name)), _) => format!(", below <b>{}</b>", escaped(name)),
+            (None, Some((_, _, name))) => format!(", above <b>{}</b>", escaped(name)),
+            (None, None) => String::new(),
+        }
+    }
+
+    fn add(&mut self, file: &str, items: &[&Named]) {
+        let entries = items.iter().filter(|item| !item.is_import).map(|item| {
+            let name = item.called().to_owned();
+            (file.to_owned(), item.lines.clone(), name)
+        });
+        self.0.extend(entries);
+    }
+}
+
 /// The `items` of the source at `path`, or all of it, as Markdown.
 ///
-/// The items are separated by commas. A function, type, trait or constant goes by
-/// its name, an impl block by its header, a method by either of them, `::` and its
-/// name. Doc comments and attributes belong to an item.
-pub(super) fn listing(path: &Path, items: &str) -> Result<String, String> {
-    let shown = shown(path);
-    let source = fs::read_to_string(path).map_err(|cause| format!("{shown}: {cause}"))?;
-    let listing = match items {
-        "" => source,
+/// The items are separated by commas. A function, type, trait or constant goes by its
+/// name, an import by its line, an impl block by its header, a method by either of them,
+/// `::` and its name. Doc comments and attributes belong to an item, and a method is
+/// shown inside its block.
+pub(super) fn listing(path: &Path, items: &str, listed: &mut Listed) -> Result<String, String> {
+    let file = shown(path);
+    let source = fs::read_to_string(path).map_err(|cause| format!("{file}: {cause}"))?;
+    let (beside, listing) = match items {
+        "" => (String::new(), source),
         items => {
-            let named = named_items(&source).map_err(|cause| format!("{shown}: {cause}"))?;
-            let find = |name| find(&named, name).map(|lines| excerpt(&source, lines));
-            let listings: Result<Vec<String>, String> =
-                names(items).into_iter().map(find).collect();
-            listings
-                .map_err(|cause| format!("{shown} {cause}"))?
-                .join("\n")
+            let named = named_items(&source).map_err(|cause| format!("{file}: {cause}"))?;
+            let found: Result<Vec<&Named>, String> = names(items)
+                .into_iter()
+                .map(|name| find(&named, name))
+                .collect();
+            let found = found.map_err(|cause| format!("{file} {cause}"))?;
+            let main = found
+                .iter()
+                .find(|item| !item.is_import)
+                .unwrap_or(&found[0]);
+            let beside = listed.beside(&file, main);
+            listed.add(&file, &found);
+            (beside, excerpt(&source, &found))
         }
     };
     Ok(format!(
-        "<div class=\"listing\"><p class=\"source\">{shown}</p>\n\n````rust\n{}\n````\n\n</div>\n",
+        "<div class=\"listing\"><p class=\"source\"><span class=\"file\">{file}</span>{beside}</p>\n\n````rust\n{}\n````\n\n</div>\n",
         listing.trim_end()
     ))
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;")
 }
 
 /// The path as seen from the workspace, if it is in there.
@@ -51,7 +91,7 @@ fn shown(path: &Path) -> String {
 fn names(list: &str) -> Vec<&str> {
     let mut depth = 0;
     let is_separator = |letter: char| {
-        depth += i32::from("<[(".contains(letter)) - i32::from(">])".contains(letter));
+        depth += i32::from("<[({".contains(letter)) - i32::from(">])}".contains(letter));
         letter == ',' && depth == 0
     };
     list.split(is_separator).map(str::trim).collect()
@@ -61,12 +101,30 @@ fn names(list: &str) -> Vec<&str> {
 struct Named {
     names: Vec<String>,
     lines: Range<usize>,
+    is_import: bool,
+    /// The block that it is a method of, if it is one.
+    block: Option<Block>,
 }
 
-fn find(items: &[Named], name: &str) -> Result<Range<usize>, String> {
+/// The block around a method: its header, and the lines that the header fills.
+#[derive(Clone, PartialEq)]
+struct Block {
+    header: String,
+    lines: Range<usize>,
+}
+
+impl Named {
+    /// What stands in the source to look for: of a method, the header of its block.
+    fn called(&self) -> &str {
+        let block = self.block.as_ref().map(|block| &block.header);
+        block.unwrap_or(&self.names[0])
+    }
+}
+
+fn find<'a>(items: &'a [Named], name: &str) -> Result<&'a Named, String> {
     let has_name = |item: &&Named| item.names.iter().any(|other| other == name);
     match items.iter().filter(has_name).collect::<Vec<_>>()[..] {
-        [item] => Ok(item.lines.clone()),
+        [item] => Ok(item),
         [] => {
             let all: Vec<&str> = items.iter().map(|item| item.names[0].as_str()).collect();
             Err(format!("has no item `{name}`; it has {}", all.join(", ")))
@@ -79,14 +137,25 @@ fn find(items: &[Named], name: &str) -> Result<Range<usize>, String> {
     }
 }
 
-/// These lines, as far to the left as they go.
-fn excerpt(source: &str, lines: Range<usize>) -> String {
-    let lines: Vec<&str> = source.lines().skip(lines.start).take(lines.len()).collect();
-    let indent = lines[0].len() - lines[0].trim_start().len();
-    lines
-        .into_iter()
-        .flat_map(|line| [line.get(indent..).unwrap_or(""), "\n"])
-        .collect()
+/// The items, with an empty line between them unless they stand together in the source;
+/// methods of one block are in one block.
+fn excerpt(source: &str, items: &[&Named]) -> String {
+    let source: Vec<&str> = source.lines().collect();
+    let text = |lines: &Range<usize>| source[lines.clone()].join("\n") + "\n";
+    let mut excerpt = String::new();
+    let mut end = None;
+    for together in items.chunk_by(|one, next| one.block.is_some() && one.block == next.block) {
+        if end.is_some_and(|end| end != together[0].lines.start) {
+            excerpt.push('\n');
+        }
+        let texts: Vec<String> = together.iter().map(|item| text(&item.lines)).collect();
+        excerpt += &match &together[0].block {
+            Some(block) => format!("{}{}}}\n", text(&block.lines), texts.join("\n")),
+            None => texts.concat(),
+        };
+        end = together.last().map(|item| item.lines.end);
+    }
+    excerpt
 }
 
 fn named_items(source: &str) -> Result<Vec<Named>, String> {
@@ -101,7 +170,7 @@ fn named_items(source: &str) -> Result<Vec<Named>, String> {
 
 /// The item, and what can be named inside it.
 fn named(item: &Item, source: &str) -> Vec<Named> {
-    let simple = |name: &syn::Ident| vec![entry(vec![name.to_string()], item.span())];
+    let simple = |name: &syn::Ident| vec![entry(vec![name.to_string()], item.span(), None)];
     match item {
         Item::Const(item) => simple(&item.ident),
         Item::Enum(item) => simple(&item.ident),
@@ -111,12 +180,28 @@ fn named(item: &Item, source: &str) -> Vec<Named> {
         Item::Static(item) => simple(&item.ident),
         Item::Struct(item) => simple(&item.ident),
         Item::Type(item) => simple(&item.ident),
+        Item::Use(item) => {
+            let line = source[item.span().byte_range()].trim_end_matches(';');
+            vec![Named {
+                is_import: true,
+                ..entry(vec![line.to_owned()], item.span(), None)
+            }]
+        }
         Item::Trait(item) => {
+            let name = item.ident.to_string();
+            let block = Block {
+                header: format!("trait {name}"),
+                lines: lines(
+                    item.trait_token.span.start(),
+                    item.brace_token.span.open().end(),
+                ),
+            };
             let mut all = simple(&item.ident);
             all.extend(item.items.iter().filter_map(|inner| match inner {
                 TraitItem::Fn(method) => Some(entry(
-                    vec![format!("{}::{}", item.ident, method.sig.ident)],
+                    vec![format!("{name}::{}", method.sig.ident)],
                     method.span(),
+                    Some(block.clone()),
                 )),
                 _ => None,
             }));
@@ -128,31 +213,38 @@ fn named(item: &Item, source: &str) -> Vec<Named> {
 }
 
 /// An impl block by its header, and its methods.
-fn named_impl(block: &syn::ItemImpl, source: &str) -> Vec<Named> {
-    let header =
-        block.impl_token.span.byte_range().start..block.brace_token.span.open().byte_range().start;
-    let header = source[header]
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
-    let mut all = vec![entry(vec![header.clone()], block.span())];
-    for inner in &block.items {
+fn named_impl(item: &syn::ItemImpl, source: &str) -> Vec<Named> {
+    let [start, end] = [item.impl_token.span, item.brace_token.span.open()];
+    let header = &source[start.byte_range().start..end.byte_range().start];
+    let block = Block {
+        header: header.split_whitespace().collect::<Vec<_>>().join(" "),
+        lines: lines(start.start(), end.end()),
+    };
+    let mut all = vec![entry(vec![block.header.clone()], item.span(), None)];
+    for inner in &item.items {
         if let ImplItem::Fn(method) = inner {
             let name = &method.sig.ident;
-            let mut names = vec![format!("{header}::{name}")];
-            if block.trait_.is_none() {
-                let owner = source[block.self_ty.span().byte_range()].to_owned();
+            let mut names = vec![format!("{}::{name}", block.header)];
+            if item.trait_.is_none() {
+                let owner = source[item.self_ty.span().byte_range()].to_owned();
                 names.push(format!("{owner}::{name}"));
             }
-            all.push(entry(names, method.span()));
+            all.push(entry(names, method.span(), Some(block.clone())));
         }
     }
     all
 }
 
-fn entry(names: Vec<String>, span: Span) -> Named {
+fn entry(names: Vec<String>, span: Span, block: Option<Block>) -> Named {
     Named {
         names,
-        lines: span.start().line - 1..span.end().line,
+        lines: lines(span.start(), span.end()),
+        is_import: false,
+        block,
     }
+}
+
+/// From the line of one place to that of another, from 0.
+fn lines(start: LineColumn, end: LineColumn) -> Range<usize> {
+    start.line - 1..end.line
 }

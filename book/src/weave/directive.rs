@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::code::Listed;
 use super::woven::Woven;
 use super::{changes, code, figure, measured, slip, snapshot};
 
@@ -10,7 +11,7 @@ use super::{changes, code, figure, measured, slip, snapshot};
 /// | in a page | there appears |
 /// |---|---|
 /// | `{{code PATH}}` | the whole source file |
-/// | `{{code PATH ITEM, ITEM}}` | these items of it |
+/// | `{{code PATH ITEM, ITEM}}` | these items of it, and beside which of those listed before they stand |
 /// | `{{figure NAME}}` | the figure, drawn now, with its caption |
 /// | `{{chart NAME}}` | the chart, and a table of its numbers |
 /// | `{{changes NAME}}` | what changed from the chapter before to this one |
@@ -18,12 +19,12 @@ use super::{changes, code, figure, measured, slip, snapshot};
 /// | `{{slips}}` | all slips, by what there is to see |
 /// | `{{snapshot PATH}}` | the Markdown in a snapshot |
 /// | `{{value FILE KEY}}` | a number that was measured |
-pub(super) fn resolve(text: &str, folder: &Path) -> Result<Woven, String> {
+pub(super) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<Woven, String> {
     let (name, rest) = split(text.trim());
     match name {
         "code" => {
             let (path, items) = split(rest);
-            code::listing(&folder.join(path), items).map(Woven::Block)
+            code::listing(&folder.join(path), items, listed).map(Woven::Block)
         }
         "figure" => figure::figure(rest).map(Woven::Block),
         "chart" => figure::chart(folder, rest).map(Woven::Block),

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use check::places::shown;
 use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag};
 
+use super::code::Listed;
 use super::directive;
 use super::maths::Maths;
 use super::woven::Woven;
@@ -96,6 +97,7 @@ impl<'a> Page<'a> {
 
     fn directives(&self, opaque: &[Range<usize>]) -> Vec<Piece> {
         let mut pieces = Vec::new();
+        let mut listed = Listed::default();
         let mut from = 0;
         while let Some(start) = self.text[from..].find("{{").map(|at| from + at) {
             if let Some(range) = opaque.iter().find(|range| range.contains(&start)) {
@@ -112,7 +114,8 @@ impl<'a> Page<'a> {
                 continue;
             };
             let range = start..start + end + 2;
-            let woven = directive::resolve(&self.text[start + 2..start + end], self.folder());
+            let text = &self.text[start + 2..start + end];
+            let woven = directive::resolve(text, self.folder(), &mut listed);
             pieces.push((range.clone(), self.alone_if_block(&range, woven)));
             from = range.end;
         }
