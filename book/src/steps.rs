@@ -17,8 +17,8 @@ pub(crate) struct Step {
 enum Shows {
     /// The picture of a chapter.
     Chapter(Chapter),
-    /// What each ray sees, in the shape of the book's pictures.
-    Rays(fn(&Ray) -> Color),
+    /// What each ray sees, in the shape of the book's pictures; and that in words.
+    Rays(fn(&Ray) -> Color, &'static str),
 }
 
 impl Step {
@@ -26,10 +26,18 @@ impl Step {
     pub(crate) fn picture(&self, width: u32, height: u32) -> Picture {
         match self.shows {
             Shows::Chapter(chapter) => of_chapter(chapter).right(width, height),
-            Shows::Rays(ray_color) => {
+            Shows::Rays(ray_color, _) => {
                 let camera = Camera::with_size(width, height);
                 Picture::paint(width, height, move |i, j| ray_color(&camera.ray(i, j)))
             }
+        }
+    }
+
+    /// What there is to see, for whoever can't.
+    pub(crate) fn seen(&self) -> &'static str {
+        match self.shows {
+            Shows::Chapter(chapter) => chapter.shows(),
+            Shows::Rays(_, seen) => seen,
         }
     }
 }
@@ -46,12 +54,26 @@ pub(crate) fn of(chapter: Chapter) -> &'static [Step] {
             Step {
                 says: "Every ray is white: `ray_color` returns (1, 1, 1).",
                 has_laws: false,
-                shows: Shows::Rays(|_| Color::ONE),
+                shows: Shows::Rays(
+                    |_| Color::ONE,
+                    "A white rectangle, 16 wide for every 9 high",
+                ),
+            },
+            Step {
+                says: "Where does each ray go? Red is the x of its direction and green is the y.",
+                has_laws: false,
+                shows: Shows::Rays(
+                    |ray| Color::new(ray.direction.x, ray.direction.y, 0.0),
+                    "Black in the lower left quarter, red growing to the right, green growing upwards",
+                ),
             },
             Step {
                 says: "How steeply does it climb? Gray of a = ½(y + 1), with the y of the unit direction.",
                 has_laws: false,
-                shows: Shows::Rays(|ray| 0.5 * (ray.direction.normalize().y + 1.0) * Color::ONE),
+                shows: Shows::Rays(
+                    |ray| 0.5 * (ray.direction.normalize().y + 1.0) * Color::ONE,
+                    "Gray: dark at the bottom, light at the top, and lightest above the middle",
+                ),
             },
             Step {
                 says: "Blend white and the blue (0.5, 0.7, 1) by the weight a.",
@@ -78,6 +100,14 @@ pub(crate) fn of(chapter: Chapter) -> &'static [Step] {
                 shows: Shows::Chapter(Chapter::RedSphere),
             },
             Step {
+                says: "How far is that? Gray of t where t > 0: the nearer, the darker.",
+                has_laws: true,
+                shows: Shows::Rays(
+                    gray_of_t,
+                    "A gray disc in front of the sky, darker in its middle than at its rim",
+                ),
+            },
+            Step {
                 says: "Where t > 0, the unit normal at `ray.at(t)` becomes the color: ½(n + 1).",
                 has_laws: false,
                 shows: Shows::Chapter(Chapter::Normals),
@@ -101,6 +131,14 @@ pub(crate) fn of(chapter: Chapter) -> &'static [Step] {
             },
         ],
         Chapter::SpeedVsAccuracy => &[],
+    }
+}
+
+/// The sphere of chapter 3, each point in the gray of its t.
+fn gray_of_t(ray: &Ray) -> Color {
+    match normals::hit_sphere(Point3::new(0.0, 0.0, -1.0), 0.5, ray) {
+        Some(t) if t > 0.0 => t * Color::ONE,
+        _ => sky(ray),
     }
 }
 

@@ -8,6 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
+use check::Chapter;
 use scraper::{ElementRef, Html, Node, Selector};
 
 use crate::command_line::{names_in, rtrace_alone};
@@ -150,6 +151,40 @@ fn every_picture_says_what_there_is_to_see() {
                 description.len() > 20,
                 "{title} in {} has no description",
                 page.name
+            );
+        }
+    }
+}
+
+/// What can be read on two printed pages.
+const WORDS_WITHOUT_A_PICTURE: usize = 800;
+
+#[test]
+fn whoever_reads_a_chapter_sees_a_picture_at_least_every_two_pages() {
+    let pages = pages();
+    for chapter in &Chapter::OF_THE_BOOK[1..] {
+        let name = format!("{}.html", chapter.name());
+        let page = pages.iter().find(|page| page.name == name).expect("a page");
+        let main = page.all("main").pop().expect("a page has a main part");
+        let (mut words, mut heading) = (0, String::new());
+        for node in main.descendants() {
+            match (node.value(), ElementRef::wrap(node)) {
+                (_, Some(element)) => match element.value().name() {
+                    "img" => words = 0,
+                    // Those without a role are icons.
+                    "svg" if element.attr("role") == Some("img") => words = 0,
+                    "h2" => heading = text_of(element),
+                    _ => {}
+                },
+                (Node::Text(text), _) => words += text.split_whitespace().count(),
+                _ => {}
+            }
+            if heading == "What the tests promise" {
+                break;
+            }
+            assert!(
+                words <= WORDS_WITHOUT_A_PICTURE,
+                "{words} words without a picture in {name}, under {heading:?}"
             );
         }
     }
@@ -312,7 +347,11 @@ impl Page {
     }
 
     pub(crate) fn all(&self, selector: &str) -> Vec<ElementRef<'_>> {
-        self.html.select(&select(selector)).collect()
+        self.all_of(&select(selector))
+    }
+
+    pub(crate) fn all_of(&self, selector: &Selector) -> Vec<ElementRef<'_>> {
+        self.html.select(selector).collect()
     }
 
     fn attributes(&self, selector: &str, name: &str) -> Vec<&str> {

@@ -297,7 +297,7 @@ fn the_list_of_done_things_has_what_came_out_right_once_and_the_readers_own_line
     }
     let said = done(&[]);
     assert!(
-        said.contains("were swapped") && said.contains("gradient       2. How steeply"),
+        said.contains("were swapped") && said.contains("gradient       2. Where does"),
         "{said}"
     );
     assert!(!said.contains("gradient       1."), "{said}");

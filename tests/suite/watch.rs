@@ -39,12 +39,15 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
     let screen = desk.see("It does not compile");
     assert!(plain(&screen).contains("src/lib.rs"), "{screen}");
     mine.edit("normals", "(2.0 * a", "(2.0 * a)");
-    keep("step", &desk.see("Step 1 of 2 is right."));
+    keep("step", &desk.see("Step 1 of 3 is right."));
+
+    mine.edit("normals", RED_BODY, GRAY_BODY);
+    keep("gray", &desk.see("Step 2 of 3 is right."));
 
     // The second: the normal points inwards.
     mine.edit(
         "normals",
-        RED_BODY,
+        GRAY_BODY,
         &NORMAL_BODY.replace("ray.at(t) - center", "center - ray.at(t)"),
     );
     keep("wrong", &desk.see("Wrong:"));
@@ -363,6 +366,9 @@ const RED_DISC: &str = "pub fn ray_color(ray: &Ray) -> Color {
 
 const RED_BODY: &str = "    {
         return Color::new(1.0, 0.0, 0.0);";
+
+const GRAY_BODY: &str = "    {
+        return t * Vec3::ONE;";
 
 const NORMAL_BODY: &str = "    {
         let normal = (ray.at(t) - center).normalize();

@@ -13,6 +13,7 @@ pub mod nearest;
 pub mod normal;
 pub mod normal_colors;
 pub mod number;
+pub mod passing;
 mod pixels;
 mod plane;
 pub mod projection;
@@ -20,6 +21,7 @@ pub mod ray;
 pub mod records;
 pub mod red_sphere;
 pub mod roots;
+pub mod sphere_test;
 mod style;
 mod svg;
 pub mod table;
@@ -30,14 +32,16 @@ pub use charts::{CHARTS, Chart, Drawn, find_chart};
 pub use figure::Figure;
 pub use style::{CSS, standalone};
 
-/// All figures, in reading order: the nine of the notes, and three more.
+/// All figures, in reading order: the nine of the notes, and five more.
 pub const FIGURES: &[Figure] = &[
     build_test::FIGURE,
     ray::FIGURE,
     camera_frame::FIGURE,
     viewport_grid::FIGURE,
     unit_sky::FIGURE,
+    sphere_test::FIGURE,
     roots::FIGURE,
+    passing::FIGURE,
     projection::FIGURE,
     red_sphere::FIGURE,
     normal::FIGURE,

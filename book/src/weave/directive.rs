@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::code::Listed;
 use super::woven::Woven;
-use super::{changes, code, figure, measured, slip, snapshot};
+use super::{changes, code, figure, measured, slip, snapshot, step};
 
 /// What the directive with this `text` stands for, in a page of `folder`.
 ///
@@ -17,6 +17,7 @@ use super::{changes, code, figure, measured, slip, snapshot};
 /// | `{{changes NAME}}` | what changed from the chapter before to this one |
 /// | `{{slip NAME CHAPTER}}` | the wrong picture that this slip draws |
 /// | `{{slips}}` | all slips, by what there is to see |
+/// | `{{step CHAPTER NUMBER}}` | the picture after this step on the way to the chapter |
 /// | `{{snapshot PATH}}` | the Markdown in a snapshot |
 /// | `{{value FILE KEY}}` | a number that was measured |
 pub(super) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<Woven, String> {
@@ -34,6 +35,10 @@ pub(super) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
             slip::slip(name, chapter).map(Woven::Block)
         }
         "slips" => Ok(Woven::Block(slip::gallery())),
+        "step" => {
+            let (chapter, number) = split(rest);
+            step::step(chapter, number).map(Woven::Block)
+        }
         "snapshot" => snapshot::text(&folder.join(rest)).map(Woven::Block),
         "value" => {
             let (file, key) = split(rest);
@@ -41,7 +46,7 @@ pub(super) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
         }
         _ => Err(format!(
             "there is no directive `{name}`: choose code, figure, chart, changes, slip, slips, \
-             snapshot or value"
+             step, snapshot or value"
         )),
     }
 }

@@ -14,6 +14,7 @@ mod measured;
 mod page;
 mod slip;
 mod snapshot;
+mod step;
 mod warnings;
 mod woven;
 

@@ -141,7 +141,8 @@ fn unseen(slip: &Slip) -> String {
     }
 }
 
-fn image(picture: &Picture, alt: &str) -> String {
+/// The picture inside the page, pixel by pixel.
+pub(super) fn image(picture: &Picture, alt: &str) -> String {
     format!(
         "<img class=\"pixels\" width=\"{}\" height=\"{}\" alt=\"{alt}\" src=\"data:image/png;base64,{}\">",
         picture.width(),

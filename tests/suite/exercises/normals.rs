@@ -5,6 +5,18 @@ use normals::hit_sphere;
 
 const CENTER: Point3 = Point3::new(0.0, 0.0, -1.0);
 
+#[test]
+fn t_is_a_half_in_the_middle_of_the_ball_and_three_quarters_at_its_rim() {
+    assert_eq!(
+        hit_sphere(CENTER, 0.5, &Ray::new(Point3::ZERO, Vec3::NEG_Z)),
+        Some(0.5)
+    );
+    // A tangent of 30 degrees; a hair inside of it the line goes in.
+    let rim = Vec3::new(30.0_f64.to_radians().tan() * (1.0 - 1e-12), 0.0, -1.0);
+    let t = hit_sphere(CENTER, 0.5, &Ray::new(Point3::ZERO, rim)).expect("it is inside");
+    assert!((t - 0.75).abs() < 1e-5, "{t}");
+}
+
 /// The bytes of a pixel in the picture of this chapter.
 fn pixel(i: usize, j: usize) -> [u8; 3] {
     let picture = normals::picture(400);

@@ -1,0 +1,39 @@
+//! Half-finished pictures: what there is to see after a step on the way to a chapter.
+
+use check::Chapter;
+
+use super::slip::image;
+use crate::steps;
+
+/// The picture of step `number` of the chapter, drawn now, and what to type for it.
+pub(super) fn step(chapter: &str, number: &str) -> Result<String, String> {
+    let chapter =
+        Chapter::find(chapter).ok_or_else(|| format!("there is no chapter `{chapter}`"))?;
+    let steps = steps::of(chapter);
+    let number = number.parse().unwrap_or(0);
+    let step = (1..).zip(steps).find(|&(it, _)| it == number);
+    let (_, step) = step.ok_or_else(|| {
+        format!(
+            "{} has no step {number}: it has {}",
+            chapter.name(),
+            steps.len()
+        )
+    })?;
+    let right = chapter.picture(chapter.book_width());
+    let picture = step.picture(right.width(), right.height());
+    Ok(format!(
+        "<figure>{}<figcaption>{}</figcaption></figure>",
+        image(&picture, step.seen()),
+        with_code(step.says)
+    ))
+}
+
+/// What stands between backticks is code.
+fn with_code(says: &str) -> String {
+    let pieces = says
+        .split('`')
+        .zip([["", ""], ["<code>", "</code>"]].iter().cycle());
+    pieces
+        .map(|(piece, [before, after])| format!("{before}{}{after}", piece.replace('<', "&lt;")))
+        .collect()
+}
