@@ -2,9 +2,9 @@
 //!
 //! Each is a slip of the hand, made in the chapter in which it is likely.
 
-use std::fs;
 use std::path::Path;
 use std::process::Command;
+use std::{env, fs};
 
 use check::Chapter;
 use insta::assert_snapshot;
@@ -75,16 +75,18 @@ const MISTAKES: [Mistake; 6] = [
 fn the_pages_show_what_the_compiler_says() {
     let mine = Mine::new();
     for mistake in &MISTAKES {
-        let Some(said) = mistake.told(&mine) else {
+        let shown = Path::new(FOLDER).join(mistake.name).with_extension("snap");
+        let shown = fs::read_to_string(shown).unwrap_or_default();
+        let source = mistake.make(&mine);
+        if !is_typed_as_shown(&source, &shown) && env::var_os("INSTA_UPDATE").is_none() {
             left_out(&format!(
-                "{} is typed in other words: the mistake {} can't be made there",
+                "{} is typed in other words than the page shows: the mistake {}",
                 mistake.chapter.name(),
                 mistake.name
             ));
             continue;
-        };
-        let shown = Path::new(FOLDER).join(mistake.name).with_extension("snap");
-        let shown = fs::read_to_string(shown).unwrap_or_default();
+        }
+        let said = page_of(&first_error(&mine, mistake.chapter.name()));
         if !is_the_version_shown() && !shown.is_empty() {
             assert_means_the_same(&shown, &said);
             continue;
@@ -105,8 +107,8 @@ fn the_pages_show_what_the_compiler_says() {
 }
 
 impl Mistake {
-    /// The first error, if the chapter has the line in which the mistake is made.
-    fn told(&self, mine: &Mine) -> Option<String> {
+    /// Types the chapter with the mistake in it. Its file, as it is now.
+    fn make(&self, mine: &Mine) -> String {
         let name = self.chapter.name();
         if !mine.path().join(name).exists() {
             assert_success(&run(&mut mine.start(name, &[])));
@@ -123,12 +125,27 @@ impl Mistake {
         }
         let source = fs::read_to_string(typed.join(self.file)).expect("a source");
         let mistaken = source.replacen(self.right, self.wrong, 1);
-        if mistaken == source {
-            return None;
-        }
-        fs::write(typed.join(self.file), mistaken).expect("it is saved");
-        Some(page_of(&first_error(mine, name)))
+        fs::write(typed.join(self.file), &mistaken).expect("it is saved");
+        mistaken
     }
+}
+
+/// Whether the line that the error is about is the one that the page shows; a chapter may
+/// be typed in other words.
+fn is_typed_as_shown(source: &str, shown: &str) -> bool {
+    let number = shown
+        .split("--> ")
+        .nth(1)
+        .and_then(|place| place.split(':').nth(1));
+    let Some(number) = number.and_then(|number| number.parse::<usize>().ok()) else {
+        // Nothing is shown yet.
+        return true;
+    };
+    let quoted = shown.lines().find_map(|line| {
+        let (of, code) = line.split_once(" | ")?;
+        (of.trim() == number.to_string()).then_some(code)
+    });
+    source.lines().nth(number - 1) == quoted
 }
 
 /// What cargo prints of the first error in the crate of that chapter.

@@ -9,9 +9,10 @@ use std::process::Command;
 use check::Chapter;
 
 use crate::book::{self, files, text_of};
-use crate::command_line::{run, text};
+use crate::command_line::{assert_success, run, text};
 use crate::lesson::{page_of, write_if_changed, write_manifest};
 use crate::pictures::p3;
+use crate::start::Mine;
 
 #[test]
 fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
@@ -31,6 +32,47 @@ fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
             page_of(chapter)
         );
     }
+}
+
+/// So that a listing can be typed into the crate that was made for it.
+#[test]
+fn the_crates_that_start_makes_have_the_files_and_the_names_of_the_pages() {
+    let mine = Mine::new();
+    let typed = listed();
+    for chapter in &Chapter::OF_THE_BOOK[1..] {
+        assert_success(&run(&mut mine.start(chapter.name(), &[])));
+        let folder = mine.path().join(chapter.name());
+        let made = files(&folder.join("src"));
+        let page = folder_of(*chapter);
+        let of_page = typed
+            .keys()
+            .filter(|file| file.starts_with(page.join("src")));
+        assert_eq!(made.len(), of_page.count(), "{made:?}");
+        for file in made.iter().filter(|file| !file.ends_with("main.rs")) {
+            let listed = &typed[&page.join(file.strip_prefix(&folder).expect("it is inside"))];
+            let made = fs::read_to_string(file).expect("a source");
+            for name in made.lines().filter_map(named) {
+                assert!(
+                    listed.contains(name),
+                    "no page lists `{name}` of {}",
+                    file.display()
+                );
+            }
+        }
+    }
+}
+
+/// What the line begins, if it begins something with a name: a chapter may be typed in other
+/// words, but not by other names.
+fn named(line: &str) -> Option<&str> {
+    let line = line.trim_start();
+    let line = line.strip_prefix("pub ").unwrap_or(line);
+    let is_named = ["fn ", "struct ", "trait ", "impl "]
+        .iter()
+        .any(|it| line.starts_with(it));
+    // The sky was typed in chapter 1.
+    let name = line.split(['(', '{']).next().unwrap_or(line).trim_end();
+    (is_named && name != "fn sky").then_some(name)
 }
 
 /// A screen and a half: what is longer is read in pieces.

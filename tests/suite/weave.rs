@@ -149,6 +149,14 @@ fn a_slip_is_drawn_into_the_page_with_its_name() {
 }
 
 #[test]
+fn a_step_is_drawn_into_the_page_with_what_to_type() {
+    let page = Book::new("{{step gradient 1}}").page();
+    assert!(page.contains("src=\"data:image/png;base64,"), "{page}");
+    assert!(page.contains("alt=\"A white rectangle"), "{page}");
+    assert!(page.contains("<code>ray_color</code> returns"), "{page}");
+}
+
+#[test]
 fn the_gallery_shows_every_sight_and_names_every_slip() {
     let page = fs::read_to_string(woven().join("slips.html")).expect("a page");
     let drawings = page.matches("<img class=\"pixels\"").count();
@@ -255,6 +263,8 @@ fn what_cannot_be_woven_fails_the_build_with_file_line_and_cause() {
         ("{{figure unicorn}}", "no figure `unicorn`: there are"),
         ("{{slip unicorn gradient}}", "no slip `unicorn`"),
         ("{{slip minus-h gradient}}", "can't be made in a chapter"),
+        ("{{step unicorn 1}}", "no chapter `unicorn`"),
+        ("{{step normals 4}}", "normals has no step 4: it has 3"),
         ("{{snapshot unicorn.snap}}", "unicorn.snap"),
         ("{{chart unicorn}}", "no chart `unicorn`: there are"),
         ("{{changes unicorn}}", "no chapter `unicorn`"),

@@ -77,6 +77,13 @@ fn the_horizon_is_lower_than_the_middle_and_lowest_at_the_sides() {
     );
 }
 
+#[test]
+fn the_horizon_is_about_ten_units_away() {
+    let way = Point3::new(0.0, -100.5, -1.0);
+    let tangent = (way.length_squared() - 100.0 * 100.0).sqrt();
+    assert_eq!(format!("{tangent:.1}"), "10.1");
+}
+
 /// What a ray meets on its way through `thing`, one surface after another.
 fn crossings(thing: &dyn Hittable, ray: &Ray) -> Vec<(f64, bool)> {
     let mut crossings = Vec::new();
