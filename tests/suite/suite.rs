@@ -41,6 +41,7 @@ mod stability;
 mod start;
 #[cfg(unix)]
 mod terminal;
+mod told;
 mod typed;
 #[cfg(unix)]
 mod watch;
