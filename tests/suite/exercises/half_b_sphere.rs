@@ -33,6 +33,15 @@ fn one_sign_too_many_gives_the_far_root_negated_and_no_ball() {
     assert_eq!(picture_by(with_minus_h), gradient::picture(400));
 }
 
+#[test]
+fn a_looser_test_for_t_brings_back_only_a_ring_of_the_ball() {
+    let camera = Camera::new(400);
+    let is_drawn = |i| with_minus_h(CENTER, 0.5, &camera.ray(i, 112)).is_some_and(|t| t > -1.0);
+    let columns: Vec<u32> = (0..400).filter(|&i| is_drawn(i)).collect();
+    let ring: Vec<u32> = (135..144).chain(256..265).collect();
+    assert_eq!(columns, ring);
+}
+
 /// The same for rays whose direction has length 1, where a is 1.
 fn for_unit_direction(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
     assert!((ray.direction.length() - 1.0).abs() < 1e-12);
