@@ -4,7 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
 use common::rtweekend::*;
-use figures::{CSS, FIGURES, normal, red_sphere, roots, standalone, viewport_grid};
+use figures::{
+    CSS, FIGURES, normal, passing, red_sphere, roots, sphere_test, standalone, viewport_grid,
+};
 use insta::assert_binary_snapshot;
 use roxmltree::{Document, Node};
 
@@ -268,6 +270,57 @@ fn a_pixel_has_a_full_dot_exactly_where_it_lies_inside_the_outline() {
             }
         }
     }
+}
+
+#[test]
+fn the_passing_distance_and_half_of_the_way_inside_make_a_right_angle() {
+    for (height, radius) in [(0.5, 1.15), (0.0, 1.0), (-0.6, 0.9)] {
+        let svg = passing::draw(&passing::Parameters {
+            center: Point3::new(2.75, height, 0.0),
+            radius,
+            ..passing::Parameters::default()
+        });
+        let drawing = parse(&svg);
+        let sphere = one(&drawing, "circle", "sphere area");
+        let distance = one(&drawing, "line", "faint dashed");
+        let entry = one(&drawing, "circle", "ray hollow");
+        let [center, foot, entry] = [
+            (f(&sphere, "cx"), f(&sphere, "cy")),
+            (f(&distance, "x2"), f(&distance, "y2")),
+            (f(&entry, "cx"), f(&entry, "cy")),
+        ];
+        let away = |one: (f64, f64), other: (f64, f64)| (one.0 - other.0).hypot(one.1 - other.1);
+        assert!(
+            (away(center, entry) - f(&sphere, "r")).abs() < 0.02,
+            "{svg}"
+        );
+        let (s, half) = (away(center, foot), away(entry, foot));
+        assert!((s.hypot(half) - f(&sphere, "r")).abs() < 0.02, "{svg}");
+    }
+}
+
+#[test]
+fn the_cut_through_the_sphere_is_red_inside_the_circle() {
+    let svg = sphere_test::draw(&sphere_test::Parameters::default());
+    let drawing = parse(&svg);
+    let circle = one(&drawing, "circle", "black line");
+    // A run of pixels is a path: to its corner, so far across, so far down, and back.
+    let is_red = |node: &Node| node.attribute("fill") == Some("#ff0000");
+    let area_of = |node: Node| {
+        let path = node.attribute("d").expect("a path leads somewhere");
+        let sides: Vec<f64> = path
+            .split(['h', 'v'])
+            .skip(1)
+            .flat_map(str::parse)
+            .collect();
+        sides[0] * sides[1]
+    };
+    let area: f64 = drawing.descendants().filter(is_red).map(area_of).sum();
+    let expected = std::f64::consts::PI * f(&circle, "r").powi(2);
+    assert!(
+        (area / expected - 1.0).abs() < 0.03,
+        "{area} and {expected}"
+    );
 }
 
 #[test]
