@@ -100,7 +100,12 @@ macro_rules! half_b {
                 }
             }
         }
+    };
+}
 
+/// Makes what both need of one ray: all lanes of a processor do it at once.
+macro_rules! first_ahead {
+    ($first_ahead:ident, $float:ident, $Vec:ident) => {
         /// The root that comes first among those that can be positive, and
         /// whether it is the nearer one: if that is not in range, the farther
         /// one may be.
@@ -137,6 +142,8 @@ half_b!(
     SingleVec3,
     SingleRay
 );
+first_ahead!(first_ahead, f64, Vec3);
+first_ahead!(first_ahead_f32, f32, SingleVec3);
 
 /// The nearest root of one ray on all spheres, by `half_b`; ∞ if it misses them.
 pub fn nearest(spheres: &[Block<f64, 4>], ray: &Ray, [t_min, t_max]: [f64; 2]) -> f64 {
@@ -190,7 +197,7 @@ pub fn divider_limit_f32(roots: &mut [f32; BLOCK], quotients: &mut [f32; BLOCK])
     in_single(roots, quotients);
 }
 
-macro_rules! divider_limit {
+macro_rules! in_all_lanes {
     ($name:ident, $float:ident) => {
         #[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))]
         fn $name(roots: &mut [$float; BLOCK], quotients: &mut [$float; BLOCK]) {
@@ -201,5 +208,5 @@ macro_rules! divider_limit {
         }
     };
 }
-divider_limit!(in_double, f64);
-divider_limit!(in_single, f32);
+in_all_lanes!(in_double, f64);
+in_all_lanes!(in_single, f32);

@@ -62,7 +62,7 @@ pub fn half_b_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) 
 ///
 /// Cost: 1 √, 1 ÷, both roots included; the ÷ is paid by misses too. Error of
 /// D/a: u·(4l·|oc| + 8l² + 2r²) with l the distance: a small far sphere is safe
-/// until 10¹² radii. Fails: by the digits of t above a large sphere, where the
+/// until 10¹¹ radii. Fails: by the digits of t above a large sphere, where the
 /// root cancels and h/a has been rounded: worse than `half_b` on the book's own
 /// ground. Source: Haines, Günther and Akenine-Möller, *Precision Improvements
 /// for Ray/Sphere Intersection*, in Ray Tracing Gems, 2019; Hearn and Baker.
@@ -124,8 +124,8 @@ pub fn kahan_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -
 /// |d|²·|oc|², so D = a·r² − |d × oc|², without the division of [`haines_q`].
 ///
 /// Cost: 1 √, 1 ÷. Error of D: u·(6w·|d||oc| + 6w² + 6a·r²) with w = |d × oc|:
-/// a small far sphere is safe until 10¹³ radii. Fails: near the surface, where
-/// c has lost its digits, and by some thousand ulps on the book's ground.
+/// a small far sphere is safe until 10¹¹ radii. Fails: near the surface, where
+/// c has lost its digits, and by some ten thousand ulps on the book's ground.
 #[inline]
 pub fn cross_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     let oc = center - ray.origin;
