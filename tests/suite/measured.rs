@@ -1,6 +1,6 @@
 //! What chapter 6 measures without a clock: the same numbers on every machine.
 
-use figures::records::Timing;
+use figures::records::{Race, Timing};
 use figures::table::{Record, Table};
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Snapshot, assert_binary_snapshot};
@@ -41,6 +41,47 @@ mod the_snapshot_holds {
     #[test]
     fn sweeps() {
         assert_measured("sweeps", &accuracy::sweeps(CASES_OF_A_LEVEL, SEED));
+    }
+}
+
+/// What the pages say in words of numbers that were measured.
+mod the_words {
+    use super::*;
+
+    /// `speed.md`: most of the C++ program's time is printing, and in tracing alone the
+    /// two are near to each other.
+    #[test]
+    fn most_of_the_time_of_the_rival_is_printing() {
+        let file = include_str!("../../book/notes/speed/heats.csv");
+        let rows = Table::<Race>::read(file)
+            .expect("the file is well-formed")
+            .rows;
+        let of = |to: &str, chapter: &str| {
+            let mut rows = rows
+                .iter()
+                .filter(|row| (row.width, &*row.to) == (3840, to));
+            let row = rows.find(|row| row.chapter == chapter);
+            row.cloned().expect("it was measured")
+        };
+        for chapter in [
+            "gradient",
+            "red_sphere",
+            "normals",
+            "half_b_sphere",
+            "hittable_list",
+        ] {
+            let [all, traced] = ["nowhere", "traced"].map(|to| of(to, chapter));
+            let printing = 1.0 - traced.cpp_median_ms / all.cpp_median_ms;
+            assert!(printing > 0.6, "{chapter}: {printing}");
+            assert!(
+                (0.5..2.0).contains(&traced.ratio()),
+                "{chapter}: {}",
+                traced.ratio()
+            );
+        }
+        let [list, ball] = ["hittable_list", "half_b_sphere"].map(|of_it| of("traced", of_it));
+        let factor = list.rust_median_ms / ball.rust_median_ms;
+        assert!((1.6..2.5).contains(&factor), "about twice: {factor}");
     }
 }
 

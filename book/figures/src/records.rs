@@ -172,14 +172,16 @@ impl Table<Timing> {
 }
 
 /// How long our program takes to draw a picture, and how long the C++ program: as
-/// the benchmark `race` measured it, from the start of each process to its end.
+/// the benchmark `race` measured it. Whole programs are timed from the start of each
+/// process to its end.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Race {
     /// The picture.
     pub chapter: String,
     /// Its width in pixels.
     pub width: u32,
-    /// Where the text went: `nowhere`, or into a `file`.
+    /// Where the text went: `nowhere`, or into a `file`. Or `traced`, if there was none:
+    /// then each kept the bytes of the picture in memory, on one thread.
     pub to: String,
     /// Milliseconds of our program: half of the runs took less, half more.
     #[serde(serialize_with = "decimals::<2, _, _>")]

@@ -2,6 +2,7 @@
 
 use std::error::Error;
 use std::fs::File;
+use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Instant;
@@ -31,8 +32,11 @@ struct Arguments {
     bench: bool,
 }
 
+/// In pixels, what shows best where the time goes.
+const WIDEST: u32 = 3840;
+
 /// Width in pixels, and whether the text goes into a file.
-const COURSES: [(u32, bool); 3] = [(3840, false), (3840, true), (400, false)];
+const COURSES: [(u32, bool); 3] = [(WIDEST, false), (WIDEST, true), (400, false)];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
@@ -60,7 +64,12 @@ fn main() -> Result<(), Box<dyn Error>> {
             races.push(race);
         }
     }
-    say_where_time_goes(&programs, rival.as_deref().ok())?;
+    for chapter in &Chapter::OF_THE_BOOK[1..] {
+        let race = trace_race(*chapter, arguments.rounds, rival.as_deref().ok())?;
+        say(&format!("{}\n", shown(&race, rival.is_ok())))?;
+        races.push(race);
+    }
+    say_instructions(&programs, rival.as_deref().ok())?;
     if arguments.record && rival.is_ok() {
         record(machine, races)?;
     }
@@ -109,19 +118,44 @@ fn run_race(
             theirs.push(milliseconds(command.stdout(destination()?))?);
         }
     }
-    theirs.extend(rival.is_none().then_some(f64::NAN));
+    let to = if to_file { "file" } else { "nowhere" };
+    Ok(result(chapter, width, to, ours, theirs))
+}
+
+/// Without text, on one thread: the bytes of the picture in memory. The C++ program
+/// prints nothing but their sum. Its process takes a millisecond or two to start.
+fn trace_race(chapter: Chapter, rounds: u32, rival: Option<&Path>) -> io::Result<Race> {
+    let picture = chapter.picture(WIDEST);
+    let (mut ours, mut theirs) = (Vec::new(), Vec::new());
+    for _ in 0..rounds {
+        let start = Instant::now();
+        black_box(picture.rgb_with_threads(1));
+        ours.push(1e3 * start.elapsed().as_secs_f64());
+        if let Some(rival) = rival {
+            let mut command = Command::new(rival);
+            command.args([chapter.name(), &WIDEST.to_string(), "sum"]);
+            theirs.push(milliseconds(command.stdout(Stdio::null()))?);
+        }
+    }
+    Ok(result(chapter.name(), WIDEST, "traced", ours, theirs))
+}
+
+fn result(chapter: &str, width: u32, to: &str, ours: Vec<f64>, mut theirs: Vec<f64>) -> Race {
+    if theirs.is_empty() {
+        theirs.push(f64::NAN);
+    }
     let [rust, cpp] = [ours, theirs].map(Spread::of);
-    Ok(Race {
+    Race {
         chapter: chapter.to_owned(),
         width,
-        to: if to_file { "file" } else { "nowhere" }.to_owned(),
+        to: to.to_owned(),
         rust_median_ms: rust.median,
         rust_least_ms: rust.least,
         rust_greatest_ms: rust.greatest,
         cpp_median_ms: cpp.median,
         cpp_least_ms: cpp.least,
         cpp_greatest_ms: cpp.greatest,
-    })
+    }
 }
 
 /// How long the command takes from start to end.
@@ -157,41 +191,16 @@ fn shown(race: &Race, with_rival: bool) -> String {
     line
 }
 
-/// Prints how much of the time is tracing, on one thread, and how many
-/// instructions a small picture takes, if valgrind is there to count them.
-fn say_where_time_goes(programs: &Path, rival: Option<&Path>) -> Result<(), Box<dyn Error>> {
+/// Prints how many instructions a small picture takes, if valgrind is there to count
+/// them.
+fn say_instructions(programs: &Path, rival: Option<&Path>) -> Result<(), Box<dyn Error>> {
     for chapter in &Chapter::OF_THE_BOOK[1..] {
-        let picture = chapter.picture(3840);
-        let least = |work: &dyn Fn()| {
-            let time = || {
-                let start = Instant::now();
-                work();
-                1e3 * start.elapsed().as_secs_f64()
-            };
-            (0..5).map(|_| time()).fold(f64::INFINITY, f64::min)
+        let name = chapter.name();
+        let Some(count) = instructions(&programs.join(name), &["-"]) else {
+            return Ok(());
         };
-        let traced = least(&|| drop(picture.rgb_with_threads(1)));
-        let printed = least(&|| {
-            let _ = picture.write_p3_with_threads(1, &mut io::sink());
-        });
-        let mut line = format!(
-            "{:<14} 3840 wide, one thread: {traced:.0} ms for the bytes, {printed:.0} ms for the text",
-            chapter.name()
-        );
-        if let Some(rival) = rival {
-            let mut command = Command::new(rival);
-            command
-                .args([chapter.name(), "3840", "sum"])
-                .stdout(Stdio::null());
-            let times = (0..5)
-                .map(|_| milliseconds(&mut command))
-                .collect::<io::Result<Vec<_>>>()?;
-            line += &format!("; C++ {:.0} ms without text", Spread::of(times).least);
-        }
-        if let Some(count) = instructions(&programs.join(chapter.name()), &["-"]) {
-            line += &format!("; {count} instructions at 400 wide");
-        }
-        if let Some(count) = rival.and_then(|rival| instructions(rival, &[chapter.name(), "400"])) {
+        let mut line = format!("{name:<14} {count} instructions at 400 wide");
+        if let Some(count) = rival.and_then(|rival| instructions(rival, &[name, "400"])) {
             line += &format!(", C++ {count}");
         }
         say(&(line + "\n"))?;

@@ -1,10 +1,10 @@
 // The five chapters in C++, in the book's manner: doubles, virtual calls, shared
 // pointers, std::cout. It draws the bytes that the Rust chapters must draw, and
-// runs the race against them (`cargo rtrace race`).
+// runs the race against them (`cargo bench -p measure --bench race`).
 //
-//     g++ -std=c++17 -O3 -o book tests/rival/book.cc
+//     g++ -std=c++17 -O3 -o book book/measure/rival/book.cc
 //     ./book hittable_list 400 > picture.ppm
-//     ./book hittable_list 400 sum       (traces, but prints only the sum of all numbers)
+//     ./book hittable_list 400 sum       (keeps the bytes, and prints nothing but their sum)
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,7 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -183,9 +184,14 @@ template <typename RayColor>
 void draw(int width, bool only_sum, RayColor ray_color) {
     int height = std::max(1, int(width / (16.0 / 9.0)));
     if (only_sum) {
-        long sum = 0;
-        render(width, height, ray_color, [&](int r, int g, int b) { sum += r + g + b; });
-        std::cout << sum << '\n';
+        std::vector<unsigned char> bytes(3 * std::size_t(width) * height);
+        unsigned char* next = bytes.data();
+        render(width, height, ray_color, [&](int r, int g, int b) {
+            *next++ = r;
+            *next++ = g;
+            *next++ = b;
+        });
+        std::cout << std::accumulate(bytes.begin(), bytes.end(), 0L) << '\n';
         return;
     }
     std::cout << "P3\n" << width << ' ' << height << "\n255\n";

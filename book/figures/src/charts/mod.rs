@@ -25,7 +25,8 @@ pub const CHARTS: &[Chart] = &[
     scenes::CHART,
     batch::CHART,
     growth::CHART,
-    race::CHART,
+    race::PROGRAMS,
+    race::TRACING,
 ];
 
 /// The chart of that name.

@@ -6,30 +6,45 @@ use glam::DVec2;
 
 use super::chart::{Chart, Drawn, WIDTH};
 use crate::records::Race;
-use crate::svg::{Anchor, number};
+use crate::svg::Anchor;
 use crate::table::{Record, Table};
 
-/// Bars: ours and the rival's.
-pub(super) const CHART: Chart = Chart {
+/// Program against program: from the start of each process to its end, with the text.
+pub(super) const PROGRAMS: Chart = Chart {
     name: "race",
     title: "Milliseconds to draw a picture 3840 pixels wide as text",
     description: "Two bars for each picture: a short one for our program, and one many times as \
         long for a plain C++ program in the manner of the book.",
     caption: "Milliseconds to draw a picture 3840 pixels wide as text, the median of several runs. \
-        Both programs write the same bytes.",
+        Both programs write the same bytes: ours on all threads, the C++ program on one.",
     files: &[Race::FILE],
-    draw: |files| draw(files[0]),
+    draw: |files| draw(&PROGRAMS, files[0], "nowhere", "the program, with its text"),
 };
 
-fn draw(file: &str) -> Result<Drawn, String> {
+/// Tracing against tracing: one thread each, and no text.
+pub(super) const TRACING: Chart = Chart {
+    name: "race_tracing",
+    title: "Milliseconds to trace the same picture, without the text",
+    description: "The same pictures without printing, on one thread each. The bars of the C++ \
+        program are a small part of what they were, and those of the two programs near to each \
+        other.",
+    caption: "Milliseconds to trace the same picture on one thread, without printing it, the median \
+        of several runs. Both keep the bytes of the picture in memory.",
+    files: &[Race::FILE],
+    draw: |files| draw(&TRACING, files[0], "traced", "tracing alone, on one thread"),
+};
+
+fn draw(chart: &Chart, file: &str, to: &str, title: &str) -> Result<Drawn, String> {
     let mut races = Table::<Race>::read(file)?.rows;
-    races.retain(|race| race.width == 3840 && race.to == "nowhere");
-    let longest = races.iter().map(|race| race.cpp_median_ms);
+    races.retain(|race| race.width == 3840 && race.to == to);
+    let longest = races
+        .iter()
+        .map(|race| race.cpp_median_ms.max(race.rust_median_ms));
     let longest = longest.fold(1.0, f64::max);
-    let bar = |time: f64| (WIDTH - 270.0) * time / longest;
-    let mut svg = CHART.sheet(34.0 + 52.0 * races.len() as f64);
-    let title = "milliseconds for a picture 3840 pixels wide, as text";
-    svg.small_label("faint", DVec2::new(12.0, 20.0), Anchor::Start, title);
+    let bar = |time: f64| (WIDTH - 290.0) * time / longest;
+    let mut svg = chart.sheet(34.0 + 52.0 * races.len() as f64);
+    let title = format!("milliseconds for a picture 3840 pixels wide: {title}");
+    svg.small_label("faint", DVec2::new(12.0, 20.0), Anchor::Start, &title);
     for (race, place) in races.iter().zip(0..) {
         let corner = DVec2::new(132.0, 38.0 + 52.0 * f64::from(place));
         svg.label(
@@ -39,8 +54,7 @@ fn draw(file: &str) -> Result<Drawn, String> {
             &race.chapter,
         );
         let (rust, cpp) = (race.rust_median_ms, race.cpp_median_ms);
-        let ratio = number(race.ratio().round());
-        let ours = format!("{rust:.0} Rust, {ratio} times as fast");
+        let ours = format!("{rust:.0} Rust, {}", times(race.ratio()));
         let rival = format!("{cpp:.0} C++");
         for (idea, time, words, y) in [("ray", rust, ours, 0.0), ("faint", cpp, rival, 19.0)] {
             let from = corner + DVec2::new(0.0, y);
@@ -53,6 +67,12 @@ fn draw(file: &str) -> Result<Drawn, String> {
         svg: svg.finish(),
         table: table(&races),
     })
+}
+
+/// How many times as fast, with as many digits as mean something.
+fn times(ratio: f64) -> String {
+    let digits = usize::from(ratio < 9.95);
+    format!("{ratio:.digits$} times as fast")
 }
 
 fn table(races: &[Race]) -> String {
