@@ -28,6 +28,73 @@ fn every_page_in_the_folder_is_in_the_summary() {
     assert_eq!(written.iter().collect::<Vec<_>>(), woven);
 }
 
+/// Each page is called the same where it is listed and where it is read.
+#[test]
+fn every_title_in_the_sidebar_is_that_of_its_page() {
+    let summary = fs::read_to_string(Path::new(NOTES).join("SUMMARY.md")).expect("the summary");
+    for line in summary.lines() {
+        let Some((title, file)) = line
+            .trim_start_matches(['-', ' ', '['])
+            .strip_suffix(')')
+            .and_then(|link| link.split_once("]("))
+        else {
+            continue;
+        };
+        let page = fs::read_to_string(Path::new(NOTES).join(file)).expect("a page");
+        assert_eq!(page.lines().next(), Some(&*format!("# {title}")), "{file}");
+    }
+}
+
+/// What is longer is read in the file.
+#[test]
+fn no_listing_of_chapter_6_is_longer_than_60_lines() {
+    let of_chapter_6 = [
+        "speed_vs_accuracy",
+        "methods",
+        "never_wrong",
+        "measurements",
+        "many",
+    ];
+    for page in chapters(&pages()) {
+        if !of_chapter_6.contains(&page.name.trim_end_matches(".html")) {
+            continue;
+        }
+        for listing in page.all(".listing code") {
+            let lines = text_of(listing).lines().count();
+            let first = text_of(listing);
+            assert!(lines <= 60, "{lines} lines in {}: {first}", page.name);
+        }
+    }
+}
+
+/// mdBook sends who follows an old link on, but does not look where.
+#[test]
+fn every_redirect_leads_to_a_heading() {
+    let pages = pages();
+    let book = fs::read_to_string(Path::new(NOTES).join("../book.toml")).expect("book.toml");
+    let redirects = book
+        .lines()
+        .filter(|line| line.starts_with("\"/"))
+        .map(|line| {
+            let ends: Vec<&str> = line.split('"').collect();
+            (ends[1], ends[3])
+        });
+    let mut count = 0;
+    for (from, to) in redirects {
+        let (path, fragment) = from
+            .trim_start_matches('/')
+            .split_once('#')
+            .expect("an anchor");
+        let old = pages.iter().find(|page| page.name == path).expect("a page");
+        assert!(!old.has(fragment), "{from} is still there");
+        let (path, fragment) = to.split_once('#').unwrap_or((to, ""));
+        let new = pages.iter().find(|page| page.name == path).expect("a page");
+        assert!(fragment.is_empty() || new.has(fragment), "{to}");
+        count += 1;
+    }
+    assert!(count > 10, "only {count} redirects");
+}
+
 #[test]
 fn no_page_is_empty() {
     for page in chapters(&pages()) {

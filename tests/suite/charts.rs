@@ -117,7 +117,7 @@ fn no_point_lies_beyond_the_line_of_the_best() {
 
 #[test]
 fn a_mistake_in_a_file_is_told_with_its_line() {
-    let [accuracy, timings] = ["accuracy.snap.csv", "timings.csv"]
+    let [accuracy, timings] = ["accuracy.csv", "timings.csv"]
         .map(|file| fs::read_to_string(format!("{NOTES}/measured/{file}")).expect("a file"));
     let draw = find_chart("speed_accuracy").expect("a chart").draw;
     assert!(draw(&[&accuracy, &timings]).is_ok());
@@ -189,6 +189,7 @@ pub(crate) fn of_invented_numbers() -> impl Iterator<Item = (String, String)> {
         "speed_accuracy",
         "speed_accuracy_regimes",
         "distance",
+        "seen",
         "scenes",
     ]
     .into_iter()
@@ -234,8 +235,10 @@ fn invented(name: &str, seed: u64) -> Drawn {
                 p999_ulps: Some(ulps),
                 largest_ulps: None,
                 surface_median_radii: None,
+                surface_p999_radii: Some(1e-20 * ulps.powi(4)),
                 surface_largest_radii: None,
                 nans: 0,
+                answers: 0,
             });
             scenes.push(WrongPixels {
                 scene: regime.to_owned(),
@@ -254,6 +257,7 @@ fn invented(name: &str, seed: u64) -> Drawn {
             wrong_per_million: f64::from(level / 9),
             median_ulps: None,
             p999_ulps: Some(number(seed % 4 < 2, 0.0, 6.0)),
+            answers: 0,
         }));
     }
     let text_of = |file: &&str| match *file {

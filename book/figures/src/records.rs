@@ -1,8 +1,9 @@
 //! Records: the rows of the files that hold what was measured. Charts are drawn
 //! from them.
 //!
-//! What exact arithmetic judges, a test keeps as it is; what a clock measured, the
-//! benchmarks of the package `measure` record anew.
+//! What was asked a few thousand times, a test keeps as it is; what was asked millions
+//! of times, or measured by a clock, the benchmarks of the package `measure` record
+//! anew.
 
 use serde::{Deserialize, Serialize, Serializer};
 use speed_vs_accuracy::Precision;
@@ -11,7 +12,8 @@ use crate::number;
 use crate::table::{Record, Table};
 
 /// How exact a method is in a regime, all levels together, with t from 0 to
-/// infinity.
+/// infinity. The regime `book` is each pixel of the book's picture, `book_ball` and
+/// `book_ground` are its two spheres by themselves.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Accuracy {
     /// The name of the regime.
@@ -41,15 +43,46 @@ pub struct Accuracy {
     /// How far the point at t is from the sphere, in radii.
     #[serde(serialize_with = "three_digits")]
     pub surface_median_radii: Option<f64>,
-    /// The same at most.
+    /// What 999 of 1000 do not exceed.
+    #[serde(serialize_with = "three_digits")]
+    pub surface_p999_radii: Option<f64>,
+    /// The farthest.
     #[serde(serialize_with = "three_digits")]
     pub surface_largest_radii: Option<f64>,
     /// Answers that are NaN or infinite.
     pub nans: usize,
+    /// A sum of the first few answers, by which a test knows them again.
+    pub answers: u64,
 }
 
 impl Record for Accuracy {
-    const FILE: &str = "measured/accuracy.snap.csv";
+    const FILE: &str = "measured/accuracy.csv";
+}
+
+/// The pixel of the book's picture at which a method is farthest off.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Worst {
+    /// The `ball` or the `ground`.
+    pub sphere: String,
+    /// The name of the method.
+    pub method: String,
+    /// From the left, from 0, of 3840.
+    pub column: u32,
+    /// From the top, from 0, of 2160.
+    pub row: u32,
+    /// √D, half the slope of F at the root.
+    #[serde(serialize_with = "three_digits")]
+    pub sqrt_d: f64,
+    /// How far off t is.
+    #[serde(serialize_with = "three_digits")]
+    pub ulps: f64,
+    /// How far off it should be by the rule, u·M / 2√D.
+    #[serde(serialize_with = "three_digits")]
+    pub rule_ulps: f64,
+}
+
+impl Record for Worst {
+    const FILE: &str = "measured/worst.snap.csv";
 }
 
 /// How exact a method is at one level of a regime.
@@ -73,10 +106,12 @@ pub struct Level {
     /// The error of t that 999 of 1000 hits do not exceed.
     #[serde(serialize_with = "three_digits")]
     pub p999_ulps: Option<f64>,
+    /// A sum of the first few answers, by which a test knows them again.
+    pub answers: u64,
 }
 
 impl Record for Level {
-    const FILE: &str = "measured/sweeps.snap.csv";
+    const FILE: &str = "measured/sweeps.csv";
 }
 
 /// How many pixels of a scene a method gets wrong.

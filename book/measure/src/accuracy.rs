@@ -1,9 +1,9 @@
 //! Error statistics: how exact each method is, in each situation.
 //!
-//! The cases are those of `speed_vs_accuracy::REGIMES`, with t from 0 to
-//! infinity, and exact arithmetic knows the answers. A method in `f32` is given
-//! cases whose numbers are `f32`s, and judged by the exact answer to them:
-//! what rounding the scene costs is not its fault.
+//! The questions are those of a [`Population`], with t from 0 to infinity, and exact
+//! arithmetic knows the answers. A method in `f32` is given cases whose numbers are
+//! `f32`s, and judged by the exact answer to them: what rounding the scene costs is
+//! not its fault.
 
 use common::rtweekend::*;
 use figures::records::{Accuracy, Level};
@@ -13,67 +13,95 @@ use laws::truth::Truth;
 use rayon::prelude::*;
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime};
 
-/// All methods in all regimes, in both precisions, from so many cases each.
-pub fn table(count: usize, seed: u64) -> Table<Accuracy> {
-    let tasks: Vec<(Regime, Precision)> = REGIMES
-        .into_iter()
-        .flat_map(|regime| Precision::ALL.map(|precision| (regime, precision)))
-        .collect();
-    let rows = tasks.into_par_iter().flat_map_iter(|(regime, precision)| {
-        let cases = regime.cases(precision, seed, count);
-        let row = move |(method, found): (&Method, Errors)| Accuracy {
-            regime: regime.name.to_owned(),
-            precision,
-            method: method.name.to_owned(),
-            cases: count,
-            hits: found.hits,
-            wrong_per_million: found.wrong_per_million(),
-            median_ulps: quantile(&found.ulps, 0.5),
-            p999_ulps: quantile(&found.ulps, 0.999),
-            largest_ulps: quantile(&found.ulps, 1.0),
-            surface_median_radii: quantile(&found.surface, 0.5),
-            surface_largest_radii: quantile(&found.surface, 1.0),
-            nans: found.nans,
-        };
-        of_all_methods(precision, cases).map(row)
-    });
-    rows.collect::<Vec<_>>().into()
+use crate::population::Population;
+
+/// All methods in all regimes, in both precisions: so many `cases` of each, and of
+/// the book so many `pixels`, or all.
+pub fn table(cases: usize, pixels: usize, seed: u64) -> Table<Accuracy> {
+    let mut rows = Vec::new();
+    for precision in Precision::ALL {
+        rows.extend(of_the_book(precision, pixels));
+    }
+    for regime in REGIMES.into_iter().skip_while(is_the_book) {
+        for precision in Precision::ALL {
+            let asked = Population::of_regime(regime, None, precision, seed, cases);
+            let found = of_all_methods(&asked);
+            rows.extend(found.map(|(method, errors)| row(&asked.name, method, errors)));
+        }
+    }
+    rows.into()
 }
 
-/// Errors against distance and against closeness to a tangent, level by level.
-pub fn sweeps(count: usize, seed: u64) -> Table<Level> {
-    let levels = |regime: Regime, precision| {
-        let levels = regime.levels(precision);
-        levels.map(move |level| (regime, precision, level))
-    };
-    let tasks: Vec<(Regime, Precision, i32)> = [Regime::FAR, Regime::GRAZING]
-        .into_iter()
-        .flat_map(|regime| Precision::ALL.map(|precision| levels(regime, precision)))
-        .flatten()
-        .collect();
-    let rows = tasks.into_par_iter().flat_map_iter(|task| {
-        let (regime, precision, level) = task;
-        let cases = regime.cases_at(level, precision, seed, count);
-        let row = move |(method, found): (&Method, Errors)| Level {
-            regime: regime.name.to_owned(),
-            level,
-            precision,
-            method: method.name.to_owned(),
-            wrong_per_million: found.wrong_per_million(),
-            median_ulps: quantile(&found.ulps, 0.5),
-            p999_ulps: quantile(&found.ulps, 0.999),
-        };
-        of_all_methods(precision, cases).map(row)
-    });
-    rows.collect::<Vec<_>>().into()
+/// Errors against distance and against closeness to a tangent, level by level: so many
+/// `cases` at each level.
+pub fn sweeps(cases: usize, seed: u64) -> Table<Level> {
+    let mut rows = Vec::new();
+    for regime in [Regime::FAR, Regime::GRAZING] {
+        for precision in Precision::ALL {
+            for level in regime.levels(precision) {
+                let asked = Population::of_regime(regime, Some(level), precision, seed, cases);
+                let row = |(method, found): (&Method, Errors)| Level {
+                    regime: asked.name.clone(),
+                    level,
+                    precision,
+                    method: method.name.to_owned(),
+                    wrong_per_million: found.wrong_per_million(),
+                    median_ulps: quantile(&found.ulps, 0.5),
+                    p999_ulps: quantile(&found.ulps, 0.999),
+                    answers: found.answers,
+                };
+                rows.extend(of_all_methods(&asked).map(row));
+            }
+        }
+    }
+    rows.into()
 }
 
 /// Whether there is a root with t > 0.
 pub fn has_root(case: &Case) -> bool {
-    truths(&[*case], Precision::Double)[0].is_some()
+    truth(case, Precision::Double).is_some()
+}
+
+fn is_the_book(regime: &Regime) -> bool {
+    regime.name == Regime::BOOK.name
+}
+
+/// The ball, the ground, and both together under the name of the regime.
+fn of_the_book(precision: Precision, pixels: usize) -> Vec<Accuracy> {
+    let [ball, ground] = Population::of_pixels(precision, pixels);
+    let both = of_all_methods(&ball).zip(of_all_methods(&ground));
+    both.flat_map(|((method, of_ball), (_, of_ground))| {
+        let together = of_ball.clone().and(of_ground.clone()).sorted();
+        [
+            row(Regime::BOOK.name, method, together),
+            row(&ball.name, method, of_ball),
+            row(&ground.name, method, of_ground),
+        ]
+    })
+    .collect()
+}
+
+fn row(name: &str, method: &Method, found: Errors) -> Accuracy {
+    Accuracy {
+        regime: name.to_owned(),
+        precision: method.precision(),
+        method: method.name.to_owned(),
+        cases: found.cases,
+        hits: found.hits,
+        wrong_per_million: found.wrong_per_million(),
+        median_ulps: quantile(&found.ulps, 0.5),
+        p999_ulps: quantile(&found.ulps, 0.999),
+        largest_ulps: quantile(&found.ulps, 1.0),
+        surface_median_radii: quantile(&found.surface, 0.5),
+        surface_p999_radii: quantile(&found.surface, 0.999),
+        surface_largest_radii: quantile(&found.surface, 1.0),
+        nans: found.nans,
+        answers: found.answers,
+    }
 }
 
 /// What is wrong with the answers of a method.
+#[derive(Clone, Default)]
 struct Errors {
     cases: usize,
     /// How many cases have a root.
@@ -86,55 +114,79 @@ struct Errors {
     ulps: Vec<f64>,
     /// How far the point at t is from the sphere, in radii, in order of size.
     surface: Vec<f64>,
+    /// A sum of the first answers, [`FEW`] of them.
+    answers: u64,
 }
+
+/// How many answers are kept as a sum of their bits. A test asks these again, and
+/// notices when the methods answer otherwise than those that were measured.
+const FEW: usize = 400;
 
 impl Errors {
     fn wrong_per_million(&self) -> f64 {
         1e6 * self.wrong as f64 / self.cases as f64
     }
-}
 
-/// The errors of each method of that precision.
-fn of_all_methods(
-    precision: Precision,
-    cases: Vec<Case>,
-) -> impl Iterator<Item = (&'static Method, Errors)> {
-    let truths = truths(&cases, precision);
-    let methods = METHODS.iter();
-    methods
-        .filter(move |method| method.precision() == precision)
-        .map(move |method| (method, judge(method, &cases, &truths)))
-}
-
-fn truths(cases: &[Case], precision: Precision) -> Vec<Option<Truth>> {
-    let truth = |case: &Case| Truth::of(&Exact::of(case), precision, 0.0, f64::INFINITY);
-    cases.iter().map(truth).collect()
-}
-
-fn judge(method: &Method, cases: &[Case], truths: &[Option<Truth>]) -> Errors {
-    let precision = method.precision();
-    let mut found = Errors {
-        cases: cases.len(),
-        hits: truths.iter().flatten().count(),
-        wrong: 0,
-        nans: 0,
-        ulps: Vec::new(),
-        surface: Vec::new(),
-    };
-    for (case, truth) in cases.iter().zip(truths) {
-        match (case.put_to(method, 0.0, f64::INFINITY), truth) {
-            (Some(t), _) if !t.is_finite() => found.nans += 1,
+    /// Notes what `method` answers to a question whose answer is `truth`.
+    fn note(&mut self, method: &Method, case: &Case, truth: Option<&Truth>, is_kept: bool) {
+        let answer = case.put_to(method, 0.0, f64::INFINITY);
+        self.cases += 1;
+        self.hits += usize::from(truth.is_some());
+        if is_kept {
+            let bits = answer.map_or(0, |t| if t.is_nan() { 1 } else { t.to_bits() });
+            self.answers = self.answers.wrapping_add(bits % 1_000_000_007);
+        }
+        match (answer, truth) {
+            (Some(t), _) if !t.is_finite() => self.nans += 1,
             (Some(t), Some(truth)) => {
-                found.ulps.push(truth.error_in_ulps(t));
-                found.surface.push(off_the_surface(case, t, precision));
+                self.ulps.push(truth.error_in_ulps(t));
+                self.surface
+                    .push(off_the_surface(case, t, method.precision()));
             }
             (None, None) => {}
-            _ => found.wrong += 1,
+            _ => self.wrong += 1,
         }
     }
-    found.ulps.sort_by(f64::total_cmp);
-    found.surface.sort_by(f64::total_cmp);
-    found
+
+    /// Both together, in no order.
+    fn and(mut self, other: Self) -> Self {
+        self.cases += other.cases;
+        self.hits += other.hits;
+        self.wrong += other.wrong;
+        self.nans += other.nans;
+        self.ulps.extend(other.ulps);
+        self.surface.extend(other.surface);
+        self.answers = self.answers.wrapping_add(other.answers);
+        self
+    }
+
+    fn sorted(mut self) -> Self {
+        self.ulps.par_sort_unstable_by(f64::total_cmp);
+        self.surface.par_sort_unstable_by(f64::total_cmp);
+        self
+    }
+}
+
+/// The errors of each method of that precision, on all threads.
+fn of_all_methods(asked: &Population) -> impl Iterator<Item = (&'static Method, Errors)> {
+    let of_case = |number| truth(&asked.case(number), asked.precision);
+    let truths: Vec<Option<Truth>> = (0..asked.count).into_par_iter().map(of_case).collect();
+    let methods = METHODS.iter();
+    methods
+        .filter(|method| method.precision() == asked.precision)
+        .map(move |method| {
+            let note = |mut found: Errors, (number, truth): (usize, &Option<Truth>)| {
+                let case = asked.case(number);
+                found.note(method, &case, truth.as_ref(), number < FEW);
+                found
+            };
+            let found = truths.par_iter().enumerate().fold(Errors::default, note);
+            (method, found.reduce(Errors::default, Errors::and).sorted())
+        })
+}
+
+fn truth(case: &Case, precision: Precision) -> Option<Truth> {
+    Truth::of(&Exact::of(case), precision, 0.0, f64::INFINITY)
 }
 
 /// How far the point at `t`, computed as a program would, is from the sphere, in

@@ -3,6 +3,8 @@
 
 pub mod accuracy;
 pub mod machine;
+pub mod population;
 pub mod rival;
 pub mod scenes;
 pub mod spread;
+pub mod worst;

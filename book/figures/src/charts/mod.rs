@@ -8,8 +8,10 @@ mod growth;
 mod labels;
 mod legend;
 mod methods;
+mod pixels;
 mod race;
 mod scenes;
+mod seen;
 mod speed_accuracy;
 mod sweep;
 
@@ -17,7 +19,9 @@ pub use chart::{Chart, Drawn};
 
 /// All charts, in reading order.
 pub const CHARTS: &[Chart] = &[
+    pixels::CHART,
     speed_accuracy::BOOK,
+    seen::CHART,
     speed_accuracy::REGIMES,
     sweep::DISTANCE,
     sweep::GRAZING,

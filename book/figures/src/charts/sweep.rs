@@ -3,12 +3,13 @@
 use std::fmt::Write;
 
 use glam::DVec2;
-use speed_vs_accuracy::Precision;
+use speed_vs_accuracy::{Method, Precision};
 
 use super::axes::{Axis, Panel};
 use super::chart::{Chart, Drawn};
 use super::labels::spread;
 use super::methods::{cross, digits, idea};
+use super::seen::LESSON;
 use crate::number::{raised, short};
 use crate::records::Level;
 use crate::svg::{Anchor, SMALL, Svg};
@@ -20,14 +21,13 @@ const FILES: &[&str] = &[Level::FILE];
 pub(super) const DISTANCE: Chart = Chart {
     name: "distance",
     title: "Digits that are left when the sphere is far away",
-    description: "Lines for each method, f64 at the left and f32 at the right: how many digits of t \
-        are right when the ray starts ever more radii away. The lines of the formulas with b fall \
+    description: "Lines for some methods, f64 at the left and f32 at the right: how many digits of t \
+        are right when the ray starts ever more radii away. The lines of half_b and half_b_q fall \
         steadily, a digit for each factor of ten, and end in wrong decisions. The lines of the \
         methods that measure the distance of the ray from the center stay level.",
-    caption: "The sphere moves away. The formulas with b or h lose digits with every step, and at \
-        a cross they begin to decide wrongly. Those that measure how far the ray passes from the \
-        center do not. Where certified_hit cannot be sure of its decision, it computes again with \
-        more digits, and its line jumps up.",
+    caption: "The sphere moves away. half_b and half_b_q lose a digit with every step, and at a \
+        cross they begin to decide wrongly. Those that measure how far the ray passes from the \
+        center lose none. The table below has all methods.",
     files: FILES,
     draw: |files| {
         draw(
@@ -35,7 +35,7 @@ pub(super) const DISTANCE: Chart = Chart {
             files[0],
             "far",
             "the ray starts so many radii away",
-            |level| power("10", level),
+            "10",
         )
     },
 };
@@ -44,13 +44,13 @@ pub(super) const DISTANCE: Chart = Chart {
 pub(super) const GRAZING: Chart = Chart {
     name: "grazing",
     title: "Digits that are left when the ray grazes the sphere",
-    description: "Lines for each method, f64 at the left and f32 at the right: how many digits of t \
+    description: "Lines for some methods, f64 at the left and f32 at the right: how many digits of t \
         are right when the ray passes ever nearer to a tangent. The methods in plain f64 and f32 \
-        lose half a digit with each factor of ten. The line of certified_hit falls with them at \
-        first, then jumps to the top, where the exact methods are from the beginning.",
+        lose half a digit with each factor of ten. The line of certified_t is at the top from the \
+        beginning.",
     caption: "The ray comes closer to a tangent, where the two roots meet. Whoever computes with \
         no more digits than the numbers have loses half a digit of t for each factor of ten. \
-        Where certified_hit cannot be sure of its decision, it takes more digits.",
+        certified_t takes more digits where it needs them. The table below has all methods.",
     files: FILES,
     draw: |files| {
         draw(
@@ -58,7 +58,7 @@ pub(super) const GRAZING: Chart = Chart {
             files[0],
             "grazing",
             "how far from a tangent, in radii",
-            |level| power("10⁻", level),
+            "10⁻",
         )
     },
 };
@@ -70,13 +70,7 @@ struct Line {
     levels: Vec<Level>,
 }
 
-fn draw(
-    chart: &Chart,
-    file: &str,
-    regime: &str,
-    title: &str,
-    tick: fn(i32) -> String,
-) -> Result<Drawn, String> {
+fn draw(chart: &Chart, file: &str, regime: &str, title: &str, ten: &str) -> Result<Drawn, String> {
     let lines = read(file, regime)?;
     let mut svg = chart.sheet(400.0);
     explain(&mut svg);
@@ -84,20 +78,20 @@ fn draw(
         (Precision::Double, 40.0, 190.0),
         (Precision::Single, 404.0, 140.0),
     ] {
-        let of_precision = |line: &&Line| line.precision == precision;
-        let lines: Vec<&Line> = lines.iter().filter(of_precision).collect();
+        let is_drawn = |line: &&Line| line.precision == precision && line.is_drawn();
+        let shown: Vec<&Line> = lines.iter().filter(is_drawn).collect();
         let panel = Panel {
             corner: DVec2::new(x, 60.0),
             size: DVec2::new(width, 290.0),
-            x: axis(title, &lines, tick),
+            x: axis(title, &shown, ten),
             y: Axis::linear(precision.name(), 0.0, 16.0, 4.0),
         };
         panel.draw(&mut svg);
-        plot(&mut svg, &panel, &lines);
+        plot(&mut svg, &panel, &shown);
     }
     Ok(Drawn {
         svg: svg.finish(),
-        table: table(&lines),
+        table: table(&lines, ten),
     })
 }
 
@@ -110,7 +104,7 @@ fn explain(svg: &mut Svg) {
 }
 
 /// All levels of `lines`, with some of them marked.
-fn axis(title: &str, lines: &[&Line], tick: fn(i32) -> String) -> Axis {
+fn axis(title: &str, lines: &[&Line], ten: &str) -> Axis {
     let levels = lines.iter().flat_map(|line| &line.levels);
     let last = levels.map(|row| row.level).fold(1, i32::max);
     let step = match last {
@@ -119,7 +113,7 @@ fn axis(title: &str, lines: &[&Line], tick: fn(i32) -> String) -> Axis {
         _ => 5,
     };
     let marked = (0..=last).step_by(step);
-    let ticks = marked.map(|level| (f64::from(level), tick(level)));
+    let ticks = marked.map(|level| (f64::from(level), power(ten, level)));
     Axis::linear(title, 0.0, f64::from(last), 1.0).with_ticks(ticks.collect())
 }
 
@@ -163,6 +157,13 @@ fn plot(svg: &mut Svg, panel: &Panel, lines: &[&Line]) {
 const STROKES: [&str; 3] = ["bold", "thin", "line"];
 
 impl Line {
+    /// Too many lines hide each other. In `f64` these are the methods of the lesson, and
+    /// what is right; in `f32` there are few.
+    fn is_drawn(&self) -> bool {
+        let mut drawn = LESSON.iter().chain([&Method::CERTIFIED_T]);
+        self.precision == Precision::Single || drawn.any(|method| method.name == self.method)
+    }
+
     fn idea(&self) -> &'static str {
         idea(&self.method)
     }
@@ -196,11 +197,11 @@ fn read(file: &str, regime: &str) -> Result<Vec<Line>, String> {
     Ok(lines)
 }
 
-fn table(lines: &[Line]) -> String {
+fn table(lines: &[Line], ten: &str) -> String {
     let longest = lines.iter().max_by_key(|line| line.levels.len());
     let levels = longest.iter().flat_map(|line| &line.levels);
     let levels: Vec<i32> = levels.map(|row| row.level).collect();
-    let mut table = "| digits right, at 10ᵏ; ✗ wrong decisions per million |".to_owned();
+    let mut table = format!("| digits right, at {ten}ᵏ; ✗ wrong decisions per million |");
     for level in &levels {
         let _ = write!(table, " k = {level} |");
     }

@@ -1,0 +1,90 @@
+//! A population: all the questions that a statistic is about, so that the largest
+//! error in it is a largest error, and not that of a lucky sample.
+//!
+//! There are two kinds. The book's own rays can all be asked: each pixel of its
+//! picture, 3840 wide, about each of its two spheres. Of the other situations there
+//! is no end, so a number of random cases stands for them.
+
+use common::rtweekend::*;
+use speed_vs_accuracy::{Case, Precision, Regime};
+
+/// Questions with numbers from 0, in an order in which the first few are as good a
+/// sample as any.
+pub struct Population {
+    /// How tables call it.
+    pub name: String,
+    /// What all its numbers are numbers of.
+    pub precision: Precision,
+    /// How many there are.
+    pub count: usize,
+    case: Box<dyn Fn(usize) -> Case + Send + Sync>,
+}
+
+impl Population {
+    /// The question with that number, from 0.
+    pub fn case(&self, number: usize) -> Case {
+        (self.case)(number)
+    }
+
+    /// So many cases of a regime, from one of its levels or from all alike.
+    pub fn of_regime(
+        regime: Regime,
+        level: Option<i32>,
+        precision: Precision,
+        seed: u64,
+        count: usize,
+    ) -> Self {
+        let cases = match level {
+            Some(level) => regime.cases_at(level, precision, seed, count),
+            None => regime.cases(precision, seed, count),
+        };
+        Self {
+            name: regime.name.to_owned(),
+            precision,
+            count,
+            case: Box::new(move |number| cases[number]),
+        }
+    }
+
+    /// So many pixels of the book's last picture, or all there are: first about the ball
+    /// in the middle, then about the ground, as two populations.
+    pub fn of_pixels(precision: Precision, count: usize) -> [Self; 2] {
+        ["ball", "ground"].map(|sphere| {
+            let case = move |number| {
+                let [column, row] = scattered(number);
+                pixel(sphere, column, row).rounded(precision)
+            };
+            Self {
+                name: format!("book_{sphere}"),
+                precision,
+                count: count.min(PIXELS),
+                case: Box::new(case),
+            }
+        })
+    }
+}
+
+/// The ray of a pixel, and the `ball` of the book or its `ground`.
+pub fn pixel(sphere: &str, column: u32, row: u32) -> Case {
+    let (center, radius) = match sphere {
+        "ball" => (Point3::new(0.0, 0.0, -1.0), 0.5),
+        _ => (Point3::new(0.0, -100.5, -1.0), 100.0),
+    };
+    Case {
+        center,
+        radius,
+        ray: Camera::new(WIDTH).ray(column, row),
+    }
+}
+
+/// How wide the picture is of which all pixels are asked, and how many there are.
+const WIDTH: u32 = 3840;
+const PIXELS: usize = 3840 * 2160;
+
+/// A column and a row: others for each number, spread over the picture from the start.
+fn scattered(number: usize) -> [u32; 2] {
+    // It shares no factor with the number of pixels, so it leads to each of them once.
+    const STEP: usize = 5_126_203;
+    let pixel = (number * STEP % PIXELS) as u32;
+    [pixel % WIDTH, pixel / WIDTH]
+}
