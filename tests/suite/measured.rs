@@ -155,20 +155,32 @@ mod the_words {
         assert_eq!((of_cross_q(single) / 1e5).round(), 28.0);
     }
 
-    /// The first distance at which each errs: a million radii, and a trillion.
+    /// D is off by u·M, which grows with the square of the distance, or by u·|oc|·r.
     #[test]
-    fn half_b_errs_from_a_million_radii_on_and_the_cross_product_from_a_trillion() {
-        for (method, first) in [
-            ("half_b", 6),
-            ("half_b_q", 6),
-            ("cross_q", 12),
-            ("haines", 12),
-        ] {
-            for row in levels() {
-                if row.regime == "far" && row.method == method {
-                    let errs = row.wrong_per_million > 0.0;
-                    assert_eq!(errs, row.level >= first, "{method} at {}", row.level);
-                }
+    fn half_b_errs_a_hundred_times_and_the_cross_product_ten_times_as_often_at_ten_times_the_distance()
+     {
+        let levels = levels();
+        let growth = |method: &str, from: i32| {
+            let [near, far] = [from, from + 1].map(|level| {
+                let is_wanted = |row: &&Level| {
+                    (&*row.regime, &*row.method, row.level) == ("far", method, level)
+                };
+                levels
+                    .iter()
+                    .find(is_wanted)
+                    .map(|row| row.wrong_per_million)
+                    .expect("a row")
+            });
+            far / near
+        };
+        assert!((80.0..125.0).contains(&growth("half_b", 6)));
+        for method in ["cross_q", "haines"] {
+            for level in [13, 14] {
+                let growth = growth(method, level);
+                assert!(
+                    (8.0..14.0).contains(&growth),
+                    "{method} at {level}: {growth}"
+                );
             }
         }
     }

@@ -10,7 +10,7 @@ use crate::error_free::{quick_two_sum, two_product, two_sum};
 ///
 /// Cost: 1 √, 2 to 4 ÷, and about 700 + or ×. Error: at most 72u²·a·M in D (see
 /// the proofs), where rounded once it is 24u·a·M. Fails: by the decision from
-/// 10¹⁴ radii on; at |d|·|oc| above 1e145 or below 1e-140. Source: Dekker 1971;
+/// 10¹³ radii on, once in a million; at |d|·|oc| above 1e145 or below 1e-140. Source: Dekker 1971;
 /// the error bounds of its operations: Joldes, Muller and Popescu, *Tight and
 /// rigorous error bounds for basic building blocks of double-word arithmetic*,
 /// 2017.

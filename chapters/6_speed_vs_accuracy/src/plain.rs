@@ -31,8 +31,9 @@ pub fn full_b(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) ->
 /// Half of b: what chapter 5 does.
 ///
 /// Cost: 1 √, 1 ÷, and a second ÷ if only the farther root is in range.
-/// Error: 24u·a·M in D, and with it about 12u·M/√D in t. Fails: by the decision
-/// at some 10⁶ radii away; by the digits of t near the surface and above a large
+/// Error: 24u·a·M in D, and with it about 12u·M/√D in t. Fails: by the decision,
+/// from a small sphere 10⁵ radii away in one question of a million, and in a hundred
+/// times as many with each factor of ten; by the digits of t near the surface and above a large
 /// sphere, where h − √D cancels; at |d|·|oc| above 1e154 or below 1e-154.
 /// Source: the book, chapter 6.2.
 #[inline]
@@ -61,8 +62,9 @@ pub fn half_b_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) 
 /// D/a is r² less the square of its distance.
 ///
 /// Cost: 1 √, 1 ÷, both roots included; the ÷ is paid by misses too. Error of
-/// D/a: u·(4l·|oc| + 8l² + 2r²) with l the distance: a small far sphere is safe
-/// until 10¹¹ radii. Fails: by the digits of t above a large sphere, where the
+/// D/a: u·(4l·|oc| + 8l² + 2r²) with l the distance: of small spheres, 10¹¹ radii
+/// away, one or two in a million are decided wrongly, and ten times as many with each
+/// factor of ten. Fails: by the digits of t above a large sphere, where the
 /// root cancels and h/a has been rounded: worse than `half_b` on the book's own
 /// ground. Source: Haines, Günther and Akenine-Möller, *Precision Improvements
 /// for Ray/Sphere Intersection*, in Ray Tracing Gems, 2019; Hearn and Baker.
@@ -123,9 +125,9 @@ pub fn kahan_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -
 /// The discriminant by the identity of Lagrange: (d·oc)² + |d × oc|² is
 /// |d|²·|oc|², so D = a·r² − |d × oc|², without the division of [`haines_q`].
 ///
-/// Cost: 1 √, 1 ÷. Error of D: u·(6w·|d||oc| + 6w² + 6a·r²) with w = |d × oc|:
-/// a small far sphere is safe until 10¹¹ radii. Fails: near the surface, where
-/// c has lost its digits, and by some ten thousand ulps on the book's ground.
+/// Cost: 1 √, 1 ÷. Error of D: u·(6w·|d||oc| + 6w² + 6a·r²) with w = |d × oc|: at
+/// small far spheres it decides as [`haines`] does. Fails: near the surface, where c
+/// has lost its digits, and by some ten thousand ulps on the book's ground.
 #[inline]
 pub fn cross_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     let oc = center - ray.origin;

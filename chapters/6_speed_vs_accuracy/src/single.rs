@@ -21,7 +21,7 @@ pub struct SingleRay {
 /// As [`half_b`](crate::half_b), in `f32`.
 ///
 /// Cost: 1 √, 1 ÷. Fails: by the decision from 10 radii on, a few times in a
-/// million, and from 1000 radii on for one ray in twenty.
+/// million, and from 1000 radii on for one ray in thirty.
 #[inline]
 pub fn half_b_f32(
     center: Vec3,
@@ -66,8 +66,8 @@ pub fn half_b_q_f32(
 
 /// As [`cross_q`](crate::cross_q), in `f32`.
 ///
-/// Cost: 1 √, 1 ÷. Fails: by the decision from some 10⁴ radii on, and near the
-/// surface as all that round c.
+/// Cost: 1 √, 1 ÷. Fails: by the decision from 100 radii on, once in a million, and
+/// near the surface as all that round c.
 #[inline]
 pub fn cross_q_f32(
     center: Vec3,
