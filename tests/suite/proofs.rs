@@ -28,6 +28,101 @@ fn gappa_refuses_a_bound_that_is_too_narrow() {
     }
 }
 
+/// The sums that the page leaves to the reader, in its order: what it says is less stands
+/// at the left. Logarithms are to base two.
+#[test]
+fn the_sums_on_the_page_of_the_proofs_are_right() {
+    let u = f64::EPSILON / 2.0;
+    let two = f64::exp2;
+    let less = [
+        // E
+        ("roots", 1.0 + 450.0, 451.0),
+        ("underflow in a", -1070.0 + 450.0, -620.0),
+        ("underflow in D", -1070.0 + 900.0, -170.0),
+        ("64uM", -497.0, 6.0 - 53.0 - 450.0),
+        ("128u²aM", -999.0, 7.0 - 106.0 - 900.0),
+        ("an operation that underflows", -1075.0 + 999.0, -76.0),
+        ("seven hundred of them", 700_f64.log2() - 76.0, -66.0),
+        // C: 8uM̂ with M̂ off by 6u, less the error of c.
+        ("c > 1.9uM", 1.9, 8.0 * (1.0 - 6.0 * u) - 6.0),
+        // D
+        ("the parts of D", 8.0 + 1.0 + 6.0 + 3.0 + 1.0 + 1.0, 20.0),
+        ("24uâM̂", 23.9, 24.0 * (1.0 - 10.0 * u)),
+        ("D ≥ D̂/2", 20.1, 0.5 * 48.0 * (1.0 - 10.0 * u)),
+        // T
+        ("w / (w + √D)", 2_f64.sqrt() / (2_f64.sqrt() + 1.0), 0.59),
+        ("the root of D", 20.1 * 0.59, 12.0),
+        ("the sum", 12.0 + 1.0 + 4.0 + 2.1, 19.1),
+        ("q/a", 19.1 + 8.1, 27.2),
+        ("w ≤ 1.42|q|", 2_f64.sqrt() * (1.0 + 3e-8), 1.42),
+        ("the error of c", 6.0 * 1.42, 8.6),
+        ("c/q", 8.6 + 19.1 + 1.5, 29.2),
+        (
+            "|h| where the sign is lost",
+            4.0 * u / (24.0 * u).sqrt(),
+            1e-8,
+        ),
+        (
+            "the factor of a lost sign",
+            (1.0 + 1e-8) / (1.0 - 1e-8),
+            1.0 + 3e-8,
+        ),
+        ("the claim", 29.2 * (1.0 + 3e-8), 34.0),
+        // R
+        ("t̂", 34.0 * u * two(15.0), two(-32.0)),
+        ("t₀", two(-25.0) + two(-32.0), two(-24.9)),
+        (
+            "the divisor",
+            1.3 * u * (6.5 * two(8.0) + 6.0 * two(16.0)),
+            two(-33.9),
+        ),
+        ("g", two(-24.9) * 1.42 * 1.01 * two(8.0), two(-16.0)),
+        ("the first two", two(-33.9 - 24.9), two(-58.0)),
+        (
+            "the size of the rest",
+            4.0 * 3_f64.sqrt() * two(-22.9) + two(-24.0),
+            two(-19.9),
+        ),
+        (
+            "what enters it",
+            4.0 * 3_f64.sqrt() * two(-21.8),
+            two(-19.0),
+        ),
+        ("the rest", two(-19.0) + 7.0 * two(-19.9), two(-16.7)),
+        ("what F moves", two(-16.7 + 15.0) / 1.63, 0.2),
+        ("all of R", 0.5 + 0.2 + 0.04, 0.8),
+        // DD
+        (
+            "D with twice the digits",
+            2.0 * 13.0 + 7.0 + 16.0 + 13.0 + 7.0 + 3.0,
+            72.0,
+        ),
+        (
+            "q with twice the digits",
+            72.0 * 0.59 + 8.0 + 13.0 + 6.0,
+            70.0,
+        ),
+        (
+            "c/q with twice the digits",
+            70.0 + (16.0 + 20.0) * 1.42,
+            140.0,
+        ),
+        (
+            "q/a with twice the digits",
+            70.0 + 2.0 * (13.0 + 20.0),
+            140.0,
+        ),
+    ];
+    for (what, left, right) in less {
+        // The decimals of the page are rounded to binary before they are added.
+        let rounding = 1e-9 * right.abs();
+        assert!(
+            left <= right + rounding,
+            "{what}: {left} is not at most {right}"
+        );
+    }
+}
+
 /// Whether Gappa proves the script; `None` if there is no Gappa.
 fn proves(script: &str) -> Option<bool> {
     let mut gappa = Command::new("gappa")
