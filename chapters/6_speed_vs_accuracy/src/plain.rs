@@ -32,10 +32,10 @@ pub fn full_b(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) ->
 ///
 /// Cost: 1 √, 1 ÷, and a second ÷ if only the farther root is in range.
 /// Error: 24u·a·M in D, and with it about 12u·M/√D in t. Fails: by the decision,
-/// from a small sphere 10⁵ radii away in one question of a million, and in a hundred
-/// times as many with each factor of ten; by the digits of t near the surface and above a large
-/// sphere, where h − √D cancels; at |d|·|oc| above 1e154 or below 1e-154.
-/// Source: the book, chapter 6.2.
+/// once in a million from 10⁵ radii away, and a hundred times as often with each
+/// factor of ten; by the digits of t near the surface and above a large sphere,
+/// where h − √D cancels; at |d|·|oc| above 1e154 or below 1e-154. Source: the
+/// book, chapter 6.2.
 #[inline]
 pub fn half_b(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     Sphere::new(center, radius.abs())
@@ -62,11 +62,10 @@ pub fn half_b_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) 
 /// D/a is r² less the square of its distance.
 ///
 /// Cost: 1 √, 1 ÷, both roots included; the ÷ is paid by misses too. Error of
-/// D/a: u·(4l·|oc| + 8l² + 2r²) with l the distance: of small spheres, 10¹¹ radii
-/// away, one or two in a million are decided wrongly, and ten times as many with each
-/// factor of ten. Fails: by the digits of t above a large sphere, where the
-/// root cancels and h/a has been rounded: worse than `half_b` on the book's own
-/// ground. Source: Haines, Günther and Akenine-Möller, *Precision Improvements
+/// D/a: u·(4l·|oc| + 8l² + 2r²) with l the distance. Fails: by the decision,
+/// twice in a million from 10¹¹ radii away, and ten times as often with each factor
+/// of ten; by the digits of t above a large sphere, where the root cancels and h/a
+/// has been rounded: worse than `half_b` on the book's own ground. Source: Haines, Günther and Akenine-Möller, *Precision Improvements
 /// for Ray/Sphere Intersection*, in Ray Tracing Gems, 2019; Hearn and Baker.
 #[inline]
 pub fn haines(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {

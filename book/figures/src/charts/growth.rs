@@ -95,7 +95,8 @@ fn mark_crossings(svg: &mut Svg, panel: &Panel, lines: &[Line]) {
     let mut labels = Labels::new(room, along.collect(), rings.collect());
     for ((count, _), place) in crossings.iter().zip(&places) {
         svg.circle("ink line", *place, 7.0);
-        labels.put(svg, "ink", *place, &format!("{count:.0} spheres"));
+        let plural = if count.round() == 1.0 { "" } else { "s" };
+        labels.put(svg, "ink", *place, &format!("{count:.0} sphere{plural}"));
     }
 }
 
