@@ -353,8 +353,60 @@ mod the_words {
         }
     }
 
-    /// Far away `half_b` and its like guess; near a surface all but `adaptive_q` do, one
-    /// time in five or six.
+    #[test]
+    fn near_a_tangent_half_a_digit_is_lost_with_each_factor_of_ten() {
+        let levels = levels();
+        let median = |method: &str, level: i32| {
+            let is_wanted = |row: &&Level| {
+                (&*row.regime, &*row.method, row.level) == ("grazing", method, level)
+            };
+            let row = levels.iter().find(is_wanted).expect("a row");
+            row.median_ulps.expect("it hits")
+        };
+        for method in ["half_b", "half_b_q", "haines", "cross_q"] {
+            let factor = median(method, 13) / median(method, 3);
+            assert!((0.9e5..1.1e5).contains(&factor), "{method}: {factor}");
+        }
+        for method in ["haines", "cross_q"] {
+            let digits = (p999(&of("grazing", "half_b")) / p999(&of("grazing", method))).log10();
+            assert!((0.8..1.0).contains(&digits), "nearly one digit: {digits}");
+        }
+    }
+
+    #[test]
+    fn very_large_and_very_small_numbers_are_too_much_for_all_but_one_in_plain_f64() {
+        for method in METHODS {
+            let is_safe = method.any_exponent;
+            let wrong = of("exponents", method.name).wrong_per_million;
+            assert!(
+                if is_safe { wrong == 0.0 } else { wrong > 9e4 },
+                "{}",
+                method.name
+            );
+        }
+        let safe = METHODS.iter().filter(|method| method.any_exponent);
+        let names: Vec<&str> = safe.map(|method| method.name).collect();
+        let right = [
+            "scaled_q",
+            "certified_hit",
+            "certified_t",
+            "exact",
+            "widened_half_b_q_f32",
+        ];
+        assert_eq!(names, right);
+    }
+
+    /// An accurate discriminant of the wrong quadratic.
+    #[test]
+    fn kahan_barely_helps() {
+        let [plain, kahan] = ["half_b_q", "kahan_q"].map(|method| p999(&of("grazing", method)));
+        assert!((0.5..1.0).contains(&(kahan / plain)));
+        let [plain, kahan] = ["half_b_q", "kahan_q"].map(|method| of("far", method));
+        assert!(kahan.wrong_per_million > plain.wrong_per_million);
+    }
+
+    /// Far away `half_b` and its like guess; near a surface all but `adaptive_q` do, about
+    /// one time in five.
     #[test]
     fn who_decides_wrongly_where() {
         for method in ["full_b", "half_b", "half_b_q", "kahan_q", "scaled_q"] {
