@@ -269,7 +269,8 @@ fn a_wrong_count_says_what_it_looks_like() {
         (60, "<="),
         (18, "loop from 0"),
         (35, "multiple of three"),
-        (39, "13 pixels"),
+        (39, "3 more follow"),
+        (51, "17 pixels"),
     ] {
         let refused = read(text(count).as_bytes()).expect_err("36 are wanted");
         assert!(refused.fix.contains(hint), "{count}: {refused}");

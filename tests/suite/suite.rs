@@ -18,6 +18,7 @@ mod compiler;
 mod cpp_to_rust;
 mod details;
 mod drawn;
+mod editions;
 mod errata;
 #[cfg(unix)]
 mod faults;
@@ -32,7 +33,6 @@ mod oracle;
 mod pictures;
 mod proofs;
 mod reading;
-mod signs;
 mod slips;
 mod speed;
 mod speed_vs_accuracy;

@@ -13,14 +13,21 @@ use std::{env, fs, io};
 /// If the compiler cannot be started, or cannot compile the program.
 pub fn build(folder: &Path) -> io::Result<PathBuf> {
     let source = concat!(env!("CARGO_MANIFEST_DIR"), "/rival/book.cc");
+    compiled(source.as_ref(), folder)
+}
+
+/// The program whose source is a single file, likewise; it is named after it.
+///
+/// # Errors
+/// If the compiler cannot be started, or cannot compile the program.
+pub fn compiled(source: &Path, folder: &Path) -> io::Result<PathBuf> {
+    let name = source.file_stem().unwrap_or_default();
     let compiler = env::var_os("CXX").unwrap_or_else(|| "c++".into());
     fs::create_dir_all(folder)?;
-    let program = folder
-        .join("book")
-        .with_extension(env::consts::EXE_EXTENSION);
+    let program = folder.join(name).with_extension(env::consts::EXE_EXTENSION);
     let compiled = Command::new(&compiler)
         .args(["-std=c++17", "-O3", "-o"])
-        .args([program.as_os_str(), source.as_ref()])
+        .args([program.as_os_str(), source.as_os_str()])
         .output()
         .map_err(|cause| {
             io::Error::new(cause.kind(), format!("{}: {cause}", compiler.display()))

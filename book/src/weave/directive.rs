@@ -15,6 +15,7 @@ use super::{changes, code, figure, measured, slip, snapshot, step};
 /// | `{{figure NAME}}` | the figure, drawn now, with its caption |
 /// | `{{chart NAME}}` | the chart, and a table of its numbers |
 /// | `{{changes NAME}}` | what changed from the chapter before to this one |
+/// | `{{editions}}` | what each edition of the book draws |
 /// | `{{slip NAME CHAPTER}}` | the wrong picture that this slip draws |
 /// | `{{slips}}` | all slips, by what there is to see |
 /// | `{{step CHAPTER NUMBER}}` | the picture after this step on the way to the chapter |
@@ -30,6 +31,7 @@ pub(super) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
         "figure" => figure::figure(rest).map(Woven::Block),
         "chart" => figure::chart(folder, rest).map(Woven::Block),
         "changes" => changes::changes(folder, rest).map(Woven::Block),
+        "editions" => Ok(Woven::Block(slip::editions())),
         "slip" => {
             let (name, chapter) = split(rest);
             slip::slip(name, chapter).map(Woven::Block)
@@ -45,8 +47,8 @@ pub(super) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
             measured::value(&folder.join(file), key).map(Woven::Inline)
         }
         _ => Err(format!(
-            "there is no directive `{name}`: choose code, figure, chart, changes, slip, slips, \
-             step, snapshot or value"
+            "there is no directive `{name}`: choose code, figure, chart, changes, editions, \
+             slip, slips, step, snapshot or value"
         )),
     }
 }

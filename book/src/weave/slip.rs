@@ -1,9 +1,9 @@
-//! Wrong pictures, drawn by the slips while the book is woven.
+//! Pictures of slips and of editions, drawn while the book is woven.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use check::Chapter;
 use check::png;
-use check::slips::{self, Look, Sight, Slip, Unseen};
+use check::slips::{self, Edition, Look, Sight, Slip, Unseen};
 use common::rtweekend::Picture;
 
 /// The picture that a slip draws in a chapter, with the name of both below it.
@@ -22,6 +22,36 @@ pub(super) fn slip(name: &str, chapter: &str) -> Result<String, String> {
         chapter.name()
     ))
 }
+
+/// What each edition of the book draws, and by what it differs.
+pub(super) fn editions() -> String {
+    let pictures = |edition: Edition| -> String {
+        let chapters = [Chapter::BuildTest, Chapter::Normals, Chapter::HittableList];
+        let picture = |chapter: Chapter| {
+            let picture = edition.program(chapter).run(EDITION_WIDTH).picture();
+            image(&picture, &format!("{} by {edition}", chapter.name()))
+        };
+        chapters.map(picture).concat()
+    };
+    // To see the two programs of version 1 apart takes a comparison of bits.
+    let editions = Edition::ALL.into_iter().rev();
+    editions
+        .filter(|edition| *edition != Edition::V1InDouble)
+        .map(|edition| {
+            let differs = match edition {
+                Edition::V4 => String::new(),
+                older => format!(": {}", older.differs_by()),
+            };
+            format!(
+                "<figure class=\"edition\">{}<figcaption><b>{edition}</b>{differs}</figcaption></figure>\n\n",
+                pictures(edition)
+            )
+        })
+        .collect()
+}
+
+/// How wide the pictures of editions are, in pixels.
+const EDITION_WIDTH: u32 = 144;
 
 /// All slips, by what there is to see.
 pub(super) fn gallery() -> String {

@@ -2,7 +2,6 @@
 //! another chapter.
 
 use super::candidates::{distance, spread};
-use super::near::near;
 use super::scene::Scene;
 use super::search::Search;
 use crate::chapter::Chapter;
@@ -66,7 +65,7 @@ impl Scene {
             let mut editions = scene.by_editions(reading.width, reading.height);
             editions.find(|scene| scene.shows(reading, 0..reading.pixels.len() as u32, 0))
         };
-        let nearly = |scene: &Self| near(&Search::new(scene, reading)).map(|near| near.scene);
+        let nearly = |scene: &Self| Search::new(scene, reading).near().map(|near| near.scene);
         let all: Vec<Self> = others.collect();
         all.iter()
             .find_map(exact)

@@ -18,11 +18,7 @@ const MOST: f64 = 0.97;
 /// The scene in the reader's own colors, if those of the picture are not the book's.
 pub(super) fn chosen(scene: &Scene, reading: &Reading) -> Option<Scene> {
     // A picture of one color says nothing about a sky.
-    let is_plain = reading
-        .pixels
-        .iter()
-        .all(|pixel| *pixel == reading.pixels[0]);
-    if is_plain || reading.outside().is_some() {
+    if reading.is_plain() || reading.outside().is_some() {
         return None;
     }
     let program = scene.program(&[]);
@@ -37,14 +33,15 @@ pub(super) fn chosen(scene: &Scene, reading: &Reading) -> Option<Scene> {
             paint: pixels
                 .paint(&program)
                 .filter(|&paint| !are_same([paint], [program.paint])),
-            blue: None,
+            ..Chosen::default()
         },
     };
     (chosen != Chosen::default()).then_some(scene.with(chosen))
 }
 
-/// Components that are no farther apart draw the same but for single levels.
-const SAME: f64 = 0.006;
+/// Nobody chooses components that are so near to those of the book: they come from
+/// pixels a little elsewhere.
+const SAME: f64 = 0.02;
 
 fn are_same<const N: usize>(some: [Color; N], others: [Color; N]) -> bool {
     some.into_iter()

@@ -42,11 +42,24 @@ impl Curve {
             .zip(&mut becomes)
             .filter_map(|(level, found)| Some((level, middle(found)?)))
             .collect();
-        let is_one = is_rising(&curve) && are_the_same(&becomes) && !is_straight(&curve);
+        let is_one = is_rising(&curve) && are_the_same(&becomes, &curve) && !is_straight(&curve);
         is_one.then(|| Self {
             power: power(&curve),
             levels: filled(&curve),
         })
+    }
+
+    /// A pixel as it is, or as the curve makes it of `right`, if a rounding before the curve
+    /// is all that lies between the two.
+    pub(super) fn settled(&self, right: [i16; 3], found: [i16; 3]) -> [i16; 3] {
+        let is_near = |c: usize| {
+            let range = self.apply(right[c] - 1)..=self.apply(right[c] + 1);
+            range.contains(&found[c])
+        };
+        match (0..3).all(is_near) {
+            true => right.map(|level| self.apply(level)),
+            false => found,
+        }
     }
 
     /// What became of a level.
@@ -61,15 +74,18 @@ fn middle(found: &mut [i16]) -> Option<i16> {
     found.get(found.len() / 2).copied()
 }
 
-/// Whether almost all of what each level has become is the same.
-fn are_the_same(becomes: &[Vec<i16>]) -> bool {
+/// Whether almost all of what each level has become is the same, or what its neighbors
+/// have become: where the curve is steep, a rounding before it makes much of a difference.
+fn are_the_same(becomes: &[Vec<i16>], curve: &[(i16, i16)]) -> bool {
     let (mut all, mut off) = (0, 0);
-    for found in becomes.iter().filter(|found| !found.is_empty()) {
-        let middle = found[found.len() / 2];
+    for (n, &(level, _)) in curve.iter().enumerate() {
+        let low = curve[n.saturating_sub(1)].1 - SAME;
+        let high = curve[(n + 1).min(curve.len() - 1)].1 + SAME;
+        let found = &becomes[level as usize];
         all += found.len();
         off += found
             .iter()
-            .filter(|level| (*level - middle).abs() > SAME)
+            .filter(|found| !(low..=high).contains(found))
             .count();
     }
     50 * off <= all
@@ -119,5 +135,6 @@ fn power(curve: &[(i16, i16)]) -> Option<f64> {
     let power = *powers.get(powers.len() / 2)?;
     let raised = |level: i16| 256.0 * component(level).powf(power);
     let is_near = |&(level, found): &(i16, i16)| (raised(level) - f64::from(found)).abs() <= 3.5;
-    ((power - 1.0).abs() > 0.1 && curve.iter().all(is_near)).then_some(power)
+    let mut usable = curve.iter().filter(|point| (16..240).contains(&point.0));
+    ((power - 1.0).abs() > 0.1 && usable.all(is_near)).then_some(power)
 }

@@ -13,6 +13,7 @@ mod antialiasing;
 mod candidates;
 mod chosen;
 mod curve;
+mod fitted;
 mod near;
 mod scene;
 mod search;
@@ -99,7 +100,11 @@ pub fn diagnose(scene: &Scene, reading: &Reading) -> Diagnosis {
     let search = Search::new(scene, reading);
     let scene = search.nearest();
     let found = |near: Option<Near>, sets: Vec<Set>| Diagnosis {
-        scene: sets.first().map_or(scene, |set| set.scene),
+        scene: match (&near, sets.first()) {
+            (Some(near), _) => near.scene,
+            (None, Some(set)) => set.scene,
+            (None, None) => scene,
+        },
         near,
         sets,
         sights: Vec::new(),
@@ -108,7 +113,7 @@ pub fn diagnose(scene: &Scene, reading: &Reading) -> Diagnosis {
     if single.first().is_some_and(Set::is_exact) {
         return found(None, told(single));
     }
-    let near = near::near(&search);
+    let near = search.near();
     if near.as_ref().is_some_and(Near::is_exact) {
         return found(near, Vec::new());
     }
@@ -122,7 +127,11 @@ pub fn diagnose(scene: &Scene, reading: &Reading) -> Diagnosis {
     if near.is_some() {
         return found(near, Vec::new());
     }
-    let beside = search.slips_beside_choices();
+    let fitted = search.fitted();
+    if let near @ Some(_) = near::near(&fitted, reading) {
+        return found(near, Vec::new());
+    }
+    let beside = search.slips_beside(&fitted);
     let mut sets: Vec<Set> = [single, beside, pairs, search.antialiased_slips()].concat();
     sets.sort_by_key(|set| set.explains);
     let sights = match sets.iter().any(Set::is_enough) {

@@ -6,7 +6,6 @@ use super::antialiasing::{self, Around, Seen};
 use super::candidates::{distance, spread};
 use super::curve::Curve;
 use super::scene::Scene;
-use super::search::Search;
 use crate::reading::Reading;
 use crate::slips::{Output, Program};
 
@@ -42,6 +41,16 @@ pub enum But {
 }
 
 impl Near {
+    /// How many rays each pixel is the mean of; of a picture that is not antialiased, as
+    /// many as one can imagine.
+    fn samples(&self) -> f64 {
+        let samples = self.but.iter().find_map(|but| match but {
+            But::Antialiased { samples } => Some(samples.unwrap_or(0.0)),
+            _ => None,
+        });
+        samples.unwrap_or(f64::INFINITY)
+    }
+
     /// Whether the reader's choice explains each pixel to the last bit.
     pub fn is_exact(&self) -> bool {
         self.but.is_empty()
@@ -56,33 +65,34 @@ const LONG_LOOK: u32 = 400_000;
 /// In how many scenes a curve is looked for.
 const NEARBY: usize = 2;
 
-/// What the picture is if it is right but for choices, the plainest first: the book's own
-/// colors, then others; no curve of levels, then one.
-pub(super) fn near(search: &Search) -> Option<Near> {
-    if search.reading.outside().is_some() {
+/// What the picture is if it is right but for choices: the first of these scenes that it
+/// shows to the last bit, or else as far as can be seen, if need be on a curve.
+pub(super) fn near(scenes: &[Scene], reading: &Reading) -> Option<Near> {
+    if reading.outside().is_some() {
         return None;
     }
-    let scenes = || search.scenes.iter().chain(&search.chosen);
-    let exact = search.chosen.iter().find(|scene| {
-        let drawn = scene.program(&[]).run(search.reading.width);
-        let is_same = |(n, found): (u32, &[i16; 3])| {
-            drawn.pixel(n).map(|level| level.clamp(0, 255) as i16) == *found
-        };
-        (0..).zip(&search.reading.pixels).all(is_same)
+    let shows = |scene: &&Scene| {
+        let output = scene.program(&[]).run(reading.width);
+        (0..reading.pixels.len() as u32).all(|n| off(&output, reading, n) == 0)
+    };
+    let exact = scenes.iter().find(shows).map(|&scene| Near {
+        scene,
+        but: Vec::new(),
     });
-    if let Some(&scene) = exact {
-        return Some(Near {
-            scene,
-            but: Vec::new(),
-        });
-    }
-    let plain = scenes().find_map(|scene| View::new(scene, search.reading, None).near());
-    plain.or_else(|| {
-        search.scenes.iter().take(NEARBY).find_map(|scene| {
-            let curve = Curve::of(scene, search.reading)?;
-            View::new(scene, search.reading, Some(curve)).near()
+    let plain = || {
+        // Of equals the last is taken, and the first one is the nearest. Beside the wrong
+        // camera the mean of many rays looks like that of few.
+        let all = scenes.iter().rev();
+        all.filter_map(|scene| View::new(scene, reading, None).near())
+            .max_by(|one, other| one.samples().total_cmp(&other.samples()))
+    };
+    let curved = || {
+        scenes.iter().take(NEARBY).find_map(|scene| {
+            let curve = Curve::of(scene, reading)?;
+            View::new(scene, reading, Some(curve)).near()
         })
-    })
+    };
+    exact.or_else(plain).or_else(curved)
 }
 
 /// How far the reader's pixel is from what a program draws.
@@ -131,7 +141,9 @@ impl<'a> View<'a> {
             Some(_) => None,
             None => antialiasing::samples(&self.program, self.reading, self.far()),
         };
-        Some(self.with(iter::once(But::Antialiased { samples }).chain(but)))
+        // One sample elsewhere than in the middle makes no mixtures.
+        let are_several = samples.is_none_or(|samples| samples > 1.5);
+        are_several.then(|| self.with(iter::once(But::Antialiased { samples }).chain(but)))
     }
 
     /// The pixels that are off by more than a level.
@@ -175,11 +187,15 @@ impl<'a> View<'a> {
         let mut seen = Seen::default();
         for n in spread(look, self.reading.pixels.len() as u32) {
             let mut around = Around::of(&self.program, &camera, n);
+            let middle = around.middle();
             if let Some(curve) = &self.curve {
                 around.map(|level| curve.apply(level));
             }
-            let slack = if self.curve.is_some() { 2 } else { 1 };
-            seen.add(&around, self.reading.pixels[n as usize], slack);
+            let found = self.reading.pixels[n as usize];
+            match &self.curve {
+                Some(curve) => seen.add(&around, curve.settled(middle, found), 2),
+                None => seen.add(&around, found, 1),
+            }
         }
         seen
     }

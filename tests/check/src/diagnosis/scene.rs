@@ -4,7 +4,7 @@ use common::engine::companion;
 use common::rtweekend::{Color, Picture};
 
 use crate::chapter::Chapter;
-use crate::slips::{self, Edition, Probe, Program, Slip};
+use crate::slips::{self, Ball, Edition, Probe, Program, Slip};
 
 /// A chapter's scene, or a probe's in that chapter, by one edition of the book.
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +32,10 @@ pub struct Chosen {
     pub paint: Option<Color>,
     /// Blue in every pixel of the build test.
     pub blue: Option<f64>,
+    /// The first and the second sphere.
+    pub balls: [Option<Ball>; 2],
+    /// The height of the viewport one unit away, and with it the field of view.
+    pub viewport_height: Option<f64>,
 }
 
 impl Scene {
@@ -72,6 +76,17 @@ impl Scene {
     /// The chapter's own scene by the same edition.
     pub fn without_probe(self) -> Self {
         self.of_chapter(self.chapter)
+    }
+
+    /// The same picture drawn with the whole of b in place of its half, or the other way
+    /// round, if it is that of one sphere with its normals.
+    pub(super) fn with_the_other_formula(self) -> Option<Self> {
+        let chapter = match self.chapter {
+            Chapter::Normals => Chapter::HalfBSphere,
+            Chapter::HalfBSphere => Chapter::Normals,
+            _ => return None,
+        };
+        Some(Self { chapter, ..self })
     }
 
     /// The scene of another chapter by the same edition.
@@ -148,7 +163,7 @@ impl Scene {
 
     /// The program that draws the scene, with these slips in it.
     pub fn program(&self, slips: &[&Slip]) -> Program {
-        let mut program = self.edition.put_to(Program::right(self.chapter));
+        let mut program = self.edition.program(self.chapter);
         if let Some((width, height)) = self.shape {
             program.aspect_ratio = ratio(width, height);
             program.image_height = |width, ratio| ((width / ratio) as u32).max(1);
@@ -157,6 +172,11 @@ impl Scene {
         program.sky = self.chosen.sky.unwrap_or(program.sky);
         program.paint = self.chosen.paint.unwrap_or(program.paint);
         program.blue = self.chosen.blue.unwrap_or(program.blue);
+        program.own = self.chosen.balls;
+        program.viewport_height = self
+            .chosen
+            .viewport_height
+            .unwrap_or(program.viewport_height);
         for slip in slips {
             program = (slip.alter)(program);
         }
@@ -182,6 +202,10 @@ impl Scene {
     /// The right picture in the size of the reader's.
     pub fn right(&self, width: u32, height: u32) -> Picture {
         let program = self.fitting(width, height).program(&[]);
+        if matches!(self.edition, Edition::V1 | Edition::V1InDouble) {
+            // It has levels of its own; pictures are painted with those of version 4.
+            return program.run(width).picture();
+        }
         let camera = program.camera(width);
         Picture::paint(width, height, move |i, j| {
             (program.color)(&program, &camera, i, j)

@@ -3,6 +3,8 @@
 use super::antialiasing::{Around, Seen};
 use super::candidates::{self, Candidate, Conversion, Evidence, Fit, Judged};
 use super::chosen;
+use super::fitted::fitted;
+use super::near::{Near, near};
 use super::scene::Scene;
 use super::{Explains, Set};
 use crate::reading::Reading;
@@ -59,16 +61,36 @@ impl<'a> Search<'a> {
     /// is not the chapter's, a slip may have given it.
     pub(super) fn single_slips(&self) -> Vec<Set> {
         let own_shape = self.scenes.iter().map(|scene| scene.in_own_shape());
-        let scenes: Vec<Scene> = match self.scenes[0].has_another_shape() {
+        let mut scenes: Vec<Scene> = match self.scenes[0].has_another_shape() {
             true => own_shape.chain(self.scenes.iter().copied()).collect(),
             false => self.scenes.clone(),
         };
+        // The formula of the neighboring chapter draws the same picture.
+        let neighbors = nearby(&self.scenes).iter();
+        scenes.extend(neighbors.filter_map(|scene| scene.with_the_other_formula()));
         self.best(&scenes, |looks| looks.single_slips())
     }
 
-    /// The sets of single slips beside the reader's own colors.
-    pub(super) fn slips_beside_choices(&self) -> Vec<Set> {
-        self.best(nearby(&self.chosen), |looks| looks.single_slips())
+    /// What the picture is if it is right but for colors, or for how it was drawn.
+    pub(super) fn near(&self) -> Option<Near> {
+        let scenes: Vec<Scene> = self.scenes.iter().chain(&self.chosen).copied().collect();
+        near(&scenes, self.reading)
+    }
+
+    /// The nearest scene, with the reader's colors if there are some, and with spheres or
+    /// a field of view of the reader's own.
+    pub(super) fn fitted(&self) -> Vec<Scene> {
+        if self.has_no_levels || self.reading.is_plain() {
+            return Vec::new();
+        }
+        let nearest = self.chosen.first().unwrap_or(&self.scenes[0]);
+        fitted(nearest, self.reading)
+    }
+
+    /// The sets of single slips beside what the reader chose.
+    pub(super) fn slips_beside(&self, fitted: &[Scene]) -> Vec<Set> {
+        let scenes: Vec<Scene> = fitted.iter().chain(nearby(&self.chosen)).copied().collect();
+        self.best(&scenes, |looks| looks.single_slips())
     }
 
     /// The sets of two slips that explain everything.
@@ -134,10 +156,10 @@ fn nearest_first(scenes: Vec<Scene>, reading: &Reading) -> Vec<Scene> {
         .map(|scene| (fit(&scene), scene))
         .collect();
     // Where much is wrong, a few pixels more or less say nothing about the edition.
-    let tenths = |count: usize| (10 * count).div_ceil(places.len());
-    scenes.sort_by_key(|&(fit, _)| match tenths(fit.far) {
+    let share = |count: usize, parts: usize| (parts * count).div_ceil(places.len());
+    scenes.sort_by_key(|&(fit, _)| match share(fit.far, 10) {
         0 | 1 => (0, fit.far, fit.off),
-        share => (share, tenths(fit.off), 0),
+        far => (far, share(fit.off, 50).min(45), 0),
     });
     scenes.into_iter().map(|(_, scene)| scene).collect()
 }

@@ -4,7 +4,7 @@ use common::engine::companion;
 use common::rtweekend::Color;
 
 use super::{But, Chosen, Conversion, Curve, Explains, Near, Scene, Set};
-use crate::slips::{Edition, Slip};
+use crate::slips::{Ball, Edition, Slip};
 
 impl Set {
     /// How well the mistakes explain a picture of that many pixels.
@@ -83,12 +83,42 @@ impl Near {
 }
 
 impl Chosen {
-    /// The reader's own colors, if there are some.
+    /// What the reader chose, if it is not the book's.
     pub fn told(&self) -> Option<String> {
+        let all: Vec<String> = [self.colors(), self.places()]
+            .into_iter()
+            .flatten()
+            .collect();
+        (!all.is_empty()).then(|| all.join(", and "))
+    }
+
+    fn places(&self) -> Option<String> {
+        let ball = |ball: Ball| {
+            let [x, y, z, radius] =
+                [ball.center.x, ball.center.y, ball.center.z, ball.radius].map(rounded);
+            format!("of radius {radius} at ({x}, {y}, {z})")
+        };
+        let [sphere, ground] = self.balls;
+        let sphere = sphere.map(|sphere| {
+            format!(
+                "a sphere {}, or farther away and as much larger",
+                ball(sphere)
+            )
+        });
+        let ground = ground.map(|ground| format!("a ground {}", ball(ground)));
+        let zoom = self.viewport_height.map(|height| {
+            format!(
+                "a viewport {} high, or another focal length",
+                rounded(height)
+            )
+        });
+        let all: Vec<String> = [sphere, ground, zoom].into_iter().flatten().collect();
+        (!all.is_empty()).then(|| format!("in a scene of your own: {}", all.join(" and ")))
+    }
+
+    fn colors(&self) -> Option<String> {
         let color = |color: Color| {
-            let [r, g, b] = color
-                .to_array()
-                .map(|component| (component * 1000.0).round() / 1000.0);
+            let [r, g, b] = color.to_array().map(rounded);
             format!("({r}, {g}, {b})")
         };
         let sky = self.sky.map(|[below, above]| match below == above {
@@ -102,9 +132,7 @@ impl Chosen {
         let paint = self
             .paint
             .map(|paint| format!("a sphere of {}", color(paint)));
-        let blue = self
-            .blue
-            .map(|blue| format!("blue {}", (blue * 1000.0).round() / 1000.0));
+        let blue = self.blue.map(|blue| format!("blue {}", rounded(blue)));
         let all: Vec<String> = [sky, paint, blue].into_iter().flatten().collect();
         (!all.is_empty()).then(|| format!("in colors of your own: {}", all.join(" and ")))
     }
@@ -146,6 +174,11 @@ impl Curve {
         });
         format!("with all levels on a curve{power}: {}", ends.join(", "))
     }
+}
+
+/// To a thousandth.
+fn rounded(number: f64) -> f64 {
+    (number * 1000.0).round() / 1000.0
 }
 
 /// With one digit that counts: nobody could tell 90 samples from 100.

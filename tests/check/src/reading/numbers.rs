@@ -51,6 +51,11 @@ impl Reading {
             .expect("a reading has as many pixels as its size says")
     }
 
+    /// Whether all pixels are of the same color.
+    pub fn is_plain(&self) -> bool {
+        self.pixels.iter().all(|pixel| *pixel == self.pixels[0])
+    }
+
     /// The numbers that are no levels, if there are any.
     pub fn outside(&self) -> Option<Outside> {
         let is_outside = |pixel: &[i16; 3]| pixel.iter().any(|level| !(0..256).contains(level));

@@ -21,7 +21,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     let mut pixel = [0; 3];
     let mut count = 0;
     for token in tokens {
-        let level = token.number().ok_or_else(|| token.cause(bytes))?;
+        let is_complete = count == 3 * wanted;
+        let level = token.number().ok_or_else(|| match is_complete {
+            true => token.stray(bytes),
+            false => token.cause(bytes),
+        })?;
         pixel[count % 3] = level.clamp(i16::MIN.into(), i16::MAX.into()) as i16;
         count += 1;
         if count % 3 == 0 && count <= 3 * wanted {
@@ -45,6 +49,7 @@ fn miscounted(width: usize, height: usize, count: usize) -> Cause {
     let name = match count {
         0 => "no-pixels",
         _ if count < wanted => "too-few-numbers",
+        _ if count < wanted + 3 * width => "stray-output",
         _ => "too-many-numbers",
     };
     Cause::new(
@@ -61,6 +66,12 @@ fn advice(width: usize, height: usize, count: usize) -> String {
     }
     if count == width * height {
         return "That is one number a pixel. Print three: red, green and blue.".to_owned();
+    }
+    if (3 * width * height..3 * width * (height + 1)).contains(&count) {
+        return format!(
+            "The picture is complete, and {} more follow the last pixel. Only the picture goes to standard output.",
+            count - 3 * width * height
+        );
     }
     if !count.is_multiple_of(3) {
         return "That is not a multiple of three: a number is missing or doubled somewhere, or the file was cut off.".to_owned();

@@ -129,6 +129,19 @@ impl Token<'_> {
         format!("line {lines}, byte {}", self.start)
     }
 
+    /// What is wrong with a word after the last pixel, whatever it is.
+    pub(super) fn stray(&self, bytes: &[u8]) -> Cause {
+        if matches!(self.word, b"P3" | b"P6") {
+            return self.cause(bytes);
+        }
+        let (word, place) = (self.shown(), self.place(bytes));
+        Cause::new(
+            "stray-output",
+            format!("{place}: after the last pixel stands {word:?}"),
+            NO_TEXT,
+        )
+    }
+
     /// Why the word is no number, though one should be there.
     pub(super) fn cause(&self, bytes: &[u8]) -> Cause {
         let problem = |what: &str| {

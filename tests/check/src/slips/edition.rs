@@ -74,6 +74,14 @@ impl Edition {
         }
     }
 
+    /// The chapter's program in this edition.
+    ///
+    /// # Panics
+    /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
+    pub fn program(self, chapter: Chapter) -> Program {
+        self.put_to(Program::right(chapter))
+    }
+
     /// Whether row 0 is the lowest one, and the edge of the viewport points up.
     pub fn counts_from_below(self) -> bool {
         self != Self::V4

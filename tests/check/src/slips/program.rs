@@ -81,6 +81,8 @@ pub struct Program {
     pub lerp: fn([Color; 2], f64) -> Color,
     /// What there is to hit.
     pub world: &'static [Ball],
+    /// Spheres in place of the first two of these.
+    pub own: [Option<Ball>; 2],
     /// Which hit wins.
     pub search: fn(&Program, &Ray) -> Option<(f64, Ball)>,
     /// Only a greater ray parameter counts.
@@ -191,6 +193,13 @@ impl Program {
         }
     }
 
+    /// What there is to hit.
+    pub(super) fn balls(&self) -> impl DoubleEndedIterator<Item = Ball> + ExactSizeIterator {
+        let own = self.own;
+        let ball = move |(n, &ball): (usize, &Ball)| own.get(n).copied().flatten().unwrap_or(ball);
+        self.world.iter().enumerate().map(ball)
+    }
+
     /// The ray of a program without a slip in it.
     pub(super) fn right_ray(&self, camera: &Camera, i: u32, j: u32) -> Ray {
         let row = self.edition.row(j, camera.image_height);
@@ -261,6 +270,7 @@ const HITTABLE_LIST: Program = Program {
     sky: [Color::new(1.0, 1.0, 1.0), Color::new(0.5, 0.7, 1.0)],
     lerp: |[below, above], a| (1.0 - a) * below + a * above,
     world: &[BALL, Ball::new(0.0, -100.5, -1.0, 100.0)],
+    own: [None; 2],
     search: nearest,
     t_min: 0.0,
     t_max: f64::INFINITY,
@@ -343,7 +353,7 @@ const BUILD_TEST: Program = Program {
 fn nearest(program: &Program, ray: &Ray) -> Option<(f64, Ball)> {
     let mut found = None;
     let mut closest_so_far = program.t_max;
-    for &ball in program.world {
+    for ball in program.balls() {
         if let Some(t) = program.hit(ball, ray, program.t_min, closest_so_far) {
             closest_so_far = t;
             found = Some((t, ball));

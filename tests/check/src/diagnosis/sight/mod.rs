@@ -43,8 +43,9 @@ pub(super) fn sights(scene: &Scene, reading: &Reading) -> Vec<String> {
 impl View<'_> {
     fn plain(&self) -> Option<String> {
         let first = self.found(0);
-        let all_same = self.reading.pixels.iter().all(|&pixel| pixel == first);
-        all_same.then(|| format!("Every pixel has the same color, {first:?}."))
+        self.reading
+            .is_plain()
+            .then(|| format!("Every pixel has the same color, {first:?}."))
     }
 
     /// On the spheres, in the sky, or along the rim.

@@ -225,7 +225,7 @@ pub(super) const SLIPS: &[Slip] = &[
 
 /// All hits in the order of the list, each looked for in the whole interval.
 fn hits<'a>(program: &'a Program, ray: &'a Ray) -> impl DoubleEndedIterator<Item = (f64, Ball)> {
-    program.world.iter().filter_map(|&ball| {
+    program.balls().filter_map(|ball| {
         let t = program.hit(ball, ray, program.t_min, program.t_max)?;
         Some((t, ball))
     })

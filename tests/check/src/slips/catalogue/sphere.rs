@@ -24,7 +24,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "Version 4 has it that way round, with another sign in the formula. Mixed, every root changes its sign and the sphere is behind the camera.",
         ]),
         evidence: &["#1292", "PR #1304", "#1643"],
-        page: "signs#every-mixture",
+        page: "editions#every-mixture",
         source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             oc: |center, origin| origin - center,
@@ -45,7 +45,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "The minus belongs to oc = center - origin, as in version 4. With it every root changes its sign and the sphere is behind the camera.",
         ]),
         evidence: &["#1292", "#1643"],
-        page: "signs#every-mixture",
+        page: "editions#every-mixture",
         source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             linear: |d_oc| 2.0 * d_oc,
@@ -282,7 +282,7 @@ pub(super) const SLIPS: &[Slip] = &[
         wrong: "(b - sqrt(discriminant)) / (2*a)",
         right: "(-b - sqrt(discriminant)) / (2*a)",
         explanation: "Without the minus the root is minus the far one, and the sphere is behind the camera.",
-        page: "signs#every-mixture",
+        page: "editions#every-mixture",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             first_term: |b| b,

@@ -1,14 +1,94 @@
-//! The signs of two editions of the book, and what becomes of every mixture.
+//! Editions of the book: each draws what its text says; and the signs of two of them,
+//! and what becomes of every mixture.
 //!
-//! The page `book/notes/signs.md` shows these tests.
+//! The page `book/notes/editions.md` shows some of these tests.
+
+use std::io::ErrorKind;
+use std::path::Path;
+use std::process::Command;
 
 use check::Chapter;
-use check::slips::Program;
+use check::comparison::Comparison;
+use check::diagnosis::Scene;
+use check::judge::{Check, check};
+use check::slips::{Edition, Program};
 use common::rtweekend::*;
 use laws::Case;
 use laws::{runner, strategies};
+use measure::rival;
 
+use crate::left_out::left_out;
 use crate::slips::slip;
+
+#[test]
+fn each_edition_draws_what_its_program_in_cpp_draws() {
+    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/editions/editions.cc");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("editions");
+    let program = match rival::compiled(source.as_ref(), &folder) {
+        Ok(program) => program,
+        Err(cause) if cause.kind() == ErrorKind::NotFound => {
+            left_out(&format!(
+                "there is no C++ compiler to build {source} ({cause})"
+            ));
+            return;
+        }
+        Err(cause) => panic!("{source} does not compile:\n{cause}"),
+    };
+    let older = Edition::ALL.into_iter().filter(|it| *it != Edition::V4);
+    for (edition, chapter) in older.flat_map(|it| Chapter::OF_THE_BOOK.map(|chapter| (it, chapter)))
+    {
+        let name = match edition {
+            Edition::V1InDouble => "1-in-double",
+            other => other.name(),
+        };
+        // As in the texts, and some that leave a remainder.
+        for width in [18, 83, 200, 384] {
+            let drawn = Command::new(&program)
+                .args([name, chapter.name(), &width.to_string()])
+                .output()
+                .expect("the program starts");
+            let ours = edition.program(chapter).run(width).to_string();
+            assert!(
+                drawn.stdout == ours.into_bytes(),
+                "{} of version {name} at {width} wide",
+                chapter.name()
+            );
+        }
+    }
+}
+
+#[test]
+fn the_picture_of_an_edition_is_right_by_it_and_wrong_where_another_is_insisted_on() {
+    for edition in Edition::ALL {
+        for chapter in Chapter::OF_THE_BOOK {
+            let scene = Scene::new(chapter, None).expect("a chapter has its own scene");
+            let text = edition.program(chapter).run(200).to_string();
+            let Check::Right(right) = check(&scene, text.as_bytes(), 0) else {
+                panic!("{chapter:?} by {edition} is refused");
+            };
+            let drawn = right.scene.edition.program(chapter).run(200).to_string();
+            assert!(drawn == text, "{chapter:?} by {edition}");
+            let by = |other| check(&scene.only_by(other), text.as_bytes(), 0).exit_code();
+            assert_eq!(by(edition), 0);
+            if edition != Edition::V4 {
+                assert_eq!(by(Edition::V4), 1, "{chapter:?} by {edition}");
+            }
+        }
+    }
+}
+
+/// As the page says.
+#[test]
+fn between_the_cameras_of_versions_3_and_4_is_half_a_pixel() {
+    let [older, newer] = [Edition::V3, Edition::V4]
+        .map(|edition| edition.program(Chapter::Gradient).run(400).picture());
+    let Comparison::Pixels(difference) = Comparison::of(&newer, &older) else {
+        panic!("they differ");
+    };
+    let share = difference.count as f64 / difference.total as f64;
+    assert_eq!(difference.levels, 1);
+    assert!((1.0 / 13.0..1.0 / 11.0).contains(&share), "{share}");
+}
 
 /// Half of b as version 3 of the book has it.
 fn hit_sphere_of_version_3(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
