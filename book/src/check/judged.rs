@@ -22,13 +22,13 @@ impl<'a> Judged<'a> {
     /// Says of a right picture what it can't show. That of a probe follows the chapter's
     /// own, so it has to show only what is left.
     pub(crate) fn new(scene: Scene, source: Source<'a>, check: Check) -> Self {
-        let blind_spots = match check {
+        let blind_spots = match &check {
             Check::Right(Right {
                 scene,
                 width,
                 levels: 0,
                 ..
-            }) => Some(BlindSpots::after(&scene, width)),
+            }) => Some(BlindSpots::after(scene, *width)),
             _ => None,
         };
         Self {

@@ -101,7 +101,7 @@ pub(crate) fn headline(judged: &Judged, style: Style) -> String {
                 false => "",
             };
             let by = right.scene.edition.said();
-            let notes = edition(right.scene.edition);
+            let notes = given_by(&right.shape_given_by) + &edition(right.scene.edition);
             format!(
                 "{source} is {}{by}{shape}: {how}.\n{notes}",
                 style.green("right")
@@ -135,6 +135,23 @@ pub(crate) fn headline(judged: &Judged, style: Style) -> String {
                 Some(_) => style.red("not a valid picture"),
             };
             format!("{source} is {verdict}: {}.\n{}\n", cause.problem, cause.fix)
+        }
+    }
+}
+
+/// What may have given a picture its shape, if nobody chose it.
+fn given_by(slips: &[&Slip]) -> String {
+    match slips {
+        [] => String::new(),
+        slips => {
+            let names: Vec<String> = slips
+                .iter()
+                .map(|slip| format!("{} ({})", slip.name, slip.wrong))
+                .collect();
+            format!(
+                "If you did not choose this shape, look for {}.\n",
+                names.join(", or ")
+            )
         }
     }
 }

@@ -39,6 +39,15 @@ impl Judge<'_> {
             return verdict;
         }
         match judge::check(scene, bytes, 0) {
+            Check::Right(right) if !right.shape_given_by.is_empty() => Verdict {
+                headline: format!(
+                    "Right in this shape, {} × {}, which is not the book's.",
+                    right.width, right.height
+                ),
+                cause: in_full(&right.shape_given_by[..1], right.scene.edition),
+                next: "if you chose the shape, nothing is wrong".to_owned(),
+                ..Verdict::default()
+            },
             Check::Right(right) => {
                 let picture = right.scene.right(right.width, right.height);
                 self.of_right_picture(&right.scene, picture)

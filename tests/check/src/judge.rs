@@ -5,6 +5,7 @@ use common::rtweekend::Picture;
 use crate::comparison::{Comparison, Difference};
 use crate::diagnosis::{self, Diagnosis, Scene, Set};
 use crate::reading::{self, Cause, Reading};
+use crate::slips::Slip;
 
 /// What there is to say about a picture.
 #[derive(Debug)]
@@ -40,7 +41,7 @@ pub enum Check {
 }
 
 /// A right picture.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Right {
     /// The scene, by the edition of the book that draws this picture.
     pub scene: Scene,
@@ -53,6 +54,9 @@ pub struct Right {
     /// The farthest that a component is off, in levels; no more than was
     /// tolerated.
     pub levels: u8,
+    /// Slips that give it its shape, if that is not the chapter's: it may have been a
+    /// choice, or one of these.
+    pub shape_given_by: Vec<&'static Slip>,
 }
 
 /// What is to be seen in a picture that is not right to the last bit.
@@ -105,11 +109,12 @@ fn judge(scene: &Scene, reading: &Reading, tolerance: u8) -> Check {
             finding: Some(Box::new(Finding::of(scene, reading))),
         };
     }
-    let is_on_purpose = is_a_shape_to_choose(width, height)
-        && diagnosis::slips_giving(scene, width, height).is_empty();
     match (Right::of(scene, reading, tolerance), another_shape) {
         (Some(right), None) => Check::Right(right),
-        (Some(right), Some(_)) if is_on_purpose => Check::Right(right),
+        (Some(right), Some(_)) if is_a_shape_to_choose(width, height) => Check::Right(Right {
+            shape_given_by: diagnosis::slips_giving(scene, width, height),
+            ..right
+        }),
         (_, Some(cause)) => misshapen(scene, reading, cause),
         (None, None) => wrong(scene, reading),
     }
@@ -175,6 +180,7 @@ impl Right {
                         height,
                         off,
                         levels,
+                        shape_given_by: Vec::new(),
                     })
                 })
         };
@@ -232,11 +238,16 @@ impl Check {
     }
 
     /// The exit code: 0 for right, 1 for wrong, 2 for not a picture. Right is what an
-    /// edition of the book draws, to the last bit or within the tolerance.
+    /// edition of the book draws, to the last bit or within the tolerance, in a shape that
+    /// no slip gives.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Right(_) => 0,
-            Self::Near(_) | Self::Wrong(_) | Self::WrongShape { .. } | Self::Another { .. } => 1,
+            Self::Right(right) if right.shape_given_by.is_empty() => 0,
+            Self::Right(_)
+            | Self::Near(_)
+            | Self::Wrong(_)
+            | Self::WrongShape { .. }
+            | Self::Another { .. } => 1,
             Self::NotAPicture { .. } => 2,
         }
     }

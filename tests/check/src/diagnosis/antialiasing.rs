@@ -67,7 +67,7 @@ impl Seen {
     /// Whether no more than a few pixels speak against several rays, and many edges for
     /// them. A picture of one ray a pixel has no mixtures.
     pub(super) fn is_antialiased(self) -> bool {
-        50 * self.strange <= self.compared && 4 * self.mixed >= self.edges && self.mixed >= 5
+        25 * self.strange <= self.compared && 4 * self.mixed >= self.edges && self.mixed >= 5
     }
 }
 
@@ -153,9 +153,9 @@ impl Around {
         (0..3).any(|c| high[c] - low[c] > EDGE)
     }
 
-    /// Whether it is at an edge and the color that of a neighbor.
+    /// Whether it is at an edge and the color one between those of its neighbors.
     pub(super) fn may_be_moved_to(&self, found: [i16; 3]) -> bool {
-        self.is_edge() && self.nearest(found) <= 1
+        self.is_edge() && self.includes(found)
     }
 
     /// How far the nearest of them is, in levels.

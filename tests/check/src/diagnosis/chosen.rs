@@ -133,10 +133,10 @@ fn line(mut points: Vec<(f64, f64)>) -> Option<[f64; 2]> {
         let off = |&(weight, level): &(f64, f64)| (start + slope * weight - level).abs();
         let near = points.iter().filter(|point| off(point) <= ROUNDING).count();
         if near as f64 >= MOST * all as f64 {
-            let ends = [start, start + slope].map(|level| simplest(level + 0.5, 1.0));
+            let ends = [start, start + slope].map(|level| simplest(level + 0.5, 0.5));
             return ends
                 .iter()
-                .all(|end| (-0.01..=1.01).contains(end))
+                .all(|end| (-0.002..=1.002).contains(end))
                 .then_some(ends);
         }
         let mut offs: Vec<f64> = points.iter().map(off).collect();

@@ -37,7 +37,12 @@ fn to_grid(number: f64, grid: f64) -> f64 {
 /// The scene with spheres or a field of view of the reader's own, the likeliest first.
 pub(super) fn fitted(scene: &Scene, reading: &Reading) -> Vec<Scene> {
     let fit = Fit::new(scene, reading);
-    let own = [fit.first_sphere(), fit.ground(), fit.zoom()];
+    let own = [
+        fit.first_sphere(),
+        fit.ground(scene),
+        fit.ground(&fit.without_first_sphere()),
+        fit.zoom(),
+    ];
     let mut scenes: Vec<(u32, Scene)> = own.into_iter().flatten().collect();
     scenes.sort_by_key(|(off, _)| *off);
     // What does not mend a third of what is off was not what the reader chose.
@@ -90,23 +95,32 @@ impl<'a> Fit<'a> {
             let [x, y, radius] = found.map(|number| to_grid(number * distance, grid));
             [x, y, -distance, radius]
         };
+        // Somewhere a fine grid has a point near any number, so it is for one distance only.
         let (coarse, fine) = GRIDS.split_at(4);
-        let all = [coarse, fine]
+        let all = DISTANCES
             .into_iter()
-            .flat_map(|grids| DISTANCES.map(|distance| (grids, distance)))
-            .flat_map(|(grids, distance)| grids.iter().map(move |&grid| simple(distance, grid)));
+            .flat_map(|distance| coarse.iter().map(move |grid| (distance, *grid)))
+            .chain(fine.iter().map(|grid| (1.0, *grid)))
+            .map(|(distance, grid)| simple(distance, grid));
         self.simplest(least, all.filter(|[.., radius]| *radius > 0.0).map(with))
     }
 
+    /// The scene with a first sphere of no size, which is none.
+    fn without_first_sphere(&self) -> Scene {
+        let mut chosen = self.scene.chosen;
+        chosen.balls[0] = Some(Ball::new(0.0, 0.0, -1.0, 0.0));
+        self.scene.with(chosen)
+    }
+
     /// The second sphere of the list higher or lower, or of another size.
-    fn ground(&self) -> Option<(u32, Scene)> {
+    fn ground(&self, scene: &Scene) -> Option<(u32, Scene)> {
         if self.scene.chapter != Chapter::HittableList || self.scene.probe.is_some() {
             return None;
         }
         let with = |[top, radius]: [f64; 2]| {
-            let mut chosen = self.scene.chosen;
+            let mut chosen = scene.chosen;
             chosen.balls[1] = Some(Ball::new(0.0, top - radius, -1.0, radius));
-            self.scene.with(chosen)
+            scene.with(chosen)
         };
         let ([top, radius], least) = self.searched([-0.5, 100.0], [0.4, 60.0], with);
         let all = GRIDS.into_iter().flat_map(|fine| {
@@ -164,17 +178,13 @@ impl<'a> Fit<'a> {
         (numbers, least)
     }
 
-    /// The first of these scenes, the simplest one, that leaves the picture no farther
-    /// off. What somebody types is simple: other numbers were not chosen.
-    fn simplest(
-        &self,
-        least: u32,
-        mut scenes: impl Iterator<Item = Scene>,
-    ) -> Option<(u32, Scene)> {
-        scenes.find_map(|scene| {
-            let off = self.off(&scene);
-            (off <= least).then_some((off, scene))
-        })
+    /// The scene that comes nearest, the simplest one of equals, if it leaves the picture
+    /// no farther off than other numbers do. What somebody types is simple.
+    fn simplest(&self, least: u32, scenes: impl Iterator<Item = Scene>) -> Option<(u32, Scene)> {
+        scenes
+            .map(|scene| (self.off(&scene), scene))
+            .min_by_key(|(off, _)| *off)
+            .filter(|(off, _)| *off <= least)
     }
 
     /// The sphere one unit away that fills the box around all that is not background.

@@ -121,7 +121,13 @@ pub fn diagnose(scene: &Scene, reading: &Reading) -> Diagnosis {
     if pairs.first().is_some_and(Set::is_exact) {
         return found(None, told(pairs));
     }
-    if single.first().is_some_and(Set::is_enough) {
+    // What both explain but for single levels is explained by that which leaves fewer.
+    let rounded = near.as_ref().and_then(Near::rounded);
+    let is_better = |set: &Set| {
+        let left = set.fit.off as f64 / set.fit.compared as f64;
+        set.is_enough() && rounded.is_none_or(|rounded| left < rounded)
+    };
+    if single.first().is_some_and(is_better) {
         return found(None, told(single));
     }
     if near.is_some() {

@@ -5,7 +5,7 @@ use std::iter;
 use super::antialiasing::{self, Around, Seen};
 use super::candidates::{distance, spread};
 use super::curve::Curve;
-use super::scene::Scene;
+use super::scene::{Chosen, Scene};
 use crate::reading::Reading;
 use crate::slips::{Output, Program};
 
@@ -51,6 +51,16 @@ impl Near {
         samples.unwrap_or(f64::INFINITY)
     }
 
+    /// Which share of the pixels is off, if nothing but rounding makes it so.
+    pub(super) fn rounded(&self) -> Option<f64> {
+        match self.but[..] {
+            [But::Rounded { off, compared, .. }] if self.scene.chosen == Chosen::default() => {
+                Some(off as f64 / compared as f64)
+            }
+            _ => None,
+        }
+    }
+
     /// Whether the reader's choice explains each pixel to the last bit.
     pub fn is_exact(&self) -> bool {
         self.but.is_empty()
@@ -62,6 +72,8 @@ const LOOKS: [u32; 2] = [300, 4000];
 /// In how many edges are looked for, and single pixels that speak against a rounding: all
 /// of a picture 800 pixels wide.
 const LONG_LOOK: u32 = 400_000;
+/// Of so many pixels one may be that of a ray that grazes a sphere.
+const GRAZING: u32 = 20_000;
 /// In how many scenes a curve is looked for.
 const NEARBY: usize = 2;
 
@@ -158,11 +170,14 @@ impl<'a> View<'a> {
         let camera = self.program.camera(self.reading.width);
         let output = self.program.run(self.reading.width);
         let total = self.reading.pixels.len() as u32;
-        let mut far = 0;
+        let (mut far, mut strange) = (0, 0);
         for n in self.far() {
             far += 1;
             let around = Around::of(&self.program, &camera, n);
-            if !around.may_be_moved_to(self.reading.pixels[n as usize]) {
+            let found = self.reading.pixels[n as usize];
+            strange += u32::from(!around.may_be_moved_to(found));
+            // A ray that grazes the sphere may hit it somewhere else.
+            if !around.is_edge() || strange > 1 + total / GRAZING {
                 return None;
             }
         }

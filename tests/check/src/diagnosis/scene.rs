@@ -165,9 +165,17 @@ impl Scene {
     pub fn program(&self, slips: &[&Slip]) -> Program {
         let mut program = self.edition.program(self.chapter);
         if let Some((width, height)) = self.shape {
-            program.aspect_ratio = ratio(width, height);
             program.image_height = |width, ratio| ((width / ratio) as u32).max(1);
+            program.aspect_ratio = ratio(width, height);
             program.viewport_ratio = |width, height, _| width / height;
+            // Before version 4 the viewport has the ratio that was wished for.
+            let wished = USUAL_RATIOS.into_iter().find(|ratio| {
+                self.edition.counts_from_below() && (f64::from(width) / ratio) as u32 == height
+            });
+            if let Some(wished) = wished {
+                program.aspect_ratio = wished;
+                program.viewport_ratio = |_, _, aspect_ratio| aspect_ratio;
+            }
         }
         program.sky = self.chosen.sky.unwrap_or(program.sky);
         program.paint = self.chosen.paint.unwrap_or(program.paint);
@@ -212,6 +220,17 @@ impl Scene {
         })
     }
 }
+
+/// Ratios of width to height that people choose.
+const USUAL_RATIOS: [f64; 7] = [
+    1.0,
+    4.0 / 3.0,
+    3.0 / 2.0,
+    16.0 / 10.0,
+    16.0 / 9.0,
+    2.0,
+    21.0 / 9.0,
+];
 
 /// Width over height, such that dividing the width by it gives the height even
 /// after rounding down.

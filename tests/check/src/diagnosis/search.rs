@@ -8,7 +8,7 @@ use super::near::{Near, near};
 use super::scene::Scene;
 use super::{Explains, Set};
 use crate::reading::Reading;
-use crate::slips::Slip;
+use crate::slips::{Program, Slip};
 
 /// How many pixels are compared after the first glance.
 const FIRST_LOOK: u32 = 2000;
@@ -23,7 +23,9 @@ const FEW: usize = 48;
 const FEWER: usize = 16;
 /// How many pixels are compared where thousands of pairs have to be judged.
 const GLANCE: u32 = 64;
-/// In how many scenes more is looked for than single slips: the nearest ones.
+/// In how many scenes two slips are looked for: the nearest ones.
+const FOR_PAIRS: usize = 4;
+/// In how many scenes anything else is.
 const NEARBY: usize = 2;
 
 /// A reader's picture, and the scenes that it may be meant to show.
@@ -73,8 +75,7 @@ impl<'a> Search<'a> {
 
     /// What the picture is if it is right but for colors, or for how it was drawn.
     pub(super) fn near(&self) -> Option<Near> {
-        let scenes: Vec<Scene> = self.scenes.iter().chain(&self.chosen).copied().collect();
-        near(&scenes, self.reading)
+        near(&self.scenes, self.reading).or_else(|| near(&self.chosen, self.reading))
     }
 
     /// The nearest scene, with the reader's colors if there are some, and with spheres or
@@ -95,7 +96,7 @@ impl<'a> Search<'a> {
 
     /// The sets of two slips that explain everything.
     pub(super) fn pairs(&self) -> Vec<Set> {
-        let mut scenes = nearby(&self.scenes).to_vec();
+        let mut scenes = self.scenes[..self.scenes.len().min(FOR_PAIRS)].to_vec();
         if self.scenes[0].has_another_shape() {
             scenes.insert(0, self.scenes[0].in_own_shape());
         }
@@ -246,32 +247,38 @@ impl<'a> Looks<'a> {
         sets
     }
 
+    /// What the picture is with several rays a pixel, beside a program's with one.
+    fn seen(&self, program: &Program, places: &[u32]) -> Seen {
+        let camera = program.camera(self.reading.width);
+        let mut seen = Seen::default();
+        for &n in places {
+            let found = self.reading.pixels[n as usize];
+            seen.add(&Around::of(program, &camera, n), found, 1);
+        }
+        seen
+    }
+
+    /// A slip has to explain much that the right program does not: many a small shift and
+    /// every rounding is lost in several rays.
     fn antialiased_slips(&self) -> Vec<Set> {
         let [glance, few] = [GLANCE, FIRST_LOOK].map(|count| self.evidence.places(count));
+        let right = self.seen(&self.scene.program(&[]), &few);
         let plain = self.scene.slips().filter_map(|slip| {
             let candidate = self.program(&[slip])?;
             let program = self.scene.program(&[slip]);
-            let camera = program.camera(self.reading.width);
-            let seen = |places: &[u32]| {
-                let mut seen = Seen::default();
-                for &n in places {
-                    let found = self.reading.pixels[n as usize];
-                    seen.add(&Around::of(&program, &camera, n), found, 1);
-                }
-                seen
-            };
-            let at_a_glance = seen(&glance);
+            let at_a_glance = self.seen(&program, &glance);
             if 10 * at_a_glance.strange > at_a_glance.compared {
                 return None;
             }
-            let seen = seen(&few);
+            let seen = self.seen(&program, &few);
             let (_, mark) = candidate.judge(self.reading, &few, few.len())?;
             let fit = Fit {
                 far: seen.strange,
                 off: seen.off,
                 compared: few.len(),
             };
-            seen.is_antialiased().then_some(Judged {
+            let is_better = 3 * seen.strange < right.strange;
+            (is_better && seen.is_antialiased()).then_some(Judged {
                 candidate,
                 fit,
                 mark,

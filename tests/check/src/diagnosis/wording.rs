@@ -100,6 +100,9 @@ impl Chosen {
         };
         let [sphere, ground] = self.balls;
         let sphere = sphere.map(|sphere| {
+            if sphere.radius == 0.0 {
+                return "no small sphere".to_owned();
+            }
             format!(
                 "a sphere {}, or farther away and as much larger",
                 ball(sphere)
@@ -143,13 +146,16 @@ impl But {
         match self {
             Self::Antialiased { samples } => {
                 let count = match samples {
-                    Some(samples) if *samples < 150.0 => format!("about {}", about(*samples)),
-                    Some(_) => "a hundred or more".to_owned(),
-                    None => "several".to_owned(),
+                    Some(samples) if *samples < 150.0 => {
+                        format!(
+                            "about {} samples a pixel, or fewer on a grid",
+                            about(*samples)
+                        )
+                    }
+                    Some(_) => "a hundred samples a pixel or more".to_owned(),
+                    None => "several samples a pixel".to_owned(),
                 };
-                format!(
-                    "antialiased, with {count} samples a pixel: that is the next chapter of the book"
-                )
+                format!("antialiased, with {count}: that is the next chapter of the book")
             }
             Self::Curve(curve) => curve.told(),
             Self::Rounded {
