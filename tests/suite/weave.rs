@@ -6,6 +6,7 @@ use std::process::{Command, Output};
 
 use check::slips;
 use figures::{CHARTS, FIGURES};
+use scraper::{Html, Selector};
 use tempfile::TempDir;
 
 use crate::book::woven;
@@ -225,12 +226,56 @@ fn formulas_become_mathml_that_markdown_leaves_alone() {
 }
 
 #[test]
+fn punctuation_stays_with_its_formula() {
+    let page = Book::new("The root ($a$), and $b$ too.").page();
+    assert!(page.contains("<mi>a</mi></math>),</span>"), "{page}");
+    assert!(page.contains("<mi>b</mi></math> too."), "{page}");
+}
+
+#[test]
+fn an_equation_parts_between_its_sides_and_then_between_its_terms() {
+    for (formula, parts) in [
+        ("a", "a"),
+        ("a + b - c = d", "[[a][+b][−c]][=d]"),
+        ("a = -b + c", "[a][[=−b][+c]]"),
+        ("a (b + c) \\le [d - e]", "[a(b+c)][≤[d−e]]"),
+        (
+            "|a| < \\sqrt{b + c}, \\quad d > e",
+            "[[|a|][<b+c,]][[d][>e]]",
+        ),
+        ("\\frac{a + b}{c} = \\left(d + e\\right)", "[a+bc][=(d+e)]"),
+    ] {
+        let page = Book::new(&format!("$$ {formula} $$")).page();
+        let page = page
+            .replace("<span class=\"part\">", "[")
+            .replace("</span>", "]");
+        let page = Html::parse_document(&page);
+        let equation = Selector::parse(".formula").expect("CSS");
+        let shown = page.select(&equation).next().expect("an equation");
+        assert_eq!(shown.text().collect::<String>(), parts, "{formula}");
+    }
+}
+
+#[test]
+fn a_sign_between_two_terms_is_no_sign_of_the_second() {
+    let page = Book::new("$$ a + b = -c $$").page();
+    for sign in ["+", "="] {
+        let marked = format!("<mo form=\"infix\">{sign}</mo>");
+        assert!(page.contains(&marked), "{page}");
+    }
+    assert!(!page.contains("infix\">−"), "{page}");
+}
+
+#[test]
 fn a_tagged_equation_has_a_number_that_links_to_it() {
     let page = Book::new("Before.\n\n$$ a^2 \\tag{7} $$\n\n$$ b $$").page();
     let equation = &page[page
         .find("<div class=\"equation\" id=\"eq-7\">")
         .expect("a number")..];
-    assert!(equation.contains("<math display=\"block\">"), "{equation}");
+    assert!(
+        equation.contains("<math displaystyle=\"true\">"),
+        "{equation}"
+    );
     assert!(equation.contains("href=\"#eq-7\""), "{equation}");
     assert!(equation.contains(">(7)</a>"), "{equation}");
     assert!(page.contains("<div class=\"equation\">"), "{page}");

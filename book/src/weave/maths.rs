@@ -4,6 +4,8 @@ use std::collections::HashMap;
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
+use super::breaks::with_breaks;
+
 /// The formulas of the book, and the numbers that are taken.
 pub(super) struct Maths {
     converter: LatexToMathML,
@@ -22,9 +24,14 @@ impl Maths {
         }
     }
 
-    /// A formula inside a line.
-    pub(super) fn inline(&self, latex: &str) -> Result<String, String> {
-        self.convert(latex, MathDisplay::Inline)
+    /// A formula inside a line, which does not part from the `punctuation` behind it.
+    pub(super) fn inline(&self, latex: &str, punctuation: &str) -> Result<String, String> {
+        let mathml = self.convert(latex, MathDisplay::Inline)?;
+        let mathml = untouched_by_markdown(&mathml);
+        Ok(match punctuation {
+            "" => mathml,
+            _ => format!("<span class=\"whole\">{mathml}{punctuation}</span>"),
+        })
     }
 
     /// A formula on a line of its own; `\tag{n}` makes it equation n of the book.
@@ -34,7 +41,8 @@ impl Maths {
         place: impl Fn() -> String,
     ) -> Result<String, String> {
         let (formula, number) = without_tag(latex)?;
-        let math = self.convert(&formula, MathDisplay::Block)?;
+        let math = with_breaks(&self.convert(&formula, MathDisplay::Block)?);
+        let math = untouched_by_markdown(&math);
         let Some(number) = number else {
             return Ok(format!(
                 "<div class=\"equation\"><div class=\"formula\">{math}</div></div>"
@@ -54,7 +62,7 @@ impl Maths {
     fn convert(&self, latex: &str, display: MathDisplay) -> Result<String, String> {
         self.converter
             .convert_with_local_state(latex, display)
-            .map(|result| untouched_by_markdown(&result.mathml))
+            .map(|result| result.mathml)
             .map_err(|error| format!("the formula `{latex}` is wrong: {}", error.error_message()))
     }
 }

@@ -5,6 +5,7 @@
 //! before by [`Weave`]. Whatever goes wrong fails the build, with the file, the
 //! line and the cause.
 
+mod breaks;
 mod changes;
 mod code;
 mod directive;

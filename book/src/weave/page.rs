@@ -69,7 +69,9 @@ impl<'a> Page<'a> {
         for (event, range) in parser(self.text).into_offset_iter() {
             match event {
                 Event::InlineMath(formula) => {
-                    pieces.push((range.clone(), maths.inline(&formula).map(Woven::Inline)));
+                    let end = self.end_of_punctuation(range.end);
+                    let woven = maths.inline(&formula, &self.text[range.end..end]);
+                    pieces.push((range.start..end, woven.map(Woven::Inline)));
                 }
                 Event::DisplayMath(formula) => {
                     let equation = maths.equation(&formula, || self.place(range.start));
@@ -85,6 +87,15 @@ impl<'a> Page<'a> {
             opaque.push(range);
         }
         (pieces, opaque)
+    }
+
+    /// Where the punctuation ends that begins at the byte `at`.
+    fn end_of_punctuation(&self, at: usize) -> usize {
+        let rest = &self.text[at..];
+        self.text.len()
+            - rest
+                .trim_start_matches(['.', ',', ';', ':', '!', '?', ')'])
+                .len()
     }
 
     /// A formula that does not end is mere text to the parser.
