@@ -64,15 +64,16 @@ fn every_row_of_a_table_has_as_many_fields_as_its_head() {
 fn the_chart_of_the_book_names_every_method() {
     for seed in 0..SEEDS {
         let drawn = invented("speed_accuracy", seed);
-        let labels = labels(&drawn);
         for method in METHODS {
-            assert!(
-                labels
-                    .iter()
-                    .any(|label| label.split(',').next() == Some(method.name)),
-                "{} is not named with seed {seed}",
-                method.name
-            );
+            for svg in [&drawn.svg, &drawn.narrow] {
+                let is_name = |label: &String| label.split(',').next() == Some(method.name);
+                let is_named = labels(svg).iter().any(is_name);
+                assert!(
+                    is_named,
+                    "{} is not named with seed {seed}: {svg}",
+                    method.name
+                );
+            }
             assert!(drawn.table.contains(&format!("`{}`", method.name)));
         }
     }
@@ -82,12 +83,13 @@ fn the_chart_of_the_book_names_every_method() {
 fn every_panel_names_the_reference_and_the_certified_methods() {
     for seed in 0..SEEDS {
         let drawn = invented("speed_accuracy_regimes", seed);
-        let labels = labels(&drawn);
         let certified = METHODS.iter().filter(|method| method.is_certified);
         for method in certified.chain([&Method::REFERENCE]) {
             let name = method.name;
-            let count = labels.iter().filter(|label| *label == name).count();
-            assert_eq!(count, REGIMES.len(), "{name} with seed {seed}");
+            for svg in [&drawn.svg, &drawn.narrow] {
+                let count = labels(svg).iter().filter(|label| *label == name).count();
+                assert_eq!(count, REGIMES.len(), "{name} with seed {seed}: {svg}");
+            }
         }
     }
 }
@@ -154,7 +156,7 @@ fn crossings_are_where_the_tree_becomes_faster() {
     let rows = sizes.map(|n| [growth("vec", n, n as f64), growth("bvh", n, 50.0)]);
     let timings = Table::from(rows.concat()).text();
     let drawn = (find_chart("growth").expect("a chart").draw)(&[&timings]).expect("it is drawn");
-    let labels = labels(&drawn);
+    let labels = labels(&drawn.svg);
     assert!(labels.contains(&"50 spheres".to_owned()), "{labels:?}");
 }
 
@@ -176,11 +178,16 @@ fn the_failure_map_shows_that_half_b_errs_and_exact_arithmetic_does_not() {
     assert!(half_b > 3 * cross_q && cross_q > 0, "{table}");
 }
 
-/// All charts, of what was measured.
+/// All charts, of what was measured, in both layouts.
 pub(crate) fn of_the_book() -> impl Iterator<Item = (String, String)> {
     CHARTS
         .iter()
-        .map(|chart| (chart.name.to_owned(), from_notes(chart).svg))
+        .flat_map(|chart| both_layouts(chart.name.to_owned(), from_notes(chart)))
+}
+
+fn both_layouts(name: String, drawn: Drawn) -> [(String, String); 2] {
+    let narrow = format!("{name}, narrow");
+    [(name, drawn.svg), (narrow, drawn.narrow)]
 }
 
 /// Charts of numbers that nobody measured.
@@ -194,7 +201,7 @@ pub(crate) fn of_invented_numbers() -> impl Iterator<Item = (String, String)> {
     ]
     .into_iter()
     .flat_map(|name| (0..SEEDS).map(move |seed| (name, seed)))
-    .map(|(name, seed)| (format!("{name} with seed {seed}"), invented(name, seed).svg))
+    .flat_map(|(name, seed)| both_layouts(format!("{name} with seed {seed}"), invented(name, seed)))
 }
 
 const SEEDS: u64 = 8;
@@ -287,8 +294,8 @@ fn timing([what, name, place]: [&str; 3], precision: Precision, n: usize, time: 
 }
 
 /// What is written in a chart.
-fn labels(drawn: &Drawn) -> Vec<String> {
-    let drawing = parse(&drawn.svg);
+fn labels(svg: &str) -> Vec<String> {
+    let drawing = parse(svg);
     texts(&drawing).map(|text| words(&text)).collect()
 }
 

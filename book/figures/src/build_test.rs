@@ -12,9 +12,9 @@ pub const FIGURE: Figure = Figure {
     title: "The build test in large pixels",
     description: "A square picture of eight by eight pixels. It is black at the upper left, red at \
         the upper right, green at the lower left and yellow at the lower right. Red grows to the \
-        right with the column i, green grows downwards with the row j.",
-    caption: "The first picture, here with 8 × 8 pixels: red grows with the column i, green with \
-        the row j. Whoever swaps the two loops sees red and green change places.",
+        right with the column *i*, green grows downwards with the row j.",
+    caption: "The first picture, here with 8 × 8 pixels: red grows with the column *i*, green with \
+        the row *j*. Whoever swaps the two loops sees red and green change places.",
     draw: || draw(&Parameters::default()),
 };
 

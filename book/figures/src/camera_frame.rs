@@ -15,8 +15,8 @@ pub const FIGURE: Figure = Figure {
         right, across the negative z axis. A dashed line of length 1 joins the eye to its center, and four lines join the \
         eye to its corners.",
     caption: "Seen from the side: the eye is the origin of a right-handed frame. For whoever looks \
-        through the camera, x points to the right, y up, and z back from where it looks. So it \
-        looks along −z, through a viewport that is one focal length away.",
+        through the camera, *x* points to the right, *y* up, and *z* back from where it looks. So it \
+        looks along −*z*, through a viewport that is one focal length away.",
     draw: || draw(&Parameters::default()),
 };
 

@@ -16,7 +16,7 @@ pub const FIGURE: Figure = Figure {
         left both normals point out of the sphere: the ray from inside runs along with its normal. \
         At the right each normal points against its ray: the one from inside points into the \
         sphere, and front_face is false there.",
-    caption: "Left: the normal always points outward, and the sign of d·n says from where the ray \
+    caption: "Left: the normal always points outward, and the sign of **d**·**n** says from where the ray \
         came. Right, and in our code: it always points against the ray, and front_face remembers.",
     draw: || draw(&Parameters::default()),
 };
@@ -77,9 +77,9 @@ fn meet(svg: &mut Svg, plane: &Plane, ray: &Ray, against: bool) {
     );
     svg.circle("ink solid", point, 4.0);
     let start = plane.point(ray.origin) + DVec2::new(12.0, -8.0);
-    svg.label("ray", start, Anchor::Middle, "*d*");
+    svg.label("ray", start, Anchor::Middle, "**d**");
     let beyond = plane.point(record.point + 0.8 * normal) + DVec2::new(0.0, 5.0);
-    svg.label("normal", beyond, Anchor::Middle, "*n*");
+    svg.label("normal", beyond, Anchor::Middle, "**n**");
     let words = if against {
         format!("front_face = {}", record.front_face)
     } else {
@@ -88,7 +88,7 @@ fn meet(svg: &mut Svg, plane: &Plane, ray: &Ray, against: bool) {
         } else {
             '>'
         };
-        format!("*d*·*n* {sign} 0")
+        format!("**d**·**n** {sign} 0")
     };
     svg.small_label("ink", place(plane, &record), Anchor::Middle, &words);
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::svg::Svg;
+use crate::svg::{Style, Svg, escape, styled};
 
 /// A figure: words, and a function that draws it.
 #[derive(Clone, Copy, Debug)]
@@ -13,13 +13,23 @@ pub struct Figure {
     pub title: &'static str,
     /// What is to be seen, in sentences, for whoever cannot see it.
     pub description: &'static str,
-    /// What stands below it on the page.
+    /// What stands below it on the page; `*t*` is a number, `**P**` a vector.
     pub caption: &'static str,
     /// Draws it as an `<svg>` element in one line, which a page can take in.
     pub draw: fn() -> String,
 }
 
 impl Figure {
+    /// The caption as HTML.
+    pub fn caption(&self) -> String {
+        let html = |(text, style)| match (escape(text), style) {
+            (text, Style::Plain) => text,
+            (text, Style::Italic) => format!("<i>{text}</i>"),
+            (text, Style::Vector) => format!("<b>{text}</b>"),
+        };
+        styled(self.caption).map(html).collect()
+    }
+
     /// An empty drawing with the words of this figure.
     pub(crate) fn sheet(&self, width: f64, height: f64) -> Svg {
         let size = DVec2::new(width, height);

@@ -15,8 +15,8 @@ pub const FIGURE: Figure = Figure {
     description: "A ray comes from the left and hits a sphere with center C in a point P. A dashed \
         radius leads from C to P. The normal n goes on in the same direction, out of the sphere, \
         and is one unit long. It stands upright on a short line that touches the sphere in P.",
-    caption: "The outward normal is the way from the center to the point that was hit: P − C. \
-        That way is r long, so n = (P − C)/r has length 1.",
+    caption: "The outward normal is the way from the center to the point that was hit: **P** − **C**. \
+        That way is *r* long, so **n** = (**P** − **C**)/*r* has length 1.",
     draw: || draw(&Parameters::default()),
 };
 
@@ -58,7 +58,7 @@ pub fn draw(
         "sphere",
         middle + DVec2::new(8.0, 16.0),
         Anchor::Start,
-        "*C*",
+        "**C**",
     );
 
     if let Some(t) = hit_sphere(center, radius, &ray) {
@@ -84,16 +84,16 @@ pub fn draw(
             "sphere",
             half + DVec2::new(8.0, -4.0),
             Anchor::Start,
-            "*P* − *C*, *r* long",
+            "**P** − **C**, *r* long",
         );
         let tip = plane.point(point + unit);
         svg.label(
             "normal",
             tip + DVec2::new(12.0, 4.0),
             Anchor::Start,
-            "*n* = (*P* − *C*)/*r*",
+            "**n** = (**P** − **C**)/*r*",
         );
-        svg.label("ink", hit + DVec2::new(2.0, 26.0), Anchor::Middle, "*P*");
+        svg.label("ink", hit + DVec2::new(2.0, 26.0), Anchor::Middle, "**P**");
     }
     let start = plane.point(ray.origin);
     svg.label("ray", start + DVec2::new(4.0, 24.0), Anchor::Start, "ray");

@@ -16,7 +16,7 @@ pub const FIGURE: Figure = Figure {
         shows where the normal points, as far as the eye can see it from the front. Below, each \
         point has its normal, its color in numbers, and a square of that color: up is green, \
         right is pink, left is teal, down is purple, and towards the eye is blue.",
-    caption: "A color for each direction: red for x, green for y, blue for z, each from −1…1 to \
+    caption: "A color for each direction: red for *x*, green for *y*, blue for *z*, each from −1…1 to \
         0…1. So red grows to the right, green grows upwards, and what is turned to the eye \
         is blue.",
     draw: || draw(&Parameters::default()),
@@ -98,7 +98,7 @@ fn entry(svg: &mut Svg, y: f64, name: char, normal: Vec3, color: Color) {
         "ink",
         DVec2::new(36.0, y),
         Anchor::Start,
-        &format!("*n* = ({x}, {y_}, {z})"),
+        &format!("**n** = ({x}, {y_}, {z})"),
     );
     svg.pixel(DVec2::new(214.0, y - 14.0), DVec2::new(26.0, 18.0), rgb);
     let words = format!("({red:.2}, {green:.2}, {blue:.2})");

@@ -17,8 +17,8 @@ pub const FIGURE: Figure = Figure {
         from Q to C. A dashed line from C meets the ray at a right angle, h along the ray from Q. \
         From there it is the root of the discriminant back to the nearer root, and as far on to \
         the farther one.",
-    caption: "With d of length 1, h = d·(C − Q) is how far along the ray C is passed, and the root \
-        of h² − ac is half of the way inside the sphere: the roots are as far before that point as \
+    caption: "With **d** of length 1, *h* = **d**·(**C** − **Q**) is how far along the ray **C** is passed, and the root \
+        of *h*² − *ac* is half of the way inside the sphere: the roots are as far before that point as \
         behind it.",
     draw: || draw(&Parameters::default()),
 };
@@ -68,13 +68,13 @@ pub fn draw(
     );
     svg.circle("sphere solid", c, 4.5);
     svg.circle("ray solid", q, 4.5);
-    svg.label("ink", q + DVec2::new(-10.0, -8.0), Anchor::Middle, "*Q*");
-    svg.label("sphere", c + DVec2::new(8.0, -8.0), Anchor::Start, "*C*");
+    svg.label("ink", q + DVec2::new(-10.0, -8.0), Anchor::Middle, "**Q**");
+    svg.label("sphere", c + DVec2::new(8.0, -8.0), Anchor::Start, "**C**");
     svg.label(
         "sphere",
         0.4 * c + 0.6 * q + DVec2::new(-4.0, -8.0),
         Anchor::End,
-        "*C* − *Q*",
+        "**C** − **Q**",
     );
 
     if let Some(nearer) = hit_sphere(center, radius, &ray) {

@@ -14,8 +14,8 @@ pub const FIGURE: Figure = Figure {
     description: "A straight line rises to the right. It passes through a point A, where t is 0. \
         An arrow b leads from A to the point where t is 1. Equal steps further on t is 2 and 3. \
         On the other side of A the line is dashed, and t is negative.",
-    caption: "P(t) = A + t·b. Each t is a place on the line: from one whole number to the next it \
-        is one arrow b. Behind A, t is negative.",
+    caption: "**P**(*t*) = **A** + *t* **b**. Each *t* is a place on the line: from one whole number to the next it \
+        is one arrow **b**. Behind **A**, *t* is negative.",
     draw: || draw(&Parameters::default()),
 };
 
@@ -51,7 +51,7 @@ pub fn draw(Parameters { ray, marks }: &Parameters) -> String {
         "ray",
         at(0.5) + aside + DVec2::new(0.0, 5.0),
         Anchor::Middle,
-        "*b*",
+        "**b**",
     );
 
     for &t in marks {
@@ -60,8 +60,13 @@ pub fn draw(Parameters { ray, marks }: &Parameters) -> String {
         svg.label("ink", above, Anchor::End, &format!("*t* = {}", spoken(t)));
     }
     let below = |t| at(t) + aside + DVec2::new(4.0, 8.0);
-    svg.label("ink", below(0.0), Anchor::Start, "*A* = *P*(0)");
-    svg.label("ink", below(2.0), Anchor::Start, "*P*(2) = *A* + 2*b*");
+    svg.label("ink", below(0.0), Anchor::Start, "**A** = **P**(0)");
+    svg.label(
+        "ink",
+        below(2.0),
+        Anchor::Start,
+        "**P**(2) = **A** + 2**b**",
+    );
     svg.label("faint", below(-1.0), Anchor::Start, "behind");
     svg.finish()
 }

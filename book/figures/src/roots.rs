@@ -15,8 +15,8 @@ pub const FIGURE: Figure = Figure {
     description: "Three rays run from left to right. The highest one passes above the sphere: no \
         root. The second one touches it in a single point: one root. The third one goes in and \
         comes out again: two roots, each marked with its t.",
-    caption: "The discriminant b² − 4ac counts: negative, the ray misses; zero, it touches; \
-        positive, it goes in at the smaller t and comes out at the larger.",
+    caption: "The discriminant *b*² − 4*ac* counts: negative, the ray misses; zero, it touches; \
+        positive, it goes in at the smaller *t* and comes out at the larger.",
     draw: || draw(&Parameters::default()),
 };
 

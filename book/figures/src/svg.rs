@@ -42,12 +42,14 @@ impl Svg {
         Self::of_class("drawing", name, title, description, size)
     }
 
-    /// The same for a wide drawing, which a narrow page lets scroll.
-    pub(crate) fn wide(name: &str, title: &str, description: &str, size: DVec2) -> Self {
-        Self::of_class("drawing wide", name, title, description, size)
-    }
-
-    fn of_class(class: &str, name: &str, title: &str, description: &str, size: DVec2) -> Self {
+    /// The same for a drawing of another class, which the style sheet knows.
+    pub(crate) fn of_class(
+        class: &str,
+        name: &str,
+        title: &str,
+        description: &str,
+        size: DVec2,
+    ) -> Self {
         let id = format!("drawing-{}", name.replace('_', "-"));
         let (title, description) = (escape(title), escape(description));
         Self {
@@ -114,7 +116,7 @@ impl Svg {
         self.path(&format!("{idea} solid"), &[to, neck + side, neck - side]);
     }
 
-    /// A label. In `text`, `*P*` is italic, and `_{00}` is a subscript.
+    /// A label. In `text`, `*t*` is italic, `**P**` a vector, and `_{00}` a subscript.
     pub(crate) fn label(&mut self, idea: &str, at: DVec2, anchor: Anchor, text: &str) {
         self.sized_label(idea, TEXT, at, anchor, text);
     }
@@ -231,7 +233,7 @@ pub(crate) fn width(label: &str, size: f64) -> f64 {
 }
 
 /// Text that means itself in XML.
-fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
@@ -242,7 +244,7 @@ fn escape(text: &str) -> String {
 fn spans(label: &str) -> String {
     let mut spans = String::new();
     let mut lowered = false;
-    for (part, italic) in label.split('*').zip([false, true].into_iter().cycle()) {
+    for (part, style) in styled(label) {
         for piece in part.split_inclusive('}') {
             let (level, low) = match piece.split_once("_{") {
                 Some((level, low)) => (level, low.trim_end_matches('}')),
@@ -250,7 +252,7 @@ fn spans(label: &str) -> String {
             };
             for (text, low) in [(level, false), (low, true)] {
                 if !text.is_empty() {
-                    spans += &span(text, italic, lowered, low);
+                    spans += &span(text, style, lowered, low);
                     lowered = low;
                 }
             }
@@ -259,9 +261,36 @@ fn spans(label: &str) -> String {
     spans
 }
 
+/// How a letter of a formula looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Style {
+    /// A word or a digit.
+    Plain,
+    /// A number, `*t*`.
+    Italic,
+    /// A vector, `**P**`.
+    Vector,
+}
+
+/// The stretches of a text with `*` and `**`.
+pub(crate) fn styled(text: &str) -> impl Iterator<Item = (&str, Style)> {
+    let outer = [None, Some(Style::Vector)].into_iter().cycle();
+    text.split("**").zip(outer).flat_map(|(part, vector)| {
+        let inner = [Style::Plain, Style::Italic].into_iter().cycle();
+        part.split('*')
+            .zip(inner)
+            .map(move |(text, style)| (text, vector.unwrap_or(style)))
+            .filter(|(text, _)| !text.is_empty())
+    })
+}
+
 /// A stretch of a label; `lowered` says whether the one before it stood low.
-fn span(text: &str, italic: bool, lowered: bool, low: bool) -> String {
-    let style = if italic { " class=\"italic\"" } else { "" };
+fn span(text: &str, style: Style, lowered: bool, low: bool) -> String {
+    let style = match style {
+        Style::Plain => "",
+        Style::Italic => " class=\"italic\"",
+        Style::Vector => " class=\"vector\"",
+    };
     let shift = match (lowered, low) {
         (false, true) => " dy=\"4\"",
         (true, false) => " dy=\"-4\"",

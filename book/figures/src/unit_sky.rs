@@ -15,8 +15,8 @@ pub const FIGURE: Figure = Figure {
         bottom of the viewport. Cut to length 1 they end on a circle. The height of each end leads \
         across to a scale from white, a = 0, to blue, a = 1. The topmost and the lowest ray reach \
         neither end of the scale.",
-    caption: "The height y of the unit direction, from −1 to 1, becomes a = ½(y + 1), the share of \
-        blue. No ray of this picture is steep enough for a = 0 or a = 1: they would point straight \
+    caption: "The height *y* of the unit direction, from −1 to 1, becomes *a* = ½(*y* + 1), the share of \
+        blue. No ray of this picture is steep enough for *a* = 0 or *a* = 1: they would point straight \
         down and up.",
     draw: || draw(&Parameters::default()),
 };

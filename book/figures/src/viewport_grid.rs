@@ -15,9 +15,9 @@ pub const FIGURE: Figure = Figure {
         upper left corner of the rectangle. The vector V u runs from Q along the whole upper edge, \
         V v along the whole left edge, downwards. The point in the first square is P 0 0. From \
         there Δu leads to the point on its right, Δv to the point below.",
-    caption: "A picture of 7 × 5 pixels on its viewport. Q is a corner of the viewport, P₀₀ the \
-        center of a pixel: half a step right and half a step down from Q. Rows run downwards, \
-        where y runs up, so Δv points along −y.",
+    caption: "A picture of 7 × 5 pixels on its viewport. **Q** is a corner of the viewport, **P**₀₀ the \
+        center of a pixel: half a step right and half a step down from **Q**. Rows run downwards, \
+        where *y* runs up, so Δ**v** points along −*y*.",
     draw: || draw(&Parameters::default()),
 };
 
@@ -58,7 +58,7 @@ pub fn draw(&Parameters { width, height }: &Parameters) -> String {
     let label = |svg: &mut Svg, idea, point: Point3, (x, y), anchor, text: &str| {
         svg.label(idea, at(point) + DVec2::new(x, y), anchor, text);
     };
-    label(&mut svg, "viewport", q, (-8.0, -8.0), Anchor::End, "*Q*");
+    label(&mut svg, "viewport", q, (-8.0, -8.0), Anchor::End, "**Q**");
     let middle = q + 0.5 * viewport_u;
     label(
         &mut svg,
@@ -66,7 +66,7 @@ pub fn draw(&Parameters { width, height }: &Parameters) -> String {
         middle,
         (0.0, -10.0),
         Anchor::Middle,
-        "*V*_{u}",
+        "**V**_{u}",
     );
     let middle = q + 0.5 * viewport_v;
     label(
@@ -75,7 +75,7 @@ pub fn draw(&Parameters { width, height }: &Parameters) -> String {
         middle,
         (-12.0, 4.0),
         Anchor::End,
-        "*V*_{v}",
+        "**V**_{v}",
     );
 
     let first = camera.pixel00;
@@ -83,26 +83,26 @@ pub fn draw(&Parameters { width, height }: &Parameters) -> String {
     svg.arrow("ray bold", at(first), at(first + delta_v));
     svg.circle("ink solid", at(first), 5.0);
     let (u, v) = (first + 0.5 * delta_u, first + delta_v);
-    label(&mut svg, "ray", u, (0.0, -6.0), Anchor::Middle, "Δ*u*");
-    label(&mut svg, "ray", v, (8.0, -6.0), Anchor::Start, "Δ*v*");
+    label(&mut svg, "ray", u, (0.0, -6.0), Anchor::Middle, "Δ**u**");
+    label(&mut svg, "ray", v, (8.0, -6.0), Anchor::Start, "Δ**v**");
     let beside = DVec2::new(at(q).x - 10.0, at(first).y);
     svg.line("faint dashed", beside, at(first) - DVec2::new(5.0, 0.0));
     svg.label(
         "ink",
         beside + DVec2::new(-4.0, 5.0),
         Anchor::End,
-        "*P*_{00}",
+        "**P**_{00}",
     );
 
     numbers(
         &mut svg,
         &[
-            ("viewport", "*V*_{u}", viewport_u),
-            ("viewport", "*V*_{v}", viewport_v),
-            ("viewport", "*Q*", q),
-            ("ray", "Δ*u*", delta_u),
-            ("ray", "Δ*v*", delta_v),
-            ("ink", "*P*_{00}", first),
+            ("viewport", "**V**_{u}", viewport_u),
+            ("viewport", "**V**_{v}", viewport_v),
+            ("viewport", "**Q**", q),
+            ("ray", "Δ**u**", delta_u),
+            ("ray", "Δ**v**", delta_v),
+            ("ink", "**P**_{00}", first),
         ],
     );
     svg.finish()

@@ -16,7 +16,7 @@ pub(super) fn figure(name: &str) -> Result<String, String> {
     Ok(on_one_line(&format!(
         "<figure id=\"{name}\">{}<figcaption>{}</figcaption></figure>",
         (figure.draw)(),
-        figure.caption
+        figure.caption()
     )))
 }
 
@@ -29,8 +29,8 @@ pub(super) fn chart(notes: &Path, name: &str) -> Result<String, String> {
     })?;
     let drawn = chart.draw_from(notes)?;
     let figure = on_one_line(&format!(
-        "<figure id=\"{name}\">{}<figcaption>{}</figcaption></figure>",
-        drawn.svg, chart.caption
+        "<figure id=\"{name}\">{}{}<figcaption>{}</figcaption></figure>",
+        drawn.svg, drawn.narrow, chart.caption
     ));
     Ok(format!(
         "{figure}\n\n<details class=\"numbers\"><summary>The numbers of this chart</summary>\n\n{}\n\n</details>",

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::svg::{Anchor, Svg, number};
+use crate::svg::{Anchor, SMALL, Svg, number, width};
 
 /// One direction of a panel.
 #[derive(Clone, Debug)]
@@ -134,10 +134,16 @@ impl Panel {
     /// Draws the grid, the numbers at its lines and the titles of the axes.
     pub(super) fn draw(&self, svg: &mut Svg) {
         let (low, high) = (self.corner, self.corner + self.size);
+        let mut written = f64::NEG_INFINITY;
         for (tick, words) in &self.x.ticks {
             let x = self.corner.x + self.size.x * self.x.place(*tick);
             svg.line("grid thin", DVec2::new(x, low.y), DVec2::new(x, high.y));
-            svg.small_label("faint", DVec2::new(x, high.y + 16.0), Anchor::Middle, words);
+            let half = 0.5 * width(words, SMALL);
+            // Where lines are near to each other not each has its number.
+            if x - half > written {
+                svg.small_label("faint", DVec2::new(x, high.y + 16.0), Anchor::Middle, words);
+                written = x + half + 4.0;
+            }
         }
         for (tick, words) in &self.y.ticks {
             let y = self.corner.y + self.size.y * (1.0 - self.y.place(*tick));
@@ -149,8 +155,12 @@ impl Panel {
                 words,
             );
         }
-        let below = DVec2::new(high.x, high.y + 33.0);
-        svg.small_label("faint", below, Anchor::End, &self.x.title);
+        let (x, anchor) = match width(&self.x.title, SMALL) < self.size.x + 24.0 {
+            true => (high.x, Anchor::End),
+            false => (low.x - 24.0, Anchor::Start),
+        };
+        let below = DVec2::new(x, high.y + 33.0);
+        svg.small_label("faint", below, anchor, &self.x.title);
         let above = DVec2::new(low.x - 24.0, low.y - 12.0);
         svg.small_label("faint", above, Anchor::Start, &self.y.title);
     }

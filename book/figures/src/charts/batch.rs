@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use glam::DVec2;
 
-use super::chart::{Chart, Drawn, WIDTH};
+use super::bars::bar;
+use super::chart::{Chart, Drawn, Layout};
 use crate::records::Timing;
 use crate::svg::{Anchor, Svg};
 use crate::table::{Record, Table};
@@ -32,53 +33,60 @@ struct Pair {
 
 fn draw(timings: &str) -> Result<Drawn, String> {
     let pairs = read(timings)?;
+    Ok(Drawn::new(table(&pairs), |layout| bars(layout, &pairs)))
+}
+
+fn bars(layout: Layout, pairs: &[Pair]) -> String {
     let longest = pairs
         .iter()
         .map(|pair| pair.alone.unwrap_or_default().max(pair.together))
         .fold(0.0, f64::max);
-    let bar = |time: f64| (WIDTH - 300.0) * time / longest;
-    let mut svg = CHART.sheet(40.0 + 64.0 * pairs.len() as f64);
+    let length = |time: f64| (layout.width() - layout.choose(300.0, 8.0)) * time / longest;
+    let pitch = layout.choose(64.0, 114.0);
+    let mut svg = CHART.sheet(layout, 40.0 + pitch * pairs.len() as f64);
+    let left = layout.choose(12.0, 4.0);
     let title = "nanoseconds for one test, on the rays of the book";
-    svg.small_label("faint", DVec2::new(12.0, 20.0), Anchor::Start, title);
+    svg.small_label("faint", DVec2::new(left, 20.0), Anchor::Start, title);
     for (pair, place) in pairs.iter().zip(0..) {
-        let corner = DVec2::new(170.0, 40.0 + 64.0 * f64::from(place));
-        pair.draw(&mut svg, corner, bar);
+        let corner = DVec2::new(layout.choose(170.0, left), 40.0 + pitch * f64::from(place));
+        pair.draw(&mut svg, layout, corner, length);
     }
-    Ok(Drawn {
-        svg: svg.finish(),
-        table: table(&pairs),
-    })
+    svg.finish()
 }
 
 impl Pair {
-    /// Two bars from `corner` on, as long as `bar` says.
-    fn draw(&self, svg: &mut Svg, corner: DVec2, bar: impl Fn(f64) -> f64) {
-        let name = corner + DVec2::new(-10.0, 26.0);
-        svg.label("ink", name, Anchor::End, &self.name);
+    /// Two bars from `corner` on, of the `length` of their times.
+    fn draw(&self, svg: &mut Svg, layout: Layout, corner: DVec2, length: impl Fn(f64) -> f64) {
+        let (name, anchor, first, second) = layout.choose(
+            (DVec2::new(-10.0, 26.0), Anchor::End, 0.0, 22.0),
+            (DVec2::new(0.0, 16.0), Anchor::Start, 20.0, 60.0),
+        );
+        svg.label("ink", corner + name, anchor, &self.name);
         if let Some(alone) = self.alone {
             let words = format!("{alone:.2} one by one");
-            one(svg, "faint", corner, bar(alone), &words);
+            let corner = corner + DVec2::new(0.0, first);
+            bar(svg, layout, "faint", corner, length(alone), &words);
         }
-        let below = corner + DVec2::new(0.0, 22.0);
+        let corner = corner + DVec2::new(0.0, second);
         let mut words = format!("{:.2} many at once", self.together);
         if let Some(limit) = self.limit {
             let percent = 100.0 * limit / self.together;
             words += &format!(", {percent:.0} % of the limit");
         }
-        one(svg, "certain", below, bar(self.together), &words);
+        let together = bar(
+            svg,
+            layout,
+            "certain",
+            corner,
+            length(self.together),
+            &words,
+        );
         if let Some(limit) = self.limit {
-            let at = below + DVec2::new(bar(limit), 0.0);
+            let at = together + DVec2::new(length(limit), 0.0);
             let [above, beneath] = [-4.0, 20.0].map(|y| at + DVec2::new(0.0, y));
             svg.line("ink bold", above, beneath);
         }
     }
-}
-
-/// A bar, with words behind its end.
-fn one(svg: &mut Svg, idea: &str, corner: DVec2, length: f64, words: &str) {
-    svg.rect(&format!("{idea} solid"), corner, DVec2::new(length, 16.0));
-    let at = corner + DVec2::new(length + 10.0, 12.5);
-    svg.small_label("ink", at, Anchor::Start, words);
 }
 
 fn read(timings: &str) -> Result<Vec<Pair>, String> {

@@ -32,6 +32,9 @@ pub struct Chart {
 pub struct Drawn {
     /// An `<svg>` element in one line.
     pub svg: String,
+    /// The same for a page that is too narrow for that, as a phone is: a page has
+    /// both, and the style sheet shows one of them.
+    pub narrow: String,
     /// The same numbers as a table in Markdown.
     pub table: String,
 }
@@ -54,13 +57,48 @@ impl Chart {
         (self.draw)(&texts)
     }
 
-    /// An empty drawing with the words of this chart. Pages let it scroll where
-    /// they are too narrow for it.
-    pub(super) fn sheet(&self, height: f64) -> Svg {
-        let size = DVec2::new(WIDTH, height);
-        Svg::wide(self.name, self.title, self.description, size)
+    /// An empty drawing with the words of this chart.
+    pub(super) fn sheet(&self, layout: Layout, height: f64) -> Svg {
+        let size = DVec2::new(layout.width(), height);
+        let (class, name) = match layout {
+            Layout::Wide => ("drawing wide", self.name.to_owned()),
+            Layout::Narrow => ("drawing narrow", format!("{}_narrow", self.name)),
+        };
+        Svg::of_class(class, &name, self.title, self.description, size)
     }
 }
 
-/// The width of every chart.
-pub(super) const WIDTH: f64 = 720.0;
+impl Drawn {
+    /// What `draw` draws in both layouts, and the table.
+    pub(super) fn new(table: String, draw: impl Fn(Layout) -> String) -> Self {
+        Self {
+            svg: draw(Layout::Wide),
+            narrow: draw(Layout::Narrow),
+            table,
+        }
+    }
+}
+
+/// How much room there is beside each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Layout {
+    /// As on a page of a book.
+    Wide,
+    /// As on a phone: what is beside each other in a wide chart is below each other.
+    Narrow,
+}
+
+impl Layout {
+    /// The width of every chart.
+    pub(super) fn width(self) -> f64 {
+        self.choose(720.0, 340.0)
+    }
+
+    /// One of two values.
+    pub(super) fn choose<T>(self, wide: T, narrow: T) -> T {
+        match self {
+            Layout::Wide => wide,
+            Layout::Narrow => narrow,
+        }
+    }
+}

@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use glam::DVec2;
-use speed_vs_accuracy::{METHODS, failure_map};
+use speed_vs_accuracy::{FailureMap, METHODS, Method, failure_map};
 
-use super::chart::{Chart, Drawn, WIDTH};
+use super::chart::{Chart, Drawn, Layout};
 use crate::svg::{Anchor, SMALL, Svg, width};
 
 /// The map, which is computed by the methods when it is drawn.
@@ -27,39 +27,61 @@ pub(super) const CHART: Chart = Chart {
 /// Cells in a row.
 const CELLS: usize = 48;
 
+/// The map of a method, and how many of its cells are wrong.
+struct Judged {
+    method: &'static str,
+    map: FailureMap,
+    count: usize,
+}
+
 fn draw() -> Drawn {
-    const COLUMNS: usize = 4;
-    let rows = METHODS.len().div_ceil(COLUMNS);
-    let (pitch, side) = (DVec2::new(178.0, 198.0), 162.0);
-    let mut svg = CHART.sheet(34.0 + pitch.y * rows as f64);
-    explain(&mut svg);
-    let mut table = format!("| method | wrong of {} |\n|---|---:|\n", CELLS * CELLS);
-    for (n, method) in METHODS.iter().enumerate() {
+    let judge = |method: &Method| {
         let map = failure_map(method, CELLS);
         let count = map.wrong.iter().filter(|wrong| **wrong).count();
-        let place = DVec2::new((n % COLUMNS) as f64, (n / COLUMNS) as f64);
-        let corner = DVec2::new(12.0, 58.0) + pitch * place;
+        let method = method.name;
+        Judged { method, map, count }
+    };
+    let maps: Vec<Judged> = METHODS.iter().map(judge).collect();
+    Drawn::new(table(&maps), |layout| panels(layout, &maps))
+}
+
+fn panels(layout: Layout, maps: &[Judged]) -> String {
+    let columns = layout.choose(4, 2);
+    let rows = maps.len().div_ceil(columns);
+    let (pitch, side) = layout.choose(
+        (DVec2::new(178.0, 198.0), 162.0),
+        (DVec2::new(172.0, 212.0), 162.0),
+    );
+    let mut svg = CHART.sheet(layout, 34.0 + pitch.y * rows as f64);
+    explain(&mut svg, layout);
+    for (n, Judged { method, map, count }) in maps.iter().enumerate() {
+        let place = DVec2::new((n % columns) as f64, (n / columns) as f64);
+        let corner = layout.choose(DVec2::new(12.0, 58.0), DVec2::new(2.0, 74.0)) + pitch * place;
         let cell = side / CELLS as f64;
-        let above = corner - DVec2::new(0.0, 6.0);
-        svg.small_label("ink", above, Anchor::Start, method.name);
-        let above = above + DVec2::new(side, 0.0);
-        let idea = if count == 0 { "faint" } else { "wrong" };
+        let above = corner - DVec2::new(0.0, layout.choose(6.0, 20.0));
+        svg.small_label("ink", above, Anchor::Start, method);
+        let above = corner + DVec2::new(side, -6.0);
+        let idea = if *count == 0 { "faint" } else { "wrong" };
         svg.small_label(idea, above, Anchor::End, &count.to_string());
         svg.group("pixels", |svg| {
             svg.cells("sphere wash", corner, cell, CELLS, &map.hits);
             svg.cells("wrong solid", corner, cell, CELLS, &map.wrong);
         });
         svg.rect("faint thin", corner, DVec2::splat(side));
-        let _ = writeln!(table, "| `{}` | {count} |", method.name);
     }
-    Drawn {
-        svg: svg.finish(),
-        table,
-    }
+    svg.finish()
 }
 
-fn explain(svg: &mut Svg) {
-    let mut x = 12.0;
+fn table(maps: &[Judged]) -> String {
+    let mut table = format!("| method | wrong of {} |\n|---|---:|\n", CELLS * CELLS);
+    for Judged { method, count, .. } in maps {
+        let _ = writeln!(table, "| `{method}` | {count} |");
+    }
+    table
+}
+
+fn explain(svg: &mut Svg, layout: Layout) {
+    let mut x = layout.choose(12.0, 2.0);
     for (class, words) in [
         ("sphere wash", "hits"),
         ("wrong solid", "wrong decisions, and their number"),
@@ -68,5 +90,4 @@ fn explain(svg: &mut Svg) {
         svg.small_label("ink", DVec2::new(x + 18.0, 20.0), Anchor::Start, words);
         x += 18.0 + width(words, SMALL) + 16.0;
     }
-    debug_assert!(x < WIDTH);
 }

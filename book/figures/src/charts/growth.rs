@@ -5,7 +5,7 @@ use std::fmt::Write;
 use glam::DVec2;
 
 use super::axes::{Axis, Panel};
-use super::chart::{Chart, Drawn, WIDTH};
+use super::chart::{Chart, Drawn, Layout};
 use super::labels::{Labels, Place, spread};
 use crate::records::Timing;
 use crate::svg::{Anchor, SMALL, Svg};
@@ -34,28 +34,29 @@ struct Line {
 
 fn draw(timings: &str) -> Result<Drawn, String> {
     let lines = read(timings)?;
+    Ok(Drawn::new(table(&lines), |layout| plot(layout, &lines)))
+}
+
+fn plot(layout: Layout, lines: &[Line]) -> String {
     let all = || lines.iter().flat_map(|line| &line.points);
     let panel = Panel {
-        corner: DVec2::new(64.0, 50.0),
-        size: DVec2::new(WIDTH - 190.0, 310.0),
+        corner: DVec2::new(layout.choose(64.0, 58.0), 50.0),
+        size: DVec2::new(layout.width() - layout.choose(190.0, 146.0), 310.0),
         x: Axis::logarithmic("spheres", all().map(|point| point.0)),
         y: Axis::logarithmic("nanoseconds for one ray", all().map(|point| point.1)),
     };
-    let mut svg = CHART.sheet(410.0);
+    let mut svg = CHART.sheet(layout, 410.0);
     panel.draw(&mut svg);
-    for line in &lines {
+    for line in lines {
         let points = line.places(&panel);
         svg.path(&format!("{} line", line.idea()), &points);
         for point in points {
             svg.circle(&format!("{} solid", line.idea()), point, 3.0);
         }
     }
-    name(&mut svg, &panel, &lines);
-    mark_crossings(&mut svg, &panel, &lines);
-    Ok(Drawn {
-        svg: svg.finish(),
-        table: table(&lines),
-    })
+    name(&mut svg, &panel, lines);
+    mark_crossings(&mut svg, &panel, lines);
+    svg.finish()
 }
 
 /// Writes the names where the lines end.

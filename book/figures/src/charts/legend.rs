@@ -3,12 +3,14 @@
 use glam::DVec2;
 use speed_vs_accuracy::Precision::{Double, Single};
 
+use super::chart::Layout;
 use super::methods::{cross, mark};
 use crate::svg::{Anchor, SMALL, Svg, width};
 
-/// Explains the marks of methods in one line from `at` on.
-pub(super) fn methods(svg: &mut Svg, at: DVec2) {
-    let mut x = at.x;
+/// Explains the marks of methods at the top of a chart. Returns where it ends.
+pub(super) fn methods(svg: &mut Svg, layout: Layout) -> f64 {
+    let start = layout.choose(12.0, 4.0);
+    let mut at = DVec2::new(start, 20.0);
     let marks: [(Mark, &str); 5] = [
         (&|svg, at| mark(svg, "ink", Double, at), "f64"),
         (&|svg, at| mark(svg, "ink", Single, at), "f32"),
@@ -20,10 +22,15 @@ pub(super) fn methods(svg: &mut Svg, at: DVec2) {
         (&|svg, at| cross(svg, at), "confuses some hits and misses"),
     ];
     for (draw, words) in marks {
-        draw(svg, DVec2::new(x + 8.0, at.y - 4.5));
-        svg.small_label("ink", DVec2::new(x + 20.0, at.y), Anchor::Start, words);
-        x += 20.0 + width(words, SMALL) + 12.0;
+        let size = 20.0 + width(words, SMALL);
+        if at.x + size > layout.width() {
+            at = DVec2::new(start, at.y + 20.0);
+        }
+        draw(svg, at + DVec2::new(8.0, -4.5));
+        svg.small_label("ink", at + DVec2::new(20.0, 0.0), Anchor::Start, words);
+        at.x += size + 12.0;
     }
+    at.y
 }
 
 /// Draws a mark at a point.

@@ -1,6 +1,7 @@
 //! The charts of the book, drawn from the files that hold what was measured.
 
 mod axes;
+mod bars;
 mod batch;
 mod chart;
 mod failure_map;

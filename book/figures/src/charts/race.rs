@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use glam::DVec2;
 
-use super::chart::{Chart, Drawn, WIDTH};
+use super::bars::bar;
+use super::chart::{Chart, Drawn, Layout};
 use crate::records::Race;
 use crate::svg::Anchor;
 use crate::table::{Record, Table};
@@ -37,36 +38,43 @@ pub(super) const TRACING: Chart = Chart {
 fn draw(chart: &Chart, file: &str, to: &str, title: &str) -> Result<Drawn, String> {
     let mut races = Table::<Race>::read(file)?.rows;
     races.retain(|race| race.width == 3840 && race.to == to);
+    Ok(Drawn::new(table(&races), |layout| {
+        bars(layout, chart, &races, title)
+    }))
+}
+
+fn bars(layout: Layout, chart: &Chart, races: &[Race], title: &str) -> String {
     let longest = races
         .iter()
         .map(|race| race.cpp_median_ms.max(race.rust_median_ms));
     let longest = longest.fold(1.0, f64::max);
-    let bar = |time: f64| (WIDTH - 290.0) * time / longest;
-    let mut svg = chart.sheet(34.0 + 52.0 * races.len() as f64);
-    let title = format!("milliseconds for a picture 3840 pixels wide: {title}");
-    svg.small_label("faint", DVec2::new(12.0, 20.0), Anchor::Start, &title);
+    let length = |time: f64| (layout.width() - layout.choose(290.0, 8.0)) * time / longest;
+    let pitch = layout.choose(52.0, 108.0);
+    let mut svg = chart.sheet(layout, 34.0 + pitch * races.len() as f64);
+    let left = layout.choose(12.0, 4.0);
+    let unit = layout.choose(
+        "milliseconds for a picture 3840 pixels wide",
+        "milliseconds",
+    );
+    let title = format!("{unit}: {title}");
+    svg.small_label("faint", DVec2::new(left, 20.0), Anchor::Start, &title);
+    let (aside, anchor, heights) = layout.choose(
+        (DVec2::new(-10.0, 24.0), Anchor::End, [0.0, 19.0]),
+        (DVec2::new(0.0, 16.0), Anchor::Start, [20.0, 57.0]),
+    );
     for (race, place) in races.iter().zip(0..) {
-        let corner = DVec2::new(132.0, 38.0 + 52.0 * f64::from(place));
-        svg.label(
-            "ink",
-            corner + DVec2::new(-10.0, 24.0),
-            Anchor::End,
-            &race.chapter,
-        );
+        let corner = DVec2::new(layout.choose(132.0, left), 38.0 + pitch * f64::from(place));
+        svg.label("ink", corner + aside, anchor, &race.chapter);
         let (rust, cpp) = (race.rust_median_ms, race.cpp_median_ms);
         let ours = format!("{rust:.0} Rust, {}", times(race.ratio()));
         let rival = format!("{cpp:.0} C++");
-        for (idea, time, words, y) in [("ray", rust, ours, 0.0), ("faint", cpp, rival, 19.0)] {
-            let from = corner + DVec2::new(0.0, y);
-            svg.rect(&format!("{idea} solid"), from, DVec2::new(bar(time), 16.0));
-            let at = from + DVec2::new(bar(time) + 8.0, 12.5);
-            svg.small_label("ink", at, Anchor::Start, &words);
+        let two = [("ray", rust, ours), ("faint", cpp, rival)];
+        for ((idea, time, words), height) in two.into_iter().zip(heights) {
+            let from = corner + DVec2::new(0.0, height);
+            bar(&mut svg, layout, idea, from, length(time), &words);
         }
     }
-    Ok(Drawn {
-        svg: svg.finish(),
-        table: table(&races),
-    })
+    svg.finish()
 }
 
 /// How many times as fast, with as many digits as mean something.

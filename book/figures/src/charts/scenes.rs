@@ -5,9 +5,9 @@ use std::fmt::Write;
 use glam::DVec2;
 use speed_vs_accuracy::Precision;
 
-use super::chart::{Chart, Drawn, WIDTH};
+use super::chart::{Chart, Drawn, Layout};
 use crate::records::{Timing, WrongPixels};
-use crate::svg::{Anchor, Svg};
+use crate::svg::{Anchor, SMALL, Svg, width};
 use crate::table::{Record, Table};
 
 /// A heat map.
@@ -47,10 +47,9 @@ fn draw(scenes: &str, timings: &str) -> Result<Drawn, String> {
         time.map_or(f64::INFINITY, |time| time.median_ns)
     };
     methods.sort_by(|one, other| time(one).total_cmp(&time(other)));
-    Ok(Drawn {
-        svg: heat_map(&cells, &names, &methods),
-        table: table(&cells, &names, &methods),
-    })
+    Ok(Drawn::new(table(&cells, &names, &methods), |layout| {
+        heat_map(layout, &cells, &names, &methods)
+    }))
 }
 
 fn find<'a>(cells: &'a [WrongPixels], scene: &str, method: &str) -> Option<&'a WrongPixels> {
@@ -58,19 +57,31 @@ fn find<'a>(cells: &'a [WrongPixels], scene: &str, method: &str) -> Option<&'a W
     cells.iter().find(is_wanted)
 }
 
-fn heat_map(cells: &[WrongPixels], scenes: &[String], methods: &[Method]) -> String {
-    let (left, top, high) = (166.0, 62.0, 24.0);
-    let wide = (WIDTH - left - 12.0) / scenes.len() as f64;
-    let mut svg = CHART.sheet(top + high * methods.len() as f64 + 12.0);
+fn heat_map(
+    layout: Layout,
+    cells: &[WrongPixels],
+    scenes: &[String],
+    methods: &[Method],
+) -> String {
+    let (top, high) = (62.0, 24.0);
+    // Names stand before their row, or where that takes too much room above it.
+    let (left, right, pitch) = layout.choose((166.0, 12.0, high), (1.0, 0.0, high + 18.0));
+    let wide = (layout.width() - left - right) / scenes.len() as f64;
+    let mut svg = CHART.sheet(layout, top + pitch * methods.len() as f64 + 12.0);
     let title = "pixels of 1000 that differ from the exact picture";
     svg.small_label("faint", DVec2::new(12.0, 20.0), Anchor::Start, title);
     for (column, scene) in scenes.iter().enumerate() {
         let x = left + wide * column as f64;
-        let middle = DVec2::new(x + 0.5 * wide, top - 8.0);
-        svg.small_label("ink", middle, Anchor::Middle, &scene.replace('_', " "));
+        let words = scene.replace('_', " ");
+        let half = 0.5 * width(&words, SMALL);
+        let middle = (x + 0.5 * wide).min(layout.width() - half);
+        // Narrow columns have their names on two lines in turn.
+        let up = layout.choose(0.0, 15.0 * (column % 2) as f64);
+        let at = DVec2::new(middle, top - 8.0 - up);
+        svg.small_label("ink", at, Anchor::Middle, &words);
         let mut found = Vec::new();
         for (row, (method, precision)) in methods.iter().enumerate() {
-            let corner = DVec2::new(x, top + high * row as f64);
+            let corner = DVec2::new(x, top + pitch * (row + 1) as f64 - high);
             let Some(shown) = find(cells, scene, method) else {
                 continue;
             };
@@ -88,8 +99,12 @@ fn heat_map(cells: &[WrongPixels], scenes: &[String], methods: &[Method]) -> Str
         }
     }
     for (row, (method, _)) in methods.iter().enumerate() {
-        let at = DVec2::new(left - 10.0, top + high * (row as f64 + 0.5) + 3.0);
-        svg.small_label("ink", at, Anchor::End, method);
+        let below = top + pitch * (row + 1) as f64;
+        let (at, anchor) = layout.choose(
+            (DVec2::new(left - 10.0, below - 9.0), Anchor::End),
+            (DVec2::new(left, below - high - 5.0), Anchor::Start),
+        );
+        svg.small_label("ink", at, anchor, method);
     }
     svg.finish()
 }

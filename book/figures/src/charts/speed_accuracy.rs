@@ -6,7 +6,7 @@ use glam::DVec2;
 use speed_vs_accuracy::find_regime;
 
 use super::axes::{Axis, Panel};
-use super::chart::{Chart, Drawn, WIDTH};
+use super::chart::{Chart, Drawn, Layout};
 use super::labels::{Labels, Place};
 use super::legend;
 use super::methods::{Measured, read};
@@ -30,17 +30,10 @@ pub(super) const BOOK: Chart = Chart {
     files: FILES,
     draw: |files| {
         let all = read(files[0], files[1])?;
-        let mut svg = BOOK.sheet(500.0);
-        legend::methods(&mut svg, DVec2::new(12.0, 20.0));
         let shown = of_regime(&all, "book");
-        let (corner, size) = (DVec2::new(40.0, 70.0), DVec2::new(WIDTH - 60.0, 380.0));
-        Plot::new(corner, size, &shown, &shown)
-            .in_detail()
-            .draw(&mut svg);
-        Ok(Drawn {
-            svg: svg.finish(),
-            table: table(&shown),
-        })
+        Ok(Drawn::new(table(&shown), |layout| {
+            one_panel(layout, &shown)
+        }))
     },
 };
 
@@ -62,28 +55,59 @@ pub(super) const REGIMES: Chart = Chart {
                 regimes.push(&one.accuracy.regime);
             }
         }
-        let rows = regimes.len().div_ceil(2);
-        let mut svg = REGIMES.sheet(40.0 + 290.0 * rows as f64);
-        legend::methods(&mut svg, DVec2::new(12.0, 20.0));
-        let mut rows_of_table = Vec::new();
-        for (regime, place) in regimes.iter().zip(0..) {
-            let shown = of_regime(&all, regime);
-            let corner = DVec2::new(
-                40.0 + 360.0 * f64::from(place % 2),
-                100.0 + 290.0 * f64::from(place / 2),
-            );
-            let title = DVec2::new(corner.x - 24.0, corner.y - 32.0);
-            let words = find_regime(regime).map_or(*regime, |regime| regime.title);
-            svg.label("ink", title, Anchor::Start, words);
-            Plot::new(corner, DVec2::new(300.0, 180.0), &shown, &all).draw(&mut svg);
-            rows_of_table.extend(shown);
-        }
-        Ok(Drawn {
-            svg: svg.finish(),
-            table: table(&rows_of_table),
-        })
+        let situations: Vec<Situation> = regimes
+            .iter()
+            .map(|regime| Situation {
+                title: find_regime(regime).map_or(*regime, |regime| regime.title),
+                shown: of_regime(&all, regime),
+            })
+            .collect();
+        let shown: Vec<Measured> = situations
+            .iter()
+            .flat_map(|one| one.shown.clone())
+            .collect();
+        Ok(Drawn::new(table(&shown), |layout| {
+            many_panels(layout, &situations, &all)
+        }))
     },
 };
+
+/// A regime, and what was measured in it.
+struct Situation<'a> {
+    title: &'a str,
+    shown: Vec<Measured>,
+}
+
+fn one_panel(layout: Layout, shown: &[Measured]) -> String {
+    let mut svg = BOOK.sheet(layout, layout.choose(500.0, 760.0));
+    let top = 50.0 + legend::methods(&mut svg, layout);
+    let corner = DVec2::new(layout.choose(40.0, 28.0), top);
+    let size = DVec2::new(
+        layout.width() - layout.choose(60.0, 46.0),
+        layout.choose(380.0, 600.0),
+    );
+    Plot::new(corner, size, shown, shown)
+        .in_detail()
+        .draw(&mut svg);
+    svg.finish()
+}
+
+/// The panels in as many columns as there is room for.
+fn many_panels(layout: Layout, situations: &[Situation], all: &[Measured]) -> String {
+    let columns = layout.choose(2, 1);
+    let rows = situations.len().div_ceil(columns);
+    let mut svg = REGIMES.sheet(layout, layout.choose(40.0, 80.0) + 290.0 * rows as f64);
+    let top = 80.0 + legend::methods(&mut svg, layout);
+    for (n, Situation { title, shown }) in situations.iter().enumerate() {
+        let place = DVec2::new((n % columns) as f64, (n / columns) as f64);
+        let corner = DVec2::new(layout.choose(40.0, 28.0), top) + DVec2::new(360.0, 290.0) * place;
+        let above = DVec2::new(corner.x - 24.0, corner.y - 32.0);
+        svg.label("ink", above, Anchor::Start, title);
+        let size = DVec2::new(layout.choose(300.0, 294.0), 180.0);
+        Plot::new(corner, size, shown, all).draw(&mut svg);
+    }
+    svg.finish()
+}
 
 fn of_regime(all: &[Measured], regime: &str) -> Vec<Measured> {
     let of_regime = |one: &&Measured| one.accuracy.regime == regime;

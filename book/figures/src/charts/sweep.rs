@@ -6,7 +6,7 @@ use glam::DVec2;
 use speed_vs_accuracy::{Method, Precision};
 
 use super::axes::{Axis, Panel};
-use super::chart::{Chart, Drawn};
+use super::chart::{Chart, Drawn, Layout};
 use super::labels::spread;
 use super::methods::{cross, digits, idea};
 use super::seen::LESSON;
@@ -72,16 +72,24 @@ struct Line {
 
 fn draw(chart: &Chart, file: &str, regime: &str, title: &str, ten: &str) -> Result<Drawn, String> {
     let lines = read(file, regime)?;
-    let mut svg = chart.sheet(400.0);
-    explain(&mut svg);
-    for (precision, x, width) in [
-        (Precision::Double, 40.0, 190.0),
-        (Precision::Single, 404.0, 140.0),
+    Ok(Drawn::new(table(&lines, ten), |layout| {
+        panels(layout, chart, &lines, title, ten)
+    }))
+}
+
+fn panels(layout: Layout, chart: &Chart, lines: &[Line], title: &str, ten: &str) -> String {
+    let mut svg = chart.sheet(layout, layout.choose(400.0, 790.0));
+    explain(&mut svg, layout);
+    let [double, single] =
+        layout.choose([(40.0, 60.0), (404.0, 60.0)], [(28.0, 80.0), (28.0, 450.0)]);
+    for (precision, corner, width) in [
+        (Precision::Double, double, 190.0),
+        (Precision::Single, single, 140.0),
     ] {
         let is_drawn = |line: &&Line| line.precision == precision && line.is_drawn();
         let shown: Vec<&Line> = lines.iter().filter(is_drawn).collect();
         let panel = Panel {
-            corner: DVec2::new(x, 60.0),
+            corner: corner.into(),
             size: DVec2::new(width, 290.0),
             x: axis(title, &shown, ten),
             y: Axis::linear(precision.name(), 0.0, 16.0, 4.0),
@@ -89,18 +97,17 @@ fn draw(chart: &Chart, file: &str, regime: &str, title: &str, ten: &str) -> Resu
         panel.draw(&mut svg);
         plot(&mut svg, &panel, &shown);
     }
-    Ok(Drawn {
-        svg: svg.finish(),
-        table: table(&lines, ten),
-    })
+    svg.finish()
 }
 
-fn explain(svg: &mut Svg) {
+fn explain(svg: &mut Svg, layout: Layout) {
     let words = "digits of *t* that are right, in 999 of 1000 hits";
-    svg.small_label("faint", DVec2::new(16.0, 20.0), Anchor::Start, words);
-    cross(svg, DVec2::new(424.0, 15.5));
+    let x = layout.choose(16.0, 4.0);
+    svg.small_label("faint", DVec2::new(x, 20.0), Anchor::Start, words);
+    let at: DVec2 = layout.choose((424.0, 15.5), (12.0, 37.5)).into();
+    cross(svg, at);
     let words = "from here on, hits and misses are confused";
-    svg.small_label("ink", DVec2::new(438.0, 20.0), Anchor::Start, words);
+    svg.small_label("ink", at + DVec2::new(14.0, 4.5), Anchor::Start, words);
 }
 
 /// All levels of `lines`, with some of them marked.
