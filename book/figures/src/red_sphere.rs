@@ -41,7 +41,8 @@ pub fn draw(&Parameters { width }: &Parameters) -> String {
         corner: DVec2::new(8.0, 8.0),
         side: 384.0 / f64::from(width),
     };
-    frame.draw(&mut svg, &red_sphere::picture(width));
+    let picture = red_sphere::picture(width);
+    frame.draw(&mut svg, &picture);
 
     let middle = frame.seen(&camera, CENTER);
     let radius = outline() * frame.side / camera.pixel_delta_u.x;
@@ -61,11 +62,20 @@ pub fn draw(&Parameters { width }: &Parameters) -> String {
     }
     svg.circle("black line", middle, radius);
 
-    let y = 8.0 + frame.side * f64::from(camera.image_height) + 22.0;
-    svg.circle("ink solid", DVec2::new(16.0, y - 5.0), 3.0);
-    svg.label("ink", DVec2::new(28.0, y), Anchor::Start, "the ray hits");
-    svg.circle("ink dot", DVec2::new(146.0, y - 5.0), 3.0);
-    svg.label("ink", DVec2::new(158.0, y), Anchor::Start, "it misses");
+    let y = 8.0 + frame.side * f64::from(camera.image_height) + 8.0;
+    // On the colors of the picture, as there.
+    let rgb = |i, j| picture.rgb().as_chunks::<3>().0[j * width as usize + i];
+    let center = (width as usize / 2, camera.image_height as usize / 2);
+    for (x, rgb, class, words) in [
+        (8.0, rgb(center.0, center.1), "solid", "the ray hits"),
+        (140.0, rgb(0, 0), "dot", "it misses"),
+    ] {
+        svg.pixel(DVec2::new(x, y), DVec2::splat(18.0), rgb);
+        svg.group("black", |svg| {
+            svg.circle(class, DVec2::new(x, y) + 9.0, 3.0)
+        });
+        svg.label("ink", DVec2::new(x + 26.0, y + 14.0), Anchor::Start, words);
+    }
     svg.finish()
 }
 

@@ -1,32 +1,32 @@
-//! Where a formula on a line of its own may go on in the next one.
+//! Where a formula on a line of its own, or in a table, may go on in the next line.
 //!
 //! No browser breaks MathML everywhere where a person would, and some break it
 //! where nobody would. So a formula becomes several that stand in one line. Where it
 //! is too short, the statements of a list part first, then the sides of a relation
 //! (= ≤ <), and the terms of a sum only if a side alone is still too wide.
 
-/// The MathML of a formula, cut into such parts.
+/// The MathML of a formula, cut into such parts. They stand in a line, so what is
+/// drawn as large as on a line of its own says so.
 pub(super) fn with_breaks(mathml: &str) -> String {
-    let content = mathml
-        .split_once('>')
-        .and_then(|(_, rest)| rest.strip_suffix("</math>"))
+    let (start, content) = mathml
+        .strip_suffix("</math>")
+        .and_then(|rest| rest.split_once('>'))
         .expect("a formula is one element");
-    parts(
-        &children(content),
-        &[between_statements, between_sides, between_terms],
-    )
+    let start = start.replace(" display=\"block\"", " displaystyle=\"true\"");
+    let breaks: [Break; 3] = [between_statements, between_sides, between_terms];
+    parts(&start, &children(content), &breaks)
 }
 
 /// Says whether a line may break between two neighboring elements.
 type Break = fn(&str, &str) -> bool;
 
 /// The parts between the first of `breaks`, each parted by the others in turn.
-fn parts(elements: &[&str], breaks: &[Break]) -> String {
+fn parts(start: &str, elements: &[&str], breaks: &[Break]) -> String {
     let Some((first, finer)) = breaks.split_first() else {
-        return formula(elements);
+        return formula(start, elements);
     };
     let parts: Vec<String> = cut(elements, *first)
-        .map(|part| parts(part, finer))
+        .map(|part| parts(start, part, finer))
         .collect();
     match &parts[..] {
         [whole] => whole.clone(),
@@ -51,15 +51,15 @@ fn cut<'a>(elements: &'a [&'a str], is_break: Break) -> impl Iterator<Item = &'a
     })
 }
 
-/// Elements in the size of a formula that stands alone. A sign at the beginning is
-/// between two parts all the same, not the sign of a number.
-fn formula(elements: &[&str]) -> String {
+/// Elements as a formula. A sign at the beginning is between two parts all the same,
+/// not the sign of a number.
+fn formula(start: &str, elements: &[&str]) -> String {
     let mathml = elements.concat();
     let mathml = match is_relation(elements[0]) || is_sum(elements[0]) {
         true => mathml.replacen("<mo", "<mo form=\"infix\"", 1),
         false => mathml,
     };
-    format!("<math displaystyle=\"true\">{mathml}</math>")
+    format!("{start}>{mathml}</math>")
 }
 
 /// After a `\quad`, or a wider one.

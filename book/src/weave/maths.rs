@@ -34,6 +34,12 @@ impl Maths {
         })
     }
 
+    /// A formula in a table, which may need to be narrow.
+    pub(super) fn in_table(&self, latex: &str) -> Result<String, String> {
+        let mathml = self.convert(latex, MathDisplay::Inline)?;
+        Ok(untouched_by_markdown(&with_breaks(&mathml)))
+    }
+
     /// A formula on a line of its own; `\tag{n}` makes it equation n of the book.
     pub(super) fn equation(
         &mut self,

@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use check::places::shown;
-use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag};
+use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
 use super::code::Listed;
 use super::directive;
@@ -66,8 +66,12 @@ impl<'a> Page<'a> {
     fn formulas(&self, maths: &mut Maths) -> (Vec<Piece>, Vec<Range<usize>>) {
         let mut pieces = Vec::new();
         let mut opaque: Vec<Range<usize>> = Vec::new();
+        let mut in_table = false;
         for (event, range) in parser(self.text).into_offset_iter() {
             match event {
+                Event::InlineMath(formula) if in_table => {
+                    pieces.push((range.clone(), maths.in_table(&formula).map(Woven::Inline)));
+                }
                 Event::InlineMath(formula) => {
                     let end = self.end_of_punctuation(range.end);
                     let woven = maths.inline(&formula, &self.text[range.end..end]);
@@ -78,6 +82,14 @@ impl<'a> Page<'a> {
                     pieces.push((range.clone(), equation.map(Woven::Block)));
                 }
                 Event::Start(Tag::CodeBlock(_)) | Event::Code(_) => {}
+                Event::Start(Tag::TableCell) => {
+                    in_table = true;
+                    continue;
+                }
+                Event::End(TagEnd::TableCell) => {
+                    in_table = false;
+                    continue;
+                }
                 Event::Text(_) if opaque.last().is_none_or(|code| code.end <= range.start) => {
                     pieces.extend(self.stray_dollar(range));
                     continue;
