@@ -15,10 +15,10 @@ use std::{env, fs, thread};
 use serde_json::{Value, json};
 
 /// Far more than any step takes, even where the machine is busy.
-const PATIENCE: Duration = Duration::from_secs(60);
+pub(super) const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A promise that is kept when everything has been drawn once more.
-const NEXT_FRAME: &str = "new Promise((done) => \
+pub(super) const NEXT_FRAME: &str = "new Promise((done) => \
     requestAnimationFrame(() => requestAnimationFrame(() => done(null))))";
 
 /// A running browser.

@@ -11,7 +11,28 @@
     const invisible = /[\s\u2061-\u2064]/;
 
     const wrong = [];
+    // The box that a formula has to itself: a line of its own, or a field of a table.
+    const cut = (formula) => {
+        const box = formula.closest(".formula, td, p, li")?.getBoundingClientRect();
+        const signs = [...formula.querySelectorAll("mi, mn, mo, mtext, msqrt")]
+            .map((sign) => sign.getBoundingClientRect());
+        return box && signs.some(({ left, right }) => left < box.left - 1 || right > box.right + 1);
+    };
+    for (const hat of document.querySelectorAll("mover[accent] > mo")) {
+        const { left, right } = hat.previousElementSibling.getBoundingClientRect();
+        const own = hat.getBoundingClientRect();
+        const middle = (own.left + own.right) / 2;
+        if (middle < left || middle > right) {
+            wrong.push(["a hat beside its letter", hat.parentElement.textContent]);
+        }
+    }
     for (const formula of document.querySelectorAll("math")) {
+        if (formula.getClientRects().length > 1) {
+            wrong.push(["broken inside", formula.textContent]);
+        }
+        if (cut(formula)) {
+            wrong.push(["cut off", formula.textContent]);
+        }
         const { width, height } = formula.getBoundingClientRect();
         const size = parseFloat(getComputedStyle(formula).fontSize);
         const around = parseFloat(getComputedStyle(formula.parentElement).fontSize);

@@ -1,0 +1,63 @@
+// What mdBook's pages lack for a narrow screen, for the keyboard, and for whoever has a
+// page read aloud.
+
+// What opens the sidebar is a label to mdBook, which no keyboard reaches: a button stands
+// for it.
+const label = document.getElementById("mdbook-sidebar-toggle");
+const opened = document.getElementById("mdbook-sidebar-toggle-anchor");
+const button = document.createElement("button");
+button.className = label.className;
+button.type = "button";
+button.title = label.title;
+button.setAttribute("aria-label", label.title);
+button.setAttribute("aria-controls", "mdbook-sidebar");
+button.append(...label.childNodes);
+button.addEventListener("click", () => label.click());
+const tell = () => button.setAttribute("aria-expanded", opened.checked);
+opened.addEventListener("change", tell);
+tell();
+label.before(button);
+label.style.display = "none";
+
+document.getElementById("mdbook-menu-bar").role = "banner";
+
+// A table that is too wide for the page is restacked: a row becomes a block, in which
+// each field has its label (see book.css).
+for (const table of document.querySelectorAll("main table")) {
+    const heads = [...table.querySelectorAll("thead th")];
+    for (const row of table.querySelectorAll("tbody tr")) {
+        [...row.cells].forEach((cell, column) => {
+            cell.dataset.label = heads[column]?.textContent.trim() ?? "";
+        });
+    }
+    // A head without words heads nothing.
+    heads.filter((head) => !head.textContent.trim())
+        .forEach((head) => head.replaceWith(document.createElement("td")));
+}
+
+function fit(box) {
+    const table = box.querySelector(":scope > table");
+    table?.classList.remove("stacked");
+    table?.classList.toggle("stacked", box.scrollWidth > box.clientWidth);
+    // What scrolls all the same can be reached.
+    if (box.scrollWidth > box.clientWidth) {
+        box.tabIndex = 0;
+    } else {
+        box.removeAttribute("tabindex");
+    }
+}
+
+// Again whenever there is another width; the new height is no reason.
+const widths = new Map();
+const observer = new ResizeObserver((entries) => requestAnimationFrame(() => {
+    for (const { target } of entries) {
+        if (widths.get(target) !== target.clientWidth) {
+            widths.set(target, target.clientWidth);
+            fit(target);
+        }
+    }
+}));
+const boxes = "main .table-wrapper, main pre > code, main p:has(img[src*='terminal/'])";
+document.fonts.ready.then(() => {
+    document.querySelectorAll(boxes).forEach((box) => observer.observe(box));
+});
