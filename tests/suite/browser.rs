@@ -162,6 +162,30 @@ fn on_paper_every_answer_is_open() {
     );
 }
 
+/// Where there is most to tear apart.
+#[test]
+fn on_paper_nothing_is_torn_but_what_is_long() {
+    let Some(mut browser) = browser() else { return };
+    // As wide as a sheet between its margins.
+    let mut tab = browser.tab(670);
+    tab.open(&woven().join("speed_vs_accuracy.html"), "");
+    tab.set_media("print", "light");
+    let breaks = "[...document.querySelectorAll('main pre, main figure')].map(
+        (it) => `${it.localName}: ${getComputedStyle(it).breakInside}`)";
+    let mut kinds = list(&tab.evaluate(breaks));
+    kinds.sort();
+    kinds.dedup();
+    assert_eq!(kinds, ["\"figure: avoid\"", "\"pre: auto\""]);
+    assert_eq!(list(&tab.evaluate(OVERFLOW)), [""; 0]);
+    let tallest = "Math.max(...[...document.querySelectorAll('main figure')].map(
+        (it) => it.getBoundingClientRect().height))";
+    let tallest = tab.evaluate(tallest).as_f64().expect("a height");
+    assert!(
+        tallest < 800.0,
+        "a figure takes {tallest} pixels of a thousand"
+    );
+}
+
 /// A window in which a page is open.
 trait Window {
     /// Opens the page; returns what the browser complains of, and each request to others.
