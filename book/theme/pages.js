@@ -31,8 +31,9 @@ for (const table of document.querySelectorAll("main table")) {
         });
     }
     // A head without words heads nothing.
-    heads.filter((head) => !head.textContent.trim())
-        .forEach((head) => head.replaceWith(document.createElement("td")));
+    const blank = heads.filter((head) => !head.textContent.trim());
+    blank.forEach((head) => head.replaceWith(document.createElement("td")));
+    table.tHead.hidden = blank.length === heads.length;
 }
 
 function fit(box) {

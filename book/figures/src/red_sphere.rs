@@ -72,7 +72,7 @@ pub fn draw(&Parameters { width }: &Parameters) -> String {
     ] {
         svg.pixel(DVec2::new(x, y), DVec2::splat(18.0), rgb);
         svg.group("black", |svg| {
-            svg.circle(class, DVec2::new(x, y) + 9.0, 3.0)
+            svg.circle(class, DVec2::new(x, y) + 9.0, 3.0);
         });
         svg.label("ink", DVec2::new(x + 26.0, y + 14.0), Anchor::Start, words);
     }

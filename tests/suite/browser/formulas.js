@@ -13,7 +13,7 @@
     const wrong = [];
     // The box that a formula has to itself: a line of its own, or a field of a table.
     const cut = (formula) => {
-        const box = formula.closest(".formula, td, p, li")?.getBoundingClientRect();
+        const box = formula.closest(".equation, td, p, li")?.getBoundingClientRect();
         const signs = [...formula.querySelectorAll("mi, mn, mo, mtext, msqrt")]
             .map((sign) => sign.getBoundingClientRect());
         return box && signs.some(({ left, right }) => left < box.left - 1 || right > box.right + 1);
