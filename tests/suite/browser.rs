@@ -132,6 +132,61 @@ fn an_answer_opens_by_keyboard_and_shows_where_the_keyboard_is() {
 }
 
 #[test]
+fn the_sidebar_goes_and_comes_by_keyboard() {
+    let Some(mut browser) = browser() else { return };
+    let mut tab = browser.tab(1200);
+    tab.open(&woven().join("normals.html"), "");
+    let is_there = "document.documentElement.classList.contains('sidebar-visible')";
+    assert_eq!(tab.evaluate(is_there), true);
+    tab.evaluate("document.querySelector('[aria-controls=mdbook-sidebar]').focus()");
+    for expected in [false, true] {
+        tab.press("Enter");
+        assert_eq!(tab.evaluate(is_there), expected);
+        let said = "document.activeElement.ariaExpanded";
+        assert_eq!(tab.evaluate(said), expected.to_string());
+    }
+}
+
+#[test]
+fn a_table_that_is_too_wide_is_restacked_and_each_field_has_its_label() {
+    let Some(mut browser) = browser() else { return };
+    let label = "(() => {
+        const field = document.querySelector('table tbody td:nth-child(3)');
+        return getComputedStyle(field, '::before').content;
+    })()";
+    for (width, expected) in [(360, "\"1: \""), (1300, "none")] {
+        let mut tab = browser.tab(width);
+        tab.open(
+            &woven().join("caught.html"),
+            "#slips-that-begin-in-build_test",
+        );
+        tab.evaluate(NEXT_FRAME);
+        let table = label.replace("table tbody", "table:has(th:nth-child(5)) tbody");
+        assert_eq!(tab.evaluate(&table), expected, "{width} pixels");
+    }
+}
+
+#[test]
+fn the_words_of_drawings_and_terminals_are_large_enough_on_a_phone() {
+    let Some(mut browser) = browser() else { return };
+    let mut tab = browser.tab(360);
+    let mut seen = 0;
+    for page in page_names() {
+        tab.open(&woven().join(page), "");
+        let sizes = tab.evaluate(WORDS);
+        for size in sizes.as_array().expect("a list") {
+            let [name, size] = [&size[0], &size[1]];
+            assert!(
+                size.as_f64() >= Some(10.0),
+                "{name} has words of {size} pixels"
+            );
+            seen += 1;
+        }
+    }
+    assert!(seen > 20, "{seen} drawings");
+}
+
+#[test]
 fn figures_take_on_the_theme_of_the_page() {
     let Some(mut browser) = browser() else { return };
     let mut tab = browser.tab(1200);
@@ -421,6 +476,19 @@ fn axe() -> Option<&'static str> {
     });
     AXE.as_deref()
 }
+
+/// Of each drawing that is shown the size of its smallest words, but for subscripts; and
+/// that of a terminal, whose picture is 740 wide with words of 14.
+const WORDS: &str = "[
+    ...[...document.querySelectorAll('svg.drawing')]
+        .filter((drawing) => drawing.checkVisibility())
+        .map((drawing) => [drawing.getAttribute('aria-labelledby'), Math.min(
+            ...[...drawing.querySelectorAll('text')].map((text) =>
+                parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a))]),
+    ...[...document.querySelectorAll('img[src*=terminal]')]
+        .filter((terminal) => terminal.checkVisibility())
+        .map((terminal) => [terminal.src, 14 / 740 * terminal.width]),
+]";
 
 const BAD_PAGE: &str = "<!doctype html>
 <title>Bad</title>
