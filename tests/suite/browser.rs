@@ -481,7 +481,7 @@ fn axe() -> Option<&'static str> {
 /// that of a terminal, whose picture is 740 wide with words of 14.
 const WORDS: &str = "[
     ...[...document.querySelectorAll('svg.drawing')]
-        .filter((drawing) => drawing.checkVisibility())
+        .filter((drawing) => drawing.checkVisibility() && drawing.querySelector('text'))
         .map((drawing) => [drawing.getAttribute('aria-labelledby'), Math.min(
             ...[...drawing.querySelectorAll('text')].map((text) =>
                 parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a))]),
