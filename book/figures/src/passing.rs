@@ -16,8 +16,8 @@ pub const FIGURE: Figure = Figure {
         length s leads from C to the nearest point of the line, at a right angle. From C to the \
         point where the line enters the sphere it is r, and from there to the nearest point the \
         square root of r² − s².",
-    caption: "Two triangles with a right angle at t = h/a. The large one, with Q, gives s. \
-        The small one, with the point where the line goes in, gives √(r² − s²), half of the way \
+    caption: "Two triangles with a right angle at *t* = *h*/*a*. The large one, with **Q**, gives *s*. \
+        The small one, with the point where the line goes in, gives √(*r*² − *s*²), half of the way \
         inside the sphere. The discriminant is the square of that, times 4a.",
     draw: || draw(&Parameters::default()),
 };
@@ -80,11 +80,11 @@ pub fn draw(
     }
     svg.circle("sphere solid", c, 4.5);
     svg.circle("ray solid", q, 4.5);
-    svg.label("ink", q + DVec2::new(0.0, 24.0), Anchor::Middle, "*Q*");
-    svg.label("sphere", c + DVec2::new(8.0, -8.0), Anchor::Start, "*C*");
+    svg.label("ink", q + DVec2::new(0.0, 24.0), Anchor::Middle, "**Q**");
+    svg.label("sphere", c + DVec2::new(8.0, -8.0), Anchor::Start, "**C**");
     let beside = middle(c, foot) + DVec2::new(8.0, 5.0);
     svg.label("ink", beside, Anchor::Start, "*s*");
     let above = middle(q, c) + DVec2::new(-8.0, -8.0);
-    svg.label("sphere", above, Anchor::End, "*C* − *Q*");
+    svg.label("sphere", above, Anchor::End, "**C** − **Q**");
     svg.finish()
 }

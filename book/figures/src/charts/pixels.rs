@@ -4,10 +4,10 @@
 use std::fmt::Write;
 
 use glam::DVec2;
-use speed_vs_accuracy::METHODS;
+use speed_vs_accuracy::{METHODS, Method};
 
 use super::axes::{Axis, Panel};
-use super::chart::{Chart, Drawn};
+use super::chart::{Chart, Drawn, Layout};
 use super::methods::{idea, mark};
 use crate::number::short;
 use crate::records::Accuracy;
@@ -35,49 +35,74 @@ const SPHERES: [(&str, &str); 2] = [("book_ball", "the ball"), ("book_ground", "
 const TOP: f64 = 44.0;
 const LINE: f64 = 19.0;
 
+/// A method, and its row for each of the spheres.
+type Line = (&'static str, [Accuracy; 2]);
+
 fn draw(file: &str) -> Result<Drawn, String> {
     let rows = Table::<Accuracy>::read(file)?.rows;
     let of = |sphere: &str, method: &str| {
         rows.iter()
             .find(|row| row.regime == sphere && row.method == method)
+            .cloned()
             .ok_or_else(|| format!("{}: no {method} in {sphere}", Accuracy::FILE))
     };
-    let height = LINE * METHODS.len() as f64;
-    let mut svg = CHART.sheet(TOP + height + 42.0);
-    let panels = [170.0, 450.0].map(|x| panel(x, height));
-    for (panel, (_, title)) in panels.iter().zip(SPHERES) {
+    let [ball, ground] = SPHERES.map(|(sphere, _)| sphere);
+    let line = |method: &Method| -> Result<Line, String> {
+        let rows = [of(ball, method.name)?, of(ground, method.name)?];
+        Ok((method.name, rows))
+    };
+    let lines: Vec<Line> = METHODS.iter().map(line).collect::<Result<_, _>>()?;
+    Ok(Drawn::new(table(&lines), |layout| panels(layout, &lines)))
+}
+
+/// The spheres beside each other, or one below the other.
+fn panels(layout: Layout, lines: &[Line]) -> String {
+    let height = LINE * lines.len() as f64;
+    let below = TOP + height + 42.0;
+    let mut svg = CHART.sheet(layout, layout.choose(below, 2.0 * below));
+    let corners = layout.choose(
+        [(170.0, TOP), (450.0, TOP)],
+        [(152.0, TOP), (152.0, below + TOP)],
+    );
+    for (n, (corner, (_, title))) in corners.into_iter().zip(SPHERES).enumerate() {
+        let panel = panel(
+            corner.into(),
+            DVec2::new(layout.choose(250.0, 176.0), height),
+        );
         panel.draw(&mut svg);
         let above = panel.corner + DVec2::new(0.0, -12.0);
         svg.label("ink", above, Anchor::Start, title);
-    }
-    let mut table = TABLE_HEAD.to_owned();
-    for (method, place) in METHODS.iter().zip(0..) {
-        let y = TOP + LINE * (f64::from(place) + 0.5);
-        let name = DVec2::new(160.0, y + 4.0);
-        svg.small_label(idea(method.name), name, Anchor::End, method.name);
-        let _ = write!(table, "| `{}` |", method.name);
-        for (panel, (sphere, _)) in panels.iter().zip(SPHERES) {
-            let row = of(sphere, method.name)?;
-            range(&mut svg, panel, row, y);
-            for ulps in errors(row) {
-                let _ = write!(table, " {} |", short(ulps));
+        for ((method, rows), place) in lines.iter().zip(0..) {
+            let y = panel.corner.y + LINE * (f64::from(place) + 0.5);
+            if n == 0 || layout == Layout::Narrow {
+                let name = DVec2::new(panel.corner.x - layout.choose(10.0, 6.0), y + 4.0);
+                svg.small_label(idea(method), name, Anchor::End, method);
             }
+            range(&mut svg, &panel, &rows[n], y);
+        }
+    }
+    svg.finish()
+}
+
+fn table(lines: &[Line]) -> String {
+    let mut table = TABLE_HEAD.to_owned();
+    for (method, rows) in lines {
+        let _ = write!(table, "| `{method}` |");
+        for ulps in rows.iter().flat_map(errors) {
+            let _ = write!(table, " {} |", short(ulps));
         }
         table.push('\n');
     }
-    Ok(Drawn {
-        svg: svg.finish(),
-        table,
-    })
+    table
 }
 
 /// From a tenth of an ulp to a hundred thousand.
-fn panel(x: f64, height: f64) -> Panel {
+fn panel(corner: DVec2, size: DVec2) -> Panel {
     let ticks = [(0, "1"), (1, "10"), (2, "100"), (3, "1000"), (4, "10 000")];
     let ticks = ticks.map(|(exponent, words)| (10_f64.powi(exponent), words.to_owned()));
     Panel {
-        corner: DVec2::new(x, TOP),
-        size: DVec2::new(250.0, height),
+        corner,
+        size,
         x: Axis::logarithmic("ulps", [0.2, 1e5].into_iter()).with_ticks(ticks.into()),
         y: Axis::linear("", 0.0, 1.0, 1.0).with_ticks(Vec::new()),
     }

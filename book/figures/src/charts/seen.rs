@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use glam::DVec2;
-use speed_vs_accuracy::{Method, Precision, REGIMES};
+use speed_vs_accuracy::{Method, Precision, REGIMES, Regime};
 
 use super::axes::{Axis, Panel};
-use super::chart::{Chart, Drawn};
+use super::chart::{Chart, Drawn, Layout};
 use super::methods::{digits, idea, mark};
 use crate::number::short;
 use crate::records::Accuracy;
@@ -37,10 +37,6 @@ pub(super) const LESSON: [Method; 4] = [
     Method::ADAPTIVE_Q,
 ];
 
-/// Where the panels begin, and how wide each is.
-const PANELS: [f64; 3] = [150.0, 345.0, 540.0];
-const PANEL: f64 = 160.0;
-
 const TOP: f64 = 44.0;
 const LINE: f64 = 16.0;
 const SITUATION: f64 = 26.0 + LINE * LESSON.len() as f64;
@@ -50,41 +46,58 @@ fn draw(file: &str) -> Result<Drawn, String> {
     let of = |regime: &str, method: &Method| {
         rows.iter()
             .find(|row| row.regime == regime && row.method == method.name)
+            .cloned()
             .ok_or_else(|| format!("{}: no {} in {regime}", Accuracy::FILE, method.name))
     };
-    let height = SITUATION * REGIMES.len() as f64;
-    let panels = panels(height);
-    let mut svg = CHART.sheet(TOP + height + 42.0);
-    for panel in &panels {
+    let mut situations: Vec<Situation> = Vec::new();
+    for Regime { name, title, .. } in REGIMES {
+        let rows = LESSON.iter().map(|method| of(name, method));
+        situations.push((title, rows.collect::<Result<_, _>>()?));
+    }
+    let rows = situations.iter().flat_map(|(_, rows)| rows);
+    let table = TABLE_HEAD.to_owned() + &rows.map(table_row).collect::<String>();
+    Ok(Drawn::new(table, |layout| drawn(layout, &situations)))
+}
+
+/// The title of a regime, and a row for each method of the lesson.
+type Situation = (&'static str, Vec<Accuracy>);
+
+/// The panels beside each other with one column of names, or each below the other with
+/// its own.
+fn drawn(layout: Layout, situations: &[Situation]) -> String {
+    let height = SITUATION * situations.len() as f64;
+    let below = TOP + height + 42.0;
+    let mut svg = CHART.sheet(layout, layout.choose(below, 3.0 * below));
+    let corners = layout.choose(
+        [(150.0, TOP), (345.0, TOP), (540.0, TOP)],
+        [
+            (100.0, TOP),
+            (100.0, below + TOP),
+            (100.0, 2.0 * below + TOP),
+        ],
+    );
+    let size = DVec2::new(layout.choose(160.0, 220.0), height);
+    for (n, panel) in panels(corners.map(DVec2::from), size).iter().enumerate() {
         panel.draw(&mut svg);
-    }
-    let mut table = TABLE_HEAD.to_owned();
-    let mut y = TOP;
-    for regime in REGIMES {
-        svg.label(
-            "ink",
-            DVec2::new(12.0, y + 14.0),
-            Anchor::Start,
-            regime.title,
-        );
-        y += 18.0;
-        for method in &LESSON {
-            let row = of(regime.name, method)?;
-            line(&mut svg, &panels, row, y + 0.5 * LINE);
-            table += &table_row(row);
-            y += LINE;
+        let is_named = n == 0 || layout == Layout::Narrow;
+        for ((title, rows), place) in situations.iter().zip(0..) {
+            let y = panel.corner.y + SITUATION * f64::from(place);
+            if is_named {
+                let at = DVec2::new(layout.choose(12.0, 4.0), y + 14.0);
+                svg.label("ink", at, Anchor::Start, title);
+            }
+            for (row, place) in rows.iter().zip(0..) {
+                let y = y + 18.0 + LINE * (f64::from(place) + 0.5);
+                line(&mut svg, panel, row, errors(row)[n], y, is_named);
+            }
         }
-        y += SITUATION - 18.0 - LINE * LESSON.len() as f64;
     }
-    Ok(Drawn {
-        svg: svg.finish(),
-        table,
-    })
+    svg.finish()
 }
 
 /// Digits, radii on a logarithmic scale, and decisions of a million on another, whose
 /// left end is none.
-fn panels(height: f64) -> [Panel; 3] {
+fn panels(corners: [DVec2; 3], size: DVec2) -> [Panel; 3] {
     let power = |exponent: i32, words: &str| (10_f64.powi(exponent), words.to_owned());
     let ends = |least: i32, most: i32| [10_f64.powi(least), 10_f64.powi(most)].into_iter();
     let radii = [(-16, "10⁻¹⁶"), (-8, "10⁻⁸"), (0, "1"), (8, "10⁸")];
@@ -109,25 +122,25 @@ fn panels(height: f64) -> [Panel; 3] {
             ),
         ),
     ];
-    let mut corners = PANELS.into_iter();
+    let mut corners = corners.into_iter();
     axes.map(|(y, x)| Panel {
-        corner: DVec2::new(corners.next().unwrap_or_default(), TOP),
-        size: DVec2::new(PANEL, height),
+        corner: corners.next().unwrap_or_default(),
+        size,
         x,
         y,
     })
 }
 
-/// A method in one situation: its name, and a mark in each panel.
-fn line(svg: &mut Svg, panels: &[Panel; 3], row: &Accuracy, y: f64) {
+/// A method in one situation: a mark at its `value`, and its name if it is wanted.
+fn line(svg: &mut Svg, panel: &Panel, row: &Accuracy, value: f64, y: f64, is_named: bool) {
     let idea = idea(&row.method);
-    let name = DVec2::new(PANELS[0] - 12.0, y + 4.0);
-    svg.small_label(idea, name, Anchor::End, &row.method);
-    for (panel, value) in panels.iter().zip(errors(row)) {
-        let end = DVec2::new(panel.at(value, 0.0).x, y);
-        svg.line("faint thin", DVec2::new(panel.corner.x, y), end);
-        mark(svg, idea, Precision::Double, end);
+    if is_named {
+        let name = DVec2::new(panel.corner.x - 12.0, y + 4.0);
+        svg.small_label(idea, name, Anchor::End, &row.method);
     }
+    let end = DVec2::new(panel.at(value, 0.0).x, y);
+    svg.line("faint thin", DVec2::new(panel.corner.x, y), end);
+    mark(svg, idea, Precision::Double, end);
 }
 
 /// Digits, radii, and wrong decisions.

@@ -149,7 +149,6 @@ pub(super) const SLIPS: &[Slip] = &[
                 "Only the sign of z changes, and the sky depends on y and the length of the direction.",
             ),
         )],
-        ..Slip::USUAL
     },
     Slip {
         name: "focal-length-forgotten",

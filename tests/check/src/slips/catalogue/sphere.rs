@@ -31,7 +31,6 @@ pub(super) const SLIPS: &[Slip] = &[
             ..right
         },
         unseen: SIGN_OF_B,
-        ..Slip::USUAL
     },
     Slip {
         name: "b-sign",
@@ -52,7 +51,6 @@ pub(super) const SLIPS: &[Slip] = &[
             ..right
         },
         unseen: SIGN_OF_B,
-        ..Slip::USUAL
     },
     Slip {
         name: "b-not-doubled",
