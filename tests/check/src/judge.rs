@@ -130,7 +130,8 @@ fn wrong(scene: &Scene, reading: &Reading) -> Check {
         return Check::of_another(scene, others);
     }
     let finding = Finding::of(scene, reading);
-    if !finding.diagnosis.is_certain() && !others.is_empty() {
+    let is_explained = finding.diagnosis.sets.iter().any(Set::is_enough);
+    if !is_explained && !others.is_empty() {
         return Check::of_another(scene, others);
     }
     others.retain(|other| {

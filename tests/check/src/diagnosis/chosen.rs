@@ -6,7 +6,7 @@ use super::candidates::spread;
 use super::scene::{Chosen, Scene};
 use crate::chapter::Chapter;
 use crate::reading::Reading;
-use crate::slips::Program;
+use crate::slips::{Program, Slip};
 
 /// How many pixels the colors are taken from.
 const LOOK: u32 = 4000;
@@ -17,11 +17,20 @@ const MOST: f64 = 0.97;
 
 /// The scene in the reader's own colors, if those of the picture are not the book's.
 pub(super) fn chosen(scene: &Scene, reading: &Reading) -> Option<Scene> {
+    chosen_beside(scene, &[], reading)
+}
+
+/// The same where slips were made that move what the colors are taken from.
+pub(super) fn chosen_beside(
+    scene: &Scene,
+    slips: &[&'static Slip],
+    reading: &Reading,
+) -> Option<Scene> {
     // A picture of one color says nothing about a sky.
     if reading.is_plain() || reading.outside().is_some() {
         return None;
     }
-    let program = scene.program(&[]);
+    let program = scene.program(slips);
     let pixels = Pixels::new(&program, reading);
     let chosen = match scene.chapter {
         Chapter::BuildTest => Chosen {

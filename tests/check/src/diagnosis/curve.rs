@@ -11,6 +11,8 @@ use crate::reading::Reading;
 pub struct Curve {
     /// What became of each level.
     levels: Vec<i16>,
+    /// The levels that the right picture has.
+    known: Vec<i16>,
     /// The power that it is near, if components were raised to one.
     pub power: Option<f64>,
 }
@@ -46,7 +48,14 @@ impl Curve {
         is_one.then(|| Self {
             power: power(&curve),
             levels: filled(&curve),
+            known: curve.iter().map(|(level, _)| *level).collect(),
         })
+    }
+
+    /// Some of the levels that the picture has, with what became of them.
+    pub fn examples(&self) -> impl Iterator<Item = (i16, i16)> {
+        let at = [1, 2, 3].map(|quarter| self.known[quarter * (self.known.len() - 1) / 4]);
+        at.into_iter().map(|level| (level, self.apply(level)))
     }
 
     /// A pixel as it is, or as the curve makes it of `right`, if a rounding before the curve
@@ -100,11 +109,11 @@ fn is_rising(curve: &[(i16, i16)]) -> bool {
     curve.len() >= LEVELS && rises && 4 * (last.1 - first.1) >= last.0 - first.0
 }
 
-/// Whether all levels stayed what they were.
+/// Whether all levels stayed what they were, but for what rounding and several rays do.
 fn is_straight(curve: &[(i16, i16)]) -> bool {
     curve
         .iter()
-        .all(|(level, found)| (level - found).abs() <= SAME)
+        .all(|(level, found)| (level - found).abs() <= 2 * SAME)
 }
 
 /// All 256 levels, those between two that are known in a straight line.

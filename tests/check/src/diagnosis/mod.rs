@@ -137,7 +137,10 @@ pub fn diagnose(scene: &Scene, reading: &Reading) -> Diagnosis {
     if let near @ Some(_) = near::near(&fitted, reading) {
         return found(near, Vec::new());
     }
-    let beside = search.slips_beside(&fitted);
+    let mut beside = search.slips_beside(&fitted);
+    if !beside.first().is_some_and(Set::is_enough) {
+        beside.extend(search.slips_in_colors());
+    }
     let mut sets: Vec<Set> = [single, beside, pairs, search.antialiased_slips()].concat();
     sets.sort_by_key(|set| set.explains);
     let sights = match sets.iter().any(Set::is_enough) {

@@ -94,6 +94,22 @@ impl<'a> Search<'a> {
         self.best(&scenes, |looks| looks.single_slips())
     }
 
+    /// The sets of single slips beside colors that are taken from where the slip puts them.
+    pub(super) fn slips_in_colors(&self) -> Vec<Set> {
+        let places: Vec<u32> =
+            candidates::spread(GLANCE, self.reading.pixels.len() as u32).collect();
+        let scenes = nearby(&self.scenes).iter().flat_map(|scene| {
+            scene.slips().filter_map(|slip| {
+                let scene = chosen::chosen_beside(scene, &[slip], self.reading)?;
+                let candidate = Candidate::of(&scene, self.reading, &[slip], Conversion::Clamped)?;
+                let (fit, _) = candidate.judge(self.reading, &places, 1)?;
+                (fit.far <= 1).then_some(scene)
+            })
+        });
+        let scenes: Vec<Scene> = scenes.take(FEWER).collect();
+        self.best(&scenes, |looks| looks.single_slips())
+    }
+
     /// The sets of two slips that explain everything.
     pub(super) fn pairs(&self) -> Vec<Set> {
         let mut scenes = self.scenes[..self.scenes.len().min(FOR_PAIRS)].to_vec();

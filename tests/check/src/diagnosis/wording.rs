@@ -174,7 +174,10 @@ impl But {
 
 impl Curve {
     fn told(&self) -> String {
-        let ends = [64, 128, 192].map(|level| format!("{level} is {}", self.apply(level)));
+        let ends = self.examples();
+        let ends: Vec<String> = ends
+            .map(|(level, found)| format!("{level} is {found}"))
+            .collect();
         let power = self.power.map_or(String::new(), |power| {
             format!(", near the power {power:.2}, as gamma correction has it")
         });
