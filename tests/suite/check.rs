@@ -41,22 +41,35 @@ each_slip_is_named! {
     columns_first
     rows_from_below
     loops_from_one
+    rows_from_one
     header_swapped
     channels_reversed
+    green_before_red
+    blue_before_green
+    green_twice
+    red_twice
     times_255
     times_255_99
     times_256
     times_256_clamped
     rounded
+    rounded_255_999
+    blended_as_bytes
     cast_too_early
     gamma_too_early
     single_precision
     viewport_upside_down
     viewport_mirrored
     grid_not_inset
+    inset_upwards
+    inset_to_the_left
+    first_pixel_on_axis
     older_camera
     viewport_not_centered
     corner_not_halved
+    division_in_place
+    divided_with_swapped_letter
+    sum_with_swapped_letter
     focal_length_added
     focal_length_forgotten
     focal_length_two
@@ -68,7 +81,11 @@ each_slip_is_named! {
     ideal_viewport_ratio
     integer_viewport_ratio
     inverted_viewport_ratio
+    integer_viewport_width
+    viewport_lengths_swapped
     pixel_deltas_swapped
+    columns_by_height
+    rows_by_width
     column_and_row_swapped
     pixel_center_as_direction
     ray_normalized
@@ -77,13 +94,16 @@ each_slip_is_named! {
     length_with_swapped_letter
     blend_not_mapped
     blend_not_halved
+    blend_without_brackets
     blend_along_x
     blend_along_z
     white_and_blue_swapped
     white_in_full
+    background_missing
     oc_reversed
     b_sign
     b_not_doubled
+    h_doubled
     discriminant_without_four
     discriminant_with_four
     discriminant_with_plus
@@ -96,19 +116,23 @@ each_slip_is_named! {
     dot_without_z
     stale_boolean
     minus_one_is_true
+    miss_is_one
     minus_h
     plus_b
     far_root
     square_root_forgotten
     two_a_without_brackets
+    numerator_without_brackets
     divided_by_a
     divided_by_two_a
     not_divided
     behind_drawn
     range_loosened
+    only_behind_drawn
     sphere_at_plus_one
     normal_from_point
     center_added
+    center_after_unit
     normal_inward
     normal_not_unit
     normal_times_radius
@@ -118,6 +142,7 @@ each_slip_is_named! {
     normal_not_mapped
     normal_only_halved
     normal_only_shifted
+    normal_without_brackets
     normal_channels_reversed
     normal_as_absolute
     closest_ignored
@@ -132,6 +157,7 @@ each_slip_is_named! {
     faces_swapped
     ground_too_high
     ground_too_large
+    ground_above
     ground_below_the_eye
     ground_not_added
 }
@@ -184,13 +210,28 @@ fn harmless_deviations_are_named() {
 
 #[test]
 fn two_slips_at_once_are_both_named() {
-    for (one, other) in [
-        ("minus-h", "times-255"),
-        ("focal-length-two", "white-and-blue-swapped"),
-        ("channels-reversed", "closest-ignored"),
-        ("rows-from-below", "far-root"),
+    use Chapter::{Gradient, HalfBSphere, HittableList, Normals, RedSphere};
+    for (chapter, one, other) in [
+        (HittableList, "minus-h", "times-255"),
+        (HittableList, "focal-length-two", "white-and-blue-swapped"),
+        (HittableList, "channels-reversed", "closest-ignored"),
+        (HittableList, "rows-from-below", "far-root"),
+        (HittableList, "minus-h", "range-not-tested"),
+        (HalfBSphere, "minus-h", "behind-drawn"),
+        (Normals, "plus-b", "behind-drawn"),
+        (Normals, "oc-reversed", "behind-drawn"),
+        (
+            Gradient,
+            "direction-not-normalized",
+            "blend-without-brackets",
+        ),
+        (
+            RedSphere,
+            "sum-with-swapped-letter",
+            "divided-with-swapped-letter",
+        ),
     ] {
-        let scene = scene(Chapter::HittableList);
+        let scene = scene(chapter);
         let output = scene.program(&[slip(one), slip(other)]).run(120);
         let wrong = check(&scene, &png::encode(&output.picture()), 0);
         let finding = wrong.finding().expect("it is wrong");

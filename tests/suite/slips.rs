@@ -87,6 +87,17 @@ fn the_names_are_distinct_and_lasting() {
 }
 
 #[test]
+fn the_readme_counts_the_slips() {
+    let readme = include_str!("../../README.md");
+    let told = readme.split(" known mistakes").filter_map(|before| {
+        let word = before.rsplit(' ').next()?;
+        word.parse::<usize>().ok()
+    });
+    let told: Vec<usize> = told.collect();
+    assert_eq!(told, [slips::all().count(); 2], "in README.md");
+}
+
+#[test]
 fn every_slip_leads_to_a_file_that_has_it_right() {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     for Slip { name, source, .. } in slips::all() {

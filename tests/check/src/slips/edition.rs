@@ -87,6 +87,12 @@ impl Edition {
         self != Self::V4
     }
 
+    /// Whether its camera divides the edges of the viewport. The oldest ones write out
+    /// what comes of it, as `lower_left_corner(-2.0, -1.0, -1.0)`.
+    pub(super) fn divides_the_viewport(self) -> bool {
+        matches!(self, Self::V3_1_0 | Self::V3 | Self::V4)
+    }
+
     /// The program of the same chapter in this edition, from that of version 4.
     pub(crate) fn put_to(self, program: Program) -> Program {
         let is_square = program.chapter == Chapter::BuildTest;
@@ -138,7 +144,9 @@ impl Edition {
             }
             false => [i, j],
         };
-        let point = camera.pixel00 + u * camera.pixel_delta_u + v * camera.pixel_delta_v;
+        let plus = program.plus;
+        let in_column = plus(camera.pixel00, u * camera.pixel_delta_u);
+        let point = plus(in_column, v * camera.pixel_delta_v);
         Ray::new(camera.center, point - camera.center)
     }
 }
@@ -165,10 +173,10 @@ fn from_below(program: Program) -> Program {
             _ => |width, aspect_ratio| (width / aspect_ratio) as u32,
         },
         viewport_ratio: |_, _, aspect_ratio| aspect_ratio,
-        viewport_v: |height| Vec3::new(0.0, height, 0.0),
+        viewport_v: |_, height| Vec3::new(0.0, height, 0.0),
         divisors: |width, height| [width - 1.0, height - 1.0],
-        pixel_deltas: |u, v, _| [u, v],
-        inset: 0.0,
+        pixel_deltas: |_, u, v, _| [u, v],
+        inset: [0.0, 0.0],
         blue: 0.25,
         ..program
     }

@@ -47,10 +47,10 @@ pub struct Program {
     pub viewport_ratio: fn(f64, f64, f64) -> f64,
     /// Height of the viewport in units of space.
     pub viewport_height: f64,
-    /// The viewport's upper edge from left to right, given its width.
-    pub viewport_u: fn(f64) -> Vec3,
-    /// The viewport's left edge from top to bottom, given its height.
-    pub viewport_v: fn(f64) -> Vec3,
+    /// The viewport's upper edge from left to right, given its width and height.
+    pub viewport_u: fn(f64, f64) -> Vec3,
+    /// The viewport's left edge from top to bottom, given its width and height.
+    pub viewport_v: fn(f64, f64) -> Vec3,
     /// From the eye to the viewport, along the negative z axis.
     pub focal_length: f64,
     /// Which part of the two edges lies left of, and above, the axis.
@@ -59,9 +59,10 @@ pub struct Program {
     /// picture's width and height.
     pub divisors: fn(f64, f64) -> [f64; 2],
     /// From pixel to pixel along both edges, given these and the divisors.
-    pub pixel_deltas: fn(Vec3, Vec3, [f64; 2]) -> [Vec3; 2],
-    /// How far the first pixel is from the upper left corner, in pixels.
-    pub inset: f64,
+    pub pixel_deltas: fn(&Program, Vec3, Vec3, [f64; 2]) -> [Vec3; 2],
+    /// How far the first pixel is from the upper left corner, to the right and down, in
+    /// pixels.
+    pub inset: [f64; 2],
     /// The column and row of the nth printed pixel, given the picture's width
     /// and height.
     pub order: fn(u32, u32, u32) -> (u32, u32),
@@ -71,8 +72,14 @@ pub struct Program {
     pub color: fn(&Program, &Camera, u32, u32) -> Color,
     /// The ray through the pixel in a column and row.
     pub ray: fn(&Program, &Camera, u32, u32) -> Ray,
+    /// The sum of two vectors.
+    pub plus: fn(Vec3, Vec3) -> Vec3,
+    /// A vector divided by a number.
+    pub over: fn(Vec3, f64) -> Vec3,
     /// The vector of length 1 in the same direction.
     pub unit: fn(Vec3) -> Vec3,
+    /// The direction by which the sky is blended, from that of the ray.
+    pub sky_direction: fn(&Program, Vec3) -> Vec3,
     /// The weight of blue in the sky, from the direction of the ray.
     pub blend: fn(&Program, Vec3) -> f64,
     /// The colors of the sky, below and above.
@@ -107,13 +114,15 @@ pub struct Program {
     pub discriminant: fn(f64, f64, f64) -> f64,
     /// Whether there is a root, from the discriminant.
     pub meets: fn(f64) -> bool,
+    /// What is returned as `t` where there is no root.
+    pub missed: Option<f64>,
     /// The square root.
     pub sqrt: fn(f64) -> f64,
     /// The first term of the numerator, from b or h.
     pub first_term: fn(f64) -> f64,
     /// The numerators of the two roots that are tried, one after the other,
-    /// from the first term and the square root.
-    pub numerators: fn(f64, f64) -> [f64; 2],
+    /// from the first term, the square root, and a.
+    pub numerators: fn(f64, f64, f64) -> [f64; 2],
     /// A root from its numerator and a.
     pub divide: fn(f64, f64) -> f64,
     /// The point at a ray parameter.
@@ -163,20 +172,29 @@ impl Program {
         let center = Point3::ZERO;
 
         let viewport_ratio = (self.viewport_ratio)(width, height, self.aspect_ratio);
-        let viewport_u = (self.viewport_u)(self.viewport_height * viewport_ratio);
-        let viewport_v = (self.viewport_v)(self.viewport_height);
+        let viewport_width = self.viewport_height * viewport_ratio;
+        let viewport_u = (self.viewport_u)(viewport_width, self.viewport_height);
+        let viewport_v = (self.viewport_v)(viewport_width, self.viewport_height);
+        let divisors = (self.divisors)(width, height);
         let [pixel_delta_u, pixel_delta_v] =
-            (self.pixel_deltas)(viewport_u, viewport_v, (self.divisors)(width, height));
+            (self.pixel_deltas)(self, viewport_u, viewport_v, divisors);
 
-        let viewport_upper_left = center
-            - Vec3::new(0.0, 0.0, self.focal_length)
-            - self.corner * viewport_u
-            - self.corner * viewport_v;
+        let part = |edge| match self.edition.divides_the_viewport() {
+            true => (self.over)(edge, 1.0 / self.corner),
+            false => self.corner * edge,
+        };
+        let corner =
+            center - Vec3::new(0.0, 0.0, self.focal_length) - part(viewport_u) - part(viewport_v);
+        let [right, down] = self.inset;
+        let inset = (self.plus)(right * pixel_delta_u, down * pixel_delta_v);
         Camera {
             image_width,
             image_height,
             center,
-            pixel00: viewport_upper_left + self.inset * (pixel_delta_u + pixel_delta_v),
+            pixel00: match self.edition.counts_from_below() {
+                true => corner,
+                false => (self.plus)(corner, inset),
+            },
             pixel_delta_u,
             pixel_delta_v,
         }
@@ -238,9 +256,9 @@ impl Program {
         let c = (self.constant)((self.squared)(self, oc), ball.radius);
         let discriminant = (self.discriminant)(a, b, c);
         if !(self.meets)(discriminant) {
-            return None;
+            return self.missed.map(|t| [t; 2]);
         }
-        let numerators = (self.numerators)((self.first_term)(b), (self.sqrt)(discriminant));
+        let numerators = (self.numerators)((self.first_term)(b), (self.sqrt)(discriminant), a);
         Some(numerators.map(|numerator| (self.divide)(numerator, a)))
     }
 }
@@ -254,19 +272,24 @@ const HITTABLE_LIST: Program = Program {
     image_height: |width, aspect_ratio| ((width / aspect_ratio) as u32).max(1),
     viewport_ratio: |width, height, _| width / height,
     viewport_height: 2.0,
-    viewport_u: |width| Vec3::new(width, 0.0, 0.0),
-    viewport_v: |height| Vec3::new(0.0, -height, 0.0),
+    viewport_u: |width, _| Vec3::new(width, 0.0, 0.0),
+    viewport_v: |_, height| Vec3::new(0.0, -height, 0.0),
     focal_length: 1.0,
     corner: 0.5,
     divisors: |width, height| [width, height],
-    pixel_deltas: |u, v, [across, down]| [u * (1.0 / across), v * (1.0 / down)],
-    inset: 0.5,
+    pixel_deltas: |program, u, v, [across, down]| {
+        [(program.over)(u, across), (program.over)(v, down)]
+    },
+    inset: [0.5, 0.5],
     order: |n, width, _| (n % width, n / width),
     blue: 0.0,
     color: |program, camera, i, j| program.ray_color(&(program.ray)(program, camera, i, j)),
     ray: Program::right_ray,
+    plus: |u, v| u + v,
+    over: |v, t| v * (1.0 / t),
     unit: Vec3::normalize,
-    blend: |program, direction| 0.5 * ((program.unit)(direction).y + 1.0),
+    sky_direction: |program, direction| (program.unit)(direction),
+    blend: |program, direction| 0.5 * ((program.sky_direction)(program, direction).y + 1.0),
     sky: [Color::new(1.0, 1.0, 1.0), Color::new(0.5, 0.7, 1.0)],
     lerp: |[below, above], a| (1.0 - a) * below + a * above,
     world: &[BALL, Ball::new(0.0, -100.5, -1.0, 100.0)],
@@ -283,12 +306,13 @@ const HITTABLE_LIST: Program = Program {
     constant: |oc_squared, radius| oc_squared - radius * radius,
     discriminant: |a, h, c| h * h - a * c,
     meets: |discriminant| discriminant >= 0.0,
+    missed: None,
     sqrt: f64::sqrt,
     first_term: |h| h,
-    numerators: |first, sqrtd| [first - sqrtd, first + sqrtd],
+    numerators: |first, sqrtd, _| [first - sqrtd, first + sqrtd],
     divide: |numerator, a| numerator / a,
-    at: |_, ray, t| ray.at(t),
-    outward: |_, point, ball| (point - ball.center) * (1.0 / ball.radius),
+    at: |program, ray, t| (program.plus)(ray.origin, t * ray.direction),
+    outward: |program, point, ball| (program.over)(point - ball.center, ball.radius),
     face: |program, direction, outward| {
         if (program.dot)(direction, outward) < 0.0 {
             outward
@@ -306,7 +330,7 @@ const HITTABLE_LIST: Program = Program {
 const HALF_B_SPHERE: Program = Program {
     chapter: Chapter::HalfBSphere,
     world: &[BALL],
-    numerators: |first, sqrtd| [first - sqrtd; 2],
+    numerators: |first, sqrtd, _| [first - sqrtd; 2],
     outward: |program, point, ball| (program.unit)(point - ball.center),
     face: |_, _, outward| outward,
     ..HITTABLE_LIST

@@ -116,6 +116,12 @@ small_function! {
             "e[0]*e[0] + e[1]*e[1] + e[2]*e[2]",
             |&Arrow(v)| v / (v.x * v.x + v.y * v.y + v.y * v.y).sqrt(),
         ),
+        slip(
+            &["divided-with-swapped-letter"],
+            "vec3(v.x / t, v.y / t, v.y / t)",
+            "vec3(v.x / t, v.y / t, v.z / t)",
+            |&Arrow(v)| Vec3::new(v.x, v.y, v.y) / v.length(),
+        ),
         slip(&[], "unit_vector(v) = v * v.length()", "unit_vector(v) = v / v.length()", |&Arrow(v)| v * v.length()),
         slip(&[], "unit_vector(v) = v", "unit_vector(v) = v / v.length()", |&Arrow(v)| v),
     ],
@@ -146,6 +152,12 @@ small_function! {
         slip(&["point-without-origin"], "r.at(t) = t * direction", "r.at(t) = origin + t * direction", |&Place { ray, t }| {
             t * ray.direction
         }),
+        slip(
+            &["sum-with-swapped-letter"],
+            "vec3(u.x + v.x, u.y + v.y, u.z + u.z)",
+            "vec3(u.x + v.x, u.y + v.y, u.z + v.z)",
+            |&Place { ray, t }| (ray.origin + t * ray.direction).with_z(ray.origin.z + ray.origin.z),
+        ),
         slip(&[], "r.at(t) = origin - t * direction", "r.at(t) = origin + t * direction", |&Place { ray, t }| {
             ray.origin - t * ray.direction
         }),
@@ -249,7 +261,31 @@ const RAYS: &[Known<Pixel, Ray>] = &[
         &["grid-not-inset"],
         "pixel00 = viewport_upper_left",
         "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
-        |pixel| pixel.ray(|camera| camera.inset = 0.0),
+        |pixel| pixel.ray(|camera| camera.inset = [0.0, 0.0]),
+    ),
+    slip(
+        &["inset-upwards"],
+        "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u - pixel_delta_v)",
+        "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+        |pixel| pixel.ray(|camera| camera.inset = [0.5, -0.5]),
+    ),
+    slip(
+        &["inset-to-the-left"],
+        "pixel00 = viewport_upper_left - 0.5 * (pixel_delta_u - pixel_delta_v)",
+        "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+        |pixel| pixel.ray(|camera| camera.inset = [-0.5, 0.5]),
+    ),
+    slip(
+        &["first-pixel-on-axis"],
+        "pixel00 = center - (0, 0, focal_length), or … + 0.5 * (viewport_u + viewport_v)",
+        "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+        |pixel| pixel.ray(first_pixel_on_the_axis),
+    ),
+    slip(
+        &["division-in-place"],
+        "vec3& operator/(double t) { e[0] /= t; …; return *this; }",
+        "vec3 operator/(vec3 v, double t) { return (1/t) * v; }",
+        |pixel| pixel.ray(first_pixel_on_the_axis),
     ),
     slip(
         &["older-camera"],
@@ -257,7 +293,7 @@ const RAYS: &[Known<Pixel, Ray>] = &[
         "pixel00 + i * pixel_delta_u + j * pixel_delta_v",
         |pixel| {
             pixel.ray(|camera| {
-                camera.inset = 0.0;
+                camera.inset = [0.0, 0.0];
                 camera.steps = camera.steps.map(|steps| steps - 1.0);
             })
         },
@@ -317,10 +353,34 @@ const RAYS: &[Known<Pixel, Ray>] = &[
         |pixel| pixel.ray(|camera| camera.edges[0] = 4.0 / camera.edges[0]),
     ),
     slip(
+        &["integer-viewport-width"],
+        "int viewport_width = …",
+        "double viewport_width = …",
+        |pixel| pixel.ray(|camera| camera.edges[0] = camera.edges[0].trunc()),
+    ),
+    slip(
+        &["viewport-lengths-swapped"],
+        "viewport_u = (viewport_height, 0, 0), viewport_v = (0, -viewport_width, 0)",
+        "viewport_u = (viewport_width, 0, 0), viewport_v = (0, -viewport_height, 0)",
+        |pixel| pixel.ray(|camera| camera.edges.reverse()),
+    ),
+    slip(
         &["pixel-deltas-swapped"],
         "pixel_delta_u = viewport_u / image_height, pixel_delta_v = viewport_v / image_width",
         "pixel_delta_u = viewport_u / image_width, pixel_delta_v = viewport_v / image_height",
         |pixel| pixel.ray(|camera| camera.steps.reverse()),
+    ),
+    slip(
+        &["columns-by-height"],
+        "pixel_delta_u = viewport_u / image_height",
+        "pixel_delta_u = viewport_u / image_width",
+        |pixel| pixel.ray(|camera| camera.steps[0] = camera.steps[1]),
+    ),
+    slip(
+        &["rows-by-width"],
+        "pixel_delta_v = viewport_v / image_width",
+        "pixel_delta_v = viewport_v / image_height",
+        |pixel| pixel.ray(|camera| camera.steps[1] = camera.steps[0]),
     ),
     slip(
         &["column-and-row-swapped"],
@@ -347,11 +407,17 @@ struct Numbers {
     /// In how many steps an edge is divided.
     steps: [f64; 2],
     /// How far the first pixel is from the corner, in steps.
-    inset: f64,
+    inset: [f64; 2],
     /// Which part of the edges lies left of the axis, and above it.
     corner: f64,
     focal_length: f64,
     place: [f64; 2],
+}
+
+/// The grid begins where the middle of the picture should be.
+fn first_pixel_on_the_axis(camera: &mut Numbers) {
+    camera.corner = 0.0;
+    camera.inset = [0.0, 0.0];
 }
 
 impl Pixel {
@@ -361,14 +427,14 @@ impl Pixel {
         let mut camera = Numbers {
             edges: [2.0 * (width / height), 2.0],
             steps: [width, height],
-            inset: 0.5,
+            inset: [0.5, 0.5],
             corner: 0.5,
             focal_length: 1.0,
             place: self.place.map(f64::from),
         };
         mistake(&mut camera);
         let [x, y] = [0, 1].map(|axis| {
-            let steps = (camera.place[axis] + camera.inset) / camera.steps[axis];
+            let steps = (camera.place[axis] + camera.inset[axis]) / camera.steps[axis];
             camera.edges[axis] * (steps - camera.corner)
         });
         Ray::new(Point3::ZERO, Vec3::new(x, -y, -camera.focal_length))

@@ -102,6 +102,12 @@ const RECORDS: &[Known] = &[
         |at| at.facing(at.point / at.case.radius),
     ),
     slip(
+        &["center-after-unit"],
+        "N = unit_vector(r.at(t)) - center",
+        "N = unit_vector(r.at(t) - center)",
+        |at| at.facing(at.point.normalize() - at.case.center),
+    ),
+    slip(
         &["center-added"],
         "N = unit_vector(r.at(t) + center)",
         "N = unit_vector(r.at(t) - center)",

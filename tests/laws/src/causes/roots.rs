@@ -73,6 +73,12 @@ impl Quadratic {
         roots(a, dot(self.direction, self.oc()), c)
     }
 
+    /// What takes the place of the roots if the first term is not divided.
+    fn around(&self, first_term: f64) -> [f64; 2] {
+        let half = self.discriminant().sqrt() / self.a();
+        [first_term - half, first_term + half]
+    }
+
     /// The right roots times some number.
     fn roots_times(&self, factor: f64) -> Roots {
         self.roots().map(|roots| roots.map(|t| t * factor))
@@ -143,6 +149,12 @@ const LINES: &[Line] = &[
         "b = -dot(r.direction(), oc)",
         "b = -2 * dot(r.direction(), oc)",
         |q| roots(2.0 * q.a(), q.h(), 2.0 * q.c()),
+    ),
+    slip(
+        &["h-doubled"],
+        "h = -2 * dot(r.direction(), oc)",
+        "h = dot(r.direction(), oc)",
+        |q| roots(q.a(), -2.0 * q.h(), q.c()),
     ),
     slip(
         &["discriminant-without-four"],
@@ -234,6 +246,12 @@ const LINES: &[Line] = &[
         |_| Some([1.0, 1.0]),
     ),
     slip(
+        &["miss-is-one"],
+        "if (discriminant < 0) return 1.0",
+        "if (discriminant < 0) return -1.0",
+        |q| q.roots().or(Some([1.0, 1.0])),
+    ),
+    slip(
         &["square-root-forgotten"],
         "(-b - discriminant) / (2*a)",
         "(-b - sqrt(discriminant)) / (2*a)",
@@ -253,6 +271,18 @@ const LINES: &[Line] = &[
         "(-b - sqrt(discriminant)) / 2*a",
         "(-b - sqrt(discriminant)) / (2*a)",
         |q| q.roots_times(q.a() * q.a()),
+    ),
+    slip(
+        &["numerator-without-brackets"],
+        "-b - sqrt(discriminant) / (2*a), or h - sqrt(discriminant) / a",
+        "(-b - sqrt(discriminant)) / (2*a), or (h - sqrt(discriminant)) / a",
+        |q| q.roots().map(|_| q.around(2.0 * q.h())),
+    ),
+    slip(
+        &["numerator-without-brackets"],
+        "-b - sqrt(discriminant) / (2*a), or h - sqrt(discriminant) / a",
+        "(-b - sqrt(discriminant)) / (2*a), or (h - sqrt(discriminant)) / a",
+        |q| q.roots().map(|_| q.around(q.h())),
     ),
     slip(
         &["divided-by-a"],

@@ -2,7 +2,7 @@
 
 use common::rtweekend::*;
 
-use super::chapters::{GRADIENT, RAYS};
+use super::chapters::{GRADIENT, RAYS, SPHERES};
 use crate::chapter::Chapter;
 use crate::slips::edition::Edition;
 use crate::slips::program::Program;
@@ -25,8 +25,8 @@ pub(super) const SLIPS: &[Slip] = &[
         source: "common/src/camera.rs",
         alter: |right| Program {
             viewport_v: match right.edition.counts_from_below() {
-                true => |height| Vec3::new(0.0, -height, 0.0),
-                false => |height| Vec3::new(0.0, height, 0.0),
+                true => |_, height| Vec3::new(0.0, -height, 0.0),
+                false => |_, height| Vec3::new(0.0, height, 0.0),
             },
             ..right
         },
@@ -46,7 +46,7 @@ pub(super) const SLIPS: &[Slip] = &[
         page: "gradient#the-grid-of-pixels",
         source: "common/src/camera.rs",
         alter: |right| Program {
-            viewport_u: |width| Vec3::new(-width, 0.0, 0.0),
+            viewport_u: |width, _| Vec3::new(-width, 0.0, 0.0),
             ..right
         },
         unseen: &[(
@@ -67,8 +67,50 @@ pub(super) const SLIPS: &[Slip] = &[
         page: "gradient#the-grid-of-pixels",
         source: "common/src/camera.rs",
         alter: |right| Program {
-            inset: 0.0,
+            inset: [0.0, 0.0],
             ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "inset-upwards",
+        chapters: RAYS,
+        wrong: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u - pixel_delta_v)",
+        right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+        explanation: "pixel_delta_v points down already. With a minus the first row lies above the viewport, and everything is a pixel lower.",
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/camera.rs",
+        alter: |right| Program {
+            inset: [0.5, -0.5],
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "inset-to-the-left",
+        chapters: RAYS,
+        wrong: "pixel00 = viewport_upper_left - 0.5 * (pixel_delta_u - pixel_delta_v)",
+        right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+        explanation: "The first column lies left of the viewport, and everything is a pixel farther to the right.",
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/camera.rs",
+        alter: |right| Program {
+            inset: [-0.5, 0.5],
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "first-pixel-on-axis",
+        chapters: RAYS,
+        wrong: "pixel00 = center - (0, 0, focal_length), or … + 0.5 * (viewport_u + viewport_v)",
+        right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+        explanation: "Half of both edges leads to the middle of the viewport, as does leaving them out. The first pixel lies on the axis, and only a quarter of the scene is left.",
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/camera.rs",
+        alter: |right| match right.edition {
+            Edition::V4 => first_pixel_on_the_axis(right),
+            _ => right,
         },
         ..Slip::USUAL
     },
@@ -82,7 +124,7 @@ pub(super) const SLIPS: &[Slip] = &[
         source: "common/src/camera.rs",
         alter: |right| Program {
             divisors: |width, height| [width - 1.0, height - 1.0],
-            inset: 0.0,
+            inset: [0.0, 0.0],
             ..right
         },
         ..Slip::USUAL
@@ -121,6 +163,68 @@ pub(super) const SLIPS: &[Slip] = &[
         source: "common/src/camera.rs",
         alter: |right| Program {
             corner: 1.0,
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "division-in-place",
+        chapters: RAYS,
+        wrong: "vec3& operator/(double t) { e[0] /= t; …; return *this; }",
+        right: "vec3 operator/(vec3 v, double t) { return (1/t) * v; }",
+        explanation: "The quotient is right, but the operand is changed with it. viewport_u / image_width leaves viewport_u one pixel long, its half is half a pixel, and the first pixel lies on the axis.",
+        before_4: Some([
+            "vec3& operator/(double t) { e[0] /= t; …; return *this; }",
+            "vec3 operator/(vec3 v, double t) { return (1/t) * v; }",
+            "The quotient is right, but the operand is changed with it. horizontal / 2 halves horizontal itself: the corner is right, and the picture is the lower left quarter.",
+        ]),
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/vec3.rs",
+        alter: |right| match right.edition {
+            Edition::V4 => first_pixel_on_the_axis(right),
+            edition if edition.divides_the_viewport() => Program {
+                pixel_deltas: |_, u, v, _| [0.5 * u, 0.5 * v],
+                ..right
+            },
+            _ => right,
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "divided-with-swapped-letter",
+        chapters: RAYS,
+        wrong: "vec3(v.x / t, v.y / t, v.y / t)",
+        right: "vec3(v.x / t, v.y / t, v.z / t)",
+        explanation: "In operator/ the third component is made of the second. Half of an edge that has only y has a z as well, and no unit vector keeps its own.",
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/vec3.rs",
+        alter: |right| Program {
+            over: swapped_over,
+            unit: |v| swapped_over(v, v.length()),
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "sum-with-swapped-letter",
+        chapters: RAYS,
+        wrong: "vec3(u.x + v.x, u.y + v.y, u.z + u.z)",
+        right: "vec3(u.x + v.x, u.y + v.y, u.z + v.z)",
+        explanation: "In operator+ the third component is that of the first vector, twice. Three sums on the way to a pixel move the viewport from -1 to -8, and a point on a ray has no depth.",
+        before_4: Some([
+            "vec3(u.x + v.x, u.y + v.y, u.z + u.z)",
+            "vec3(u.x + v.x, u.y + v.y, u.z + v.z)",
+            "In operator+ the third component is that of the first vector, twice. Two sums on the way to a pixel move the viewport from -1 to -4, and a point on a ray has no depth.",
+        ]),
+        page: "gradient#a-ray-is-a-function",
+        source: "common/src/vec3.rs",
+        alter: |right| Program {
+            plus: swapped_plus,
+            lerp: |[below, above], a| swapped_plus((1.0 - a) * below, a * above),
+            shade: match right.chapter {
+                Chapter::HittableList => |_, normal| 0.5 * swapped_plus(normal, Vec3::ONE),
+                _ => right.shade,
+            },
             ..right
         },
         ..Slip::USUAL
@@ -259,12 +363,20 @@ pub(super) const SLIPS: &[Slip] = &[
         chapters: RAYS,
         wrong: "viewport_width = viewport_height * aspect_ratio",
         right: "viewport_width = viewport_height * (double(image_width) / image_height)",
-        explanation: "The height was cut off, so the picture's own ratio is not 16:9. At 400 wide it happens to be.",
+        explanation: "The height was cut off, so the picture's own ratio is not 16:9. At 400 wide it happens to be. In a picture of quite another shape the sphere becomes an ellipse.",
+        before_4: Some([
+            "horizontal = (4, 0, 0), or aspect_ratio = 16.0 / 9.0, whatever the picture's size",
+            "horizontal = (viewport_height * image_width / image_height, 0, 0)",
+            "The picture has got another shape and the viewport has not: the sphere becomes an ellipse.",
+        ]),
         evidence: &["#527", "#1246", "#1342", "#1486"],
         page: "gradient#how-large-is-the-picture",
         source: "common/src/camera.rs",
         alter: |right| Program {
-            viewport_ratio: |_, _, aspect_ratio| aspect_ratio,
+            viewport_ratio: match right.edition {
+                Edition::V1 | Edition::V1InDouble | Edition::V3_0 => |_, _, _| 2.0,
+                _ => |_, _, _| 16.0 / 9.0,
+            },
             ..right
         },
         ..Slip::USUAL
@@ -299,6 +411,43 @@ pub(super) const SLIPS: &[Slip] = &[
         ..Slip::USUAL
     },
     Slip {
+        name: "integer-viewport-width",
+        chapters: RAYS,
+        wrong: "int viewport_width = …",
+        right: "double viewport_width = …",
+        explanation: "An integer keeps 3 of the 3.56 units: everything is wider by a fifth, and the sphere is an ellipse.",
+        page: "gradient#how-large-is-the-picture",
+        source: "common/src/camera.rs",
+        alter: |right| Program {
+            viewport_u: |width, _| Vec3::new(width.trunc(), 0.0, 0.0),
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "viewport-lengths-swapped",
+        chapters: RAYS,
+        wrong: "viewport_u = (viewport_height, 0, 0), viewport_v = (0, -viewport_width, 0)",
+        right: "viewport_u = (viewport_width, 0, 0), viewport_v = (0, -viewport_height, 0)",
+        explanation: "The viewport is higher than wide while the picture is wider than high: the sphere is a flat ellipse.",
+        before_4: Some([
+            "horizontal = (viewport_height, 0, 0), vertical = (0, viewport_width, 0)",
+            "horizontal = (viewport_width, 0, 0), vertical = (0, viewport_height, 0)",
+            "The viewport is higher than wide while the picture is wider than high: the sphere is a flat ellipse.",
+        ]),
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/camera.rs",
+        alter: |right| Program {
+            viewport_u: |_, height| Vec3::new(height, 0.0, 0.0),
+            viewport_v: match right.edition.counts_from_below() {
+                true => |width, _| Vec3::new(0.0, width, 0.0),
+                false => |width, _| Vec3::new(0.0, -width, 0.0),
+            },
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
         name: "pixel-deltas-swapped",
         chapters: RAYS,
         wrong: "pixel_delta_u = viewport_u / image_height, pixel_delta_v = viewport_v / image_width",
@@ -315,6 +464,50 @@ pub(super) const SLIPS: &[Slip] = &[
             divisors: match right.edition {
                 Edition::V3 | Edition::V3_1_0 => |width, height| [height - 1.0, width - 1.0],
                 _ => |width, height| [height, width],
+            },
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "columns-by-height",
+        chapters: RAYS,
+        wrong: "pixel_delta_u = viewport_u / image_height",
+        right: "pixel_delta_u = viewport_u / image_width",
+        explanation: "A step to the right is too long by the ratio of the picture, and the columns run out of the viewport.",
+        before_4: Some([
+            "u = i / (image_height - 1)",
+            "u = i / (image_width - 1)",
+            "u runs from 0 to the ratio of the picture and not to 1, so the columns run out of the viewport.",
+        ]),
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/camera.rs",
+        alter: |right| Program {
+            divisors: match right.edition {
+                Edition::V3 | Edition::V3_1_0 => |_, height| [height - 1.0; 2],
+                _ => |_, height| [height; 2],
+            },
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "rows-by-width",
+        chapters: RAYS,
+        wrong: "pixel_delta_v = viewport_v / image_width",
+        right: "pixel_delta_v = viewport_v / image_height",
+        explanation: "A step down is too short, and the rows end in the middle of the viewport.",
+        before_4: Some([
+            "v = j / (image_width - 1)",
+            "v = j / (image_height - 1)",
+            "v ends far below 1, so the highest rows are missing.",
+        ]),
+        page: "gradient#the-grid-of-pixels",
+        source: "common/src/camera.rs",
+        alter: |right| Program {
+            divisors: match right.edition {
+                Edition::V3 | Edition::V3_1_0 => |width, _| [width - 1.0; 2],
+                _ => |width, _| [width; 2],
             },
             ..right
         },
@@ -394,7 +587,7 @@ pub(super) const SLIPS: &[Slip] = &[
         page: "gradient#the-color-of-the-sky",
         source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
-            blend: |_, direction| 0.5 * (direction.y + 1.0),
+            sky_direction: |_, direction| direction,
             ..right
         },
         ..Slip::USUAL
@@ -440,7 +633,7 @@ pub(super) const SLIPS: &[Slip] = &[
         page: "gradient#the-color-of-the-sky",
         source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
-            blend: |program, direction| (program.unit)(direction).y,
+            blend: |program, direction| (program.sky_direction)(program, direction).y,
             ..right
         },
         ..Slip::USUAL
@@ -454,7 +647,21 @@ pub(super) const SLIPS: &[Slip] = &[
         page: "gradient#the-color-of-the-sky",
         source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
-            blend: |program, direction| (program.unit)(direction).y + 1.0,
+            blend: |program, direction| (program.sky_direction)(program, direction).y + 1.0,
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "blend-without-brackets",
+        chapters: RAYS,
+        wrong: "a = 0.5 * unit_direction.y() + 1",
+        right: "a = 0.5 * (unit_direction.y() + 1)",
+        explanation: "The half takes y alone, so the weight runs from 0.5 to 1.5: above the horizon the sky is too blue, below it as it should be above.",
+        page: "gradient#the-color-of-the-sky",
+        source: "chapters/1_gradient/src/lib.rs",
+        alter: |right| Program {
+            blend: |program, direction| 0.5 * (program.sky_direction)(program, direction).y + 1.0,
             ..right
         },
         ..Slip::USUAL
@@ -468,7 +675,7 @@ pub(super) const SLIPS: &[Slip] = &[
         page: "gradient#the-color-of-the-sky",
         source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
-            blend: |program, direction| 0.5 * ((program.unit)(direction).x + 1.0),
+            blend: |program, direction| 0.5 * ((program.sky_direction)(program, direction).x + 1.0),
             ..right
         },
         ..Slip::USUAL
@@ -482,7 +689,7 @@ pub(super) const SLIPS: &[Slip] = &[
         page: "gradient#the-color-of-the-sky",
         source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {
-            blend: |program, direction| 0.5 * ((program.unit)(direction).z + 1.0),
+            blend: |program, direction| 0.5 * ((program.sky_direction)(program, direction).z + 1.0),
             ..right
         },
         ..Slip::USUAL
@@ -516,8 +723,39 @@ pub(super) const SLIPS: &[Slip] = &[
         },
         ..Slip::USUAL
     },
+    Slip {
+        name: "background-missing",
+        chapters: SPHERES,
+        wrong: "if (…) return color(1, 0, 0); return color(0, 0, 0)",
+        right: "… return (1 - a) * white + a * blue",
+        explanation: "What hits nothing shows the sky. Here it stays black.",
+        page: "gradient#the-color-of-the-sky",
+        source: "chapters/1_gradient/src/lib.rs",
+        alter: |right| Program {
+            lerp: |_, _| Color::ZERO,
+            ..right
+        },
+        ..Slip::USUAL
+    },
 ];
 
 fn swapped_length_squared(v: Vec3) -> f64 {
     v.x * v.x + v.y * v.y + v.y * v.y
+}
+
+fn swapped_plus(u: Vec3, v: Vec3) -> Vec3 {
+    Vec3::new(u.x + v.x, u.y + v.y, u.z + u.z)
+}
+
+fn swapped_over(v: Vec3, t: f64) -> Vec3 {
+    Vec3::new(v.x, v.y, v.y) * (1.0 / t)
+}
+
+/// The grid begins where the middle of the picture should be.
+fn first_pixel_on_the_axis(right: Program) -> Program {
+    Program {
+        corner: 0.0,
+        inset: [0.0, 0.0],
+        ..right
+    }
 }

@@ -3,6 +3,7 @@
 use common::rtweekend::*;
 
 use super::chapters::{BUILD_TEST, EVERY, RAYS};
+use crate::chapter::Chapter;
 use crate::slips::edition::Edition;
 use crate::slips::program::Program;
 use crate::slips::single;
@@ -29,10 +30,15 @@ pub(super) const SLIPS: &[Slip] = &[
     },
     Slip {
         name: "divided-by-size",
-        chapters: BUILD_TEST,
+        chapters: EVERY,
         wrong: "r = double(i) / image_width",
         right: "r = double(i) / (image_width - 1)",
         explanation: "The last column is number image_width - 1, so red stops just short of full.",
+        before_4: Some([
+            "double(i) / image_width, double(j) / image_height",
+            "double(i) / (image_width - 1), double(j) / (image_height - 1)",
+            "The last column is number image_width - 1. In version 3 it lies on the edge of the viewport, in versions 1 and 2 a pixel before it.",
+        ]),
         evidence: &["#923"],
         page: "setup#the-code",
         source: "chapters/0_build_test/src/lib.rs",
@@ -40,7 +46,12 @@ pub(super) const SLIPS: &[Slip] = &[
             divisors: |width, height| [width, height],
             ..right
         },
-        ..Slip::USUAL
+        unseen: &[(
+            RAYS,
+            Unseen::Equivalent(
+                "Rays of version 4 step by pixel_delta_u, which is the edge divided by image_width.",
+            ),
+        )],
     },
     Slip {
         name: "red-and-green-swapped",
@@ -147,6 +158,28 @@ pub(super) const SLIPS: &[Slip] = &[
         ..Slip::USUAL
     },
     Slip {
+        name: "rows-from-one",
+        chapters: EVERY,
+        wrong: "for j = 1 to image_height",
+        right: "for j = 0 to image_height - 1",
+        explanation: "Rows are counted from 0. Counted from 1, the picture moves up by a pixel.",
+        before_4: Some([
+            "for j = image_height down to 1",
+            "for j = image_height - 1 down to 0",
+            "Rows are counted from 0. Counted from 1, the picture moves down by a pixel.",
+        ]),
+        page: "setup#a-picture-is-text",
+        source: "common/src/engine/picture.rs",
+        alter: |right| match right.edition.counts_from_below() {
+            true => a_row_above(right),
+            false => Program {
+                order: |n, width, _| (n % width, n / width + 1),
+                ..right
+            },
+        },
+        ..Slip::USUAL
+    },
+    Slip {
         name: "header-swapped",
         chapters: EVERY,
         wrong: "print image_height, image_width",
@@ -174,6 +207,62 @@ pub(super) const SLIPS: &[Slip] = &[
         source: "common/src/engine/picture.rs",
         alter: |right| Program {
             channels: [2, 1, 0],
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "green-before-red",
+        chapters: EVERY,
+        wrong: "print g, r, b",
+        right: "print r, g, b",
+        explanation: "A pixel is red, green, blue. Here red and green change places: the sky turns violet.",
+        page: "setup#a-picture-is-text",
+        source: "common/src/engine/picture.rs",
+        alter: |right| Program {
+            channels: [1, 0, 2],
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "blue-before-green",
+        chapters: EVERY,
+        wrong: "print r, b, g",
+        right: "print r, g, b",
+        explanation: "A pixel is red, green, blue. Here green and blue change places: the sky turns green.",
+        page: "setup#a-picture-is-text",
+        source: "common/src/engine/picture.rs",
+        alter: |right| Program {
+            channels: [0, 2, 1],
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "green-twice",
+        chapters: EVERY,
+        wrong: "print r, g, g",
+        right: "print r, g, b",
+        explanation: "A copied line keeps its old letter: green stands where blue should.",
+        page: "setup#a-picture-is-text",
+        source: "common/src/engine/picture.rs",
+        alter: |right| Program {
+            channels: [0, 1, 1],
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "red-twice",
+        chapters: EVERY,
+        wrong: "print r, g, r",
+        right: "print r, g, b",
+        explanation: "A copied line keeps its old letter: red stands where blue should.",
+        page: "setup#a-picture-is-text",
+        source: "common/src/engine/picture.rs",
+        alter: |right| Program {
+            channels: [0, 1, 0],
             ..right
         },
         ..Slip::USUAL
@@ -251,6 +340,37 @@ pub(super) const SLIPS: &[Slip] = &[
         ..Slip::USUAL
     },
     Slip {
+        name: "rounded-255-999",
+        chapters: EVERY,
+        wrong: "round(255.999 * r)",
+        right: "int(255.999 * r)",
+        explanation: "The factor is made for cutting off. Rounded, 1.0 becomes 256, which is no level, and half of the others are a level brighter.",
+        page: "setup#a-picture-is-text",
+        source: "common/src/color.rs",
+        alter: |right| Program {
+            level: |component| (255.999 * component).round() as i32,
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "blended-as-bytes",
+        chapters: RAYS,
+        wrong: "int((1 - a) * 255) + int(a * 127)",
+        right: "int(255.999 * ((1 - a) * 1.0 + a * 0.5))",
+        explanation: "The two colors are bytes, and each term is cut off to an integer before the sum. So up to three levels are lost.",
+        page: "gradient#the-color-of-the-sky",
+        source: "chapters/1_gradient/src/lib.rs",
+        alter: |right| Program {
+            lerp: |sky, a| {
+                let [below, above] = sky.map(|color| (255.0 * color).floor());
+                (((1.0 - a) * below).floor() + (a * above).floor()) / 255.0
+            },
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
         name: "cast-too-early",
         chapters: EVERY,
         wrong: "255 * int(r)",
@@ -298,3 +418,22 @@ pub(super) const SLIPS: &[Slip] = &[
         ..Slip::USUAL
     },
 ];
+
+/// Rows that are counted from below, each of them a row above its place. The order of
+/// pixels is told from above, and has no row above the first one.
+fn a_row_above(right: Program) -> Program {
+    Program {
+        color: match right.chapter {
+            Chapter::BuildTest => |program, camera, i, j| {
+                let row = program.edition.row(j, camera.image_height);
+                program.ramp(camera, i.into(), row + 1.0)
+            },
+            _ => right.color,
+        },
+        ray: |program, camera, i, j| {
+            let row = program.edition.row(j, camera.image_height);
+            program.edition.ray(program, camera, i.into(), row + 1.0)
+        },
+        ..right
+    }
+}

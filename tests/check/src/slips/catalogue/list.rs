@@ -59,7 +59,7 @@ pub(super) const SLIPS: &[Slip] = &[
         page: "hittable_list#the-nearest-one",
         source: "chapters/5_hittable_list/src/sphere.rs",
         alter: |right| Program {
-            numerators: |first, sqrtd| [first - sqrtd; 2],
+            numerators: |first, sqrtd, _| [first - sqrtd; 2],
             ..right
         },
         ..Slip::USUAL
@@ -189,6 +189,20 @@ pub(super) const SLIPS: &[Slip] = &[
         source: "chapters/5_hittable_list/src/lib.rs",
         alter: |right| Program {
             world: const { &[BALL, Ball::new(0.0, -100.5, -1.0, 100.5)] },
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "ground-above",
+        chapters: HITTABLE_LIST,
+        wrong: "sphere((0, 100.5, -1), 100)",
+        right: "sphere((0, -100.5, -1), 100)",
+        explanation: "y points up, so the ground's center is far below. Without the minus it hangs in the sky.",
+        page: "hittable_list#the-world",
+        source: "chapters/5_hittable_list/src/lib.rs",
+        alter: |right| Program {
+            world: const { &[BALL, Ball::new(0.0, 100.5, -1.0, 100.0)] },
             ..right
         },
         ..Slip::USUAL

@@ -40,6 +40,20 @@ pub(super) const SLIPS: &[Slip] = &[
         ..Slip::USUAL
     },
     Slip {
+        name: "only-behind-drawn",
+        chapters: ONE_SPHERE,
+        wrong: "if (t < 0)",
+        right: "if (t > 0)",
+        explanation: "What is in front of the camera is left out, and a miss is drawn: its -1.0 is a t like any other.",
+        page: "normals#where-the-nearer-root",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            search: only_behind,
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
         name: "sphere-at-plus-one",
         chapters: &[Chapter::RedSphere, Chapter::Normals, Chapter::HalfBSphere],
         wrong: "center = (0, 0, 1)",
@@ -79,6 +93,20 @@ pub(super) const SLIPS: &[Slip] = &[
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
             outward: |program, point, ball| rescaled(program, point + ball.center, ball),
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "center-after-unit",
+        chapters: ROOTS,
+        wrong: "N = unit_vector(r.at(t)) - center",
+        right: "N = unit_vector(r.at(t) - center)",
+        explanation: "The bracket closes too early: the center is taken from a vector that is 1 long already, and the difference is not.",
+        page: "normals#which-way-the-normal",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            outward: |program, point, ball| (program.unit)(point) - ball.center,
             ..right
         },
         ..Slip::USUAL
@@ -223,6 +251,20 @@ pub(super) const SLIPS: &[Slip] = &[
         ..Slip::USUAL
     },
     Slip {
+        name: "normal-without-brackets",
+        chapters: ROOTS,
+        wrong: "0.5 * N + color(1, 1, 1)",
+        right: "0.5 * (N + color(1, 1, 1))",
+        explanation: "The half takes the normal alone, so components run from 0.5 to 1.5, and half of them are too bright for a picture.",
+        page: "normals#a-color-for-each-direction",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            shade: |_, normal| 0.5 * normal + Vec3::ONE,
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
         name: "normal-channels-reversed",
         chapters: ROOTS,
         wrong: "0.5 * color(N.z() + 1, N.y() + 1, N.x() + 1)",
@@ -259,4 +301,12 @@ fn rescaled(program: &Program, v: Vec3, ball: Ball) -> Vec3 {
         Chapter::HittableList => v * (1.0 / ball.radius),
         _ => (program.unit)(v),
     }
+}
+
+/// A miss is the book's -1.0, which is below 0.
+fn only_behind(program: &Program, ray: &Ray) -> Option<(f64, Ball)> {
+    let ball = *program.world.first()?;
+    let t = program.hit_sphere(ball.center, ball.radius, ray);
+    let t = t.unwrap_or(-1.0);
+    (t < 0.0).then_some((t, ball))
 }

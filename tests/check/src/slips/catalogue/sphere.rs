@@ -2,6 +2,7 @@
 
 use super::chapters::{FULL_B, HALF_B, NORMALS, ONE_SPHERE, RED_SPHERE, ROOTS, SPHERES};
 use crate::chapter::Chapter;
+use crate::slips::edition::Edition;
 use crate::slips::program::Program;
 use crate::slips::slip::{Slip, Unseen};
 
@@ -67,6 +68,29 @@ pub(super) const SLIPS: &[Slip] = &[
         source: "chapters/2_red_sphere/src/lib.rs",
         alter: |right| Program {
             linear: |d_oc| -d_oc,
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "h-doubled",
+        chapters: HALF_B,
+        wrong: "h = -2 * dot(r.direction(), oc)",
+        right: "h = dot(r.direction(), oc)",
+        explanation: "That is b, and the formula is the one for half of it: the discriminant is far too large, and every root is behind the camera.",
+        before_4: Some([
+            "half_b = 2.0 * dot(oc, r.direction())",
+            "half_b = dot(oc, r.direction())",
+            "That is b, and the formula is the one for half of it: the discriminant is far too large.",
+        ]),
+        page: "half_b_sphere#two-observations",
+        source: "chapters/4_half_b_sphere/src/lib.rs",
+        alter: |right| Program {
+            linear: match right.edition {
+                Edition::V4 => |d_oc| -2.0 * d_oc,
+                // Half of b is minus h there, and the root begins with a minus.
+                _ => |d_oc| 2.0 * d_oc,
+            },
             ..right
         },
         ..Slip::USUAL
@@ -255,6 +279,20 @@ pub(super) const SLIPS: &[Slip] = &[
         ..Slip::USUAL
     },
     Slip {
+        name: "miss-is-one",
+        chapters: ONE_SPHERE,
+        wrong: "if (discriminant < 0) return 1.0",
+        right: "if (discriminant < 0) return -1.0",
+        explanation: "The caller takes every t > 0 for a hit. The sphere is right, and around it the sky has the colors of a hit at t = 1.",
+        page: "normals#where-the-nearer-root",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            missed: Some(1.0),
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
         name: "minus-h",
         chapters: HALF_B,
         wrong: "(-h - sqrt(discriminant)) / a",
@@ -297,7 +335,7 @@ pub(super) const SLIPS: &[Slip] = &[
         page: "normals#where-the-nearer-root",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
-            numerators: |first, sqrtd| [first + sqrtd; 2],
+            numerators: |first, sqrtd, _| [first + sqrtd; 2],
             ..right
         },
         ..Slip::USUAL
@@ -318,14 +356,43 @@ pub(super) const SLIPS: &[Slip] = &[
     },
     Slip {
         name: "two-a-without-brackets",
-        chapters: NORMALS,
+        chapters: ROOTS,
         wrong: "(-b - sqrt(discriminant)) / 2*a",
         right: "(-b - sqrt(discriminant)) / (2*a)",
         explanation: "That divides by 2 and then multiplies by a. In the middle, where a is 1, it is right.",
         page: "normals#where-the-nearer-root",
         source: "chapters/3_normals/src/lib.rs",
         alter: |right| Program {
-            divide: |numerator, a| numerator / 2.0 * a,
+            // Who types the whole of b in later chapters as well has a numerator twice as
+            // large.
+            divide: match right.chapter {
+                Chapter::Normals => |numerator, a| numerator / 2.0 * a,
+                _ => |half, a| half * a,
+            },
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "numerator-without-brackets",
+        chapters: ROOTS,
+        wrong: "-b - sqrt(discriminant) / (2*a), or h - sqrt(discriminant) / a",
+        right: "(-b - sqrt(discriminant)) / (2*a), or (h - sqrt(discriminant)) / a",
+        explanation: "Only the square root is divided. In the middle, where a is 1, half of b gives the right root even so.",
+        before_4: Some([
+            "-b - sqrt(discriminant) / (2*a), or -half_b - sqrt(discriminant) / a",
+            "(-b - sqrt(discriminant)) / (2*a), or (-half_b - sqrt(discriminant)) / a",
+            "Only the square root is divided. In the middle, where a is 1, half of b gives the right root even so.",
+        ]),
+        page: "normals#where-the-nearer-root",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            numerators: match right.chapter {
+                Chapter::Normals => |first, sqrtd, a| [first - sqrtd / (2.0 * a); 2],
+                Chapter::HalfBSphere => |first, sqrtd, a| [first - sqrtd / a; 2],
+                _ => |first, sqrtd, a| [first - sqrtd / a, first + sqrtd / a],
+            },
+            divide: |root, _| root,
             ..right
         },
         ..Slip::USUAL
