@@ -4,7 +4,7 @@ use check::Chapter;
 use check::diagnosis::{Explains, Scene};
 use check::judge::{Check, Finding, check};
 use check::png;
-use check::slips::{self, Ball, PROBES, Probe, Program, Slip};
+use check::slips::{self, Ball, Edition, PROBES, Probe, Program, Slip};
 use common::rtweekend::*;
 
 use crate::slips::slip;
@@ -40,6 +40,7 @@ each_slip_is_named! {
     quarter_blue
     columns_first
     rows_from_below
+    columns_backwards
     loops_from_one
     rows_from_one
     header_swapped
@@ -99,6 +100,7 @@ each_slip_is_named! {
     blend_along_z
     white_and_blue_swapped
     white_in_full
+    white_by_the_same_weight
     background_missing
     oc_reversed
     b_sign
@@ -144,6 +146,7 @@ each_slip_is_named! {
     normal_only_shifted
     normal_without_brackets
     normal_channels_reversed
+    normal_in_gray
     normal_as_absolute
     closest_ignored
     first_hit_wins
@@ -158,6 +161,7 @@ each_slip_is_named! {
     ground_too_high
     ground_too_large
     ground_above
+    ceiling_added
     ground_below_the_eye
     ground_not_added
 }
@@ -244,6 +248,26 @@ fn two_slips_at_once_are_both_named() {
         assert_eq!(
             finding.diagnosis.sets.iter().map(|set| set.explains).min(),
             Some(Explains::All)
+        );
+    }
+}
+
+/// As who types another height, and keeps the viewport of the book.
+#[test]
+fn a_viewport_of_the_books_shape_is_named_in_a_picture_of_another() {
+    let slip = slip("ideal-viewport-ratio");
+    for edition in [Edition::V4, Edition::V3, Edition::V1InDouble] {
+        let scene = scene(Chapter::Normals);
+        let chosen = Program {
+            image_height: |width, _| (0.75 * width) as u32,
+            ..scene.only_by(edition).program(&[])
+        };
+        let output = (slip.alter)(chosen).run(120);
+        let wrong = check(&scene, &png::encode(&output.picture()), 0);
+        let names = names(wrong.finding().expect("it is wrong"));
+        assert!(
+            names[0].iter().any(|name| name == slip.name),
+            "{edition}: {names:?}"
         );
     }
 }

@@ -6,7 +6,8 @@ use std::path::Path;
 
 use check::Chapter;
 use check::comparison::{Comparison, differing_pixels};
-use check::slips::{self, Ball, Look, PROBES, Program, Slip};
+use check::diagnosis::Scene;
+use check::slips::{self, Ball, Edition, Look, PROBES, Program, Slip};
 use common::rtweekend::*;
 use hittable_list::{HittableList, Sphere};
 
@@ -169,6 +170,34 @@ fn a_sphere_behind_the_camera_tells_wrong_signs_from_a_wrong_discriminant() {
     assert_eq!(found("focal-length-added"), DISC);
     assert_eq!(found("discriminant-with-four"), 0);
     assert_eq!(found("radius-added"), 0);
+}
+
+#[test]
+fn a_division_in_place_puts_a_corner_of_the_picture_on_the_axis() {
+    let axis = Vec3::new(0.0, 0.0, -1.0);
+    let division = [slip("division-in-place")];
+    let of_edition = |edition, slips: &[&Slip]| {
+        let scene = Scene::new(Chapter::HittableList, None).expect("the book's own scene");
+        scene.only_by(edition).program(slips)
+    };
+    let through = |program: Program, [i, j]: [u32; 2]| {
+        let ray = (program.ray)(&program, &program.camera(400), i, j);
+        ray.direction
+    };
+    let [upper_left, upper_right, lower_left] = [[0, 0], [399, 0], [0, 224]];
+
+    assert_eq!(
+        through(of_edition(Edition::V4, &division), upper_left),
+        axis
+    );
+    // In version 3 it is the opposite corner, and the picture the lower left quarter.
+    let wrong = of_edition(Edition::V3, &division);
+    assert_eq!(through(wrong, upper_right), axis);
+    let right = of_edition(Edition::V3, &[]);
+    assert_eq!(through(wrong, lower_left), through(right, lower_left));
+    // The first ones write out the corner and divide nothing.
+    let first = [&division[..], &[]].map(|slips| of_edition(Edition::V1InDouble, slips).run(40));
+    assert_eq!(first[0].picture(), first[1].picture());
 }
 
 #[test]

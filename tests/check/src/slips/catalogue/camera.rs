@@ -724,6 +724,20 @@ pub(super) const SLIPS: &[Slip] = &[
         ..Slip::USUAL
     },
     Slip {
+        name: "white-by-the-same-weight",
+        chapters: RAYS,
+        wrong: "a * white + a * blue",
+        right: "(1 - a) * white + a * blue",
+        explanation: "The two weights add up to 1. With the same one for both, the sky is dark below and far too bright above.",
+        page: "gradient#the-color-of-the-sky",
+        source: "chapters/1_gradient/src/lib.rs",
+        alter: |right| Program {
+            lerp: |[below, above], a| a * below + a * above,
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
         name: "background-missing",
         chapters: SPHERES,
         wrong: "if (…) return color(1, 0, 0); return color(0, 0, 0)",

@@ -2,7 +2,7 @@
 
 use common::rtweekend::*;
 
-use super::chapters::{BUILD_TEST, EVERY, RAYS};
+use super::chapters::{BUILD_TEST, EVERY, GRADIENT, RAYS};
 use crate::chapter::Chapter;
 use crate::slips::edition::Edition;
 use crate::slips::program::Program;
@@ -141,6 +141,26 @@ pub(super) const SLIPS: &[Slip] = &[
             order: |n, width, height| (n % width, height - 1 - n / width),
             ..right
         },
+        ..Slip::USUAL
+    },
+    Slip {
+        name: "columns-backwards",
+        chapters: EVERY,
+        wrong: "for i = image_width - 1 down to 0",
+        right: "for i = 0 to image_width - 1",
+        explanation: "A row is printed from left to right. Backwards, the picture is mirrored; where it is symmetric, nobody sees it.",
+        page: "setup#a-picture-is-text",
+        source: "common/src/engine/picture.rs",
+        alter: |right| Program {
+            order: |n, width, _| (width - 1 - n % width, n / width),
+            ..right
+        },
+        unseen: &[(
+            GRADIENT,
+            Unseen::Equivalent(
+                "Each row of the sky is its own mirror image, but for a few roundings.",
+            ),
+        )],
         ..Slip::USUAL
     },
     Slip {

@@ -208,6 +208,26 @@ pub(super) const SLIPS: &[Slip] = &[
         ..Slip::USUAL
     },
     Slip {
+        name: "ceiling-added",
+        chapters: HITTABLE_LIST,
+        wrong: "… and world.add(sphere((0, 100.5, -1), 100))",
+        right: "world.add(sphere((0, 0, -1), 0.5)) and world.add(sphere((0, -100.5, -1), 100))",
+        explanation: "A third sphere, as large as the ground, hangs above the scene and hides most of the sky.",
+        page: "hittable_list#the-world",
+        source: "chapters/5_hittable_list/src/lib.rs",
+        alter: |right| Program {
+            world: const {
+                &[
+                    BALL,
+                    Ball::new(0.0, -100.5, -1.0, 100.0),
+                    Ball::new(0.0, 100.5, -1.0, 100.0),
+                ]
+            },
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
         name: "ground-below-the-eye",
         chapters: HITTABLE_LIST,
         wrong: "sphere((0, -100.5, 0), 100)",

@@ -279,6 +279,20 @@ pub(super) const SLIPS: &[Slip] = &[
         ..Slip::USUAL
     },
     Slip {
+        name: "normal-in-gray",
+        chapters: ROOTS,
+        wrong: "0.5 * color(N.x() + 1, N.x() + 1, N.x() + 1)",
+        right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+        explanation: "A copied term keeps its letter: with one component for all three, what is hit is gray.",
+        page: "normals#a-color-for-each-direction",
+        source: "chapters/3_normals/src/lib.rs",
+        alter: |right| Program {
+            shade: |_, normal| 0.5 * (Vec3::splat(normal.x) + Vec3::ONE),
+            ..right
+        },
+        ..Slip::USUAL
+    },
+    Slip {
         name: "normal-as-absolute",
         chapters: ROOTS,
         wrong: "color(abs(N.x()), abs(N.y()), abs(N.z()))",
