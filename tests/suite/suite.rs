@@ -2,6 +2,7 @@
 //! `chapters` pass. A file tests what its name says; each begins by saying how.
 
 mod anywhere;
+mod bank;
 mod bibliography;
 mod blind_spots;
 mod book;
