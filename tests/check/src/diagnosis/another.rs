@@ -65,7 +65,11 @@ impl Scene {
             let mut editions = scene.by_editions(reading.width, reading.height);
             editions.find(|scene| scene.shows(reading, 0..reading.pixels.len() as u32, 0))
         };
-        let nearly = |scene: &Self| Search::new(scene, reading).near().map(|near| near.scene);
+        let nearly = |scene: &Self| {
+            let search = Search::new(scene, reading);
+            let near = search.near().or_else(|| search.near_in_colors());
+            near.map(|near| near.scene)
+        };
         let all: Vec<Self> = others.collect();
         all.iter()
             .find_map(exact)

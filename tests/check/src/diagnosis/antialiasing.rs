@@ -59,15 +59,16 @@ impl Seen {
         }
     }
 
-    /// Whether nothing is off but by a rounding, and a few edges by a neighbor.
-    pub(super) fn is_rounded(self) -> bool {
-        self.far == self.moved && 10 * self.moved <= self.edges
+    /// Whether nothing is off but by a rounding, a few edges by a neighbor, and so few
+    /// pixels by anything.
+    pub(super) fn is_rounded_but_for(self, few: usize) -> bool {
+        self.far <= self.moved + few && 10 * self.moved <= self.edges
     }
 
     /// Whether no more than a few pixels speak against several rays, and many edges for
     /// them. A picture of one ray a pixel has no mixtures.
     pub(super) fn is_antialiased(self) -> bool {
-        25 * self.strange <= self.compared && 4 * self.mixed >= self.edges && self.mixed >= 5
+        25 * self.strange <= self.compared && 10 * self.mixed >= self.edges && self.mixed >= 5
     }
 }
 

@@ -133,6 +133,13 @@ pub fn diagnose(scene: &Scene, reading: &Reading) -> Diagnosis {
     if near.is_some() {
         return found(near, Vec::new());
     }
+    let antialiased = search.antialiased_slips();
+    if !antialiased.is_empty() {
+        return found(None, told(antialiased));
+    }
+    if let near @ Some(_) = search.near_in_colors() {
+        return found(near, Vec::new());
+    }
     let fitted = search.fitted();
     if let near @ Some(_) = near::near(&fitted, reading) {
         return found(near, Vec::new());
@@ -141,7 +148,7 @@ pub fn diagnose(scene: &Scene, reading: &Reading) -> Diagnosis {
     if !beside.first().is_some_and(Set::is_enough) {
         beside.extend(search.slips_in_colors());
     }
-    let mut sets: Vec<Set> = [single, beside, pairs, search.antialiased_slips()].concat();
+    let mut sets: Vec<Set> = [single, beside, pairs].concat();
     sets.sort_by_key(|set| set.explains);
     let sights = match sets.iter().any(Set::is_enough) {
         true => Vec::new(),

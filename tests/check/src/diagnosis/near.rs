@@ -140,7 +140,12 @@ impl<'a> View<'a> {
             }
         }
         let but = self.curve.clone().map(But::Curve).into_iter();
-        if seen.is_rounded() {
+        // A curve is known of levels that are there, and a rim may have others.
+        let few = match self.curve {
+            Some(_) => seen.compared / 100,
+            None => 0,
+        };
+        if seen.is_rounded_but_for(few) {
             return match self.curve {
                 Some(_) => Some(self.with(but)),
                 None => self.rounded().map(|but| self.with(iter::once(but))),

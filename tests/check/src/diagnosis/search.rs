@@ -73,9 +73,16 @@ impl<'a> Search<'a> {
         self.best(&scenes, |looks| looks.single_slips())
     }
 
-    /// What the picture is if it is right but for colors, or for how it was drawn.
+    /// What the picture is if it is right but for how it was drawn, or in colors of the
+    /// reader's own to the last bit.
     pub(super) fn near(&self) -> Option<Near> {
-        near(&self.scenes, self.reading).or_else(|| near(&self.chosen, self.reading))
+        let in_colors = || self.near_in_colors().filter(Near::is_exact);
+        near(&self.scenes, self.reading).or_else(in_colors)
+    }
+
+    /// What the picture is if it is right but for colors.
+    pub(super) fn near_in_colors(&self) -> Option<Near> {
+        near(&self.chosen, self.reading)
     }
 
     /// The nearest scene, with the reader's colors if there are some, and with spheres or
