@@ -8,7 +8,7 @@ use check::judge::{Check, Finding};
 use check::slips::{Program, Slip};
 use common::rtweekend::*;
 
-use super::truth::{self, Case, Truth, changes_levels, is_a_rounding};
+use super::truth::{self, Case, Rays, Truth, changes_levels, is_a_rounding};
 
 /// What an answer is worth, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -105,7 +105,7 @@ fn of_but(truth: &Truth, but: &But) -> Grade {
     match but {
         But::Antialiased { samples } => match truth.rays {
             None => Grade::False,
-            Some(rays) => of_samples(rays.count, *samples),
+            Some(rays) => of_samples(rays, *samples),
         },
         But::Curve(curve) => match truth.curve {
             None if truth.slips.iter().any(|slip| changes_levels(slip)) => Grade::Correct,
@@ -124,19 +124,21 @@ fn of_curve(own: truth::Curve, told: &diagnosis::Curve) -> Grade {
         .is_none_or(|power| (power - own.power()).abs() <= 0.06);
     let becomes = |level: i16| 256.0 * own.apply((f64::from(level) + 0.5) / 256.0);
     let is_so = |level: i16| (becomes(level) - f64::from(told.apply(level))).abs() <= 6.0;
-    match is_power && [64, 128, 192].into_iter().all(is_so) {
+    match is_power && told.examples().all(|(level, _)| is_so(level)) {
         true => Grade::Correct,
         false => Grade::Misleading,
     }
 }
 
 /// A number of rays has to be right within a factor of two, if it is one that can be seen.
-fn of_samples(count: u32, told: Option<f64>) -> Grade {
+/// Of rays on a grid it is said that they may be fewer.
+fn of_samples(rays: Rays, told: Option<f64>) -> Grade {
     let Some(told) = told else {
         return Grade::Correct;
     };
-    let count = f64::from(count);
+    let count = f64::from(rays.count);
     let is_near = match count {
+        4.0.. if rays.on_a_grid => told >= count.min(100.0) / 2.0,
         4.0..100.0 => (count / 2.0..=2.0 * count).contains(&told),
         100.0.. => told >= 50.0,
         _ => told < 4.0,

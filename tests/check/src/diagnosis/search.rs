@@ -12,6 +12,8 @@ use crate::slips::{Program, Slip};
 
 /// How many pixels are compared after the first glance.
 const FIRST_LOOK: u32 = 2000;
+/// How many are compared where only those at edges tell.
+const LOOK_AT_EDGES: u32 = 10_000;
 /// How many are compared then: all of a picture 200 pixels wide.
 const SECOND_LOOK: u32 = 25_000;
 /// How many are compared of what seems to explain everything: all of a picture 800 pixels
@@ -284,7 +286,7 @@ impl<'a> Looks<'a> {
     /// A slip has to explain much that the right program does not: many a small shift and
     /// every rounding is lost in several rays.
     fn antialiased_slips(&self) -> Vec<Set> {
-        let [glance, few] = [GLANCE, FIRST_LOOK].map(|count| self.evidence.places(count));
+        let [glance, few] = [GLANCE, LOOK_AT_EDGES].map(|count| self.evidence.places(count));
         let right = self.seen(&self.scene.program(&[]), &few);
         let plain = self.scene.slips().filter_map(|slip| {
             let candidate = self.program(&[slip])?;
