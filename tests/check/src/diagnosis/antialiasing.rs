@@ -68,7 +68,7 @@ impl Seen {
     /// Whether no more than a few pixels speak against several rays, and many edges for
     /// them. A picture of one ray a pixel has no mixtures.
     pub(super) fn is_antialiased(self) -> bool {
-        25 * self.strange <= self.compared && 10 * self.mixed >= self.edges && self.mixed >= 5
+        200 * self.strange <= self.compared && 10 * self.mixed >= self.edges && self.mixed >= 5
     }
 }
 

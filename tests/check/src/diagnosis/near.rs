@@ -145,7 +145,7 @@ impl<'a> View<'a> {
             Some(_) => seen.compared / 100,
             None => 0,
         };
-        if seen.is_rounded_but_for(few) {
+        if !seen.is_antialiased() && seen.is_rounded_but_for(few) {
             return match self.curve {
                 Some(_) => Some(self.with(but)),
                 None => self.rounded().map(|but| self.with(iter::once(but))),
