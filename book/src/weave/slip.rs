@@ -34,8 +34,10 @@ pub(super) fn editions() -> String {
         chapters.map(picture).concat()
     };
     // To see the two programs of version 1 apart takes a comparison of bits.
-    let editions = Edition::ALL.into_iter().rev();
+    let mut editions = Edition::ALL;
+    editions.sort();
     editions
+        .into_iter()
         .filter(|edition| *edition != Edition::V1InDouble)
         .map(|edition| {
             let differs = match edition {
