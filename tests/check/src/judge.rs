@@ -130,9 +130,9 @@ fn wrong(scene: &Scene, reading: &Reading) -> Check {
         return Check::of_another(scene, others);
     }
     let finding = Finding::of(scene, reading);
-    // Two mistakes that look like another scene are less likely than that scene.
-    let by_one = |set: &Set| set.is_enough() && set.mistakes[0].len() == 1;
-    let is_explained = finding.diagnosis.sets.iter().any(by_one);
+    // Two mistakes that nearly look like another scene are less likely than that scene.
+    let is_likely = |set: &Set| set.is_exact() || set.is_enough() && set.mistakes[0].len() == 1;
+    let is_explained = finding.diagnosis.sets.iter().any(is_likely);
     if !is_explained && !others.is_empty() {
         return Check::of_another(scene, others);
     }
