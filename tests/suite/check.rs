@@ -1,7 +1,7 @@
 //! A wrong picture is diagnosed: each slip is drawn, and has to be named.
 
 use check::Chapter;
-use check::diagnosis::{Explains, Scene};
+use check::diagnosis::{But, Explains, Scene};
 use check::judge::{Check, Finding, check};
 use check::png;
 use check::slips::{self, Ball, Edition, PROBES, Probe, Program, Slip};
@@ -449,6 +449,52 @@ fn a_sphere_elsewhere_is_the_readers_own() {
         assert!(near.is_exact());
         assert_eq!(near.scene.chosen.balls, [Some(world[0]), None]);
     }
+}
+
+#[test]
+fn several_rays_a_pixel_are_the_next_chapter_and_no_mistake() {
+    for chapter in [Chapter::RedSphere, Chapter::Normals, Chapter::HittableList] {
+        // Sixteen pixels of a picture four times as wide are one with sixteen rays.
+        let fine = chapter.picture(4 * 160);
+        let level = |n: usize| {
+            let (i, j, channel) = (n / 3 % 160, n / 3 / 160, n % 3);
+            let at = |k: usize| ((4 * j + k / 4) * 4 * 160 + 4 * i + k % 4) * 3 + channel;
+            let sum: u32 = (0..16).map(|k| u32::from(fine.rgb()[at(k)])).sum();
+            (sum / 16) as u8
+        };
+        let rgb = (0..160 * 90 * 3).map(level).collect();
+        let picture = Picture::from_rgb(160, 90, rgb).expect("its size");
+        let but = but(chapter, &picture);
+        assert!(
+            matches!(but[..], [But::Antialiased { .. }]),
+            "{chapter:?}: {but:?}"
+        );
+    }
+}
+
+#[test]
+fn levels_on_a_curve_are_told_with_its_power() {
+    for chapter in [Chapter::BuildTest, Chapter::Gradient, Chapter::Normals] {
+        let right = chapter.picture(200);
+        let raised = |level: &u8| (255.999 * (f64::from(*level) / 255.0).powf(1.0 / 2.2)) as u8;
+        let rgb = right.rgb().iter().map(raised).collect();
+        let picture = Picture::from_rgb(200, right.height(), rgb).expect("its size");
+        let but = but(chapter, &picture);
+        let [But::Curve(curve)] = &but[..] else {
+            panic!("{chapter:?}: {but:?}");
+        };
+        let power = curve.power.expect("it is one");
+        assert!((power - 1.0 / 2.2).abs() < 0.03, "{power}");
+    }
+}
+
+/// What a picture has that the book's does not have, if it is no mistake.
+fn but(chapter: Chapter, picture: &Picture) -> Vec<But> {
+    let check = check(&scene(chapter), &png::encode(picture), 0);
+    let Check::Near(finding) = check else {
+        panic!("{chapter:?}: {check:?}");
+    };
+    finding.diagnosis.near.expect("what it is").but
 }
 
 #[test]

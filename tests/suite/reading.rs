@@ -174,7 +174,7 @@ fn every_other_cause_has_its_name() {
             }
         })
         .collect();
-    let cases: [(&[u8], &str); 39] = [
+    let cases: [(&[u8], &str); 42] = [
         (b"", "empty"),
         (b" \r\n\t", "empty"),
         (
@@ -206,6 +206,9 @@ fn every_other_cause_has_its_name() {
         (b"P3\n99999999999999999999 1\n255\n0 0 0\n", "absurd-size"),
         (b"P3\n2 1\n255\n0 0 0\n", "too-few-numbers"),
         (b"P3\n1 1\n255\n0 0 0 0 0 0\n", "too-many-numbers"),
+        (b"P3\n1 1\n255\n0 0 0\nDone.\n", "stray-output"),
+        (b"P3\n1 1\n255\n0 0 0\n1.0\n", "stray-output"),
+        (b"P3\n2 1\n255\n0 0 0 0 0 0 7\n", "stray-output"),
         (b"P3\n1 1\n255\nScanlines 1\n0 0 0\n", "text-in-body"),
         (b"P3\n1 1\n255\n\x1b[2K 0 0 0\n", "text-in-body"),
         (b"P3\n1 1\n255\n0.5 0.7 1.0\n", "fractions"),
