@@ -40,9 +40,8 @@ fn the_sums_on_the_page_of_the_proofs_are_right() {
         ("underflow in a", -1070.0 + 450.0, -620.0),
         ("underflow in D", -1070.0 + 900.0, -170.0),
         ("64uM", -497.0, 6.0 - 53.0 - 450.0),
-        ("128u²aM", -999.0, 7.0 - 106.0 - 900.0),
-        ("an operation that underflows", -1075.0 + 999.0, -76.0),
-        ("seven hundred of them", 700_f64.log2() - 76.0, -66.0),
+        ("the sharper bound of c", -522.0, 1.0 - 53.0 - 20.0 - 450.0),
+        ("the sharper bound of D", -1001.0, 5.0 - 106.0 - 900.0),
         // C: 8uM̂ with M̂ off by 6u, less the error of c.
         ("c > 1.9uM", 1.9, 8.0 * (1.0 - 6.0 * u) - 6.0),
         // D
@@ -91,27 +90,32 @@ fn the_sums_on_the_page_of_the_proofs_are_right() {
         ("the rest", two(-19.0) + 7.0 * two(-19.9), two(-16.7)),
         ("what F moves", two(-16.7 + 15.0) / 1.63, 0.2),
         ("all of R", 0.5 + 0.2 + 0.04, 0.8),
-        // DD
+        // S
         (
-            "D with twice the digits",
-            2.0 * 13.0 + 7.0 + 16.0 + 13.0 + 7.0 + 3.0,
-            72.0,
+            "the rest of c",
+            4.0 * 3_f64.sqrt() * two(-25.99) + two(-24.0),
+            two(-22.5),
         ),
         (
-            "q with twice the digits",
-            72.0 * 0.59 + 8.0 + 13.0 + 6.0,
-            70.0,
+            "what enters c",
+            4.0 * 3_f64.sqrt() * two(-25.99),
+            two(-23.1),
         ),
-        (
-            "c/q with twice the digits",
-            70.0 + (16.0 + 20.0) * 1.42,
-            140.0,
-        ),
-        (
-            "q/a with twice the digits",
-            70.0 + 2.0 * (13.0 + 20.0),
-            140.0,
-        ),
+        ("c", two(-23.1) + 4.0 * two(-22.5), two(-20.0)),
+        ("w² from w", 4.0 * 2_f64.sqrt(), 5.7),
+        ("w for ŵ", 5.7 * 2.9, 17.0),
+        ("second order of D", 9.0 + 17.0, 32.0),
+        ("the root of D", 1.0 / (1.0 + (15_f64 / 16.0).sqrt()), 0.51),
+        ("q to a 30th", 0.51 / 16.0, 1.0 / 30.0),
+        ("t̂ for t", 30.0 / 29.0, 17.0 / 16.0),
+        ("16u² beside 240u", 4.0 * (u / 240.0).sqrt(), 1e-8),
+        // W
+        ("digits of c", 2.0 * 121.0 + 2.0, 255.0),
+        ("digits of D", 2.0 * 244.0 + 1.0, 512.0),
+        ("√D", 0.5 * 2.0 + 8.0, 9.0),
+        ("q", 9.0 + 3.0, 12.0),
+        ("a root", 2.0 + 12.0 + 20.0, 34.0),
+        ("the pair of a root", 700.0 + 245.0 + 106.0, 1074.0),
     ];
     for (what, left, right) in less {
         // The decimals of the page are rounded to binary before they are added.

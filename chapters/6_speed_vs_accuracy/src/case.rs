@@ -96,7 +96,8 @@ impl Case {
     /// √(M/a): how long √M is in lengths of the ray's direction. No root is
     /// farther away than twice that.
     pub fn t_scale(&self) -> f64 {
-        (self.m() / self.a()).sqrt()
+        // The roots of both first: the quotient may be too small for a number.
+        self.m().sqrt() / self.a().sqrt()
     }
 
     /// Whether no number on the way to the root overflows, and none that counts

@@ -1,9 +1,9 @@
 //! Filtered predicates: answers that are proven, ray by ray, while they are computed.
 //!
 //! A filter computes as `half_b_q` does, and knows how far off it can be. Nearly
-//! always that is enough. If not, the question goes to a stage with twice the
-//! digits, and at last to integers, where nothing is rounded. So the answer is
-//! right for every input, and nearly as fast as one that is not.
+//! always that is enough. If not, the question goes to a sharper stage, which is
+//! plain `f64` too, and at last to integers, where nothing is rounded. So the
+//! answer is right for every input, and nearly as fast as one that is not.
 //!
 //! Each bound is proven in the book, in `proofs.md`, under the letter that stands
 //! beside it here. The proofs assume that operations round to nearest and that
@@ -13,13 +13,15 @@
 
 use common::rtweekend::*;
 
-use crate::double_double::Quadratic;
 use crate::exact::exact;
+use crate::fixed_width::fixed_width;
 use crate::plain::roots_by_q;
 use crate::refined::refined;
+use crate::rescaled::rescaled;
+use crate::sharper::sharper;
 
 /// The largest relative error of one operation.
-const U: f64 = f64::EPSILON / 2.0;
+pub(crate) const U: f64 = f64::EPSILON / 2.0;
 
 /// Bound C: |ĉ − c| ≤ 8u·M.
 const C_BAND: f64 = 8.0 * U;
@@ -34,19 +36,15 @@ const T_BAND: f64 = 64.0 * U;
 /// 0.8 ulp off.
 const R_BANDS: [f64; 2] = [1.0 / 65_536.0, 1.0 / 32_768.0];
 
-/// Bounds D and T with twice the digits: 128u²·a·M and 256u²·M.
-const DOUBLE_D_BAND: f64 = 128.0 * U * U;
-const DOUBLE_T_BAND: f64 = 256.0 * U * U;
-
 /// Whether the ray hits within the range is right for every input, and so is the
 /// choice between the two roots.
 ///
-/// Cost: 1 √, 1 ÷, and a few + and × more than `half_b_q`. Some 30 times that
-/// where the sphere is so far, or the ray so near a tangent, that `half_b_q`
-/// could decide wrongly; that of [`exact`] if twice the digits are too few, or
-/// if lengths are beyond 1e±67. Error of t: that of `half_b_q`, unless a later
-/// stage was asked. Fails: never. Input that is infinite or NaN is a miss, and
-/// so is every range between whose ends no `f64` lies.
+/// Cost: 1 √, 1 ÷, and a few + and × more than `half_b_q`. Some five times that
+/// where `half_b_q` could decide wrongly, because the sphere is far or the ray
+/// starts on its surface; twenty times that near a tangent; and that of [`exact`] if
+/// lengths differ by a factor of 2⁶⁷. Error of t: that of `half_b_q`, unless a
+/// later stage was asked. Fails: never. Input that is infinite or NaN is a miss,
+/// and so is every range between whose ends no `f64` lies.
 #[inline]
 pub fn certified_hit(
     center: Point3,
@@ -56,19 +54,19 @@ pub fn certified_hit(
     t_max: f64,
 ) -> Option<f64> {
     filter::<false>(center, radius, ray, t_min, t_max)
-        .unwrap_or_else(|Unclear| later_stages::<false>(center, radius, ray, t_min, t_max))
+        .unwrap_or_else(|Unclear| later_stages::<false>(center, radius, ray, t_min, t_max).0)
 }
 
 /// As [`certified_hit`], and `t` is within one ulp of the exact root.
 ///
-/// Cost: that of `certified_hit`, and for a hit 1 ÷ and 90 + or × more. Later
-/// stages are asked also if D or c is small: from some 250 radii away, and close
-/// to the surface. Error: less than 0.8 ulp is proven. As with [`exact`], a root
+/// Cost: that of `certified_hit`, and for a hit 1 ÷ and 90 + or × more. Integers
+/// are asked also if D or c is small: from some 250 radii away, and close to the
+/// surface. Error: less than 0.8 ulp is proven. As with [`exact`], a root
 /// beyond the largest `f64` becomes that. Fails: never.
 #[inline]
 pub fn certified_t(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     filter::<true>(center, radius, ray, t_min, t_max)
-        .unwrap_or_else(|Unclear| later_stages::<true>(center, radius, ray, t_min, t_max))
+        .unwrap_or_else(|Unclear| later_stages::<true>(center, radius, ray, t_min, t_max).0)
 }
 
 /// The stage that decides a case, from fast to slow.
@@ -76,9 +74,13 @@ pub fn certified_t(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f6
 pub enum Stage {
     /// Plain `f64` with an error bound.
     Filter,
-    /// Twice the digits with an error bound.
-    DoubleDouble,
-    /// Integers.
+    /// The same, after exponents have been made ordinary.
+    Rescaled,
+    /// Plain `f64` with better sources of digits, and bounds that grow with the numbers.
+    Sharper,
+    /// Integers of fixed width.
+    FixedWidth,
+    /// Integers of any length.
     Exact,
 }
 
@@ -93,21 +95,19 @@ pub fn stage_of_t(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64
 }
 
 fn stage<const ULP: bool>(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Stage {
-    if filter::<ULP>(center, radius, ray, t_min, t_max).is_ok() {
-        Stage::Filter
-    } else if twice_the_digits::<ULP>(center, radius, ray, t_min, t_max).is_ok() {
-        Stage::DoubleDouble
-    } else {
-        Stage::Exact
+    match filter::<ULP>(center, radius, ray, t_min, t_max) {
+        Ok(_) => Stage::Filter,
+        Err(Unclear) => later_stages::<ULP>(center, radius, ray, t_min, t_max).1,
     }
 }
 
 /// What a stage says that has too few digits to be certain.
-struct Unclear;
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Unclear;
 
 /// The first stage. `ULP` asks for a t within one ulp.
 #[inline(always)]
-fn filter<const ULP: bool>(
+pub(crate) fn filter<const ULP: bool>(
     center: Point3,
     radius: f64,
     ray: &Ray,
@@ -150,46 +150,6 @@ fn filter<const ULP: bool>(
     Ok(None)
 }
 
-/// The second stage: the same with more digits.
-fn twice_the_digits<const ULP: bool>(
-    center: Point3,
-    radius: f64,
-    ray: &Ray,
-    t_min: f64,
-    t_max: f64,
-) -> Result<Option<f64>, Unclear> {
-    let a = ray.direction.length_squared();
-    let m = (center - ray.origin).length_squared() + radius * radius;
-    if !(is_ordinary(a) && is_ordinary(m)) {
-        return Err(Unclear);
-    }
-    let quadratic = Quadratic::new(center, radius, ray);
-    let discriminant = quadratic.discriminant.high;
-    if discriminant < -DOUBLE_D_BAND * a * m {
-        return Ok(None);
-    }
-    if discriminant <= 2.0 * DOUBLE_D_BAND * a * m {
-        return Err(Unclear);
-    }
-    let sqrtd = discriminant.sqrt();
-    for root in quadratic.roots().ok_or(Unclear)? {
-        let gaps = [root.minus(t_min), -root.minus(t_max)];
-        if !lies_between(gaps, sqrtd, DOUBLE_T_BAND * m)? {
-            continue;
-        }
-        let t = root.high;
-        // A quarter of an ulp for what is left of the error, half for rounding.
-        let has_its_digits = (t * sqrtd).abs() > 4.0 * DOUBLE_T_BAND / U * m;
-        let is_in_range = t_min < t && t < t_max;
-        return if is_in_range && (has_its_digits || !ULP) {
-            Ok(Some(t))
-        } else {
-            Err(Unclear)
-        };
-    }
-    Ok(None)
-}
-
 #[cold]
 #[inline(never)]
 fn later_stages<const ULP: bool>(
@@ -198,29 +158,49 @@ fn later_stages<const ULP: bool>(
     ray: &Ray,
     t_min: f64,
     t_max: f64,
-) -> Option<f64> {
-    twice_the_digits::<ULP>(center, radius, ray, t_min, t_max)
-        .unwrap_or_else(|Unclear| exact(center, radius, ray, t_min, t_max))
+) -> (Option<f64>, Stage) {
+    let by = |stage| move |t| (t, stage);
+    let in_plain_numbers = if has_ordinary_exponents(center, radius, ray) {
+        sharper::<ULP>(center, radius, ray, t_min, t_max).map(by(Stage::Sharper))
+    } else {
+        rescaled::<ULP>(center, radius, ray, t_min, t_max).map(by(Stage::Rescaled))
+    };
+    in_plain_numbers
+        .or_else(|Unclear| {
+            fixed_width(center, radius, ray, t_min, t_max).map(by(Stage::FixedWidth))
+        })
+        .unwrap_or_else(|Unclear| (exact(center, radius, ray, t_min, t_max), Stage::Exact))
 }
 
 /// Whether a root lies inside the range, from its gaps to both ends: each is off
 /// by no more than `band` / `sqrtd`.
 #[inline(always)]
-fn lies_between([above, below]: [f64; 2], sqrtd: f64, band: f64) -> Result<bool, Unclear> {
+pub(crate) fn lies_between(
+    [above, below]: [f64; 2],
+    sqrtd: f64,
+    band: f64,
+) -> Result<bool, Unclear> {
     let (above, below) = (above * sqrtd, below * sqrtd);
     if above > band && below > band {
         Ok(true)
-    } else if above < -band || below < -band {
+    } else if above <= -band || below <= -band {
         Ok(false)
     } else {
         Err(Unclear)
     }
 }
 
+/// Whether a and M are ordinary numbers.
+#[inline(always)]
+pub(crate) fn has_ordinary_exponents(center: Point3, radius: f64, ray: &Ray) -> bool {
+    let m = (center - ray.origin).length_squared() + radius * radius;
+    is_ordinary(ray.direction.length_squared()) && is_ordinary(m)
+}
+
 /// Whether `x` is from 2⁻⁴⁵⁰ to 2⁴⁵⁰. If a and M are, nothing overflows on the
 /// way, and what underflow takes away is far below every bound here (bound E).
 #[inline(always)]
-fn is_ordinary(x: f64) -> bool {
+pub(crate) fn is_ordinary(x: f64) -> bool {
     const LEAST: u64 = (1023 - 450) << 52;
     const SPAN: u64 = 900 << 52;
     // One comparison for both ends and NaN: neither x nor its bits are negative.

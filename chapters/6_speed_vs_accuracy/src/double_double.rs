@@ -21,11 +21,11 @@ pub fn double_double(
     t_min: f64,
     t_max: f64,
 ) -> Option<f64> {
-    let [nearer, farther] = Quadratic::new(center, radius, ray).roots()?;
-    let in_range = |t: &Double| t.is_above(t_min) && (-*t).is_above(-t_max);
-    let root = in_range(&nearer)
-        .then_some(nearer)
-        .or_else(|| in_range(&farther).then_some(farther))?;
+    let roots = Quadratic::new(center, radius, ray).roots()?;
+    let root = roots
+        .into_iter()
+        .map(|(numerator, denominator)| numerator / denominator)
+        .find(|root| root.is_above(t_min) && (-*root).is_above(-t_max))?;
     // A root in range may round to an end, which is not.
     Some(root.high).filter(|t| t_min < *t && *t < t_max)
 }
@@ -33,9 +33,9 @@ pub fn double_double(
 /// The coefficients of a·t² − 2h·t + c = 0, and D = h² − a·c.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quadratic {
-    a: Double,
-    h: Double,
-    c: Double,
+    pub(crate) a: Double,
+    pub(crate) h: Double,
+    pub(crate) c: Double,
     pub(crate) discriminant: Double,
 }
 
@@ -64,19 +64,19 @@ impl Quadratic {
         (self.discriminant.high >= 0.0).then(|| self.discriminant.sqrt())
     }
 
-    /// Both roots, the nearer one first; each by the division that does not
-    /// cancel, as in `half_b_q`.
-    pub(crate) fn roots(&self) -> Option<[Double; 2]> {
+    /// Both roots as numerator and denominator, the nearer one first; each by the
+    /// division that does not cancel, as in `half_b_q`.
+    pub(crate) fn roots(&self) -> Option<[(Double, Double); 2]> {
         let Self { a, h, c, .. } = *self;
         let sqrtd = self.sqrtd()?;
         Some(if h.high > 0.0 {
             let q = h + sqrtd;
-            [c / q, q / a]
+            [(c, q), (q, a)]
         } else {
             let q = h - sqrtd;
             // From the point of contact of a tangent both roots are 0.
-            let other = if q.high == 0.0 { q } else { c / q };
-            [q / a, other]
+            let other = if q.high == 0.0 { (q, a) } else { (c, q) };
+            [(q, a), other]
         })
     }
 }
@@ -92,6 +92,16 @@ impl Double {
     /// a − b, exactly.
     fn difference(a: f64, b: f64) -> Self {
         Self::from_pair(two_sum(a, -b))
+    }
+
+    /// a + b, exactly, for |a| ≥ |b| or a = 0.
+    pub(crate) fn sum(a: f64, b: f64) -> Self {
+        Self::from_pair(quick_two_sum(a, b))
+    }
+
+    /// `self` × `power`, which is a power of two.
+    pub(crate) fn times_power_of_two(self, power: f64) -> Self {
+        Self::from_pair((self.high * power, self.low * power))
     }
 
     /// Whether the sum is greater than `x`.

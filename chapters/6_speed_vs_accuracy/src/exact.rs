@@ -200,7 +200,7 @@ fn integers<const N: usize>(values: [f64; N]) -> Option<([IBig; N], i64)> {
 }
 
 /// The integer and the exponent of two whose product is `x`, as they are stored.
-fn split(x: f64) -> (i64, i64) {
+pub(crate) fn split(x: f64) -> (i64, i64) {
     let bits = x.abs().to_bits();
     let fraction = (bits & ((1 << 52) - 1)).cast_signed();
     let (mantissa, exponent) = match bits >> 52 {

@@ -10,13 +10,16 @@ mod double_double;
 mod error_free;
 mod exact;
 mod failure_map;
+mod fixed_width;
 mod method;
 mod methods;
 mod plain;
 mod precision;
 mod refined;
 mod regimes;
+mod rescaled;
 mod scenes;
+mod sharper;
 mod single;
 
 pub use case::Case;

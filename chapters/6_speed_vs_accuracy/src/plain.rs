@@ -229,13 +229,13 @@ fn nearest_of(
 /// The exponent of the power of two not above `x` > 0, kept within ±1000 so
 /// that [`two_to`] has it with either sign.
 #[inline]
-fn exponent(x: f64) -> i32 {
+pub(crate) fn exponent(x: f64) -> i32 {
     let field = (x.to_bits() >> 52) as i32;
     (field - 1023).clamp(-1000, 1000)
 }
 
 /// 2 to the power `exponent`, from −1022 to 1023.
 #[inline]
-fn two_to(exponent: i32) -> f64 {
+pub(crate) fn two_to(exponent: i32) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
 }

@@ -24,24 +24,48 @@ pub(crate) fn refined(
     divisor: impl Fn(f64) -> f64,
 ) -> f64 {
     let shifter = shifter(m);
-    let on_grid = |v: DVec4| (v + shifter) - shifter;
 
     // The point t·d: 26 digits times 26 digits, and the rest.
     let t = upper_digits(t);
     let d = ray.direction.extend(0.0);
     let d_high = ray.direction.map(upper_digits).extend(0.0);
     let point = t * d_high;
-    let point_high = on_grid(point);
+    let point_high = on_grid(point, shifter);
     let point_low = (point - point_high) + t * (d - d_high);
 
-    let (oc, oc_error) = difference(center.extend(radius), ray.origin.extend(0.0));
-    let oc_high = on_grid(oc);
-    let oc_low = (oc - oc_high) + oc_error;
-
-    let (high, low) = (point_high - oc_high, point_low - oc_low);
-    let squares = |v: DVec4| (v.x + v.z) + (v.y - v.w);
-    let residual = squares(high * high) + squares((high + high + low) * low);
+    let (oc_high, oc_low) = oc(center, radius, ray.origin, shifter);
+    let residual = square(point_high - oc_high, point_low - oc_low);
     t - residual / divisor(t)
+}
+
+/// c = |C − Q|² − r², off by no more than u·(|c| + 2⁻²⁰·M) (bound S).
+///
+/// It is F(0), and found as F is in [`refined`].
+#[inline(always)]
+pub(crate) fn c(center: Point3, radius: f64, origin: Point3, m: f64) -> f64 {
+    let (high, low) = oc(center, radius, origin, shifter(m));
+    square(high, low)
+}
+
+/// C − Q with r as its fourth coordinate: the part on the grid, and the rest.
+#[inline(always)]
+fn oc(center: Point3, radius: f64, origin: Point3, shifter: f64) -> (DVec4, DVec4) {
+    let (oc, error) = difference(center.extend(radius), origin.extend(0.0));
+    let high = on_grid(oc, shifter);
+    (high, (oc - high) + error)
+}
+
+/// (high + low)², of which the last coordinate is subtracted.
+#[inline(always)]
+fn square(high: DVec4, low: DVec4) -> f64 {
+    let sum = |v: DVec4| (v.x + v.z) + (v.y - v.w);
+    sum(high * high) + sum((high + high + low) * low)
+}
+
+/// The multiple of the grid nearest to each coordinate.
+#[inline(always)]
+fn on_grid(v: DVec4, shifter: f64) -> DVec4 {
+    (v + shifter) - shifter
 }
 
 /// 1.5 · 2⁵² times the grid, which is 2⁻²⁵ of the power of two next below √m: a

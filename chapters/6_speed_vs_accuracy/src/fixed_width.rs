@@ -1,0 +1,173 @@
+//! Multi-word integers of fixed width: coefficients without a rounding error, on
+//! the stack.
+//!
+//! An `f64` is an integer times a power of two. If the lengths of a question are
+//! within a factor of 2⁶⁷ of each other, they fit into 120 binary digits over a
+//! common power; then a, h and c fit into 256, and D into 512. It is nearly always
+//! so, and takes a tenth of the time of integers of any length. Only then is
+//! anything rounded, to twice the digits of an `f64`, and the roots are found with
+//! these. Nothing is left that could cancel.
+
+use std::array;
+
+use common::rtweekend::*;
+use ruint::Uint;
+
+use crate::certified::{U, Unclear, lies_between};
+use crate::double_double::{Double, Quadratic};
+use crate::exact::{inwards, split};
+use crate::plain::two_to;
+
+/// Bound W: a root as a pair is off by no more than 64u² of itself.
+const BAND: f64 = 64.0 * U * U;
+
+/// The nearest root in the range, decided exactly and rounded once.
+///
+/// Error: half an ulp and bound W, before a root that rounds to an end gives way
+/// inwards as in [`exact`](crate::exact()). Unclear if lengths or directions do
+/// not fit, if they are of sizes 2⁷⁰⁰ apart, or if a root is so close to an end
+/// that twice the digits do not tell them apart.
+pub(crate) fn fixed_width(
+    center: Point3,
+    radius: f64,
+    ray: &Ray,
+    t_min: f64,
+    t_max: f64,
+) -> Result<Option<f64>, Unclear> {
+    let (lengths, unit_of_length) = integers(coordinates(center, radius, ray.origin))?;
+    let (d, unit_of_direction) = integers(ray.direction.to_array())?;
+    // Neither the root nor its lower half leaves the range of an `f64` then.
+    let unit = unit_of_length - unit_of_direction;
+    if unit.abs() > 700 {
+        return Err(Unclear);
+    }
+    let Some(quadratic) = quadratic(lengths, d) else {
+        return Ok(None);
+    };
+    for (numerator, denominator) in quadratic.roots().into_iter().flatten() {
+        let root = (numerator / denominator).times_power_of_two(two_to(unit as i32));
+        let gaps = [root.minus(t_min), -root.minus(t_max)];
+        if lies_between(gaps, 1.0, BAND * root.high.abs())? {
+            return Ok(inwards(root.high, t_min, t_max));
+        }
+    }
+    Ok(None)
+}
+
+/// a·t² − 2h·t + c = 0 and its D, each rounded once; `None` if it has no roots.
+#[inline(always)]
+fn quadratic([cx, cy, cz, qx, qy, qz, r]: [i128; 7], d: [i128; 3]) -> Option<Quadratic> {
+    let oc = [cx - qx, cy - qy, cz - qz];
+    let a = sum(d.map(square));
+    let h = sum(array::from_fn(|k| product(d[k], oc[k])));
+    let c = sum(oc.map(square)).wrapping_sub(square(r));
+    if a.is_zero() {
+        return None;
+    }
+    let (h_squared, ac) = (twice_as_wide(h, h), twice_as_wide(a, c));
+    let discriminant = if is_negative(c) {
+        h_squared.wrapping_add(ac)
+    } else {
+        h_squared.checked_sub(ac)?
+    };
+    Some(Quadratic {
+        a: pair(a),
+        h: signed_pair(h),
+        c: signed_pair(c),
+        discriminant: pair(discriminant),
+    })
+}
+
+/// An integer from −2²⁵⁵ on, in two's complement.
+type Integer = Uint<256, 4>;
+
+fn coordinates(center: Point3, radius: f64, origin: Point3) -> [f64; 7] {
+    let ([cx, cy, cz], [qx, qy, qz]) = (center.to_array(), origin.to_array());
+    [cx, cy, cz, qx, qy, qz, radius]
+}
+
+/// The values as integers of 120 digits at most, counted in one power of two, and
+/// its exponent.
+#[inline(always)]
+fn integers<const N: usize>(values: [f64; N]) -> Result<([i128; N], i64), Unclear> {
+    /// A number has 53 digits, and may be shifted by so many.
+    const MOST: i64 = 120 - 53;
+    /// What an infinity or NaN seems to have.
+    const NOT_FINITE: i64 = 972;
+    let parts = values.map(split);
+    // A zero has the least exponent, and none that counts.
+    let counted =
+        parts.map(|(mantissa, exponent)| if mantissa == 0 { NOT_FINITE } else { exponent });
+    let least = counted.into_iter().fold(NOT_FINITE, i64::min);
+    let most = parts.iter().fold(least, |most, part| most.max(part.1));
+    if most - least > MOST || most >= NOT_FINITE {
+        return Err(Unclear);
+    }
+    let shifted = array::from_fn(|k| i128::from(parts[k].0) << (parts[k].1.max(least) - least));
+    Ok((shifted, least))
+}
+
+#[inline(always)]
+fn sum([x, y, z]: [Integer; 3]) -> Integer {
+    x.wrapping_add(y).wrapping_add(z)
+}
+
+#[inline(always)]
+fn square(x: i128) -> Integer {
+    let x = Uint::<128, 2>::from(x.unsigned_abs());
+    x.widening_mul(x)
+}
+
+#[inline(always)]
+fn product(x: i128, y: i128) -> Integer {
+    let [size_of_x, size_of_y] = [x, y].map(|x| Uint::<128, 2>::from(x.unsigned_abs()));
+    let size: Integer = size_of_x.widening_mul(size_of_y);
+    if (x < 0) == (y < 0) {
+        size
+    } else {
+        size.wrapping_neg()
+    }
+}
+
+/// |x| · |y|
+#[inline(always)]
+fn twice_as_wide(x: Integer, y: Integer) -> Uint<512, 8> {
+    magnitude(x).widening_mul(magnitude(y))
+}
+
+#[inline(always)]
+fn is_negative(x: Integer) -> bool {
+    x.bit(255)
+}
+
+#[inline(always)]
+fn magnitude(x: Integer) -> Integer {
+    if is_negative(x) { x.wrapping_neg() } else { x }
+}
+
+#[inline(always)]
+fn signed_pair(x: Integer) -> Double {
+    let magnitude = pair(magnitude(x));
+    if is_negative(x) {
+        -magnitude
+    } else {
+        magnitude
+    }
+}
+
+/// A natural number as a pair, off by less than 2u² of it: its first 106 digits.
+#[inline(always)]
+fn pair<const BITS: usize, const LIMBS: usize>(x: Uint<BITS, LIMBS>) -> Double {
+    let limbs = x.as_limbs();
+    let top = limbs.iter().rposition(|&limb| limb != 0).unwrap_or(0);
+    let [high, middle, low] = array::from_fn(|k| top.checked_sub(k).map_or(0, |k| limbs[k]));
+    let zeros = high.leading_zeros();
+    let upper = u128::from(high) << 64 | u128::from(middle);
+    let digits = upper << zeros | u128::from(low) << zeros >> 64;
+    let unit = 64 * top as i32 - 42 - zeros as i32;
+    let (first, second) = (digits >> 75, digits >> 22 & ((1 << 53) - 1));
+    Double::sum(
+        first as u64 as f64 * two_to(unit + 53),
+        second as u64 as f64 * two_to(unit),
+    )
+}
