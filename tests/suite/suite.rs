@@ -47,6 +47,7 @@ mod typed;
 #[cfg(unix)]
 mod watch;
 mod weave;
+mod witnesses;
 
 /// The answers to the exercises of the book, which shows them.
 mod exercises {

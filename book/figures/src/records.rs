@@ -85,6 +85,30 @@ impl Record for Worst {
     const FILE: &str = "measured/worst.snap.csv";
 }
 
+/// How close a case comes to a bound of chapter 6: its witness.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Tightness {
+    /// The letter of the proof, and which side of it.
+    pub bound: String,
+    /// `u`, if the three that follow count u = 2⁻⁵³, or `log2` if they are exponents of
+    /// two.
+    pub unit: String,
+    /// What the code has.
+    pub constant: f64,
+    /// The least for which there is a proof.
+    pub proved: f64,
+    /// Below this, the witness is answered wrongly.
+    pub attained: f64,
+    /// The same with all its digits, and without a unit.
+    pub exactly: f64,
+    /// Center, radius, origin and direction, with all their digits.
+    pub witness: String,
+}
+
+impl Record for Tightness {
+    const FILE: &str = "measured/tightness.csv";
+}
+
 /// How exact a method is at one level of a regime.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Level {

@@ -2,9 +2,11 @@
 //! wrong, and how long everything takes.
 
 pub mod accuracy;
+pub mod climb;
 pub mod machine;
 pub mod population;
 pub mod rival;
 pub mod scenes;
 pub mod spread;
+pub mod tightness;
 pub mod worst;

@@ -23,18 +23,21 @@ use crate::sharper::sharper;
 /// The largest relative error of one operation.
 pub(crate) const U: f64 = f64::EPSILON / 2.0;
 
+/// Bound E: a and M are from 2⁻⁴⁵⁰ to 2⁴⁵⁰.
+pub const E_EXPONENT: u64 = 450;
+
 /// Bound C: |ĉ − c| ≤ 8u·M.
-const C_BAND: f64 = 8.0 * U;
+pub const C_BAND: f64 = 8.0 * U;
 
 /// Bound D: |D̂ − D| ≤ 24u·a·M.
-const D_BAND: f64 = 24.0 * U;
+pub const D_BAND: f64 = 24.0 * U;
 
 /// Bound T: |t̂ − t|·√D̂ ≤ 64u·M where D̂ > 48u·a·M.
-const T_BAND: f64 = 64.0 * U;
+pub const T_BAND: f64 = 64.0 * U;
 
 /// Bound R: where D̂ > 2⁻¹⁶·a·M and |t̂|·√D̂ > 2⁻¹⁵·M, the refined t is less than
 /// 0.8 ulp off.
-const R_BANDS: [f64; 2] = [1.0 / 65_536.0, 1.0 / 32_768.0];
+pub const R_BANDS: [f64; 2] = [1.0 / 65_536.0, 1.0 / 32_768.0];
 
 /// Whether the ray hits within the range is right for every input, and so is the
 /// choice between the two roots.
@@ -200,9 +203,9 @@ pub(crate) fn has_ordinary_exponents(center: Point3, radius: f64, ray: &Ray) -> 
 /// Whether `x` is from 2⁻⁴⁵⁰ to 2⁴⁵⁰. If a and M are, nothing overflows on the
 /// way, and what underflow takes away is far below every bound here (bound E).
 #[inline(always)]
-pub(crate) fn is_ordinary(x: f64) -> bool {
-    const LEAST: u64 = (1023 - 450) << 52;
-    const SPAN: u64 = 900 << 52;
+fn is_ordinary(x: f64) -> bool {
+    const LEAST: u64 = (1023 - E_EXPONENT) << 52;
+    const SPAN: u64 = (2 * E_EXPONENT) << 52;
     // One comparison for both ends and NaN: neither x nor its bits are negative.
     x.to_bits().wrapping_sub(LEAST) < SPAN
 }

@@ -23,6 +23,7 @@ mod sharper;
 mod single;
 
 pub use case::Case;
+pub use certified::{C_BAND, D_BAND, E_EXPONENT, R_BANDS, T_BAND};
 pub use certified::{Stage, certified_hit, certified_t, stage_of_hit, stage_of_t};
 pub use double_double::double_double;
 pub use exact::exact;
@@ -33,6 +34,7 @@ pub use plain::{
     adaptive_q, cross_q, full_b, haines, haines_q, half_b, half_b_q, kahan_q, scaled_q,
 };
 pub use precision::Precision;
+pub use refined::refined;
 pub use regimes::{REGIMES, Random, Regime, find_regime};
 pub use scenes::{SCENES, Scene};
 pub use single::{SingleRay, cross_q_f32, half_b_f32, half_b_q_f32, widened_half_b_q_f32};

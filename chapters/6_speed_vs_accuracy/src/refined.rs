@@ -15,7 +15,7 @@ use glam::DVec4;
 /// are so small that their rounding does not matter. The radius rides along as a
 /// fourth coordinate, whose square is subtracted.
 #[inline(always)]
-pub(crate) fn refined(
+pub fn refined(
     center: Point3,
     radius: f64,
     ray: &Ray,
