@@ -57,6 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut rows = Vec::new();
     for bound in &BOUNDS {
         let found = closest(bound, &known, effort).ok_or("a search without a witness")?;
+        let share = found.attained / bound.proved;
         let row = bound.row(&found);
         let Tightness {
             bound,
@@ -66,7 +67,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             attained,
             ..
         } = &row;
-        println!("{bound:8} {unit:4} code {constant:7} proved {proved:7} attained {attained:7.2}");
+        println!(
+            "{bound:10} {unit:4} code {constant:4} proved {proved:5} attained {attained:7.2}, {share:.2} of the proof"
+        );
         println!("{}\n", found.asked);
         rows.push(row);
     }

@@ -91,7 +91,7 @@ fn changed(case: &Case, random: &mut Random) -> Case {
             1 => -numbers[which],
             2 => numbers[other],
             3 => numbers[which] * f64::exp2(random.between(-3.0, 3.0).round()),
-            4 => short(numbers[which], random),
+            4 => shortened(numbers[which], random),
             _ => numbers[which] * (1.0 + random.sign() * f64::exp2(-random.between(0.0, 53.0))),
         };
     }
@@ -99,9 +99,7 @@ fn changed(case: &Case, random: &mut Random) -> Case {
 }
 
 /// `x` with the lower of its digits cut off: what is short does not round.
-fn short(x: f64, random: &mut Random) -> f64 {
-    {
-        let cut = random.below(53);
-        f64::from_bits(x.to_bits() >> cut << cut)
-    }
+fn shortened(x: f64, random: &mut Random) -> f64 {
+    let cut = random.below(53);
+    f64::from_bits(x.to_bits() >> cut << cut)
 }

@@ -273,6 +273,7 @@ fn an_ulp_off(case: &Case, which: usize) -> Option<Attempt> {
     } = case;
     let t = refined(*center, *radius, ray, rounded.m, t, divisor);
     // Half an ulp is for the last rounding: only what is above it grows with the error.
+    // It must be as much again; what it lacks is at least 0.1, so that 0 means a witness.
     let ulps = exact.nearer_root()?.error_in_ulps(t);
     let share = 2.0 * (ulps - 0.5);
     (share > 0.0).then(|| Attempt {
@@ -287,7 +288,8 @@ fn underflow(case: &Case) -> Option<Attempt> {
     let rounded = Rounded::of_any_size(case);
     let exact = Exact::of(case);
     let off = -rounded.discriminant / rounded.am;
-    let too_little = (D_BAND / off - 0.9).abs();
+    // At least 0.1, so that 0 means a witness.
+    let too_little = (D_BAND / off - 1.0).max(0.0) + 0.1;
     let is_out = rounded.discriminant < -D_BAND * rounded.am;
     (off > 0.0).then(|| Attempt {
         asked: anywhere_on(*case),
