@@ -56,8 +56,11 @@ mod a_part_of_the_questions_asked_again {
             let row = format!("{}/{}/{}", old.regime, old.precision.name(), old.method);
             assert_same_answers(&row, [old.answers, new.answers]);
             assert_eq!((&old.regime, &old.method), (&new.regime, &new.method));
-            assert_near(&row, [old.median_ulps, new.median_ulps]);
-            assert_near(&row, [old.surface_median_radii, new.surface_median_radii]);
+            // What misses nearly all that it should hit leaves no median of a part.
+            if old.wrong_per_million < 4e5 {
+                assert_near(&row, [old.median_ulps, new.median_ulps]);
+                assert_near(&row, [old.surface_median_radii, new.surface_median_radii]);
+            }
             // A part has no error that all have not. What is written has three digits.
             let [all, part] = [old.largest_ulps, new.largest_ulps];
             assert!(
@@ -379,7 +382,7 @@ mod the_words {
             let is_safe = method.any_exponent;
             let wrong = of("exponents", method.name).wrong_per_million;
             assert!(
-                if is_safe { wrong == 0.0 } else { wrong > 9e4 },
+                if is_safe { wrong == 0.0 } else { wrong > 3e4 },
                 "{}",
                 method.name
             );

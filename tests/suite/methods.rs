@@ -10,16 +10,17 @@ use std::thread;
 
 use common::rtweekend::*;
 use laws::intervals;
-use laws::nearer_root::{BAND, root_bound};
+use laws::nearer_root::{BAND, NEARER_ROOT, root_bound};
 use laws::oracle::Exact;
 use laws::runner::{self, holds, samples};
 use laws::shrinker::Simplify;
 use laws::strategies;
 use laws::verdict::Verdict;
 use laws::{Case, WithInterval};
+use proptest::strategy::Strategy;
 use speed_vs_accuracy::{
     Discriminant, METHODS, Method, Precision, Solve, Stage, certified_hit, certified_t, exact,
-    full_b, half_b, stage_of_hit, stage_of_t,
+    full_b, half_b, herbie, interval_q, stage_of_hit, stage_of_t,
 };
 
 use crate::stability::share;
@@ -50,10 +51,15 @@ mod every_method {
         }
     }
 
-    /// On the whole line, the nearest root is the nearer one.
+    /// On the whole line, the nearest root is the nearer one. Two are known to break a
+    /// law each; theirs is told below.
     #[test]
     fn obeys_the_laws_of_a_nearer_root() {
+        let lawless = [Method::HERBIE.name, Method::INTERVAL_Q.name];
         for (name, solve) in in_double_precision() {
+            if lawless.contains(&name) {
+                continue;
+            }
             println!("{name}");
             runner::nearer_root(&|center, radius, ray: &Ray| {
                 solve(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY)
@@ -213,6 +219,146 @@ mod the_exact_method {
         assert_eq!(one_over(1.0, 0.0, 2.0), Some(1.0));
         assert_eq!(one_over(1.0, 1.0, 2.0), None);
         assert_eq!(one_over(1.0, 0.0, 1.0), None);
+    }
+}
+
+/// What Boost.Math does, step by step, with the fused operation that it has.
+mod the_quadratic_roots_of_boost {
+    use super::*;
+
+    /// Either discriminant is off by 2 ulps at most: they have one sign, and differ by
+    /// 8u. So their roots differ by 4u and one rounding each, and so do the sums and the
+    /// quotients: 4u + 3 · 2u is 5ε.
+    #[test]
+    fn decide_as_kahan_q_does_and_hardly_ever_have_another_last_bit() {
+        let strategies = [
+            strategies::anywhere().boxed(),
+            strategies::book_rays().boxed(),
+            strategies::far(7.0..=7.0).boxed(),
+            strategies::grazing(14.0..=14.0).boxed(),
+            strategies::leaving_the_surface(3.0..=3.0).boxed(),
+        ];
+        let (mut hits, mut other_bits) = (0, 0);
+        for case in strategies.iter().flat_map(|cases| samples(cases, CASES)) {
+            let expected = in_front(&case, &Method::KAHAN_Q);
+            let found = quadratic_roots(&case).into_iter().find(|t| 0.0 < *t);
+            assert_eq!(found.is_some(), expected.is_some(), "{case}");
+            if let (Some(found), Some(expected)) = (found, expected) {
+                let off = (found - expected).abs();
+                assert!(off <= 5.0 * f64::EPSILON * expected, "{off} of {case}");
+                hits += 1;
+                other_bits += u32::from(found != expected);
+            }
+        }
+        let share = f64::from(other_bits) / f64::from(hits);
+        assert_between(0.005, share, 0.05, Method::KAHAN_Q);
+    }
+
+    /// Both roots, the lesser one first; NaN where there is none.
+    fn quadratic_roots(case: &Case) -> [f64; 2] {
+        let oc = case.center - case.ray.origin;
+        let a = case.a();
+        let b = -2.0 * case.ray.direction.dot(oc);
+        let c = oc.length_squared() - case.radius * case.radius;
+        if b == 0.0 {
+            let root = (-c / a).sqrt();
+            return [-root, root];
+        }
+        let product = 4.0 * a * c;
+        let lost = (-c).mul_add(4.0 * a, product);
+        let discriminant = b.mul_add(b, -product) + lost;
+        let q = -(b + discriminant.sqrt().copysign(b)) / 2.0;
+        let (one, other) = (q / a, c / q);
+        if one < other {
+            [one, other]
+        } else {
+            [other, one]
+        }
+    }
+}
+
+mod the_rewrite_by_herbie {
+    use super::*;
+
+    #[test]
+    fn obeys_the_laws_where_b_is_not_huge() {
+        obeys_the_laws(&Method::HERBIE, |case| case.a() * case.m() < 1e250);
+    }
+
+    /// The ball of chapter 3 straight ahead: the roots are ½ and 1½, and −b/a + c/b
+    /// takes the second for 2h/a − c/2h, which is 1⅝.
+    #[test]
+    fn leaves_the_discriminant_out_where_b_is_huge() {
+        for (length, farther) in [(1e126, 1.5), (1e127, 1.625)] {
+            let ray = Ray::new(Point3::ZERO, Vec3::new(0.0, 0.0, -length));
+            for (t_min, root) in [(0.0, 0.5), (1.0, farther)] {
+                let center = Point3::new(0.0, 0.0, -1.0);
+                let t = herbie(center, 0.5, &ray, t_min / length, f64::INFINITY);
+                let found = t.expect("it hits") * length;
+                assert!((found - root).abs() < 1e-15, "{found} at {length}");
+            }
+        }
+    }
+}
+
+mod the_interval_method {
+    use super::*;
+
+    #[test]
+    fn hits_nothing_that_is_a_miss() {
+        let asked = strategies::with_hostile_interval(strategies::hostile());
+        for asked in samples(&asked, 20_000) {
+            let exact = Exact::of(&asked.case);
+            if asked.solve(&interval_q).is_some() {
+                let root = exact.nearest_root_in(asked.t_min, asked.t_max);
+                assert!(root.is_some(), "{asked}");
+            }
+        }
+    }
+
+    #[test]
+    fn obeys_the_laws_where_rounding_cannot_decide() {
+        obeys_the_laws(&Method::INTERVAL_Q, |case| {
+            Exact::of(case).discriminant_margin().abs() > 2.0 * BAND
+        });
+    }
+
+    #[test]
+    fn misses_every_tangent() {
+        for case in samples(&strategies::tangents(), CASES) {
+            assert_eq!(in_front(&case, &Method::INTERVAL_Q), None, "{case}");
+        }
+    }
+
+    #[test]
+    fn misses_ten_times_as_often_at_ten_times_the_distance() {
+        let wrong = |k: f64| {
+            let far = samples(&strategies::far(k..=k), CASES);
+            wrong(Method::INTERVAL_Q, &far)
+        };
+        assert_eq!(wrong(9.0), 0.0);
+        assert_between(0.004, wrong(13.0), 0.015, Method::INTERVAL_Q);
+        assert_between(0.04, wrong(14.0), 0.15, Method::INTERVAL_Q);
+        assert_between(0.7, wrong(15.0), 0.95, Method::INTERVAL_Q);
+    }
+
+    /// From the outside, but only just: the nearer root may be 0, and 0 is no hit.
+    #[test]
+    fn takes_the_farther_root_where_the_nearer_one_is_in_doubt() {
+        let outside = 1.0_f64.next_up();
+        let ray = Ray::new(Point3::new(0.0, 0.0, outside), Vec3::NEG_Z);
+        let found = interval_q(Point3::ZERO, 1.0, &ray, 0.0, f64::INFINITY);
+        assert!(found.is_some_and(|t| (t - 2.0).abs() < 1e-14), "{found:?}");
+        let exact = exact(Point3::ZERO, 1.0, &ray, 0.0, f64::INFINITY);
+        assert_eq!(exact, Some(f64::EPSILON));
+    }
+
+    /// Where rounding decides on which side of the surface a ray starts.
+    #[test]
+    fn misses_half_of_the_rays_that_leave_a_surface() {
+        let cases = samples(&strategies::leaving_the_surface(3.0..=3.0), CASES);
+        let wrong = wrong(Method::INTERVAL_Q, &cases);
+        assert_between(0.4, wrong, 0.6, Method::INTERVAL_Q);
     }
 }
 
@@ -589,6 +735,24 @@ mod surprises {
 }
 
 const CASES: u32 = 4000;
+
+/// Every law for a nearer root, on those cases that count.
+fn obeys_the_laws(method: &Method, counts: impl Fn(&Case) -> bool) {
+    let solve = |center, radius, ray: &Ray| {
+        let case = Case {
+            center,
+            radius,
+            ray: *ray,
+        };
+        case.put_to(method, f64::NEG_INFINITY, f64::INFINITY)
+    };
+    let cases = samples(&strategies::anywhere(), CASES);
+    for case in cases.iter().filter(|case| counts(case)) {
+        for law in NEARER_ROOT {
+            law(&solve, case).unwrap_or_else(|broken| panic!("{broken}\n\n{case}"));
+        }
+    }
+}
 
 type RangeFn = fn(Point3, f64, &Ray, f64, f64) -> Option<f64>;
 

@@ -11,6 +11,7 @@ mod error_free;
 mod exact;
 mod failure_map;
 mod fixed_width;
+mod interval;
 mod method;
 mod methods;
 mod plain;
@@ -28,10 +29,11 @@ pub use certified::{Stage, certified_hit, certified_t, stage_of_hit, stage_of_t}
 pub use double_double::double_double;
 pub use exact::exact;
 pub use failure_map::{FailureMap, failure_map};
+pub use interval::interval_q;
 pub use method::{Discriminant, Method, Solve};
 pub use methods::{METHODS, find};
 pub use plain::{
-    adaptive_q, cross_q, full_b, haines, haines_q, half_b, half_b_q, kahan_q, scaled_q,
+    adaptive_q, cross_q, full_b, haines, haines_q, half_b, half_b_q, herbie, kahan_q, scaled_q,
 };
 pub use precision::Precision;
 pub use refined::refined;

@@ -49,6 +49,9 @@ pub enum Discriminant {
     /// As a·(r² − l²), with l the distance of the line from the center: that
     /// cancels near a tangent only.
     Distance,
+    /// As a·(r² − l²) between two bounds. A hit is certain, and what may be a miss
+    /// is one.
+    Enclosed,
     /// With as many digits as it takes for a sign that is certain.
     Certain,
 }

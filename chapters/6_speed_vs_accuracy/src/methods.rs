@@ -2,7 +2,7 @@
 
 use crate::method::{Discriminant, Method};
 use crate::precision::Precision;
-use crate::{certified, double_double, exact, plain, single};
+use crate::{certified, double_double, exact, interval, plain, single};
 
 /// All methods, those in `f64` first.
 pub const METHODS: &[Method] = &[
@@ -15,6 +15,8 @@ pub const METHODS: &[Method] = &[
     Method::CROSS_Q,
     Method::ADAPTIVE_Q,
     Method::SCALED_Q,
+    Method::HERBIE,
+    Method::INTERVAL_Q,
     Method::CERTIFIED_HIT,
     Method::CERTIFIED_T,
     Method::DOUBLE_DOUBLE,
@@ -82,6 +84,15 @@ impl Method {
     pub const SCALED_Q: Self = Self {
         any_exponent: true,
         ..Self::double("scaled_q", plain::scaled_q)
+    };
+
+    /// What a program found that rewrites formulas.
+    pub const HERBIE: Self = Self::double("herbie", plain::herbie);
+
+    /// Bounds for each number; a hit only where they leave no doubt.
+    pub const INTERVAL_Q: Self = Self {
+        discriminant: Discriminant::Enclosed,
+        ..Self::double("interval_q", interval::interval_q)
     };
 
     /// The decision is certain, the digits of t are those of `half_b_q`.
