@@ -395,6 +395,7 @@ mod the_words {
             "certified_t",
             "exact",
             "widened_half_b_q_f32",
+            "certified_f32",
         ];
         assert_eq!(names, right);
     }

@@ -153,6 +153,40 @@ mod every_single_precision_method {
         }
     }
 
+    /// Every number is rounded to `f32` first, and the ends of the range too.
+    #[test]
+    fn is_never_wrong_if_it_is_certified() {
+        let asked = strategies::with_hostile_interval(strategies::hostile());
+        let mut hits = 0;
+        for WithInterval { case, t_min, t_max } in samples(&asked, 4 * CASES) {
+            let case = case.rounded(Precision::Single);
+            let Some(exact) = Exact::of_finite(&case) else {
+                continue;
+            };
+            let [t_min, t_max] = [t_min, t_max].map(|end| end as f32);
+            let found = case.put_to(&Method::CERTIFIED_F32, t_min.into(), t_max.into());
+            let root = exact
+                .nearest_root_in(t_min.into(), t_max.into())
+                .filter(|_| t_min.next_up() < t_max);
+            assert_eq!(
+                found.is_some(),
+                root.is_some(),
+                "{t_min:?} {t_max:?} {case}"
+            );
+            let (Some(t), Some(root)) = (found, root) else {
+                continue;
+            };
+            hits += 1;
+            let (t, right) = (t as f32, root.rounded() as f32);
+            let inside = right.max(t_min.next_up()).min(t_max.next_down());
+            assert!(
+                [inside.next_down(), inside, inside.next_up()].contains(&t),
+                "{t:?}, not {right:?} on {case}"
+            );
+        }
+        assert!(hits > CASES / 2, "{hits} hits");
+    }
+
     /// 2²⁹: an ulp of an `f32` in ulps of an `f64`.
     const SINGLE: f64 = 536_870_912.0;
 }

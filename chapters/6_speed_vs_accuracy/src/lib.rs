@@ -39,7 +39,9 @@ pub use precision::Precision;
 pub use refined::refined;
 pub use regimes::{REGIMES, Random, Regime, find_regime};
 pub use scenes::{SCENES, Scene};
-pub use single::{SingleRay, cross_q_f32, half_b_f32, half_b_q_f32, widened_half_b_q_f32};
+pub use single::{
+    SingleRay, certified_f32, cross_q_f32, half_b_f32, half_b_q_f32, widened_half_b_q_f32,
+};
 
 use common::rtweekend::Picture;
 

@@ -25,6 +25,7 @@ pub const METHODS: &[Method] = &[
     Method::HALF_B_Q_F32,
     Method::CROSS_Q_F32,
     Method::WIDENED_HALF_B_Q_F32,
+    Method::CERTIFIED_F32,
 ];
 
 /// The method of that name.
@@ -146,5 +147,15 @@ impl Method {
         any_exponent: true,
         digits: Precision::Double.digits(),
         ..Self::single("widened_half_b_q_f32", single::widened_half_b_q_f32)
+    };
+
+    /// Input in `f32`; the decision is certain, and so is the last digit of t.
+    pub const CERTIFIED_F32: Self = Self {
+        discriminant: Discriminant::Certain,
+        c_cancels: false,
+        any_exponent: true,
+        digits: Precision::Double.digits(),
+        is_certified: true,
+        ..Self::single("certified_f32", single::certified_f32)
     };
 }

@@ -104,7 +104,7 @@ macro_rules! loops {
 loops! {
     in f64: full_b half_b half_b_q haines haines_q kahan_q cross_q adaptive_q scaled_q herbie interval_q
         certified_hit certified_t double_double exact;
-    in f32: half_b_f32 half_b_q_f32 cross_q_f32 widened_half_b_q_f32;
+    in f32: half_b_f32 half_b_q_f32 cross_q_f32 widened_half_b_q_f32 certified_f32;
 }
 
 fn double(
