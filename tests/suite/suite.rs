@@ -30,6 +30,7 @@ mod left_out;
 mod lesson;
 mod measured;
 mod methods;
+mod nearest;
 mod oracle;
 mod pictures;
 mod proofs;

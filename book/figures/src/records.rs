@@ -192,13 +192,15 @@ pub struct Timing {
     /// | `batch` | a method | the same by the loop over arrays that the compiler vectorizes |
     /// | `limit` | `one_by_one`, `packed` | one √ and one ÷ that wait for nothing but the divider |
     /// | `growth` | `boxed_list`, `vec`, `batch`, `bvh` | the nearest hit of one ray among `n` spheres |
+    /// | `nearest` | `half_b`, `certified_nearest` | which of `n` spheres is first, by a loop over the method and for certain |
     pub what: String,
     /// A method, or a way to keep spheres.
     pub name: String,
     /// What numbers it computes with.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
-    /// A regime, or `all_hits`: the rays of `book` that hit.
+    /// A regime, or `all_hits`: the rays of `book` that hit. For `nearest` also
+    /// `many`: 64 spheres at random.
     #[serde(rename = "where")]
     pub place: String,
     /// How many at a time: rays, or spheres.

@@ -22,11 +22,23 @@ use dashu_int::{IBig, UBig};
 /// is infinite or NaN, or if the direction is zero, it is a miss.
 pub fn exact(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     let quadratic = Quadratic::new(center, radius, ray)?;
-    let root = [Root::Nearer, Root::Farther].into_iter().find(|&root| {
-        quadratic.compare(root, t_min) == Some(Ordering::Greater)
-            && quadratic.compare(root, t_max) == Some(Ordering::Less)
-    })?;
+    let root = quadratic.nearest_root_in(t_min, t_max)?;
     inwards(quadratic.rounded(root), t_min, t_max)
+}
+
+/// Whether the nearest root in the range on the first of two spheres is less than
+/// that on the second. Not if they are equal, or one of them has none.
+///
+/// Cost: about twice that of [`exact`]. Rounds: nothing.
+pub(crate) fn comes_before(spheres: [(Point3, f64); 2], ray: &Ray, t_min: f64, t_max: f64) -> bool {
+    let [Some((first, root)), Some((second, of_second))] = spheres.map(|(center, radius)| {
+        let quadratic = Quadratic::new(center, radius, ray)?;
+        let root = quadratic.nearest_root_in(t_min, t_max)?;
+        Some((quadratic, root))
+    }) else {
+        return false;
+    };
+    first.compare_roots(root, &second, of_second) == Ordering::Less
 }
 
 /// `t`, or the next number inwards if it is not between the ends; `None` if
@@ -75,6 +87,43 @@ impl Quadratic {
             discriminant,
             unit: unit_of_length - unit_of_direction,
         })
+    }
+
+    /// The nearer root if it lies between the ends, else the farther one if that
+    /// does.
+    fn nearest_root_in(&self, t_min: f64, t_max: f64) -> Option<Root> {
+        [Root::Nearer, Root::Farther].into_iter().find(|&root| {
+            self.compare(root, t_min) == Some(Ordering::Greater)
+                && self.compare(root, t_max) == Some(Ordering::Less)
+        })
+    }
+
+    /// This root against a root of another sphere on the same ray.
+    ///
+    /// Both are h ± √D over one a, so it is the sign of h₁ − h₂ ± √D₁ against
+    /// ±√D₂ that counts. To square keeps an order if signs are kept: each number
+    /// x is here replaced by x·|x|, its signed square, until no √ is left.
+    fn compare_roots(&self, root: Root, other: &Self, of_other: Root) -> Ordering {
+        let unit = self.unit.min(other.unit);
+        let [(h, sqrtd), (of_other, other_sqrtd)] =
+            [(self, root), (other, of_other)].map(|(of, root)| of.parts(root, unit));
+        let gap = signed_square(&(h - of_other));
+        let sign = (&gap + &sqrtd).signum();
+        let rest = &sign * ((&gap).abs() + (&sqrtd).abs()) - other_sqrtd;
+        let left: IBig = signed_square(&rest) + 4 * sign * gap * sqrtd;
+        left.cmp(&IBig::ZERO)
+    }
+
+    /// h and the signed square of ±√D, of which this root is the sum over a, both
+    /// counted in a finer unit of `t`.
+    fn parts(&self, root: Root, unit: i64) -> (IBig, IBig) {
+        let finer = distance(self.unit, unit);
+        let square = IBig::from(&self.discriminant << (2 * finer));
+        let signed = match root {
+            Root::Nearer => -square,
+            Root::Farther => square,
+        };
+        (&self.h << finer, signed)
     }
 
     /// The root against `x`, which may be infinite; `None` if it is NaN.
@@ -208,6 +257,11 @@ pub(crate) fn split(x: f64) -> (i64, i64) {
         field => (fraction + (1 << 52), field.cast_signed() - 1075),
     };
     (if x < 0.0 { -mantissa } else { mantissa }, exponent)
+}
+
+/// x·|x|: the square, with the sign of `x`.
+fn signed_square(x: &IBig) -> IBig {
+    x * x.abs()
 }
 
 fn distance(upper: i64, lower: i64) -> usize {

@@ -14,6 +14,7 @@ mod fixed_width;
 mod interval;
 mod method;
 mod methods;
+mod nearest;
 mod plain;
 mod precision;
 mod refined;
@@ -32,6 +33,7 @@ pub use failure_map::{FailureMap, failure_map};
 pub use interval::interval_q;
 pub use method::{Discriminant, Method, Solve};
 pub use methods::{METHODS, find};
+pub use nearest::certified_nearest;
 pub use plain::{
     adaptive_q, cross_q, full_b, haines, haines_q, half_b, half_b_q, herbie, kahan_q, scaled_q,
 };

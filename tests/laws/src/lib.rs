@@ -10,6 +10,7 @@ pub mod causes;
 pub mod intervals;
 pub mod list;
 pub mod nearer_root;
+pub mod neighbors;
 pub mod oracle;
 pub mod ray_and_camera;
 pub mod record;

@@ -39,7 +39,8 @@ pub struct Exact {
 ///
 /// `t` counts lengths of the ray's direction. A root compares with any `f64`,
 /// exactly: `root > 0.0` asks where the root is, not what it rounds to.
-/// Compared with NaN, nothing is true.
+/// Compared with NaN, nothing is true. It also compares, as exactly, with a root
+/// of another sphere on the same ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Root<'a> {
     of: &'a Exact,
@@ -253,6 +254,53 @@ impl PartialOrd<f64> for Root<'_> {
             compare_sqrt(&square, &side)
         })
     }
+}
+
+impl PartialEq<Root<'_>> for Root<'_> {
+    fn eq(&self, other: &Root<'_>) -> bool {
+        self.partial_cmp(other) == Some(Ordering::Equal)
+    }
+}
+
+impl PartialOrd<Root<'_>> for Root<'_> {
+    /// The root against one on another sphere; always `Some`.
+    ///
+    /// # Panics
+    /// If the two are not on the same ray.
+    fn partial_cmp(&self, other: &Root<'_>) -> Option<Ordering> {
+        let (one, another) = (self.of, other.of);
+        assert_eq!(one.a, another.a, "only roots on one ray compare");
+        let common = one.exponent.min(another.exponent);
+        let [(h, square), (other_h, other_square)] = [one, another].map(|exact| {
+            let finer = exact.exponent.abs_diff(common);
+            (&exact.h << finer, &exact.discriminant << (2 * finer))
+        });
+        let x = h - other_h;
+        let squares = square.bit_len().max(other_square.bit_len());
+        let digits = enough_digits(x.bit_len().max(squares / 2 + 1));
+        let sqrt = |square: &IBig, nearer| {
+            let floor = IBig::from((square.unsigned_abs() << (2 * digits)).sqrt_rem().0);
+            if nearer { -floor } else { floor }
+        };
+        let difference =
+            (x << digits) + sqrt(&square, self.nearer) - sqrt(&other_square, other.nearer);
+        Some(if difference.bit_len() < 2 {
+            Ordering::Equal
+        } else {
+            difference.cmp(&IBig::ZERO)
+        })
+    }
+}
+
+/// To how many binary digits behind the point v = x ± √A ± √B must be known, to
+/// tell it from 0 with an error of less than 2 in the last place. Each of the three
+/// integers x, √A and √B is below 2^`length`.
+///
+/// The four numbers that the signs make have an integer as their product. If that
+/// is not 0, v is at least 1 over the other three, each below 2^(`length` + 2). If
+/// it is 0 and v is not, another one is: then v is twice x, √A or √B, so 2 or more.
+fn enough_digits(length: usize) -> usize {
+    3 * (length + 2) + 2
 }
 
 /// √`square` against `x`.

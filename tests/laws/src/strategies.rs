@@ -351,7 +351,7 @@ impl End {
 }
 
 /// `x`, and then so many steps up or down to the next number.
-fn ulps_away(x: f64, ulps: i32) -> f64 {
+pub(crate) fn ulps_away(x: f64, ulps: i32) -> f64 {
     let step = if ulps > 0 {
         f64::next_up
     } else {
@@ -376,7 +376,7 @@ pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value 
 }
 
 /// A vector of whole numbers from −`most` to `most`.
-fn whole_vector(most: i32) -> impl Strategy<Value = Vec3> {
+pub(crate) fn whole_vector(most: i32) -> impl Strategy<Value = Vec3> {
     let number = move || -most..=most;
     (number(), number(), number())
         .prop_map(|(x, y, z)| Vec3::new(f64::from(x), f64::from(y), f64::from(z)))
@@ -389,7 +389,7 @@ fn ordinary_sphere() -> impl Strategy<Value = (Point3, f64)> {
 }
 
 /// A unit vector in any direction.
-fn unit() -> impl Strategy<Value = Vec3> {
+pub(crate) fn unit() -> impl Strategy<Value = Vec3> {
     (-1.0..=1.0, 0.0..2.0).prop_map(|(z, turn): (f64, f64)| {
         let (sin, cos) = (turn * PI).sin_cos();
         let ring = (1.0 - z * z).sqrt();

@@ -95,7 +95,7 @@ fn group(count: usize) -> Result<Group, Box<dyn Error>> {
 }
 
 /// Spheres at random in a cube, so large that most rays hit one.
-fn spheres(count: usize) -> Vec<(Point3, f64)> {
+pub(crate) fn spheres(count: usize) -> Vec<(Point3, f64)> {
     let mut random = Random::new(1);
     let side = (1..).find(|side| side * side * side >= count).unwrap_or(1) as f64;
     (0..count)
@@ -108,7 +108,7 @@ fn spheres(count: usize) -> Vec<(Point3, f64)> {
 }
 
 /// Rays of the book’s camera, fewer where each takes longer.
-fn rays(count: usize) -> Vec<Ray> {
+pub(crate) fn rays(count: usize) -> Vec<Ray> {
     let camera = Camera::with_size(64, 64);
     let mut random = Random::new(2);
     let mut pixel = || 16 + random.below(32);

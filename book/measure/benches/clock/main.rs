@@ -5,6 +5,7 @@ mod about;
 mod contest;
 mod growth;
 mod many;
+mod nearest;
 mod one_by_one;
 
 use std::error::Error;
@@ -40,6 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let effort = Effort::new(arguments.quick);
     let mut groups: Vec<Group> = one_by_one::groups();
     groups.push(many::group());
+    groups.extend(nearest::groups());
     groups.extend(growth::groups(arguments.quick)?);
     let timings = Table::<Timing> {
         about: about::about(&effort),

@@ -1,0 +1,236 @@
+//! The law for what finds the first of several spheres exactly, and strategies for
+//! spheres that touch, meet or nearly are one.
+
+use common::rtweekend::*;
+use proptest::collection::vec;
+use proptest::prelude::*;
+use proptest::sample::select;
+use speed_vs_accuracy::Case;
+
+use crate::intervals::WithInterval;
+use crate::list::World;
+use crate::oracle::{Exact, Root};
+use crate::strategies::{self, ulps_away, unit, whole_vector};
+use crate::verdict::{Broken, Verdict};
+
+/// Finds the sphere that is hit first, by its index, and where.
+pub type Nearest<'a> = dyn Fn(&World) -> Option<(usize, f64)> + 'a;
+
+/// For every finite input, the sphere with the least root in the range is found,
+/// the first of the list where roots are equal, and `t` is within an ulp of it. A
+/// root that no `f64` reaches becomes the largest one.
+pub fn the_first_sphere_is_exactly_right(nearest: &Nearest, world: &World) -> Verdict {
+    let exacts: Vec<Option<Exact>> = cases(world).map(|case| Exact::of_finite(&case)).collect();
+    let expected = first_root(&exacts, world);
+    let found = nearest(world);
+    let is_right = match (found, expected) {
+        (None, None) => true,
+        (Some((index, t)), Some((first, root))) => {
+            let is_near = root.error_in_ulps(t) <= 1.0
+                || (root.rounded().is_infinite() && t.abs() == f64::MAX);
+            index == first && is_near && world.t_min < t && t < world.t_max
+        }
+        _ => false,
+    };
+    if is_right {
+        return Ok(());
+    }
+    Err(Broken {
+        law: "the sphere that is hit first is found, and t is its root to an ulp",
+        found: format!("{found:?}"),
+        allowed: match expected {
+            Some((first, root)) => format!("sphere {first}, at {:?}", root.rounded()),
+            None => "a miss".to_owned(),
+        },
+        usually: "two roots were compared after they were rounded",
+        page: "the proofs of chapter 6",
+    })
+}
+
+fn cases(world: &World) -> impl Iterator<Item = Case> {
+    world.spheres.iter().map(|&(center, radius)| Case {
+        center,
+        radius,
+        ray: world.ray,
+    })
+}
+
+fn first_root<'a>(exacts: &'a [Option<Exact>], world: &World) -> Option<(usize, Root<'a>)> {
+    // Between two neighbors there is no number to return.
+    if world.t_min.next_up() >= world.t_max {
+        return None;
+    }
+    let roots = exacts.iter().enumerate().filter_map(|(index, exact)| {
+        let root = exact.as_ref()?.nearest_root_in(world.t_min, world.t_max)?;
+        Some((index, root))
+    });
+    roots.reduce(|first, other| if other.1 < first.1 { other } else { first })
+}
+
+/// Any of the worlds below.
+pub fn hostile() -> impl Strategy<Value = World> {
+    prop_oneof![
+        2 => beside_one(),
+        1 => through_one_point(),
+        1 => mirrored(),
+        1 => in_another_unit(prop_oneof![through_one_point(), mirrored()]),
+    ]
+}
+
+/// A hostile case with its interval, and one to five neighbors of its sphere, in
+/// any order.
+pub fn beside_one() -> impl Strategy<Value = World> {
+    let asked = strategies::with_hostile_interval(strategies::hostile());
+    (asked, vec(neighbor(), 1..=5), 0..=5_usize).prop_map(|(asked, neighbors, place)| {
+        let WithInterval { case, t_min, t_max } = asked;
+        let mut spheres: Vec<(Point3, f64)> = neighbors
+            .into_iter()
+            .map(|neighbor| neighbor.of(&case))
+            .collect();
+        spheres.insert(place.min(spheres.len()), (case.center, case.radius));
+        World {
+            spheres,
+            ray: case.ray,
+            t_min,
+            t_max,
+        }
+    })
+}
+
+/// What stands beside a sphere. Sizes count in its radius.
+#[derive(Clone, Copy, Debug)]
+enum Neighbor {
+    /// The same, or almost: so many ulps off in center and radius.
+    Twin([i32; 4]),
+    /// With the same center.
+    Nested(f64),
+    /// With one point in common up to rounding: outside, or inside if negative.
+    Touching(Vec3, f64),
+    /// Through the point that the ray hits, up to rounding.
+    ThroughTheHit(Vec3, f64),
+    /// Anywhere.
+    Stranger(Point3, f64),
+}
+
+fn neighbor() -> impl Strategy<Value = Neighbor> {
+    let size = || prop_oneof![-1.0..3.0, Just(1.0), Just(-0.5)];
+    prop_oneof![
+        [ulps(), ulps(), ulps(), ulps()].prop_map(Neighbor::Twin),
+        size().prop_map(Neighbor::Nested),
+        (unit(), size()).prop_map(|(way, size)| Neighbor::Touching(way, size)),
+        (unit(), size()).prop_map(|(way, size)| Neighbor::ThroughTheHit(way, size)),
+        strategies::hostile().prop_map(|case| Neighbor::Stranger(case.center, case.radius)),
+    ]
+}
+
+impl Neighbor {
+    fn of(self, case: &Case) -> (Point3, f64) {
+        let Case { center, radius, .. } = *case;
+        match self {
+            Self::Twin([x, y, z, r]) => {
+                let [cx, cy, cz] = center.to_array();
+                let moved = [(cx, x), (cy, y), (cz, z)].map(|(x, ulps)| ulps_away(x, ulps));
+                (Point3::from(moved), ulps_away(radius, r))
+            }
+            Self::Nested(size) => (center, size * radius),
+            Self::Touching(way, size) => (center + (1.0 + size) * radius * way, size * radius),
+            Self::ThroughTheHit(way, size) => {
+                let exact = Exact::of(case);
+                let root = exact.nearest_root_in(0.0, f64::INFINITY);
+                let point = case.ray.at(root.map_or(1.0, |root| root.rounded()));
+                (point + size * radius * way, size * radius)
+            }
+            Self::Stranger(center, radius) => (center, radius),
+        }
+    }
+}
+
+/// Spheres of whole numbers through one point of the ray, which some of them enter
+/// there, some leave and some touch: their roots there are equal.
+pub fn through_one_point() -> impl Strategy<Value = World> {
+    // Three sides of a box, and its diagonal.
+    let boxes = vec![
+        [0.0, 0.0, 1.0, 1.0],
+        [0.0, 3.0, 4.0, 5.0],
+        [1.0, 2.0, 2.0, 3.0],
+        [2.0, 3.0, 6.0, 7.0],
+        [1.0, 4.0, 8.0, 9.0],
+        [4.0, 4.0, 7.0, 9.0],
+    ];
+    let sphere = (select(boxes), any::<[bool; 3]>(), 0..3_usize, 1..=9, ulps()).prop_map(
+        |([x, y, z, diagonal], signs, turn, size, ulps)| {
+            let mut away = reflected([x, y, z], signs);
+            away.rotate_left(turn);
+            let size = f64::from(size);
+            (size * Vec3::from(away), ulps_away(size * diagonal, ulps))
+        },
+    );
+    // One end in two lies at that root, or an ulp from it.
+    let end = || prop_oneof![Just(None), ulps().prop_map(Some)];
+    let ray = (whole_vector(99), whole_vector(9), 1..=9);
+    (vec(sphere, 2..=6), ray, end(), end()).prop_map(
+        |(mut spheres, (origin, direction, t), low, high)| {
+            // A direction of zero points nowhere: let it point ahead.
+            let direction = Some(direction).filter(|&d| d != Vec3::ZERO);
+            let (direction, t) = (direction.unwrap_or(Vec3::NEG_Z), f64::from(t));
+            for (center, _) in &mut spheres {
+                *center += origin + t * direction;
+            }
+            World {
+                spheres,
+                ray: Ray::new(origin, direction),
+                t_min: low.map_or(0.0, |ulps| ulps_away(t, ulps)),
+                t_max: high.map_or(f64::INFINITY, |ulps| ulps_away(t, ulps)),
+            }
+        },
+    )
+}
+
+/// Mirror images of one sphere in planes through the ray: their roots are equal, and
+/// most of them are irrational.
+pub fn mirrored() -> impl Strategy<Value = World> {
+    let image = (any::<[bool; 3]>(), ulps());
+    (whole_vector(9), 1..=9, 1..=9, vec(image, 2..=6)).prop_map(
+        |(center, radius, speed, images)| {
+            let image = |([swapped, left, down], ulps): ([bool; 3], i32)| {
+                let [x, y, z] = center.to_array();
+                let [x, y] = if swapped { [y, x] } else { [x, y] };
+                let center = reflected([x, y, z], [left, down, false]);
+                (Point3::from(center), ulps_away(f64::from(radius), ulps))
+            };
+            World {
+                spheres: images.into_iter().map(image).collect(),
+                ray: Ray::new(10.0 * Vec3::Z, f64::from(speed) * Vec3::NEG_Z),
+                t_min: 0.0,
+                t_max: f64::INFINITY,
+            }
+        },
+    )
+}
+
+/// Lengths, and apart from them the direction, times a power of two from 2⁻⁵⁰⁰ to
+/// 2⁵⁰⁰: the digits stay what they are.
+fn in_another_unit(worlds: impl Strategy<Value = World>) -> impl Strategy<Value = World> {
+    (worlds, -500..=500, -500..=500).prop_map(|(world, length, direction)| {
+        let [length, direction] = [length, direction].map(|k| f64::exp2(f64::from(k)));
+        let sphere = |(center, radius): (Point3, f64)| (length * center, length * radius);
+        World {
+            spheres: world.spheres.into_iter().map(sphere).collect(),
+            ray: Ray::new(length * world.ray.origin, direction * world.ray.direction),
+            t_min: world.t_min * length / direction,
+            t_max: world.t_max * length / direction,
+        }
+    })
+}
+
+/// Most often none, or one or two up or down.
+fn ulps() -> impl Strategy<Value = i32> {
+    prop_oneof![3 => Just(0), 1 => -2..=2]
+}
+
+fn reflected(mut numbers: [f64; 3], signs: [bool; 3]) -> [f64; 3] {
+    for (number, negative) in numbers.iter_mut().zip(signs) {
+        *number *= if negative { -1.0 } else { 1.0 };
+    }
+    numbers
+}

@@ -1,0 +1,115 @@
+//! Which of several spheres is hit first: `certified_nearest` against the oracle, and
+//! the loop of chapter 5, which no method for one sphere makes right.
+
+use std::env;
+use std::thread;
+
+use common::rtweekend::*;
+use laws::list::World;
+use laws::neighbors;
+use laws::runner;
+use speed_vs_accuracy::{certified_nearest, certified_t, exact};
+
+/// A short part of the campaign that the book describes: `NEAREST_CASES` says how
+/// many worlds, shared by all processors, and `NEAREST_SEED` which.
+#[test]
+fn the_first_of_several_spheres_is_found_for_every_input() {
+    let cases = from_environment("NEAREST_CASES").unwrap_or(20_000);
+    let seed = from_environment("NEAREST_SEED").unwrap_or(1);
+    let threads = thread::available_parallelism().map_or(1, usize::from) as u64;
+    let counts: Vec<_> = thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads)
+            .map(|k| scope.spawn(move || campaign(cases / threads, &format!("{seed}/{k}"))))
+            .collect();
+        workers
+            .into_iter()
+            .map(|worker| worker.join().expect("the law is not broken"))
+            .collect()
+    });
+    let total: [u64; 3] = std::array::from_fn(|k| counts.iter().map(|counts| counts[k]).sum());
+    println!("hits, ties, worlds in which a loop errs that asks certified_t: {total:?}");
+    // What never occurs is never tried.
+    assert!(total.iter().all(|&count| count > cases / 100), "{total:?}");
+}
+
+/// Tries so many worlds, and returns how many were hit, how often the first two roots
+/// were equal, and how often the plain loop chose another sphere.
+fn campaign(cases: u64, seed: &str) -> [u64; 3] {
+    let mut counts = [0; 3];
+    for world in runner::endless(neighbors::hostile(), seed).take(cases as usize) {
+        if let Err(broken) = neighbors::the_first_sphere_is_exactly_right(&nearest, &world) {
+            panic!("{broken}\n\n{world:?}");
+        }
+        let first = nearest(&world).map(|(index, _)| index);
+        counts[0] += u64::from(first.is_some());
+        counts[1] += u64::from(first != last_of_the_first(&world));
+        counts[2] += u64::from(first != by_the_loop(&world, certified_t));
+    }
+    counts
+}
+
+/// The last of the spheres with the least root: the first one of the list turned round.
+fn last_of_the_first(world: &World) -> Option<usize> {
+    let mut turned = world.clone();
+    turned.spheres.reverse();
+    nearest(&turned).map(|(index, _)| world.spheres.len() - 1 - index)
+}
+
+fn nearest(world: &World) -> Option<(usize, f64)> {
+    let World {
+        spheres,
+        ray,
+        t_min,
+        t_max,
+    } = world;
+    certified_nearest(spheres, ray, *t_min, *t_max)
+}
+
+/// The loop of chapter 5 over the answers of `solve`.
+fn by_the_loop(
+    world: &World,
+    solve: fn(Point3, f64, &Ray, f64, f64) -> Option<f64>,
+) -> Option<usize> {
+    let mut nearest = None;
+    let mut closest_so_far = world.t_max;
+    for (index, &(center, radius)) in world.spheres.iter().enumerate() {
+        if let Some(t) = solve(center, radius, &world.ray, world.t_min, closest_so_far) {
+            closest_so_far = t;
+            nearest = Some(index);
+        }
+    }
+    nearest
+}
+
+/// Both roots are near 1/3, below which there is an `f64` that is nearer to it than any
+/// other. The second root lies between the two.
+#[test]
+fn a_loop_over_exact_roots_still_errs_because_they_are_rounded() {
+    let world = World {
+        spheres: vec![(2.0 * Vec3::X, 1.0), (1.125 * Vec3::X, 0.125_f64.next_up())],
+        ray: Ray::new(Point3::ZERO, 3.0 * Vec3::X),
+        t_min: 0.0,
+        t_max: f64::INFINITY,
+    };
+    assert_eq!(by_the_loop(&world, exact), Some(0));
+    assert_eq!(nearest(&world), Some((1, 1.0 / 3.0)));
+}
+
+#[test]
+fn the_first_of_equal_spheres_counts_and_what_is_no_number_is_missed() {
+    let sphere = (Point3::new(0.0, 0.0, -1.0), 0.5);
+    let lost = (Point3::new(0.0, 0.0, f64::NAN), 0.5);
+    let endless = (sphere.0, f64::INFINITY);
+    let ray = Ray::new(Point3::ZERO, Vec3::NEG_Z);
+    let first = |spheres: &[_], t_max| certified_nearest(spheres, &ray, 0.0, t_max);
+    let hollow = (sphere.0, -0.5);
+    assert_eq!(first(&[sphere, sphere, hollow], 1.0), Some((0, 0.5)));
+    assert_eq!(first(&[lost, endless, hollow, sphere], 1.0), Some((2, 0.5)));
+    assert_eq!(first(&[sphere], f64::NAN), None);
+    assert_eq!(first(&[sphere], 0.5), None, "the end is left out");
+    assert_eq!(first(&[], 1.0), None);
+}
+
+fn from_environment(name: &str) -> Option<u64> {
+    env::var(name).ok().and_then(|number| number.parse().ok())
+}
