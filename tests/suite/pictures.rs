@@ -44,6 +44,13 @@ mod the_snapshot_is_drawn_by_a_method {
         assert_failure(Scene::SHADOWS, Method::HALF_B_F32);
     }
 
+    #[test]
+    fn neighbors() {
+        assert_failure(Scene::NEIGHBORS, Method::HALF_B);
+        let best = Scene::NEIGHBORS.picture(Method::EXACT, WIDTH);
+        assert_picture("neighbors_exact", &best);
+    }
+
     fn assert_failure(scene: Scene, method: Method) {
         let wrong = scene.picture(method, WIDTH);
         let right = scene.right_picture(method.precision(), WIDTH);

@@ -1,9 +1,10 @@
-//! Six scenes, from the book's own to the hardest, as each method sees them.
+//! Seven scenes, from the book's own to the hardest, as each method sees them.
 
 use common::rtweekend::*;
 
 use crate::case::Case;
 use crate::method::Method;
+use crate::nearest::certified_nearest;
 use crate::precision::Precision;
 
 /// Some spheres, and a camera that looks at them along the negative z axis.
@@ -23,13 +24,14 @@ pub struct Scene {
 }
 
 /// All scenes, the book’s first.
-pub const SCENES: [Scene; 6] = [
+pub const SCENES: [Scene; 7] = [
     Scene::BOOK,
     Scene::TELESCOPE,
     Scene::PLANET,
     Scene::GRAZING,
     Scene::INSIDE,
     Scene::SHADOWS,
+    Scene::NEIGHBORS,
 ];
 
 /// Shadow rays that hit closer than this are taken to hit where they start, as
@@ -104,20 +106,35 @@ impl Scene {
         ..Self::BOOK
     };
 
-    /// The picture at `width` pixels wide, by `method`.
+    /// The point that three balls share, so near that their surfaces are planes. Two
+    /// of them meet below it, and the third stands above.
+    pub const NEIGHBORS: Self = Self {
+        name: "neighbors",
+        title: "where three balls meet",
+        zoom: [1.0 / 1_125_899_906_842_624.0; 2],
+        spheres: &[
+            (Point3::new(0.0, 4.0, -13.0), 5.0),
+            (Point3::new(-2.0, -1.0, -12.0), 3.0),
+            (Point3::new(2.0, -1.0, -12.0), 3.0),
+        ],
+        ..Self::BOOK
+    };
+
+    /// The picture at `width` pixels wide, by `method`: the loop of chapter 5 asks it
+    /// about one sphere after the other.
     pub fn picture(self, method: Method, width: u32) -> Picture {
-        self.seen_by(Eye::of(method), width)
+        self.seen_by(Eye::Method(method), width)
     }
 
     /// The picture that a method of that precision should draw: all numbers are
-    /// rounded to it, and then nothing is.
+    /// rounded to it, and then nothing is, not even to tell which sphere is first.
     pub fn right_picture(self, precision: Precision, width: u32) -> Picture {
-        self.seen_by(Eye::exact(precision), width)
+        self.seen_by(Eye::Exact(precision), width)
     }
 
     /// Left of the middle as one method sees it, right of it as another does.
     pub fn halves(self, left: Method, right: Method, width: u32) -> Picture {
-        let eyes = [left, right].map(Eye::of);
+        let eyes = [left, right].map(Eye::Method);
         let camera = Camera::new(width);
         Picture::paint(camera.image_width, camera.image_height, move |i, j| {
             self.color(eyes[usize::from(2 * i >= width)], &camera.ray(i, j))
@@ -143,13 +160,13 @@ impl Scene {
         let ray = Ray::new(self.origin, Vec3::new(across * x, up * y, z));
         // Only the rays to the sun are of interest where there is one.
         let first_eye = match self.sun {
-            Some(_) => Eye::exact(eye.precision),
+            Some(_) => Eye::Exact(eye.precision()),
             None => eye,
         };
         let Some((case, t)) = self.nearest(first_eye, &ray, 0.0) else {
             return sky(&Ray::new(self.origin, Vec3::new(x, y, z)));
         };
-        let point = case.point(t, eye.precision);
+        let point = case.point(t, eye.precision());
         let normal = (point - case.center) / case.radius;
         let color = 0.5 * (normal + Vec3::ONE);
         let is_dark = self.sun.is_some_and(|sun| {
@@ -161,41 +178,58 @@ impl Scene {
 
     /// The case of the sphere that is hit first, and where.
     fn nearest(&self, eye: Eye, ray: &Ray, t_min: f64) -> Option<(Case, f64)> {
-        let mut nearest = None;
-        let mut closest_so_far = f64::INFINITY;
-        for &(center, radius) in self.spheres {
-            let case = Case {
-                center,
-                radius,
-                ray: *ray,
-            }
-            .rounded(eye.precision);
-            if let Some(t) = case.put_to(&eye.method, t_min, closest_so_far) {
-                closest_so_far = t;
-                nearest = Some((case, t));
-            }
+        let case = |&(center, radius): &(Point3, f64)| Case {
+            center,
+            radius,
+            ray: *ray,
+        };
+        let cases = self.spheres.iter().map(case);
+        let cases: Vec<Case> = cases.map(|case| case.rounded(eye.precision())).collect();
+        match eye {
+            Eye::Method(method) => closest_so_far(&cases, &method, t_min),
+            Eye::Exact(_) => first(&cases, t_min),
         }
-        nearest
     }
+}
+
+/// The answer of the loop of chapter 5: it goes by what `method` rounds.
+fn closest_so_far(cases: &[Case], method: &Method, t_min: f64) -> Option<(Case, f64)> {
+    let mut nearest = None;
+    let mut closest_so_far = f64::INFINITY;
+    for case in cases {
+        if let Some(t) = case.put_to(method, t_min, closest_so_far) {
+            closest_so_far = t;
+            nearest = Some((*case, t));
+        }
+    }
+    nearest
+}
+
+/// The right answer, for cases of one ray; `t` is rounded once.
+fn first(cases: &[Case], t_min: f64) -> Option<(Case, f64)> {
+    let spheres: Vec<(Point3, f64)> = cases
+        .iter()
+        .map(|case| (case.center, case.radius))
+        .collect();
+    let (index, _) = certified_nearest(&spheres, &cases.first()?.ray, t_min, f64::INFINITY)?;
+    let t = cases[index].put_to(&Method::EXACT, t_min, f64::INFINITY)?;
+    Some((cases[index], t))
 }
 
 /// Who looks.
 #[derive(Clone, Copy, Debug)]
-struct Eye {
-    method: Method,
-    precision: Precision,
+enum Eye {
+    /// One that has a method for one sphere at a time.
+    Method(Method),
+    /// One that rounds the scene to a precision, and is never wrong about it.
+    Exact(Precision),
 }
 
 impl Eye {
-    fn of(method: Method) -> Self {
-        let precision = method.precision();
-        Self { method, precision }
-    }
-
-    fn exact(precision: Precision) -> Self {
-        Self {
-            method: Method::EXACT,
-            precision,
+    fn precision(self) -> Precision {
+        match self {
+            Self::Method(method) => method.precision(),
+            Self::Exact(precision) => precision,
         }
     }
 }
