@@ -35,6 +35,7 @@ mod oracle;
 mod pictures;
 mod proofs;
 mod reading;
+mod shadow;
 mod slips;
 mod speed;
 mod speed_vs_accuracy;

@@ -16,6 +16,7 @@ pub mod ray_and_camera;
 pub mod record;
 pub mod report;
 pub mod runner;
+pub mod shadow;
 pub mod shrinker;
 pub mod strategies;
 pub mod trial;
