@@ -43,6 +43,7 @@ fn gappa_refuses_a_bound_that_is_too_narrow() {
 #[test]
 fn the_sums_on_the_page_of_the_proofs_are_right() {
     let u = f64::EPSILON / 2.0;
+    let single = f64::from(f32::EPSILON) / 2.0;
     let two = f64::exp2;
     let less = [
         // E
@@ -135,6 +136,33 @@ fn the_sums_on_the_page_of_the_proofs_are_right() {
         ("q", 9.0 + 3.0, 12.0),
         ("a root", 2.0 + 12.0 + 20.0, 34.0),
         ("the pair of a root", 700.0 + 245.0 + 106.0, 1074.0),
+        // L, where u is that of f32, and lengths are counted in r or in |C|
+        ("a few uρ", 22.0 * single, 1e-4),
+        ("s", 15.4 + 6.5 + 22e-4, 22.0),
+        ("s, of |C|", 0.9 + 1.0 + 22e-4, 2.0),
+        ("the farthest", 22.0 + 6.5 + 22e-4, 29.0),
+        ("the farthest, of |C|", 2.0 + 1.0 + 22e-4, 3.1),
+        ("|c|/M", 15.3, 15.4 * (1.0 - 15.4 * single)),
+        ("8uM̂", 8.0 * (1.0 + 6.0 * single), 15.3 - 6.0),
+        ("η", 3.0 + 1.0 + 1.0 + 22e-4, 5.1),
+        ("η²", single * (5.1 * 5.1 + 2.0 * 5.1 * 1.1), 0.01),
+        (
+            "η², of |C|",
+            1.1 * 1.1 / 4.0 + single * 2.0 * 5.1 * 1.1,
+            0.31,
+        ),
+        ("2rs", 30.0, 2.0 * 15.4),
+        ("2rs, of |C|", 1.8, 2.0 * 0.9),
+        ("ĥ", 5.1 + 4.0 + 22e-4, 9.2),
+        ("ĥ²", single * (9.2 * 9.2 + 2.0 * 9.2 * 1.2), 0.01),
+        (
+            "ĥ², of |C|",
+            1.2 * 1.2 / 4.0 + single * 2.0 * 9.2 * 1.2,
+            0.37,
+        ),
+        ("a quarter of ac", 0.37, 1.8 / 4.0),
+        ("âĉ", 0.6, 9.3 / 15.3 * (1.0 - 4.0 * single)),
+        ("the root of D̂", 3.0 * 1.01, 9.0),
     ];
     for (what, left, right) in less {
         // The decimals of the page are rounded to binary before they are added.

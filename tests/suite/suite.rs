@@ -26,6 +26,7 @@ mod faults;
 mod figures;
 mod folders;
 mod hit_command;
+mod leaving;
 mod left_out;
 mod lesson;
 mod measured;

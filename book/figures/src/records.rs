@@ -138,6 +138,39 @@ impl Record for Level {
     const FILE: &str = "measured/sweeps.csv";
 }
 
+/// How often a way to leave a surface is wrong about the sun, on a ground of one radius
+/// near a ball that may be in the way.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Shadows {
+    /// The name of the way to leave.
+    pub leaving: String,
+    /// What numbers there are.
+    #[serde(with = "PrecisionName")]
+    pub precision: Precision,
+    /// The k of a radius of 10ᵏ.
+    pub level: i32,
+    /// The method that says what is in the way of a ray that has left.
+    pub tester: String,
+    /// How many questions it was asked.
+    pub questions: usize,
+    /// Of a million answers, those that see a shadow where the sun shines.
+    #[serde(serialize_with = "three_digits")]
+    pub false_shadows_per_million: f64,
+    /// Of a million answers, those that see the sun where something is in its way.
+    #[serde(serialize_with = "three_digits")]
+    pub light_leaks_per_million: f64,
+    /// How far from the hit point the first hit is that counts, in radii of the ground:
+    /// half of the rays pass over no more.
+    #[serde(serialize_with = "three_digits")]
+    pub passed_over_radii: f64,
+    /// A sum of the first few answers, by which a test knows them again.
+    pub answers: u64,
+}
+
+impl Record for Shadows {
+    const FILE: &str = "measured/shadows.csv";
+}
+
 /// How many pixels of a scene a method gets wrong.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct WrongPixels {
@@ -189,6 +222,7 @@ pub struct Timing {
     /// | `what` | `name` | |
     /// |---|---|---|
     /// | `method` | a method | one ray against one sphere, one after the other |
+    /// | `leaving` | a way to leave | where one ray starts that leaves a sphere |
     /// | `batch` | a method | the same by the loop over arrays that the compiler vectorizes |
     /// | `limit` | `one_by_one`, `packed` | one √ and one ÷ that wait for nothing but the divider |
     /// | `growth` | `boxed_list`, `vec`, `batch`, `bvh` | the nearest hit of one ray among `n` spheres |

@@ -1,5 +1,6 @@
 //! What is measured: how exact each method of chapter 6 is, how many pixels it gets
-//! wrong, and how long everything takes.
+//! wrong, how often each way to leave a surface is wrong about the sun, and how long
+//! everything takes.
 
 pub mod accuracy;
 pub mod climb;
@@ -7,6 +8,7 @@ pub mod machine;
 pub mod population;
 pub mod rival;
 pub mod scenes;
+pub mod shadows;
 pub mod spread;
 pub mod tightness;
 pub mod worst;

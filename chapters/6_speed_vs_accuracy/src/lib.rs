@@ -12,6 +12,7 @@ mod exact;
 mod failure_map;
 mod fixed_width;
 mod interval;
+mod leaving;
 mod method;
 mod methods;
 mod nearest;
@@ -31,6 +32,9 @@ pub use double_double::double_double;
 pub use exact::exact;
 pub use failure_map::{FailureMap, failure_map};
 pub use interval::interval_q;
+pub use leaving::{
+    Departure, LEAVINGS, Leaving, after_t_min, at_once, integer_offset, pbrt_offset, proven_offset,
+};
 pub use method::{Discriminant, Method, Solve};
 pub use methods::{METHODS, find};
 pub use nearest::certified_nearest;

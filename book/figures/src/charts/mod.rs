@@ -6,7 +6,9 @@ mod batch;
 mod chart;
 mod failure_map;
 mod growth;
+mod heat;
 mod labels;
+mod leaving;
 mod legend;
 mod methods;
 mod pixels;
@@ -28,6 +30,7 @@ pub const CHARTS: &[Chart] = &[
     sweep::GRAZING,
     failure_map::CHART,
     scenes::CHART,
+    leaving::CHART,
     batch::CHART,
     growth::CHART,
     race::PROGRAMS,

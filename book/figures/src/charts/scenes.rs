@@ -6,8 +6,9 @@ use glam::DVec2;
 use speed_vs_accuracy::Precision;
 
 use super::chart::{Chart, Drawn, Layout};
+use super::heat::cell;
 use crate::records::{Timing, WrongPixels};
-use crate::svg::{Anchor, SMALL, Svg, width};
+use crate::svg::{Anchor, SMALL, width};
 use crate::table::{Record, Table};
 
 /// A heat map.
@@ -86,12 +87,8 @@ fn heat_map(
                 continue;
             };
             let size = DVec2::new(wide - 3.0, high - 3.0);
-            cell(
-                &mut svg,
-                corner,
-                size,
-                shown.wrong as f64 / shown.pixels as f64,
-            );
+            let wrong = shown.wrong as f64 / shown.pixels as f64;
+            cell(&mut svg, corner, size, wrong, &per_thousand(wrong));
             if shown.wrong == 0 && !found.contains(precision) {
                 svg.rect("certain bold", corner, size);
                 found.push(*precision);
@@ -107,26 +104,6 @@ fn heat_map(
         svg.small_label("ink", at, anchor, method);
     }
     svg.finish()
-}
-
-/// A cell: the darker the more pixels are wrong, in six steps.
-fn cell(svg: &mut Svg, corner: DVec2, size: DVec2, wrong: f64) {
-    let depth = match wrong {
-        0.0 => 0,
-        ..1e-4 => 1,
-        ..1e-3 => 2,
-        ..1e-2 => 3,
-        ..1e-1 => 4,
-        _ => 5,
-    };
-    svg.rect(&format!("heat depth-{depth}"), corner, size);
-    let words = match depth {
-        0 => "✓".to_owned(),
-        _ => per_thousand(wrong),
-    };
-    let idea = if depth > 3 { "on-heat" } else { "ink" };
-    let at = corner + DVec2::new(0.5 * size.x, 0.5 * size.y + 4.5);
-    svg.bare_label(idea, at, Anchor::Middle, &words);
 }
 
 fn per_thousand(part: f64) -> String {

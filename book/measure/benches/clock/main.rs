@@ -1,9 +1,10 @@
-//! A benchmark: how long each method of chapter 6 takes, and each way to keep many
-//! spheres.
+//! A benchmark: how long each method of chapter 6 takes, each way to leave a surface, and
+//! each way to keep many spheres.
 
 mod about;
 mod contest;
 mod growth;
+mod leaving;
 mod many;
 mod nearest;
 mod one_by_one;
@@ -40,6 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
     let effort = Effort::new(arguments.quick);
     let mut groups: Vec<Group> = one_by_one::groups();
+    groups.push(leaving::group());
     groups.push(many::group());
     groups.extend(nearest::groups());
     groups.extend(growth::groups(arguments.quick)?);

@@ -13,7 +13,7 @@ use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, SingleRay};
 use crate::contest::{Group, Runner};
 
 /// So many cases fit into the fastest cache.
-const CASES: usize = 256;
+pub(crate) const CASES: usize = 256;
 
 /// All methods, in each regime and where all rays hit.
 pub(crate) fn groups() -> Vec<Group> {
@@ -66,7 +66,8 @@ pub(crate) fn book_rays(precision: Precision, wanted: impl Fn(&Case) -> bool) ->
     (0..CASES).map(|k| all[k * all.len() / CASES]).collect()
 }
 
-const SEED: u64 = 1;
+/// Which cases.
+pub(crate) const SEED: u64 = 1;
 
 fn group(place: &str, cases: impl Fn(Precision) -> Vec<Case>) -> Group {
     let runners = METHODS
