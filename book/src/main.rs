@@ -6,6 +6,7 @@ mod draw;
 mod hit;
 mod mine;
 mod misuse;
+mod needs;
 mod probes;
 mod program;
 mod save;
@@ -49,6 +50,8 @@ enum Command {
     Done(done::Arguments),
     /// Look at one ray and one sphere through every method of chapter 6
     Hit(hit::Arguments),
+    /// Find the least that a scene of your own needs, of all methods of chapter 6
+    Needs(needs::Arguments),
     /// List the small scenes that show what the book's picture can't
     Probes(probes::Arguments),
     /// List the mistakes that are known, or draw one
@@ -68,6 +71,7 @@ fn main() -> ExitCode {
         },
         Some(Command::Done(arguments)) => done::done(&arguments),
         Some(Command::Hit(arguments)) => hit::hit(&arguments),
+        Some(Command::Needs(arguments)) => needs::needs(&arguments),
         Some(Command::Probes(arguments)) => probes::list(&arguments),
         Some(Command::Slips(arguments)) => slips::slips(&arguments),
     };

@@ -7,6 +7,7 @@ use std::io::{self, Write};
 use std::process::{ExitCode, exit};
 
 use clap::Parser;
+use common::engine::folder::FolderError;
 use common::engine::output;
 
 /// What the command line says. Who asks for help is helped, and who can't be
@@ -46,6 +47,14 @@ impl Error for Misuse {}
 /// An error that says why a command line can't be followed.
 pub(crate) fn misuse(what: &str) -> Box<dyn Error> {
     Misuse(what.to_owned()).into()
+}
+
+/// A folder that is not ours to replace is a misuse.
+pub(crate) fn refusal(error: FolderError) -> Box<dyn Error> {
+    match error {
+        FolderError::Refused(why) => misuse(&why),
+        FolderError::Failed(_) => error.into(),
+    }
 }
 
 /// 2 for a misuse, and 1 for what failed on the way.

@@ -757,7 +757,7 @@ pub(crate) fn names_in(folder: &Path) -> Vec<String> {
     names
 }
 
-fn picture_in(file: &Path) -> Picture {
+pub(crate) fn picture_in(file: &Path) -> Picture {
     let bytes = fs::read(file).expect("the file is there");
     reading::read(&bytes).expect("it is a picture").picture()
 }

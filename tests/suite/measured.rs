@@ -237,11 +237,10 @@ mod the_words {
         let sizes = (6..=16).map(|k| 1 << k);
         let shares = sizes.map(|n| of("batch", n) / of("vec", n)).collect();
         let share = Spread::of(shares).median;
-        assert!((0.55..0.65).contains(&share), "{share}");
-        assert!(of("bvh", 2) > of("vec", 2) && of("bvh", 4) < of("vec", 4));
-        assert!(of("bvh", 1) > of("boxed_list", 1));
-        let gain = of("boxed_list", 2) - of("bvh", 2);
-        assert!((7.0..13.0).contains(&gain), "some ten nanoseconds: {gain}");
+        assert!((0.25..0.42).contains(&share), "about a third: {share}");
+        for list in ["vec", "boxed_list"] {
+            assert!(of("bvh", 2) > of(list, 2) && of("bvh", 8) < of(list, 8));
+        }
     }
 
     /// `speed.md`: most of the C++ program's time is printing, and in tracing alone the
@@ -309,7 +308,11 @@ mod the_words {
         assert_eq!(right, 4, "as many of the seven are right without it");
         assert_eq!(plain[..6], q[..6]);
         assert!(plain[6].0 == "neighbors" && plain[6].1 > q[6].1 && q[6].1 > 0);
-        assert_eq!(of("half_b_f32"), of("half_b_q_f32"));
+        // Other last digits of t move the specks of a shadow, and take none away.
+        let in_single = of("half_b_f32").into_iter().zip(of("half_b_q_f32"));
+        for ((scene, without), (_, with)) in in_single {
+            assert!(with >= without, "{scene}: {with} instead of {without}");
+        }
     }
 
     /// Roots that are rounded once are no better there than roots within an ulp.

@@ -7,8 +7,8 @@ use figures::table::Table;
 use laws::oracle::Exact;
 use speed_vs_accuracy::batch::{self, BLOCK, Block};
 use speed_vs_accuracy::{
-    Case, Discriminant, METHODS, Method, Precision, REGIMES, Regime, SCENES, Scene, failure_map,
-    half_b, half_b_f32,
+    Case, Discriminant, Eye, METHODS, Method, Precision, REGIMES, Regime, SCENES, Scene,
+    failure_map, find_scene, half_b, half_b_f32,
 };
 
 mod cases {
@@ -170,11 +170,11 @@ mod a_scene {
 
     #[test]
     fn is_drawn_rightly_by_the_certified_methods_if_no_spheres_meet() {
-        let is_other = |scene: &Scene| scene.name != Scene::NEIGHBORS.name;
-        for scene in SCENES.into_iter().filter(is_other) {
-            let right = scene.right_picture(Precision::Double, 48);
+        let is_other = |scene: &&Scene| scene.name != "neighbors";
+        for scene in SCENES.iter().filter(is_other) {
             for method in METHODS.iter().filter(|method| method.is_certified) {
-                let name = scene.name;
+                let right = scene.right_picture(method.precision(), 48);
+                let name = &scene.name;
                 assert!(scene.picture(*method, 48).rgb() == right.rgb(), "{name}");
             }
         }
@@ -183,7 +183,7 @@ mod a_scene {
     /// The order of two spheres is not in the answers about each, however good.
     #[test]
     fn in_which_spheres_meet_is_drawn_rightly_by_no_method() {
-        let scene = Scene::NEIGHBORS;
+        let scene = find_scene("neighbors").expect("it is one of the seven");
         for method in METHODS {
             let right = scene.right_picture(method.precision(), 128);
             assert_ne!(scene.picture(*method, 128), right, "{}", method.name);
@@ -195,7 +195,9 @@ mod a_scene {
     #[test]
     fn in_which_spheres_meet_has_three_flat_parts_with_straight_seams() {
         let camera = Camera::new(64);
-        let picture = Scene::NEIGHBORS.right_picture(Precision::Double, 64);
+        let picture = find_scene("neighbors")
+            .expect("it is one of the seven")
+            .right_picture(Precision::Double, 64);
         let (pixels, _) = picture.rgb().as_chunks::<3>();
         let mut colors = [None; 3];
         for (k, pixel) in (0..).zip(pixels) {
@@ -209,9 +211,57 @@ mod a_scene {
         assert!(top != left && left != right && right != top, "{colors:?}");
     }
 
+    /// A ball straight ahead, and a smaller one nearer to where the top should be.
+    #[test]
+    fn stands_upright_wherever_the_camera_looks() {
+        for (direction, top) in [
+            ("[0, 0, -1]", "[0, 1, 0]"),
+            ("[3, 0, 0]", "[0, 1, 0]"),
+            ("[0, 0, 1e300]", "[0, 1, 0]"),
+            ("[0, 5e-324, 0]", "[0, 0, -1]"),
+            ("[0, -2, 0]", "[0, 0, -1]"),
+            ("[-1, -1, 0]", "[-1, 1, 0]"),
+        ] {
+            let numbers = |text: &str| -> Vec<f64> {
+                let text = text.trim_matches(['[', ']']);
+                text.split(", ")
+                    .map(|it| it.parse().expect("a number"))
+                    .collect()
+            };
+            let unit = |text: &str| {
+                let v = Vec3::from_slice(&numbers(text));
+                (v / v.abs().max_element()).normalize()
+            };
+            let (ahead, above) = (5.0 * unit(direction), 2.0 * unit(top));
+            let sphere = |center: Vec3, radius: f64| {
+                format!(
+                    "[[sphere]]\ncenter = {:?}\nradius = {radius}\n",
+                    center.to_array()
+                )
+            };
+            let file = format!(
+                "[camera]\ndirection = {direction}\n{}{}",
+                sphere(ahead, 1.0),
+                sphere(ahead + above, 0.5)
+            );
+            let scene = Scene::read("it", &file).expect("it is well-formed");
+            let camera = Camera::new(33);
+            let seen = |i, j| {
+                let sight = scene.look(Eye::Exact(Precision::Double), &camera.ray(i, j));
+                sight.hit.map(|hit| hit.sphere)
+            };
+            assert_eq!(
+                [seen(16, 9), seen(16, 5), seen(16, 13)],
+                [Some(0), Some(1), None]
+            );
+            assert_eq!([seen(10, 9), seen(22, 9)], [None, None], "{direction}");
+        }
+    }
+
     #[test]
     fn of_the_book_is_the_picture_of_chapter_5() {
-        let drawn = Scene::BOOK.picture(Method::HALF_B, 100);
+        let book = find_scene("book").expect("it is one of the seven");
+        let drawn = book.picture(Method::HALF_B, 100);
         assert_eq!(drawn, hittable_list::picture(100));
     }
 }

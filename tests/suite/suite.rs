@@ -32,6 +32,7 @@ mod lesson;
 mod measured;
 mod methods;
 mod nearest;
+mod needs_command;
 mod oracle;
 mod pictures;
 mod proofs;

@@ -28,7 +28,7 @@ pub mod table;
 pub mod unit_sky;
 pub mod viewport_grid;
 
-pub use charts::{CHARTS, Chart, Drawn, find_chart};
+pub use charts::{CHARTS, Chart, Drawn, Point, find_chart, scene_chart};
 pub use figure::Figure;
 pub use style::{CSS, standalone};
 

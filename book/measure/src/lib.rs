@@ -4,6 +4,8 @@
 
 pub mod accuracy;
 pub mod climb;
+pub mod contest;
+pub mod cost;
 pub mod machine;
 pub mod population;
 pub mod rival;

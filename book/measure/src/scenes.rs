@@ -1,11 +1,11 @@
 //! Image comparison: how many pixels each method gets wrong, and what is the least
 //! that a scene needs.
 
-use common::rtweekend::Picture;
+use common::rtweekend::*;
 use figures::records::{Least, Timing, WrongPixels};
 use figures::table::Table;
 use rayon::prelude::*;
-use speed_vs_accuracy::{METHODS, Precision, SCENES, Scene};
+use speed_vs_accuracy::{Eye, METHODS, Method, Precision, SCENES, Scene, Sight};
 
 /// The wrong pixels of all methods in all scenes, in pictures `width` pixels wide.
 pub fn table(width: u32) -> Table<WrongPixels> {
@@ -17,7 +17,7 @@ pub fn table(width: u32) -> Table<WrongPixels> {
 
 /// The cheapest method without a wrong pixel, from what was measured.
 pub fn least(pixels: &Table<WrongPixels>, timings: &Table<Timing>) -> Table<Least> {
-    let row = |(scene, precision): (Scene, Precision)| {
+    let row = |(scene, precision): (&Scene, Precision)| {
         let is_right = |row: &&WrongPixels| {
             row.scene == scene.name && row.precision == precision && row.wrong == 0
         };
@@ -28,7 +28,7 @@ pub fn least(pixels: &Table<WrongPixels>, timings: &Table<Timing>) -> Table<Leas
             .filter_map(|row| timings.find("method", &row.method, "book"))
             .min_by(|one, other| one.median_ns.total_cmp(&other.median_ns));
         Least {
-            scene: scene.name.to_owned(),
+            scene: scene.name.clone(),
             precision,
             method: cheapest.map(|timing| timing.name.clone()),
             book_ns: cheapest.map(|timing| timing.median_ns),
@@ -38,42 +38,139 @@ pub fn least(pixels: &Table<WrongPixels>, timings: &Table<Timing>) -> Table<Leas
     rows.collect::<Vec<_>>().into()
 }
 
-fn both_precisions() -> Vec<(Scene, Precision)> {
+fn both_precisions() -> Vec<(&'static Scene, Precision)> {
     let both = |scene| Precision::ALL.map(|precision| (scene, precision));
-    SCENES.into_iter().flat_map(both).collect()
+    SCENES.iter().flat_map(both).collect()
 }
 
-fn rows(scene: Scene, precision: Precision, width: u32) -> impl Iterator<Item = WrongPixels> {
-    let right = scene.right_picture(precision, width).rgb_with_threads(1);
-    let methods = METHODS.iter();
-    methods
-        .filter(move |method| method.precision() == precision)
-        .map(move |method| {
-            let drawn: Picture = scene.picture(*method, width);
-            let [wrong, off_by_one] = differences(&right, &drawn.rgb_with_threads(1));
-            WrongPixels {
-                scene: scene.name.to_owned(),
-                precision,
-                method: method.name.to_owned(),
-                pixels: right.len() / 3,
-                wrong,
-                off_by_one,
-            }
-        })
+fn rows(scene: &Scene, precision: Precision, width: u32) -> impl Iterator<Item = WrongPixels> {
+    let Drawn { right, by_method } = drawn(scene, precision, width, || ());
+    let pixels = right.rgb().len() / 3;
+    by_method.into_iter().map(move |view| WrongPixels {
+        scene: scene.name.clone(),
+        precision,
+        method: view.method.name.to_owned(),
+        pixels,
+        wrong: view.wrong,
+        off_by_one: view.off_by_one,
+    })
 }
 
-/// How many pixels have a component that is more than a level off, and how many
-/// one that is a level off.
-fn differences(right: &[u8], drawn: &[u8]) -> [usize; 2] {
-    let farthest = |(right, drawn): (&[u8; 3], &[u8; 3])| {
-        let levels = right
-            .iter()
-            .zip(drawn)
-            .map(|(one, other)| one.abs_diff(*other));
-        levels.max().unwrap_or(0)
+/// A scene as it should be in one precision, and as the methods of that precision
+/// see it.
+pub struct Drawn {
+    /// The right picture.
+    pub right: Picture,
+    /// What each method draws, in the order of [`METHODS`].
+    pub by_method: Vec<View>,
+}
+
+/// A scene as one method sees it.
+pub struct View {
+    /// The method.
+    pub method: Method,
+    /// What it draws.
+    pub picture: Picture,
+    /// How many pixels have a component that is more than a level off.
+    pub wrong: usize,
+    /// How many have one that is a level off, and none that is farther off.
+    pub off_by_one: usize,
+    /// The first wrong pixel from the top: column and row.
+    pub first_wrong: Option<[u32; 2]>,
+    /// How many levels a component is off at most.
+    pub levels: u8,
+    /// How far a hit point is from the right one at most, in radii of the sphere on
+    /// which both are. None if it never hits the right sphere.
+    pub radii: Option<f64>,
+}
+
+/// Draws `scene` by all methods of that precision, on all threads. Each `row` is told
+/// when it is done.
+pub fn drawn(scene: &Scene, precision: Precision, width: u32, row: impl Fn() + Sync) -> Drawn {
+    let of_precision = |method: &&Method| method.precision() == precision;
+    let methods: Vec<Method> = METHODS.iter().filter(of_precision).copied().collect();
+    let camera = Camera::new(width);
+    let rows = (0..camera.image_height).into_par_iter().map(|j| {
+        let sights = |eye| -> Vec<Sight> {
+            let columns = 0..camera.image_width;
+            columns
+                .map(|i| scene.look(eye, &camera.ray(i, j)))
+                .collect()
+        };
+        let right = sights(Eye::Exact(precision));
+        let of_method = |method: &Method| {
+            let seen = sights(Eye::Method(*method));
+            (bytes(&seen), farthest(scene, &right, &seen))
+        };
+        let seen: Vec<_> = methods.iter().map(of_method).collect();
+        row();
+        (bytes(&right), seen)
+    });
+    let (right, seen): (Vec<Vec<u8>>, Vec<Vec<_>>) = rows.unzip();
+    let picture = |rgb: Vec<u8>| {
+        Picture::from_rgb(camera.image_width, camera.image_height, rgb).expect("all rows are there")
     };
-    let pixels = right.as_chunks().0.iter().zip(drawn.as_chunks().0);
-    let off: Vec<u8> = pixels.map(farthest).collect();
-    let count = |wanted: fn(&u8) -> bool| off.iter().copied().filter(wanted).count();
-    [count(|&levels| levels > 1), count(|&levels| levels == 1)]
+    let right = picture(right.concat());
+    let views = methods.into_iter().enumerate().map(|(n, method)| {
+        let of_method = seen.iter().map(|row| &row[n]);
+        let (rgb, radii): (Vec<&[u8]>, Vec<Option<f64>>) =
+            of_method.map(|(rgb, radii)| (&rgb[..], *radii)).unzip();
+        let radii = radii.into_iter().flatten().reduce(f64::max);
+        View::new(method, &right, picture(rgb.concat()), radii)
+    });
+    Drawn {
+        by_method: views.collect(),
+        right,
+    }
+}
+
+fn bytes(sights: &[Sight]) -> Vec<u8> {
+    let mut rgb = vec![0; 3 * sights.len()];
+    for (pixel, sight) in rgb.as_chunks_mut().0.iter_mut().zip(sights) {
+        write_color(pixel, sight.color);
+    }
+    rgb
+}
+
+/// The farthest that a hit point is from the right one, where both are on one sphere.
+fn farthest(scene: &Scene, right: &[Sight], seen: &[Sight]) -> Option<f64> {
+    let radii = |(right, seen): (&Sight, &Sight)| {
+        let (right, seen) = right.hit.zip(seen.hit)?;
+        let (_, radius) = scene.spheres[right.sphere];
+        let away = (seen.point - right.point).length() / radius.abs();
+        // A point that is no number is as far away as can be.
+        let away = if away.is_nan() { f64::INFINITY } else { away };
+        (right.sphere == seen.sphere).then_some(away)
+    };
+    right.iter().zip(seen).filter_map(radii).reduce(f64::max)
+}
+
+impl View {
+    fn new(method: Method, right: &Picture, picture: Picture, radii: Option<f64>) -> Self {
+        let off = levels_off(right, &picture);
+        let count = |wanted: fn(&u8) -> bool| off.iter().copied().filter(wanted).count();
+        let first = off.iter().position(|&levels| levels > 1);
+        let width = right.width();
+        Self {
+            method,
+            wrong: count(|&levels| levels > 1),
+            off_by_one: count(|&levels| levels == 1),
+            first_wrong: first.map(|n| [n as u32 % width, n as u32 / width]),
+            levels: off.into_iter().max().unwrap_or(0),
+            radii,
+            picture,
+        }
+    }
+}
+
+/// How many levels each pixel is off, in the component that is farthest off.
+pub fn levels_off(right: &Picture, drawn: &Picture) -> Vec<u8> {
+    let pixels = right.rgb().as_chunks().0.iter();
+    let levels = |(right, drawn): (&[u8; 3], &[u8; 3])| {
+        let both = right.iter().zip(drawn);
+        both.map(|(one, other)| one.abs_diff(*other))
+            .max()
+            .unwrap_or(0)
+    };
+    pixels.zip(drawn.rgb().as_chunks().0).map(levels).collect()
 }

@@ -15,6 +15,8 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use common::rtweekend::*;
 use speed_vs_accuracy::{Case, METHODS, Method, find};
 
+pub(crate) use one::{ORDINARY, under_the_microscope};
+
 use crate::misuse::misuse;
 use number::{bound, finite, vector};
 

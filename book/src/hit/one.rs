@@ -1,7 +1,6 @@
 //! One case, method by method, with the reasons behind an error.
 
 use std::error::Error;
-use std::fmt::Write;
 
 use common::engine::output;
 use common::rtweekend::*;
@@ -15,7 +14,7 @@ use super::strain;
 
 /// An error of this many ulps is what a handful of rounded operations leaves:
 /// it needs no reason.
-const ORDINARY: f64 = 4.0;
+pub(crate) const ORDINARY: f64 = 4.0;
 
 /// Prints the exact answer, and what each method answers instead.
 pub(crate) fn print(
@@ -26,29 +25,29 @@ pub(crate) fn print(
     let mut text = String::new();
     for precision in Precision::ALL {
         let of_precision = |method: &&Method| method.precision() == precision;
-        let methods: Vec<&Method> = methods.iter().filter(of_precision).collect();
-        if !methods.is_empty() {
-            part(&mut text, case, precision, &methods, range)?;
+        let methods: Vec<Method> = methods.iter().filter(of_precision).copied().collect();
+        if methods.is_empty() {
+            continue;
         }
+        if !text.is_empty() {
+            text.push('\n');
+        }
+        text += &under_the_microscope(case, precision, &methods, range);
     }
     Ok(output::to_stdout(|out| out.write_all(text.as_bytes()))?)
 }
 
-/// What the methods of one precision say.
-fn part(
-    text: &mut String,
+/// The exact answer in one precision, and what its `methods` say.
+pub(crate) fn under_the_microscope(
     case: &Case,
     precision: Precision,
-    methods: &[&Method],
+    methods: &[Method],
     range: (f64, f64),
-) -> Result<(), std::fmt::Error> {
+) -> String {
     let rounded = case.rounded(precision);
     let name = precision.name();
-    if !text.is_empty() {
-        text.push('\n');
-    }
     let Some(exact) = Exact::of_finite(&rounded) else {
-        return writeln!(text, "{name} has no such numbers: they overflow.");
+        return format!("{name} has no such numbers: they overflow.\n");
     };
     let range_of_it = match precision {
         Precision::Double => range,
@@ -66,12 +65,12 @@ fn part(
         }
         None => "the ray misses".to_owned(),
     };
-    writeln!(text, "In {name}{changed}, {found}.")?;
+    let mut text = format!("In {name}{changed}, {found}.\n");
     for method in methods {
         let t = case.put_to(method, range.0, range.1);
-        text.push_str(&line(method, case, t, truth));
+        text += &line(method, case, t, truth);
     }
-    Ok(())
+    text
 }
 
 /// Where the ray hits, also where no number says it.

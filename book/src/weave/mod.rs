@@ -25,14 +25,14 @@ use std::path::{Path, PathBuf};
 
 use check::places::shown;
 use clap::Args;
-use common::engine::folder::{self, FolderError, NewFolder};
+use common::engine::folder::{self, NewFolder};
 use common::engine::output;
 use mdbook_driver::MDBook;
 use mdbook_preprocessor::book::{Book, BookItem};
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 
 use crate::draw;
-use crate::misuse::misuse;
+use crate::misuse::{misuse, refusal};
 use maths::Maths;
 use page::Page;
 
@@ -141,13 +141,6 @@ fn refuse_inside(pages: &Path, target: &Path) -> Result<(), Box<dyn Error>> {
 
 fn cannot_weave(error: anyhow::Error) -> Box<dyn Error> {
     format!("the book can't be woven\n{error:#}").into()
-}
-
-fn refusal(error: FolderError) -> Box<dyn Error> {
-    match error {
-        FolderError::Refused(why) => misuse(&why),
-        FolderError::Failed(_) => error.into(),
-    }
 }
 
 /// Resolves what the pages have that mdBook does not know.

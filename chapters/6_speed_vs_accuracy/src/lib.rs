@@ -21,6 +21,7 @@ mod precision;
 mod refined;
 mod regimes;
 mod rescaled;
+mod scene_file;
 mod scenes;
 mod sharper;
 mod single;
@@ -44,7 +45,8 @@ pub use plain::{
 pub use precision::Precision;
 pub use refined::refined;
 pub use regimes::{REGIMES, Random, Regime, find_regime};
-pub use scenes::{SCENES, Scene};
+pub use scene_file::{Mistake, WIDEST};
+pub use scenes::{Eye, Hit, SCENES, Scene, Sight, T_MIN_OF_SHADOWS, find_scene};
 pub use single::{
     SingleRay, certified_f32, cross_q_f32, half_b_f32, half_b_q_f32, widened_half_b_q_f32,
 };
@@ -54,5 +56,6 @@ use common::rtweekend::Picture;
 /// The picture at `width` pixels wide: a star in a telescope, on the left as
 /// chapter 5 sees it, on the right as it is.
 pub fn picture(width: u32) -> Picture {
-    Scene::TELESCOPE.halves(Method::HALF_B, Method::CERTIFIED_T, width)
+    let scene = find_scene("telescope").expect("it is one of the six");
+    scene.halves(Method::HALF_B, Method::CERTIFIED_T, width)
 }

@@ -135,8 +135,11 @@ fn widened(
 ) -> Option<f32> {
     let ray = Ray::new(ray.origin.as_dvec3(), ray.direction.as_dvec3());
     let center: Point3 = center.as_dvec3();
-    let t = solve(center, radius.into(), &ray, t_min.into(), t_max.into())?;
-    let t = (t as f32).max(t_min.next_up()).min(t_max.next_down());
+    let t = solve(center, radius.into(), &ray, t_min.into(), t_max.into())? as f32;
+    if t_min < t && t < t_max {
+        return Some(t);
+    }
+    let t = t.max(t_min.next_up()).min(t_max.next_down());
     (t_min < t && t < t_max).then_some(t)
 }
 

@@ -7,8 +7,9 @@ use super::chart::Layout;
 use super::methods::{cross, mark};
 use crate::svg::{Anchor, SMALL, Svg, width};
 
-/// Explains the marks of methods at the top of a chart. Returns where it ends.
-pub(super) fn methods(svg: &mut Svg, layout: Layout) -> f64 {
+/// Explains the marks of methods at the top of a chart, and what a cross means there.
+/// Returns where it ends.
+pub(super) fn methods(svg: &mut Svg, layout: Layout, wrong: &str) -> f64 {
     let start = layout.choose(12.0, 4.0);
     let mut at = DVec2::new(start, 20.0);
     let marks: [(Mark, &str); 5] = [
@@ -19,7 +20,7 @@ pub(super) fn methods(svg: &mut Svg, layout: Layout) -> f64 {
             "half_b, as in the chapters",
         ),
         (&|svg, at| mark(svg, "certain", Double, at), "certified"),
-        (&|svg, at| cross(svg, at), "confuses some hits and misses"),
+        (&|svg, at| cross(svg, at), wrong),
     ];
     for (draw, words) in marks {
         let size = 20.0 + width(words, SMALL);

@@ -40,15 +40,43 @@ impl Measured {
         digits(self.accuracy.p999_ulps, self.accuracy.precision)
     }
 
+    /// Where it is on a chart.
+    pub(super) fn point(&self) -> Point {
+        Point {
+            method: self.method().to_owned(),
+            precision: self.accuracy.precision,
+            ns: self.time.median_ns,
+            digits: self.digits(),
+            is_wrong: self.accuracy.wrong_per_million > 0.0,
+        }
+    }
+}
+
+/// A method on a chart of speed against accuracy.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// Its name.
+    pub method: String,
+    /// What it computes with.
+    pub precision: Precision,
+    /// How many nanoseconds a test takes.
+    pub ns: f64,
+    /// How many decimal digits are right.
+    pub digits: f64,
+    /// Whether it gets a cross.
+    pub is_wrong: bool,
+}
+
+impl Point {
     /// What color and mark it has.
     pub(super) fn idea(&self) -> &'static str {
-        idea(self.method())
+        idea(&self.method)
     }
 
     /// Draws its mark.
     pub(super) fn mark(&self, svg: &mut Svg, at: DVec2) {
-        mark(svg, self.idea(), self.accuracy.precision, at);
-        if self.accuracy.wrong_per_million > 0.0 {
+        mark(svg, self.idea(), self.precision, at);
+        if self.is_wrong {
             cross(svg, at);
         }
     }

@@ -19,6 +19,8 @@ mod speed_accuracy;
 mod sweep;
 
 pub use chart::{Chart, Drawn};
+pub use methods::Point;
+pub use speed_accuracy::scene_chart;
 
 /// All charts, in reading order.
 pub const CHARTS: &[Chart] = &[

@@ -9,13 +9,18 @@ use super::axes::{Axis, Panel};
 use super::chart::{Chart, Drawn, Layout};
 use super::labels::{Labels, Place};
 use super::legend;
-use super::methods::{Measured, read};
+use super::methods::{Measured, Point, read};
 use crate::number::short;
 use crate::records::{Accuracy, Timing};
 use crate::svg::{Anchor, Svg};
 use crate::table::Record;
 
 const FILES: &[&str] = &[Accuracy::FILE, Timing::FILE];
+
+const DIGITS: &str = "digits of *t* that are right";
+
+/// What a cross means there.
+const CONFUSED: &str = "confuses some hits and misses";
 
 /// The book's own rays.
 pub(super) const BOOK: Chart = Chart {
@@ -31,8 +36,10 @@ pub(super) const BOOK: Chart = Chart {
     draw: |files| {
         let all = read(files[0], files[1])?;
         let shown = of_regime(&all, "book");
+        let points = points(&shown);
         Ok(Drawn::new(table(&shown), |layout| {
-            one_panel(layout, &shown)
+            let svg = BOOK.sheet(layout, layout.choose(500.0, 760.0));
+            one_panel(svg, layout, DIGITS, CONFUSED, &points)
         }))
     },
 };
@@ -78,15 +85,28 @@ struct Situation<'a> {
     shown: Vec<Measured>,
 }
 
-fn one_panel(layout: Layout, shown: &[Measured]) -> String {
-    let mut svg = BOOK.sheet(layout, layout.choose(500.0, 760.0));
-    let top = 50.0 + legend::methods(&mut svg, layout);
+/// A chart of one scene, as a drawing for a wide page: how long a question takes, and
+/// how many digits of the hit point are right where it is worst. A cross means wrong
+/// pixels.
+pub fn scene_chart(name: &str, shown: &[Point]) -> String {
+    let title = format!("Speed against accuracy: {name}");
+    let description = "A point for each method: how long a question takes, from left to right, and \
+        how many digits of the worst hit point are right, upwards. A method with wrong pixels has a \
+        cross. A line joins the methods that no other beats in both.";
+    let size = DVec2::new(Layout::Wide.width(), 500.0);
+    let svg = Svg::of_class("drawing", "scene", &title, description, size);
+    let digits = "digits of the worst hit point that are right";
+    one_panel(svg, Layout::Wide, digits, "has wrong pixels", shown)
+}
+
+fn one_panel(mut svg: Svg, layout: Layout, digits: &str, wrong: &str, shown: &[Point]) -> String {
+    let top = 50.0 + legend::methods(&mut svg, layout, wrong);
     let corner = DVec2::new(layout.choose(40.0, 28.0), top);
     let size = DVec2::new(
         layout.width() - layout.choose(60.0, 46.0),
         layout.choose(380.0, 600.0),
     );
-    Plot::new(corner, size, shown, shown)
+    Plot::new(digits, corner, size, shown, shown)
         .in_detail()
         .draw(&mut svg);
     svg.finish()
@@ -97,16 +117,21 @@ fn many_panels(layout: Layout, situations: &[Situation], all: &[Measured]) -> St
     let columns = layout.choose(2, 1);
     let rows = situations.len().div_ceil(columns);
     let mut svg = REGIMES.sheet(layout, layout.choose(40.0, 80.0) + 290.0 * rows as f64);
-    let top = 80.0 + legend::methods(&mut svg, layout);
+    let top = 80.0 + legend::methods(&mut svg, layout, CONFUSED);
+    let all = points(all);
     for (n, Situation { title, shown }) in situations.iter().enumerate() {
         let place = DVec2::new((n % columns) as f64, (n / columns) as f64);
         let corner = DVec2::new(layout.choose(40.0, 28.0), top) + DVec2::new(360.0, 290.0) * place;
         let above = DVec2::new(corner.x - 24.0, corner.y - 32.0);
         svg.label("ink", above, Anchor::Start, title);
         let size = DVec2::new(layout.choose(300.0, 294.0), 180.0);
-        Plot::new(corner, size, shown, all).draw(&mut svg);
+        Plot::new(DIGITS, corner, size, &points(shown), &all).draw(&mut svg);
     }
     svg.finish()
+}
+
+fn points(shown: &[Measured]) -> Vec<Point> {
+    shown.iter().map(Measured::point).collect()
 }
 
 fn of_regime(all: &[Measured], regime: &str) -> Vec<Measured> {
@@ -119,24 +144,25 @@ fn of_regime(all: &[Measured], regime: &str) -> Vec<Measured> {
 /// A panel, and what is drawn in it.
 struct Plot<'a> {
     panel: Panel,
-    shown: &'a [Measured],
-    front: Vec<&'a Measured>,
+    shown: &'a [Point],
+    front: Vec<&'a Point>,
     /// What is slower than this stands at the right edge.
     slowest: f64,
     name_all: bool,
 }
 
 impl<'a> Plot<'a> {
-    /// The methods `shown` on scales that are wide enough for `all`.
-    fn new(corner: DVec2, size: DVec2, shown: &'a [Measured], all: &[Measured]) -> Self {
+    /// The methods `shown`, by the digits of `what`, on scales that are wide enough for
+    /// `all`.
+    fn new(what: &str, corner: DVec2, size: DVec2, shown: &'a [Point], all: &[Point]) -> Self {
         let title = "nanoseconds for one test";
-        let nanoseconds = all.iter().map(|one| one.time.median_ns);
+        let nanoseconds = all.iter().map(|one| one.ns);
         Self {
             panel: Panel {
                 corner,
                 size,
                 x: Axis::logarithmic(title, nanoseconds),
-                y: Axis::linear("digits of *t* that are right", -1.0, 17.0, 4.0),
+                y: Axis::linear(what, -1.0, 17.0, 4.0),
             },
             shown,
             front: front(shown),
@@ -147,7 +173,7 @@ impl<'a> Plot<'a> {
 
     /// Leaves more room for the fast ones, and names every method.
     fn in_detail(mut self) -> Self {
-        let times = || self.shown.iter().map(|one| one.time.median_ns);
+        let times = || self.shown.iter().map(|one| one.ns);
         let slowest = 8.0 * times().fold(f64::INFINITY, f64::min);
         let fast = times().map(|time| time.min(slowest));
         self.panel.x = Axis::logarithmic(&self.panel.x.title, fast);
@@ -156,9 +182,9 @@ impl<'a> Plot<'a> {
         self
     }
 
-    fn at(&self, one: &Measured) -> DVec2 {
-        let shown = one.time.median_ns.min(self.slowest);
-        self.panel.at(shown, one.digits())
+    fn at(&self, one: &Point) -> DVec2 {
+        let shown = one.ns.min(self.slowest);
+        self.panel.at(shown, one.digits)
     }
 
     fn draw(&self, svg: &mut Svg) {
@@ -195,7 +221,7 @@ impl<'a> Plot<'a> {
     }
 
     fn draw_methods(&self, svg: &mut Svg, mut labels: Labels) {
-        let mut sorted: Vec<&Measured> = self.shown.iter().collect();
+        let mut sorted: Vec<&Point> = self.shown.iter().collect();
         // The most important ones in front, and named first.
         sorted.sort_by_key(|one| IDEAS.iter().position(|idea| *idea == one.idea()));
         for one in sorted.iter().rev() {
@@ -203,11 +229,11 @@ impl<'a> Plot<'a> {
         }
         for one in sorted {
             let named = self.name_all || one.idea() != "ink" || self.front.contains(&one);
-            if one.time.median_ns > self.slowest {
-                let text = format!("{}, {:.0} ns →", one.method(), one.time.median_ns);
+            if one.ns > self.slowest {
+                let text = format!("{}, {:.0} ns →", one.method, one.ns);
                 labels.put(svg, one.idea(), self.at(one), &text);
             } else if named {
-                labels.put(svg, one.idea(), self.at(one), one.method());
+                labels.put(svg, one.idea(), self.at(one), &one.method);
             }
         }
     }
@@ -218,17 +244,16 @@ const IDEAS: [&str; 3] = ["reference", "certain", "ink"];
 
 /// The methods that no other beats in both speed and accuracy, the fastest
 /// first. To be fast and have no digit right is not worth a place.
-fn front(shown: &[Measured]) -> Vec<&Measured> {
-    let mut sorted: Vec<&Measured> = shown.iter().filter(|one| one.digits() >= 1.0).collect();
+fn front(shown: &[Point]) -> Vec<&Point> {
+    let mut sorted: Vec<&Point> = shown.iter().filter(|one| one.digits >= 1.0).collect();
     sorted.sort_by(|one, other| {
-        one.time
-            .median_ns
-            .total_cmp(&other.time.median_ns)
-            .then(other.digits().total_cmp(&one.digits()))
+        one.ns
+            .total_cmp(&other.ns)
+            .then(other.digits.total_cmp(&one.digits))
     });
-    let mut best: Vec<&Measured> = Vec::new();
+    let mut best: Vec<&Point> = Vec::new();
     for one in sorted {
-        if best.last().is_none_or(|last| one.digits() > last.digits()) {
+        if best.last().is_none_or(|last| one.digits > last.digits) {
             best.push(one);
         }
     }

@@ -8,7 +8,7 @@ use figures::records::Timing;
 use figures::table::Table;
 use measure::machine;
 
-use crate::contest::Effort;
+use measure::contest::Effort;
 
 /// The lines at the top of the file.
 pub(crate) fn about(effort: &Effort) -> BTreeMap<String, String> {

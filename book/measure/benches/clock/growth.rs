@@ -17,8 +17,8 @@ use obvhs::ray::{Ray as BoxRay, RayHit};
 use speed_vs_accuracy::batch::{BLOCK, Block, nearest};
 use speed_vs_accuracy::{Precision, Random};
 
-use crate::contest::{Group, Runner};
 use crate::one_by_one;
+use measure::contest::{Group, Runner};
 
 /// The largest number of spheres, as a power of two.
 const LARGEST: u32 = 16;

@@ -9,8 +9,8 @@ use speed_vs_accuracy::{
     pbrt_offset, proven_offset,
 };
 
-use crate::contest::{Group, Runner};
 use crate::one_by_one::{self, CASES, SEED};
+use measure::contest::{Group, Runner};
 
 /// All ways to leave, each in the finest precision that it is made for.
 pub(crate) fn group() -> Group {

@@ -2,7 +2,6 @@
 //! each way to keep many spheres.
 
 mod about;
-mod contest;
 mod growth;
 mod leaving;
 mod many;
@@ -18,7 +17,7 @@ use figures::records::Timing;
 use figures::table::{Record, Table};
 use speed_vs_accuracy::{METHODS, Method, Precision};
 
-use contest::{Effort, Group};
+use measure::contest::{Effort, Group};
 
 /// How long each method of chapter 6 takes, and each way to keep many spheres.
 #[derive(Parser)]
@@ -47,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     groups.extend(growth::groups(arguments.quick)?);
     let timings = Table::<Timing> {
         about: about::about(&effort),
-        rows: contest::run(groups, &effort),
+        rows: measure::contest::run(groups, &effort),
     };
     let mut said = about::table(&timings);
     said += &headlines(&timings);

@@ -6,8 +6,8 @@ use common::rtweekend::*;
 use speed_vs_accuracy::batch::{self, BLOCK, Block};
 use speed_vs_accuracy::{Case, Precision};
 
-use crate::contest::{Group, Runner};
 use crate::one_by_one;
+use measure::contest::{Group, Runner};
 
 /// `half_b` in both precisions, and the divider.
 pub(crate) fn group() -> Group {

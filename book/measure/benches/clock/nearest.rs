@@ -5,8 +5,8 @@ use std::hint::black_box;
 use common::rtweekend::*;
 use speed_vs_accuracy::{Case, Precision, certified_nearest, half_b};
 
-use crate::contest::{Group, Runner};
 use crate::{growth, one_by_one};
+use measure::contest::{Group, Runner};
 
 /// How many spheres are many: enough that most of them are not hit.
 const MANY: usize = 64;

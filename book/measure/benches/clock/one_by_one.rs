@@ -1,16 +1,12 @@
 //! Latency: one ray against one sphere, one after the other.
 //!
-//! Each method is compiled into a loop of its own, as a renderer would have it.
-//! The loop hides each case from the compiler, which therefore cannot take
-//! several at once: that is what many.rs measures.
-
-use std::hint::black_box;
+//! What takes several at once many.rs measures.
 
 use common::rtweekend::*;
 use measure::accuracy::has_root;
-use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, SingleRay};
-
-use crate::contest::{Group, Runner};
+use measure::contest::{Group, Runner};
+use measure::cost::{Question, run};
+use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES};
 
 /// So many cases fit into the fastest cache.
 pub(crate) const CASES: usize = 256;
@@ -81,67 +77,7 @@ fn group(place: &str, cases: impl Fn(Precision) -> Vec<Case>) -> Group {
 fn runner(method: &Method, place: &str, cases: &[Case]) -> Runner {
     let key = ["method", method.name, place];
     let count = cases.len();
-    let run = run(method.name, cases);
+    let questions: Vec<Question> = cases.iter().map(|case| (*case, 0.0)).collect();
+    let run = run(method, &questions);
     Runner::new(key, method.precision(), count, count, run)
-}
-
-/// A loop for each method: a function that is called by a pointer would be
-/// charged for the call.
-macro_rules! loops {
-    (in f64: $($double:ident)*; in f32: $($single:ident)*;) => {
-        fn run(name: &str, cases: &[Case]) -> Box<dyn FnMut()> {
-            match name {
-                $(stringify!($double) => Box::new(double(cases, speed_vs_accuracy::$double)),)*
-                $(stringify!($single) => Box::new(single(cases, speed_vs_accuracy::$single)),)*
-                other => panic!("name {other} in the list of loops"),
-            }
-        }
-
-        const LOOPS: usize = [$(stringify!($double),)* $(stringify!($single)),*].len();
-        const _: () = assert!(LOOPS == METHODS.len(), "a new method needs a loop");
-    };
-}
-
-loops! {
-    in f64: full_b half_b half_b_q haines haines_q kahan_q cross_q adaptive_q scaled_q herbie interval_q
-        certified_hit certified_t double_double exact;
-    in f32: half_b_f32 half_b_q_f32 cross_q_f32 widened_half_b_q_f32 certified_f32;
-}
-
-fn double(
-    cases: &[Case],
-    solve: impl Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 'static,
-) -> impl FnMut() + 'static {
-    let cases = cases.to_vec();
-    let mut answers = vec![None; cases.len()];
-    move || {
-        for (case, answer) in cases.iter().zip(&mut answers) {
-            let Case {
-                center,
-                radius,
-                ray,
-            } = black_box(case);
-            *answer = solve(*center, *radius, ray, 0.0, f64::INFINITY);
-        }
-        black_box(&mut answers);
-    }
-}
-
-fn single(
-    cases: &[Case],
-    solve: impl Fn(glam::Vec3, f32, &SingleRay, f32, f32) -> Option<f32> + 'static,
-) -> impl FnMut() + 'static {
-    let in_single = |case: &Case| {
-        let Case { center, radius, .. } = case;
-        (center.as_vec3(), *radius as f32, case.single_ray())
-    };
-    let cases: Vec<(glam::Vec3, f32, SingleRay)> = cases.iter().map(in_single).collect();
-    let mut answers = vec![None; cases.len()];
-    move || {
-        for (case, answer) in cases.iter().zip(&mut answers) {
-            let (center, radius, ray) = black_box(case);
-            *answer = solve(*center, *radius, ray, 0.0, f32::INFINITY);
-        }
-        black_box(&mut answers);
-    }
 }

@@ -8,35 +8,38 @@ use std::time::{Duration, Instant};
 
 use figures::records::Timing;
 use indicatif::{ProgressBar, ProgressStyle};
-use measure::spread::Spread;
 use speed_vs_accuracy::Precision;
 
+use crate::spread::Spread;
+
 /// Those that take turns. The first is what the others are compared with.
-pub(crate) struct Group(pub(crate) Vec<Runner>);
+pub struct Group(pub Vec<Runner>);
 
 /// Something whose time is taken.
-pub(crate) struct Runner {
+pub struct Runner {
     /// The row without its times.
-    pub(crate) row: Timing,
+    pub row: Timing,
     /// How many tests, or rays, `run` takes.
-    pub(crate) work: usize,
+    pub work: usize,
     /// Does it all once.
-    pub(crate) run: Box<dyn FnMut()>,
+    pub run: Box<dyn FnMut()>,
     /// Whether it becomes a row, or is only there to be compared with.
-    pub(crate) is_wanted: bool,
+    pub is_wanted: bool,
 }
 
 /// How long to take.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Effort {
+pub struct Effort {
     /// How many turns everyone has.
-    pub(crate) rounds: usize,
+    pub rounds: usize,
     /// How long a turn should be at least.
-    pub(crate) turn: Duration,
+    pub turn: Duration,
 }
 
 impl Effort {
-    pub(crate) fn new(quick: bool) -> Self {
+    /// A minute or two for all that the benchmark `clock` measures, or if it must be
+    /// `quick`, seconds.
+    pub fn new(quick: bool) -> Self {
         let (rounds, microseconds) = if quick { (11, 500) } else { (101, 1000) };
         let turn = Duration::from_micros(microseconds);
         Self { rounds, turn }
@@ -45,7 +48,7 @@ impl Effort {
 
 impl Runner {
     /// Someone whose times are not yet taken.
-    pub(crate) fn new(
+    pub fn new(
         [what, name, place]: [&str; 3],
         precision: Precision,
         n: usize,
@@ -96,8 +99,28 @@ impl Runner {
     }
 }
 
+impl Group {
+    /// The times of each in each round, in nanoseconds for one test: a list for
+    /// everyone, in order. Each `round` is told when it is over.
+    pub fn times(&mut self, effort: &Effort, round: impl Fn()) -> Vec<Vec<f64>> {
+        let Self(runners) = self;
+        let runs: Vec<usize> = runners
+            .iter_mut()
+            .map(|runner| runner.runs_in(effort.turn))
+            .collect();
+        let mut times = vec![Vec::new(); runners.len()];
+        for _ in 0..effort.rounds {
+            for ((runner, &runs), times) in runners.iter_mut().zip(&runs).zip(&mut times) {
+                times.push(runner.take_turn(runs));
+            }
+            round();
+        }
+        times
+    }
+}
+
 /// The rows of all runners, in order.
-pub(crate) fn run(groups: Vec<Group>, effort: &Effort) -> Vec<Timing> {
+pub fn run(groups: Vec<Group>, effort: &Effort) -> Vec<Timing> {
     let bar = ProgressBar::new((groups.len() * effort.rounds) as u64);
     let style = ProgressStyle::with_template("{bar:40} {percent} %, {eta} left")
         .expect("the template is well-formed");
@@ -110,28 +133,17 @@ pub(crate) fn run(groups: Vec<Group>, effort: &Effort) -> Vec<Timing> {
     rows
 }
 
-fn take_times(Group(mut runners): Group, effort: &Effort, bar: &ProgressBar) -> Vec<Timing> {
-    let runs: Vec<usize> = runners
-        .iter_mut()
-        .map(|runner| runner.runs_in(effort.turn))
-        .collect();
-    let mut times = vec![Vec::new(); runners.len()];
-    for _ in 0..effort.rounds {
-        for ((runner, &runs), times) in runners.iter_mut().zip(&runs).zip(&mut times) {
-            times.push(runner.take_turn(runs));
-        }
-        bar.inc(1);
-    }
+fn take_times(mut group: Group, effort: &Effort, bar: &ProgressBar) -> Vec<Timing> {
+    let times = group.times(effort, || bar.inc(1));
     let first = times[0].clone();
-    let rows = runners.into_iter().zip(times);
+    let rows = group.0.into_iter().zip(times);
     rows.filter(|(runner, _)| runner.is_wanted)
         .map(|(runner, times)| filled_in(runner.row, times, &first))
         .collect()
 }
 
 fn filled_in(row: Timing, times: Vec<f64>, first: &[f64]) -> Timing {
-    let ratios = times.iter().zip(first).map(|(time, first)| time / first);
-    let ratio = Spread::of(ratios.collect()).median;
+    let ratio = ratio(&times, first);
     let Spread {
         median: median_ns,
         least: least_ns,
@@ -144,4 +156,10 @@ fn filled_in(row: Timing, times: Vec<f64>, first: &[f64]) -> Timing {
         ratio,
         ..row
     }
+}
+
+/// How many times as long as the `other` it took in the same round: the median.
+pub fn ratio(times: &[f64], other: &[f64]) -> f64 {
+    let ratios = times.iter().zip(other).map(|(time, other)| time / other);
+    Spread::of(ratios.collect()).median
 }

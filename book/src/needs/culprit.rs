@@ -1,0 +1,102 @@
+//! Blame: from the first wrong pixel to the ray and the sphere at which a method errs.
+
+use common::rtweekend::*;
+use laws::oracle::Exact;
+use laws::truth::Truth;
+use measure::scenes::View;
+use speed_vs_accuracy::{Case, Eye, Hit, Method, Scene, T_MIN_OF_SHADOWS};
+
+/// A question that a method answers wrongly, and the pixel that shows it.
+pub(super) struct Culprit {
+    /// Column and row.
+    pub(super) pixel: [u32; 2],
+    /// What the method draws there, and what is right.
+    pub(super) colors: [[u8; 3]; 2],
+    /// The sphere, by its place in the list.
+    pub(super) sphere: usize,
+    /// Whether the ray leads from the hit point to the sun.
+    pub(super) is_to_sun: bool,
+    /// The ray and the sphere.
+    pub(super) case: Case,
+    /// Where the range of t begins.
+    pub(super) t_min: f64,
+    /// How many ulps t is off; infinite if the decision is wrong.
+    pub(super) error: f64,
+}
+
+impl Culprit {
+    /// In the first wrong pixel of `view`, if there is one.
+    pub(super) fn of(scene: &Scene, view: &View) -> Option<Self> {
+        let pixel @ [i, j] = view.first_wrong?;
+        let ray = Camera::new(scene.width).ray(i, j);
+        let eyes = [
+            Eye::Method(view.method),
+            Eye::Exact(view.method.precision()),
+        ];
+        let [seen, right] = eyes.map(|eye| scene.look(eye, &ray));
+        let from_eye = [seen.hit, right.hit].map(|hit| hit.map(|hit| hit.sphere));
+        // It may have seen the right sphere, and asked about another ray to the sun
+        // because its point is elsewhere: then that answer is right, and the one to
+        // blame is that of the camera's ray.
+        let to_sun = seen.hit.zip(right.hit).and_then(|(seen, right)| {
+            let on_same = seen.sphere == right.sphere;
+            let differ = seen.shaded_by.is_some() != right.shaded_by.is_some();
+            let ray = Ray::new(seen.point, scene.sun.filter(|_| on_same && differ)?);
+            let spheres = [seen, right].map(|hit: Hit| hit.shaded_by);
+            worst(scene, &view.method, ray, T_MIN_OF_SHADOWS, spheres)
+                .filter(|(_, error)| error.is_infinite())
+        });
+        let is_to_sun = to_sun.is_some();
+        let t_min = if is_to_sun { T_MIN_OF_SHADOWS } else { 0.0 };
+        let ((sphere, case), error) =
+            to_sun.or_else(|| worst(scene, &view.method, scene.ray(&ray), 0.0, from_eye))?;
+        let color = |color: Color| {
+            let mut pixel = [0; 3];
+            write_color(&mut pixel, color);
+            pixel
+        };
+        Some(Self {
+            pixel,
+            colors: [color(seen.color), color(right.color)],
+            sphere,
+            is_to_sun,
+            case,
+            t_min,
+            error,
+        })
+    }
+}
+
+/// Of the spheres that were seen or should have been, the one about which the method
+/// errs most, with its place and the error.
+fn worst(
+    scene: &Scene,
+    method: &Method,
+    ray: Ray,
+    t_min: f64,
+    spheres: [Option<usize>; 2],
+) -> Option<((usize, Case), f64)> {
+    let found = spheres.into_iter().flatten().map(|sphere| {
+        let (center, radius) = scene.spheres[sphere];
+        let case = Case {
+            center,
+            radius,
+            ray,
+        };
+        ((sphere, case), error(method, &case, t_min))
+    });
+    found.max_by(|(_, one), (_, other)| one.total_cmp(other))
+}
+
+/// How many ulps t is off; infinite where a hit is taken for a miss, or a miss for a
+/// hit.
+fn error(method: &Method, case: &Case, t_min: f64) -> f64 {
+    let precision = method.precision();
+    let exact = Exact::of_finite(&case.rounded(precision));
+    let truth = exact.and_then(|exact| Truth::of(&exact, precision, t_min, f64::INFINITY));
+    match (case.put_to(method, t_min, f64::INFINITY), truth) {
+        (Some(t), Some(truth)) => truth.error_in_ulps(t),
+        (None, None) => 0.0,
+        _ => f64::INFINITY,
+    }
+}

@@ -1,0 +1,80 @@
+//! The folder with the chart and the pictures, replaced as a whole.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use check::png;
+use common::engine::folder::NewFolder;
+use common::engine::output;
+use figures::{Point, scene_chart, standalone};
+use speed_vs_accuracy::{Precision, Scene};
+
+use super::found::{Found, Row};
+use crate::draw;
+use crate::misuse::refusal;
+
+/// Where the files of a scene go if nobody says otherwise.
+pub(super) fn usual(scene: &Scene) -> Result<PathBuf, Box<dyn Error>> {
+    let workspace = draw::workspace()
+        .map_err(|error| format!("{error}\nOr name a folder for the files: --output DIR"))?;
+    Ok(workspace.join("target").join("needs").join(&scene.name))
+}
+
+/// Refuses now what [`write`] would refuse in the end: until then much is drawn.
+pub(super) fn check(folder: &Path) -> Result<(), Box<dyn Error>> {
+    new(folder).map(drop)
+}
+
+/// Replaces `folder` by one with the chart, the right pictures, and the wrong ones.
+/// Returns their names.
+pub(super) fn write(
+    folder: &Path,
+    scene: &Scene,
+    found: &[Found],
+) -> Result<Vec<String>, Box<dyn Error>> {
+    let chart = standalone(&scene_chart(&scene.name, &points(found))).into_bytes();
+    let mut files = vec![("chart.svg".to_owned(), chart)];
+    for found in found {
+        let name = format!("right_{}.png", found.precision.name());
+        files.push((name, png::encode(&found.right)));
+        let wrong = found.rows.iter().filter(|row| row.view.wrong > 0);
+        files.extend(wrong.map(|Row { view, .. }| {
+            let name = format!("{}.png", view.method.name);
+            (name, png::encode(&view.picture))
+        }));
+    }
+    let new = new(folder)?;
+    for (name, bytes) in &files {
+        output::to_file(&new.path().join(name), |out| out.write_all(bytes))?;
+    }
+    new.put_in_place().map_err(refusal)?;
+    Ok(files.into_iter().map(|(name, _)| name).collect())
+}
+
+fn new(folder: &Path) -> Result<NewFolder, Box<dyn Error>> {
+    let new = NewFolder::beside(folder, "report on a scene").map_err(refusal)?;
+    new.check().map_err(refusal)?;
+    Ok(new)
+}
+
+/// The methods that hit anything rightly.
+fn points(found: &[Found]) -> Vec<Point> {
+    let all = found.iter().flat_map(|found| &found.rows);
+    let point = |row: &Row| {
+        let precision = row.view.method.precision();
+        Some(Point {
+            method: row.view.method.name.to_owned(),
+            precision,
+            ns: row.ns,
+            digits: digits(row.view.radii?, precision),
+            is_wrong: row.view.wrong > 0,
+        })
+    };
+    all.filter_map(point).collect()
+}
+
+/// How many decimal digits an error of so many radii leaves: no more than there are.
+fn digits(radii: f64, precision: Precision) -> f64 {
+    let least = 0.5 * precision.epsilon();
+    (-radii.max(least).log10()).max(0.0)
+}

@@ -1,0 +1,119 @@
+//! Model selection: the cheapest method that draws every pixel right, and why the next
+//! cheaper one does not do.
+
+use common::rtweekend::*;
+use measure::contest::ratio;
+use measure::scenes::{Drawn, View, levels_off};
+use measure::spread::Spread;
+use speed_vs_accuracy::{METHODS, Method, Precision, Scene};
+
+use super::culprit::Culprit;
+
+/// What a scene needs in one precision.
+pub(super) struct Found {
+    pub(super) precision: Precision,
+    /// The right picture.
+    pub(super) right: Picture,
+    /// In how many pixels it differs from the right picture in `f64`: what it costs to
+    /// round the scene itself.
+    pub(super) changed: usize,
+    /// The methods, the cheapest first.
+    pub(super) rows: Vec<Row>,
+    /// The place of the least that suffices, if one does.
+    pub(super) least: Option<usize>,
+    /// The places of those that suffice too, and cost the same as far as can be told.
+    pub(super) ties: Vec<usize>,
+    /// The place of the next cheaper one that fails, or of one that costs the same;
+    /// where none suffices, of the one that comes nearest.
+    pub(super) failing: Option<(usize, Culprit)>,
+}
+
+/// A method: what it draws, and what it takes.
+pub(super) struct Row {
+    pub(super) view: View,
+    /// Nanoseconds for a question in the quickest round, which others disturbed least.
+    pub(super) ns: f64,
+    /// How many times as long as the reference in the same round: the median. By this
+    /// they are in order, because it does not change with the pace of the processor.
+    pub(super) ratio: f64,
+    /// Nanoseconds in each round.
+    times: Vec<f64>,
+}
+
+impl Found {
+    /// From what was drawn, and the times of all methods, the reference first. `finest`
+    /// is the right picture in `f64`, if that is another one.
+    pub(super) fn new(
+        scene: &Scene,
+        precision: Precision,
+        finest: Option<&Picture>,
+        drawn: Drawn,
+        times: &[(Method, Vec<f64>)],
+    ) -> Self {
+        let views = drawn.by_method.into_iter();
+        let mut rows: Vec<Row> = views.map(|view| Row::new(view, times)).collect();
+        rows.sort_by(|one, other| one.ratio.total_cmp(&other.ratio));
+        let (least, ties) = least(&rows);
+        let failing = match least {
+            Some(least) => (0..rows.len())
+                .rev()
+                .find(|&n| rows[n].view.wrong > 0 && !rows[least].is_cheaper_than(&rows[n])),
+            None => (0..rows.len()).min_by_key(|&n| rows[n].view.wrong),
+        };
+        let culprit = |n: usize| Some((n, Culprit::of(scene, &rows[n].view)?));
+        Self {
+            failing: failing.and_then(culprit),
+            changed: finest.map_or(0, |finest| {
+                let off = levels_off(finest, &drawn.right);
+                off.into_iter().filter(|&levels| levels > 1).count()
+            }),
+            precision,
+            right: drawn.right,
+            rows,
+            least,
+            ties,
+        }
+    }
+}
+
+impl Row {
+    fn new(view: View, times: &[(Method, Vec<f64>)]) -> Self {
+        let of = times
+            .iter()
+            .find(|(method, _)| method.name == view.method.name);
+        let (_, taken) = of.expect("every method has its turns");
+        let (_, reference) = &times[0];
+        Self {
+            view,
+            ns: Spread::of(taken.clone()).least,
+            ratio: ratio(taken, reference),
+            times: taken.clone(),
+        }
+    }
+
+    /// Whether it took less time than the other in three rounds of four at least. By
+    /// chance alone that happens once in some thousand times.
+    fn is_cheaper_than(&self, other: &Self) -> bool {
+        let rounds = self.times.iter().zip(&other.times);
+        let won = rounds.filter(|(one, other)| one < other).count();
+        4 * won >= 3 * self.times.len()
+    }
+}
+
+/// Of `rows`, the cheapest first, the one to take: the cheapest that suffices, or of
+/// several that cost the same the first in the order of [`METHODS`], which begins with
+/// the simplest. And the others of these.
+fn least(rows: &[Row]) -> (Option<usize>, Vec<usize>) {
+    let mut sufficing = (0..rows.len()).filter(|&n| rows[n].view.wrong == 0);
+    let Some(cheapest) = sufficing.next() else {
+        return (None, Vec::new());
+    };
+    let ties = sufficing.filter(|&n| !rows[cheapest].is_cheaper_than(&rows[n]));
+    let mut alike: Vec<usize> = [cheapest].into_iter().chain(ties).collect();
+    let place = |n: &usize| {
+        let name = rows[*n].view.method.name;
+        METHODS.iter().position(|method| method.name == name)
+    };
+    alike.sort_by_key(place);
+    (Some(alike.remove(0)), alike)
+}

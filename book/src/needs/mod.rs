@@ -1,0 +1,120 @@
+//! `needs`: the least that a scene of one's own needs.
+//!
+//! The scene is drawn by every method, each is timed on its rays, and the cheapest
+//! one that draws every pixel right is named, in each precision.
+
+mod culprit;
+mod file;
+mod folder;
+mod found;
+mod json;
+mod text;
+
+use std::error::Error;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::{Args, value_parser};
+use common::engine::output;
+use common::rtweekend::Camera;
+use indicatif::{ProgressBar, ProgressStyle};
+use measure::contest::Effort;
+use measure::{cost, scenes};
+use speed_vs_accuracy::{Precision, Scene, WIDEST};
+
+use found::Found;
+
+/// What `cargo rtrace needs` is told.
+#[derive(Args)]
+#[command(after_help = HELP)]
+pub(crate) struct Arguments {
+    /// The scene: a TOML file, such as those in chapters/6_speed_vs_accuracy/scenes
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+
+    /// Width in pixels [default: as the scene says, or 400]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(WIDEST)), allow_hyphen_values = true)]
+    width: Option<u32>,
+
+    /// Write the chart and the pictures into this folder [default: target/needs/SCENE]
+    #[arg(long, short, value_name = "DIR")]
+    output: Option<PathBuf>,
+
+    /// Print the result for programs
+    #[arg(long)]
+    json: bool,
+}
+
+const HELP: &str = "\
+A scene, of which only the spheres are needed:
+  width = 400             # pixels; the picture is 16:9
+  sun = [1, 0.25, 0.5]    # towards it; without it nothing has a shadow
+
+  [camera]
+  origin = [0, 0, 0]
+  direction = [0, 0, -1]  # of any length
+  zoom = 1                # or [across, up]
+
+  [[sphere]]              # as often as there are spheres
+  center = [0, 0, -1]
+  radius = 0.5
+
+What is said of each method:
+  wrong pixels         more than one of 255 levels off, in a component, from the picture
+                       that exact arithmetic draws of the same numbers in the same precision
+  a level off          pixels that are one level off: nobody sees them
+  worst, levels        how far a component is off in the worst pixel
+  worst, radii         how far a hit point is at most from where it should be
+  ns                   what one ray and one sphere of this scene take, here and now: the
+                       quickest of the rounds in which every method has a turn
+  ÷ half_b             how many times as long as half_b in the same round: the median
+Columns and rows count from 0, spheres from 1.";
+
+/// How often each method has a turn, and how long: all together about a second.
+const EFFORT: Effort = Effort {
+    rounds: 51,
+    turn: Duration::from_micros(500),
+};
+
+/// Draws the scene by every method, and says what it needs.
+pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let mut scene = file::read(&arguments.scene)?;
+    scene.width = arguments.width.unwrap_or(scene.width);
+    let folder = match &arguments.output {
+        Some(folder) => folder.clone(),
+        None => folder::usual(&scene)?,
+    };
+    folder::check(&folder)?;
+    let found = look_into(&scene);
+    let files = folder::write(&folder, &scene, &found)?;
+    let said = match arguments.json {
+        true => json::json(&scene, &found, &folder, &files),
+        false => text::text(&scene, &found, &folder, &files),
+    };
+    Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
+}
+
+/// What there is to say in each precision that has the numbers of the scene, `f64`
+/// first.
+fn look_into(scene: &Scene) -> Vec<Found> {
+    let precisions = Precision::ALL
+        .into_iter()
+        .filter(|precision| scene.fits(*precision));
+    let precisions: Vec<Precision> = precisions.collect();
+    let rows = u64::from(Camera::new(scene.width).image_height);
+    let bar = ProgressBar::new(rows * precisions.len() as u64 + EFFORT.rounds as u64);
+    let style = ProgressStyle::with_template("{msg} {bar:40} {percent} %, {eta} left")
+        .expect("the template is well-formed");
+    bar.set_style(style);
+    bar.set_message("timing");
+    let times = cost::times(scene, &EFFORT, || bar.inc(1));
+    bar.set_message("drawing");
+    let mut found: Vec<Found> = Vec::new();
+    for precision in precisions {
+        let drawn = scenes::drawn(scene, precision, scene.width, || bar.inc(1));
+        let finest = found.first().map(|finest| &finest.right);
+        found.push(Found::new(scene, precision, finest, drawn, &times));
+    }
+    bar.finish_and_clear();
+    found
+}

@@ -1,0 +1,199 @@
+//! Text: what a scene needs, for people, in the terminal.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use common::engine::{companion, output};
+use common::rtweekend::*;
+use figures::number::three_digits;
+use measure::machine;
+use speed_vs_accuracy::{Method, Precision, Scene};
+
+use super::culprit::Culprit;
+use super::found::{Found, Row};
+use crate::hit;
+use crate::terminal::hanging;
+
+/// All that there is to say.
+pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[String]) -> String {
+    let camera = Camera::new(scene.width);
+    let (width, height) = (camera.image_width, camera.image_height);
+    let spheres = match scene.spheres.len() {
+        1 => "1 sphere".to_owned(),
+        count => format!("{count} spheres"),
+    };
+    let sun = if scene.sun.is_some() {
+        " and a sun"
+    } else {
+        ""
+    };
+    let name = output::visible(&scene.name);
+    let mut text = format!("{name}: {spheres}{sun}, {width} × {height} pixels\n");
+    if found
+        .iter()
+        .flat_map(|found| &found.rows)
+        .all(|row| row.view.radii.is_none())
+    {
+        text += "No ray meets a sphere: there is nothing to be seen but the sky.\n";
+    }
+    for precision in Precision::ALL {
+        text.push('\n');
+        match found.iter().find(|found| found.precision == precision) {
+            Some(found) => text += &one_precision(found),
+            None => text += "f32 has no such numbers: they overflow.\n",
+        }
+    }
+    let times = format!(
+        "Times: {} profile, {}.{}",
+        profile(),
+        machine::machine(),
+        faster()
+    );
+    let written = format!("In {}: {}", output::shown(folder), files.join(", "));
+    text + "\n" + &paragraph(&times) + &paragraph(&written)
+}
+
+/// What the compiler was allowed to do.
+pub(super) fn profile() -> &'static str {
+    if cfg!(debug_assertions) {
+        "dev"
+    } else {
+        "release"
+    }
+}
+
+fn faster() -> &'static str {
+    match profile() {
+        "dev" => " With all optimization: cargo run --release --package rtrace -- needs SCENE",
+        _ => "",
+    }
+}
+
+fn one_precision(found: &Found) -> String {
+    let mut text = paragraph(&verdict(found));
+    text += TABLE_HEAD;
+    for (n, row) in found.rows.iter().enumerate() {
+        text += &line(row, found.least == Some(n));
+    }
+    if found.changed > 0 {
+        text += &paragraph(&format!(
+            "Rounding the scene itself to f32 changes {} of its pixels, before any method errs.",
+            found.changed
+        ));
+    }
+    if let Some((n, culprit)) = &found.failing {
+        let least = found.least.map(|least| &found.rows[least]);
+        text += &why(&found.rows[*n], least, culprit);
+    }
+    text
+}
+
+/// The least that suffices, in a sentence or two.
+fn verdict(found: &Found) -> String {
+    let precision = found.precision.name();
+    let name = |n: &usize| found.rows[*n].view.method.name;
+    let Some(least) = &found.least else {
+        return format!("In {precision}, no method draws every pixel right.");
+    };
+    let mut text = format!(
+        "In {precision}, the least that suffices is {}.",
+        name(least)
+    );
+    if !found.ties.is_empty() {
+        let ties: Vec<&str> = found.ties.iter().map(name).collect();
+        text += &format!(" (A tie, as far as can be told, with {}.)", ties.join(", "));
+    }
+    if found.failing.is_none() {
+        text += " Nothing cheaper fails.";
+    }
+    text
+}
+
+const TABLE_HEAD: &str = "
+                           wrong  a level   worst,     worst,
+  method                  pixels      off   levels      radii       ns  ÷ half_b
+";
+
+fn line(row: &Row, is_least: bool) -> String {
+    let Row {
+        view, ns, ratio, ..
+    } = row;
+    let mark = if is_least { "→" } else { " " };
+    let radii = match view.radii {
+        None => "-".to_owned(),
+        Some(f64::INFINITY) => "> 1e308".to_owned(),
+        Some(radii) => three_digits(radii),
+    };
+    format!(
+        "{mark} {:<22}{:>8}{:>9}{:>9}{radii:>11}{:>9}{ratio:>10.2}\n",
+        view.method.name,
+        view.wrong,
+        view.off_by_one,
+        view.levels,
+        three_digits(*ns),
+    )
+}
+
+/// Why `row` fails: its first wrong pixel under the microscope, beside the least that
+/// suffices.
+fn why(row: &Row, least: Option<&Row>, culprit: &Culprit) -> String {
+    let name = row.view.method.name;
+    let [i, j] = culprit.pixel;
+    let [drawn, right] = culprit
+        .colors
+        .map(|[red, green, blue]| format!("{red} {green} {blue}"));
+    let which = match least {
+        Some(least) if row.ratio < least.ratio => {
+            format!("The next cheaper one is {name}: it fails")
+        }
+        Some(_) => format!("{name} costs no more, and fails"),
+        None => format!("{name} comes nearest, and fails"),
+    };
+    let ray = if culprit.is_to_sun {
+        "ray to the sun"
+    } else {
+        "ray of the camera"
+    };
+    let mut text = paragraph(&format!(
+        "{which} first in column {i}, row {j}, where it draws {drawn} and {right} is right. \
+         The {ray} there, and sphere {}, under the microscope:",
+        culprit.sphere + 1
+    ));
+    let methods = [Some(row), least].into_iter().flatten();
+    let methods: Vec<Method> = methods.map(|row| row.view.method).collect();
+    let range = (culprit.t_min, f64::INFINITY);
+    let precision = row.view.method.precision();
+    for line in hit::under_the_microscope(&culprit.case, precision, &methods, range).lines() {
+        let _ = writeln!(text, "  {line}");
+    }
+    if culprit.error <= hit::ORDINARY {
+        text += &paragraph(&format!(
+            "So t is as good as {} has numbers there: this picture needs more of them.",
+            precision.name()
+        ));
+    }
+    text + &again(culprit)
+}
+
+/// The command that shows the same with all methods.
+fn again(culprit: &Culprit) -> String {
+    let vector = |v: Vec3| v.to_array().map(|number| format!("{number:?}")).join(",");
+    let Culprit { case, t_min, .. } = culprit;
+    let range = if culprit.is_to_sun {
+        format!(" --t-min={t_min:?}")
+    } else {
+        String::new()
+    };
+    format!(
+        "  {} hit --origin={} --direction={} --center={} --radius={:?}{range}\n",
+        companion(),
+        vector(case.ray.origin),
+        vector(case.ray.direction),
+        vector(case.center),
+        case.radius,
+    )
+}
+
+fn paragraph(text: &str) -> String {
+    hanging(text, 0) + "\n"
+}
