@@ -7,11 +7,12 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 /// Each script, a bound in it, and one that is too narrow.
-const SCRIPTS: [(&str, &str, &str); 5] = [
+const SCRIPTS: [(&str, &str, &str); 6] = [
     ("coefficients.g", "[-15b-54, 15b-54]", "[-6b-54, 6b-54]"),
     ("discriminant.g", "[-47b-54, 47b-54]", "[-1b-53, 1b-53]"),
     ("roots.g", "[-34b-53, 34b-53]", "[-10b-53, 10b-53]"),
     ("residual.g", "[-13b-74, 13b-74]", "[-1b-74, 1b-74]"),
+    ("running.g", "[-17b-53, 17b-53]", "[-8b-53, 8b-53]"),
     ("correction.g", "[-3b-57, 3b-57]", "[-1b-57, 1b-57]"),
 ];
 
@@ -126,7 +127,16 @@ fn the_sums_on_the_page_of_the_proofs_are_right() {
         ("w for ŵ", 5.7 * 2.9, 17.0),
         ("second order of D", 9.0 + 17.0, 32.0),
         ("the root of D", 1.0 / (1.0 + (15_f64 / 16.0).sqrt()), 0.51),
-        ("q to a 30th", 0.51 / 16.0, 1.0 / 30.0),
+        ("16e where w is large", 90.0, 16.0 * 8.0 * 0.5_f64.sqrt()),
+        ("q to a 30th", 0.51 / 16.0, 0.032),
+        (
+            "all of q",
+            0.032 + 4.0 * u.sqrt() / 9.0 + 2.0 * u,
+            1.0 / 30.0,
+        ),
+        ("a lost |oc|²", -1022.0 + 450.0, -570.0),
+        ("a lost w²", 3.0 - 53.0 - 511.0, -561.0),
+        ("4u²s² where s is larger", -561.0, 2.0 - 106.0 - 457.0),
         ("t̂ for t", 30.0 / 29.0, 17.0 / 16.0),
         ("16u² beside 240u", 4.0 * (u / 240.0).sqrt(), 1e-8),
         // W

@@ -1,12 +1,14 @@
-//! The witnesses of chapter 6: for each bound of the filter, the case that comes closest
-//! to it of all that a search has found. A bound that is made smaller than its witness
-//! allows gives a wrong answer here.
+//! The witnesses of chapter 6: for each error bound, the case that comes closest to it of
+//! all that a search has found. A bound that is made smaller than its witness allows
+//! gives a wrong answer here. Bounds of size need no search: what lies on either side of
+//! them is asked.
 
-use laws::WithInterval;
+use common::rtweekend::*;
 use laws::intervals::{t_is_within_ulps, the_decision_is_exactly_right};
 use laws::verdict::Verdict;
+use laws::{Case, WithInterval};
 use measure::tightness::{self, Attempt, BOUNDS};
-use speed_vs_accuracy::{certified_hit, certified_t};
+use speed_vs_accuracy::{Stage, certified_hit, certified_t, exact, stage_of_hit};
 
 #[test]
 fn each_bound_has_one_that_attains_what_is_recorded() {
@@ -45,4 +47,93 @@ fn is_certified(asked: &WithInterval) -> Verdict {
     the_decision_is_exactly_right(&certified_hit, asked)?;
     the_decision_is_exactly_right(&certified_t, asked)?;
     t_is_within_ulps(&certified_t, asked, 1.0)
+}
+
+/// A tiny sphere, straight ahead and far away. If lengths had 126 digits, three squares
+/// would have 256, of which one is the sign.
+#[test]
+fn lengths_fit_into_a_fixed_width_up_to_a_factor_of_2_to_67() {
+    for exponent in 50..=110 {
+        let far = Point3::splat((2.0 - f64::EPSILON) * f64::exp2(f64::from(exponent)));
+        let case = Case {
+            center: far,
+            radius: 1.0,
+            ray: Ray::new(-far, Vec3::ONE),
+        };
+        let fits = exponent <= 67;
+        assert_eq!(
+            stage_that_answers(case, 0.0),
+            fixed_width_if(fits),
+            "{case}"
+        );
+    }
+}
+
+/// The least root there is in integers of 120 digits, and ends of the range next to it.
+/// If lengths and direction could be 2⁸⁰⁰ apart, the lower half of the root would be lost.
+#[test]
+fn units_of_length_and_direction_fit_up_to_2_to_700() {
+    for unit in -1050..=1050 {
+        let length = f64::exp2(f64::from(unit / 2));
+        let direction = f64::exp2(f64::from(unit / 2 - unit));
+        let (most, least) = (f64::exp2(119.0), f64::exp2(52.0));
+        let case = Case {
+            center: length * Point3::new(most, least, 0.0),
+            radius: length * most,
+            ray: Ray::new(
+                length * Point3::new(0.0, least + 1.0, 0.0),
+                direction * Vec3::new(1.1 * most, least, 0.0),
+            ),
+        };
+        let root = exact(case.center, case.radius, &case.ray, 0.0, f64::INFINITY);
+        let root = root.expect("the ray goes by less than a radius from the center");
+        let fits = i32::abs(unit) <= 700;
+        for t_min in [root.next_down(), root, root.next_up()] {
+            let stage = stage_that_answers(case, t_min);
+            assert_eq!(stage, fixed_width_if(fits), "{case}, t_min = {t_min:?}");
+        }
+    }
+}
+
+/// From 2¹⁰²⁶ on, the power of two that a root is multiplied by would come out negative.
+#[test]
+fn questions_are_rescaled_while_a_unit_of_t_is_up_to_2_to_1000() {
+    for unit in (-1060..=-980).chain(980..=1060) {
+        let length = f64::exp2(f64::from(unit / 2));
+        let direction = f64::exp2(f64::from(unit / 2 - unit));
+        let case = Case {
+            center: length * Point3::new(0.0, 0.0, -1.5),
+            radius: 0.5 * length,
+            ray: Ray::new(Point3::ZERO, direction * Vec3::new(0.0, 0.0, -1.0)),
+        };
+        let expected = if i32::abs(unit) <= 1000 {
+            Stage::Rescaled
+        } else {
+            Stage::Exact
+        };
+        assert_eq!(stage_that_answers(case, 0.0), expected, "{case}");
+    }
+}
+
+/// Both methods must say what the integers say.
+fn stage_that_answers(case: Case, t_min: f64) -> Stage {
+    let Case {
+        center,
+        radius,
+        ray,
+    } = case;
+    let t = exact(center, radius, &ray, t_min, f64::INFINITY);
+    for method in [certified_hit, certified_t] {
+        let found = method(center, radius, &ray, t_min, f64::INFINITY);
+        assert_eq!(found, t, "{case}, t_min = {t_min:?}");
+    }
+    stage_of_hit(center, radius, &ray, t_min, f64::INFINITY)
+}
+
+fn fixed_width_if(fits: bool) -> Stage {
+    if fits {
+        Stage::FixedWidth
+    } else {
+        Stage::Exact
+    }
 }

@@ -1,4 +1,4 @@
-//! A search: how close cases can come to the bounds of the filter in chapter 6.
+//! A search: how close cases can come to the error bounds of chapter 6.
 
 use std::error::Error;
 use std::path::Path;
@@ -10,7 +10,7 @@ use figures::table::{Record, Table};
 use measure::climb::{Effort, closest};
 use measure::tightness::{self, BOUNDS};
 
-/// How close cases can come to the bounds of the filter in chapter 6.
+/// How close cases can come to the error bounds of chapter 6.
 ///
 /// Begins at what is recorded, among others, so it never finds less.
 #[derive(Parser)]

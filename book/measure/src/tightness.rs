@@ -1,17 +1,22 @@
-//! Tightness: how close a case comes to an error bound of the filter in chapter 6.
+//! Tightness: how close a case comes to an error bound of chapter 6.
 //!
 //! A large error alone proves nothing: what counts is a wrong answer. So each bound has
-//! a function that asks of a case the question about which the filter would be wrong,
+//! a function that asks of a case the question about which a method would be wrong,
 //! and says how small the constant in the code would have to be for that.
+
+use std::cmp::Ordering;
 
 use common::rtweekend::*;
 use figures::records::Tightness;
 use figures::table::Table;
 use laws::oracle::{Exact, Root};
 use laws::{Case, WithInterval};
-use speed_vs_accuracy::{C_BAND, D_BAND, E_EXPONENT, R_BANDS, T_BAND, refined};
+use speed_vs_accuracy::{
+    C_BAND, D_BAND, E_EXPONENT, R_BANDS, S_C_BAND, S_D_BAND, Sharper, Stage, T_BAND, W_BAND,
+};
+use speed_vs_accuracy::{pairs, refined, stage_of_hit};
 
-/// A constant that the filter relies on, and how to come close to it.
+/// A constant that a certified method relies on, and how to come close to it.
 pub struct Bound {
     /// The letter of its proof, and what is wrong where it is too small.
     pub name: &'static str,
@@ -32,6 +37,10 @@ pub struct Bound {
 pub enum Unit {
     /// u = 2⁻⁵³, the largest relative error of one operation.
     Rounding,
+    /// u²
+    RoundingSquared,
+    /// The bound that the code computes beside each number.
+    OwnBound,
     /// It is a power of two.
     PowerOfTwo,
 }
@@ -41,14 +50,14 @@ pub enum Unit {
 pub struct Attempt {
     /// The case, and the range in which its answer could be wrong.
     pub asked: WithInterval,
-    /// The filter would answer wrongly if the constant of the bound were below this…
+    /// The answer would be wrong if the constant of the bound were below this…
     pub attained: f64,
     /// …and this is 0. Otherwise it says how far the exact answer is from another one.
     pub short: f64,
 }
 
-/// All bounds of the filter.
-pub const BOUNDS: [Bound; 9] = [
+/// The bounds of all stages that round.
+pub const BOUNDS: [Bound; 16] = [
     Bound {
         name: "C",
         constant: C_BAND,
@@ -121,6 +130,62 @@ pub const BOUNDS: [Bound; 9] = [
         aim: along_a_line_of_largest_numbers,
         attempt: overflow,
     },
+    Bound {
+        name: "S_c",
+        constant: S_C_BAND,
+        proved: 0.51,
+        unit: Unit::OwnBound,
+        aim: within_a_rounding_of_the_surface,
+        attempt: sharply_turned_away_from_inside,
+    },
+    Bound {
+        name: "S_D_miss",
+        constant: 1.0,
+        proved: 0.82,
+        unit: Unit::OwnBound,
+        aim: |case| near_a_tangent(case, 0.0),
+        attempt: sharp_false_miss,
+    },
+    Bound {
+        name: "S_D_hit",
+        constant: S_D_BAND,
+        proved: 0.82,
+        unit: Unit::OwnBound,
+        aim: |case| near_a_tangent(case, 0.0),
+        attempt: sharp_false_hit,
+    },
+    Bound {
+        name: "S_D_far",
+        constant: S_D_BAND,
+        proved: 0.82,
+        unit: Unit::OwnBound,
+        aim: near_a_tangent_of_a_far_dot,
+        attempt: sharp_false_hit_of_a_far_dot,
+    },
+    Bound {
+        name: "S_q_over_a",
+        constant: 1.0,
+        proved: 0.95,
+        unit: Unit::OwnBound,
+        aim: |case| near_a_tangent(case, 200.0 * U),
+        attempt: |case| sharp_root_beyond_the_end(case, Quotient::QOverA),
+    },
+    Bound {
+        name: "S_c_over_q",
+        constant: 1.0,
+        proved: 0.95,
+        unit: Unit::OwnBound,
+        aim: |case| near_a_tangent(case, 200.0 * U),
+        attempt: |case| sharp_root_beyond_the_end(case, Quotient::COverQ),
+    },
+    Bound {
+        name: "W",
+        constant: W_BAND,
+        proved: 34.0 * U * U,
+        unit: Unit::RoundingSquared,
+        aim: through_a_root_that_is_a_number,
+        attempt: pair_beyond_the_end,
+    },
 ];
 
 const U: f64 = f64::EPSILON / 2.0;
@@ -165,6 +230,8 @@ impl Unit {
     fn name(self) -> &'static str {
         match self {
             Self::Rounding => "u",
+            Self::RoundingSquared => "u2",
+            Self::OwnBound => "bound",
             Self::PowerOfTwo => "log2",
         }
     }
@@ -173,6 +240,8 @@ impl Unit {
     fn counted(self, constant: f64) -> f64 {
         let counted = match self {
             Self::Rounding => constant / U,
+            Self::RoundingSquared => constant / (U * U),
+            Self::OwnBound => constant,
             Self::PowerOfTwo => constant.log2(),
         };
         (100.0 * counted).round() / 100.0
@@ -180,7 +249,7 @@ impl Unit {
 }
 
 impl Attempt {
-    /// Whether the filter would answer wrongly with a smaller constant.
+    /// Whether the answer would be wrong with a smaller constant.
     pub fn is_witness(&self) -> bool {
         self.short == 0.0
     }
@@ -313,6 +382,105 @@ fn overflow(case: &Case) -> Option<Attempt> {
     })
 }
 
+/// c < 0 though ĉ > 0 where c has 70 digits.
+fn sharply_turned_away_from_inside(case: &Case) -> Option<Attempt> {
+    let case = match Rounded::of(case)? {
+        rounded if rounded.h <= 0.0 => *case,
+        _ => case.turned_round(),
+    };
+    let (c, exact) = (sharper(&case).c, Exact::of(&case));
+    let margin = exact.origin_margin() / f64::exp2(-73.0);
+    left_by(Stage::Sharper, in_range(case, 0.0, f64::INFINITY)).map(|asked| Attempt {
+        asked,
+        attained: c.value / c.error,
+        short: beyond_zero(margin, exact.origin_side().is_lt()),
+    })
+}
+
+/// D ≥ 0 though D̂ < 0 where it comes from the cross product.
+fn sharp_false_miss(case: &Case) -> Option<Attempt> {
+    sharp_discriminant(case, -1.0, Ordering::is_ge)
+}
+
+/// D < 0 though D̂ > 0 where it comes from the cross product.
+fn sharp_false_hit(case: &Case) -> Option<Attempt> {
+    sharp_discriminant(case, 1.0, Ordering::is_lt)
+}
+
+/// The same, where d × oc is lost to rounding: then all that is left of the bound is the term
+/// in u², and that in D̂ itself.
+fn sharp_false_hit_of_a_far_dot(case: &Case) -> Option<Attempt> {
+    let across = case.ray.direction.cross(case.center - case.ray.origin);
+    sharp_false_hit(case).filter(|_| across == Vec3::ZERO)
+}
+
+fn sharp_discriminant(case: &Case, sign: f64, is_other: fn(Ordering) -> bool) -> Option<Attempt> {
+    Rounded::of(case)?;
+    let (discriminant, exact) = (sharper(case).discriminant, Exact::of(case));
+    // In its own bounds: those of far spheres are much smaller than u·a·M.
+    let bound = discriminant.error / (case.a() * case.m());
+    let margin = exact.discriminant_margin() / bound;
+    left_by(Stage::Sharper, anywhere_on(*case)).map(|asked| Attempt {
+        asked,
+        attained: sign * discriminant.value / discriminant.error,
+        short: beyond_zero(margin, is_other(exact.discriminant())),
+    })
+}
+
+/// As [`root_beyond_the_end`], for the root of the sharper stage.
+fn sharp_root_beyond_the_end(case: &Case, quotient: Quotient) -> Option<Attempt> {
+    let gap = |case: &Case| {
+        let rounded = Rounded::of(case)?;
+        let (numbers, exact) = (sharper(case), Exact::of(case));
+        if numbers.discriminant.value <= S_D_BAND * numbers.discriminant.error {
+            return None;
+        }
+        let which = usize::from(rounded.h.is_sign_positive() != (quotient == Quotient::COverQ));
+        let root = numbers.roots().nth(which)?;
+        let t_min = not_below([exact.nearer_root()?, exact.farther_root()?][which]);
+        let attained = (root.t - t_min) * root.scale / root.error;
+        let asked = left_by(Stage::Sharper, in_range(*case, t_min, f64::INFINITY))?;
+        (attained > 0.0).then_some(Attempt {
+            asked,
+            attained,
+            short: 0.0,
+        })
+    };
+    gap(case).or_else(|| gap(&case.turned_round()))
+}
+
+/// As [`root_beyond_the_end`], for a root as a pair of numbers.
+fn pair_beyond_the_end(case: &Case) -> Option<Attempt> {
+    let gap = |case: Case, which: usize| {
+        let exact = Exact::of(&case);
+        let t_min = not_below([exact.nearer_root()?, exact.farther_root()?][which]);
+        let root = pairs(case.center, case.radius, &case.ray)?.nth(which)?;
+        let asked = left_by(Stage::FixedWidth, in_range(case, t_min, f64::INFINITY))?;
+        let attained = root.minus(t_min) / root.high.abs();
+        (attained > 0.0).then_some(Attempt {
+            asked,
+            attained,
+            short: 0.0,
+        })
+    };
+    [*case, case.turned_round()]
+        .into_iter()
+        .flat_map(|case| [gap(case, 0), gap(case, 1)])
+        .flatten()
+        .max_by(|a, b| a.attained.total_cmp(&b.attained))
+}
+
+/// The question, if this stage and those before it do not answer it.
+fn left_by(stage: Stage, asked: WithInterval) -> Option<WithInterval> {
+    let WithInterval { case, t_min, t_max } = asked;
+    let answered = stage_of_hit(case.center, case.radius, &case.ray, t_min, t_max);
+    (answered > stage).then_some(asked)
+}
+
+fn sharper(case: &Case) -> Sharper {
+    Sharper::of(case.center, case.radius, &case.ray)
+}
+
 /// What the filter computes, rounded as it rounds.
 struct Rounded {
     a: f64,
@@ -422,6 +590,46 @@ fn near_the_surface(case: &Case, share: f64) -> Case {
     let distance = (case.center - case.ray.origin).length();
     let radius = distance * ((1.0 - share) / (1.0 + share)).sqrt();
     Case { radius, ..*case }
+}
+
+/// The ray aimed at the center, but for rounding, and the radius such that it is a tangent.
+fn near_a_tangent_of_a_far_dot(case: &Case) -> Case {
+    let Case { center, ray, .. } = *case;
+    let mut dot = case.with_ray(ray.origin, center - ray.origin);
+    dot.radius = 0.0;
+    let margin = Exact::of_finite(&dot).map_or(0.0, |exact| exact.discriminant_margin());
+    dot.radius = (-margin * dot.m()).sqrt();
+    dot
+}
+
+/// The origin such that c is some u² of M: a short way to the side makes good for what
+/// rounding took from the radius.
+fn within_a_rounding_of_the_surface(case: &Case) -> Case {
+    let mut case = *case;
+    (case.center.y, case.ray.origin.y) = (0.0, 0.0);
+    case = near_the_surface(&case, 0.0);
+    case.radius *= 1.0 + 4.0 * U;
+    let margin = Exact::of_finite(&case).map_or(0.0, |exact| exact.origin_margin());
+    case.ray.origin.y = (-margin * case.m()).sqrt();
+    case
+}
+
+/// A case with an `f64` for a root: C = t·d and Q = −k·(1, 2, 2) for r = 3k, all so short
+/// that nothing rounds.
+fn through_a_root_that_is_a_number(case: &Case) -> Case {
+    let d = case.ray.direction.map(|x| first_digits(x, 27));
+    let t = first_digits(case.center.x / d.x, 26);
+    let k = first_digits(case.radius / 3.0, 51);
+    Case {
+        center: t * d,
+        radius: 3.0 * k,
+        ray: Ray::new(-k * Vec3::new(1.0, 2.0, 2.0), d),
+    }
+}
+
+fn first_digits(x: f64, digits: u32) -> f64 {
+    let cut = 53 - digits;
+    f64::from_bits(x.to_bits() >> cut << cut)
 }
 
 /// The radius such that D is this `share` of a·M, but for rounding.

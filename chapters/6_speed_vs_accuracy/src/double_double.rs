@@ -83,8 +83,9 @@ impl Quadratic {
 
 /// The sum `high` + `low`, of which `high` alone is the rounded value.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Double {
-    pub(crate) high: f64,
+pub struct Double {
+    /// The sum, rounded.
+    pub high: f64,
     low: f64,
 }
 
@@ -110,7 +111,7 @@ impl Double {
     }
 
     /// How far above `x` it is, rounded; `x` may be infinite.
-    pub(crate) fn minus(self, x: f64) -> f64 {
+    pub fn minus(self, x: f64) -> f64 {
         (self.high - x) + self.low
     }
 

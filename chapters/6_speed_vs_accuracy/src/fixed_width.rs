@@ -19,7 +19,7 @@ use crate::exact::{inwards, split};
 use crate::plain::two_to;
 
 /// Bound W: a root as a pair is off by no more than 64u² of itself.
-const BAND: f64 = 64.0 * U * U;
+pub const W_BAND: f64 = 64.0 * U * U;
 
 /// The nearest root in the range, decided exactly and rounded once.
 ///
@@ -34,24 +34,29 @@ pub(crate) fn fixed_width(
     t_min: f64,
     t_max: f64,
 ) -> Result<Option<f64>, Unclear> {
+    for root in pairs(center, radius, ray).ok_or(Unclear)? {
+        let gaps = [root.minus(t_min), -root.minus(t_max)];
+        if lies_between(gaps, 1.0, W_BAND * root.high.abs())? {
+            return Ok(inwards(root.high, t_min, t_max));
+        }
+    }
+    Ok(None)
+}
+
+/// The roots as pairs, the nearer one first; `None` where the numbers do not fit.
+pub fn pairs(center: Point3, radius: f64, ray: &Ray) -> Option<impl Iterator<Item = Double>> {
     let (lengths, unit_of_length) = integers(coordinates(center, radius, ray.origin))?;
     let (d, unit_of_direction) = integers(ray.direction.to_array())?;
     // Neither the root nor its lower half leaves the range of an `f64` then.
     let unit = unit_of_length - unit_of_direction;
     if unit.abs() > 700 {
-        return Err(Unclear);
+        return None;
     }
-    let Some(quadratic) = quadratic(lengths, d) else {
-        return Ok(None);
+    let roots = quadratic(lengths, d).and_then(|quadratic| quadratic.roots());
+    let in_units = move |(numerator, denominator): (Double, Double)| {
+        (numerator / denominator).times_power_of_two(two_to(unit as i32))
     };
-    for (numerator, denominator) in quadratic.roots().into_iter().flatten() {
-        let root = (numerator / denominator).times_power_of_two(two_to(unit as i32));
-        let gaps = [root.minus(t_min), -root.minus(t_max)];
-        if lies_between(gaps, 1.0, BAND * root.high.abs())? {
-            return Ok(inwards(root.high, t_min, t_max));
-        }
-    }
-    Ok(None)
+    Some(roots.into_iter().flatten().map(in_units))
 }
 
 /// a·t² − 2h·t + c = 0 and its D, each rounded once; `None` if it has no roots.
@@ -89,7 +94,7 @@ fn coordinates(center: Point3, radius: f64, origin: Point3) -> [f64; 7] {
 /// The values as integers of 120 digits at most, counted in one power of two, and
 /// its exponent.
 #[inline(always)]
-fn integers<const N: usize>(values: [f64; N]) -> Result<([i128; N], i64), Unclear> {
+fn integers<const N: usize>(values: [f64; N]) -> Option<([i128; N], i64)> {
     /// A number has 53 digits, and may be shifted by so many.
     const MOST: i64 = 120 - 53;
     /// What an infinity or NaN seems to have.
@@ -101,10 +106,10 @@ fn integers<const N: usize>(values: [f64; N]) -> Result<([i128; N], i64), Unclea
     let least = counted.into_iter().fold(NOT_FINITE, i64::min);
     let most = parts.iter().fold(least, |most, part| most.max(part.1));
     if most - least > MOST || most >= NOT_FINITE {
-        return Err(Unclear);
+        return None;
     }
     let shifted = array::from_fn(|k| i128::from(parts[k].0) << (parts[k].1.max(least) - least));
-    Ok((shifted, least))
+    Some((shifted, least))
 }
 
 #[inline(always)]

@@ -29,9 +29,10 @@ mod single;
 pub use case::Case;
 pub use certified::{C_BAND, D_BAND, E_EXPONENT, R_BANDS, T_BAND};
 pub use certified::{Stage, certified_hit, certified_t, stage_of_hit, stage_of_t};
-pub use double_double::double_double;
+pub use double_double::{Double, double_double};
 pub use exact::exact;
 pub use failure_map::{FailureMap, failure_map};
+pub use fixed_width::{W_BAND, pairs};
 pub use interval::interval_q;
 pub use leaving::{
     Departure, LEAVINGS, Leaving, after_t_min, at_once, integer_offset, pbrt_offset, proven_offset,
@@ -47,6 +48,7 @@ pub use refined::refined;
 pub use regimes::{REGIMES, Random, Regime, find_regime};
 pub use scene_file::{Mistake, WIDEST};
 pub use scenes::{Eye, Hit, SCENES, Scene, Sight, T_MIN_OF_SHADOWS, find_scene};
+pub use sharper::{S_C_BAND, S_D_BAND, Sharper};
 pub use single::{
     SingleRay, certified_f32, cross_q_f32, half_b_f32, half_b_q_f32, widened_half_b_q_f32,
 };
@@ -56,6 +58,6 @@ use common::rtweekend::Picture;
 /// The picture at `width` pixels wide: a star in a telescope, on the left as
 /// chapter 5 sees it, on the right as it is.
 pub fn picture(width: u32) -> Picture {
-    let scene = find_scene("telescope").expect("it is one of the six");
+    let scene = find_scene("telescope").expect("it is one of the seven");
     scene.halves(Method::HALF_B, Method::CERTIFIED_T, width)
 }

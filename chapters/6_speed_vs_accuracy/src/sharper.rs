@@ -11,6 +11,12 @@ use common::rtweekend::*;
 use crate::certified::{U, Unclear, lies_between};
 use crate::refined;
 
+/// Bound S: ĉ has the sign of c where it is more than so many times its bound.
+pub const S_C_BAND: f64 = 2.0;
+
+/// Bound S: the roots are computed where D̂ is more than so many times its bound.
+pub const S_D_BAND: f64 = 16.0;
+
 /// Whether the ray hits within the range, and where, if these bounds can tell.
 ///
 /// They can as far as `cross_q` decides rightly, and for nearly all points that
@@ -23,59 +29,111 @@ pub(crate) fn sharper<const ULP: bool>(
     t_min: f64,
     t_max: f64,
 ) -> Result<Option<f64>, Unclear> {
-    let oc = center - ray.origin;
-    let a = ray.direction.length_squared();
-    let (oc_squared, r_squared) = (oc.length_squared(), radius * radius);
-    let m = oc_squared + r_squared;
-    let h = ray.direction.dot(oc);
-    let c = c(center, radius, ray.origin, m);
+    let numbers = Sharper::of(center, radius, ray);
+    let Sharper {
+        h, c, discriminant, ..
+    } = numbers;
     // From outside, a ray that does not turn towards the center meets nothing.
-    if h <= 0.0 && c.value > 2.0 * c.error && t_min >= 0.0 {
+    if h <= 0.0 && c.value > S_C_BAND * c.error && t_min >= 0.0 {
         return Ok(None);
     }
-    let across = ray.direction.cross(oc).length_squared();
-    let discriminant = discriminant(a, r_squared, across, oc_squared);
     if discriminant.value < -discriminant.error {
         return Ok(None);
     }
     // From here on q is known to one part in 30.
-    if discriminant.value <= 16.0 * discriminant.error {
+    if discriminant.value <= S_D_BAND * discriminant.error {
         return Err(Unclear);
     }
-    let q = q(h, (a * oc_squared).sqrt(), discriminant);
-    let a = Bounded {
-        value: a,
-        error: 4.0 * U * a,
-    };
-    let roots = if q.value > 0.0 {
-        [(c, q), (q, a)]
-    } else {
-        [(q, a), (c, q)]
-    };
-    for (numerator, denominator) in roots {
-        let t = numerator.value / denominator.value;
-        let (error, scale) = error_of_quotient(t, numerator, denominator);
-        if lies_between([t - t_min, t_max - t], scale, error)? {
-            return if ULP { Err(Unclear) } else { Ok(Some(t)) };
+    for root in numbers.roots() {
+        let gaps = [root.t - t_min, t_max - root.t];
+        if lies_between(gaps, root.scale, root.error)? {
+            return if ULP { Err(Unclear) } else { Ok(Some(root.t)) };
         }
     }
     Ok(None)
 }
 
-/// A computed number, and how far it is from the exact one at most.
-#[derive(Clone, Copy)]
-struct Bounded {
-    value: f64,
-    error: f64,
+/// A question in numbers that know how far off they are (bound S).
+#[derive(Clone, Copy, Debug)]
+pub struct Sharper {
+    a: f64,
+    h: f64,
+    /// |d||oc|
+    s: f64,
+    /// c = |C − Q|² − r², with 70 digits of M.
+    pub c: Bounded,
+    /// D = a·r² − |d × oc|².
+    pub discriminant: Bounded,
 }
 
-/// The error of t = `numerator` / `denominator` as a fraction, which need not be divided.
+/// A computed number, and how far it is from the exact one at most.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounded {
+    /// What was computed.
+    pub value: f64,
+    /// At most so far off.
+    pub error: f64,
+}
+
+/// A computed root, off by `error` / `scale` at most, which need not be divided.
+#[derive(Clone, Copy, Debug)]
+pub struct Quotient {
+    /// The root.
+    pub t: f64,
+    /// Its error times `scale`.
+    pub error: f64,
+    /// The size of the number by which it was divided.
+    pub scale: f64,
+}
+
+impl Sharper {
+    /// The numbers of a question whose a and M are of ordinary size.
+    #[inline(always)]
+    pub fn of(center: Point3, radius: f64, ray: &Ray) -> Self {
+        let oc = center - ray.origin;
+        let a = ray.direction.length_squared();
+        let (oc_squared, r_squared) = (oc.length_squared(), radius * radius);
+        let across = ray.direction.cross(oc).length_squared();
+        let s_squared = a * oc_squared;
+        Self {
+            a,
+            h: ray.direction.dot(oc),
+            s: s_squared.sqrt(),
+            c: c(center, radius, ray.origin, oc_squared + r_squared),
+            discriminant: discriminant(a * r_squared, across, s_squared),
+        }
+    }
+
+    /// Both roots, the nearer one first, where D is more than 16 times its bound.
+    #[inline(always)]
+    pub fn roots(&self) -> impl Iterator<Item = Quotient> {
+        let q = q(self.h, self.s, self.discriminant);
+        let a = Bounded {
+            value: self.a,
+            error: 4.0 * U * self.a,
+        };
+        let roots = if q.value > 0.0 {
+            [(self.c, q), (q, a)]
+        } else {
+            [(q, a), (self.c, q)]
+        };
+        roots
+            .into_iter()
+            .map(|(numerator, denominator)| quotient(numerator, denominator))
+    }
+}
+
 #[inline(always)]
-fn error_of_quotient(t: f64, numerator: Bounded, denominator: Bounded) -> (f64, f64) {
-    let size = denominator.value.abs();
-    let error = numerator.error + t.abs() * (denominator.error + U * size);
-    // A sixteenth more: for terms in u², and the roundings of the bounds.
-    (1.0625 * error, size)
+fn quotient(numerator: Bounded, denominator: Bounded) -> Quotient {
+    let t = numerator.value / denominator.value;
+    let scale = denominator.value.abs();
+    let error = numerator.error + t.abs() * (denominator.error + U * scale);
+    Quotient {
+        t,
+        // A sixteenth more: for terms in u², and the roundings of the bounds.
+        error: 1.0625 * error,
+        scale,
+    }
 }
 
 /// c = |C − Q|² − r² with 70 digits of M (bound S).
@@ -88,10 +146,9 @@ fn c(center: Point3, radius: f64, origin: Point3, m: f64) -> Bounded {
     }
 }
 
-/// D = a·r² − |d × oc|², from |d × oc|² and oc·oc (bound S).
+/// D = `r` − `across`, from a·r², |d × oc|² and s = |d|²|oc|² (bound S).
 #[inline(always)]
-fn discriminant(a: f64, r_squared: f64, across: f64, oc_squared: f64) -> Bounded {
-    let (r, s) = (a * r_squared, a * oc_squared);
+fn discriminant(r: f64, across: f64, s: f64) -> Bounded {
     let size = across.sqrt() * s.sqrt() + across + r;
     Bounded {
         value: r - across,
