@@ -116,13 +116,16 @@ pub(super) fn mark(svg: &mut Svg, idea: &str, precision: Precision, at: DVec2) {
         "reference" => svg.rect(&class, at - 5.0, DVec2::splat(10.0)),
         "certain" => {
             let corner = |x, y| at + DVec2::new(x, y);
+            let top = corner(0.0, -7.0);
+            // The top once more: a hollow one has four sides as well.
             svg.path(
                 &class,
                 &[
-                    corner(0.0, -7.0),
+                    top,
                     corner(7.0, 0.0),
                     corner(0.0, 7.0),
                     corner(-7.0, 0.0),
+                    top,
                 ],
             );
         }
