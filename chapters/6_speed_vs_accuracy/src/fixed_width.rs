@@ -4,7 +4,7 @@
 //! An `f64` is an integer times a power of two. If the lengths of a question are
 //! within a factor of 2⁶⁷ of each other, they fit into 120 binary digits over a
 //! common power; then a, h and c fit into 256, and D into 512. It is nearly always
-//! so, and takes a tenth of the time of integers of any length. Only then is
+//! so, and takes a small part of the time of integers of any length. Only then is
 //! anything rounded, to twice the digits of an `f64`, and the roots are found with
 //! these. Nothing is left that could cancel.
 
