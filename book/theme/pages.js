@@ -62,3 +62,18 @@ const boxes = "main .table-wrapper, main pre > code, main p:has(img[src*='termin
 document.fonts.ready.then(() => {
     document.querySelectorAll(boxes).forEach((box) => observer.observe(box));
 });
+
+// What moves the live figures is loaded when the first of them comes near the screen.
+const near = new IntersectionObserver((entries) => {
+    if (entries.some((entry) => entry.isIntersecting)) {
+        near.disconnect();
+        for (const file of ["module", "figures"]) {
+            const script = document.createElement("script");
+            script.src = `live/${file}.js`;
+            // In this order.
+            script.async = false;
+            document.head.append(script);
+        }
+    }
+}, { rootMargin: "100%" });
+document.querySelectorAll("figure.live").forEach((figure) => near.observe(figure));

@@ -3,6 +3,7 @@
 
 mod bidi;
 mod devtools;
+mod dragged;
 
 use std::path::Path;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
@@ -265,7 +266,7 @@ impl Window for Tab<'_> {
 
 impl Window for Firefox {
     fn open_file(&mut self, file: &Path) -> Vec<String> {
-        let events = self.open(file);
+        let events = self.open(file, "");
         events.iter().filter_map(complaint_of_firefox).collect()
     }
 

@@ -29,6 +29,7 @@ mod hit_command;
 mod leaving;
 mod left_out;
 mod lesson;
+mod live;
 mod measured;
 mod methods;
 mod nearest;

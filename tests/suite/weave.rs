@@ -134,6 +134,8 @@ fn a_figure_is_drawn_into_the_page_with_its_caption() {
         let name = figure.name;
         let is_drawn = shown.contains("<svg") && shown.contains("</svg>");
         assert!(is_drawn, "{name} is not drawn:\n{shown}");
+        let is_live = live::find(name).is_some();
+        assert_eq!(shown.contains("class=\"handle\""), is_live, "{name}");
         let has_caption = shown.contains("<figcaption>");
         assert!(has_caption, "{name} has no caption:\n{shown}");
     }
@@ -306,6 +308,11 @@ fn what_cannot_be_woven_fails_the_build_with_file_line_and_cause() {
         ),
         ("{{code Broken.rs a}}", "Broken.rs: line 2"),
         ("{{figure unicorn}}", "no figure `unicorn`: there are"),
+        (
+            "T is {{live unicorn t}}.",
+            "no live figure `unicorn`: there are",
+        ),
+        ("T is {{live ray unicorn}}.", "tells no `unicorn`: it tells"),
         ("{{slip unicorn gradient}}", "no slip `unicorn`"),
         ("{{slip minus-h gradient}}", "can't be made in a chapter"),
         ("{{step unicorn 1}}", "no chapter `unicorn`"),
@@ -429,7 +436,7 @@ fn unrelated() {}
 
 /// The figure of that name, and what follows until the next one.
 fn shown_as<'a>(name: &str, page: &'a str) -> &'a str {
-    let start = format!("<figure id=\"{name}\">");
+    let start = format!("<figure id=\"{name}\"");
     let mut rest = page.split(&start).skip(1);
     let shown = rest.next().expect("it is shown");
     assert_eq!(rest.next(), None, "{name} is shown twice");

@@ -35,20 +35,45 @@ impl Default for Parameters {
     fn default() -> Self {
         Self {
             from_outside: Ray::new(Point3::new(-1.45, 0.9, 0.0), Vec3::new(1.0, -0.13, 0.0)),
-            from_inside: Ray::new(Point3::new(-0.55, -0.66, 0.0), Vec3::X),
+            from_inside: Ray::new(Point3::new(-0.55, -0.65, 0.0), Vec3::X),
         }
     }
+}
+
+/// Where the left of the two spheres is on the sheet, and where the right one.
+pub const PLANES: [Plane; 2] = [
+    Plane::new(98.0, 158.0, 64.0),
+    Plane::new(302.0, 158.0, 64.0),
+];
+
+/// Where a ray meets the sphere.
+pub fn hit(ray: &Ray) -> Option<HitRecord> {
+    Sphere::new(Point3::ZERO, 1.0).hit(ray, 0.0, f64::INFINITY)
+}
+
+/// The sphere has radius 1 around the origin: a point of it is the normal there that points
+/// out.
+pub fn outward(record: &HitRecord) -> Vec3 {
+    record.point
 }
 
 /// Draws both ways side by side.
 pub fn draw(parameters: &Parameters) -> String {
     let mut svg = FIGURE.sheet(400.0, 300.0);
-    for (x, title, against) in [(98.0, "outward", false), (302.0, "against the ray", true)] {
-        let plane = Plane::new(x, 158.0, 64.0);
-        svg.label("ink", DVec2::new(x, 22.0), Anchor::Middle, title);
+    let titles = [("outward", false), ("against the ray", true)];
+    for (plane, (title, against)) in PLANES.iter().zip(titles) {
+        let above = DVec2::new(plane.origin.x, 22.0);
+        svg.label("ink", above, Anchor::Middle, title);
         svg.circle("sphere area", plane.origin, plane.scale);
-        meet(&mut svg, &plane, &parameters.from_outside, against);
-        meet(&mut svg, &plane, &parameters.from_inside, against);
+        for (ray, side) in [
+            (parameters.from_outside, -1.0),
+            (parameters.from_inside, 1.0),
+        ] {
+            let words = meet(&mut svg, plane, &ray, against);
+            // Above the sphere for the first ray, below it for the second.
+            let place = plane.origin + DVec2::new(0.0, 4.0 + side * (plane.scale + 42.0));
+            svg.small_label("ink", place, Anchor::Middle, &words);
+        }
     }
     svg.line(
         "grid thin",
@@ -58,44 +83,42 @@ pub fn draw(parameters: &Parameters) -> String {
     svg.finish()
 }
 
-/// Draws a ray, and the normal where it meets the sphere.
-fn meet(svg: &mut Svg, plane: &Plane, ray: &Ray, against: bool) {
-    let sphere = Sphere::new(Point3::ZERO, 1.0);
-    let Some(record) = sphere.hit(ray, 0.0, f64::INFINITY) else {
-        return;
-    };
-    // The sphere has radius 1 around the origin: a point of it is the normal there.
-    let outward = record.point;
-    let normal = if against { record.normal } else { outward };
-    let point = plane.point(record.point);
-    svg.circle("ray solid", plane.point(ray.origin), 3.5);
-    svg.arrow("ray line", plane.point(ray.origin), point);
-    svg.arrow(
-        "normal bold",
-        point,
-        plane.point(record.point + 0.6 * normal),
+/// Draws a ray, and the normal where it meets the sphere; returns what there is to say.
+fn meet(svg: &mut Svg, plane: &Plane, ray: &Ray, against: bool) -> String {
+    let origin = plane.point(ray.origin);
+    svg.circle("ray solid", origin, 3.5);
+    svg.label(
+        "ray",
+        origin + DVec2::new(12.0, -8.0),
+        Anchor::Middle,
+        "**d**",
     );
+    let Some(record) = hit(ray) else {
+        svg.arrow("ray line", origin, plane.point(ray.at(0.5)));
+        return "no hit".to_owned();
+    };
+    let normal = match against {
+        true => record.normal,
+        false => outward(&record),
+    };
+    let point = plane.point(record.point);
+    let tip = plane.point(record.point + 0.6 * normal);
+    svg.arrow("ray line", origin, point);
+    svg.arrow("normal bold", point, tip);
     svg.circle("ink solid", point, 4.0);
-    let start = plane.point(ray.origin) + DVec2::new(12.0, -8.0);
-    svg.label("ray", start, Anchor::Middle, "**d**");
     let beyond = plane.point(record.point + 0.8 * normal) + DVec2::new(0.0, 5.0);
     svg.label("normal", beyond, Anchor::Middle, "**n**");
-    let words = if against {
-        format!("front_face = {}", record.front_face)
-    } else {
-        let sign = if ray.direction.dot(normal) < 0.0 {
-            '<'
-        } else {
-            '>'
-        };
-        format!("**d**·**n** {sign} 0")
-    };
-    svg.small_label("ink", place(plane, &record), Anchor::Middle, &words);
+    match against {
+        true => format!("front_face = {}", record.front_face),
+        false => format!("**d**·**n** {} 0", sign(ray.direction.dot(normal))),
+    }
 }
 
-/// Where the words of a hit stand: above the sphere for one from outside, below
-/// it for one from inside.
-fn place(plane: &Plane, record: &HitRecord) -> DVec2 {
-    let side = if record.front_face { -1.0 } else { 1.0 };
-    plane.origin + DVec2::new(0.0, 4.0 + side * (plane.scale + 42.0))
+/// How a number stands to 0.
+fn sign(value: f64) -> char {
+    match value {
+        ..0.0 => '<',
+        0.0 => '=',
+        _ => '>',
+    }
 }

@@ -22,12 +22,7 @@ pub struct Figure {
 impl Figure {
     /// The caption as HTML.
     pub fn caption(&self) -> String {
-        let html = |(text, style)| match (escape(text), style) {
-            (text, Style::Plain) => text,
-            (text, Style::Italic) => format!("<i>{text}</i>"),
-            (text, Style::Vector) => format!("<b>{text}</b>"),
-        };
-        styled(self.caption).map(html).collect()
+        html(self.caption)
     }
 
     /// An empty drawing with the words of this figure.
@@ -35,4 +30,14 @@ impl Figure {
         let size = DVec2::new(width, height);
         Svg::new(self.name, self.title, self.description, size)
     }
+}
+
+/// A text in HTML; in it `*t*` is a number, `**P**` a vector.
+pub fn html(text: &str) -> String {
+    let html = |(text, style)| match (escape(text), style) {
+        (text, Style::Plain) => text,
+        (text, Style::Italic) => format!("<i>{text}</i>"),
+        (text, Style::Vector) => format!("<b>{text}</b>"),
+    };
+    styled(text).map(html).collect()
 }

@@ -7,6 +7,7 @@
 pub mod build_test;
 pub mod camera_frame;
 mod charts;
+pub mod discriminant;
 pub mod face_normal;
 mod figure;
 pub mod nearest;
@@ -29,10 +30,12 @@ pub mod unit_sky;
 pub mod viewport_grid;
 
 pub use charts::{CHARTS, Chart, Drawn, Point, find_chart, scene_chart};
-pub use figure::Figure;
+pub use figure::{Figure, html};
+pub use plane::Plane;
 pub use style::{CSS, standalone};
+pub use svg::spoken;
 
-/// All figures, in reading order: the nine of the notes, and five more.
+/// All figures, in reading order: the nine of the notes, and six more.
 pub const FIGURES: &[Figure] = &[
     build_test::FIGURE,
     ray::FIGURE,
@@ -42,6 +45,7 @@ pub const FIGURES: &[Figure] = &[
     sphere_test::FIGURE,
     roots::FIGURE,
     passing::FIGURE,
+    discriminant::FIGURE,
     projection::FIGURE,
     red_sphere::FIGURE,
     normal::FIGURE,

@@ -41,48 +41,62 @@ impl Default for Parameters {
 }
 
 /// Draws the picture with its normals, and the table of their colors.
-pub fn draw(Parameters { width, through }: &Parameters) -> String {
+pub fn draw(parameters: &Parameters) -> String {
     let mut svg = FIGURE.sheet(400.0, 360.0);
-    let camera = Camera::new(*width);
-    let frame = Frame {
-        corner: DVec2::new(8.0, 8.0),
-        side: 384.0 / f64::from(*width),
-    };
-    frame.draw(&mut svg, &normals::picture(*width));
+    let (camera, frame) = parameters.seen_by();
+    frame.draw(&mut svg, &normals::picture(parameters.width));
 
     let below = 8.0 + frame.side * f64::from(camera.image_height);
-    for (&(x, y), name) in through.iter().zip('1'..) {
+    for ((&(x, y), name), row) in parameters.through.iter().zip('1'..).zip(0..) {
         let ray = Ray::new(camera.center, Vec3::new(x, y, -1.0));
-        let Some(t) = hit_sphere(CENTER, 0.5, &ray) else {
-            continue;
-        };
-        let normal = (ray.at(t) - CENTER).normalize();
-        let from = frame.seen(&camera, ray.at(t));
-        let towards = 46.0 * DVec2::new(normal.x, -normal.y);
+        let normal = normal(&ray);
+        let from = frame.seen(&camera, ray.at(1.0));
+        let towards = normal.map_or(DVec2::ZERO, |it| 46.0 * DVec2::new(it.x, -it.y));
         if towards.length() > 12.0 {
             svg.arrow("black bold", from, from + towards);
         }
+        let words = from + DVec2::new(0.0, 4.5);
         svg.circle("disc", from, 9.0);
-        svg.small_label(
-            "on-disc",
-            from + DVec2::new(0.0, 4.5),
-            Anchor::Middle,
-            &name.to_string(),
-        );
-        let row = f64::from(name as u32 - '1' as u32);
-        entry(
-            &mut svg,
-            below + 28.0 + 23.0 * row,
-            name,
-            normal,
-            ray_color(&ray),
-        );
+        svg.small_label("on-disc", words, Anchor::Middle, &name.to_string());
+        let at = below + 28.0 + 23.0 * f64::from(row);
+        entry(&mut svg, at, name, normal, ray_color(&ray));
     }
     svg.finish()
 }
 
+/// The normal where a ray hits the sphere.
+pub fn normal(ray: &Ray) -> Option<Vec3> {
+    let t = hit_sphere(CENTER, 0.5, ray)?;
+    Some((ray.at(t) - CENTER).normalize())
+}
+
+impl Parameters {
+    /// Where on the sheet the eye sees the place (`x`, `y`) of the viewport.
+    pub fn on_sheet(&self, (x, y): (f64, f64)) -> DVec2 {
+        let (camera, frame) = self.seen_by();
+        frame.seen(&camera, Point3::new(x, y, -1.0))
+    }
+
+    /// Which place of the viewport that is.
+    pub fn on_viewport(&self, at: DVec2) -> (f64, f64) {
+        let (camera, frame) = self.seen_by();
+        let pixel = (at - frame.corner) / frame.side - DVec2::splat(0.5);
+        let x = camera.pixel00.x + pixel.x * camera.pixel_delta_u.x;
+        let y = camera.pixel00.y + pixel.y * camera.pixel_delta_v.y;
+        (x, y)
+    }
+
+    fn seen_by(&self) -> (Camera, Frame) {
+        let frame = Frame {
+            corner: DVec2::new(8.0, 8.0),
+            side: 384.0 / f64::from(self.width),
+        };
+        (Camera::new(self.width), frame)
+    }
+}
+
 /// A line of the table: which point, its normal, its color.
-fn entry(svg: &mut Svg, y: f64, name: char, normal: Vec3, color: Color) {
+fn entry(svg: &mut Svg, y: f64, name: char, normal: Option<Vec3>, color: Color) {
     let mut rgb = [0; 3];
     write_color(&mut rgb, color);
     svg.circle("disc", DVec2::new(18.0, y - 4.5), 9.0);
@@ -92,14 +106,12 @@ fn entry(svg: &mut Svg, y: f64, name: char, normal: Vec3, color: Color) {
         Anchor::Middle,
         &name.to_string(),
     );
-    let [x, y_, z] = normal.to_array().map(signed);
+    let words = match normal.map(|it| it.to_array().map(signed)) {
+        Some([x, y, z]) => format!("**n** = ({x}, {y}, {z})"),
+        None => "no normal: it is sky".to_owned(),
+    };
+    svg.label("ink", DVec2::new(36.0, y), Anchor::Start, &words);
     let [red, green, blue] = color.to_array();
-    svg.label(
-        "ink",
-        DVec2::new(36.0, y),
-        Anchor::Start,
-        &format!("**n** = ({x}, {y_}, {z})"),
-    );
     svg.pixel(DVec2::new(214.0, y - 14.0), DVec2::new(26.0, 18.0), rgb);
     let words = format!("({red:.2}, {green:.2}, {blue:.2})");
     svg.label("ink", DVec2::new(250.0, y), Anchor::Start, &words);

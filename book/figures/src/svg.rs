@@ -215,7 +215,7 @@ pub(crate) fn number(value: f64) -> String {
 }
 
 /// A number as a reader writes it: two decimals at most and a real minus.
-pub(crate) fn spoken(value: f64) -> String {
+pub fn spoken(value: f64) -> String {
     number(value).replace('-', "−")
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::code::Listed;
 use super::woven::Woven;
-use super::{changes, code, figure, measured, slip, snapshot, step};
+use super::{changes, code, controls, figure, measured, slip, snapshot, step};
 
 /// What the directive with this `text` stands for, in a page of `folder`.
 ///
@@ -12,7 +12,8 @@ use super::{changes, code, figure, measured, slip, snapshot, step};
 /// |---|---|
 /// | `{{code PATH}}` | the whole source file |
 /// | `{{code PATH ITEM, ITEM}}` | these items of it, and beside which of those listed before they stand |
-/// | `{{figure NAME}}` | the figure, drawn now, with its caption |
+/// | `{{figure NAME}}` | the figure, drawn now, with its caption; handles, if it is live |
+/// | `{{live FIGURE NAME}}` | a number that this live figure tells, and follows it |
 /// | `{{chart NAME}}` | the chart, and a table of its numbers |
 /// | `{{changes NAME}}` | what changed from the chapter before to this one |
 /// | `{{editions}}` | what each edition of the book draws |
@@ -29,6 +30,10 @@ pub(super) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
             code::listing(&folder.join(path), items, listed).map(Woven::Block)
         }
         "figure" => figure::figure(rest).map(Woven::Block),
+        "live" => {
+            let (figure, number) = split(rest);
+            controls::number(figure, number).map(Woven::Inline)
+        }
         "chart" => figure::chart(folder, rest).map(Woven::Block),
         "changes" => changes::changes(folder, rest).map(Woven::Block),
         "editions" => Ok(Woven::Block(slip::editions())),
@@ -47,7 +52,7 @@ pub(super) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
             measured::value(&folder.join(file), key).map(Woven::Inline)
         }
         _ => Err(format!(
-            "there is no directive `{name}`: choose code, figure, chart, changes, editions, \
+            "there is no directive `{name}`: choose code, figure, live, chart, changes, editions, \
              slip, slips, step, snapshot or value"
         )),
     }

@@ -4,7 +4,10 @@ use std::path::Path;
 
 use figures::{CHARTS, FIGURES};
 
-/// The figure of that name, drawn now, with its caption.
+use super::controls;
+
+/// The figure of that name, drawn now, with its caption; and if it is live, with what
+/// moves it.
 pub(super) fn figure(name: &str) -> Result<String, String> {
     let figure = figures::find(name).ok_or_else(|| {
         let names: Vec<&str> = FIGURES.iter().map(|figure| figure.name).collect();
@@ -13,11 +16,13 @@ pub(super) fn figure(name: &str) -> Result<String, String> {
             names.join(", ")
         )
     })?;
-    Ok(on_one_line(&format!(
-        "<figure id=\"{name}\">{}<figcaption>{}</figcaption></figure>",
-        (figure.draw)(),
-        figure.caption()
-    )))
+    let (drawing, caption) = ((figure.draw)(), figure.caption());
+    Ok(match live::find(name) {
+        Some(live) => controls::around(live, &drawing, &caption),
+        None => {
+            format!("<figure id=\"{name}\">{drawing}<figcaption>{caption}</figcaption></figure>")
+        }
+    })
 }
 
 /// The chart of that name, drawn now from its files in the folder `notes`, with its

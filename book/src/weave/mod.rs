@@ -8,6 +8,7 @@
 mod breaks;
 mod changes;
 mod code;
+mod controls;
 mod directive;
 mod figure;
 mod maths;

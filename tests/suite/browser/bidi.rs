@@ -88,15 +88,21 @@ impl Firefox {
         self.call("browsingContext.setViewport", parameters);
     }
 
-    /// Opens the file, and waits until all of it is there. Returns what happened meanwhile.
-    pub(super) fn open(&mut self, file: &Path) -> Vec<Value> {
+    /// Opens the file, with a query or a fragment behind it, and waits until all of it is
+    /// there. Returns what happened meanwhile.
+    pub(super) fn open(&mut self, file: &Path, behind: &str) -> Vec<Value> {
+        // Where only the fragment differs, the page would stay as it is.
+        self.navigate("about:blank");
         self.events.clear();
-        let url = format!("file://{}", file.display());
-        let parameters = json!({"context": self.tab, "url": url, "wait": "complete"});
-        self.call("browsingContext.navigate", parameters);
+        self.navigate(&format!("file://{}{behind}", file.display()));
         self.evaluate("document.fonts.ready.then(() => null)");
         self.evaluate(NEXT_FRAME);
         std::mem::take(&mut self.events)
+    }
+
+    fn navigate(&mut self, url: &str) {
+        let parameters = json!({"context": self.tab, "url": url, "wait": "complete"});
+        self.call("browsingContext.navigate", parameters);
     }
 
     /// The value of a script, as JSON; a promise is waited for.
@@ -110,6 +116,35 @@ impl Firefox {
         let value = answer["result"]["value"].as_str();
         let value = value.unwrap_or_else(|| panic!("{script}\nfails: {answer}"));
         serde_json::from_str(value).expect("it was made JSON")
+    }
+
+    /// Puts a finger on the first of these places, moves it along the others, and lifts it
+    /// at the last.
+    pub(super) fn drag(&mut self, way: &[(f64, f64)]) {
+        let to =
+            |&(x, y): &(f64, f64)| json!({"type": "pointerMove", "x": x as i32, "y": y as i32});
+        let mut steps = vec![to(&way[0]), json!({"type": "pointerDown", "button": 0})];
+        steps.extend(way.iter().map(to));
+        steps.push(json!({"type": "pointerUp", "button": 0}));
+        let finger = json!({"type": "pointer", "id": "finger", "actions": steps,
+            "parameters": {"pointerType": "touch"}});
+        self.perform(finger);
+    }
+
+    /// Presses keys, each by its sign in WebDriver, and lets go of all of them.
+    pub(super) fn press_together(&mut self, keys: &[char]) {
+        let all = |kind: &'static str| {
+            keys.iter()
+                .map(move |key| json!({"type": kind, "value": key}))
+        };
+        let steps: Vec<Value> = all("keyDown").chain(all("keyUp")).collect();
+        self.perform(json!({"type": "key", "id": "keyboard", "actions": steps}));
+    }
+
+    fn perform(&mut self, actions: Value) {
+        let parameters = json!({"context": self.tab, "actions": [actions]});
+        self.call("input.performActions", parameters);
+        self.evaluate(NEXT_FRAME);
     }
 
     fn call(&mut self, method: &str, parameters: Value) -> Value {

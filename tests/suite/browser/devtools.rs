@@ -183,19 +183,40 @@ impl Tab<'_> {
         self.evaluate(NEXT_FRAME);
     }
 
-    /// Presses a key and lets go of it: `"Tab"` or `"Enter"`.
+    /// Presses a key and lets go of it: `"Tab"`, `"Enter"`, `"Home"` or an arrow; with
+    /// Shift after `"Shift+"`.
     pub(super) fn press(&mut self, key: &str) {
+        let bare = key.strip_prefix("Shift+");
+        let shift = if bare.is_some() { 8 } else { 0 };
+        let key = bare.unwrap_or(key);
         let (code, text) = match key {
             "Enter" => (13, "\r"),
+            "Home" => (36, ""),
+            "ArrowLeft" => (37, ""),
+            "ArrowUp" => (38, ""),
+            "ArrowRight" => (39, ""),
             _ => (9, ""),
         };
         for kind in ["keyDown", "keyUp"] {
             let text = if kind == "keyDown" { text } else { "" };
             let event = json!({
-                "type": kind, "key": key, "code": key, "windowsVirtualKeyCode": code, "text": text,
+                "type": kind, "key": key, "code": key, "windowsVirtualKeyCode": code,
+                "text": text, "modifiers": shift,
             });
             self.call("Input.dispatchKeyEvent", event);
         }
+    }
+
+    /// Presses the mouse at the first of these places, drags it along the others, and lets
+    /// go at the last.
+    pub(super) fn drag(&mut self, way: &[(f64, f64)]) {
+        let moves = way.iter().map(|at| ("mouseMoved", at));
+        let steps = [("mousePressed", &way[0])].into_iter().chain(moves);
+        for (kind, (x, y)) in steps.chain(way.last().map(|at| ("mouseReleased", at))) {
+            let event = json!({"type": kind, "x": x, "y": y, "button": "left", "buttons": 1, "clickCount": 1});
+            self.call("Input.dispatchMouseEvent", event);
+        }
+        self.evaluate(NEXT_FRAME);
     }
 
     /// Waits for an event; returns those before it.

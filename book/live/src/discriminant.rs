@@ -1,0 +1,198 @@
+//! The discriminant and the roots: drag the eye into the sphere, or behind it.
+
+use check::Chapter;
+use check::slips::{self, Program};
+use common::rtweekend::*;
+use figures::discriminant::{PLANE, Parameters, Right, Solver, draw};
+use figures::spoken;
+
+use crate::live::{Action, Answer, Handle, Live, Number};
+
+/// Which root goes where.
+pub(crate) const LIVE: Live = Live {
+    name: "discriminant",
+    question: "Where does the first root go when the eye enters the sphere? Drag **Q** into it, and \
+        out at the other side.",
+    numbers: &[
+        Number::new("Q, to the right", -0.7, 5.3, 0.0),
+        Number::new("Q, upwards", -1.5, 1.7, 0.0),
+        Number::new("d, to the right", -3.0, 3.0, 1.0),
+        Number::new("d, upwards", -2.0, 2.0, 0.0),
+        Number::new("C, to the right", 0.5, 4.8, 3.0),
+        Number::new("C, upwards", -0.6, 0.8, 0.6),
+        Number::new("radius", 0.2, 1.2, 1.2),
+        Number::choice("The formula", CHOICES),
+    ],
+    handles: &[
+        Handle {
+            numbers: &[4, 5],
+            drag: |numbers, to| {
+                let place = PLANE.place(to);
+                (numbers[4], numbers[5]) = (place.x, place.y);
+            },
+        },
+        Handle {
+            numbers: &[6],
+            drag: |numbers, to| {
+                numbers[6] = (PLANE.place(to) - parameters(numbers, &Right).center).length();
+            },
+        },
+        Handle {
+            numbers: &[2, 3],
+            drag: |numbers, to| {
+                let way = PLANE.place(to) - parameters(numbers, &Right).ray.origin;
+                (numbers[2], numbers[3]) = (way.x, way.y);
+            },
+        },
+        Handle {
+            numbers: &[0, 1],
+            drag: |numbers, to| {
+                let place = PLANE.place(to);
+                (numbers[0], numbers[1]) = (place.x, place.y);
+            },
+        },
+    ],
+    actions: &[
+        Action {
+            name: "Hit",
+            act: |numbers| place(numbers, [0.0, 0.0, 1.0, 0.0, 3.0, 0.6, 1.2]),
+        },
+        Action {
+            name: "Miss",
+            act: |numbers| place(numbers, [0.0, -0.7, 1.0, 0.0, 3.0, 0.5, 0.8]),
+        },
+        Action {
+            name: "Touch",
+            act: |numbers| place(numbers, [0.0, -0.5, 1.0, 0.0, 3.0, 0.5, 1.0]),
+        },
+        Action {
+            name: "Inside",
+            act: |numbers| place(numbers, [2.5, 0.0, 1.0, 0.0, 3.0, 0.6, 1.2]),
+        },
+        Action {
+            name: "Behind",
+            act: |numbers| place(numbers, [4.0, 0.5, 1.0, 0.0, 2.0, 0.5, 1.0]),
+        },
+    ],
+    answer,
+};
+
+/// The formula as it should be, and three slips: their names in the catalogue.
+const SLIPS: [&str; 3] = ["b-sign", "plus-b", "radius-not-squared"];
+const CHOICES: &[&str] = &[
+    "as it should be",
+    "b = 2 d · (C − Q)",
+    "t = (b − √D) / 2a",
+    "c = (C − Q)² − r",
+];
+
+/// The program of a reader who made a slip.
+struct Slipped(Program);
+
+impl Solver for Slipped {
+    fn coefficients(&self, center: Point3, radius: f64, ray: &Ray) -> [f64; 3] {
+        let Self(program) = self;
+        let oc = (program.oc)(center, ray.origin);
+        [
+            (program.a)(program, ray.direction),
+            (program.linear)((program.dot)(ray.direction, oc)),
+            (program.constant)((program.squared)(program, oc), radius),
+        ]
+    }
+
+    fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
+        self.0.hit_sphere(center, radius, ray)
+    }
+}
+
+fn answer(numbers: &[f64]) -> Answer {
+    let name = (numbers[7] as usize).checked_sub(1).map(|n| SLIPS[n]);
+    let slip = slips::in_the_quadratic()
+        .iter()
+        .find(|slip| Some(slip.name) == name);
+    let right = parameters(numbers, &Right);
+    let (svg, sentence, roots) = match slip {
+        None => (draw(&right), sentence(&right), right.roots()),
+        Some(slip) => {
+            let slipped = Slipped(slip.program(Chapter::Normals));
+            let wrong = parameters(numbers, &slipped);
+            (draw(&wrong), sentence_on(&wrong, &right), wrong.roots())
+        }
+    };
+    let below = right.center - Vec3::new(0.0, right.radius, 0.0);
+    let handles = [right.center, below, right.ray.at(1.0), right.ray.origin];
+    Answer {
+        svg,
+        sentence,
+        handles: handles.map(|it| PLANE.point(it)).into(),
+        says: vec![("roots", listed(&roots))],
+    }
+}
+
+fn parameters<'a>(numbers: &[f64], solver: &'a dyn Solver) -> Parameters<'a> {
+    let &[q_x, q_y, d_x, d_y, c_x, c_y, radius, ..] = numbers else {
+        unreachable!("the figure has eight numbers")
+    };
+    // Without a length it would be no direction: the shortest is one step.
+    let direction = match (d_x, d_y) {
+        (0.0, 0.0) => Vec3::new(0.05, 0.0, 0.0),
+        _ => Vec3::new(d_x, d_y, 0.0),
+    };
+    Parameters {
+        center: Point3::new(c_x, c_y, 0.0),
+        radius,
+        ray: Ray::new(Point3::new(q_x, q_y, 0.0), direction),
+        solver,
+    }
+}
+
+/// What the roots mean.
+fn sentence(right: &Parameters) -> String {
+    let roots = right.roots();
+    let at = listed(&roots);
+    match roots[..] {
+        [] => "*D* is negative: the line passes the center farther away than *r*. There is no root, and the \
+            ray misses.".to_owned(),
+        [_] => format!("*D* is 0: the line only touches. Its one root is {at}."),
+        [nearer, _] if nearer > 0.0 => {
+            format!("*D* is positive, and both roots are ahead: {at}. The eye sees the first.")
+        }
+        [_, farther] if farther > 0.0 => {
+            format!("One root is behind the eye and one ahead: {at}. The eye is inside.")
+        }
+        _ => format!(
+            "*D* is positive, but both roots are behind the eye: {at}. The line meets the sphere, the ray does not."
+        ),
+    }
+}
+
+/// What a slip makes of it.
+fn sentence_on(wrong: &Parameters, right: &Parameters) -> String {
+    let [found, true_ones] = [wrong, right].map(Parameters::roots);
+    match found == true_ones {
+        true => {
+            "Here the slip does no harm: the roots are the right ones. Move something.".to_owned()
+        }
+        false => format!(
+            "The roots should be {}, and come out as {}. Look where these places are: not on the sphere.",
+            listed(&true_ones),
+            listed(&found)
+        ),
+    }
+}
+
+fn listed(roots: &[f64]) -> String {
+    match *roots {
+        [] => "none".to_owned(),
+        [only] => spoken(only),
+        _ => roots
+            .iter()
+            .map(|&t| spoken(t))
+            .collect::<Vec<_>>()
+            .join(" and "),
+    }
+}
+
+fn place(numbers: &mut [f64], scene: [f64; 7]) {
+    numbers[..7].copy_from_slice(&scene);
+}

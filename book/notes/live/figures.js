@@ -1,0 +1,177 @@
+// Live figures: carries what a reader does to Rust, and Rust's answer to the page.
+//
+// What is shown, said and allowed is computed by the package `live`, compiled into
+// module.js. This script knows nothing of rays: only numbers in, and lines of text out.
+
+"use strict";
+
+WebAssembly.instantiate(Uint8Array.from(atob(liveModule), (letter) => letter.charCodeAt(0)))
+    .then(({ instance }) => {
+        for (const figure of document.querySelectorAll("figure.live")) {
+            new LiveFigure(figure, instance.exports);
+        }
+    });
+
+class LiveFigure {
+    constructor(figure, rust) {
+        this.figure = figure;
+        this.rust = rust;
+        this.place = Number(figure.dataset.figure);
+        this.stage = figure.querySelector(".stage");
+        this.sentence = figure.querySelector(".sentence");
+        this.handles = [...figure.querySelectorAll(".handle")];
+        // The slider or list of each number, by the place of the number.
+        this.inputs = [];
+        for (const input of figure.querySelectorAll("[data-number]")) {
+            this.inputs[input.dataset.number] = input;
+        }
+        // Not what is in them now: Firefox remembers that from the last visit.
+        this.defaults = this.inputs.map(
+            (input) => Number(input.getAttribute("value") ?? input.options[0].value));
+        this.numbers = this.fromLink() ?? [...this.defaults];
+        // What is to be done before the next frame; of several drags only the last.
+        this.waiting = null;
+
+        this.handles.forEach((handle, n) => this.listenToPointer(handle, n));
+        figure.addEventListener("input", ({ target }) => this.take(target));
+        figure.addEventListener("change", () => this.settle());
+        figure.addEventListener("click", ({ target }) => this.click(target.dataset.action));
+        figure.addEventListener("keydown", (event) => this.press(event));
+        this.draw();
+        this.settle();
+        figure.classList.add("alive");
+    }
+
+    // A link such as ?ray=0,0,1,0.5,2#ray carries the numbers of the figure `ray`.
+    fromLink() {
+        const numbers = new URLSearchParams(location.search).get(this.figure.id)?.split(",").map(Number);
+        return numbers?.length === this.inputs.length ? numbers : null;
+    }
+
+    // Mouse, finger and pen: the handle follows, from where it was grasped.
+    listenToPointer(handle, n) {
+        let grip = null;
+        handle.addEventListener("pointerdown", (event) => {
+            if (event.button !== 0) {
+                return;
+            }
+            const [box, stage] = [handle, this.stage].map((it) => it.getBoundingClientRect());
+            const sheet = this.sheet();
+            grip = {
+                x: stage.left + event.clientX - (box.left + box.right) / 2,
+                y: stage.top + event.clientY - (box.top + box.bottom) / 2,
+                scale: sheet.width / stage.width,
+            };
+            handle.setPointerCapture(event.pointerId);
+            handle.querySelector("input").focus({ preventScroll: true });
+            event.preventDefault();
+        });
+        handle.addEventListener("pointermove", (event) => {
+            if (grip) {
+                const [x, y] = [event.clientX - grip.x, event.clientY - grip.y];
+                const { scale } = grip;
+                this.request(() => this.rust.drag(this.place, n, scale * x, scale * y));
+            }
+        });
+        for (const end of ["pointerup", "pointercancel"]) {
+            handle.addEventListener(end, () => {
+                grip = null;
+                this.settle();
+            });
+        }
+    }
+
+    // The size of the drawing in its own units.
+    sheet() {
+        return this.stage.querySelector("svg").viewBox.baseVal;
+    }
+
+    // Arrows move a handle in both directions, by ten steps with Shift. mdBook, which turns
+    // pages with them, does not hear of it.
+    press(event) {
+        const slider = event.target;
+        if (slider.type !== "range") {
+            return;
+        }
+        event.stopPropagation();
+        const sign = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+        if (!sign || event.ctrlKey || event.altKey || event.metaKey) {
+            return;
+        }
+        event.preventDefault();
+        const [across, up = across] = slider.parentElement.querySelectorAll("input");
+        const chosen = event.key === "ArrowUp" || event.key === "ArrowDown" ? up : across;
+        chosen.focus();
+        chosen.stepUp(sign * (event.shiftKey ? 10 : 1));
+        this.take(chosen);
+        this.settle();
+    }
+
+    click(action) {
+        if (action === "reset") {
+            this.numbers = [...this.defaults];
+            this.request(() => {});
+        } else if (action) {
+            this.request(() => this.rust.act(this.place, Number(action)));
+        }
+        this.settle();
+    }
+
+    take(input) {
+        this.numbers[input.dataset.number] = Number(input.value);
+        this.request(() => {});
+    }
+
+    // Draws once before the next frame, however often it is asked to.
+    request(change) {
+        if (!this.waiting) {
+            requestAnimationFrame(() => this.draw());
+        }
+        this.waiting = change;
+        this.sentence.ariaBusy = "true";
+    }
+
+    draw() {
+        this.numbers.forEach((value, n) => this.rust.set(n, value));
+        this.waiting?.();
+        this.waiting = null;
+        const [svg, sentence, ...lines] = this.answer().split("\n");
+        this.numbers = this.numbers.map((_, n) => this.rust.get(n));
+        this.stage.querySelector("svg").outerHTML = svg;
+        this.sentence.innerHTML = sentence;
+        this.update(lines.map((line) => line.split("\t")));
+    }
+
+    answer() {
+        const length = this.rust.answer(this.place);
+        const bytes = new Uint8Array(this.rust.memory.buffer, this.rust.text(), length);
+        return new TextDecoder().decode(bytes);
+    }
+
+    update(lines) {
+        const of = (kind) => lines.filter(([first]) => first === kind).map(([, ...rest]) => rest);
+        const sheet = this.sheet();
+        of("handle").forEach(([x, y], n) => {
+            this.handles[n].style.left = `${(100 * x) / sheet.width}%`;
+            this.handles[n].style.top = `${(100 * y) / sheet.height}%`;
+        });
+        of("value").forEach(([value, words], n) => {
+            this.inputs[n].value = value;
+            this.inputs[n].ariaValueText = words;
+        });
+        of("says").forEach(([name, value]) => {
+            for (const told of document.querySelectorAll(`[data-told="${this.figure.id} ${name}"]`)) {
+                told.textContent = value;
+            }
+        });
+    }
+
+    // The reader has let go: the sentence may be read aloud, and the link leads here.
+    settle() {
+        requestAnimationFrame(() => {
+            this.sentence.ariaBusy = "false";
+            const link = this.figure.querySelector(".this-case");
+            link.href = `?${this.figure.id}=${this.numbers.join(",")}#${this.figure.id}`;
+        });
+    }
+}

@@ -1,0 +1,116 @@
+//! Live figures: HTML around a drawing, with which a reader moves it.
+//!
+//! Everything is on the page from the start, so nothing jumps when the script comes, and
+//! the style sheet hides what does nothing without it.
+
+use std::fmt::Write;
+
+use figures::html;
+use live::{FIGURES, Live, Number};
+
+/// The figure `live`: its question, its `drawing` under handles, what is to be seen, buttons
+/// and the caption.
+pub(super) fn around(live: &Live, drawing: &str, caption: &str) -> String {
+    let place = FIGURES.iter().position(|other| other.name == live.name);
+    let answer = (live.answer)(&live.defaults());
+    format!(
+        "<figure id=\"{name}\" class=\"live\" data-figure=\"{place}\">\
+         <p class=\"question\">{question}</p>\
+         <div class=\"stage\">{drawing}{handles}</div>\
+         <p class=\"sentence\" role=\"status\">{sentence}</p>\
+         <div class=\"controls\">{choices}{buttons}</div>\
+         <figcaption>{caption}</figcaption></figure>",
+        name = live.name,
+        place = place.unwrap_or_default(),
+        question = html(live.question),
+        handles = handles(live),
+        sentence = html(&answer.sentence),
+        choices = choices(live),
+        buttons = buttons(live),
+    )
+}
+
+/// A number that the live figure of that name tells: at first as it is on the page.
+pub(super) fn number(figure: &str, name: &str) -> Result<String, String> {
+    let live = live::find(figure).ok_or_else(|| {
+        let names: Vec<&str> = FIGURES.iter().map(|live| live.name).collect();
+        format!(
+            "there is no live figure `{figure}`: there are {}",
+            names.join(", ")
+        )
+    })?;
+    let says = (live.answer)(&live.defaults()).says;
+    let names: Vec<&str> = says.iter().map(|(name, _)| *name).collect();
+    let told = says.iter().find(|(told, _)| *told == name);
+    let (_, value) = told.ok_or_else(|| {
+        format!(
+            "the figure {figure} tells no `{name}`: it tells {}",
+            names.join(", ")
+        )
+    })?;
+    Ok(format!(
+        "<span class=\"told\" data-told=\"{figure} {name}\">{value}</span>"
+    ))
+}
+
+/// Each handle holds a slider for each number that it changes: for the keyboard, and for
+/// whoever listens.
+fn handles(live: &Live) -> String {
+    let mut html = String::new();
+    for handle in live.handles {
+        html += "<span class=\"handle\">";
+        for (&n, order) in handle.numbers.iter().zip(["0", "-1"]) {
+            let number = &live.numbers[n];
+            let _ = write!(html, "<input tabindex=\"{order}\" {}>", slider(n, number));
+        }
+        html += "</span>";
+    }
+    html
+}
+
+fn slider(n: usize, number: &Number) -> String {
+    let Number {
+        name,
+        least,
+        most,
+        default,
+        ..
+    } = number;
+    format!(
+        "type=\"range\" data-number=\"{n}\" aria-label=\"{name}\" min=\"{least}\" max=\"{most}\" \
+         step=\"{}\" value=\"{default}\"",
+        1.0 / number.steps,
+    )
+}
+
+/// A list for each number that is a choice.
+fn choices(live: &Live) -> String {
+    let mut html = String::new();
+    for (n, number) in live
+        .numbers
+        .iter()
+        .enumerate()
+        .filter(|(_, it)| !it.choices.is_empty())
+    {
+        let _ = write!(html, "<label>{} <select data-number=\"{n}\">", number.name);
+        for (choice, value) in number.choices.iter().zip(0..) {
+            let value = number.least + f64::from(value);
+            let _ = write!(html, "<option value=\"{value}\">{choice}</option>");
+        }
+        html += "</select></label>";
+    }
+    html
+}
+
+fn buttons(live: &Live) -> String {
+    let mut html = String::new();
+    for (n, action) in live.actions.iter().enumerate() {
+        let _ = write!(
+            html,
+            "<button type=\"button\" data-action=\"{n}\">{}</button>",
+            action.name
+        );
+    }
+    html + "<button type=\"button\" data-action=\"reset\">Reset</button>\
+        <a class=\"this-case\">Link to this case</a>"
+}

@@ -1,0 +1,268 @@
+//! Live figures in real browsers, from a file: mouse, finger and keyboard move them, links
+//! lead to a case, and what they show is what the crate `live` answers.
+
+use std::fmt::Write;
+
+use ::live::{FIGURES, Live};
+use glam::DVec2;
+use serde_json::{Value, json};
+
+use super::{Window, browser, complaints, firefox, list, requests_to_others};
+use crate::book::woven;
+use crate::live::questions;
+
+/// The live figures, and the pages that show them.
+const PAGES: [(&str, &str); 4] = [
+    ("gradient.html", "ray"),
+    ("red_sphere.html", "discriminant"),
+    ("normals.html", "normal_colors"),
+    ("hittable_list.html", "face_normal"),
+];
+
+#[test]
+fn the_browsers_answer_a_thousand_questions_as_the_crate_does() {
+    if let Some(mut browser) = browser() {
+        let mut tab = browser.tab(1200);
+        tab.open(&woven().join("gradient.html"), "#ray");
+        assert_same_answers(&mut tab);
+    }
+    if let Some(mut firefox) = firefox() {
+        firefox.open(&woven().join("gradient.html"), "#ray");
+        assert_same_answers(&mut *firefox);
+    }
+}
+
+fn assert_same_answers(window: &mut dyn Window) {
+    window.value_of(ALIVE);
+    for (place, live) in FIGURES.iter().enumerate() {
+        let questions = questions(live, 1000);
+        let script = ANSWERS
+            .replace("PLACE", &place.to_string())
+            .replace("QUESTIONS", &json!(questions).to_string());
+        let sums = window.value_of(&script);
+        for (numbers, sum) in questions.iter().zip(sums.as_array().expect("a list")) {
+            let text = live.text(numbers);
+            assert_eq!(*sum, fowler_noll_vo(&text), "{} {numbers:?}", live.name);
+        }
+    }
+}
+
+#[test]
+fn a_mouse_drags_each_handle_where_the_crate_says() {
+    let Some(mut browser) = browser() else { return };
+    for (page, name) in PAGES {
+        let live = live::find(name).expect("a live figure");
+        for (n, handle) in live.handles.iter().enumerate() {
+            let mut tab = browser.tab(1200);
+            let mut events = tab.open(&woven().join(page), &format!("#{name}"));
+            let handles = tab.evaluate(&places_of(name));
+            let way = way(&handles[n]);
+            tab.drag(&way);
+            let mut numbers = live.defaults();
+            let from = (live.answer)(&numbers).handles[n];
+            live.drag(handle, &mut numbers, from + on_sheet(&way, &handles));
+            assert_shows(&mut tab, live, &numbers);
+            events.extend(tab.open(&woven().join(page), ""));
+            let said = [complaints(&events), requests_to_others(&events)].concat();
+            assert_eq!(said, [""; 0]);
+        }
+    }
+}
+
+#[test]
+fn a_finger_drags_each_handle_where_the_crate_says() {
+    let Some(mut firefox) = firefox() else { return };
+    firefox.set_width(360);
+    for (page, name) in PAGES {
+        let live = live::find(name).expect("a live figure");
+        for (n, handle) in live.handles.iter().enumerate() {
+            firefox.open(&woven().join(page), &format!("#{name}"));
+            let handles = firefox.evaluate(&places_of(name));
+            let way = way(&handles[n]);
+            firefox.drag(&way);
+            let mut numbers = live.defaults();
+            let from = (live.answer)(&numbers).handles[n];
+            live.drag(handle, &mut numbers, from + on_sheet(&way, &handles));
+            assert_shows(&mut *firefox, live, &numbers);
+        }
+    }
+}
+
+#[test]
+fn arrows_move_a_handle_and_shift_makes_ten_of_a_step() {
+    let live = live::find("ray").expect("a live figure");
+    let page = woven().join("gradient.html");
+    let focus = "document.querySelectorAll('#ray .handle input')[0].focus()";
+    let moved = [0.05, 0.5, 1.0, 0.5, 2.0];
+    if let Some(mut browser) = browser() {
+        let mut tab = browser.tab(1200);
+        tab.open(&page, "#ray");
+        tab.evaluate(&places_of("ray"));
+        tab.evaluate(focus);
+        for key in ["ArrowRight", "Shift+ArrowUp"] {
+            tab.press(key);
+        }
+        assert_shows(&mut tab, live, &moved);
+        // Left and right would turn the page.
+        assert_eq!(
+            tab.evaluate("location.pathname.endsWith('gradient.html')"),
+            true
+        );
+        assert_eq!(tab.evaluate("document.activeElement.ariaValueText"), "0.5");
+        tab.press("Home");
+        assert_shows(
+            &mut tab,
+            live,
+            &[0.05, live.numbers[1].least, 1.0, 0.5, 2.0],
+        );
+    }
+    if let Some(mut firefox) = firefox() {
+        firefox.set_width(1200);
+        firefox.open(&page, "#ray");
+        firefox.evaluate(&places_of("ray"));
+        firefox.evaluate(focus);
+        let [shift, up, right] = ['\u{e008}', '\u{e013}', '\u{e014}'];
+        firefox.press_together(&[right]);
+        firefox.press_together(&[shift, up]);
+        assert_shows(&mut *firefox, live, &moved);
+    }
+}
+
+#[test]
+fn a_button_a_link_and_the_text_agree_with_the_figure() {
+    let Some(mut browser) = browser() else { return };
+    let live = live::find("ray").expect("a live figure");
+    let mut tab = browser.tab(1200);
+    tab.open(&woven().join("gradient.html"), "#ray");
+    tab.evaluate(&places_of("ray"));
+    tab.evaluate("document.querySelector('#ray [data-action=\"0\"]').click()");
+    let mut numbers = live.defaults();
+    (live.actions[0].act)(&mut numbers);
+    assert_shows(&mut tab, live, &numbers);
+    let says: Vec<String> = (live.answer)(&numbers)
+        .says
+        .into_iter()
+        .map(|(_, it)| it)
+        .collect();
+    let told = "[...document.querySelectorAll('.told')].map((it) => it.textContent)";
+    assert_eq!(tab.evaluate(told), json!(says));
+    let link = tab.evaluate("document.querySelector('#ray .this-case').getAttribute('href')");
+    tab.open(
+        &woven().join("gradient.html"),
+        link.as_str().expect("a link"),
+    );
+    tab.evaluate(&places_of("ray"));
+    assert_shows(&mut tab, live, &numbers);
+    tab.evaluate("document.querySelector('#ray [data-action=reset]').click()");
+    assert_shows(&mut tab, live, &live.defaults());
+}
+
+#[test]
+fn nothing_of_a_live_figure_is_loaded_on_other_pages() {
+    let Some(mut browser) = browser() else { return };
+    let mut tab = browser.tab(1200);
+    let asked = |events: Vec<Value>| json!(events).to_string().contains("live/module.js");
+    assert!(!asked(tab.open(&woven().join("setup.html"), "")));
+    // Far above the figure, nothing either.
+    assert!(!asked(tab.open(&woven().join("red_sphere.html"), "")));
+}
+
+#[test]
+fn on_paper_a_live_figure_is_a_drawing_with_a_caption() {
+    let Some(mut browser) = browser() else { return };
+    let mut tab = browser.tab(670);
+    tab.open(&woven().join("gradient.html"), "#ray");
+    tab.set_media("print", "light");
+    let shown = "[...document.querySelectorAll('#ray :is(.question, .handle, .sentence, button, svg, figcaption)')]
+        .filter((it) => it.checkVisibility()).map((it) => it.localName)";
+    assert_eq!(list(&tab.evaluate(shown)), ["\"svg\"", "\"figcaption\""]);
+}
+
+/// The figure, the sliders and the sentence are what the crate answers.
+fn assert_shows(window: &mut dyn Window, live: &Live, numbers: &[f64]) {
+    window.value_of(super::NEXT_FRAME);
+    let text = live.text(numbers);
+    let mut lines = text.lines();
+    let (svg, sentence) = (lines.next(), lines.next());
+    let name = live.name;
+    let link = window.value_of(&format!(
+        "document.querySelector('#{name} .this-case').getAttribute('href')"
+    ));
+    let mut expected = String::new();
+    for number in numbers {
+        let _ = write!(expected, ",{number}");
+    }
+    assert_eq!(link, format!("?{name}={}#{name}", &expected[1..]));
+    let said = window.value_of(&format!(
+        "document.querySelector('#{name} .sentence').innerHTML"
+    ));
+    assert_eq!(
+        Some(said.as_str().expect("text").replace("&nbsp;", " ").as_str()),
+        sentence
+    );
+    let labels = window.value_of(&format!(
+        "document.querySelector('#{name} svg').textContent"
+    ));
+    let drawn = roxmltree::Document::parse(svg.expect("a drawing")).expect("an SVG");
+    let words: String = drawn
+        .descendants()
+        .filter(|it| it.is_text())
+        .filter_map(|it| it.text())
+        .collect();
+    assert_eq!(labels, words);
+}
+
+/// From the middle of a handle some whole pixels to the upper left.
+fn way(handle: &Value) -> Vec<(f64, f64)> {
+    let [x, y] = [0, 1].map(|n| handle[n].as_f64().expect("a place").floor());
+    [0.0, 8.0, 16.0].map(|step| (x - step, y - step)).into()
+}
+
+/// How far a way leads, in units of the sheet.
+fn on_sheet(way: &[(f64, f64)], handles: &Value) -> DVec2 {
+    let scale = handles[handles.as_array().expect("a list").len() - 1]
+        .as_f64()
+        .expect("a scale");
+    let ((x, y), (to_x, to_y)) = (way[0], way[way.len() - 1]);
+    scale * DVec2::new(to_x - x, to_y - y)
+}
+
+/// Waits until the figures can be moved.
+const ALIVE: &str = "new Promise((done) => {
+    const look = () => document.querySelector('.alive') ? done(null) : setTimeout(look, 10);
+    look();
+})";
+
+/// Where the handles of a figure are on the screen once it can be moved; and at last how
+/// many units of the sheet are in a pixel.
+fn places_of(name: &str) -> String {
+    format!(
+        "{ALIVE}.then(() => {{
+            document.getElementById('{name}').scrollIntoView({{ block: 'center', behavior: 'instant' }});
+            const middle = (it) => {{
+                const {{ left, right, top, bottom }} = it.getBoundingClientRect();
+                return [(left + right) / 2, (top + bottom) / 2];
+            }};
+            const figure = document.getElementById('{name}');
+            const svg = figure.querySelector('svg');
+            const scale = svg.viewBox.baseVal.width / svg.getBoundingClientRect().width;
+            return [...[...figure.querySelectorAll('.handle')].map(middle), scale];
+        }})"
+    )
+}
+
+/// The sums of the module's answers to questions.
+const ANSWERS: &str =
+    "WebAssembly.instantiate(Uint8Array.from(atob(liveModule), (it) => it.charCodeAt(0)))
+    .then(({ instance: { exports: rust } }) => QUESTIONS.map((numbers) => {
+        numbers.forEach((value, n) => rust.set(n, value));
+        const length = rust.answer(PLACE);
+        const bytes = new Uint8Array(rust.memory.buffer, rust.text(), length);
+        return bytes.reduce((sum, byte) => Math.imul(sum ^ byte, 16777619) >>> 0, 2166136261);
+    }))";
+
+/// The sum FNV-1a of 32 bits (Fowler, Noll and Vo, 1991), which a script computes as well.
+fn fowler_noll_vo(text: &str) -> u32 {
+    let step = |sum: u32, byte| (sum ^ u32::from(byte)).wrapping_mul(16_777_619);
+    text.bytes().fold(2_166_136_261, step)
+}

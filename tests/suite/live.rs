@@ -1,0 +1,229 @@
+//! Live figures begin as the page shows them, answer whatever they are asked, and the
+//! module of the pages answers as the crate does. What a reader does to them in a browser
+//! is in `browser/dragged.rs`.
+
+use ::live::{FIGURES, Live};
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
+use glam::DVec2;
+use wasmi::{Engine, Instance, Module, Store, TypedFunc, WasmParams, WasmResults};
+
+/// What the pages load.
+const MODULE: &str = include_str!("../../book/notes/live/module.js");
+
+/// What to do when the figures are changed, or a chapter that they show.
+const STALE: &str =
+    "book/notes/live/module.js is not made of these sources. Build it anew: .ci/live";
+
+#[test]
+fn a_live_figure_begins_as_the_page_shows_it() {
+    for live in FIGURES {
+        let figure = figures::find(live.name).expect("a figure of that name");
+        assert_eq!((live.answer)(&live.defaults()).svg, (figure.draw)());
+    }
+}
+
+#[test]
+fn a_live_figure_has_an_answer_to_everything() {
+    for live in FIGURES {
+        for numbers in questions(live, 300) {
+            let answer = (live.answer)(&numbers);
+            let text = live.text(&numbers);
+            assert!(
+                !text.contains("NaN") && !text.contains("inf"),
+                "{} {numbers:?}",
+                live.name
+            );
+            roxmltree::Document::parse(&answer.svg).expect("an SVG");
+            assert_eq!(answer.handles.len(), live.handles.len());
+            assert!(answer.sentence.ends_with(['.', '!']), "{}", answer.sentence);
+        }
+    }
+}
+
+#[test]
+fn a_handle_comes_to_where_it_is_dragged() {
+    for live in FIGURES {
+        for (n, handle) in live.handles.iter().enumerate() {
+            let mut numbers = live.defaults();
+            let before = (live.answer)(&numbers).handles[n];
+            let to = before + DVec2::new(-9.0, -9.0);
+            live.drag(handle, &mut numbers, to);
+            let after = (live.answer)(&numbers).handles[n];
+            assert!(after != before, "{} stays", live.name);
+            let (near, far) = ((after - to).length(), (before - to).length());
+            assert!(
+                near < far,
+                "{}: handle {n} is {near} from where it was dragged",
+                live.name
+            );
+        }
+    }
+}
+
+#[test]
+fn what_is_no_number_or_out_of_range_is_put_right() {
+    for live in FIGURES {
+        let mut numbers = vec![f64::NAN; live.numbers.len()];
+        live.confine(&mut numbers);
+        assert_eq!(numbers, live.defaults());
+        numbers.fill(f64::INFINITY);
+        live.confine(&mut numbers);
+        assert_eq!(numbers, live.defaults());
+        numbers.fill(1e9);
+        live.confine(&mut numbers);
+        assert!(
+            numbers
+                .iter()
+                .zip(live.numbers)
+                .all(|(&it, number)| it == number.most)
+        );
+    }
+}
+
+#[test]
+fn a_button_leaves_every_number_in_its_range() {
+    for live in FIGURES {
+        for mut numbers in questions(live, 100) {
+            for action in live.actions {
+                (action.act)(&mut numbers);
+                let mut confined = numbers.clone();
+                live.confine(&mut confined);
+                assert_eq!(numbers, confined, "{}: {}", live.name, action.name);
+            }
+        }
+    }
+}
+
+/// Another hundred than browsers are asked: see `browser/dragged.rs`.
+#[test]
+fn the_module_of_the_pages_answers_as_this_crate_does() {
+    let mut module = Interpreted::new();
+    for (place, live) in FIGURES.iter().enumerate() {
+        for numbers in questions(live, 100) {
+            let said = module.answer(place, &numbers);
+            assert_eq!(
+                said,
+                live.text(&numbers),
+                "{} {numbers:?}\n{STALE}",
+                live.name
+            );
+        }
+    }
+}
+
+#[test]
+fn the_module_drags_and_acts_as_this_crate_does() {
+    let mut module = Interpreted::new();
+    for (place, live) in FIGURES.iter().enumerate() {
+        for numbers in questions(live, 20) {
+            for (n, handle) in live.handles.iter().enumerate() {
+                let to = 0.9 * (live.answer)(&numbers).handles[n] + DVec2::ONE;
+                let mut dragged = numbers.clone();
+                live.drag(handle, &mut dragged, to);
+                module.set(&numbers);
+                module.call::<_, ()>("drag", (place as u32, n as u32, to.x, to.y));
+                assert_eq!(module.get(numbers.len()), dragged, "{}\n{STALE}", live.name);
+            }
+            for (n, action) in live.actions.iter().enumerate() {
+                let mut changed = numbers.clone();
+                (action.act)(&mut changed);
+                module.set(&numbers);
+                module.call::<_, ()>("act", (place as u32, n as u32));
+                assert_eq!(module.get(numbers.len()), changed, "{}\n{STALE}", live.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_module_is_small_enough_to_be_on_a_page() {
+    assert!(MODULE.len() <= 150_000, "{} bytes", MODULE.len());
+}
+
+/// `count` questions to a figure: first that of the page, then numbers over the whole of
+/// their ranges, on steps and between them, always the same.
+pub(crate) fn questions(live: &Live, count: usize) -> Vec<Vec<f64>> {
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let mut question = || {
+        let value = |number: &::live::Number| {
+            let value = number.least + (number.most - number.least) * random.next();
+            let is_on_a_step = !number.choices.is_empty() || random.next() < 0.5;
+            match is_on_a_step {
+                true => {
+                    ((value * number.steps).round() / number.steps).clamp(number.least, number.most)
+                }
+                false => value,
+            }
+        };
+        live.numbers.iter().map(value).collect()
+    };
+    let mut questions = vec![live.defaults()];
+    questions.extend((1..count).map(|_| question()));
+    questions
+}
+
+/// A linear congruential generator: Knuth's constants (TAOCP 2, 3.3.4), the high bits.
+struct Random(u64);
+
+impl Random {
+    /// From 0 to 1.
+    fn next(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+/// The module in an interpreter, which needs no browser.
+struct Interpreted {
+    store: Store<()>,
+    instance: Instance,
+}
+
+impl Interpreted {
+    fn new() -> Self {
+        let text = MODULE.split('"').nth(1).expect("a text in quotes");
+        let bytes = BASE64_STANDARD.decode(text).expect("base64");
+        let engine = Engine::default();
+        let module = Module::new(&engine, &bytes).expect("WebAssembly");
+        let mut store = Store::new(&engine, ());
+        let instance = Instance::new(&mut store, &module, &[]).expect("it needs nothing");
+        Self { store, instance }
+    }
+
+    fn call<P: WasmParams, R: WasmResults>(&mut self, name: &str, parameters: P) -> R {
+        let function: TypedFunc<P, R> = self
+            .instance
+            .get_typed_func(&self.store, name)
+            .expect("a function");
+        let result = function.call(&mut self.store, parameters);
+        result.unwrap_or_else(|cause| panic!("{name}: {cause}"))
+    }
+
+    fn set(&mut self, numbers: &[f64]) {
+        for (&value, place) in numbers.iter().zip(0_u32..) {
+            self.call::<_, ()>("set", (place, value));
+        }
+    }
+
+    fn get(&mut self, count: usize) -> Vec<f64> {
+        (0..count)
+            .map(|place| self.call("get", place as u32))
+            .collect()
+    }
+
+    fn answer(&mut self, figure: usize, numbers: &[f64]) -> String {
+        self.set(numbers);
+        let length: u32 = self.call("answer", figure as u32);
+        let at: u32 = self.call("text", ());
+        let memory = self
+            .instance
+            .get_memory(&self.store, "memory")
+            .expect("memory");
+        let bytes = &memory.data(&self.store)[at as usize..][..length as usize];
+        String::from_utf8(bytes.to_vec()).expect("UTF-8")
+    }
+}
