@@ -4,10 +4,6 @@
 //! shares no line with the method `exact`: each would notice a mistake of the
 //! other. Where a method is known to fail, it is asserted to fail.
 
-use std::array;
-use std::env;
-use std::thread;
-
 use common::rtweekend::*;
 use laws::intervals;
 use laws::nearer_root::{BAND, NEARER_ROOT, root_bound};
@@ -23,6 +19,7 @@ use speed_vs_accuracy::{
     full_b, half_b, herbie, interval_q, stage_of_hit, stage_of_t,
 };
 
+use crate::campaign;
 use crate::stability::share;
 
 mod every_method {
@@ -403,33 +400,20 @@ mod the_certified_methods {
     /// says how many cases, shared by all processors, and `CERTIFIED_SEED` which.
     #[test]
     fn decide_rightly_and_to_an_ulp_for_every_input() {
-        let cases = from_environment("CERTIFIED_CASES").unwrap_or(20_000);
-        let seed = from_environment("CERTIFIED_SEED").unwrap_or(1);
-        let threads = thread::available_parallelism().map_or(1, usize::from) as u64;
-        let stages: Vec<_> = thread::scope(|scope| {
-            let workers: Vec<_> = (0..threads)
-                .map(|k| scope.spawn(move || campaign(cases / threads, &format!("{seed}/{k}"))))
-                .collect();
-            workers
-                .into_iter()
-                .map(|worker| worker.join().expect("no law is broken"))
-                .collect()
-        });
-        let total: [[u64; STAGES]; 2] =
-            array::from_fn(|m| array::from_fn(|k| stages.iter().map(|of| of[m][k]).sum()));
-        println!(
-            "certified_hit, certified_t: by filter, rescaled, sharper, fixed width, exact: {total:?}"
-        );
+        let (cases, stages) = campaign::run("CERTIFIED", stages_that_answer);
+        let (hit, t) = stages.split_at(STAGES);
+        println!("by filter, rescaled, sharper, fixed width, exact: {hit:?}, {t:?}");
         // A stage that is never asked is never tried.
         let often_enough = |&count: &u64| count > cases / 500;
-        assert!(total.as_flattened().iter().all(often_enough), "{total:?}");
+        assert!(stages.iter().all(often_enough), "{stages:?}");
     }
 
-    /// Tries both methods and returns how often each of their stages answered.
-    fn campaign(cases: u64, seed: &str) -> [[u64; STAGES]; 2] {
+    /// Tries both methods, and returns how often each stage answered: first those of
+    /// `certified_hit`, then those of `certified_t`.
+    fn stages_that_answer(cases: usize, seed: &str) -> [u64; 2 * STAGES] {
         let strategy = strategies::with_hostile_interval(strategies::hostile());
-        let mut stages = [[0; STAGES]; 2];
-        for asked in runner::endless(&strategy, seed).take(cases as usize) {
+        let mut stages = [0; 2 * STAGES];
+        for asked in runner::endless(&strategy, seed).take(cases) {
             if let Err(broken) = is_certified(&asked) {
                 panic!("{broken}\n\n{}", asked.as_test("certified_t"));
             }
@@ -439,8 +423,8 @@ mod the_certified_methods {
                 ray,
             } = asked.case;
             let (t_min, t_max) = (asked.t_min, asked.t_max);
-            stages[0][stage_of_hit(center, radius, &ray, t_min, t_max) as usize] += 1;
-            stages[1][stage_of_t(center, radius, &ray, t_min, t_max) as usize] += 1;
+            stages[stage_of_hit(center, radius, &ray, t_min, t_max) as usize] += 1;
+            stages[STAGES + stage_of_t(center, radius, &ray, t_min, t_max) as usize] += 1;
         }
         stages
     }
@@ -549,10 +533,6 @@ mod the_certified_methods {
             stage(center, radius, &ray, 0.0, f64::INFINITY)
         };
         (ask(stage_of_hit), ask(stage_of_t))
-    }
-
-    fn from_environment(name: &str) -> Option<u64> {
-        env::var(name).ok().and_then(|number| number.parse().ok())
     }
 }
 

@@ -1,32 +1,19 @@
 //! Which of several spheres is hit first: `certified_nearest` against the oracle, and
 //! the loop of chapter 5, which no method for one sphere makes right.
 
-use std::env;
-use std::thread;
-
 use common::rtweekend::*;
 use laws::list::World;
 use laws::neighbors;
 use laws::runner;
 use speed_vs_accuracy::{certified_nearest, certified_t, exact};
 
+use crate::campaign;
+
 /// A short part of the campaign that the book describes: `NEAREST_CASES` says how
 /// many worlds, shared by all processors, and `NEAREST_SEED` which.
 #[test]
 fn the_first_of_several_spheres_is_found_for_every_input() {
-    let cases = from_environment("NEAREST_CASES").unwrap_or(20_000);
-    let seed = from_environment("NEAREST_SEED").unwrap_or(1);
-    let threads = thread::available_parallelism().map_or(1, usize::from) as u64;
-    let counts: Vec<_> = thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads)
-            .map(|k| scope.spawn(move || campaign(cases / threads, &format!("{seed}/{k}"))))
-            .collect();
-        workers
-            .into_iter()
-            .map(|worker| worker.join().expect("the law is not broken"))
-            .collect()
-    });
-    let total: [u64; 3] = std::array::from_fn(|k| counts.iter().map(|counts| counts[k]).sum());
+    let (cases, total) = campaign::run("NEAREST", hits_ties_and_errors);
     println!("hits, ties, worlds in which a loop errs that asks certified_t: {total:?}");
     // What never occurs is never tried.
     assert!(total.iter().all(|&count| count > cases / 100), "{total:?}");
@@ -34,9 +21,9 @@ fn the_first_of_several_spheres_is_found_for_every_input() {
 
 /// Tries so many worlds, and returns how many were hit, how often the first two roots
 /// were equal, and how often the plain loop chose another sphere.
-fn campaign(cases: u64, seed: &str) -> [u64; 3] {
+fn hits_ties_and_errors(cases: usize, seed: &str) -> [u64; 3] {
     let mut counts = [0; 3];
-    for world in runner::endless(neighbors::hostile(), seed).take(cases as usize) {
+    for world in runner::endless(neighbors::hostile(), seed).take(cases) {
         if let Err(broken) = neighbors::the_first_sphere_is_exactly_right(&nearest, &world) {
             panic!("{broken}\n\n{world:?}");
         }
@@ -108,8 +95,4 @@ fn the_first_of_equal_spheres_counts_and_what_is_no_number_is_missed() {
     assert_eq!(first(&[sphere], f64::NAN), None);
     assert_eq!(first(&[sphere], 0.5), None, "the end is left out");
     assert_eq!(first(&[], 1.0), None);
-}
-
-fn from_environment(name: &str) -> Option<u64> {
-    env::var(name).ok().and_then(|number| number.parse().ok())
 }

@@ -8,6 +8,7 @@ mod blind_spots;
 mod book;
 mod browser;
 mod camera;
+mod campaign;
 mod caught;
 mod causes;
 mod changes;

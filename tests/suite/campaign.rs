@@ -1,0 +1,47 @@
+//! A campaign: random cases without end, shared by all processors.
+//!
+//! `cargo test` runs a short part of each; the README has the commands for the rest.
+
+use std::array;
+use std::env;
+use std::thread;
+
+/// How many cases were tried, and the sums of what `tries` counted in so many of them.
+///
+/// `name`_CASES in the environment says how many, 20 000 without, and `name`_SEED
+/// which.
+///
+/// # Panics
+/// If one of the two is no number, or a case breaks a law.
+pub(crate) fn run<const N: usize>(
+    name: &str,
+    tries: impl Fn(usize, &str) -> [u64; N] + Sync,
+) -> (u64, [u64; N]) {
+    let cases = from_environment(&format!("{name}_CASES")).unwrap_or(20_000);
+    let seed = from_environment(&format!("{name}_SEED")).unwrap_or(1);
+    let threads = thread::available_parallelism().map_or(1, usize::from) as u64;
+    let share = (cases / threads) as usize;
+    let tries = &tries;
+    let counts: Vec<[u64; N]> = thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads)
+            .map(|k| scope.spawn(move || tries(share, &format!("{seed}/{k}"))))
+            .collect();
+        workers
+            .into_iter()
+            .map(|worker| worker.join().expect("no law is broken"))
+            .collect()
+    });
+    (
+        cases,
+        array::from_fn(|k| counts.iter().map(|counts| counts[k]).sum()),
+    )
+}
+
+fn from_environment(name: &str) -> Option<u64> {
+    let number = env::var(name).ok()?;
+    Some(
+        number
+            .parse()
+            .unwrap_or_else(|_| panic!("{name} is {number:?}, which is no whole number")),
+    )
+}
