@@ -63,11 +63,11 @@ document.fonts.ready.then(() => {
     document.querySelectorAll(boxes).forEach((box) => observer.observe(box));
 });
 
-// What moves the live figures is loaded when the first of them comes near the screen.
+// What moves live figures and pictures is loaded when the first comes near the screen.
 const near = new IntersectionObserver((entries) => {
     if (entries.some((entry) => entry.isIntersecting)) {
         near.disconnect();
-        for (const file of ["module", "figures"]) {
+        for (const file of ["module", "figures", "pictures", "start"]) {
             const script = document.createElement("script");
             script.src = `live/${file}.js`;
             // In this order.

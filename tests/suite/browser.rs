@@ -4,6 +4,7 @@
 mod bidi;
 mod devtools;
 mod dragged;
+mod painted;
 
 use std::path::Path;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
@@ -63,7 +64,7 @@ fn a_page_that_breaks_the_rules_is_noticed() {
 }
 
 fn assert_noticed(file: &Path, window: &mut dyn Window) {
-    let said = window.open_file(file).join("\n");
+    let said = window.open_file(file, "").join("\n");
     for complaint in ["a complaint", "an accident", "nobody.invalid/picture.png"] {
         assert!(said.contains(complaint), "{complaint} is not in\n{said}");
     }
@@ -244,16 +245,16 @@ fn on_paper_nothing_is_torn_but_what_is_long() {
 
 /// A window in which a page is open.
 trait Window {
-    /// Opens the page; returns what the browser complains of, and each request to others.
-    fn open_file(&mut self, file: &Path) -> Vec<String>;
+    /// Opens the page, with a query or a fragment behind it; returns what the browser complains of, and each request to others.
+    fn open_file(&mut self, file: &Path, behind: &str) -> Vec<String>;
 
     /// The value of a script.
     fn value_of(&mut self, script: &str) -> Value;
 }
 
 impl Window for Tab<'_> {
-    fn open_file(&mut self, file: &Path) -> Vec<String> {
-        let events = self.open(file, "");
+    fn open_file(&mut self, file: &Path, behind: &str) -> Vec<String> {
+        let events = self.open(file, behind);
         let mut complaints = complaints(&events);
         complaints.extend(requests_to_others(&events));
         complaints
@@ -265,8 +266,8 @@ impl Window for Tab<'_> {
 }
 
 impl Window for Firefox {
-    fn open_file(&mut self, file: &Path) -> Vec<String> {
-        let events = self.open(file, "");
+    fn open_file(&mut self, file: &Path, behind: &str) -> Vec<String> {
+        let events = self.open(file, behind);
         events.iter().filter_map(complaint_of_firefox).collect()
     }
 
@@ -293,7 +294,7 @@ struct Visit {
 
 impl Visit {
     fn to(page: &str, place: String, axe: Option<&str>, window: &mut dyn Window) -> Self {
-        let complaints = window.open_file(&woven().join(page));
+        let complaints = window.open_file(&woven().join(page), "");
         window.value_of("document.querySelectorAll('details').forEach((it) => it.open = true)");
         // Tables fit themselves to the page after it was drawn.
         window.value_of(NEXT_FRAME);

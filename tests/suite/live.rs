@@ -1,10 +1,19 @@
-//! Live figures begin as the page shows them, answer whatever they are asked, and the
-//! module of the pages answers as the crate does. What a reader does to them in a browser
-//! is in `browser/dragged.rs`.
+//! Live figures begin as the page shows them, answer whatever they are asked; live pictures
+//! are those of the chapters and of the slips; and the module of the pages answers as the
+//! crate does. What a reader does to them in a browser is in `browser/dragged.rs` and
+//! `browser/painted.rs`.
 
+use std::io::Read;
+use std::iter;
+
+use ::live::picture::{self, PICTURES, Painting};
 use ::live::{FIGURES, Live};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
+use check::Chapter;
+use check::slips::{self, Slip};
+use common::rtweekend::Picture;
+use flate2::read::GzDecoder;
 use glam::DVec2;
 use wasmi::{Engine, Instance, Module, Store, TypedFunc, WasmParams, WasmResults};
 
@@ -137,9 +146,87 @@ fn the_module_drags_and_acts_as_this_crate_does() {
 }
 
 #[test]
+fn a_live_picture_is_what_its_chapter_draws_and_what_a_slip_draws() {
+    for live in PICTURES {
+        for width in [1, 2, 97, live.chapter.book_width()] {
+            let drawn = live.chapter.picture(width);
+            let painting = Painting::right((live.picture)(width));
+            assert_eq!(painting.size(), (drawn.width(), drawn.height()));
+            assert!(painting.flatten().eq(opaque(&drawn)), "{:?}", live.chapter);
+        }
+        for (_, slip) in slips_in(live.chapter) {
+            let drawn = slip.program(live.chapter).run(97).picture();
+            let painting = Painting::slipped(slip, live.chapter, 97);
+            assert_eq!(painting.size(), (drawn.width(), drawn.height()));
+            assert!(painting.flatten().eq(opaque(&drawn)), "{}", slip.name);
+        }
+    }
+}
+
+#[test]
+fn the_module_paints_as_this_crate_does() {
+    let mut module = Interpreted::new();
+    for (place, live) in (0..).zip(PICTURES) {
+        let width = live.chapter.book_width();
+        let drawn = live.chapter.picture(width);
+        let painted = module.painting(place, RIGHT, width);
+        assert!(painted == opaque(&drawn), "{:?}\n{STALE}", live.chapter);
+        for (slip_place, slip) in slips_in(live.chapter) {
+            let drawn = slip.program(live.chapter).run(21).picture();
+            let painted = module.painting(place, slip_place, 21);
+            assert!(painted == opaque(&drawn), "{}\n{STALE}", slip.name);
+        }
+    }
+}
+
+#[test]
+fn a_live_picture_says_what_is_wrong_and_how_much_is_seen() {
+    let verdict = |chapter, slip: Option<&str>, width, different| {
+        let live = PICTURES.iter().find(|live| live.chapter == chapter);
+        let slip = slip.map(|name| slips::find(name).expect("a slip"));
+        picture::verdict(live.expect("a live picture"), slip, width, different)
+    };
+    let right = verdict(Chapter::Normals, None, 400, 0);
+    assert!(right.starts_with("400 × 225 pixels"), "{right}");
+    let wrong = verdict(Chapter::Normals, Some("far-root"), 400, 13_000);
+    assert!(wrong.contains("13000 of 90000 pixels differ"), "{wrong}");
+    let turned = verdict(Chapter::Normals, Some("header-swapped"), 400, 1);
+    assert!(
+        turned.contains("It is 225 × 400, and should be 400 × 225."),
+        "{turned}"
+    );
+    let narrow = verdict(Chapter::RedSphere, Some("radius-added"), 1, 0);
+    assert!(
+        narrow.contains("At this width no pixel differs."),
+        "{narrow}"
+    );
+    let unseen = verdict(Chapter::RedSphere, Some("oc-reversed"), 400, 0);
+    assert!(unseen.contains("No pixel differs"), "{unseen}");
+}
+
+#[test]
 fn the_module_is_small_enough_to_be_on_a_page() {
     assert!(MODULE.len() <= 150_000, "{} bytes", MODULE.len());
 }
+
+/// The slips that can be made in a chapter, with their places in the catalogue.
+pub(crate) fn slips_in(chapter: Chapter) -> impl Iterator<Item = (u32, &'static Slip)> {
+    (0..)
+        .zip(slips::all())
+        .filter(move |(_, slip)| slip.chapters.contains(&chapter))
+}
+
+/// The bytes of a picture as a canvas has them: four a pixel.
+pub(crate) fn opaque(picture: &Picture) -> Vec<u8> {
+    let (pixels, _) = picture.rgb().as_chunks();
+    pixels
+        .iter()
+        .flat_map(|&[red, green, blue]| [red, green, blue, 255])
+        .collect()
+}
+
+/// In place of a slip: none.
+const RIGHT: u32 = u32::MAX;
 
 /// `count` questions to a figure: first that of the page, then numbers over the whole of
 /// their ranges, on steps and between them, always the same.
@@ -186,7 +273,10 @@ struct Interpreted {
 impl Interpreted {
     fn new() -> Self {
         let text = MODULE.split('"').nth(1).expect("a text in quotes");
-        let bytes = BASE64_STANDARD.decode(text).expect("base64");
+        let compressed = BASE64_STANDARD.decode(text).expect("base64");
+        let mut bytes = Vec::new();
+        let mut stream = GzDecoder::new(&compressed[..]);
+        stream.read_to_end(&mut bytes).expect("gzip");
         let engine = Engine::default();
         let module = Module::new(&engine, &bytes).expect("WebAssembly");
         let mut store = Store::new(&engine, ());
@@ -217,13 +307,25 @@ impl Interpreted {
 
     fn answer(&mut self, figure: usize, numbers: &[f64]) -> String {
         self.set(numbers);
-        let length: u32 = self.call("answer", figure as u32);
-        let at: u32 = self.call("text", ());
+        let length = self.call("answer", figure as u32);
+        String::from_utf8(self.bytes(length)).expect("UTF-8")
+    }
+
+    fn painting(&mut self, picture: u32, slip: u32, width: u32) -> Vec<u8> {
+        self.call::<_, ()>("paint", (picture, slip, width));
+        let piece = || {
+            let length = self.call("piece", ());
+            Some(self.bytes(length)).filter(|bytes| !bytes.is_empty())
+        };
+        iter::from_fn(piece).flatten().collect()
+    }
+
+    fn bytes(&mut self, length: u32) -> Vec<u8> {
+        let at: u32 = self.call("place", ());
         let memory = self
             .instance
             .get_memory(&self.store, "memory")
             .expect("memory");
-        let bytes = &memory.data(&self.store)[at as usize..][..length as usize];
-        String::from_utf8(bytes.to_vec()).expect("UTF-8")
+        memory.data(&self.store)[at as usize..][..length as usize].to_vec()
     }
 }

@@ -33,7 +33,7 @@ pub use charts::{CHARTS, Chart, Drawn, Point, find_chart, scene_chart};
 pub use figure::{Figure, html};
 pub use plane::Plane;
 pub use style::{CSS, standalone};
-pub use svg::spoken;
+pub use svg::{escape, spoken};
 
 /// All figures, in reading order: the nine of the notes, and six more.
 pub const FIGURES: &[Figure] = &[

@@ -233,7 +233,7 @@ pub(crate) fn width(label: &str, size: f64) -> f64 {
 }
 
 /// Text that means itself in XML.
-pub(crate) fn escape(text: &str) -> String {
+pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")

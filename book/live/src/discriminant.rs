@@ -107,9 +107,7 @@ impl Solver for Slipped {
 
 fn answer(numbers: &[f64]) -> Answer {
     let name = (numbers[7] as usize).checked_sub(1).map(|n| SLIPS[n]);
-    let slip = slips::in_the_quadratic()
-        .iter()
-        .find(|slip| Some(slip.name) == name);
+    let slip = name.and_then(slips::find);
     let right = parameters(numbers, &Right);
     let (svg, sentence, roots) = match slip {
         None => (draw(&right), sentence(&right), right.roots()),

@@ -1,13 +1,15 @@
-//! What the script of a page calls: numbers in, UTF-8 text out.
+//! What the script of a page calls: numbers in; UTF-8 text, or pixels, out.
 //!
 //! The script sets the numbers one by one, calls what changes or draws, and reads them
-//! back, since a figure may have confined them. No memory is shared but the text of the
-//! last answer, which stays where it is until the next call.
+//! back, since a figure may have confined them. No memory is shared but the bytes of the
+//! last answer, which stay where they are until the next call.
 
 use std::cell::RefCell;
 
+use check::slips::{self, Slip};
 use glam::DVec2;
 
+use crate::picture::{self, PICTURES, Painting};
 use crate::{FIGURES, Live};
 
 /// No figure has more numbers.
@@ -15,12 +17,13 @@ const MOST: usize = 16;
 
 struct State {
     numbers: [f64; MOST],
-    text: String,
+    answer: Vec<u8>,
+    painting: Option<Painting>,
 }
 
 thread_local! {
     static STATE: RefCell<State> = const {
-        RefCell::new(State { numbers: [0.0; MOST], text: String::new() })
+        RefCell::new(State { numbers: [0.0; MOST], answer: Vec::new(), painting: None })
     };
 }
 
@@ -54,17 +57,60 @@ extern "C" fn act(figure: usize, action: usize) {
 #[unsafe(no_mangle)]
 extern "C" fn answer(figure: usize) -> usize {
     change(figure, Live::confine);
-    STATE.with_borrow_mut(|state| {
+    keep(|state| {
         let live = &FIGURES[figure];
-        state.text = live.text(&state.numbers[..live.numbers.len()]);
-        state.text.len()
+        live.text(&state.numbers[..live.numbers.len()]).into()
     })
+}
+
+/// Begins the picture in that place: with the slip in its place, or right if there is none
+/// in it. Its width and height become the first two numbers.
+#[unsafe(no_mangle)]
+extern "C" fn paint(picture: usize, slip: usize, width: u32) {
+    let live = &PICTURES[picture];
+    let painting = match slip_at(slip) {
+        Some(slip) => Painting::slipped(slip, live.chapter, width),
+        None => Painting::right((live.picture)(width)),
+    };
+    let (width, height) = painting.size();
+    set(0, width.into());
+    set(1, height.into());
+    STATE.with_borrow_mut(|state| state.painting = Some(painting));
+}
+
+/// Paints a piece of it; returns its length in bytes, which is 0 at the end.
+#[unsafe(no_mangle)]
+extern "C" fn piece() -> usize {
+    keep(|state| {
+        state
+            .painting
+            .as_mut()
+            .and_then(Iterator::next)
+            .unwrap_or_default()
+    })
+}
+
+/// What is painted, when so many of its pixels are wrong; returns the length in bytes.
+#[unsafe(no_mangle)]
+extern "C" fn verdict(picture: usize, slip: usize, width: u32, different: u32) -> usize {
+    keep(|_| picture::verdict(&PICTURES[picture], slip_at(slip), width, different).into())
 }
 
 /// Where the last answer is.
 #[unsafe(no_mangle)]
-extern "C" fn text() -> *const u8 {
-    STATE.with_borrow(|state| state.text.as_ptr())
+extern "C" fn place() -> *const u8 {
+    STATE.with_borrow(|state| state.answer.as_ptr())
+}
+
+fn keep(answer: impl FnOnce(&mut State) -> Vec<u8>) -> usize {
+    STATE.with_borrow_mut(|state| {
+        state.answer = answer(state);
+        state.answer.len()
+    })
+}
+
+fn slip_at(place: usize) -> Option<&'static Slip> {
+    slips::all().nth(place)
 }
 
 fn change(figure: usize, change: impl FnOnce(&Live, &mut [f64])) {

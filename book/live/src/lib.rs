@@ -6,7 +6,8 @@
 //! draws it anew, here compiled to WebAssembly. All that is known about a figure is
 //! known here: which numbers there are, where on the sheet they can be grasped, what a
 //! drag does to them, and the sentence below. The script of the page,
-//! `book/notes/live/figures.js`, only carries numbers there and words back.
+//! `book/notes/live/figures.js`, only carries numbers there and words back. The pictures
+//! of the chapters are in [`picture`], with `book/notes/live/pictures.js`.
 //!
 //! To make another figure live:
 //! 1. Its function in `figures` draws whatever numbers it is given, and what the page
@@ -22,6 +23,7 @@ mod exports;
 mod face_normal;
 mod live;
 mod normal_colors;
+pub mod picture;
 mod ray;
 
 pub use live::{Action, Answer, Handle, Live, Number};

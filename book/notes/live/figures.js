@@ -2,15 +2,9 @@
 //
 // What is shown, said and allowed is computed by the package `live`, compiled into
 // module.js. This script knows nothing of rays: only numbers in, and lines of text out.
+// What it shares with pictures.js is in start.js.
 
 "use strict";
-
-WebAssembly.instantiate(Uint8Array.from(atob(liveModule), (letter) => letter.charCodeAt(0)))
-    .then(({ instance }) => {
-        for (const figure of document.querySelectorAll("figure.live")) {
-            new LiveFigure(figure, instance.exports);
-        }
-    });
 
 class LiveFigure {
     constructor(figure, rust) {
@@ -135,17 +129,12 @@ class LiveFigure {
         this.numbers.forEach((value, n) => this.rust.set(n, value));
         this.waiting?.();
         this.waiting = null;
-        const [svg, sentence, ...lines] = this.answer().split("\n");
+        const answer = read(this.rust, this.rust.answer(this.place));
+        const [svg, sentence, ...lines] = answer.split("\n");
         this.numbers = this.numbers.map((_, n) => this.rust.get(n));
         this.stage.querySelector("svg").outerHTML = svg;
         this.sentence.innerHTML = sentence;
         this.update(lines.map((line) => line.split("\t")));
-    }
-
-    answer() {
-        const length = this.rust.answer(this.place);
-        const bytes = new Uint8Array(this.rust.memory.buffer, this.rust.text(), length);
-        return new TextDecoder().decode(bytes);
     }
 
     update(lines) {

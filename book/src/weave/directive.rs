@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::code::Listed;
 use super::woven::Woven;
-use super::{changes, code, controls, figure, measured, slip, snapshot, step};
+use super::{changes, code, controls, figure, measured, picture, slip, snapshot, step};
 
 /// What the directive with this `text` stands for, in a page of `folder`.
 ///
@@ -17,6 +17,7 @@ use super::{changes, code, controls, figure, measured, slip, snapshot, step};
 /// | `{{chart NAME}}` | the chart, and a table of its numbers |
 /// | `{{changes NAME}}` | what changed from the chapter before to this one |
 /// | `{{editions}}` | what each edition of the book draws |
+/// | `{{picture CHAPTER IMAGE}}` | this image, which a reader can paint anew |
 /// | `{{slip NAME CHAPTER}}` | the wrong picture that this slip draws |
 /// | `{{slips}}` | all slips, by what there is to see |
 /// | `{{step CHAPTER NUMBER}}` | the picture after this step on the way to the chapter |
@@ -37,6 +38,10 @@ pub(super) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
         "chart" => figure::chart(folder, rest).map(Woven::Block),
         "changes" => changes::changes(folder, rest).map(Woven::Block),
         "editions" => Ok(Woven::Block(slip::editions())),
+        "picture" => {
+            let (chapter, image) = split(rest);
+            picture::picture(folder, chapter, image).map(Woven::Block)
+        }
         "slip" => {
             let (name, chapter) = split(rest);
             slip::slip(name, chapter).map(Woven::Block)
@@ -53,7 +58,7 @@ pub(super) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
         }
         _ => Err(format!(
             "there is no directive `{name}`: choose code, figure, live, chart, changes, editions, \
-             slip, slips, step, snapshot or value"
+             picture, slip, slips, step, snapshot or value"
         )),
     }
 }

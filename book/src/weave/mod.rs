@@ -14,6 +14,7 @@ mod figure;
 mod maths;
 mod measured;
 mod page;
+mod picture;
 mod slip;
 mod snapshot;
 mod step;

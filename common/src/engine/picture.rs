@@ -81,19 +81,27 @@ impl Picture {
     /// The same bytes, painted anew by that many threads.
     pub fn rgb_with_threads(&self, threads: usize) -> Vec<u8> {
         let mut rgb = Vec::with_capacity(3 * self.width as usize * self.height as usize);
-        let paint = |strip, bytes: &mut Vec<u8>| {
-            for (block, columns) in self.blocks(strip) {
-                for k in 0..columns {
-                    bytes.extend([block.red[k], block.green[k], block.blue[k]]);
-                }
-            }
-        };
+        let paint = |strip, bytes: &mut Vec<u8>| self.push_strip(strip, bytes);
         in_order(self.strips(), threads, paint, |bytes| {
             rgb.extend_from_slice(bytes);
             Ok(())
         })
         .expect("memory takes it");
         rgb
+    }
+
+    /// How many strips there are: some 2500 pixels each, in reading order.
+    pub fn strips(&self) -> usize {
+        (self.blocks_in_row() * self.height as usize).div_ceil(STRIP)
+    }
+
+    /// Appends the bytes of one strip, for who shows a picture while it is painted.
+    pub fn push_strip(&self, strip: usize, rgb: &mut Vec<u8>) {
+        for (block, columns) in self.blocks(strip) {
+            for k in 0..columns {
+                rgb.extend([block.red[k], block.green[k], block.blue[k]]);
+            }
+        }
     }
 
     /// Writes the picture as the book does: a P3 (plain PPM) text with a pixel
@@ -127,10 +135,6 @@ impl Picture {
             0 | 1 => 1,
             several => thread::available_parallelism().map_or(1, |most| several.min(most.get())),
         }
-    }
-
-    fn strips(&self) -> usize {
-        (self.blocks_in_row() * self.height as usize).div_ceil(STRIP)
     }
 
     /// Paints a strip: its blocks in reading order, each with the number of its

@@ -36,7 +36,7 @@ mod program;
 mod single;
 mod slip;
 
-pub use catalogue::{all, find, in_the_quadratic};
+pub use catalogue::{all, find};
 pub use edition::Edition;
 pub use look::{Look, SIGHT_WIDTH, Sight, sights};
 pub use output::Output;

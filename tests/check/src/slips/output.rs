@@ -67,15 +67,16 @@ impl Output {
         })
     }
 
-    /// The picture that the same program draws in Rust, where a conversion to a
+    /// The `n`th pixel as the same program stores it in Rust, where a conversion to a
     /// byte stops at 0 and 255.
+    pub fn bytes(&self, n: u32) -> [u8; 3] {
+        self.pixel(n).map(|level| level.clamp(0, 255) as u8)
+    }
+
+    /// The picture that the same program draws in Rust.
     pub fn picture(&self) -> Picture {
         let (width, height) = self.size();
-        let rgb = self
-            .pixels()
-            .flatten()
-            .map(|level| level.clamp(0, 255) as u8)
-            .collect();
+        let rgb = (0..width * height).flat_map(|n| self.bytes(n)).collect();
         Picture::from_rgb(width, height, rgb)
             .expect("a header may swap width and height, but not change their product")
     }

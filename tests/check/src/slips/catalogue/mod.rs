@@ -22,11 +22,6 @@ pub fn all() -> impl Iterator<Item = &'static Slip> {
     .flatten()
 }
 
-/// The slips in the quadratic alone. A program that must be small takes no others along.
-pub fn in_the_quadratic() -> &'static [Slip] {
-    sphere::SLIPS
-}
-
 /// The slip of that name.
 pub fn find(name: &str) -> Option<&'static Slip> {
     all().find(|slip| slip.name == name)

@@ -1,0 +1,154 @@
+//! Progressive rendering: the picture of a chapter at any width, and what a slip draws in
+//! its place, painted in pieces, so that a page can show each frame what there is.
+
+use check::Chapter;
+use check::slips::{Edition, Slip, Unseen, Words};
+use common::rtweekend::Picture;
+use figures::escape;
+
+/// A chapter whose page paints its picture.
+#[derive(Clone, Copy, Debug)]
+pub struct LivePicture {
+    /// The chapter.
+    pub chapter: Chapter,
+    /// Its own function from a width in pixels.
+    pub picture: fn(u32) -> Picture,
+    /// What a reader is to find out.
+    pub question: &'static str,
+}
+
+/// The pictures of the book. That of chapter 6 is none of its, and no slip is made there.
+pub static PICTURES: &[LivePicture] = &[
+    LivePicture {
+        chapter: Chapter::BuildTest,
+        picture: build_test::picture,
+        question: "Which mistake turns the picture upside down, and which can no eye see?",
+    },
+    LivePicture {
+        chapter: Chapter::Gradient,
+        picture: gradient::picture,
+        question: "Which forgotten word gives each row of the sky a single color?",
+    },
+    LivePicture {
+        chapter: Chapter::RedSphere,
+        picture: red_sphere::picture,
+        question: "Which wrong sign makes the disc vanish, and which one does no harm here?",
+    },
+    LivePicture {
+        chapter: Chapter::Normals,
+        picture: normals::picture,
+        question: "What does the ball look like if you take the farther root?",
+    },
+    LivePicture {
+        chapter: Chapter::HalfBSphere,
+        picture: half_b_sphere::picture,
+        question: "What is to be seen if the 2 and the 4 of chapter 3 are left where they were?",
+    },
+    LivePicture {
+        chapter: Chapter::HittableList,
+        picture: hittable_list::picture,
+        question: "What becomes of the ball if the first hit wins, and what if the last one does?",
+    },
+];
+
+/// The widest picture that a page paints, in pixels.
+pub const WIDEST: u32 = 1920;
+
+/// A picture while it is painted: pieces of it in reading order, four bytes a pixel as a
+/// canvas takes them.
+pub struct Painting {
+    size: (u32, u32),
+    pieces: Box<dyn Iterator<Item = Vec<u8>>>,
+}
+
+impl Painting {
+    /// A picture of a chapter, as it should be.
+    pub fn right(picture: Picture) -> Self {
+        let (size, strips) = ((picture.width(), picture.height()), picture.strips());
+        let piece = move |strip| {
+            let mut rgb = Vec::new();
+            picture.push_strip(strip, &mut rgb);
+            let (pixels, _) = rgb.as_chunks();
+            opaque(pixels.iter().copied())
+        };
+        Self {
+            size,
+            pieces: Box::new((0..strips).map(piece)),
+        }
+    }
+
+    /// The picture that the program of someone with this slip draws.
+    pub fn slipped(slip: &Slip, chapter: Chapter, width: u32) -> Self {
+        let output = slip.program(chapter).run(width);
+        let (width, height) = output.size();
+        let pixels = width * height;
+        let piece = move |from| opaque((from..pixels.min(from + PIECE)).map(|n| output.bytes(n)));
+        Self {
+            size: (width, height),
+            pieces: Box::new((0..pixels).step_by(PIECE as usize).map(piece)),
+        }
+    }
+
+    /// Width and height in pixels. A slip may swap them.
+    pub fn size(&self) -> (u32, u32) {
+        self.size
+    }
+}
+
+impl Iterator for Painting {
+    type Item = Vec<u8>;
+
+    fn next(&mut self) -> Option<Vec<u8>> {
+        self.pieces.next()
+    }
+}
+
+/// What is painted, as HTML: the picture in that width; or a slip, which makes
+/// `different` of its pixels wrong.
+pub fn verdict(live: &LivePicture, slip: Option<&Slip>, width: u32, different: u32) -> String {
+    let Some(slip) = slip else {
+        let (width, height) = Painting::right((live.picture)(width)).size;
+        return format!(
+            "{width} × {height} pixels, painted in this page by the chapter’s own code."
+        );
+    };
+    let Words {
+        wrong,
+        right,
+        explanation,
+    } = slip.words(Edition::V4);
+    format!(
+        "<code>{}</code> should be <code>{}</code>. {} {} <a href=\"{}\">How it is right</a>, and \
+         <a href=\"caught.html#{name}\">what catches it</a>.",
+        escape(wrong),
+        escape(right),
+        escape(explanation),
+        escape(&seen(live, slip, width, different)),
+        slip.page.replace('#', ".html#"),
+        name = slip.name,
+    )
+}
+
+/// How much of a slip is to be seen.
+fn seen(live: &LivePicture, slip: &Slip, width: u32, different: u32) -> String {
+    let (right_width, right_height) = Painting::right((live.picture)(width)).size;
+    let (width, height) = Painting::slipped(slip, live.chapter, width).size;
+    if (width, height) != (right_width, right_height) {
+        return format!("It is {width} × {height}, and should be {right_width} × {right_height}.");
+    }
+    match (different, slip.unseen_in(live.chapter)) {
+        (0, Some(Unseen::Equivalent(why))) => format!("No pixel differs. {why}"),
+        (0, Some(Unseen::OnlyByLaw(law))) => format!("No pixel differs; a law shows it: {law}"),
+        (0, None) => "At this width no pixel differs.".to_owned(),
+        _ => format!("{different} of {} pixels differ.", width * height),
+    }
+}
+
+/// Pixels in a piece of a wrong picture: as many as in a strip of the right one.
+const PIECE: u32 = 2560;
+
+fn opaque(pixels: impl Iterator<Item = [u8; 3]>) -> Vec<u8> {
+    pixels
+        .flat_map(|[red, green, blue]| [red, green, blue, u8::MAX])
+        .collect()
+}

@@ -1,0 +1,99 @@
+// Live pictures: shows what a chapter's own code paints, and beside it what a slip does.
+//
+// Rust hands out a picture in pieces. Each frame shows as many as there are in a few
+// milliseconds, so that the page never waits for a picture, however wide.
+
+"use strict";
+
+const MILLISECONDS_A_FRAME = 8;
+
+class LivePicture {
+    constructor(figure, rust) {
+        this.figure = figure;
+        this.rust = rust;
+        this.place = Number(figure.dataset.picture);
+        [this.right, this.wrong] = figure.querySelectorAll("canvas");
+        this.sentence = figure.querySelector(".sentence");
+        this.width = figure.querySelector("input[type=number]");
+        this.slip = figure.querySelector("select");
+        // Counts what was asked for: what is painted for an earlier question is given up.
+        this.turn = 0;
+
+        figure.addEventListener("input", () => this.show());
+        figure.addEventListener("click", ({ target }) => {
+            if (target.dataset.action === "reset") {
+                this.ask(this.width.defaultValue, "");
+            }
+        });
+        figure.classList.add("alive");
+        this.ask(...this.fromLink());
+    }
+
+    // A link such as ?picture=100,minus-h#picture carries a width and a slip.
+    fromLink() {
+        const [width, slip] = new URLSearchParams(location.search).get(this.figure.id)?.split(",") ?? [];
+        return [width ?? this.width.defaultValue, slip ?? ""];
+    }
+
+    ask(width, slip) {
+        this.width.value = width;
+        this.slip.value = slip;
+        if (this.slip.selectedIndex < 0) {
+            this.slip.value = "";
+        }
+        this.show();
+    }
+
+    async show() {
+        const turn = ++this.turn;
+        // An empty field, or no number in a link, is as good as none.
+        const asked = Math.trunc(this.width.value || this.width.defaultValue);
+        const width = Math.min(Math.max(asked, this.width.min), this.width.max);
+        const slip = Number(this.slip.selectedOptions[0].dataset.slip);
+        this.sentence.ariaBusy = "true";
+        this.figure.querySelector(".this-case").href =
+            `?${this.figure.id}=${width},${this.slip.value}#${this.figure.id}`;
+        this.wrong.hidden = slip < 0;
+        this.wrong.ariaLabel = `What ${this.slip.value} draws`;
+
+        const right = await this.paint(this.right, -1, width, turn);
+        const wrong = slip < 0 ? right : await this.paint(this.wrong, slip, width, turn);
+        if (turn === this.turn) {
+            const different = wrong.filter((pixel, n) => pixel !== right[n]).length;
+            this.sentence.innerHTML = read(this.rust, this.rust.verdict(this.place, slip, width, different));
+            this.sentence.ariaBusy = "false";
+        }
+    }
+
+    // Paints a picture and returns its pixels, or as far as it is when another is asked for.
+    async paint(canvas, slip, width, turn) {
+        if (turn !== this.turn) {
+            return [];
+        }
+        this.rust.paint(this.place, slip, width);
+        const image = imageOf(canvas, this.rust.get(0), this.rust.get(1));
+        let done = 0;
+        let length;
+        do {
+            const end = performance.now() + MILLISECONDS_A_FRAME;
+            do {
+                length = this.rust.piece();
+                image.data.set(bytes(this.rust, length), done);
+                done += length;
+            } while (length > 0 && performance.now() < end);
+            canvas.getContext("2d").putImageData(image, 0, 0);
+            await new Promise(requestAnimationFrame);
+        } while (length > 0 && turn === this.turn);
+        return new Uint32Array(image.data.buffer);
+    }
+}
+
+// The pixels of a canvas of that size. Where a slip leaves no pixel, one is left blank.
+function imageOf(canvas, width, height) {
+    const size = [Math.max(width, 1), Math.max(height, 1)];
+    if (canvas.width !== size[0] || canvas.height !== size[1]) {
+        [canvas.width, canvas.height] = size;
+    }
+    canvas.classList.toggle("pixels", width < canvas.clientWidth);
+    return new ImageData(...size);
+}

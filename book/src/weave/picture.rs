@@ -1,0 +1,89 @@
+//! Live pictures: HTML around a chapter's picture, with which a reader paints it anew.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use check::Chapter;
+use check::slips::{self, Slip};
+use figures::escape;
+use live::picture::{LivePicture, PICTURES, WIDEST};
+
+/// The `image` of a chapter, in Markdown, with what is needed to paint it at another width
+/// and with a slip. The pages that the slips belong to are in the folder `notes`.
+pub(super) fn picture(notes: &Path, chapter: &str, image: &str) -> Result<String, String> {
+    let found = (0..)
+        .zip(PICTURES)
+        .find(|(_, live)| live.chapter.name() == chapter);
+    let (place, live) = found.ok_or_else(|| {
+        let names: Vec<&str> = PICTURES.iter().map(|live| live.chapter.name()).collect();
+        format!(
+            "there is no live picture `{chapter}`: there are {}",
+            names.join(", ")
+        )
+    })?;
+    Ok(format!(
+        "<figure id=\"picture\" class=\"live\" data-picture=\"{place}\">\n\n{image}\n\n\
+         <div class=\"canvases\" style=\"--width: {width}px\"><canvas role=\"img\" aria-label=\"{shown}\"></canvas>\
+         <canvas role=\"img\" hidden></canvas></div>\
+         <p class=\"question\">{question}</p>\
+         <div class=\"controls\">\
+         <label>Break it <select>{slips}</select></label>\
+         <label>Width <input type=\"number\" min=\"1\" max=\"{WIDEST}\" value=\"{width}\"></label>\
+         <button type=\"button\" data-action=\"reset\">Reset</button>\
+         <a class=\"this-case\">Link to this case</a></div>\
+         <p class=\"sentence\" role=\"status\"></p></figure>",
+        shown = live.chapter.shows(),
+        question = live.question,
+        slips = choices(notes, live)?,
+        width = live.chapter.book_width(),
+    ))
+}
+
+/// The slips that can be made in the chapter, by what their lines say, under the titles of
+/// the pages that have them right: its own page first.
+fn choices(notes: &Path, live: &LivePicture) -> Result<String, String> {
+    let mut html = "<option value=\"\" data-slip=\"-1\">nothing: it is right</option>".to_owned();
+    for (page, slips) in by_page(live.chapter) {
+        let _ = write!(
+            html,
+            "<optgroup label=\"{}\">",
+            escape(&title(&notes.join(format!("{page}.md")))?)
+        );
+        for (place, slip) in slips {
+            let (name, wrong) = (slip.name, escape(slip.wrong));
+            let _ = write!(
+                html,
+                "<option value=\"{name}\" data-slip=\"{place}\">{wrong}</option>"
+            );
+        }
+        html += "</optgroup>";
+    }
+    Ok(html)
+}
+
+/// The slips of a chapter with their places in the catalogue.
+fn by_page(chapter: Chapter) -> Vec<(&'static str, Vec<(usize, &'static Slip)>)> {
+    let mut pages: Vec<(&str, Vec<_>)> = Vec::new();
+    for (place, slip) in slips::all().enumerate() {
+        if !slip.chapters.contains(&chapter) {
+            continue;
+        }
+        let page = slip.page.split('#').next().unwrap_or_default();
+        match pages.iter_mut().find(|(other, _)| *other == page) {
+            Some((_, slips)) => slips.push((place, slip)),
+            None => pages.push((page, vec![(place, slip)])),
+        }
+    }
+    pages.sort_by_key(|(page, _)| *page != chapter.name());
+    pages
+}
+
+/// The first heading of a page.
+fn title(page: &Path) -> Result<String, String> {
+    let text = fs::read_to_string(page).map_err(|cause| format!("{}: {cause}", page.display()))?;
+    let heading = text.lines().find_map(|line| line.strip_prefix("# "));
+    heading
+        .map(str::to_owned)
+        .ok_or_else(|| format!("{}: no heading", page.display()))
+}

@@ -1,0 +1,121 @@
+//! Live pictures in real browsers, from a file: each chapter's page paints the chapter's
+//! picture to the bit, at any width, and beside it what a slip draws.
+
+use ::live::picture::PICTURES;
+use check::slips;
+use common::rtweekend::Picture;
+use serde_json::{Value, json};
+
+use super::dragged::fowler_noll_vo;
+use super::{Window, browser, firefox};
+use crate::book::woven;
+use crate::live::{opaque, slips_in};
+
+#[test]
+fn each_chapters_page_paints_the_picture_of_the_chapter() {
+    each_browser(|window| {
+        for live in PICTURES {
+            let width = live.chapter.book_width();
+            open(window, live.chapter.name(), "");
+            assert_painted(window, &[live.chapter.picture(width)]);
+            // Odd, the least, and wider than the screen.
+            for width in [1, 37, 1921] {
+                ask(window, &width.to_string(), "");
+                assert_painted(window, &[live.chapter.picture(width.min(1920))]);
+            }
+        }
+    });
+}
+
+#[test]
+fn each_chapters_page_paints_what_any_slip_draws() {
+    each_browser(|window| {
+        for live in PICTURES {
+            let chapter = live.chapter;
+            open(window, chapter.name(), "");
+            for (_, slip) in slips_in(chapter) {
+                ask(window, "41", slip.name);
+                let wrong = slip.program(chapter).run(41).picture();
+                assert_painted(window, &[chapter.picture(41), wrong]);
+            }
+        }
+    });
+}
+
+#[test]
+fn a_link_leads_to_a_broken_picture_and_reset_mends_it() {
+    each_browser(|window| {
+        let live = PICTURES[3];
+        open(window, "normals", "?picture=97,far-root#picture");
+        let slip = slips::find("far-root").expect("a slip");
+        let wrong = slip.program(live.chapter).run(97).picture();
+        assert_painted(window, &[live.chapter.picture(97), wrong]);
+        let link = "document.querySelector('#picture .this-case').getAttribute('href')";
+        assert_eq!(window.value_of(link), "?picture=97,far-root#picture");
+        window.value_of("document.querySelector('#picture [data-action=reset]').click()");
+        assert_painted(window, &[live.chapter.picture(400)]);
+        // What is no width and no slip is none.
+        open(window, "normals", "?picture=nonsense,nothing#picture");
+        assert_painted(window, &[live.chapter.picture(400)]);
+    });
+}
+
+fn each_browser(look: impl Fn(&mut dyn Window)) {
+    if let Some(mut browser) = browser() {
+        look(&mut browser.tab(1200));
+    }
+    if let Some(mut firefox) = firefox() {
+        firefox.set_width(1200);
+        look(&mut *firefox);
+    }
+}
+
+fn open(window: &mut dyn Window, chapter: &str, behind: &str) {
+    let page = match chapter {
+        "build_test" => "setup",
+        other => other,
+    };
+    window.open_file(&woven().join(format!("{page}.html")), behind);
+}
+
+/// Asks for a width and a slip, as a reader does who changes the one and the other.
+fn ask(window: &mut dyn Window, width: &str, slip: &str) {
+    let [width, slip] = [width, slip].map(|it| json!(it));
+    window.value_of(&format!(
+        "{DONE}.then(() => {{
+            const figure = document.getElementById('picture');
+            figure.querySelector('input[type=number]').value = {width};
+            const slip = figure.querySelector('select');
+            slip.value = {slip};
+            slip.dispatchEvent(new Event('input', {{ bubbles: true }}));
+        }})"
+    ));
+}
+
+fn assert_painted(window: &mut dyn Window, pictures: &[Picture]) {
+    let sums = window.value_of(&format!("{DONE}.then(() => {SUMS})"));
+    let expected: Vec<Value> = pictures
+        .iter()
+        .map(|picture| {
+            let sum = fowler_noll_vo(&opaque(picture));
+            json!([picture.width(), picture.height(), sum])
+        })
+        .collect();
+    assert_eq!(sums, json!(expected));
+}
+
+/// Waits until all is painted.
+const DONE: &str = "new Promise((done) => {
+    const look = () => document.querySelector('#picture.alive .sentence')?.ariaBusy === 'false'
+        ? done() : setTimeout(look, 5);
+    look();
+})";
+
+/// Width, height and sum of each picture that is shown.
+const SUMS: &str =
+    "[...document.querySelectorAll('#picture canvas:not([hidden])')].map((canvas) => {
+    const { width, height } = canvas;
+    const { data } = canvas.getContext('2d').getImageData(0, 0, width, height);
+    const sum = data.reduce((sum, byte) => Math.imul(sum ^ byte, 16777619) >>> 0, 2166136261);
+    return [width, height, sum];
+})";
