@@ -4,6 +4,7 @@
 mod bidi;
 mod devtools;
 mod dragged;
+mod frames;
 mod painted;
 
 use std::path::Path;

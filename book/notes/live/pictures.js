@@ -5,7 +5,7 @@
 
 "use strict";
 
-const MILLISECONDS_A_FRAME = 8;
+const MILLISECONDS_A_FRAME = 5;
 
 class LivePicture {
     constructor(figure, rust) {
@@ -57,34 +57,51 @@ class LivePicture {
         this.wrong.ariaLabel = `What ${this.slip.value} draws`;
 
         const right = await this.paint(this.right, -1, width, turn);
-        const wrong = slip < 0 ? right : await this.paint(this.wrong, slip, width, turn);
-        if (turn === this.turn) {
-            const different = wrong.filter((pixel, n) => pixel !== right[n]).length;
-            this.sentence.innerHTML = read(this.rust, this.rust.verdict(this.place, slip, width, different));
+        const last = slip < 0 ? right : await this.paint(this.wrong, slip, width, turn, right?.pixels);
+        if (last) {
+            const length = this.rust.verdict(this.place, slip, width, last.different);
+            this.sentence.innerHTML = read(this.rust, length);
             this.sentence.ariaBusy = "false";
         }
     }
 
-    // Paints a picture and returns its pixels, or as far as it is when another is asked for.
-    async paint(canvas, slip, width, turn) {
+    // Paints a picture. Returns its pixels, and how many are different from `others`; or
+    // nothing, if something else is asked for meanwhile.
+    async paint(canvas, slip, width, turn, others) {
         if (turn !== this.turn) {
-            return [];
+            return null;
         }
         this.rust.paint(this.place, slip, width);
         const image = imageOf(canvas, this.rust.get(0), this.rust.get(1));
-        let done = 0;
+        const pixels = new Uint32Array(image.data.buffer);
+        let [from, done, different] = [-1, 0, 0];
+        while (from < done) {
+            [from, done] = [done, this.paintPieces(image.data, done)];
+            const top = Math.floor(from / (4 * image.width));
+            const bottom = Math.ceil(done / (4 * image.width));
+            canvas.getContext("2d").putImageData(image, 0, 0, 0, top, image.width, bottom - top);
+            for (let n = from / 4; others && n < done / 4; n++) {
+                different += Number(pixels[n] !== others[n]);
+            }
+            await new Promise(requestAnimationFrame);
+            if (turn !== this.turn) {
+                return null;
+            }
+        }
+        return { pixels, different };
+    }
+
+    // Paints what can be painted in a part of a frame, from the byte `done` on; returns
+    // where it ends.
+    paintPieces(data, done) {
+        const end = performance.now() + MILLISECONDS_A_FRAME;
         let length;
         do {
-            const end = performance.now() + MILLISECONDS_A_FRAME;
-            do {
-                length = this.rust.piece();
-                image.data.set(bytes(this.rust, length), done);
-                done += length;
-            } while (length > 0 && performance.now() < end);
-            canvas.getContext("2d").putImageData(image, 0, 0);
-            await new Promise(requestAnimationFrame);
-        } while (length > 0 && turn === this.turn);
-        return new Uint32Array(image.data.buffer);
+            length = this.rust.piece();
+            data.set(bytes(this.rust, length), done);
+            done += length;
+        } while (length > 0 && performance.now() < end);
+        return done;
     }
 }
 

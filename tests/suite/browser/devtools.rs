@@ -219,6 +219,39 @@ impl Tab<'_> {
         self.evaluate(NEXT_FRAME);
     }
 
+    /// Does something, and returns how long each task of the page's main thread took
+    /// meanwhile: in milliseconds by the clock, and of processor time.
+    pub(super) fn tasks_during(&mut self, act: impl FnOnce(&mut Self)) -> Vec<[f64; 2]> {
+        let categories = [
+            "toplevel",
+            "disabled-by-default-devtools.timeline",
+            "__metadata",
+        ];
+        let config = json!({"includedCategories": categories, "excludedCategories": ["*"]});
+        self.call("Tracing.start", json!({ "traceConfig": config }));
+        act(self);
+        self.call("Tracing.end", json!({}));
+        let traced: Vec<Value> = self
+            .wait_for("Tracing.tracingComplete")
+            .into_iter()
+            .filter(|event| event["method"] == "Tracing.dataCollected")
+            .flat_map(|event| {
+                event["params"]["value"]
+                    .as_array()
+                    .cloned()
+                    .unwrap_or_default()
+            })
+            .collect();
+        let thread = |event: &Value| (event["pid"].as_u64(), event["tid"].as_u64());
+        let is_main = |event: &&Value| event["args"]["name"] == "CrRendererMain";
+        let main: Vec<_> = traced.iter().filter(is_main).map(thread).collect();
+        traced
+            .iter()
+            .filter(|event| event["name"] == "RunTask" && main.contains(&thread(event)))
+            .map(|event| ["dur", "tdur"].map(|it| event[it].as_f64().unwrap_or(0.0) / 1000.0))
+            .collect()
+    }
+
     /// Waits for an event; returns those before it.
     fn wait_for(&mut self, method: &str) -> Vec<Value> {
         let mut seen = Vec::new();

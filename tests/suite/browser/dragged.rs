@@ -12,7 +12,7 @@ use crate::book::woven;
 use crate::live::questions;
 
 /// The live figures, and the pages that show them.
-const PAGES: [(&str, &str); 4] = [
+pub(super) const PAGES: [(&str, &str); 4] = [
     ("gradient.html", "ray"),
     ("red_sphere.html", "discriminant"),
     ("normals.html", "normal_colors"),
@@ -243,7 +243,7 @@ const ALIVE: &str = "new Promise((done) => {
 
 /// Where the handles of a figure are on the screen once it can be moved; and at last how
 /// many units of the sheet are in a pixel.
-fn places_of(name: &str) -> String {
+pub(super) fn places_of(name: &str) -> String {
     format!(
         "{ALIVE}.then(() => {{
             document.getElementById('{name}').scrollIntoView({{ block: 'center', behavior: 'instant' }});
