@@ -33,6 +33,27 @@ fn a_live_figure_begins_as_the_page_shows_it() {
 }
 
 #[test]
+fn a_figure_that_was_moved_describes_what_it_shows_now() {
+    for live in FIGURES {
+        let described = |numbers: &[f64]| {
+            let text = live.text(numbers);
+            let svg = text.lines().next().expect("a drawing").to_owned();
+            let drawing = roxmltree::Document::parse(&svg).expect("an SVG");
+            let mut all = drawing.descendants();
+            let description = all
+                .find(|it| it.has_tag_name("desc"))
+                .expect("a description");
+            description.text().expect("words").to_owned()
+        };
+        let figure = figures::find(live.name).expect("a figure of that name");
+        assert_eq!(described(&live.defaults()), figure.description);
+        let moved = &questions(live, 2)[1];
+        let sentence = (live.answer)(moved).sentence.replace('*', "");
+        assert_eq!(described(moved), sentence);
+    }
+}
+
+#[test]
 fn a_live_figure_has_an_answer_to_everything() {
     for live in FIGURES {
         for numbers in questions(live, 300) {

@@ -89,7 +89,12 @@ impl Live {
     /// of the page tell.
     pub fn text(&self, numbers: &[f64]) -> String {
         let answer = (self.answer)(numbers);
-        let mut text = format!("{}\n{}", answer.svg, html(&answer.sentence));
+        let sentence = html(&answer.sentence);
+        let mut text = match numbers == self.defaults() {
+            true => answer.svg,
+            false => described(&answer.svg, &sentence),
+        };
+        let _ = write!(text, "\n{sentence}");
         for place in answer.handles {
             let _ = write!(text, "\nhandle\t{}\t{}", place.x, place.y);
         }
@@ -108,6 +113,20 @@ impl Live {
         for &n in handle.numbers {
             numbers[n] = self.numbers[n].on_a_step(numbers[n]);
         }
+    }
+}
+
+/// The drawing with another description, for whoever cannot see it: the page's was of what
+/// the page shows.
+fn described(svg: &str, sentence: &str) -> String {
+    let plain = ["<i>", "</i>", "<b>", "</b>"]
+        .iter()
+        .fold(sentence.to_owned(), |text, tag| text.replace(tag, ""));
+    match (svg.split_once("description\">"), svg.split_once("</desc>")) {
+        (Some((before, _)), Some((_, after))) => {
+            format!("{before}description\">{plain}</desc>{after}")
+        }
+        _ => svg.to_owned(),
     }
 }
 

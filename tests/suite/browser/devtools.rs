@@ -207,13 +207,16 @@ impl Tab<'_> {
         }
     }
 
-    /// Presses the mouse at the first of these places, drags it along the others, and lets
-    /// go at the last.
-    pub(super) fn drag(&mut self, way: &[(f64, f64)]) {
+    /// Presses a `"mouse"` or a `"pen"` at the first of these places, drags it along the
+    /// others, and lets go at the last.
+    pub(super) fn drag(&mut self, pointer: &str, way: &[(f64, f64)]) {
         let moves = way.iter().map(|at| ("mouseMoved", at));
         let steps = [("mousePressed", &way[0])].into_iter().chain(moves);
         for (kind, (x, y)) in steps.chain(way.last().map(|at| ("mouseReleased", at))) {
-            let event = json!({"type": kind, "x": x, "y": y, "button": "left", "buttons": 1, "clickCount": 1});
+            let event = json!({
+                "type": kind, "x": x, "y": y, "button": "left", "buttons": 1, "clickCount": 1,
+                "pointerType": pointer,
+            });
             self.call("Input.dispatchMouseEvent", event);
         }
         self.evaluate(NEXT_FRAME);

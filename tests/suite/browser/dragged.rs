@@ -53,16 +53,17 @@ fn assert_same_answers(window: &mut dyn Window) {
 }
 
 #[test]
-fn a_mouse_drags_each_handle_where_the_crate_says() {
+fn a_mouse_or_a_pen_drags_each_handle_where_the_crate_says() {
     let Some(mut browser) = browser() else { return };
     for (page, name) in PAGES {
         let live = live::find(name).expect("a live figure");
-        for (n, handle) in live.handles.iter().enumerate() {
+        let pointers = ["mouse", "pen"].into_iter().cycle();
+        for ((n, handle), pointer) in live.handles.iter().enumerate().zip(pointers) {
             let mut tab = browser.tab(1200);
             let mut events = tab.open(&woven().join(page), &format!("#{name}"));
             let handles = tab.evaluate(&places_of(name));
             let way = way(&handles[n]);
-            tab.drag(&way);
+            tab.drag(pointer, &way);
             let mut numbers = live.defaults();
             let from = (live.answer)(&numbers).handles[n];
             live.drag(handle, &mut numbers, from + on_sheet(&way, &handles));

@@ -23,7 +23,7 @@ fn how_smooth_a_drag_is() {
             tab.open(&woven().join(page), &format!("#{name}"));
             let way = circle(&tab.evaluate(&places_of(name))[n]);
             tab.evaluate(COUNT_FRAMES);
-            let tasks = tab.tasks_during(|tab| tab.drag(&way));
+            let tasks = tab.tasks_during(|tab| tab.drag("mouse", &way));
             report(&format!("{name} {n}"), &tab.evaluate("frames"), &tasks);
         }
     }
