@@ -12,7 +12,7 @@ pub(crate) const LIVE: Live = Live {
     question: "When does the normal at the right turn round? Drag the origin of the lower ray out of \
         the sphere, and then to where the ray only grazes it.",
     numbers: &[
-        Number::new("Origin, to the right", -1.4, 1.4, -0.55),
+        Number::new("Origin, to the right", -1.4, 1.0, -0.55),
         Number::new("Origin, upwards", -1.3, 1.4, -0.65),
     ],
     handles: &[
