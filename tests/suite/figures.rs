@@ -1,14 +1,21 @@
 //! Every figure and chart is well made, and a figure shows what the code computes.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock, Mutex};
 
+use check::Chapter;
+use check::slips;
 use common::rtweekend::*;
+use figures::cancellation::Numbers;
 use figures::{
-    CSS, FIGURES, normal, passing, red_sphere, roots, sphere_test, standalone, viewport_grid,
+    CSS, FIGURES, digits, edge, nearest, normal, passing, red_sphere, roots, sphere_test,
+    standalone, viewport_grid,
 };
+use glam::DVec2;
+use hittable_list::{HitRecord, Hittable, HittableList, Sphere};
 use insta::assert_binary_snapshot;
 use roxmltree::{Document, Node};
+use speed_vs_accuracy::Method;
 
 use crate::charts;
 
@@ -147,21 +154,47 @@ fn every_number_is_finite_and_lies_on_the_sheet() {
 
 #[test]
 fn no_label_hides_another_or_leaves_the_sheet() {
-    let mut faults = String::new();
-    for (name, svg) in drawings() {
-        let drawing = parse(svg);
-        let (width, height) = size(&drawing);
-        let labels: Vec<Label> = texts(&drawing).map(|text| Label::of(&text)).collect();
-        for (n, label) in labels.iter().enumerate() {
-            if !label.lies_within(width, height) {
-                faults += &format!("{name}: {label:?} leaves the sheet\n");
-            }
-            for other in labels[n + 1..].iter().filter(|other| label.touches(other)) {
-                faults += &format!("{name}: {label:?} meets {other:?}\n");
+    let faults: String = drawings()
+        .iter()
+        .map(|(name, svg)| faults(name, svg))
+        .collect();
+    assert!(faults.is_empty(), "{faults}");
+}
+
+#[test]
+fn the_labels_of_the_grid_have_room_at_every_width_and_at_its_edges() {
+    let mut all = String::new();
+    let slip = slips::find("grid-not-inset").expect("a slip");
+    let slipped = slip.program(Chapter::Gradient);
+    for camera in (1..=40).flat_map(|width| [Camera::new(width), slipped.camera(width)]) {
+        let width = camera.image_width;
+        let height = camera.image_height;
+        for i in [0, 1, width / 2, width - 1] {
+            for j in [0, 1, height / 2, height - 1] {
+                let pixel = [i.min(width - 1), j.min(height - 1)];
+                let svg = viewport_grid::draw(&viewport_grid::Parameters { camera, pixel });
+                all += &faults(&format!("{width} wide, {pixel:?}"), &svg);
             }
         }
     }
-    assert!(faults.is_empty(), "{faults}");
+    assert!(all.is_empty(), "{all}");
+}
+
+/// The labels of a drawing that meet others, or leave the sheet.
+fn faults(name: &str, svg: &str) -> String {
+    let mut faults = String::new();
+    let drawing = parse(svg);
+    let (width, height) = size(&drawing);
+    let labels: Vec<Label> = texts(&drawing).map(|text| Label::of(&text)).collect();
+    for (n, label) in labels.iter().enumerate() {
+        if !label.lies_within(width, height) {
+            faults += &format!("{name}: {label:?} leaves the sheet\n");
+        }
+        for other in labels[n + 1..].iter().filter(|other| label.touches(other)) {
+            faults += &format!("{name}: {label:?} meets {other:?}\n");
+        }
+    }
+    faults
 }
 
 #[test]
@@ -169,12 +202,14 @@ fn a_label_says_what_it_was_told_to() {
     let svg = (figures::find("viewport_grid").expect("a figure").draw)();
     let labels: Vec<String> = texts(&parse(&svg)).map(|text| words(&text)).collect();
     for expected in [
-        "Vu = (2.8, 0, 0)",
+        "Vu = (4, 0, 0)",
         "Vv = (0, −2, 0)",
-        "Δu = (0.4, 0, 0)",
-        "Δv = (0, −0.4, 0)",
-        "Q = (−1.4, 1, −1)",
-        "P00 = (−1.2, 0.8, −1)",
+        "Δu = (0.5, 0, 0)",
+        "Δv = (0, −0.5, 0)",
+        "Q = (−2, 1, −1)",
+        "P0,0 = (−1.75, 0.75, −1)",
+        "P5,2 = (0.75, −0.25, −1)",
+        "8 : 4 = 2, where 16 : 9 = 1.78",
     ] {
         assert!(labels.iter().any(|label| label == expected), "{labels:?}");
     }
@@ -326,21 +361,170 @@ fn the_cut_through_the_sphere_is_red_inside_the_circle() {
 #[test]
 fn the_grid_has_a_dot_in_the_middle_of_each_pixel() {
     for (width, height) in [(7, 5), (4, 3), (16, 9)] {
-        let svg = viewport_grid::draw(&viewport_grid::Parameters { width, height });
+        let svg = viewport_grid::draw(&viewport_grid::Parameters {
+            camera: Camera::with_size(width, height),
+            ..viewport_grid::Parameters::default()
+        });
         let drawing = parse(&svg);
         let viewport = one(&drawing, "rect", "viewport wash");
         let side = f(&viewport, "width") / f64::from(width);
-        let dots: Vec<Node> = all(&drawing, "circle", "faint solid").collect();
+        let dots = places(&one(&drawing, "path", "faint"));
         assert_eq!(dots.len(), (width * height) as usize);
-        for dot in dots {
-            for (center, corner) in [("cx", "x"), ("cy", "y")] {
-                let place = (f(&dot, center) - f(&viewport, corner)) / side;
+        for (x, y) in dots {
+            for (center, corner) in [(x, "x"), (y, "y")] {
+                let place = (center - f(&viewport, corner)) / side;
                 assert!(
                     (place.fract() - 0.5).abs() < 0.001,
                     "{width} × {height}: {place}"
                 );
             }
         }
+    }
+}
+
+#[test]
+fn what_cancels_grows_by_two_digits_with_each_factor_of_ten() {
+    for tenths in (20..=70).step_by(5) {
+        let parameters = digits::Parameters {
+            tenths,
+            ..digits::Parameters::default()
+        };
+        let agreeing = Numbers::of(&parameters.case()).agreeing();
+        let expected = usize::from(tenths / 5);
+        assert!(
+            (expected - 2..=expected + 1).contains(&agreeing),
+            "{agreeing} digits at {tenths} tenths"
+        );
+    }
+}
+
+#[test]
+fn the_digits_shown_are_those_of_the_numbers_column_by_column() {
+    for tenths in [0, 3, 45, 70, 82, 160] {
+        let parameters = digits::Parameters {
+            tenths,
+            ..digits::Parameters::default()
+        };
+        let numbers = Numbers::of(&parameters.case());
+        let svg = digits::draw(&parameters);
+        let drawing = parse(&svg);
+        let rows: Vec<String> = all(&drawing, "text", "digits label")
+            .map(|row| words(&row))
+            .collect();
+        let mantissa = |x: f64| format!("{x:.16e}").split('e').next().map(str::to_owned);
+        assert_eq!(mantissa(numbers.h_squared).as_ref(), rows.first());
+        assert_eq!(numbers.exact_t.and_then(mantissa).as_ref(), rows.last());
+        // In units of the last place the rows are whole numbers, and h² − ac is D. Each is
+        // rounded to a unit, and D before by 2⁻⁵³ of less than 10¹⁷ units.
+        let [h_squared, ac, discriminant] =
+            [0, 1, 2].map(|n| rows[n].replace('.', "").parse::<i64>().expect("digits"));
+        let left = (h_squared - ac).abs();
+        assert!((left - discriminant).abs() <= 13, "{rows:?}");
+        let struck = all(&drawing, "tspan", "faint struck").map(|span| words(&span));
+        let struck: Vec<String> = struck.collect();
+        assert!(
+            struck.len() != 1 && struck.first() == struck.last(),
+            "{struck:?}"
+        );
+    }
+}
+
+#[test]
+fn far_away_half_b_draws_another_star_and_certified_t_the_same() {
+    let pixels = |tenths| {
+        let svg = digits::draw(&digits::Parameters {
+            tenths,
+            ..digits::Parameters::default()
+        });
+        let drawing = parse(&svg);
+        let of_group = |n| {
+            let group = all(&drawing, "g", "pixels").nth(n).expect("two pictures");
+            let pixel = |node: Node| {
+                let [fill, place] =
+                    ["fill", "d"].map(|name| node.attribute(name).expect("a pixel"));
+                (color(fill), place.to_owned())
+            };
+            group.children().map(pixel).collect::<Vec<_>>()
+        };
+        [0, 1].map(of_group)
+    };
+    let [[plain, certified], [plain_far, certified_far]] = [pixels(60), pixels(80)];
+    for ((near, place), (far, place_far)) in certified.iter().zip(&certified_far) {
+        assert_eq!(place, place_far);
+        let is_close = near
+            .iter()
+            .zip(far)
+            .all(|(near, far)| near.abs_diff(*far) <= 1);
+        assert!(is_close, "{near:?} and {far:?} at {place}");
+    }
+    assert_ne!(plain.len(), plain_far.len());
+}
+
+#[test]
+fn the_edge_is_marked_where_half_b_is_not_what_exact_arithmetic_says() {
+    for doublings in [0, 3, 20, 49] {
+        let parameters = edge::Parameters {
+            doublings,
+            ..edge::Parameters::default()
+        };
+        let reach = -edge::REACH..=edge::REACH;
+        let cells = reach.clone().rev().flat_map(|up| {
+            reach
+                .clone()
+                .map(move |right| DVec2::new(right.into(), up.into()))
+        });
+        let (mut hits, mut wrong) = (0, 0);
+        for (cell, decision) in cells.zip(parameters.decisions()) {
+            let says = |method: &Method| {
+                let case = parameters.case(cell);
+                let t = case.put_to(method, f64::NEG_INFINITY, f64::INFINITY);
+                t.is_some()
+            };
+            assert_eq!(decision.hits, says(&Method::EXACT));
+            assert_eq!(decision.found, says(&Method::HALF_B));
+            hits += usize::from(decision.hits);
+            wrong += usize::from(decision.is_wrong());
+        }
+        assert!((100..500).contains(&hits), "{hits} hits at {doublings}");
+        assert_eq!(wrong > 0, doublings < 7, "{wrong} wrong at {doublings}");
+    }
+}
+
+#[test]
+fn the_bars_of_the_nearest_are_what_the_list_asks_of_its_members() {
+    let (all, slopes) = (nearest::Parameters::default(), [-0.4, -0.2, 0.0, 0.1, 0.3]);
+    for (order, y) in [[0, 1, 2], [1, 2, 0], [2, 0, 1]]
+        .into_iter()
+        .flat_map(|order| slopes.map(|y| (order, y)))
+    {
+        let ray = Ray::new(Point3::ZERO, Vec3::new(1.0, y, 0.0));
+        let asked = Arc::default();
+        let mut world = HittableList::default();
+        for (center, radius) in order.map(|place| all.spheres[place]) {
+            let asked = Arc::clone(&asked);
+            world.add(Telling(Sphere::new(center, radius), asked));
+        }
+        world.hit(&ray, 0.0, f64::INFINITY);
+        let shown = nearest::Parameters { order, ray, ..all };
+        let turns = shown.turns().into_iter();
+        let turns: Vec<_> = turns.map(|it| (it.t_max, it.hit)).collect();
+        assert_eq!(turns, *asked.lock().expect("no panic"), "{order:?} {y}");
+    }
+}
+
+/// What a member of a list was asked, and its answer.
+type Asked = Arc<Mutex<Vec<(Option<f64>, Option<f64>)>>>;
+
+/// A sphere that writes down what it is asked.
+struct Telling(Sphere, Asked);
+
+impl Hittable for Telling {
+    fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
+        let Self(sphere, asked) = self;
+        let hit = sphere.hit(ray, t_min, t_max);
+        let turn = (Some(t_max), hit.map(|it| it.t));
+        asked.lock().expect("no panic").push(turn);
+        hit
     }
 }
 

@@ -8,7 +8,7 @@ use laws::oracle::Exact;
 use speed_vs_accuracy::batch::{self, BLOCK, Block};
 use speed_vs_accuracy::{
     Case, Discriminant, Eye, METHODS, Method, Precision, REGIMES, Regime, SCENES, Scene,
-    failure_map, find_scene, half_b, half_b_f32,
+    exact_discriminant, failure_map, find_scene, half_b, half_b_f32,
 };
 
 mod cases {
@@ -48,6 +48,43 @@ mod cases {
                 );
             }
         }
+    }
+
+    #[test]
+    fn have_the_discriminant_of_half_b_to_the_bit() {
+        for case in REGIMES
+            .iter()
+            .flat_map(|regime| regime.cases(Precision::Double, 4, 300))
+        {
+            let found = case.put_to(&Method::HALF_B, f64::NEG_INFINITY, f64::INFINITY);
+            let discriminant = case.discriminant();
+            let expected =
+                (discriminant >= 0.0).then(|| (case.h() - discriminant.sqrt()) / case.a());
+            assert_eq!(found, expected.filter(|t| t.is_finite()), "{case}");
+        }
+    }
+
+    /// The oracle of the laws has other code.
+    #[test]
+    fn have_an_exact_discriminant_that_is_the_oracle_s() {
+        for case in REGIMES
+            .iter()
+            .filter(|regime| regime.name != "exponents")
+            .flat_map(|regime| regime.cases(Precision::Double, 4, 300))
+        {
+            let exact = Exact::of(&case);
+            let found = exact_discriminant(case.center, case.radius, &case.ray).expect("finite");
+            assert_eq!(found.total_cmp(&0.0), exact.discriminant(), "{case}");
+            // a and M are off by some 3u each, and three more operations round.
+            let expected = exact.discriminant_margin() * case.a() * case.m();
+            let bound = 8.0 * f64::EPSILON * expected.abs();
+            assert!(
+                (found - expected).abs() <= bound,
+                "{found} and {expected}: {case}"
+            );
+        }
+        let far = Case::from_numbers([f64::INFINITY, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
+        assert_eq!(exact_discriminant(far.center, far.radius, &far.ray), None);
     }
 
     #[test]

@@ -6,8 +6,12 @@
 
 pub mod build_test;
 pub mod camera_frame;
+pub mod cancellation;
 mod charts;
+mod decimal;
+pub mod digits;
 pub mod discriminant;
+pub mod edge;
 pub mod face_normal;
 mod figure;
 pub mod nearest;
@@ -35,7 +39,7 @@ pub use plane::Plane;
 pub use style::{CSS, standalone};
 pub use svg::{escape, spoken};
 
-/// All figures, in reading order: the nine of the notes, and six more.
+/// All figures, in reading order: the nine of the notes, and eight more.
 pub const FIGURES: &[Figure] = &[
     build_test::FIGURE,
     ray::FIGURE,
@@ -52,6 +56,8 @@ pub const FIGURES: &[Figure] = &[
     normal_colors::FIGURE,
     face_normal::FIGURE,
     nearest::FIGURE,
+    digits::FIGURE,
+    edge::FIGURE,
 ];
 
 /// The figure of that name.

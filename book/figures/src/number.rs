@@ -2,13 +2,27 @@
 
 /// Such as 0.41, 158, 1.3e-16.
 pub fn three_digits(value: f64) -> String {
-    // The largest numbers would round up to infinity.
-    let rounded = format!("{value:.2e}").parse().ok();
-    let rounded = rounded.filter(|it: &f64| it.is_finite()).unwrap_or(value);
-    if rounded == 0.0 || (1e-3..1e6).contains(&rounded) {
-        format!("{rounded}")
-    } else {
-        format!("{rounded:e}")
+    let rounded = format!("{value:.2e}");
+    let Some((digits, exponent)) = rounded.split_once('e') else {
+        return rounded; // It is infinite, or no number.
+    };
+    match exponent.parse() {
+        Ok(decimals @ -3..2) => trimmed(&format!("{value:.*}", (2 - decimals) as usize)).to_owned(),
+        Ok(zeros @ 2..6) => digits.replace('.', "") + &"0".repeat(zeros as usize - 2),
+        _ => format!("{}e{exponent}", trimmed(digits)),
+    }
+}
+
+/// The same as it is printed: −0.41, 158, 1.3·10⁻¹⁶.
+pub fn printed(value: f64) -> String {
+    let sign = if value < 0.0 { "−" } else { "" };
+    let text = three_digits(value.abs());
+    match text.split_once('e') {
+        Some((digits, exponent)) => {
+            let exponent = exponent.parse().map_or(String::new(), raised);
+            format!("{sign}{digits}·10{exponent}")
+        }
+        None => format!("{sign}{text}"),
     }
 }
 
@@ -27,17 +41,16 @@ pub(crate) fn short(value: f64) -> String {
     }
 }
 
+/// Decimals without the zeros at their end.
+pub(crate) fn trimmed(decimals: &str) -> &str {
+    decimals.trim_end_matches('0').trim_end_matches('.')
+}
+
 /// A number as an exponent.
 pub(crate) fn raised(number: i32) -> String {
-    let digit = |digit: char| {
-        digit
-            .to_digit(10)
-            .map(|digit| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize))
+    let raised = |digit: char| match digit.to_digit(10) {
+        Some(digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize),
+        None => Some('⁻'),
     };
-    number
-        .to_string()
-        .chars()
-        .filter_map(digit)
-        .flatten()
-        .collect()
+    number.to_string().chars().filter_map(raised).collect()
 }

@@ -24,8 +24,10 @@ impl Frame {
 
     /// Draws the pixels. Neighbors in a row that are equal become one.
     fn pixels(&self, svg: &mut Svg, picture: &Picture) {
-        let width = picture.width() as usize;
-        for (row, j) in picture.rgb().chunks(3 * width).zip(0..) {
+        // Strip by strip: so small a picture needs no threads, and a page has none.
+        let mut rgb = Vec::new();
+        (0..picture.strips()).for_each(|strip| picture.push_strip(strip, &mut rgb));
+        for (row, j) in rgb.chunks(3 * picture.width() as usize).zip(0..) {
             let mut i = 0;
             for equal in row.as_chunks::<3>().0.chunk_by(|one, other| one == other) {
                 let corner = self.corner + self.side * DVec2::new(f64::from(i), f64::from(j));

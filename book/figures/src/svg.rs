@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use glam::DVec2;
 
+use crate::number::trimmed;
+
 /// A drawing while it is made: x to the right, y down, in units of the viewBox.
 ///
 /// An element has a class of two words: the idea that it shows, which gives its
@@ -83,6 +85,20 @@ impl Svg {
         let _ = write!(self.text, "<path class=\"{class}\" d=\"{path}\"/>");
     }
 
+    /// A disc at each of these points, all in one path: the round ends of lines of no length.
+    pub(crate) fn dots(&mut self, idea: &str, points: impl Iterator<Item = DVec2>, diameter: f64) {
+        let mut path = String::new();
+        for point in points {
+            let _ = write!(path, "M{} {}h0", number(point.x), number(point.y));
+        }
+        let diameter = number(diameter);
+        let _ = write!(
+            self.text,
+            "<path class=\"{idea}\" fill=\"none\" stroke=\"currentColor\" \
+             stroke-linecap=\"round\" stroke-width=\"{diameter}\" d=\"{path}\"/>"
+        );
+    }
+
     /// A circle, or where the class fills it, a disc.
     pub(crate) fn circle(&mut self, class: &str, center: DVec2, radius: f64) {
         self.element(
@@ -150,6 +166,26 @@ impl Svg {
         self.group("bare", |svg| svg.small_label(idea, at, anchor, text));
     }
 
+    /// The digits of a decimal number, each span of a class; after the first one a point.
+    pub(crate) fn digits(&mut self, at: DVec2, spans: &[(&str, &str)]) {
+        let [x, y] = [at.x, at.y].map(number);
+        let _ = write!(
+            self.text,
+            "<text class=\"digits label\" x=\"{x}\" y=\"{y}\">"
+        );
+        let mut is_first = true;
+        for (class, digits) in spans.iter().filter(|(_, digits)| !digits.is_empty()) {
+            let (first, rest) = digits.split_at(usize::from(is_first));
+            let point = if is_first { "." } else { "" };
+            let _ = write!(
+                self.text,
+                "<tspan class=\"{class}\">{first}{point}{rest}</tspan>"
+            );
+            is_first = false;
+        }
+        self.text += "</text>";
+    }
+
     /// Those cells that are set, of a square grid with so many `columns`.
     pub(crate) fn cells(
         &mut self,
@@ -210,7 +246,7 @@ impl Svg {
 /// A number with at most two decimals, and no minus before zero.
 pub(crate) fn number(value: f64) -> String {
     let text = format!("{value:.2}");
-    let short = text.trim_end_matches('0').trim_end_matches('.');
+    let short = trimmed(&text);
     if short == "-0" { "0" } else { short }.to_owned()
 }
 

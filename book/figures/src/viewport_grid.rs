@@ -11,143 +11,198 @@ use crate::svg::{Anchor, Svg, spoken};
 pub const FIGURE: Figure = Figure {
     name: "viewport_grid",
     title: "The viewport and its grid of pixels",
-    description: "A rectangle of seven by five squares, each with a point in its center. Q is the \
+    description: "A rectangle of eight by four squares, each with a point in its center. Q is the \
         upper left corner of the rectangle. The vector V u runs from Q along the whole upper edge, \
-        V v along the whole left edge, downwards. The point in the first square is P 0 0. From \
-        there Δu leads to the point on its right, Δv to the point below.",
-    caption: "A picture of 7 × 5 pixels on its viewport. **Q** is a corner of the viewport, **P**₀₀ the \
-        center of a pixel: half a step right and half a step down from **Q**. Rows run downwards, \
-        where *y* runs up, so Δ**v** points along −*y*.",
+        V v along the whole left edge, downwards. The point in the first square is P 0,0. From \
+        there Δu leads to the point on its right, Δv to the point below. Another square is \
+        marked, with the point P 5,2 in its center.",
+    caption: "The pixels of a picture on its viewport. **Q** is a corner of the viewport, and the first \
+        **P** the center of a pixel: half a step right and half a step down from **Q**. Rows run \
+        downwards, where *y* runs up, so Δ**v** points along −*y*.",
     draw: || draw(&Parameters::default()),
 };
 
 /// What can be changed.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameters {
-    /// Pixels in a row.
-    pub width: u32,
-    /// Rows.
-    pub height: u32,
+    /// Whose grid it is.
+    pub camera: Camera,
+    /// Column and row of the pixel that is marked.
+    pub pixel: [u32; 2],
 }
 
 impl Default for Parameters {
     fn default() -> Self {
         Self {
-            width: 7,
-            height: 5,
+            camera: Camera::new(8),
+            pixel: [5, 2],
         }
     }
 }
 
-/// Draws the grid with its points and vectors.
-pub fn draw(&Parameters { width, height }: &Parameters) -> String {
-    let camera = Camera::with_size(width, height);
-    let (delta_u, delta_v) = (camera.pixel_delta_u, camera.pixel_delta_v);
-    let q = camera.pixel00 - 0.5 * (delta_u + delta_v);
-    let (viewport_u, viewport_v) = (f64::from(width) * delta_u, f64::from(height) * delta_v);
-    let scale = 288.0 / viewport_u.x;
-    let plane = Plane::new(84.0 - scale * q.x, 40.0 + scale * q.y, scale);
-    let at = |point| plane.point(point);
+impl Parameters {
+    /// Where the scene is on the sheet: the viewport as wide, or as high, as there is room.
+    pub fn plane(&self) -> Plane {
+        let [u, v] = self.viewport();
+        let scale = (ROOM.x / u.x).min(ROOM.y / -v.y);
+        let q = self.q();
+        Plane::new(CORNER.x - scale * q.x, CORNER.y + scale * q.y, scale)
+    }
 
-    let mut svg = FIGURE.sheet(400.0, 340.0);
-    grid(&mut svg, &camera, &plane);
+    /// The viewport's upper edge from left to right, and its left edge downwards.
+    fn viewport(&self) -> [Vec3; 2] {
+        let camera = &self.camera;
+        [
+            f64::from(camera.image_width) * camera.pixel_delta_u,
+            f64::from(camera.image_height) * camera.pixel_delta_v,
+        ]
+    }
 
-    svg.arrow("viewport bold", at(q), at(q + viewport_u));
-    svg.arrow("viewport bold", at(q), at(q + viewport_v));
-    svg.circle("viewport solid", at(q), 5.0);
-    let label = |svg: &mut Svg, idea, point: Point3, (x, y), anchor, text: &str| {
-        svg.label(idea, at(point) + DVec2::new(x, y), anchor, text);
-    };
-    label(&mut svg, "viewport", q, (-8.0, -8.0), Anchor::End, "**Q**");
-    let middle = q + 0.5 * viewport_u;
-    label(
-        &mut svg,
-        "viewport",
-        middle,
-        (0.0, -10.0),
-        Anchor::Middle,
-        "**V**_{u}",
-    );
-    let middle = q + 0.5 * viewport_v;
-    label(
-        &mut svg,
-        "viewport",
-        middle,
-        (-12.0, 4.0),
-        Anchor::End,
-        "**V**_{v}",
-    );
+    /// The upper left corner of the viewport, by the formula of the page.
+    fn q(&self) -> Point3 {
+        let [u, v] = self.viewport();
+        self.camera.center - Vec3::Z - 0.5 * u - 0.5 * v
+    }
 
-    let first = camera.pixel00;
-    svg.arrow("ray bold", at(first), at(first + delta_u));
-    svg.arrow("ray bold", at(first), at(first + delta_v));
-    svg.circle("ink solid", at(first), 5.0);
-    let (u, v) = (first + 0.5 * delta_u, first + delta_v);
-    label(&mut svg, "ray", u, (0.0, -6.0), Anchor::Middle, "Δ**u**");
-    label(&mut svg, "ray", v, (8.0, -6.0), Anchor::Start, "Δ**v**");
-    let beside = DVec2::new(at(q).x - 10.0, at(first).y);
-    svg.line("faint dashed", beside, at(first) - DVec2::new(5.0, 0.0));
-    svg.label(
-        "ink",
-        beside + DVec2::new(-4.0, 5.0),
-        Anchor::End,
-        "**P**_{00}",
-    );
+    /// The place through which the ray of a pixel goes.
+    fn place(&self, [i, j]: [u32; 2]) -> Point3 {
+        self.camera.ray(i, j).at(1.0)
+    }
+}
 
-    numbers(
-        &mut svg,
-        &[
-            ("viewport", "**V**_{u}", viewport_u),
-            ("viewport", "**V**_{v}", viewport_v),
-            ("viewport", "**Q**", q),
-            ("ray", "Δ**u**", delta_u),
-            ("ray", "Δ**v**", delta_v),
-            ("ink", "**P**_{00}", first),
-        ],
-    );
+/// Where the upper left corner of the viewport is on the sheet.
+const CORNER: DVec2 = DVec2::new(84.0, 40.0);
+
+/// How large the viewport can be there.
+const ROOM: DVec2 = DVec2::new(288.0, 164.0);
+
+/// Draws the grid with its points and vectors, and the numbers below.
+pub fn draw(parameters: &Parameters) -> String {
+    let mut svg = FIGURE.sheet(400.0, 346.0);
+    let plane = parameters.plane();
+    draw_grid(&mut svg, parameters, &plane);
+    draw_viewport(&mut svg, parameters, &plane);
+    draw_steps(&mut svg, parameters, &plane);
+    draw_pixel(&mut svg, parameters, &plane);
+    draw_numbers(&mut svg, parameters);
     svg.finish()
 }
 
-/// The edges of all pixels, and the centers.
-fn grid(svg: &mut Svg, camera: &Camera, plane: &Plane) {
-    let corner = camera.pixel00 - 0.5 * (camera.pixel_delta_u + camera.pixel_delta_v);
-    let at = |i: u32, j: u32| {
-        plane.point(
-            corner + f64::from(i) * camera.pixel_delta_u + f64::from(j) * camera.pixel_delta_v,
-        )
-    };
+/// The edges of all pixels, of which one is marked, and where their rays go through.
+fn draw_grid(svg: &mut Svg, parameters: &Parameters, plane: &Plane) {
+    let camera = &parameters.camera;
     let (width, height) = (camera.image_width, camera.image_height);
-    svg.rect("viewport wash", at(0, 0), at(width, height) - at(0, 0));
+    let [u, v] = parameters.viewport().map(|edge| plane.vector(edge));
+    let step = plane.vector(camera.pixel_delta_u + camera.pixel_delta_v);
+    let [i, j] = parameters.pixel.map(f64::from);
+    svg.rect("viewport wash", CORNER, u + v);
+    svg.rect("ray area", CORNER + step * DVec2::new(i, j), step);
     for i in 0..=width {
-        svg.line("faint thin", at(i, 0), at(i, height));
+        let top = CORNER + DVec2::new(step.x * f64::from(i), 0.0);
+        svg.line("faint thin", top, top + v);
     }
     for j in 0..=height {
-        svg.line("faint thin", at(0, j), at(width, j));
+        let left = CORNER + DVec2::new(0.0, step.y * f64::from(j));
+        svg.line("faint thin", left, left + u);
     }
-    for j in 0..height {
-        for i in 0..width {
-            svg.circle("faint solid", plane.point(camera.ray(i, j).at(1.0)), 2.5);
-        }
-    }
+    let pixels = (0..height).flat_map(|j| (0..width).map(move |i| [i, j]));
+    let points = pixels.map(|pixel| plane.point(parameters.place(pixel)));
+    svg.dots("faint", points, (step.x / 3.0).min(5.0));
 }
 
-/// The vectors in numbers, below the grid in two columns.
-fn numbers(svg: &mut Svg, vectors: &[(&str, &str, Vec3)]) {
-    for ((idea, name, vector), place) in vectors.iter().zip(0..) {
-        let at = DVec2::new(
-            84.0 + 152.0 * f64::from(place / 3),
-            278.0 + 24.0 * f64::from(place % 3),
-        );
-        svg.label(
-            idea,
-            at,
-            Anchor::Start,
-            &format!("{name} = {}", triple(*vector)),
-        );
-    }
+/// The two edges from Q.
+fn draw_viewport(svg: &mut Svg, parameters: &Parameters, plane: &Plane) {
+    let [u, v] = parameters.viewport().map(|edge| plane.vector(edge));
+    svg.arrow("viewport bold", CORNER, CORNER + u);
+    svg.arrow("viewport bold", CORNER, CORNER + v);
+    svg.circle("viewport solid", CORNER, 5.0);
+    let by_q = CORNER + DVec2::new(-8.0, -9.0);
+    svg.label("viewport", by_q, Anchor::End, "**Q**");
+    let above = CORNER + 0.5 * u + DVec2::new(0.0, -10.0);
+    svg.label("viewport", above, Anchor::Middle, "**V**_{u}");
+    // Far below the first row, where its P is.
+    let left = CORNER + 0.85 * v + DVec2::new(-12.0, 4.0);
+    svg.label("viewport", left, Anchor::End, "**V**_{v}");
 }
 
-fn triple(vector: Vec3) -> String {
+/// The first point, and from there the steps to its neighbors, as far as there are any.
+fn draw_steps(svg: &mut Svg, parameters: &Parameters, plane: &Plane) {
+    let first = plane.point(parameters.place([0, 0]));
+    let camera = &parameters.camera;
+    let [u, v] = [camera.pixel_delta_u, camera.pixel_delta_v].map(|step| plane.vector(step));
+    let has_room = u.x >= LABELED;
+    if camera.image_width > 1 && has_room {
+        svg.arrow("ray bold", first, first + u);
+        let above = first + 0.5 * u + DVec2::new(0.0, -6.0);
+        svg.label("ray", above, Anchor::Middle, "Δ**u**");
+    }
+    if camera.image_height > 1 && has_room {
+        svg.arrow("ray bold", first, first + v);
+        let beside = first + 0.5 * v + DVec2::new(8.0, 0.0);
+        svg.label("ray", beside, Anchor::Start, "Δ**v**");
+    }
+    let beside = DVec2::new(CORNER.x - 10.0, first.y);
+    svg.line("faint dashed", beside, first);
+    svg.circle("ink solid", first, (u.x / 3.0).min(5.0));
+    let words = beside + DVec2::new(-4.0, 5.0);
+    svg.label("ink", words, Anchor::End, "**P**_{0,0}");
+}
+
+/// The least width of a pixel on the sheet at which there is room for arrows and their names.
+const LABELED: f64 = 26.0;
+
+/// The point of the marked pixel, and its name.
+fn draw_pixel(svg: &mut Svg, parameters: &Parameters, plane: &Plane) {
+    let [i, j] = parameters.pixel;
+    let camera = &parameters.camera;
+    let step = plane.vector(camera.pixel_delta_u);
+    let point = plane.point(parameters.place(parameters.pixel));
+    svg.circle("ink solid", point, (step.x / 3.0).min(5.0));
+    if parameters.pixel == [0, 0] {
+        return;
+    }
+    // Towards the middle there is always room.
+    let (right, anchor) = match 2 * i < camera.image_width {
+        true => (16.0, Anchor::Start),
+        false => (-16.0, Anchor::End),
+    };
+    let down = match 2 * j < camera.image_height {
+        true => 22.0,
+        false => -14.0,
+    };
+    let name = format!("**P**_{{{i},{j}}}");
+    svg.label("ink", point + DVec2::new(right, down), anchor, &name);
+}
+
+/// The vectors in numbers, below the grid in two columns, and the ratio.
+fn draw_numbers(svg: &mut Svg, parameters: &Parameters) {
+    let camera = &parameters.camera;
+    let [u, v] = parameters.viewport();
+    let [i, j] = parameters.pixel;
+    let pixel = format!("**P**_{{{i},{j}}}");
+    let vectors = [
+        ("viewport", "**V**_{u}", u),
+        ("viewport", "**V**_{v}", v),
+        ("ray", "Δ**u**", camera.pixel_delta_u),
+        ("ray", "Δ**v**", camera.pixel_delta_v),
+        ("viewport", "**Q**", parameters.q()),
+        ("ink", "**P**_{0,0}", parameters.place([0, 0])),
+        ("ink", &pixel, parameters.place(parameters.pixel)),
+    ];
+    let at = |column: f64, row: f64| DVec2::new(14.0 + 190.0 * column, 234.0 + 24.0 * row);
+    for ((idea, name, vector), place) in vectors.into_iter().zip(0_u32..) {
+        let words = format!("{name} = {}", triple(vector));
+        let at = at((place % 2).into(), (place / 2).into());
+        svg.label(idea, at, Anchor::Start, &words);
+    }
+    let (width, height) = (camera.image_width, camera.image_height);
+    let [real, ideal] = [f64::from(width) / f64::from(height), 16.0 / 9.0].map(spoken);
+    let ratio = format!("{width} : {height} = {real}, where 16 : 9 = {ideal}");
+    svg.label("ink", at(0.0, 4.0), Anchor::Start, &ratio);
+}
+
+/// A vector in digits.
+pub fn triple(vector: Vec3) -> String {
     let [x, y, z] = vector.to_array().map(spoken);
     format!("({x}, {y}, {z})")
 }

@@ -17,23 +17,31 @@
 //! 3. `.ci/live` builds the module of the pages anew, and `cargo test live` tells whether
 //!    it answers as this crate does.
 
+mod digits;
 mod discriminant;
+mod edge;
 #[cfg(target_family = "wasm")]
 mod exports;
 mod face_normal;
 mod live;
+mod nearest;
 mod normal_colors;
 pub mod picture;
 mod ray;
+mod viewport_grid;
 
 pub use live::{Action, Answer, Handle, Live, Number};
 
 /// All live figures, in reading order. A page names them by their place.
 pub static FIGURES: &[Live] = &[
     ray::LIVE,
+    viewport_grid::LIVE,
     discriminant::LIVE,
     normal_colors::LIVE,
+    nearest::LIVE,
     face_normal::LIVE,
+    digits::LIVE,
+    edge::LIVE,
 ];
 
 /// The live figure of that name.

@@ -35,6 +35,10 @@ pub struct Number {
     pub steps: f64,
     /// What the figure on the page shows.
     pub default: f64,
+    /// The greatest value beside these numbers, if they leave less room.
+    pub most_beside: Option<fn(&[f64]) -> f64>,
+    /// Whether more is farther down on the drawing.
+    pub downwards: bool,
     /// What the values are called, from `least` on, if it is a choice.
     pub choices: &'static [&'static str],
 }
@@ -79,8 +83,11 @@ impl Live {
 
     /// Puts each number into its range; what is no number becomes the default.
     pub fn confine(&self, numbers: &mut [f64]) {
-        for (value, number) in numbers.iter_mut().zip(self.numbers) {
-            *value = number.confine(*value);
+        for (n, number) in self.numbers.iter().enumerate() {
+            numbers[n] = number.confine(numbers[n]);
+            if let Some(most) = number.most_beside {
+                numbers[n] = numbers[n].min(most(numbers));
+            }
         }
     }
 
@@ -113,6 +120,7 @@ impl Live {
         for &n in handle.numbers {
             numbers[n] = self.numbers[n].on_a_step(numbers[n]);
         }
+        self.confine(numbers);
     }
 }
 
@@ -139,16 +147,25 @@ impl Number {
             most,
             steps: 20.0,
             default,
+            most_beside: None,
+            downwards: false,
             choices: &[],
+        }
+    }
+
+    /// A whole number from `least` to `most`.
+    pub(crate) const fn whole(name: &'static str, least: f64, most: f64, default: f64) -> Self {
+        Self {
+            steps: 1.0,
+            ..Self::new(name, least, most, default)
         }
     }
 
     /// A choice of these, of which the first is on the page.
     pub(crate) const fn choice(name: &'static str, choices: &'static [&'static str]) -> Self {
         Self {
-            steps: 1.0,
             choices,
-            ..Self::new(name, 0.0, (choices.len() - 1) as f64, 0.0)
+            ..Self::whole(name, 0.0, (choices.len() - 1) as f64, 0.0)
         }
     }
 

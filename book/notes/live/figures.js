@@ -96,7 +96,8 @@ class LiveFigure {
         const [across, up = across] = slider.parentElement.querySelectorAll("input");
         const chosen = event.key === "ArrowUp" || event.key === "ArrowDown" ? up : across;
         chosen.focus();
-        chosen.stepUp(sign * (event.shiftKey ? 10 : 1));
+        const way = chosen === up && "downwards" in chosen.dataset ? -sign : sign;
+        chosen.stepUp(way * (event.shiftKey ? 10 : 1));
         this.take(chosen);
         this.settle();
     }
@@ -145,8 +146,12 @@ class LiveFigure {
             this.handles[n].style.top = `${(100 * y) / sheet.height}%`;
         });
         of("value").forEach(([value, words], n) => {
-            this.inputs[n].value = value;
-            this.inputs[n].ariaValueText = words;
+            const input = this.inputs[n];
+            input.value = value;
+            // A list says its choice itself.
+            if (input.type === "range") {
+                input.ariaValueText = words;
+            }
         });
         of("says").forEach(([name, value]) => {
             for (const told of document.querySelectorAll(`[data-told="${this.figure.id} ${name}"]`)) {

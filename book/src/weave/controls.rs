@@ -18,14 +18,14 @@ pub(super) fn around(live: &Live, drawing: &str, caption: &str) -> String {
          <p class=\"question\">{question}</p>\
          <div class=\"stage\">{drawing}{handles}</div>\
          <p class=\"sentence\" role=\"status\">{sentence}</p>\
-         <div class=\"controls\">{choices}{buttons}</div>\
+         <div class=\"controls\">{inputs}{buttons}</div>\
          <figcaption>{caption}</figcaption></figure>",
         name = live.name,
         place = place.unwrap_or_default(),
         question = html(live.question),
         handles = handles(live),
         sentence = html(&answer.sentence),
-        choices = choices(live),
+        inputs = inputs(live),
         buttons = buttons(live),
     )
 }
@@ -74,32 +74,40 @@ fn slider(n: usize, number: &Number) -> String {
         least,
         most,
         default,
+        downwards,
         ..
     } = number;
+    let downwards = if *downwards { " data-downwards" } else { "" };
     format!(
-        "type=\"range\" data-number=\"{n}\" aria-label=\"{name}\" min=\"{least}\" max=\"{most}\" \
+        "type=\"range\"{downwards} data-number=\"{n}\" aria-label=\"{name}\" min=\"{least}\" max=\"{most}\" \
          step=\"{}\" value=\"{default}\"",
         1.0 / number.steps,
     )
 }
 
-/// A list for each number that is a choice.
-fn choices(live: &Live) -> String {
+/// For each number that no handle changes a list, if it is a choice, or a slider.
+fn inputs(live: &Live) -> String {
     let mut html = String::new();
-    for (n, number) in live
-        .numbers
-        .iter()
-        .enumerate()
-        .filter(|(_, it)| !it.choices.is_empty())
-    {
-        let _ = write!(html, "<label>{} <select data-number=\"{n}\">", number.name);
-        for (choice, value) in number.choices.iter().zip(0..) {
-            let value = number.least + f64::from(value);
-            let _ = write!(html, "<option value=\"{value}\">{choice}</option>");
+    for (n, number) in live.numbers.iter().enumerate() {
+        let has_handle = live.handles.iter().any(|it| it.numbers.contains(&n));
+        if !has_handle {
+            let input = match number.choices {
+                [] => format!("<input {}>", slider(n, number)),
+                _ => choice(n, number),
+            };
+            let _ = write!(html, "<label>{} {input}</label>", number.name);
         }
-        html += "</select></label>";
     }
     html
+}
+
+fn choice(n: usize, number: &Number) -> String {
+    let mut html = format!("<select data-number=\"{n}\">");
+    for (choice, value) in number.choices.iter().zip(0..) {
+        let value = number.least + f64::from(value);
+        let _ = write!(html, "<option value=\"{value}\">{choice}</option>");
+    }
+    html + "</select>"
 }
 
 fn buttons(live: &Live) -> String {

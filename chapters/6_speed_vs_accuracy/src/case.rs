@@ -93,6 +93,22 @@ impl Case {
         (self.center - self.ray.origin).length_squared() + self.radius * self.radius
     }
 
+    /// h = d·oc, rounded.
+    pub fn h(&self) -> f64 {
+        self.ray.direction.dot(self.center - self.ray.origin)
+    }
+
+    /// c = oc·oc − r², rounded.
+    pub fn c(&self) -> f64 {
+        (self.center - self.ray.origin).length_squared() - self.radius * self.radius
+    }
+
+    /// D = h² − a·c, rounded as `half_b`, `half_b_q` and the filter of the certified
+    /// methods round it, to the bit.
+    pub fn discriminant(&self) -> f64 {
+        self.h() * self.h() - self.a() * self.c()
+    }
+
     /// √(M/a): how long √M is in lengths of the ray's direction. No root is
     /// farther away than twice that.
     pub fn t_scale(&self) -> f64 {

@@ -26,6 +26,16 @@ pub fn exact(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> 
     inwards(quadratic.rounded(root), t_min, t_max)
 }
 
+/// D = h² − a·c, of which nothing was rounded before it became an `f64`.
+///
+/// Its unit is the squared length of the scene times that of the direction. Error: an
+/// ulp. `None` if a number is infinite or NaN.
+pub fn exact_discriminant(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
+    let ([a, h, c], units) = coefficients(center, radius, ray)?;
+    let unit = 2 * units.iter().sum::<i64>();
+    Some(quotient(&(&h * &h - a * c), &IBig::ONE, unit))
+}
+
 /// Whether the nearest root in the range on the first of two spheres is less than
 /// that on the second. Not if they are equal, or one of them has none.
 ///
@@ -70,15 +80,7 @@ enum Root {
 impl Quadratic {
     /// `None` if there are no roots or a number is not finite.
     fn new(center: Point3, radius: f64, ray: &Ray) -> Option<Self> {
-        let ([cx, cy, cz], [qx, qy, qz]) = (center.to_array(), ray.origin.to_array());
-        let ([cx, cy, cz, qx, qy, qz, r], unit_of_length) =
-            integers([cx, cy, cz, qx, qy, qz, radius])?;
-        let (d, unit_of_direction) = integers(ray.direction.to_array())?;
-
-        let oc = [cx - qx, cy - qy, cz - qz];
-        let a = dot(&d, &d);
-        let h = dot(&d, &oc);
-        let c = dot(&oc, &oc) - &r * &r;
+        let ([a, h, c], [unit_of_length, unit_of_direction]) = coefficients(center, radius, ray)?;
         let discriminant = UBig::try_from(&h * &h - &a * &c).ok()?;
         (a != IBig::ZERO).then_some(Self {
             a,
@@ -205,6 +207,19 @@ impl Quadratic {
             quotient(&q, &(&self.a << more), self.unit)
         }
     }
+}
+
+/// a, h and c as integers, and the exponents of the two units that they are counted in:
+/// of length, of which c has two and h one, and of the direction, of which a has two and
+/// h one. `None` if a number is not finite.
+fn coefficients(center: Point3, radius: f64, ray: &Ray) -> Option<([IBig; 3], [i64; 2])> {
+    let ([cx, cy, cz], [qx, qy, qz]) = (center.to_array(), ray.origin.to_array());
+    let ([cx, cy, cz, qx, qy, qz, r], unit_of_length) = integers([cx, cy, cz, qx, qy, qz, radius])?;
+    let (d, unit_of_direction) = integers(ray.direction.to_array())?;
+    let oc = [cx - qx, cy - qy, cz - qz];
+    let (a, h) = (dot(&d, &d), dot(&d, &oc));
+    let c = dot(&oc, &oc) - &r * &r;
+    Some(([a, h, c], [unit_of_length, unit_of_direction]))
 }
 
 /// n / d times 2^`exponent`, to within an ulp.

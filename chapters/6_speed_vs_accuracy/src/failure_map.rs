@@ -26,29 +26,30 @@ pub struct FailureMap {
 pub fn failure_map(method: &Method, size: usize) -> FailureMap {
     let precision = method.precision();
     let (tangent, middle) = (tangent(precision), (size / 2) as f64);
-    // Between ½ and 1, where both coordinates lie, all neighbors are so far apart.
-    let step = precision.epsilon() / 2.0;
     let (hits, wrong) = (0..size * size)
         .map(|n| {
             let (column, row) = ((n % size) as f64, (n / size) as f64);
-            let from_tangent = Vec3::new(column - middle, middle - row, 0.0);
-            let origin = tangent + step * from_tangent;
-            let right = hits(&Method::EXACT, origin);
-            (right, hits(method, origin) != right)
+            let case = beside(&tangent, precision, column - middle, middle - row);
+            let right = hits(&Method::EXACT, &case);
+            (right, hits(method, &case) != right)
         })
         .unzip();
     FailureMap { size, hits, wrong }
 }
 
-/// An origin whose ray is as near to a tangent as numbers of that precision
-/// allow, by bisection.
-fn tangent(precision: Precision) -> Point3 {
-    let at = |x| Point3::new(x, 0.75, -1.5);
+/// A ray that is as near to a tangent as numbers of that precision allow: the last that
+/// hits, found by bisection. It comes slantwise, so that no product is exact.
+pub fn tangent(precision: Precision) -> Case {
+    let at = |x| Case {
+        center: Point3::ZERO,
+        radius: 0.5,
+        ray: Ray::new(Point3::new(x, 0.75, -1.5), Vec3::new(-0.25, -0.375, 1.0)),
+    };
     let (mut inside, mut outside) = (0.5, 1.0);
     // Each step gains a digit, and no precision here has more than 53.
     for _ in 0..53 {
         let x = 0.5 * (inside + outside);
-        if hits(&Method::EXACT, at(x)) {
+        if hits(&Method::EXACT, &at(x)) {
             inside = x;
         } else {
             outside = x;
@@ -60,14 +61,18 @@ fn tangent(precision: Precision) -> Point3 {
     }
 }
 
-/// Whether `method` says that the ray from there meets the sphere. It comes
-/// slantwise, so that no product is exact.
-fn hits(method: &Method, origin: Point3) -> bool {
-    let case = Case {
-        center: Point3::ZERO,
-        radius: 0.5,
-        ray: Ray::new(origin, Vec3::new(-0.25, -0.375, 1.0)),
-    };
+/// The tangent, moved by whole steps of its origin to the right and upwards.
+///
+/// A step is an ulp: between ½ and 1, where both coordinates lie, all neighbors are so
+/// far apart.
+pub fn beside(tangent: &Case, precision: Precision, right: f64, up: f64) -> Case {
+    let Ray { origin, direction } = tangent.ray;
+    let step = precision.epsilon() / 2.0;
+    tangent.with_ray(origin + step * Vec3::new(right, up, 0.0), direction)
+}
+
+/// Whether `method` says that the line of the case meets the sphere.
+fn hits(method: &Method, case: &Case) -> bool {
     case.put_to(method, f64::NEG_INFINITY, f64::INFINITY)
         .is_some()
 }

@@ -30,8 +30,8 @@ pub use case::Case;
 pub use certified::{C_BAND, D_BAND, E_EXPONENT, R_BANDS, T_BAND};
 pub use certified::{Stage, certified_hit, certified_t, stage_of_hit, stage_of_t};
 pub use double_double::{Double, double_double};
-pub use exact::exact;
-pub use failure_map::{FailureMap, failure_map};
+pub use exact::{exact, exact_discriminant};
+pub use failure_map::{FailureMap, beside, failure_map, tangent};
 pub use fixed_width::{W_BAND, pairs};
 pub use interval::interval_q;
 pub use leaving::{
@@ -47,7 +47,7 @@ pub use precision::Precision;
 pub use refined::refined;
 pub use regimes::{REGIMES, Random, Regime, find_regime};
 pub use scene_file::{Mistake, WIDEST};
-pub use scenes::{Eye, Hit, SCENES, Scene, Sight, T_MIN_OF_SHADOWS, find_scene};
+pub use scenes::{Eye, Hit, Lens, SCENES, Scene, Sight, T_MIN_OF_SHADOWS, find_scene};
 pub use sharper::{S_C_BAND, S_D_BAND, Sharper};
 pub use single::{
     SingleRay, certified_f32, cross_q_f32, half_b_f32, half_b_q_f32, widened_half_b_q_f32,

@@ -20,7 +20,8 @@ pub struct Scene {
     pub width: u32,
     /// Towards the sun, if it casts shadows.
     pub sun: Option<Vec3>,
-    pub(crate) lens: Lens,
+    /// How its eye looks at them.
+    pub lens: Lens,
     /// Centers and radii, at least one.
     pub spheres: Vec<(Point3, f64)>,
 }
@@ -183,7 +184,7 @@ pub struct Hit {
 
 /// Where the eye is, and how its view differs from that of the book's camera.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Lens {
+pub struct Lens {
     origin: Point3,
     /// Unit vectors: to the right of the picture, to its top, and into it.
     right: Vec3,
@@ -196,7 +197,7 @@ pub(crate) struct Lens {
 impl Lens {
     /// `direction` may have any length but 0. The picture stands upright; that of an
     /// eye that looks straight up or down has −z at its top.
-    pub(crate) fn new(origin: Point3, direction: Vec3, zoom: [f64; 2]) -> Self {
+    pub fn new(origin: Point3, direction: Vec3, zoom: [f64; 2]) -> Self {
         let forward = unit(direction);
         let right = match forward {
             Vec3 { x: 0.0, z: 0.0, y } => Vec3::new(-y.signum(), 0.0, 0.0),

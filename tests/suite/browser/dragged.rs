@@ -12,11 +12,15 @@ use crate::book::woven;
 use crate::live::questions;
 
 /// The live figures, and the pages that show them.
-pub(super) const PAGES: [(&str, &str); 4] = [
+pub(super) const PAGES: [(&str, &str); 8] = [
     ("gradient.html", "ray"),
+    ("gradient.html", "viewport_grid"),
     ("red_sphere.html", "discriminant"),
     ("normals.html", "normal_colors"),
+    ("hittable_list.html", "nearest"),
     ("hittable_list.html", "face_normal"),
+    ("speed_vs_accuracy.html", "digits"),
+    ("never_wrong.html", "edge"),
 ];
 
 #[test]
@@ -135,6 +139,24 @@ fn arrows_move_a_handle_and_shift_makes_ten_of_a_step() {
 }
 
 #[test]
+fn the_arrow_up_leads_to_the_row_above_and_a_slider_widens_the_grid() {
+    let Some(mut browser) = browser() else { return };
+    let live = live::find("viewport_grid").expect("a live figure");
+    let mut tab = browser.tab(1200);
+    tab.open(&woven().join("gradient.html"), "#viewport_grid");
+    tab.evaluate(&places_of("viewport_grid"));
+    tab.evaluate("document.querySelector('#viewport_grid .handle input').focus()");
+    tab.press("ArrowUp");
+    assert_shows(&mut tab, live, &[8.0, 5.0, 1.0, 0.0]);
+    tab.evaluate("document.querySelector('#viewport_grid .controls input').focus()");
+    tab.press("Shift+ArrowRight");
+    assert_shows(&mut tab, live, &[18.0, 5.0, 1.0, 0.0]);
+    // The marked pixel stays in the picture.
+    tab.press("Home");
+    assert_shows(&mut tab, live, &[1.0, 0.0, 0.0, 0.0]);
+}
+
+#[test]
 fn a_button_a_link_and_the_text_agree_with_the_figure() {
     let Some(mut browser) = browser() else { return };
     let live = live::find("ray").expect("a live figure");
@@ -150,7 +172,8 @@ fn a_button_a_link_and_the_text_agree_with_the_figure() {
         .into_iter()
         .map(|(_, it)| it)
         .collect();
-    let told = "[...document.querySelectorAll('.told')].map((it) => it.textContent)";
+    let told =
+        r#"[...document.querySelectorAll('[data-told^="ray "]')].map((it) => it.textContent)"#;
     assert_eq!(tab.evaluate(told), json!(says));
     let link = tab.evaluate("document.querySelector('#ray .this-case').getAttribute('href')");
     tab.open(
@@ -221,10 +244,13 @@ fn assert_shows(window: &mut dyn Window, live: &Live, numbers: &[f64]) {
     assert_eq!(labels, words);
 }
 
-/// From the middle of a handle some whole pixels to the upper left.
+/// From the middle of a handle some whole pixels up, far enough for a row of the grid, and
+/// fewer to the left, where the page may end.
 fn way(handle: &Value) -> Vec<(f64, f64)> {
     let [x, y] = [0, 1].map(|n| handle[n].as_f64().expect("a place").floor());
-    [0.0, 8.0, 16.0].map(|step| (x - step, y - step)).into()
+    [0.0, 4.0, 8.0]
+        .map(|step| (x - step, y - 4.0 * step))
+        .into()
 }
 
 /// How far a way leads, in units of the sheet.

@@ -113,7 +113,6 @@ fn power(level: i32) -> String {
     match level {
         0 => "1".to_owned(),
         1 => "10".to_owned(),
-        ..0 => format!("10⁻{}", raised(level)),
         _ => format!("10{}", raised(level)),
     }
 }

@@ -180,7 +180,8 @@ impl Scene {
         program.sky = self.chosen.sky.unwrap_or(program.sky);
         program.paint = self.chosen.paint.unwrap_or(program.paint);
         program.blue = self.chosen.blue.unwrap_or(program.blue);
-        program.own = self.chosen.balls;
+        let [sphere, ground] = self.chosen.balls;
+        program.own = [sphere, ground, None];
         program.viewport_height = self
             .chosen
             .viewport_height

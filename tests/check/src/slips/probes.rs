@@ -111,7 +111,7 @@ impl Probe {
         };
         has_room.then_some(Program {
             world,
-            own: [None; 2],
+            own: [None; 3],
             // A product, so that a slip in the focal length stays one.
             focal_length: self.focal_length * program.focal_length,
             ..program

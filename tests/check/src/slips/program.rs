@@ -88,8 +88,8 @@ pub struct Program {
     pub lerp: fn([Color; 2], f64) -> Color,
     /// What there is to hit.
     pub world: &'static [Ball],
-    /// Spheres in place of the first two of these.
-    pub own: [Option<Ball>; 2],
+    /// Spheres in place of the first three of these.
+    pub own: [Option<Ball>; 3],
     /// Which hit wins.
     pub search: fn(&Program, &Ray) -> Option<(f64, Ball)>,
     /// Only a greater ray parameter counts.
@@ -293,7 +293,7 @@ const HITTABLE_LIST: Program = Program {
     sky: [Color::new(1.0, 1.0, 1.0), Color::new(0.5, 0.7, 1.0)],
     lerp: |[below, above], a| (1.0 - a) * below + a * above,
     world: &[BALL, Ball::new(0.0, -100.5, -1.0, 100.0)],
-    own: [None; 2],
+    own: [None; 3],
     search: nearest,
     t_min: 0.0,
     t_max: f64::INFINITY,
