@@ -20,11 +20,11 @@ pub(crate) fn run<const N: usize>(
     let cases = from_environment(&format!("{name}_CASES")).unwrap_or(20_000);
     let seed = from_environment(&format!("{name}_SEED")).unwrap_or(1);
     let threads = thread::available_parallelism().map_or(1, usize::from) as u64;
-    let share = (cases / threads) as usize;
+    let share = cases / threads;
     let tries = &tries;
     let counts: Vec<[u64; N]> = thread::scope(|scope| {
         let workers: Vec<_> = (0..threads)
-            .map(|k| scope.spawn(move || tries(share, &format!("{seed}/{k}"))))
+            .map(|k| scope.spawn(move || tries(share as usize, &format!("{seed}/{k}"))))
             .collect();
         workers
             .into_iter()
@@ -32,7 +32,7 @@ pub(crate) fn run<const N: usize>(
             .collect()
     });
     (
-        cases,
+        share * threads,
         array::from_fn(|k| counts.iter().map(|counts| counts[k]).sum()),
     )
 }

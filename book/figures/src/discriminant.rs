@@ -18,7 +18,7 @@ pub const FIGURE: Figure = Figure {
         the eye. Below the axis are a, b, c and D as numbers, and that the line passes the center \
         at a distance s that is less than r.",
     caption: "Each root is a place on the line and a number on the axis. What is behind the eye has \
-        a negative *t*.",
+        a negative *t*. The line passes the center at the distance *s*.",
     draw: || draw(&Parameters::default()),
 };
 
@@ -181,11 +181,11 @@ fn draw_scene(svg: &mut Svg, parameters: &Parameters) {
 
 fn draw_axis(svg: &mut Svg, roots: &[f64]) {
     let [start, zero, end] = [LEAST, 0.0, MOST].map(on_axis);
-    let above = DVec2::new(0.0, 26.0);
+    let above = DVec2::new(0.0, 42.0);
     svg.rect(
         "faint wash",
         start - above,
-        zero - start + DVec2::new(0.0, 30.0),
+        zero - start + DVec2::new(0.0, 46.0),
     );
     svg.small_label(
         "ink",

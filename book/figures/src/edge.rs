@@ -79,12 +79,12 @@ pub fn cell_at(middle: DVec2, at: DVec2) -> DVec2 {
 
 /// Where on the axis of sizes cells of so many doublings are.
 pub fn on_axis(doublings: f64) -> DVec2 {
-    DVec2::new(380.0 - 7.2 * doublings, 258.0)
+    DVec2::new(20.0 + 7.2 * doublings, 258.0)
 }
 
 /// How many doublings are there on the sheet.
 pub fn doublings_at(at: DVec2) -> f64 {
-    (380.0 - at.x) / 7.2
+    (at.x - 20.0) / 7.2
 }
 
 /// What is decided about a ray, and by whom.
@@ -229,16 +229,16 @@ fn explain(svg: &mut Svg, middle: DVec2, class: &str, words: &str) {
 }
 
 fn draw_axis(svg: &mut Svg, doublings: u8) {
-    let [start, end] = [f64::from(MOST_DOUBLINGS), 0.0].map(on_axis);
+    let [start, end] = [0.0, f64::from(MOST_DOUBLINGS)].map(on_axis);
     svg.line("ink line", start, end);
-    for tick in [48, 32, 16, 0] {
+    for tick in [0, 16, 32, 48] {
         let at = on_axis(tick.into());
         svg.line("ink line", at, at + DVec2::new(0.0, 5.0));
-        let below = at + DVec2::new(0.0, 19.0);
+        let below = at + DVec2::new(0.0, 23.0);
         svg.small_label("faint", below, Anchor::Middle, &ulps(tick));
     }
     svg.circle("ray solid", on_axis(doublings.into()), 4.5);
-    let below = on_axis(24.0) + DVec2::new(0.0, 36.0);
+    let below = on_axis(24.0) + DVec2::new(0.0, 38.0);
     let words = format!("from cell to cell: {}", ulps(doublings));
     svg.small_label("ink", below, Anchor::Middle, &words);
 }

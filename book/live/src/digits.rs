@@ -17,15 +17,9 @@ pub(crate) const LIVE: Live = Live {
             steps: 10.0,
             ..Number::new("Distance in radii, as a power of ten", 0.0, 16.0, 7.0)
         },
-        Number {
-            steps: 1.0,
-            ..Number::new("Pixel, to the right of the middle", -7.0, 7.0, -3.0)
-        },
-        Number {
-            steps: 1.0,
-            ..Number::new("Pixel, above the middle", -7.0, 7.0, 2.0)
-        },
-        Number::choice("Radius", &["6/7", "1/700", "5000/3"]),
+        Number::whole("Pixel, to the right of the middle", -7.0, 7.0, -3.0),
+        Number::whole("Pixel, above the middle", -7.0, 7.0, 2.0),
+        Number::choice("Radius", &["6/7", "1/700", "5000/7"]),
     ],
     handles: &[
         Handle {
@@ -60,11 +54,12 @@ pub(crate) const LIVE: Live = Live {
 
 /// The choices of a radius: not such that squares are round numbers, of which *ac* is a
 /// little less and has no digit in common.
-const RADII: [f64; 3] = [6.0 / 7.0, 1.0 / 700.0, 5000.0 / 3.0];
+const RADII: [f64; 3] = [6.0 / 7.0, 1.0 / 700.0, 5000.0 / 7.0];
 
 fn answer(numbers: &[f64]) -> Answer {
     let parameters = parameters(numbers);
-    let found = Numbers::of(&parameters.case());
+    let case = parameters.case();
+    let found = Numbers::of(&case);
     let away = parameters.away_in_words();
     let agreeing = found.agreeing();
     Answer {
@@ -72,7 +67,7 @@ fn answer(numbers: &[f64]) -> Answer {
         sentence: format!(
             "{away} radii away *h*² and *ac* agree in {agreeing} of their 17 digits. {} {}{}",
             of_discriminant(&found),
-            of_t(&found),
+            of_t(&found, case.ray.direction.length() / case.radius),
             of_step(parameters.step()),
         ),
         handles: vec![
@@ -80,7 +75,14 @@ fn answer(numbers: &[f64]) -> Answer {
             SKIES[0].on_sheet(parameters.pixel),
             SKIES[1].on_sheet(parameters.pixel),
         ],
-        says: vec![("distance", away), ("agree", agreeing.to_string())],
+        says: vec![("distance", away), ("agree", digits(agreeing))],
+    }
+}
+
+fn digits(count: usize) -> String {
+    match count {
+        1 => "1 digit".to_owned(),
+        _ => format!("{count} digits"),
     }
 }
 
@@ -106,11 +108,15 @@ fn of_discriminant(found: &Numbers) -> String {
     }
 }
 
-/// What is left of t.
-fn of_t(found: &Numbers) -> String {
+/// What is left of t, of which 1 is so many `radii` long.
+fn of_t(found: &Numbers, radii: f64) -> String {
     match (found.t, found.exact_t, found.right_digits()) {
-        (Some(_), Some(_), Some(right @ 2..)) => {
-            format!("The first {right} digits of *t* are right.")
+        (Some(t), Some(exact), Some(right @ 2..)) => {
+            let off = radii * (t - exact).abs();
+            format!(
+                "The first {right} digits of *t* are right, and it is off by {} radii.",
+                printed(off)
+            )
         }
         (Some(_), Some(_), Some(1)) => "Only the first digit of *t* is right.".to_owned(),
         (Some(_), Some(_), _) => "Not even the first digit of *t* is right.".to_owned(),

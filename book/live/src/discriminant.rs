@@ -109,12 +109,12 @@ fn answer(numbers: &[f64]) -> Answer {
     let name = (numbers[7] as usize).checked_sub(1).map(|n| SLIPS[n]);
     let slip = name.and_then(slips::find);
     let right = parameters(numbers, &Right);
-    let (svg, sentence, roots) = match slip {
-        None => (draw(&right), sentence(&right), right.roots()),
+    let (svg, sentence) = match slip {
+        None => (draw(&right), sentence(&right)),
         Some(slip) => {
             let slipped = Slipped(slip.program(Chapter::Normals));
             let wrong = parameters(numbers, &slipped);
-            (draw(&wrong), sentence_on(&wrong, &right), wrong.roots())
+            (draw(&wrong), sentence_on(&wrong, &right))
         }
     };
     let below = right.center - Vec3::new(0.0, right.radius, 0.0);
@@ -123,7 +123,7 @@ fn answer(numbers: &[f64]) -> Answer {
         svg,
         sentence,
         handles: handles.map(|it| PLANE.point(it)).into(),
-        says: vec![("roots", listed(&roots))],
+        says: vec![("roots", told(&right.roots()))],
     }
 }
 
@@ -151,7 +151,13 @@ fn sentence(right: &Parameters) -> String {
     match roots[..] {
         [] => "*D* is negative: the line passes the center farther away than *r*. There is no root, and the \
             ray misses.".to_owned(),
+        [only] if only < 0.0 => {
+            format!("*D* is 0: the line only touches, behind the eye: {at}. The ray misses.")
+        }
         [_] => format!("*D* is 0: the line only touches. Its one root is {at}."),
+        [one, other] if one.abs().min(other.abs()) < 1e-9 => {
+            format!("The eye is on the sphere, where *t* is 0. The roots are {at}.")
+        }
         [nearer, _] if nearer > 0.0 => {
             format!("*D* is positive, and both roots are ahead: {at}. The eye sees the first.")
         }
@@ -169,13 +175,21 @@ fn sentence_on(wrong: &Parameters, right: &Parameters) -> String {
     let [found, true_ones] = [wrong, right].map(Parameters::roots);
     match found == true_ones {
         true => {
-            "Here the slip does no harm: the roots are the right ones. Move something.".to_owned()
+            "Here the slip does no harm: the roots are the right ones. Change something, the radius too.".to_owned()
         }
         false => format!(
-            "The roots should be {}, and come out as {}. Look where these places are: not on the sphere.",
+            "The roots should be {}, and come out as {}. These places are not on the sphere; what is missing on the axis is farther off.",
             listed(&true_ones),
             listed(&found)
         ),
+    }
+}
+
+fn told(roots: &[f64]) -> String {
+    match roots {
+        [] => "there is no root".to_owned(),
+        [_] => format!("there is one root, {}", listed(roots)),
+        _ => format!("the roots are {}", listed(roots)),
     }
 }
 

@@ -16,16 +16,16 @@ pub(crate) const LIVE: Live = Live {
     question: "How close must you look before the edge frays? Begin with the whole ball, zoom in, and then \
         choose a cell that is marked. Who is wrong there?",
     numbers: &[
-        in_steps(
-            "Zoom: doublings of a cell of one ulp",
-            0,
-            MOST_DOUBLINGS as i32,
-            0,
+        Number::whole(
+            "Size of a cell: doublings of an ulp",
+            0.0,
+            MOST_DOUBLINGS as f64,
+            0.0,
         ),
-        in_steps("Cell, to the right of the middle", -REACH, REACH, 4),
-        in_steps("Cell, above the middle", -REACH, REACH, 2),
-        in_steps("Tangent, to the right of the middle", -REACH, REACH, 0),
-        in_steps("Tangent, above the middle", -REACH, REACH, 0),
+        in_cells("Cell, to the right of the middle", 4.0),
+        in_cells("Cell, above the middle", 2.0),
+        in_cells("Tangent, to the right of the middle", 0.0),
+        in_cells("Tangent, above the middle", 0.0),
         Number::choice(
             "The method at the left",
             &[
@@ -56,8 +56,8 @@ pub(crate) const LIVE: Live = Live {
             act: |numbers| [numbers[0], numbers[3], numbers[4]] = [49.0, 6.0, 3.0],
         },
         Action {
-            name: "Closer",
-            act: |numbers| numbers[0] = (numbers[0] - 1.0).max(0.0),
+            name: "16 times closer",
+            act: |numbers| numbers[0] = (numbers[0] - 4.0).max(0.0),
         },
         Action {
             name: "One ulp",
@@ -75,11 +75,9 @@ const METHODS: [Method; 4] = [
     Method::DOUBLE_DOUBLE,
 ];
 
-const fn in_steps(name: &'static str, least: i32, most: i32, default: i32) -> Number {
-    Number {
-        steps: 1.0,
-        ..Number::new(name, least as f64, most as f64, default as f64)
-    }
+/// A place on a map, in cells from its middle.
+const fn in_cells(name: &'static str, default: f64) -> Number {
+    Number::whole(name, -REACH as f64, REACH as f64, default)
 }
 
 fn answer(numbers: &[f64]) -> Answer {

@@ -2,6 +2,7 @@
 
 use common::rtweekend::*;
 use figures::face_normal::{PLANES, Parameters, draw, hit, outward};
+use figures::number::printed;
 use figures::spoken;
 
 use crate::live::{Action, Answer, Handle, Live, Number};
@@ -42,7 +43,7 @@ pub(crate) const LIVE: Live = Live {
         },
         Action {
             name: "A graze",
-            act: |numbers| numbers.copy_from_slice(&[-1.3, -1.0]),
+            act: |numbers| numbers.copy_from_slice(&[-1.2, -1.0]),
         },
     ],
     answer,
@@ -60,12 +61,20 @@ fn answer(numbers: &[f64]) -> Answer {
     };
     let found = hit(&ray).map(|record| (ray.direction.dot(outward(&record)), record.front_face));
     let sentence = match found {
+        None if numbers[0] < 0.0 && numbers[1].abs() == 1.0 => {
+            "This ray only touches the sphere, and rounding makes a miss of it.".to_owned()
+        }
         None => "This ray does not meet the sphere: there is no normal to turn.".to_owned(),
         Some((0.0, _)) => {
             "**d**·**n** is exactly 0: the ray grazes. The code asks for < 0, so front_face is \
             false."
                 .to_owned()
         }
+        Some((product, front_face)) if product.abs() < 1e-6 => format!(
+            "**d**·**n** should be 0, as the ray grazes. Rounding makes {} of it, so front_face is \
+            {front_face}.",
+            printed(product)
+        ),
         Some((product, true)) => format!(
             "**d**·**n** = {} with the outward normal: the ray comes from outside, front_face is true, and \
             the normal stays.",

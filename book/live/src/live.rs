@@ -85,15 +85,13 @@ impl Live {
     pub fn confine(&self, numbers: &mut [f64]) {
         for (n, number) in self.numbers.iter().enumerate() {
             numbers[n] = number.confine(numbers[n]);
-            if let Some(most) = number.most_beside {
-                numbers[n] = numbers[n].min(most(numbers));
-            }
+            numbers[n] = numbers[n].min(number.most_among(numbers));
         }
     }
 
     /// The answer in lines: the drawing, the sentence, and then with a word before them
-    /// the places of the handles, the values of the numbers in words, and what sentences
-    /// of the page tell.
+    /// the places of the handles, the numbers with their words and their greatest values,
+    /// and what sentences of the page tell.
     pub fn text(&self, numbers: &[f64]) -> String {
         let answer = (self.answer)(numbers);
         let sentence = html(&answer.sentence);
@@ -106,7 +104,8 @@ impl Live {
             let _ = write!(text, "\nhandle\t{}\t{}", place.x, place.y);
         }
         for (number, value) in self.numbers.iter().zip(numbers) {
-            let _ = write!(text, "\nvalue\t{value}\t{}", number.in_words(*value));
+            let (words, most) = (number.in_words(*value), number.most_among(numbers));
+            let _ = write!(text, "\nvalue\t{value}\t{words}\t{most}");
         }
         for (name, value) in answer.says {
             let _ = write!(text, "\nsays\t{name}\t{value}");
@@ -167,6 +166,12 @@ impl Number {
             choices,
             ..Self::whole(name, 0.0, (choices.len() - 1) as f64, 0.0)
         }
+    }
+
+    /// The greatest value beside the others.
+    fn most_among(&self, numbers: &[f64]) -> f64 {
+        let most = self.most_beside.map(|most_beside| most_beside(numbers));
+        most.map_or(self.most, |most| most.min(self.most))
     }
 
     fn confine(&self, value: f64) -> f64 {

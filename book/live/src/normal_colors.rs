@@ -21,11 +21,11 @@ pub(crate) const LIVE: Live = Live {
     }],
     actions: &[
         Action {
-            name: "Top",
+            name: "Near the top",
             act: |numbers| numbers.copy_from_slice(&[0.0, 0.55]),
         },
         Action {
-            name: "Right edge",
+            name: "Near the right edge",
             act: |numbers| numbers.copy_from_slice(&[0.55, 0.0]),
         },
         Action {

@@ -17,7 +17,8 @@ pub struct LivePicture {
     pub question: &'static str,
 }
 
-/// The pictures of the book. That of chapter 6 is none of its, and no slip is made there.
+/// The pictures of the book. Chapter 6 is none of its, knows no slip, and would bring the
+/// files of its scenes along, and what reads them: so not [`Chapter::picture`] is asked.
 pub static PICTURES: &[LivePicture] = &[
     LivePicture {
         chapter: Chapter::BuildTest,
@@ -106,12 +107,15 @@ impl Iterator for Painting {
 /// What is painted, as HTML: the picture in that width; or a slip, which makes
 /// `different` of its pixels wrong.
 pub fn verdict(live: &LivePicture, slip: Option<&Slip>, width: u32, different: u32) -> String {
+    let picture = (live.picture)(width);
+    let size = (picture.width(), picture.height());
     let Some(slip) = slip else {
-        let (width, height) = Painting::right((live.picture)(width)).size;
+        let (width, height) = size;
         return format!(
-            "{width} × {height} pixels, painted in this page by the chapter’s own code."
+            "{width} × {height} pixels, painted in this page by the chapter's own code."
         );
     };
+    let wrong_size = slip.program(live.chapter).run(width).size();
     let Words {
         wrong,
         right,
@@ -123,28 +127,32 @@ pub fn verdict(live: &LivePicture, slip: Option<&Slip>, width: u32, different: u
         escape(wrong),
         escape(right),
         escape(explanation),
-        escape(&seen(live, slip, width, different)),
-        slip.page.replace('#', ".html#"),
+        escape(&seen(
+            slip.unseen_in(live.chapter),
+            [size, wrong_size],
+            different
+        )),
+        slip.address(),
         name = slip.name,
     )
 }
 
-/// How much of a slip is to be seen.
-fn seen(live: &LivePicture, slip: &Slip, width: u32, different: u32) -> String {
-    let (right_width, right_height) = Painting::right((live.picture)(width)).size;
-    let (width, height) = Painting::slipped(slip, live.chapter, width).size;
-    if (width, height) != (right_width, right_height) {
+/// How much of a slip is to be seen: the picture has the second size, and should have the
+/// first.
+fn seen(unseen: Option<Unseen>, sizes: [(u32, u32); 2], different: u32) -> String {
+    let [(right_width, right_height), (width, height)] = sizes;
+    if sizes[0] != sizes[1] {
         return format!("It is {width} × {height}, and should be {right_width} × {right_height}.");
     }
-    match (different, slip.unseen_in(live.chapter)) {
+    match (different, unseen) {
         (0, Some(Unseen::Equivalent(why))) => format!("No pixel differs. {why}"),
         (0, Some(Unseen::OnlyByLaw(law))) => format!("No pixel differs; a law shows it: {law}"),
-        (0, None) => "At this width no pixel differs.".to_owned(),
+        (0, None) => "Here no pixel differs.".to_owned(),
         _ => format!("{different} of {} pixels differ.", width * height),
     }
 }
 
-/// Pixels in a piece of a wrong picture: as many as in a strip of the right one.
+/// Pixels in a piece of a wrong picture: as many as in a strip of the right one, or more.
 const PIECE: u32 = 2560;
 
 fn opaque(pixels: impl Iterator<Item = [u8; 3]>) -> Vec<u8> {

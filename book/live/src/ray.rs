@@ -9,8 +9,8 @@ use crate::live::{Action, Answer, Handle, Live, Number};
 /// The first figure that readers move.
 pub(crate) const LIVE: Live = Live {
     name: "ray",
-    question: "Make **b** twice as long, and keep **P** where it is. What becomes of *t*? Try it: \
-        drag **A**, **P**, or the tip of **b**.",
+    question: "What becomes of *t* if **b** is twice as long, and **P** stays? Drag the tip of **b**, then \
+        **P** back to where it was.",
     numbers: &[
         Number::new("A, to the right", -2.0, 4.0, 0.0),
         Number::new("A, upwards", -0.75, 2.5, 0.0),
@@ -73,6 +73,9 @@ fn answer(numbers: &[f64]) -> Answer {
     Answer {
         svg: draw(&parameters),
         sentence: match side {
+            _ if length == 0.0 => {
+                "**b** has no length, so **P** is **A**, whatever *t* is.".to_owned()
+            }
             "" => "At *t* = 0 the place is **A** itself, however long **b** is.".to_owned(),
             _ => format!(
                 "*t* = {t_said} says: from **A** go {t_said} times the arrow **b**, which is {length_said} \

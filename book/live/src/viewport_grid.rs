@@ -69,9 +69,9 @@ fn answer(numbers: &[f64]) -> Answer {
         says: vec![
             ("width", width.to_string()),
             ("rows", rows(width)),
-            ("quotient", spoken(quotient(width))),
+            ("because", because(width)),
             ("pixel", format!("({i}, {j})")),
-            ("direction", triple(ray.direction)),
+            ("direction", triple(camera(numbers).ray(i, j).direction)),
         ],
     }
 }
@@ -113,16 +113,20 @@ fn way(parameters: &Parameters) -> String {
     )
 }
 
-/// Why there are so many rows.
+/// How many rows there are, and why.
 fn height(width: u32) -> String {
-    let quotient = quotient(width);
-    let because = format!("{width} / (16/9) = {}", spoken(quotient));
-    let because = match quotient {
-        ..1.0 => format!("{because} would leave none"),
-        _ if quotient.fract() == 0.0 => format!("{because}, and nothing is cut"),
-        _ => format!("{because} is cut"),
+    let (rows, because) = (rows(width), because(width));
+    format!("A picture {width} wide has {rows}: {because}.")
+}
+
+fn because(width: u32) -> String {
+    let quotient = f64::from(width) / (16.0 / 9.0);
+    let end = match quotient {
+        ..1.0 => " would leave none",
+        _ if quotient.fract() == 0.0 => ", and nothing is cut",
+        _ => " is cut",
     };
-    format!("A picture {width} wide has {}: {because}.", rows(width))
+    format!("{width} / (16/9) = {}{end}", spoken(quotient))
 }
 
 fn rows(width: u32) -> String {
@@ -130,11 +134,6 @@ fn rows(width: u32) -> String {
         1 => "1 row".to_owned(),
         rows => format!("{rows} rows"),
     }
-}
-
-/// The height before it is cut.
-fn quotient(width: u32) -> f64 {
-    f64::from(width) / (16.0 / 9.0)
 }
 
 /// Another width; the pixel stays, where there is one.

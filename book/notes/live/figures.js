@@ -80,14 +80,12 @@ class LiveFigure {
         return this.stage.querySelector("svg").viewBox.baseVal;
     }
 
-    // Arrows move a handle in both directions, by ten steps with Shift. mdBook, which turns
-    // pages with them, does not hear of it.
+    // Arrows move a handle in both directions, by ten steps with Shift.
     press(event) {
         const slider = event.target;
         if (slider.type !== "range") {
             return;
         }
-        event.stopPropagation();
         const sign = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
         if (!sign || event.ctrlKey || event.altKey || event.metaKey) {
             return;
@@ -142,11 +140,14 @@ class LiveFigure {
         const of = (kind) => lines.filter(([first]) => first === kind).map(([, ...rest]) => rest);
         const sheet = this.sheet();
         of("handle").forEach(([x, y], n) => {
-            this.handles[n].style.left = `${(100 * x) / sheet.width}%`;
-            this.handles[n].style.top = `${(100 * y) / sheet.height}%`;
+            // What leaves the drawing can be fetched back from its rim.
+            const percent = (place, size) => `${100 * Math.min(Math.max(place / size, 0), 1)}%`;
+            this.handles[n].style.left = percent(x, sheet.width);
+            this.handles[n].style.top = percent(y, sheet.height);
         });
-        of("value").forEach(([value, words], n) => {
+        of("value").forEach(([value, words, most], n) => {
             const input = this.inputs[n];
+            input.max = most;
             input.value = value;
             // A list says its choice itself.
             if (input.type === "range") {

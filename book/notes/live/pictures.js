@@ -18,6 +18,8 @@ class LivePicture {
         this.slip = figure.querySelector("select");
         // Counts what was asked for: what is painted for an earlier question is given up.
         this.turn = 0;
+        // The right picture that is shown: its width and its pixels.
+        this.painted = null;
 
         figure.addEventListener("input", () => this.show());
         figure.addEventListener("click", ({ target }) => {
@@ -54,11 +56,19 @@ class LivePicture {
         this.figure.querySelector(".this-case").href =
             `?${this.figure.id}=${width},${this.slip.value}#${this.figure.id}`;
         this.wrong.hidden = slip < 0;
-        this.wrong.ariaLabel = `What ${this.slip.value} draws`;
+        this.wrong.ariaLabel = `What this draws: ${this.slip.selectedOptions[0].text}`;
 
-        const right = await this.paint(this.right, -1, width, turn);
-        const last = slip < 0 ? right : await this.paint(this.wrong, slip, width, turn, right?.pixels);
-        if (last) {
+        for (const canvas of [this.right, this.wrong]) {
+            canvas.classList.toggle("pixels", width < this.width.defaultValue);
+        }
+
+        // Another slip leaves the right picture as it is.
+        if (this.painted?.width !== width) {
+            this.painted = await this.paint(this.right, -1, width, turn);
+        }
+        const others = this.painted?.pixels;
+        const last = slip < 0 ? this.painted : await this.paint(this.wrong, slip, width, turn, others);
+        if (last && turn === this.turn) {
             const length = this.rust.verdict(this.place, slip, width, last.different);
             this.sentence.innerHTML = read(this.rust, length);
             this.sentence.ariaBusy = "false";
@@ -88,7 +98,7 @@ class LivePicture {
                 return null;
             }
         }
-        return { pixels, different };
+        return { width, pixels, different };
     }
 
     // Paints what can be painted in a part of a frame, from the byte `done` on; returns
@@ -111,6 +121,5 @@ function imageOf(canvas, width, height) {
     if (canvas.width !== size[0] || canvas.height !== size[1]) {
         [canvas.width, canvas.height] = size;
     }
-    canvas.classList.toggle("pixels", width < canvas.clientWidth);
     return new ImageData(...size);
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 use check::Chapter;
 use check::slips::{self, Slip};
 use figures::escape;
-use live::picture::{LivePicture, PICTURES, WIDEST};
+use live::picture::{self, LivePicture, PICTURES, WIDEST};
 
 /// The `image` of a chapter, in Markdown, with what is needed to paint it at another width
 /// and with a slip. The pages that the slips belong to are in the folder `notes`.
@@ -22,22 +22,30 @@ pub(super) fn picture(notes: &Path, chapter: &str, image: &str) -> Result<String
             names.join(", ")
         )
     })?;
+    let width = live.chapter.book_width();
     Ok(format!(
-        "<figure id=\"picture\" class=\"live\" data-picture=\"{place}\">\n\n{image}\n\n\
+        "<figure id=\"picture\" class=\"live\" data-picture=\"{place}\">\
+         <p class=\"question\">{question}</p>\n\n{image}\n\n\
          <div class=\"canvases\" style=\"--width: {width}px\"><canvas role=\"img\" aria-label=\"{shown}\"></canvas>\
          <canvas role=\"img\" hidden></canvas></div>\
-         <p class=\"question\">{question}</p>\
          <div class=\"controls\">\
          <label>Break it <select>{slips}</select></label>\
          <label>Width <input type=\"number\" min=\"1\" max=\"{WIDEST}\" value=\"{width}\"></label>\
          <button type=\"button\" data-action=\"reset\">Reset</button>\
          <a class=\"this-case\">Link to this case</a></div>\
-         <p class=\"sentence\" role=\"status\"></p></figure>",
-        shown = live.chapter.shows(),
+         <p class=\"sentence\" role=\"status\">{sentence}</p></figure>",
+        shown = alternative(image)?,
         question = live.question,
         slips = choices(notes, live)?,
-        width = live.chapter.book_width(),
+        sentence = picture::verdict(live, None, width, 0),
     ))
+}
+
+/// What the image says to whoever cannot see it.
+fn alternative(image: &str) -> Result<String, String> {
+    let text = image.strip_prefix("![").and_then(|it| it.split_once("]("));
+    let (text, _) = text.ok_or_else(|| format!("{image} is no image in Markdown"))?;
+    Ok(escape(text))
 }
 
 /// The slips that can be made in the chapter, by what their lines say, under the titles of

@@ -29,7 +29,7 @@ pub fn exact(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> 
 /// D = h² − a·c, of which nothing was rounded before it became an `f64`.
 ///
 /// Its unit is the squared length of the scene times that of the direction. Error: an
-/// ulp. `None` if a number is infinite or NaN.
+/// ulp, unless D is beyond the normal numbers. `None` if a number is infinite or NaN.
 pub fn exact_discriminant(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
     let ([a, h, c], units) = coefficients(center, radius, ray)?;
     let unit = 2 * units.iter().sum::<i64>();

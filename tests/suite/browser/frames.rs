@@ -62,6 +62,7 @@ fn report(name: &str, frames: &Value, tasks: &[[f64; 2]]) {
         .collect();
     let mut gaps: Vec<f64> = frames.windows(2).map(|pair| pair[1] - pair[0]).collect();
     gaps.sort_by(f64::total_cmp);
+    assert!(gaps.len() > 1, "{name} shows no frames");
     let mean = gaps.iter().sum::<f64>() / gaps.len() as f64;
     let [clock, processor] = [0, 1].map(|n| {
         let mut times: Vec<f64> = tasks.iter().map(|task| task[n]).collect();

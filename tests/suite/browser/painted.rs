@@ -1,13 +1,13 @@
 //! Live pictures in real browsers, from a file: each chapter's page paints the chapter's
 //! picture to the bit, at any width, and beside it what a slip draws.
 
-use ::live::picture::{PICTURES, WIDEST};
-use check::slips;
+use ::live::picture::{self, LivePicture, PICTURES, WIDEST};
+use check::slips::{self, Slip};
 use common::rtweekend::Picture;
 use serde_json::{Value, json};
 
-use super::dragged::fowler_noll_vo;
-use super::{Window, browser, firefox};
+use super::dragged::{ALIVE, fowler_noll_vo};
+use super::{NEXT_FRAME, Window, browser, firefox};
 use crate::book::woven;
 use crate::live::{opaque, slips_in};
 
@@ -25,8 +25,7 @@ fn each_chapters_page_paints_the_picture_of_the_chapter() {
             }
             let (_, slip) = slips_in(live.chapter).last().expect("a slip");
             ask(window, "37", slip.name);
-            let wrong = slip.program(live.chapter).run(37).picture();
-            assert_painted(window, &[live.chapter.picture(37), wrong]);
+            assert_broken(window, live, slip, 37);
         }
     });
 }
@@ -58,8 +57,7 @@ fn a_link_leads_to_a_broken_picture_and_reset_mends_it() {
         let live = PICTURES[3];
         open(window, "normals", "?picture=97,far-root#picture");
         let slip = slips::find("far-root").expect("a slip");
-        let wrong = slip.program(live.chapter).run(97).picture();
-        assert_painted(window, &[live.chapter.picture(97), wrong]);
+        assert_broken(window, &live, slip, 97);
         let link = "document.querySelector('#picture .this-case').getAttribute('href')";
         assert_eq!(window.value_of(link), "?picture=97,far-root#picture");
         window.value_of("document.querySelector('#picture [data-action=reset]').click()");
@@ -67,6 +65,20 @@ fn a_link_leads_to_a_broken_picture_and_reset_mends_it() {
         // What is no width and no slip is none.
         open(window, "normals", "?picture=nonsense,nothing#picture");
         assert_painted(window, &[live.chapter.picture(400)]);
+    });
+}
+
+#[test]
+fn whoever_asks_again_before_all_is_painted_sees_only_the_last() {
+    each_browser(|window| {
+        let live = PICTURES[3];
+        open(window, "normals", "");
+        let slip = slips::find("far-root").expect("a slip");
+        for (width, slip) in [("1920", "normal-inward"), ("1900", ""), ("64", slip.name)] {
+            ask(window, width, slip);
+            window.value_of(NEXT_FRAME);
+        }
+        assert_broken(window, &live, slip, 64);
     });
 }
 
@@ -92,7 +104,7 @@ pub(super) fn open(window: &mut dyn Window, chapter: &str, behind: &str) {
 pub(super) fn ask(window: &mut dyn Window, width: &str, slip: &str) {
     let [width, slip] = [width, slip].map(|it| json!(it));
     window.value_of(&format!(
-        "{DONE}.then(() => {{
+        "{ALIVE}.then(() => {{
             const figure = document.getElementById('picture');
             figure.querySelector('input[type=number]').value = {width};
             const slip = figure.querySelector('select');
@@ -100,6 +112,18 @@ pub(super) fn ask(window: &mut dyn Window, width: &str, slip: &str) {
             slip.dispatchEvent(new Event('input', {{ bubbles: true }}));
         }})"
     ));
+}
+
+/// The picture of the chapter, and beside it what the slip draws; and below how many pixels
+/// differ.
+fn assert_broken(window: &mut dyn Window, live: &LivePicture, slip: &Slip, width: u32) {
+    let right = live.chapter.picture(width);
+    let wrong = slip.program(live.chapter).run(width).picture();
+    let pixels = right.rgb().chunks(3).zip(wrong.rgb().chunks(3));
+    let different = pixels.filter(|(right, wrong)| right != wrong).count() as u32;
+    assert_painted(window, &[right, wrong]);
+    let said = window.value_of("document.querySelector('#picture .sentence').innerHTML");
+    assert_eq!(said, picture::verdict(live, Some(slip), width, different));
 }
 
 fn assert_painted(window: &mut dyn Window, pictures: &[Picture]) {

@@ -98,7 +98,12 @@ impl Slip {
     /// Where `cargo rtrace book` puts the page that tells how it is right, as seen
     /// from the workspace.
     pub fn read(&self) -> String {
-        format!("target/book/{}", self.page.replace('#', ".html#"))
+        format!("target/book/{}", self.address())
+    }
+
+    /// The page that tells how it is right, and its heading, as seen from another page.
+    pub fn address(&self) -> String {
+        self.page.replace('#', ".html#")
     }
 
     /// Whether the line is in a chapter, and not in what all of them share.

@@ -278,7 +278,7 @@ pub(super) const SLIPS: &[Slip] = &[
         chapters: RAYS,
         wrong: "focal_length = 2",
         right: "focal_length = 1",
-        explanation: "Twice as far from the viewport, the eye sees half of the angle: everything is twice as large.",
+        explanation: "Twice as far from the viewport, the eye sees less of the world: half as much of what is ahead, twice as large.",
         page: "gradient#the-camera",
         source: "common/src/camera.rs",
         alter: |right| Program {
@@ -685,7 +685,7 @@ pub(super) const SLIPS: &[Slip] = &[
         chapters: RAYS,
         wrong: "a = 0.5 * (unit_direction.z() + 1)",
         right: "a = 0.5 * (unit_direction.y() + 1)",
-        explanation: "z points to the viewer, so the gradient is a ring around the middle.",
+        explanation: "z points to the viewer, so the sky is white in the middle of the picture and bluer all around.",
         page: "gradient#the-color-of-the-sky",
         source: "chapters/1_gradient/src/lib.rs",
         alter: |right| Program {

@@ -204,7 +204,7 @@ pub(super) const SLIPS: &[Slip] = &[
         chapters: EVERY,
         wrong: "print image_height, image_width",
         right: "print image_width, image_height",
-        explanation: "The header tells the width first. Swapped, every row breaks at the wrong pixel and the picture shears.",
+        explanation: "The header tells the width first. Swapped, every row breaks at the wrong pixel: where columns differ the picture shears.",
         page: "setup#a-picture-is-text",
         source: "common/src/engine/picture.rs",
         alter: |right| Program {
