@@ -1,8 +1,10 @@
 //! Progressive rendering: the picture of a chapter at any width, and what a slip draws in
 //! its place, painted in pieces, so that a page can show each frame what there is.
 
+use std::iter;
+
 use check::Chapter;
-use check::slips::{Edition, Slip, Unseen, Words};
+use check::slips::{Edition, PROBES, Slip, Unseen, Words};
 use common::rtweekend::Picture;
 use figures::escape;
 
@@ -81,12 +83,14 @@ impl Painting {
     /// The picture that the program of someone with this slip draws.
     pub fn slipped(slip: &Slip, chapter: Chapter, width: u32) -> Self {
         let output = slip.program(chapter).run(width);
-        let (width, height) = output.size();
-        let pixels = width * height;
-        let piece = move |from| opaque((from..pixels.min(from + PIECE)).map(|n| output.bytes(n)));
+        let mut pixels = output.rgb();
+        let piece = move || {
+            let piece = opaque(pixels.by_ref().take(PIECE));
+            (!piece.is_empty()).then_some(piece)
+        };
         Self {
-            size: (width, height),
-            pieces: Box::new((0..pixels).step_by(PIECE as usize).map(piece)),
+            size: output.size(),
+            pieces: Box::new(iter::from_fn(piece)),
         }
     }
 
@@ -127,33 +131,35 @@ pub fn verdict(live: &LivePicture, slip: Option<&Slip>, width: u32, different: u
         escape(wrong),
         escape(right),
         escape(explanation),
-        escape(&seen(
-            slip.unseen_in(live.chapter),
-            [size, wrong_size],
-            different
-        )),
+        escape(&match (size == wrong_size, different) {
+            (false, _) => sizes(wrong_size, size),
+            (true, 0) => unseen(slip, live.chapter),
+            (true, _) => format!("{different} of {} pixels differ.", size.0 * size.1),
+        }),
         slip.address(),
         name = slip.name,
     )
 }
 
-/// How much of a slip is to be seen: the picture has the second size, and should have the
-/// first.
-fn seen(unseen: Option<Unseen>, sizes: [(u32, u32); 2], different: u32) -> String {
-    let [(right_width, right_height), (width, height)] = sizes;
-    if sizes[0] != sizes[1] {
-        return format!("It is {width} × {height}, and should be {right_width} × {right_height}.");
-    }
-    match (different, unseen) {
-        (0, Some(Unseen::Equivalent(why))) => format!("No pixel differs. {why}"),
-        (0, Some(Unseen::OnlyByLaw(law))) => format!("No pixel differs; a law shows it: {law}"),
-        (0, None) => "Here no pixel differs.".to_owned(),
-        _ => format!("{different} of {} pixels differ.", width * height),
+fn sizes((wide, high): (u32, u32), (width, height): (u32, u32)) -> String {
+    format!("It is {wide} × {high}, and should be {width} × {height}.")
+}
+
+/// What shows a slip where this picture does not.
+fn unseen(slip: &Slip, chapter: Chapter) -> String {
+    let probe = || PROBES.iter().find(|probe| probe.tells(slip, chapter));
+    match slip.unseen_in(chapter) {
+        Some(Unseen::Equivalent(why)) => format!("No pixel differs. {why}"),
+        Some(Unseen::OnlyByLaw(law)) => format!("No pixel differs; a law shows it: {law}"),
+        None => match probe() {
+            Some(probe) => format!("No pixel differs; the probe {} shows it.", probe.name),
+            None => "At this width no pixel differs.".to_owned(),
+        },
     }
 }
 
 /// Pixels in a piece of a wrong picture: as many as in a strip of the right one, or more.
-const PIECE: u32 = 2560;
+const PIECE: usize = 2560;
 
 fn opaque(pixels: impl Iterator<Item = [u8; 3]>) -> Vec<u8> {
     pixels

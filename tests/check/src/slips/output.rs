@@ -67,16 +67,18 @@ impl Output {
         })
     }
 
-    /// The `n`th pixel as the same program stores it in Rust, where a conversion to a
-    /// byte stops at 0 and 255.
-    pub fn bytes(&self, n: u32) -> [u8; 3] {
-        self.pixel(n).map(|level| level.clamp(0, 255) as u8)
+    /// All pixels as the same program stores them in Rust, where a conversion to a byte
+    /// stops at 0 and 255.
+    pub fn rgb(self) -> impl Iterator<Item = [u8; 3]> {
+        let (width, height) = self.size();
+        let stored = |level: i32| level.clamp(0, 255) as u8;
+        (0..width * height).map(move |n| self.pixel(n).map(stored))
     }
 
     /// The picture that the same program draws in Rust.
     pub fn picture(&self) -> Picture {
         let (width, height) = self.size();
-        let rgb = (0..width * height).flat_map(|n| self.bytes(n)).collect();
+        let rgb = self.rgb().flatten().collect();
         Picture::from_rgb(width, height, rgb)
             .expect("a header may swap width and height, but not change their product")
     }

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::program::{Ball, Program};
+use super::slip::Slip;
 use crate::chapter::{Chapter, Room};
 
 /// A change to a chapter of which every right program makes the same picture.
@@ -116,6 +117,17 @@ impl Probe {
             focal_length: self.focal_length * program.focal_length,
             ..program
         })
+    }
+
+    /// Whether a chapter with that slip draws another picture of this scene.
+    pub fn tells(&self, slip: &Slip, chapter: Chapter) -> bool {
+        let drawn = |program| Some(self.put_to(program)?.run(self.width));
+        match [Program::right(chapter), slip.program(chapter)].map(drawn) {
+            [Some(right), Some(wrong)] => {
+                right.size() != wrong.size() || !right.rgb().eq(wrong.rgb())
+            }
+            _ => false,
+        }
     }
 
     /// What a reader changes, a line each: the width, the focal length if it
