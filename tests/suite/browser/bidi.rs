@@ -89,14 +89,18 @@ impl Firefox {
     }
 
     /// Opens the file, with a query or a fragment behind it, and waits until all of it is
-    /// there. Returns what happened meanwhile.
-    pub(super) fn open(&mut self, file: &Path, behind: &str) -> Vec<Value> {
+    /// there.
+    pub(super) fn open(&mut self, file: &Path, behind: &str) {
         // Where only the fragment differs, the page would stay as it is.
         self.navigate("about:blank");
         self.events.clear();
         self.navigate(&format!("file://{}{behind}", file.display()));
         self.evaluate("document.fonts.ready.then(() => null)");
         self.evaluate(NEXT_FRAME);
+    }
+
+    /// What happened since the page was opened, or since this was asked.
+    pub(super) fn events(&mut self) -> Vec<Value> {
         std::mem::take(&mut self.events)
     }
 

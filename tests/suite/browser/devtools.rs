@@ -149,16 +149,20 @@ pub(super) struct Tab<'a> {
 
 impl Tab<'_> {
     /// Opens the file, with a query or a fragment behind it, such as `?search=…` or
-    /// `#exercises`, and waits until all of it is there. Returns what happened meanwhile.
-    pub(super) fn open(&mut self, file: &Path, behind: &str) -> Vec<Value> {
+    /// `#exercises`, and waits until all of it is there.
+    pub(super) fn open(&mut self, file: &Path, behind: &str) {
         let url = format!("file://{}{behind}", file.display());
         self.browser.events.clear();
         self.call("Page.navigate", json!({ "url": url }));
-        let mut events = self.wait_for("Page.loadEventFired");
+        let seen = self.wait_for("Page.loadEventFired");
+        self.browser.events.extend(seen);
         self.evaluate("document.fonts.ready.then(() => undefined)");
         self.evaluate(NEXT_FRAME);
-        events.extend(self.browser.events.drain(..));
-        events
+    }
+
+    /// What happened since the page was opened, or since this was asked.
+    pub(super) fn events(&mut self) -> Vec<Value> {
+        self.browser.events.drain(..).collect()
     }
 
     /// The value of a script, as JSON; a promise is waited for.

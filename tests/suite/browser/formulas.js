@@ -11,6 +11,14 @@
     const invisible = /[\s\u2061-\u2064]/;
 
     const wrong = [];
+    const parts = { mfrac: 2, mroot: 2, msub: 2, msup: 2, munder: 2, mover: 2, msubsup: 3, munderover: 3 };
+    for (const [name, count] of Object.entries(parts)) {
+        for (const { childElementCount, parentElement } of document.querySelectorAll(name)) {
+            if (childElementCount !== count) {
+                wrong.push([`${name} has ${childElementCount} of ${count} parts`, parentElement.textContent]);
+            }
+        }
+    }
     // The box that a formula has to itself: a line of its own, or a field of a table.
     const cut = (formula) => {
         const box = formula.closest(".equation, td, p, li")?.getBoundingClientRect();

@@ -26,6 +26,7 @@ fn each_chapters_page_paints_the_picture_of_the_chapter() {
             let (_, slip) = slips_in(live.chapter).last().expect("a slip");
             ask(window, "37", slip.name);
             assert_broken(window, live, slip, 37);
+            assert_eq!(window.complaints(), [""; 0]);
         }
     });
 }
