@@ -7,6 +7,10 @@
 
 const MILLISECONDS_A_FRAME = 5;
 
+// Ends with the last picture that was asked for. Rust paints one at a time, and the page
+// of the whole book has six.
+let painting = Promise.resolve();
+
 class LivePicture {
     constructor(figure, rust) {
         this.figure = figure;
@@ -75,9 +79,14 @@ class LivePicture {
         }
     }
 
-    // Paints a picture. Returns its pixels, and how many are different from `others`; or
-    // nothing, if something else is asked for meanwhile.
-    async paint(canvas, slip, width, turn, others) {
+    // Paints a picture after those that were asked for before. Returns its pixels, and how
+    // many are different from `others`; or nothing, if something else is asked for meanwhile.
+    paint(canvas, slip, width, turn, others) {
+        painting = painting.then(() => this.paintNow(canvas, slip, width, turn, others));
+        return painting;
+    }
+
+    async paintNow(canvas, slip, width, turn, others) {
         if (turn !== this.turn) {
             return null;
         }

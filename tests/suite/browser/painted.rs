@@ -7,7 +7,7 @@ use common::rtweekend::Picture;
 use serde_json::{Value, json};
 
 use super::dragged::{ALIVE, fowler_noll_vo};
-use super::{NEXT_FRAME, Window, browser, firefox};
+use super::{ALL_ALIVE, NEXT_FRAME, Window, browser, firefox};
 use crate::book::woven;
 use crate::live::{opaque, slips_in};
 
@@ -29,6 +29,19 @@ fn each_chapters_page_paints_the_picture_of_the_chapter() {
             assert_eq!(window.complaints(), [""; 0]);
         }
     });
+}
+
+/// Not in Firefox, which asks there how to print, and waits.
+#[test]
+fn the_page_of_the_whole_book_paints_all_its_pictures() {
+    let Some(mut browser) = browser() else { return };
+    let mut tab = browser.tab(1200);
+    tab.open(&woven().join("print.html"), "");
+    tab.evaluate(ALL_ALIVE);
+    let of = |live: &LivePicture| live.chapter.picture(live.chapter.book_width());
+    let pictures: Vec<Picture> = PICTURES.iter().map(of).collect();
+    assert_painted(&mut tab, &pictures);
+    assert_eq!(tab.complaints(), [""; 0]);
 }
 
 #[test]
@@ -148,7 +161,7 @@ pub(super) const DONE: &str = "new Promise((done) => {
 
 /// Width, height and sum of each picture that is shown.
 const SUMS: &str =
-    "[...document.querySelectorAll('#picture canvas:not([hidden])')].map((canvas) => {
+    "[...document.querySelectorAll('[data-picture] canvas:not([hidden])')].map((canvas) => {
     const { width, height } = canvas;
     const { data } = canvas.getContext('2d').getImageData(0, 0, width, height);
     const sum = data.reduce((sum, byte) => Math.imul(sum ^ byte, 16777619) >>> 0, 2166136261);
