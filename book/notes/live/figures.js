@@ -14,14 +14,14 @@ class LiveFigure {
         this.stage = figure.querySelector(".stage");
         this.sentence = figure.querySelector(".sentence");
         this.handles = [...figure.querySelectorAll(".handle")];
-        // The slider or list of each number, by the place of the number.
+        // The sliders or the list of each number, by the place of the number.
         this.inputs = [];
         for (const input of figure.querySelectorAll("[data-number]")) {
-            this.inputs[input.dataset.number] = input;
+            (this.inputs[input.dataset.number] ??= []).push(input);
         }
         // Not what is in them now: Firefox remembers that from the last visit.
         this.defaults = this.inputs.map(
-            (input) => Number(input.getAttribute("value") ?? input.options[0].value));
+            ([input]) => Number(input.getAttribute("value") ?? input.options[0].value));
         this.numbers = this.fromLink() ?? [...this.defaults];
         // What is to be done before the next frame; of several drags only the last.
         this.waiting = null;
@@ -146,12 +146,13 @@ class LiveFigure {
             this.handles[n].style.top = percent(y, sheet.height);
         });
         of("value").forEach(([value, words, most], n) => {
-            const input = this.inputs[n];
-            input.max = most;
-            input.value = value;
-            // A list says its choice itself.
-            if (input.type === "range") {
-                input.ariaValueText = words;
+            for (const input of this.inputs[n]) {
+                input.max = most;
+                input.value = value;
+                // A list says its choice itself.
+                if (input.type === "range") {
+                    input.ariaValueText = words;
+                }
             }
         });
         of("says").forEach(([name, value]) => {

@@ -221,6 +221,15 @@ fn assert_shows(window: &mut dyn Window, live: &Live, numbers: &[f64]) {
         let _ = write!(expected, ",{number}");
     }
     assert_eq!(link, format!("?{name}={}#{name}", &expected[1..]));
+    // Some numbers have two sliders.
+    let sliders = window.value_of(&format!(
+        "[...document.querySelectorAll('#{name} [data-number]')].map(
+            (input) => [input.dataset.number, input.value].map(Number))"
+    ));
+    for slider in sliders.as_array().expect("sliders") {
+        let place = slider[0].as_u64().expect("a place") as usize;
+        assert_eq!(slider[1].as_f64(), Some(numbers[place]), "number {place}");
+    }
     let said = window.value_of(&format!(
         "document.querySelector('#{name} .sentence').innerHTML"
     ));
