@@ -237,7 +237,7 @@ fn a_live_picture_says_what_is_wrong_and_how_much_is_seen() {
     let hidden = verdict(Chapter::HittableList, Some("first-hit-wins"), 400, 0);
     assert!(hidden.contains("the probe reversed shows it"), "{hidden}");
     let unseen = verdict(Chapter::RedSphere, Some("oc-reversed"), 400, 0);
-    assert!(unseen.contains("No pixel differs"), "{unseen}");
+    assert!(unseen.contains("no pixel differs"), "{unseen}");
 }
 
 #[test]

@@ -125,7 +125,7 @@ pub fn draw(parameters: &Parameters) -> String {
             svg.circle("ink hollow", point, 5.0);
             svg.label("ink", point + DVec2::new(0.0, 22.0), Anchor::Middle, &name);
         }
-        if (LEAST..=MOST).contains(&t) {
+        if is_on_axis(t) {
             svg.circle("ink hollow", on_axis(t), 5.0);
             svg.label(
                 "ink",
@@ -141,6 +141,11 @@ pub fn draw(parameters: &Parameters) -> String {
 
 /// The part of the sheet above the axis.
 const SCENE: DVec2 = DVec2::new(400.0, 226.0);
+
+/// Whether a root is shown on the axis.
+pub fn is_on_axis(t: f64) -> bool {
+    (LEAST..=MOST).contains(&t)
+}
 
 /// The least and the greatest t on the axis.
 const LEAST: f64 = -2.5;

@@ -42,8 +42,8 @@ impl Default for Parameters {
 
 /// Where the left of the two spheres is on the sheet, and where the right one.
 pub const PLANES: [Plane; 2] = [
-    Plane::new(98.0, 158.0, 64.0),
-    Plane::new(302.0, 158.0, 64.0),
+    Plane::new(98.0, 180.0, 64.0),
+    Plane::new(302.0, 180.0, 64.0),
 ];
 
 /// Where a ray meets the sphere.
@@ -59,26 +59,26 @@ pub fn outward(record: &HitRecord) -> Vec3 {
 
 /// Draws both ways side by side.
 pub fn draw(parameters: &Parameters) -> String {
-    let mut svg = FIGURE.sheet(400.0, 300.0);
+    let mut svg = FIGURE.sheet(400.0, 328.0);
     let titles = [("outward", false), ("against the ray", true)];
     for (plane, (title, against)) in PLANES.iter().zip(titles) {
         let above = DVec2::new(plane.origin.x, 22.0);
         svg.label("ink", above, Anchor::Middle, title);
         svg.circle("sphere area", plane.origin, plane.scale);
-        for (ray, side) in [
-            (parameters.from_outside, -1.0),
-            (parameters.from_inside, 1.0),
+        // No normal reaches so far up, nor so far down.
+        for (ray, y) in [
+            (parameters.from_outside, 46.0),
+            (parameters.from_inside, 318.0),
         ] {
             let words = meet(&mut svg, plane, &ray, against);
-            // Above the sphere for the first ray, below it for the second.
-            let place = plane.origin + DVec2::new(0.0, 4.0 + side * (plane.scale + 42.0));
+            let place = DVec2::new(plane.origin.x, y);
             svg.small_label("ink", place, Anchor::Middle, &words);
         }
     }
     svg.line(
         "grid thin",
         DVec2::new(200.0, 12.0),
-        DVec2::new(200.0, 288.0),
+        DVec2::new(200.0, 316.0),
     );
     svg.finish()
 }

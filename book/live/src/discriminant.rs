@@ -3,7 +3,7 @@
 use check::Chapter;
 use check::slips::{self, Program};
 use common::rtweekend::*;
-use figures::discriminant::{PLANE, Parameters, Right, Solver, draw};
+use figures::discriminant::{PLANE, Parameters, Right, Solver, draw, is_on_axis};
 use figures::spoken;
 
 use crate::live::{Action, Answer, Handle, Live, Number};
@@ -109,21 +109,21 @@ fn answer(numbers: &[f64]) -> Answer {
     let name = (numbers[7] as usize).checked_sub(1).map(|n| SLIPS[n]);
     let slip = name.and_then(slips::find);
     let right = parameters(numbers, &Right);
-    let (svg, sentence) = match slip {
-        None => (draw(&right), sentence(&right)),
-        Some(slip) => {
-            let slipped = Slipped(slip.program(Chapter::Normals));
-            let wrong = parameters(numbers, &slipped);
-            (draw(&wrong), sentence_on(&wrong, &right))
+    let slipped = slip.map(|slip| Slipped(slip.program(Chapter::Normals)));
+    let (shown, sentence) = match &slipped {
+        None => (right, sentence(&right)),
+        Some(slipped) => {
+            let wrong = parameters(numbers, slipped);
+            (wrong, sentence_on(&wrong, &right))
         }
     };
     let below = right.center - Vec3::new(0.0, right.radius, 0.0);
     let handles = [right.center, below, right.ray.at(1.0), right.ray.origin];
     Answer {
-        svg,
+        svg: draw(&shown),
         sentence,
         handles: handles.map(|it| PLANE.point(it)).into(),
-        says: vec![("roots", told(&right.roots()))],
+        says: vec![("roots", told(&shown.roots()))],
     }
 }
 
@@ -155,7 +155,7 @@ fn sentence(right: &Parameters) -> String {
             format!("*D* is 0: the line only touches, behind the eye: {at}. The ray misses.")
         }
         [_] => format!("*D* is 0: the line only touches. Its one root is {at}."),
-        [one, other] if one.abs().min(other.abs()) < 1e-9 => {
+        [one, other] if near(one, 0.0) || near(other, 0.0) => {
             format!("The eye is on the sphere, where *t* is 0. The roots are {at}.")
         }
         [nearer, _] if nearer > 0.0 => {
@@ -173,16 +173,36 @@ fn sentence(right: &Parameters) -> String {
 /// What a slip makes of it.
 fn sentence_on(wrong: &Parameters, right: &Parameters) -> String {
     let [found, true_ones] = [wrong, right].map(Parameters::roots);
-    match found == true_ones {
-        true => {
-            "Here the slip does no harm: the roots are the right ones. Change something, the radius too.".to_owned()
-        }
-        false => format!(
-            "The roots should be {}, and come out as {}. These places are not on the sphere; what is missing on the axis is farther off.",
-            listed(&true_ones),
-            listed(&found)
-        ),
+    let is_right = |t: &f64| true_ones.iter().any(|it| near(*it, *t));
+    let off: Vec<f64> = found.iter().copied().filter(|t| !is_right(t)).collect();
+    if off.is_empty() && found.len() == true_ones.len() {
+        return "Here the slip does no harm: the roots are the right ones. Change something, the radius too.".to_owned();
     }
+    let should = match true_ones[..] {
+        [] => "There should be no root".to_owned(),
+        [only] => format!("The root should be {}", spoken(only)),
+        _ => format!("The roots should be {}", listed(&true_ones)),
+    };
+    let come = match found[..] {
+        [] => "but none comes out.".to_owned(),
+        [only] => format!("but {} comes out.", spoken(only)),
+        _ => format!("but {} come out.", listed(&found)),
+    };
+    let places = match off[..] {
+        [] => String::new(),
+        [only] => format!(" At {} the line is not on the sphere.", spoken(only)),
+        _ => " These places are not on the sphere.".to_owned(),
+    };
+    let farther = match found.iter().all(|t| is_on_axis(*t)) {
+        true => "",
+        false => " What is missing on the axis is farther off.",
+    };
+    format!("{should}, {come}{places}{farther}")
+}
+
+/// Whether two roots differ by rounding alone, in this figure.
+fn near(one: f64, other: f64) -> bool {
+    (one - other).abs() < 1e-9
 }
 
 fn told(roots: &[f64]) -> String {

@@ -176,6 +176,8 @@ impl Number {
 
     fn confine(&self, value: f64) -> f64 {
         match value.is_finite() {
+            // Whole numbers and choices are the ones of step 1.
+            true if self.steps == 1.0 => value.clamp(self.least, self.most).round(),
             true => value.clamp(self.least, self.most),
             false => self.default,
         }

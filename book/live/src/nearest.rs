@@ -121,7 +121,7 @@ fn answer(numbers: &[f64]) -> Answer {
         None => right,
     };
     let held: Vec<String> = (0..=shown.turns)
-        .map(|turns| Parameters { turns, ..right }.held())
+        .map(|turns| Parameters { turns, ..shown }.held())
         .map(|held| in_digits(held.map_or(f64::INFINITY, |(t, _)| t)))
         .collect();
     let Ray { origin, .. } = shown.ray;

@@ -149,10 +149,15 @@ fn sizes((wide, high): (u32, u32), (width, height): (u32, u32)) -> String {
 fn unseen(slip: &Slip, chapter: Chapter) -> String {
     let probe = || PROBES.iter().find(|probe| probe.tells(slip, chapter));
     match slip.unseen_in(chapter) {
-        Some(Unseen::Equivalent(why)) => format!("No pixel differs. {why}"),
-        Some(Unseen::OnlyByLaw(law)) => format!("No pixel differs; a law shows it: {law}"),
+        Some(Unseen::Equivalent(why)) => format!("In this picture no pixel differs. {why}"),
+        Some(Unseen::OnlyByLaw(law)) => {
+            format!("In this picture no pixel differs; a law shows it: {law}")
+        }
         None => match probe() {
-            Some(probe) => format!("No pixel differs; the probe {} shows it.", probe.name),
+            Some(probe) => format!(
+                "In this picture no pixel differs; the probe {} shows it.",
+                probe.name
+            ),
             None => "At this width no pixel differs.".to_owned(),
         },
     }

@@ -128,7 +128,7 @@ pub(super) const SLIPS: &[Slip] = &[
         chapters: EVERY,
         wrong: "for j = image_height - 1 down to 0",
         right: "for j = 0 up to image_height - 1",
-        explanation: "Older editions print from the last row upwards. With the camera of this one the picture stands on its head.",
+        explanation: "Older editions print from the last row upwards. In this one the picture stands on its head.",
         before_4: Some([
             "for j = 0 up to image_height - 1",
             "for j = image_height - 1 down to 0",
@@ -236,7 +236,7 @@ pub(super) const SLIPS: &[Slip] = &[
         chapters: EVERY,
         wrong: "print g, r, b",
         right: "print r, g, b",
-        explanation: "A pixel is red, green, blue. Here red and green change places: the sky turns violet.",
+        explanation: "A pixel is red, green, blue. Here red and green change places: a blue sky turns violet.",
         page: "setup#a-picture-is-text",
         source: "common/src/engine/picture.rs",
         alter: |right| Program {
@@ -250,7 +250,7 @@ pub(super) const SLIPS: &[Slip] = &[
         chapters: EVERY,
         wrong: "print r, b, g",
         right: "print r, g, b",
-        explanation: "A pixel is red, green, blue. Here green and blue change places: the sky turns green.",
+        explanation: "A pixel is red, green, blue. Here green and blue change places: a blue sky turns green.",
         page: "setup#a-picture-is-text",
         source: "common/src/engine/picture.rs",
         alter: |right| Program {
