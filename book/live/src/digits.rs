@@ -111,6 +111,9 @@ fn of_discriminant(found: &Numbers) -> String {
 /// What is left of t, of which 1 is so many `radii` long.
 fn of_t(found: &Numbers, radii: f64) -> String {
     match (found.t, found.exact_t, found.right_digits()) {
+        (Some(t), Some(exact), _) if t == exact => {
+            "No digit of *t* is wrong: exact arithmetic gives the same number.".to_owned()
+        }
         (Some(t), Some(exact), Some(right @ 2..)) => {
             let off = radii * (t - exact).abs();
             format!(

@@ -61,6 +61,11 @@ fn answer(numbers: &[f64]) -> Answer {
     };
     let found = hit(&ray).map(|record| (ray.direction.dot(outward(&record)), record.front_face));
     let sentence = match found {
+        None if (ray.origin.length() - 1.0).abs() < 1e-9 => {
+            "This ray starts on the sphere and leaves it. There *t* is 0, and only more than that counts: \
+            a surface does not meet what comes from it."
+                .to_owned()
+        }
         None if numbers[0] < 0.0 && numbers[1].abs() == 1.0 => {
             "This ray only touches the sphere, and rounding makes a miss of it.".to_owned()
         }
