@@ -66,8 +66,14 @@ fn a_page_that_breaks_the_rules_is_noticed() {
 
 fn assert_noticed(file: &Path, window: &mut dyn Window) {
     window.open_file(file, "");
+    window.value_of("new Promise((done) => setTimeout(() => done(null), 600))");
     let said = window.complaints().join("\n");
-    for complaint in ["a complaint", "an accident", "nobody.invalid/picture.png"] {
+    for complaint in [
+        "a complaint",
+        "an accident",
+        "a late one",
+        "nobody.invalid/picture.png",
+    ] {
         assert!(said.contains(complaint), "{complaint} is not in\n{said}");
     }
     let wide = list(&window.value_of(OVERFLOW)).join("\n");
@@ -504,11 +510,13 @@ fn axe() -> Option<&'static str> {
 
 /// Brings the first live figure near the screen, and waits until all that can move does,
 /// and all pictures are painted.
-const ALL_ALIVE: &str = "new Promise((done) => {
+const ALL_ALIVE: &str = "new Promise((done, fail) => {
     document.querySelector('figure.live')?.scrollIntoView();
-    const look = () => document.querySelector(
-        'figure.live:not(.alive), figure.live .sentence[aria-busy=true]') ? setTimeout(look, 5) : done();
+    const waiting = () => document.querySelector(
+        'figure.live:not(.alive), figure.live:has(.sentence[aria-busy=true])');
+    const look = () => waiting() ? setTimeout(look, 5) : done();
     look();
+    setTimeout(() => fail(`${waiting()?.id} does not come alive, or is never painted`), 30000);
 })";
 
 /// Of each drawing that is shown the size of its smallest words, but for subscripts; and
@@ -539,5 +547,6 @@ const BAD_PAGE: &str = "<!doctype html>
 <p style=\"width: 20px; overflow: hidden\"><math><mi>a</mi><mo>=</mo><mi>b</mi></math></p>
 <img src=\"http://nobody.invalid/picture.png\">
 </main>
-<script>console.error('a complaint'); throw new Error('an accident');</script>
+<script>setTimeout(() => console.error('a late one'), 500);
+console.error('a complaint'); throw new Error('an accident');</script>
 ";

@@ -107,6 +107,74 @@ fn in_the_figure_of_the_nearest_each_search_lets_another_sphere_win() {
 }
 
 #[test]
+fn the_text_beside_a_broken_figure_tells_what_that_shows() {
+    let told = |name, numbers: &[f64]| {
+        let live = ::live::find(name).expect("a live figure");
+        (live.answer)(numbers).says.remove(0).1
+    };
+    let roots = told("discriminant", &[0.0, 0.0, 1.0, 0.0, 3.0, 0.6, 1.2, 2.0]);
+    assert_eq!(roots, "the roots are −4.04 and −1.96");
+    let mut numbers = ::live::find("nearest").expect("a live figure").defaults();
+    for (search, held) in [(0.0, "∞, 2.27, 1.3, 1.3"), (2.0, "∞, 2.27, 1.3, 3.34")] {
+        numbers[12] = search;
+        assert_eq!(told("nearest", &numbers), held);
+    }
+}
+
+#[test]
+fn what_a_slip_makes_of_the_roots_is_told_of_those_that_are_off() {
+    let live = ::live::find("discriminant").expect("a live figure");
+    for (numbers, sentence) in [
+        (
+            [0.0, -0.55, 1.0, 0.0, 3.0, 0.6, 1.2, 3.0],
+            "The roots should be 2.66 and 3.34, but none comes out.",
+        ),
+        (
+            [1.8, 0.6, 1.0, 0.0, 3.0, 0.6, 1.2, 1.0],
+            "The roots should be 0 and 2.4, but −2.4 and 0 come out. At −2.4 the line is not on \
+             the sphere.",
+        ),
+        (
+            [0.0, 0.0, 1.0, 0.0, 3.0, 0.6, 1.2, 2.0],
+            "The roots should be 1.96 and 4.04, but −4.04 and −1.96 come out. These places are not \
+             on the sphere. What is missing on the axis is farther off.",
+        ),
+        // These differ from the right ones in their last bits.
+        (
+            [2.1, 0.9, 0.3, 0.9, 3.0, 0.6, 1.2, 1.0],
+            "Here the slip does no harm: the roots are the right ones. Change something, the radius \
+             too.",
+        ),
+    ] {
+        assert_eq!((live.answer)(&numbers).sentence, sentence);
+    }
+}
+
+#[test]
+fn a_ray_from_the_surface_and_a_root_without_an_error_are_told_as_such() {
+    let sentence = |name, numbers: &[f64]| {
+        let live = ::live::find(name).expect("a live figure");
+        (live.answer)(numbers).sentence
+    };
+    for from in [[1.0, 0.0], [0.6, 0.8]] {
+        let said = sentence("face_normal", &from);
+        assert!(said.starts_with("This ray starts on the sphere"), "{said}");
+    }
+    let said = sentence("face_normal", &[1.2, 0.0]);
+    assert!(said.starts_with("This ray does not meet"), "{said}");
+    let digits = ::live::find("digits").expect("a live figure");
+    let said: Vec<String> = questions(digits, 300)
+        .iter()
+        .map(|numbers| sentence("digits", numbers))
+        .collect();
+    assert!(
+        said.iter()
+            .any(|it| it.contains("No digit of *t* is wrong"))
+    );
+    assert!(!said.iter().any(|it| it.contains("off by 0 radii")));
+}
+
+#[test]
 fn what_is_no_number_or_out_of_range_is_put_right() {
     for live in FIGURES {
         let mut numbers = vec![f64::NAN; live.numbers.len()];
@@ -123,6 +191,10 @@ fn what_is_no_number_or_out_of_range_is_put_right() {
                 .zip(live.numbers)
                 .all(|(&it, number)| it == number.most)
         );
+        numbers.fill(0.6);
+        live.confine(&mut numbers);
+        let mut whole = numbers.iter().zip(live.numbers);
+        assert!(whole.all(|(it, number)| number.steps > 1.0 || it.fract() == 0.0));
     }
 }
 

@@ -89,7 +89,7 @@ fn digits(count: usize) -> String {
 fn parameters(numbers: &[f64]) -> Parameters {
     Parameters {
         tenths: (10.0 * numbers[0]).round() as u8,
-        pixel: DVec2::new(numbers[1], numbers[2]).round(),
+        pixel: DVec2::new(numbers[1], numbers[2]),
         radius: RADII[numbers[3] as usize],
     }
 }

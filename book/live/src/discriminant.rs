@@ -180,14 +180,10 @@ fn sentence_on(wrong: &Parameters, right: &Parameters) -> String {
     }
     let should = match true_ones[..] {
         [] => "There should be no root".to_owned(),
-        [only] => format!("The root should be {}", spoken(only)),
+        [_] => format!("The root should be {}", listed(&true_ones)),
         _ => format!("The roots should be {}", listed(&true_ones)),
     };
-    let come = match found[..] {
-        [] => "but none comes out.".to_owned(),
-        [only] => format!("but {} comes out.", spoken(only)),
-        _ => format!("but {} come out.", listed(&found)),
-    };
+    let comes = if found.len() == 2 { "come" } else { "comes" };
     let places = match off[..] {
         [] => String::new(),
         [only] => format!(" At {} the line is not on the sphere.", spoken(only)),
@@ -197,7 +193,10 @@ fn sentence_on(wrong: &Parameters, right: &Parameters) -> String {
         true => "",
         false => " What is missing on the axis is farther off.",
     };
-    format!("{should}, {come}{places}{farther}")
+    format!(
+        "{should}, but {} {comes} out.{places}{farther}",
+        listed(&found)
+    )
 }
 
 /// Whether two roots differ by rounding alone, in this figure.

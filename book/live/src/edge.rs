@@ -112,9 +112,9 @@ fn answer(numbers: &[f64]) -> Answer {
 }
 
 fn parameters(numbers: &[f64]) -> Parameters {
-    let cell = |n: usize| DVec2::new(numbers[n], numbers[n + 1]).round();
+    let cell = |n: usize| DVec2::new(numbers[n], numbers[n + 1]);
     Parameters {
-        doublings: numbers[0].round() as u8,
+        doublings: numbers[0] as u8,
         cell: cell(1),
         tangent: cell(3),
         method: METHODS[numbers[5] as usize],

@@ -81,7 +81,8 @@ impl Live {
         self.numbers.iter().map(|number| number.default).collect()
     }
 
-    /// Puts each number into its range; what is no number becomes the default.
+    /// Puts each number into its range, and whole ones on a whole number; what is no number
+    /// becomes the default.
     pub fn confine(&self, numbers: &mut [f64]) {
         for (n, number) in self.numbers.iter().enumerate() {
             numbers[n] = number.confine(numbers[n]);
@@ -176,7 +177,6 @@ impl Number {
 
     fn confine(&self, value: f64) -> f64 {
         match value.is_finite() {
-            // Whole numbers and choices are the ones of step 1.
             true if self.steps == 1.0 => value.clamp(self.least, self.most).round(),
             true => value.clamp(self.least, self.most),
             false => self.default,

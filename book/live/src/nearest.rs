@@ -55,7 +55,7 @@ pub(crate) const LIVE: Live = Live {
     ],
     actions: &[Action {
         name: "Next turn",
-        act: |numbers| numbers[10] = (numbers[10].round() + 1.0) % 4.0,
+        act: |numbers| numbers[10] = (numbers[10] + 1.0) % 4.0,
     }],
     answer,
 };
@@ -164,7 +164,7 @@ fn parameters<'a>(numbers: &[f64], search: &'a dyn Search) -> Parameters<'a> {
         spheres,
         order: ORDERS[list as usize],
         ray: Ray::new(Point3::new(q_x, q_y, 0.0), Vec3::new(d_x, d_y, 0.0)),
-        turns: turns.round() as usize,
+        turns: turns as usize,
         search,
     }
 }

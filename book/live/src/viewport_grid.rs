@@ -83,13 +83,13 @@ fn parameters(numbers: &[f64]) -> Parameters {
         camera: slip.map_or(right, |slip| {
             slip.program(Chapter::Gradient).camera(right.image_width)
         }),
-        pixel: [numbers[1], numbers[2]].map(|it| it.round() as u32),
+        pixel: [numbers[1], numbers[2]].map(|it| it as u32),
     }
 }
 
 /// The camera of the chapter.
 fn camera(numbers: &[f64]) -> Camera {
-    Camera::new(numbers[0].round() as u32)
+    Camera::new(numbers[0] as u32)
 }
 
 /// Where the ray of the pixel goes.

@@ -198,7 +198,6 @@ fn on_paper_a_live_figure_is_a_drawing_with_a_caption() {
     assert_eq!(list(&tab.evaluate(shown)), ["\"svg\"", "\"figcaption\""]);
 }
 
-/// The figure, the sliders and the sentence are what the crate answers.
 /// The figure shows what it does when its handle `n` is moved by so much. A browser may move
 /// a page by a fraction of a pixel meanwhile: either of two steps is right beside a border.
 fn assert_dragged(window: &mut dyn Window, live: &Live, n: usize, by: DVec2) {
@@ -214,6 +213,7 @@ fn assert_dragged(window: &mut dyn Window, live: &Live, n: usize, by: DVec2) {
     assert_shows(window, live, shown.unwrap_or(&near[0]));
 }
 
+/// The figure, the sliders and the sentence are what the crate answers.
 fn assert_shows(window: &mut dyn Window, live: &Live, numbers: &[f64]) {
     window.value_of(super::NEXT_FRAME);
     let text = live.text(numbers);
