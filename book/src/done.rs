@@ -5,12 +5,12 @@ use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use check::Chapter;
 use check::places::shown;
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 use common::engine::output;
 use jiff::Zoned;
+use slips::Chapter;
 
 use crate::mine::{Mine, TYPED};
 use crate::{steps, terminal};

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 use std::{env, fs};
 
-use check::Chapter;
 use check::places::shown;
 use common::engine::{companion, output};
+use slips::Chapter;
 
 use crate::save::{Format, save};
 

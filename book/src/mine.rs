@@ -3,8 +3,9 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
-use check::{Chapter, places};
+use check::places;
 use common::engine::output;
+use slips::Chapter;
 
 /// The chapters that are typed in a crate of one's own; the one before them is the setup.
 pub(crate) const TYPED: [Chapter; 5] = [

@@ -3,11 +3,11 @@
 use std::error::Error;
 use std::fmt::Write;
 
-use check::Chapter;
 use check::diagnosis::Scene;
-use check::slips::PROBES;
 use clap::Args;
 use common::engine::{companion, output};
+use slips::Chapter;
+use slips::PROBES;
 
 use crate::check::chapter_parser;
 

@@ -3,11 +3,11 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use check::Chapter;
 use clap::Args;
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
 use common::engine::{output, parse_width};
 use common::rtweekend::Picture;
+use slips::Chapter;
 
 use crate::draw;
 use crate::misuse::{Misuse, misuse};

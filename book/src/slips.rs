@@ -4,13 +4,13 @@ use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use check::Chapter;
 use check::diagnosis::Scene;
 use check::png;
-use check::slips::{self, Slip, Unseen};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Subcommand, value_parser};
 use common::engine::{companion, output};
+use slips::Chapter;
+use slips::{self, Slip, Unseen};
 
 use crate::check::chapter_parser;
 use crate::misuse::misuse;

@@ -1,8 +1,8 @@
 //! The steps of each chapter: a few lines to type, and one thing to see.
 
-use check::Chapter;
 use check::diagnosis::Scene;
 use common::rtweekend::*;
+use slips::Chapter;
 
 /// A few lines to type, after which there is something new to see.
 pub(crate) struct Step {

@@ -1,10 +1,10 @@
 //! The discriminant and the roots: drag the eye into the sphere, or behind it.
 
-use check::Chapter;
-use check::slips::{self, Program};
 use common::rtweekend::*;
 use figures::discriminant::{PLANE, Parameters, Right, Solver, draw, is_on_axis};
 use figures::spoken;
+use slips::Chapter;
+use slips::{self, Program};
 
 use crate::live::{Action, Answer, Handle, Live, Number};
 

@@ -6,8 +6,8 @@
 
 use std::cell::RefCell;
 
-use check::slips::{self, Slip};
 use glam::DVec2;
+use slips::{self, Slip};
 
 use crate::picture::{self, PICTURES, Painting};
 use crate::{FIGURES, Live};

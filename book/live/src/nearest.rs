@@ -1,10 +1,10 @@
 //! The nearest of several: drag the spheres, change their order, and go through the loop
 //! turn by turn.
 
-use check::Chapter;
-use check::slips::{self, Ball, Program};
 use common::rtweekend::*;
 use figures::nearest::{PLANE, Parameters, Right, Search, Turn, draw, in_digits};
+use slips::Chapter;
+use slips::{self, Ball, Program};
 
 use crate::live::{Action, Answer, Handle, Live, Number};
 

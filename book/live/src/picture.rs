@@ -3,10 +3,10 @@
 
 use std::iter;
 
-use check::Chapter;
-use check::slips::{Edition, PROBES, Slip, Unseen, Words};
 use common::rtweekend::Picture;
 use figures::escape;
+use slips::Chapter;
+use slips::{Edition, PROBES, Slip, Unseen, Words};
 
 /// A chapter whose page paints its picture.
 #[derive(Clone, Copy, Debug)]

@@ -1,10 +1,10 @@
 //! A grid of pixels on the viewport: choose how wide the picture is, and a pixel.
 
-use check::Chapter;
-use check::slips;
 use common::rtweekend::*;
 use figures::spoken;
 use figures::viewport_grid::{Parameters, draw, triple};
+use slips;
+use slips::Chapter;
 
 use crate::live::{Action, Answer, Handle, Live, Number};
 

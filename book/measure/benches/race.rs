@@ -8,13 +8,13 @@ use std::process::{Command, Stdio};
 use std::time::Instant;
 use std::{env, io};
 
-use check::Chapter;
 use clap::Parser;
 use common::engine::output;
 use figures::records::Race;
 use figures::table::{Record, Table};
 use measure::spread::Spread;
 use measure::{machine, rival};
+use slips::Chapter;
 
 /// Draws each picture in turns with the C++ program, and says how long it took.
 #[derive(Parser)]

@@ -6,10 +6,10 @@ use check::blind_spots::{BlindSpots, Showing};
 use check::diagnosis::{But, Conversion, Explains, Near, Scene, Set};
 use check::judge::{Check, Finding};
 use check::places;
-use check::slips::{Edition, Slip};
 use common::engine::output;
 use common::rtweekend::Color;
 use serde_json::{Value, json};
+use slips::{Edition, Slip};
 
 use super::judged::Judged;
 

@@ -13,14 +13,14 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
-use check::Chapter;
 use check::diagnosis::Scene;
 use check::judge::{self, Check};
 use check::report;
-use check::slips::{self, Edition, PROBES, Probe};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use common::engine::{companion, output};
+use slips::Chapter;
+use slips::{self, Edition, PROBES, Probe};
 
 use input::Source;
 use judged::Judged;

@@ -6,8 +6,8 @@ use std::path::Path;
 use check::diagnosis::{Near, Scene, Set, names_of};
 use check::judge::{Check, Finding};
 use check::places;
-use check::slips::{Edition, Slip};
 use common::engine::{companion, output};
+use slips::{Edition, Slip};
 use supports_color::Stream;
 
 use super::judged::Judged;

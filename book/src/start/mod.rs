@@ -8,11 +8,11 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use carry::Written;
-use check::Chapter;
 use check::places::{shown, workspace};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use common::engine::{companion, output};
+use slips::Chapter;
 
 use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;

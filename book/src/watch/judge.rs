@@ -3,14 +3,14 @@
 
 use std::iter;
 
-use check::Chapter;
 use check::blind_spots::BlindSpots;
 use check::diagnosis::{Near, Scene, Set, names_of};
 use check::judge::{self, Check, Finding};
 use check::reading::{self, Cause};
-use check::slips::{Edition, Slip};
 use common::engine::companion;
 use common::rtweekend::Picture;
+use slips::Chapter;
+use slips::{Edition, Slip};
 
 use super::laws::{self, Answer};
 use super::verdict::{Line, Verdict, labeled, printed, step_says};

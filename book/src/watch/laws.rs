@@ -5,9 +5,9 @@ use std::path::Path;
 use std::time::Duration;
 
 use ::laws::trial::Trial;
-use check::Chapter;
-use check::slips::{Ball, Program};
 use common::rtweekend::*;
+use slips::Chapter;
+use slips::{Ball, Program};
 
 use crate::program::{self, End};
 

@@ -14,13 +14,13 @@ use std::process::ExitCode;
 use std::time::{Duration, SystemTime};
 use std::{env, fs};
 
-use check::Chapter;
 use check::diagnosis::Scene;
 use check::places::shown;
-use check::slips::Probe;
 use clap::Args;
 use common::engine::{companion, output};
 use jiff::Zoned;
+use slips::Chapter;
+use slips::Probe;
 
 use crate::check::{chapter_parser, probe_parser, seconds};
 use crate::done::Done;

@@ -5,10 +5,10 @@ use std::io;
 use std::process::ExitStatus;
 use std::time::Duration;
 
-use check::Chapter;
 use check::diagnosis::Scene;
 use common::engine::output;
 use common::rtweekend::Picture;
+use slips::Chapter;
 
 use super::build::Problem;
 use crate::steps;

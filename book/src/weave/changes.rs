@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use check::Chapter;
+use slips::Chapter;
 
 use super::snapshot;
 

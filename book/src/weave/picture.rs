@@ -4,10 +4,10 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use check::Chapter;
-use check::slips::{self, Slip};
 use figures::escape;
 use live::picture::{self, LivePicture, PICTURES, WIDEST};
+use slips::Chapter;
+use slips::{self, Slip};
 
 /// The `image` of a chapter, in Markdown, with what is needed to paint it at another width
 /// and with a slip. The pages that the slips belong to are in the folder `notes`.

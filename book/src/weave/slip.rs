@@ -1,10 +1,10 @@
 //! Pictures of slips and of editions, drawn while the book is woven.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
-use check::Chapter;
 use check::png;
-use check::slips::{self, Edition, Look, Sight, Slip, Unseen};
 use common::rtweekend::Picture;
+use slips::Chapter;
+use slips::{self, Edition, Look, Sight, Slip, Unseen};
 
 /// The picture that a slip draws in a chapter, with the name of both below it.
 pub(super) fn slip(name: &str, chapter: &str) -> Result<String, String> {

@@ -1,6 +1,6 @@
 //! Half-finished pictures: what there is to see after a step on the way to a chapter.
 
-use check::Chapter;
+use slips::Chapter;
 
 use super::slip::image;
 use crate::steps;

@@ -5,9 +5,9 @@
 
 use std::iter;
 
-use crate::chapter::Chapter;
 use crate::diagnosis::{Scene, spread};
-use crate::slips::{self, Output, PROBES, Slip, Unseen};
+use slips::Chapter;
+use slips::{self, Output, PROBES, Slip, Unseen};
 
 /// What right pictures of a chapter leave open.
 #[derive(Clone, Debug)]

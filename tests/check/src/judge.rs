@@ -5,7 +5,7 @@ use common::rtweekend::Picture;
 use crate::comparison::{Comparison, Difference};
 use crate::diagnosis::{self, Diagnosis, Scene, Set};
 use crate::reading::{self, Cause, Reading};
-use crate::slips::Slip;
+use slips::Slip;
 
 /// What there is to say about a picture.
 #[derive(Debug)]

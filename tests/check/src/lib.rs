@@ -2,12 +2,11 @@
 //!
 //! In the order in which a file passes through it: [`reading`] makes a picture of
 //! bytes that may be anything, [`judge`] compares it with the right one by
-//! [`comparison`], [`diagnosis`] looks for the mistake among the known [`slips`],
+//! [`comparison`], [`diagnosis`] looks for the mistake among the known slips (package `slips`),
 //! and [`report`] shows both pictures on a page. If it is right, [`blind_spots`] says
 //! what it can't show.
 
 pub mod blind_spots;
-pub mod chapter;
 pub mod comparison;
 pub mod diagnosis;
 pub mod judge;
@@ -15,6 +14,3 @@ pub mod places;
 pub mod png;
 pub mod reading;
 pub mod report;
-pub mod slips;
-
-pub use chapter::Chapter;

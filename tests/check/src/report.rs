@@ -15,7 +15,7 @@ use crate::comparison::{Comparison, differing_pixels};
 use crate::diagnosis::{Scene, Set};
 use crate::judge::Finding;
 use crate::png;
-use crate::slips::{Edition, Slip};
+use slips::{Edition, Slip};
 
 /// The folder of the book, if it was woven.
 pub const BOOK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../target/book");

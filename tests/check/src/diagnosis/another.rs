@@ -4,9 +4,9 @@
 use super::candidates::{distance, spread};
 use super::scene::Scene;
 use super::search::Search;
-use crate::chapter::Chapter;
 use crate::reading::{Cause, Reading};
-use crate::slips::{Edition, PROBES};
+use slips::Chapter;
+use slips::{Edition, PROBES};
 
 /// How many pixels a glance is.
 const GLANCE: u32 = 64;

@@ -8,7 +8,7 @@ use common::rtweekend::Camera;
 
 use super::candidates::distance;
 use crate::reading::Reading;
-use crate::slips::Program;
+use slips::Program;
 
 /// A component that differs by more within a pixel and its neighbors is at an edge.
 const EDGE: i16 = 16;

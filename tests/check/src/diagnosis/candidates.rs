@@ -4,7 +4,7 @@ use std::hash::{DefaultHasher, Hasher};
 
 use super::scene::Scene;
 use crate::reading::Reading;
-use crate::slips::{Output, Slip};
+use slips::{Output, Slip};
 
 /// A program with slips in it, and how its numbers get into a file.
 #[derive(Clone)]

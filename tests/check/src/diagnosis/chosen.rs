@@ -4,9 +4,9 @@ use common::rtweekend::Color;
 
 use super::candidates::spread;
 use super::scene::{Chosen, Scene};
-use crate::chapter::Chapter;
 use crate::reading::Reading;
-use crate::slips::{Program, Slip};
+use slips::Chapter;
+use slips::{Program, Slip};
 
 /// How many pixels the colors are taken from.
 const LOOK: u32 = 4000;

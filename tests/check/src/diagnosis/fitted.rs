@@ -12,9 +12,9 @@ use common::rtweekend::Point3;
 use super::candidates::distance;
 use super::candidates::spread;
 use super::scene::{Chosen, Scene};
-use crate::chapter::{Chapter, Room};
 use crate::reading::Reading;
-use crate::slips::{Ball, Program};
+use slips::{Ball, Program};
+use slips::{Chapter, Room};
 
 /// How many pixels are compared for each step.
 const LOOK: u32 = 6000;

@@ -23,7 +23,7 @@ mod telling;
 mod wording;
 
 use crate::reading::Reading;
-use crate::slips::Slip;
+use slips::Slip;
 
 pub(crate) use candidates::spread;
 pub use candidates::{Conversion, Fit};

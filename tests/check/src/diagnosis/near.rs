@@ -7,7 +7,7 @@ use super::candidates::{distance, spread};
 use super::curve::Curve;
 use super::scene::{Chosen, Scene};
 use crate::reading::Reading;
-use crate::slips::{Output, Program};
+use slips::{Output, Program};
 
 /// A picture that is right, but for something that is no mistake.
 #[derive(Clone, Debug)]

@@ -3,8 +3,8 @@
 use common::engine::companion;
 use common::rtweekend::{Color, Picture};
 
-use crate::chapter::Chapter;
-use crate::slips::{self, Ball, Edition, Probe, Program, Slip};
+use slips::Chapter;
+use slips::{self, Ball, Edition, Probe, Program, Slip};
 
 /// A chapter's scene, or a probe's in that chapter, by one edition of the book.
 #[derive(Clone, Copy, Debug)]

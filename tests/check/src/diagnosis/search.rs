@@ -8,7 +8,7 @@ use super::near::{Near, near};
 use super::scene::Scene;
 use super::{Explains, Set};
 use crate::reading::Reading;
-use crate::slips::{Program, Slip};
+use slips::{Program, Slip};
 
 /// How many pixels are compared after the first glance.
 const FIRST_LOOK: u32 = 2000;

@@ -1,7 +1,7 @@
 //! Width and height: which mistakes give a picture its shape.
 
 use super::scene::Scene;
-use crate::slips::{Program, Slip};
+use slips::{Program, Slip};
 
 /// The slips with which a program draws `width` × `height` pixels where the
 /// right one does not, whatever the pixels are.

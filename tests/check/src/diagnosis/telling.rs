@@ -3,7 +3,7 @@
 use std::hash::{DefaultHasher, Hasher};
 
 use super::scene::Scene;
-use crate::slips::{PROBES, Probe, Slip};
+use slips::{PROBES, Probe, Slip};
 
 /// A probe in which mistakes draw different pictures.
 #[derive(Clone, Debug)]

@@ -4,7 +4,7 @@ use common::engine::companion;
 use common::rtweekend::Color;
 
 use super::{But, Chosen, Conversion, Curve, Explains, Near, Scene, Set};
-use crate::slips::{Ball, Edition, Slip};
+use slips::{Ball, Slip};
 
 impl Set {
     /// How well the mistakes explain a picture of that many pixels.
@@ -194,17 +194,6 @@ fn rounded(number: f64) -> f64 {
 fn about(samples: f64) -> f64 {
     let scale = 10_f64.powf(samples.max(1.0).log10().floor());
     (samples / scale).round().max(1.0) * scale
-}
-
-impl Edition {
-    /// After "right" or "wrong": which edition it is judged by, if it is not the one
-    /// that this workspace follows.
-    pub fn said(self) -> String {
-        match self {
-            Self::V4 => String::new(),
-            older => format!(" by {older}"),
-        }
-    }
 }
 
 /// The names of slips that were made together.

@@ -5,8 +5,8 @@ use std::ops::Range;
 use common::rtweekend::Picture;
 
 use super::view::View;
-use crate::chapter::{Chapter, Room};
 use crate::diagnosis::candidates::distance;
+use slips::{Chapter, Room};
 
 impl View<'_> {
     /// What the outline of the only sphere says, if there is one sphere and it is

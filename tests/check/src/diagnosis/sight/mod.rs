@@ -9,8 +9,8 @@ mod tinted;
 mod view;
 
 use super::scene::Scene;
-use crate::chapter::Room;
 use crate::reading::Reading;
+use slips::Room;
 
 use view::View;
 

@@ -4,7 +4,7 @@ use common::rtweekend::Camera;
 
 use super::view::{View, color};
 use crate::diagnosis::candidates::distance;
-use crate::slips::Program;
+use slips::Program;
 
 /// The right color of the place to which a turn takes a pixel.
 type Turn<'a> = &'a dyn Fn(u32) -> [i16; 3];

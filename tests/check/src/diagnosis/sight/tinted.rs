@@ -1,8 +1,8 @@
 //! Colors that are off in the same way everywhere.
 
 use super::view::View;
-use crate::chapter::Chapter;
 use crate::diagnosis::chosen::chosen;
+use slips::Chapter;
 
 impl View<'_> {
     /// Red, green and blue in another order.

@@ -5,7 +5,7 @@ use common::rtweekend::{Camera, Picture};
 use crate::diagnosis::candidates::{distance, spread};
 use crate::diagnosis::scene::Scene;
 use crate::reading::Reading;
-use crate::slips::Program;
+use slips::Program;
 
 /// How many pixels are looked at where all would be too many.
 const LOOK: u32 = 5000;

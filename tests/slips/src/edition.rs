@@ -1,0 +1,204 @@
+//! Editions of the book: the same chapters under another camera.
+//!
+//! An edition is the program of the latest one with other steps, like a slip, but
+//! right from its first line to its last. The facts are from the listings in the
+//! repositories `RayTracing/InOneWeekend` (versions 1 and 2) and
+//! `RayTracing/raytracing.github.io` (the others), as they stand at each tag.
+
+use std::fmt;
+
+use common::rtweekend::*;
+
+use super::program::Program;
+use super::single;
+use crate::chapter::{Chapter, Room};
+
+/// The versions of *Ray Tracing in One Weekend* whose pictures of these chapters
+/// differ. A version that is not named here draws what the one before it draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Edition {
+    /// Versions 1 and 2, 2016 to 2019: twice as wide as high, rows from below, and all of
+    /// it in `float`.
+    V1,
+    /// The same in `double`, as many have typed it.
+    V1InDouble,
+    /// Version 3.0, March 2020: the same with other factors.
+    V3_0,
+    /// Version 3.1.0, in May 2020 for two weeks: 16:9 through a larger viewport.
+    V3_1_0,
+    /// The other versions 3, 2020 to 2023: 16:9, rows from below.
+    V3,
+    /// Version 4, 2023 and after, which this workspace follows: rows from above, and each
+    /// ray through the middle of its pixel.
+    V4,
+}
+
+impl Edition {
+    /// All of them, the one that this workspace follows first.
+    pub const ALL: [Self; 6] = [
+        Self::V4,
+        Self::V3,
+        Self::V3_0,
+        Self::V1,
+        Self::V1InDouble,
+        Self::V3_1_0,
+    ];
+
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::V1 | Self::V1InDouble => "1",
+            Self::V3_0 => "3.0",
+            Self::V3_1_0 => "3.1.0",
+            Self::V3 => "3",
+            Self::V4 => "4",
+        }
+    }
+
+    /// What it has otherwise than version 4.
+    pub fn differs_by(self) -> &'static str {
+        match self {
+            Self::V1 | Self::V1InDouble => {
+                "200 × 100 pixels, a viewport of 4 × 2, u = i / nx, rows from below, int(255.99 * r); blue 0.2 in the build test"
+            }
+            Self::V3_0 => {
+                "200 × 100 pixels, a viewport of 4 × 2, u = i / image_width, rows from below; blue 0.2 in the build test"
+            }
+            Self::V3_1_0 => {
+                "u = i / (image_width - 1), rows from below, a viewport of 4 × 2.25 and for the list one of 4 × 2; blue 0.25 in the build test"
+            }
+            Self::V3 => {
+                "u = i / (image_width - 1), rows from below, viewport_width = aspect_ratio * viewport_height; blue 0.25 in the build test"
+            }
+            Self::V4 => "nothing",
+        }
+    }
+
+    /// The chapter's program in this edition.
+    ///
+    /// # Panics
+    /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
+    pub fn program(self, chapter: Chapter) -> Program {
+        self.put_to(Program::right(chapter))
+    }
+
+    /// After "right" or "wrong": which edition it is judged by, if it is not the one
+    /// that this workspace follows.
+    pub fn said(self) -> String {
+        match self {
+            Self::V4 => String::new(),
+            older => format!(" by {older}"),
+        }
+    }
+
+    /// Whether row 0 is the lowest one, and the edge of the viewport points up.
+    pub fn counts_from_below(self) -> bool {
+        self != Self::V4
+    }
+
+    /// Whether its camera divides the edges of the viewport. The oldest ones write out
+    /// what comes of it, as `lower_left_corner(-2.0, -1.0, -1.0)`.
+    pub(super) fn divides_the_viewport(self) -> bool {
+        matches!(self, Self::V3_1_0 | Self::V3 | Self::V4)
+    }
+
+    /// The program of the same chapter in this edition, from that of version 4.
+    pub(crate) fn put_to(self, program: Program) -> Program {
+        let is_square = program.chapter == Chapter::BuildTest;
+        let edition = self;
+        let program = Program { edition, ..program };
+        match self {
+            Self::V1 => Program {
+                color: match program.chapter {
+                    Chapter::BuildTest => program.color,
+                    _ => single::color,
+                },
+                level: |component| (255.99 * component) as i32,
+                ..two_to_one(program)
+            },
+            Self::V1InDouble => Program {
+                level: |component| (255.99 * component) as i32,
+                ..two_to_one(program)
+            },
+            Self::V3_0 => two_to_one(program),
+            Self::V3_1_0 if program.chapter.room() == Room::Many => Program {
+                viewport_ratio: |_, _, _| 2.0,
+                ..from_below(program)
+            },
+            Self::V3_1_0 if !is_square => Program {
+                viewport_height: 2.25,
+                viewport_ratio: |_, _, _| 4.0 / 2.25,
+                ..from_below(program)
+            },
+            Self::V3 | Self::V3_1_0 => from_below(program),
+            Self::V4 => program,
+        }
+    }
+
+    /// The row that the loop counts as it draws the `j`th row from above.
+    pub(super) fn row(self, j: u32, image_height: u32) -> f64 {
+        match self.counts_from_below() {
+            true => f64::from(image_height) - 1.0 - f64::from(j),
+            false => f64::from(j),
+        }
+    }
+
+    /// The ray for a column and a row as the loops count them.
+    pub(super) fn ray(self, program: &Program, camera: &Camera, i: f64, j: f64) -> Ray {
+        let [u, v] = match self.counts_from_below() {
+            true => {
+                let (width, height) = (camera.image_width, camera.image_height);
+                let [across, up] = (program.divisors)(width.into(), height.into());
+                [i / across, j / up]
+            }
+            false => [i, j],
+        };
+        let plus = program.plus;
+        let in_column = plus(camera.pixel00, u * camera.pixel_delta_u);
+        let point = plus(in_column, v * camera.pixel_delta_v);
+        Ray::new(camera.center, point - camera.center)
+    }
+}
+
+impl fmt::Display for Edition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::V1 => "version 1 or 2 of the book (2016 to 2019)",
+            Self::V1InDouble => "version 1 or 2 of the book (2016 to 2019), in double precision",
+            Self::V3_0 => "version 3.0 of the book (March 2020)",
+            Self::V3_1_0 => "version 3.1.0 of the book (May 2020)",
+            Self::V3 => "version 3 of the book (2020 to 2023)",
+            Self::V4 => "version 4 of the book",
+        })
+    }
+}
+
+/// 16:9. The viewport's left edge points up from its lower left corner, and a pixel is
+/// a fraction of the whole edges.
+fn from_below(program: Program) -> Program {
+    Program {
+        image_height: match program.chapter {
+            Chapter::BuildTest => program.image_height,
+            _ => |width, aspect_ratio| (width / aspect_ratio) as u32,
+        },
+        viewport_ratio: |_, _, aspect_ratio| aspect_ratio,
+        viewport_v: |_, height| Vec3::new(0.0, height, 0.0),
+        divisors: |width, height| [width - 1.0, height - 1.0],
+        pixel_deltas: |_, u, v, _| [u, v],
+        inset: [0.0, 0.0],
+        blue: 0.25,
+        ..program
+    }
+}
+
+/// Twice as wide as high, in all chapters, and the last column stops short of 1.
+fn two_to_one(program: Program) -> Program {
+    Program {
+        aspect_ratio: 2.0,
+        image_height: |width, aspect_ratio| (width / aspect_ratio) as u32,
+        viewport_ratio: |_, _, _| 2.0,
+        divisors: |width, height| [width, height],
+        blue: 0.2,
+        ..from_below(program)
+    }
+}

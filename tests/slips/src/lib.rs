@@ -1,0 +1,47 @@
+//! Mutants of the chapters: the mistakes that readers make, here called *slips*, as
+//! programs that make them.
+//!
+//! [`all`] lists them, [`Program`] draws what each of them draws,
+//! and a [`Probe`] is a small change of scene that makes one visible where the
+//! book's picture hides it:
+//!
+//! ```
+//! use slips::Chapter;
+//! use slips::Program;
+//!
+//! let chapter = Chapter::find("half_b_sphere").unwrap();
+//! let slip = slips::find("minus-h").unwrap();
+//! // The sign slip loses the sphere, and only the sky is left:
+//! assert_eq!(slip.program(chapter).run(64).picture(), gradient::picture(64));
+//!
+//! // Behind the camera it finds a sphere where nothing should be:
+//! let probe = slips::find_probe("behind").unwrap();
+//! let [wrong, right] = [slip.program(chapter), Program::right(chapter)]
+//!     .map(|program| probe.put_to(program).unwrap().run(probe.width).picture());
+//! assert_ne!(wrong, right);
+//!
+//! // Its intersection alone, to be put under a law:
+//! let hit_sphere = |center, radius, ray: &_| slip.program(chapter).hit_sphere(center, radius, ray);
+//! # use common::rtweekend::*;
+//! let ahead = Ray::new(Point3::ZERO, Vec3::new(0.0, 0.0, -1.0));
+//! assert_eq!(hit_sphere(Point3::new(0.0, 0.0, -1.0), 0.5, &ahead), Some(-1.5));
+//! ```
+
+mod catalogue;
+mod chapter;
+mod edition;
+mod look;
+mod output;
+mod probes;
+mod program;
+mod single;
+mod slip;
+
+pub use catalogue::{all, find};
+pub use chapter::{Chapter, Room};
+pub use edition::Edition;
+pub use look::{Look, SIGHT_WIDTH, Sight, sights};
+pub use output::Output;
+pub use probes::{PROBES, Probe, find as find_probe};
+pub use program::{Ball, Program};
+pub use slip::{Slip, Unseen, Words};

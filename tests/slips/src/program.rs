@@ -1,0 +1,387 @@
+//! A chapter as a table of functions, so that one step of it can be replaced.
+
+use common::rtweekend::*;
+
+use crate::chapter::Chapter;
+use crate::edition::Edition;
+
+/// A sphere as plain data.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball {
+    /// Its center.
+    pub center: Point3,
+    /// Its radius.
+    pub radius: f64,
+}
+
+impl Ball {
+    /// The sphere at (`x`, `y`, `z`).
+    pub const fn new(x: f64, y: f64, z: f64, radius: f64) -> Self {
+        Self {
+            center: Point3::new(x, y, z),
+            radius,
+        }
+    }
+}
+
+/// The sphere of chapters 2 to 4.
+pub(super) const BALL: Ball = Ball::new(0.0, 0.0, -1.0, 0.5);
+
+/// A chapter as its steps, in the order in which a pixel passes through them.
+///
+/// The steps are fields, so a slip is the right program with one of them
+/// replaced, and two slips make a program that has both. Where a step needs
+/// another one it gets the program, because that one may be replaced as well.
+#[derive(Clone, Copy)]
+pub struct Program {
+    /// Which chapter it is meant to be.
+    pub chapter: Chapter,
+    /// Which edition of the book it follows.
+    pub edition: Edition,
+    /// Width over height, as the reader would like it.
+    pub aspect_ratio: f64,
+    /// Rows of the picture, from its width and the aspect ratio.
+    pub image_height: fn(f64, f64) -> u32,
+    /// Width over height of the viewport, from the width and the height of the
+    /// picture and the aspect ratio.
+    pub viewport_ratio: fn(f64, f64, f64) -> f64,
+    /// Height of the viewport in units of space.
+    pub viewport_height: f64,
+    /// The viewport's upper edge from left to right, given its width and height.
+    pub viewport_u: fn(f64, f64) -> Vec3,
+    /// The viewport's left edge from top to bottom, given its width and height.
+    pub viewport_v: fn(f64, f64) -> Vec3,
+    /// From the eye to the viewport, along the negative z axis.
+    pub focal_length: f64,
+    /// Which part of the two edges lies left of, and above, the axis.
+    pub corner: f64,
+    /// By how much columns and rows are divided to run from 0 to 1, given the
+    /// picture's width and height.
+    pub divisors: fn(f64, f64) -> [f64; 2],
+    /// From pixel to pixel along both edges, given these and the divisors.
+    pub pixel_deltas: fn(&Program, Vec3, Vec3, [f64; 2]) -> [Vec3; 2],
+    /// How far the first pixel is from the upper left corner, to the right and down, in
+    /// pixels.
+    pub inset: [f64; 2],
+    /// The column and row of the nth printed pixel, given the picture's width
+    /// and height.
+    pub order: fn(u32, u32, u32) -> (u32, u32),
+    /// Blue in every pixel of the build test.
+    pub blue: f64,
+    /// The color of the pixel in a column and row.
+    pub color: fn(&Program, &Camera, u32, u32) -> Color,
+    /// The ray through the pixel in a column and row.
+    pub ray: fn(&Program, &Camera, u32, u32) -> Ray,
+    /// The sum of two vectors.
+    pub plus: fn(Vec3, Vec3) -> Vec3,
+    /// A vector divided by a number.
+    pub over: fn(Vec3, f64) -> Vec3,
+    /// The vector of length 1 in the same direction.
+    pub unit: fn(Vec3) -> Vec3,
+    /// The direction by which the sky is blended, from that of the ray.
+    pub sky_direction: fn(&Program, Vec3) -> Vec3,
+    /// The weight of blue in the sky, from the direction of the ray.
+    pub blend: fn(&Program, Vec3) -> f64,
+    /// The colors of the sky, below and above.
+    pub sky: [Color; 2],
+    /// The sky's color from the weight of the one above.
+    pub lerp: fn([Color; 2], f64) -> Color,
+    /// What there is to hit.
+    pub world: &'static [Ball],
+    /// Spheres in place of the first three of these.
+    pub own: [Option<Ball>; 3],
+    /// Which hit wins.
+    pub search: fn(&Program, &Ray) -> Option<(f64, Ball)>,
+    /// Only a greater ray parameter counts.
+    pub t_min: f64,
+    /// Only a lesser one counts: no bound in any chapter, but a list has one.
+    pub t_max: f64,
+    /// Whether `t_min`, `t` and `t_max` follow each other.
+    pub in_range: fn(f64, f64, f64) -> bool,
+    /// From the ray's origin to the sphere's center, given center and origin.
+    pub oc: fn(Point3, Point3) -> Vec3,
+    /// The dot product.
+    pub dot: fn(Vec3, Vec3) -> f64,
+    /// The square of a length.
+    pub squared: fn(&Program, Vec3) -> f64,
+    /// The quadratic's a from the ray's direction.
+    pub a: fn(&Program, Vec3) -> f64,
+    /// The quadratic's b or h from d·oc.
+    pub linear: fn(f64) -> f64,
+    /// The quadratic's c from oc·oc and the radius.
+    pub constant: fn(f64, f64) -> f64,
+    /// From a, b or h, and c.
+    pub discriminant: fn(f64, f64, f64) -> f64,
+    /// Whether there is a root, from the discriminant.
+    pub meets: fn(f64) -> bool,
+    /// What is returned as `t` where there is no root.
+    pub missed: Option<f64>,
+    /// The square root.
+    pub sqrt: fn(f64) -> f64,
+    /// The first term of the numerator, from b or h.
+    pub first_term: fn(f64) -> f64,
+    /// The numerators of the two roots that are tried, one after the other,
+    /// from the first term, the square root, and a.
+    pub numerators: fn(f64, f64, f64) -> [f64; 2],
+    /// A root from its numerator and a.
+    pub divide: fn(f64, f64) -> f64,
+    /// The point at a ray parameter.
+    pub at: fn(&Program, &Ray, f64) -> Point3,
+    /// The unit normal that points out, from a point on a sphere.
+    pub outward: fn(&Program, Point3, Ball) -> Vec3,
+    /// The normal that is colored, from the ray's direction and the one that
+    /// points out.
+    pub face: fn(&Program, Vec3, Vec3) -> Vec3,
+    /// The color of a sphere that has only one.
+    pub paint: Color,
+    /// The color of a hit, from the one above or from the normal.
+    pub shade: fn(Color, Vec3) -> Color,
+    /// An integer for the file, from a color's component.
+    pub level: fn(f64) -> i32,
+    /// Which component is printed first, second and third.
+    pub channels: [usize; 3],
+    /// Width and height as the header of the file tells them.
+    pub header: fn(u32, u32) -> (u32, u32),
+}
+
+impl Program {
+    /// The chapter as it should be.
+    ///
+    /// A copy, since the chapter itself can't be taken apart; a test compares
+    /// the two.
+    ///
+    /// # Panics
+    /// If it is not one of [`Chapter::OF_THE_BOOK`].
+    pub fn right(chapter: Chapter) -> Self {
+        match chapter {
+            Chapter::BuildTest => BUILD_TEST,
+            Chapter::Gradient => GRADIENT,
+            Chapter::RedSphere => RED_SPHERE,
+            Chapter::Normals => NORMALS,
+            Chapter::HalfBSphere => HALF_B_SPHERE,
+            Chapter::HittableList => HITTABLE_LIST,
+            Chapter::SpeedVsAccuracy => panic!("chapter 6 is no program of the book"),
+        }
+    }
+
+    /// The camera of the program.
+    pub fn camera(&self, image_width: u32) -> Camera {
+        let width = f64::from(image_width);
+        let image_height = (self.image_height)(width, self.aspect_ratio);
+        let height = f64::from(image_height);
+        let center = Point3::ZERO;
+
+        let viewport_ratio = (self.viewport_ratio)(width, height, self.aspect_ratio);
+        let viewport_width = self.viewport_height * viewport_ratio;
+        let viewport_u = (self.viewport_u)(viewport_width, self.viewport_height);
+        let viewport_v = (self.viewport_v)(viewport_width, self.viewport_height);
+        let divisors = (self.divisors)(width, height);
+        let [pixel_delta_u, pixel_delta_v] =
+            (self.pixel_deltas)(self, viewport_u, viewport_v, divisors);
+
+        let part = |edge| match self.edition.divides_the_viewport() {
+            true => (self.over)(edge, 1.0 / self.corner),
+            false => self.corner * edge,
+        };
+        let corner =
+            center - Vec3::new(0.0, 0.0, self.focal_length) - part(viewport_u) - part(viewport_v);
+        let [right, down] = self.inset;
+        let inset = (self.plus)(right * pixel_delta_u, down * pixel_delta_v);
+        Camera {
+            image_width,
+            image_height,
+            center,
+            pixel00: match self.edition.counts_from_below() {
+                true => corner,
+                false => (self.plus)(corner, inset),
+            },
+            pixel_delta_u,
+            pixel_delta_v,
+        }
+    }
+
+    /// The chapter's `ray_color`.
+    pub fn ray_color(&self, ray: &Ray) -> Color {
+        match (self.search)(self, ray) {
+            Some((t, ball)) => {
+                let outward = (self.outward)(self, (self.at)(self, ray, t), ball);
+                (self.shade)(self.paint, (self.face)(self, ray.direction, outward))
+            }
+            None => (self.lerp)(self.sky, (self.blend)(self, ray.direction)),
+        }
+    }
+
+    /// What there is to hit.
+    pub(super) fn balls(&self) -> impl DoubleEndedIterator<Item = Ball> + ExactSizeIterator {
+        let own = self.own;
+        let ball = move |(n, &ball): (usize, &Ball)| own.get(n).copied().flatten().unwrap_or(ball);
+        self.world.iter().enumerate().map(ball)
+    }
+
+    /// The ray of a program without a slip in it.
+    pub(super) fn right_ray(&self, camera: &Camera, i: u32, j: u32) -> Ray {
+        let row = self.edition.row(j, camera.image_height);
+        self.edition.ray(self, camera, i.into(), row)
+    }
+
+    /// The color of the build test where red is made of `i` and green of `j`.
+    pub(super) fn ramp(&self, camera: &Camera, i: f64, j: f64) -> Color {
+        let (width, height) = (camera.image_width, camera.image_height);
+        let [across, down] = (self.divisors)(width.into(), height.into());
+        Color::new(i / across, j / down, self.blue)
+    }
+
+    /// The `hit_sphere` of chapters 2 to 4, which knows no interval: the nearer
+    /// root `t`, in lengths of `ray.direction`. Chapter 2 only tells whether
+    /// there is one.
+    pub fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
+        self.roots(Ball { center, radius }, ray)
+            .map(|[first, _]| first)
+    }
+
+    /// The `hit` of a sphere in chapter 5: the first root tried that lies in
+    /// the interval, in lengths of `ray.direction`.
+    pub fn hit(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
+        let roots = self.roots(ball, ray)?;
+        roots
+            .into_iter()
+            .find(|&t| (self.in_range)(t_min, t, t_max))
+    }
+
+    /// The two roots that are tried, one after the other.
+    fn roots(&self, ball: Ball, ray: &Ray) -> Option<[f64; 2]> {
+        let oc = (self.oc)(ball.center, ray.origin);
+        let a = (self.a)(self, ray.direction);
+        let b = (self.linear)((self.dot)(ray.direction, oc));
+        let c = (self.constant)((self.squared)(self, oc), ball.radius);
+        let discriminant = (self.discriminant)(a, b, c);
+        if !(self.meets)(discriminant) {
+            return self.missed.map(|t| [t; 2]);
+        }
+        let numerators = (self.numerators)((self.first_term)(b), (self.sqrt)(discriminant), a);
+        Some(numerators.map(|numerator| (self.divide)(numerator, a)))
+    }
+}
+
+/// The last chapter has all there is; each one before it is the next one with
+/// a few steps less.
+const HITTABLE_LIST: Program = Program {
+    chapter: Chapter::HittableList,
+    edition: Edition::V4,
+    aspect_ratio: 16.0 / 9.0,
+    image_height: |width, aspect_ratio| ((width / aspect_ratio) as u32).max(1),
+    viewport_ratio: |width, height, _| width / height,
+    viewport_height: 2.0,
+    viewport_u: |width, _| Vec3::new(width, 0.0, 0.0),
+    viewport_v: |_, height| Vec3::new(0.0, -height, 0.0),
+    focal_length: 1.0,
+    corner: 0.5,
+    divisors: |width, height| [width, height],
+    pixel_deltas: |program, u, v, [across, down]| {
+        [(program.over)(u, across), (program.over)(v, down)]
+    },
+    inset: [0.5, 0.5],
+    order: |n, width, _| (n % width, n / width),
+    blue: 0.0,
+    color: |program, camera, i, j| program.ray_color(&(program.ray)(program, camera, i, j)),
+    ray: Program::right_ray,
+    plus: |u, v| u + v,
+    over: |v, t| v * (1.0 / t),
+    unit: Vec3::normalize,
+    sky_direction: |program, direction| (program.unit)(direction),
+    blend: |program, direction| 0.5 * ((program.sky_direction)(program, direction).y + 1.0),
+    sky: [Color::new(1.0, 1.0, 1.0), Color::new(0.5, 0.7, 1.0)],
+    lerp: |[below, above], a| (1.0 - a) * below + a * above,
+    world: &[BALL, Ball::new(0.0, -100.5, -1.0, 100.0)],
+    own: [None; 3],
+    search: nearest,
+    t_min: 0.0,
+    t_max: f64::INFINITY,
+    in_range: |t_min, t, t_max| t_min < t && t < t_max,
+    oc: |center, origin| center - origin,
+    dot: Vec3::dot,
+    squared: |_, v| v.length_squared(),
+    a: |program, direction| (program.squared)(program, direction),
+    linear: |d_oc| d_oc,
+    constant: |oc_squared, radius| oc_squared - radius * radius,
+    discriminant: |a, h, c| h * h - a * c,
+    meets: |discriminant| discriminant >= 0.0,
+    missed: None,
+    sqrt: f64::sqrt,
+    first_term: |h| h,
+    numerators: |first, sqrtd, _| [first - sqrtd, first + sqrtd],
+    divide: |numerator, a| numerator / a,
+    at: |program, ray, t| (program.plus)(ray.origin, t * ray.direction),
+    outward: |program, point, ball| (program.over)(point - ball.center, ball.radius),
+    face: |program, direction, outward| {
+        if (program.dot)(direction, outward) < 0.0 {
+            outward
+        } else {
+            -outward
+        }
+    },
+    paint: Color::new(1.0, 0.0, 0.0),
+    shade: |_, normal| 0.5 * (normal + Vec3::ONE),
+    level: |component| (255.999 * component) as i32,
+    channels: [0, 1, 2],
+    header: |width, height| (width, height),
+};
+
+const HALF_B_SPHERE: Program = Program {
+    chapter: Chapter::HalfBSphere,
+    world: &[BALL],
+    numerators: |first, sqrtd, _| [first - sqrtd; 2],
+    outward: |program, point, ball| (program.unit)(point - ball.center),
+    face: |_, _, outward| outward,
+    ..HITTABLE_LIST
+};
+
+const NORMALS: Program = Program {
+    chapter: Chapter::Normals,
+    squared: |program, v| (program.dot)(v, v),
+    linear: |d_oc| -2.0 * d_oc,
+    discriminant: |a, b, c| b * b - 4.0 * a * c,
+    first_term: |b| -b,
+    divide: |numerator, a| numerator / (2.0 * a),
+    ..HALF_B_SPHERE
+};
+
+/// It asks whether there is a root, not where.
+const RED_SPHERE: Program = Program {
+    chapter: Chapter::RedSphere,
+    t_min: f64::NEG_INFINITY,
+    shade: |paint, _| paint,
+    ..NORMALS
+};
+
+const GRADIENT: Program = Program {
+    chapter: Chapter::Gradient,
+    world: &[],
+    ..RED_SPHERE
+};
+
+const BUILD_TEST: Program = Program {
+    chapter: Chapter::BuildTest,
+    image_height: |width, _| width as u32,
+    divisors: |width, height| [(width - 1.0).max(1.0), (height - 1.0).max(1.0)],
+    color: |program, camera, i, j| {
+        program.ramp(
+            camera,
+            i.into(),
+            program.edition.row(j, camera.image_height),
+        )
+    },
+    ..GRADIENT
+};
+
+fn nearest(program: &Program, ray: &Ray) -> Option<(f64, Ball)> {
+    let mut found = None;
+    let mut closest_so_far = program.t_max;
+    for ball in program.balls() {
+        if let Some(t) = program.hit(ball, ray, program.t_min, closest_so_far) {
+            closest_so_far = t;
+            found = Some((t, ball));
+        }
+    }
+    found
+}

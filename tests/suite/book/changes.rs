@@ -1,0 +1,156 @@
+//! What the book shows as changed from chapter to chapter is what changed.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use check::comparison::Comparison;
+use check::png;
+use check::report::difference_picture;
+use common::rtweekend::Picture;
+use insta::{assert_binary_snapshot, assert_snapshot};
+use similar::TextDiff;
+use slips::Chapter;
+
+use suite::drawn::SamePixels;
+use suite::left_out::left_out;
+
+const NOTES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/changes");
+
+mod the_snapshot_shows_the_changes_to {
+    macro_rules! stages {
+        ($($chapter:ident)*) => {
+            pub(super) const NAMES: &[&str] = &[$(stringify!($chapter)),*];
+            $(
+                #[test]
+                fn $chapter() {
+                    super::assert_changes(stringify!($chapter));
+                }
+            )*
+        };
+    }
+    stages! { gradient red_sphere normals half_b_sphere hittable_list }
+}
+
+#[test]
+fn no_chapter_of_the_book_goes_without_its_changes() {
+    // The sixth changes nothing: it measures the functions of the others.
+    let chapters = &Chapter::OF_THE_BOOK[1..];
+    let names: Vec<&str> = chapters.iter().map(|chapter| chapter.name()).collect();
+    assert_eq!(
+        names,
+        the_snapshot_shows_the_changes_to::NAMES,
+        "name the new chapter in the list above this test, in the same order"
+    );
+}
+
+/// Compares what changed on the way to the chapter with the files in the book: the
+/// picture. The code of a chapter may be typed in other words, so what the book shows
+/// of that is only compared when it is written anew.
+fn assert_changes(name: &str) {
+    let [before, after] = Chapter::ALL
+        .array_windows()
+        .find(|[_, after]| after.name() == name)
+        .expect("the chapter comes after another one");
+    let pictures = [before, after].map(|chapter| chapter.picture(chapter.book_width()));
+    let sentence = picture_sentence(&pictures);
+    let text = format!("{sentence}\n\n{}", code(before, after));
+    let shown = Path::new(NOTES).join(name).with_extension("snap");
+    let shown = fs::read_to_string(shown).unwrap_or_default();
+    let in_other_words = shown.contains(&sentence) && !shown.contains(&text);
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(NOTES);
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    if in_other_words && env::var_os("INSTA_UPDATE").is_none() {
+        left_out(&format!(
+            "`{name}` or the chapter before it is typed in other words than the book shows. To show \
+             these: INSTA_UPDATE=always cargo test the_snapshot_shows_the_changes_to::{name}"
+        ));
+    } else {
+        settings.bind(|| assert_snapshot!(name, text));
+    }
+    if let Some(pixels) = changed_pixels(&pictures) {
+        settings.set_comparator(Box::new(SamePixels));
+        settings.bind(|| {
+            assert_binary_snapshot!(&format!("{name}_pixels.png"), png::encode(&pixels));
+        });
+    }
+}
+
+fn picture_sentence([before, after]: &[Picture; 2]) -> String {
+    match Comparison::of(before, after) {
+        Comparison::Equal => "The picture does not change, not by a single bit.".to_owned(),
+        Comparison::Size((width, height), (new_width, new_height)) => format!(
+            "The picture is another one, of {new_width} × {new_height} pixels instead of {width} × {height}."
+        ),
+        Comparison::Pixels(difference) => format!(
+            "{} of {} pixels change, in columns {} to {} and rows {} to {}.",
+            difference.count,
+            difference.total,
+            difference.columns.0,
+            difference.columns.1,
+            difference.rows.0,
+            difference.rows.1
+        ),
+    }
+}
+
+/// The pixels that change, if some do and some don't.
+fn changed_pixels([before, after]: &[Picture; 2]) -> Option<Picture> {
+    match Comparison::of(before, after) {
+        Comparison::Pixels(_) => difference_picture(before, after),
+        Comparison::Equal | Comparison::Size(..) => None,
+    }
+}
+
+/// The new files, and the lines that change in `lib.rs`, as Markdown. Comments
+/// are left out: they are all new, and hide how little the code changes.
+fn code(before: &Chapter, after: &Chapter) -> String {
+    let [before, after] = [before, after].map(|chapter| sources(chapter.name()));
+    let old_names = names_in(&before);
+    let new: Vec<String> = names_in(&after)
+        .into_iter()
+        .filter(|name| !old_names.contains(name))
+        .map(|name| format!("`{name}`"))
+        .collect();
+    let new = match new.is_empty() {
+        true => String::new(),
+        false => format!("New files: {}.\n\n", new.join(", ")),
+    };
+    let [old_text, new_text] = [&before, &after].map(|folder| {
+        fs::read_to_string(folder.join("lib.rs"))
+            .expect("lib.rs")
+            .split_inclusive('\n')
+            .filter(|line| !line.starts_with("//"))
+            .collect::<String>()
+    });
+    let diff = TextDiff::from_lines(&old_text, &new_text);
+    let diff = diff
+        .unified_diff()
+        .context_radius(30) // A chapter is short enough to be shown whole.
+        .header(&shown(&before), &shown(&after))
+        .to_string();
+    format!("{new}```diff\n{diff}```")
+}
+
+/// The folder with the sources of the chapter.
+fn sources(name: &str) -> PathBuf {
+    let chapters = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../chapters");
+    let chapter = names_in(&chapters)
+        .into_iter()
+        .find(|folder| folder.split_once('_').is_some_and(|(_, rest)| rest == name))
+        .expect("each chapter is a chapter");
+    chapters.join(chapter).join("src")
+}
+
+fn shown(sources: &Path) -> String {
+    let chapter = sources
+        .parent()
+        .and_then(Path::file_name)
+        .expect("a chapter");
+    format!("chapters/{}/src/lib.rs", chapter.display())
+}
+
+fn names_in(folder: &Path) -> Vec<String> {
+    suite::command::names_in(folder)
+}

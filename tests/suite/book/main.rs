@@ -1,0 +1,27 @@
+//! The book: is it whole, and is what it shows what there is?
+
+mod bibliography;
+mod book;
+mod browser;
+mod changes;
+mod charts;
+mod compiler;
+mod cpp_to_rust;
+mod errata;
+mod figures;
+mod lesson;
+mod live;
+mod told;
+mod typed;
+mod weave;
+
+/// The answers to the exercises of the book, which shows them.
+mod exercises {
+    mod build_test;
+    mod gradient;
+    mod half_b_sphere;
+    mod hittable_list;
+    mod normals;
+    mod red_sphere;
+    mod speed_vs_accuracy;
+}

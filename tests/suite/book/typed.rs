@@ -1,0 +1,194 @@
+//! What the pages list can be typed: each listing into the file that it names, in the
+//! order of the pages, and the pictures come out.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use slips::Chapter;
+
+use crate::book::{self, text_of};
+use crate::lesson::{page_of, write_if_changed, write_manifest};
+use suite::command::files;
+use suite::command::{assert_success, run, text};
+use suite::drawn::p3;
+use suite::mine::Mine;
+
+#[test]
+fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
+    let typed = listed();
+    assert_nothing_is_left_out(&typed);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("typed");
+    write_manifest(&folder);
+    for (file, text) in given().into_iter().chain(typed) {
+        write_if_changed(&folder.join(file), &text);
+    }
+    let programs = build(&folder);
+    for chapter in Chapter::OF_THE_BOOK {
+        let output = run(&mut Command::new(programs.join(chapter.name())));
+        assert!(
+            output.stdout == p3(&chapter.picture(chapter.book_width())),
+            "typed from {}, the program draws something else",
+            page_of(chapter)
+        );
+    }
+}
+
+/// So that a listing can be typed into the crate that was made for it.
+#[test]
+fn the_crates_that_start_makes_have_the_files_and_the_names_of_the_pages() {
+    let mine = Mine::new();
+    let typed = listed();
+    for chapter in &Chapter::OF_THE_BOOK[1..] {
+        assert_success(&run(&mut mine.start(chapter.name(), &[])));
+        let folder = mine.path().join(chapter.name());
+        let made = files(&folder.join("src"));
+        let page = folder_of(*chapter);
+        let of_page = typed
+            .keys()
+            .filter(|file| file.starts_with(page.join("src")));
+        assert_eq!(made.len(), of_page.count(), "{made:?}");
+        for file in made.iter().filter(|file| !file.ends_with("main.rs")) {
+            let listed = &typed[&page.join(file.strip_prefix(&folder).expect("it is inside"))];
+            let made = fs::read_to_string(file).expect("a source");
+            for name in made.lines().filter_map(named) {
+                assert!(
+                    listed.contains(name),
+                    "no page lists `{name}` of {}",
+                    file.display()
+                );
+            }
+        }
+    }
+}
+
+/// What the line begins, if it begins something with a name: a chapter may be typed in other
+/// words, but not by other names.
+fn named(line: &str) -> Option<&str> {
+    let line = line.trim_start();
+    let line = line.strip_prefix("pub ").unwrap_or(line);
+    let is_named = ["fn ", "struct ", "trait ", "impl "]
+        .iter()
+        .any(|it| line.starts_with(it));
+    // The sky was typed in chapter 1.
+    let name = line.split(['(', '{']).next().unwrap_or(line).trim_end();
+    (is_named && name != "fn sky").then_some(name)
+}
+
+/// A screen and a half: what is longer is read in pieces.
+const LONGEST: usize = 60;
+
+#[test]
+fn no_listing_of_a_chapter_that_is_typed_is_longer_than_one_can_overlook() {
+    let pages = book::pages();
+    for chapter in Chapter::OF_THE_BOOK {
+        let page = pages.iter().find(|page| page.name == page_of(chapter));
+        for listing in page.expect("a page").all(".listing code") {
+            let lines = text_of(listing).lines().count();
+            assert!(lines <= LONGEST, "{lines} lines in {}", page_of(chapter));
+        }
+    }
+}
+
+/// The listings of all chapters, put together by the files that they name. The answers to
+/// exercises are a test of their chapter.
+fn listed() -> BTreeMap<PathBuf, String> {
+    let mut typed: BTreeMap<PathBuf, String> = BTreeMap::new();
+    let pages = book::pages();
+    for chapter in Chapter::OF_THE_BOOK {
+        let page = pages.iter().find(|page| page.name == page_of(chapter));
+        for listing in page.expect("a chapter has a page").all(".listing") {
+            let part = |part: &str| {
+                let part = listing.select(&book::select(part)).next();
+                text_of(part.expect("a listing has its file and its code"))
+            };
+            let (file, code) = (part(".file"), part("code"));
+            let file = match file.starts_with("tests/suite/book/exercises/") {
+                true => folder_of(chapter).join("tests/exercises.rs"),
+                false => PathBuf::from(file),
+            };
+            let text = typed.entry(file).or_default();
+            if !text.is_empty() {
+                text.push('\n');
+            }
+            *text += &code;
+        }
+    }
+    for chapter in &Chapter::OF_THE_BOOK[1..] {
+        // "Every chapter has these lines", but for its name and its width.
+        let main = typed[&folder_of(Chapter::BuildTest).join("src/main.rs")]
+            .replace("build_test", chapter.name())
+            .replace("256", &chapter.book_width().to_string());
+        typed.insert(folder_of(*chapter).join("src/main.rs"), main);
+    }
+    typed
+}
+
+/// What nobody types: the engine, and what cargo is told.
+fn given() -> BTreeMap<PathBuf, String> {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let chapters = Chapter::OF_THE_BOOK.map(folder_of);
+    let packages = chapters.into_iter().chain([PathBuf::from("common")]);
+    let manifests = packages.map(|package| package.join("Cargo.toml"));
+    let engine = files(&workspace.join("common/src/engine")).into_iter();
+    let engine = engine.map(|file| {
+        file.strip_prefix(&workspace)
+            .expect("it is ours")
+            .to_owned()
+    });
+    let read = |file: PathBuf| {
+        let text = fs::read_to_string(workspace.join(&file)).expect("a source");
+        (file, text)
+    };
+    let mut given: BTreeMap<PathBuf, String> = manifests.chain(engine).map(read).collect();
+    // An answer of chapter 4 compares its picture with that of chapter 1.
+    let half_b = folder_of(Chapter::HalfBSphere).join("Cargo.toml");
+    let half_b = given.get_mut(&half_b).expect("a manifest");
+    *half_b += "\n[dev-dependencies]\ngradient.workspace = true\n";
+    given
+}
+
+/// Each source of the chapters, and of what they share, is listed somewhere.
+fn assert_nothing_is_left_out(typed: &BTreeMap<PathBuf, String>) {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let given = given();
+    for package in Chapter::OF_THE_BOOK
+        .map(folder_of)
+        .into_iter()
+        .chain([PathBuf::from("common")])
+    {
+        for file in files(&workspace.join(package).join("src")) {
+            let file = file.strip_prefix(&workspace).expect("it is ours");
+            assert!(
+                typed.contains_key(file) || given.contains_key(file),
+                "no page lists anything of {}",
+                file.display()
+            );
+        }
+    }
+}
+
+/// The folder of the chapter, as seen from the workspace.
+fn folder_of(chapter: Chapter) -> PathBuf {
+    PathBuf::from(format!("chapters/{}_{}", chapter as usize, chapter.name()))
+}
+
+/// Builds the programs, and asks the answers to the exercises what they promise.
+fn build(folder: &Path) -> PathBuf {
+    let target = folder.join("target");
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["test", "--offline", "--test", "exercises"]);
+    cargo
+        .env("CARGO_TARGET_DIR", &target)
+        .env("CARGO_PROFILE_DEV_OPT_LEVEL", "0")
+        .current_dir(folder);
+    let output = run(&mut cargo);
+    assert!(
+        output.status.success(),
+        "what the pages list does not compile, or an answer is wrong:\n{}{}",
+        text(&output.stderr),
+        text(&output.stdout)
+    );
+    target.join("debug")
+}

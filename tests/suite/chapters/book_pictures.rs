@@ -1,0 +1,55 @@
+//! Each chapter draws the book's picture, to the last bit.
+
+use sha2::{Digest, Sha256};
+use slips::Chapter;
+
+use crate::quadratic::gradient;
+use suite::drawn::{assert_picture, more, p3};
+use suite::left_out::left_out;
+
+/// Compares the picture of the chapter with its snapshot, and its text at many widths
+/// with the sums of the book's own.
+pub(crate) fn is_drawn_by(chapter: Chapter) {
+    let name = chapter.name();
+    // The camera is chapter 1's lesson: a mistake in it is told there.
+    if chapter > Chapter::Gradient && !gradient::is_lawful() {
+        left_out(&format!(
+            "the picture of `{name}` waits until the camera is right"
+        ));
+        return;
+    }
+    assert_picture(name, &chapter.picture(chapter.book_width()));
+    for (sum, _, width) in sums().filter(|&(_, chapter, _)| chapter == name) {
+        let actual = sha256(&p3(&chapter.picture(width)));
+        let same_as = sums().find(|(sum, ..)| *sum == actual);
+        let same_as = same_as.map_or(String::new(), |(_, other, _)| {
+            format!(": it is exactly the picture of {other}")
+        });
+        assert!(
+            actual == sum,
+            "{name} at {width} wide is not what the book's C++ draws{same_as}.\n\
+             Its snapshot is right, so look for another order of operations, a fused multiply-add, \
+             f32 somewhere, v / s for v * (1.0 / s), or the text: P3, width and height, 255, each on \
+             its line, then a pixel a line.\n\n{}",
+            more(chapter)
+        );
+    }
+}
+
+/// Sum, chapter and width.
+fn sums() -> impl Iterator<Item = (&'static str, &'static str, u32)> {
+    let lines = include_str!("reference_sums.txt").lines();
+    lines.filter(|line| !line.starts_with('#')).map(|line| {
+        match line.split(' ').collect::<Vec<_>>()[..] {
+            [sum, name, width] => (sum, name, width.parse().expect("a width is a number")),
+            _ => panic!("reference_sums.txt has a line that is not `sum chapter width`: {line}"),
+        }
+    })
+}
+
+fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes)
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
+}

@@ -1,0 +1,217 @@
+//! Editions of the book: each draws what its text says; and the signs of two of them,
+//! and what becomes of every mixture.
+//!
+//! The page `book/notes/editions.md` shows some of these tests.
+
+use std::io::ErrorKind;
+use std::path::Path;
+use std::process::Command;
+
+use check::comparison::Comparison;
+use check::diagnosis::Scene;
+use check::judge::{Check, check};
+use common::rtweekend::*;
+use laws::Case;
+use laws::{runner, strategies};
+use measure::rival;
+use slips::Chapter;
+use slips::{Edition, Program};
+
+use suite::left_out::left_out;
+use suite::slip;
+
+#[test]
+fn each_edition_draws_what_its_program_in_cpp_draws() {
+    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/editions/editions.cc");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("editions");
+    let program = match rival::compiled(source.as_ref(), &folder) {
+        Ok(program) => program,
+        Err(cause) if cause.kind() == ErrorKind::NotFound => {
+            left_out(&format!(
+                "there is no C++ compiler to build {source} ({cause})"
+            ));
+            return;
+        }
+        Err(cause) => panic!("{source} does not compile:\n{cause}"),
+    };
+    let older = Edition::ALL.into_iter().filter(|it| *it != Edition::V4);
+    for (edition, chapter) in older.flat_map(|it| Chapter::OF_THE_BOOK.map(|chapter| (it, chapter)))
+    {
+        let name = match edition {
+            Edition::V1InDouble => "1-in-double",
+            other => other.name(),
+        };
+        // As in the texts, and some that leave a remainder.
+        for width in [18, 83, 200, 384] {
+            let drawn = Command::new(&program)
+                .args([name, chapter.name(), &width.to_string()])
+                .output()
+                .expect("the program starts");
+            let ours = edition.program(chapter).run(width).to_string();
+            assert!(
+                drawn.stdout == ours.into_bytes(),
+                "{} of version {name} at {width} wide",
+                chapter.name()
+            );
+        }
+    }
+}
+
+#[test]
+fn the_picture_of_an_edition_is_right_by_it_and_wrong_where_another_is_insisted_on() {
+    for edition in Edition::ALL {
+        for chapter in Chapter::OF_THE_BOOK {
+            let scene = Scene::new(chapter, None).expect("a chapter has its own scene");
+            let text = edition.program(chapter).run(200).to_string();
+            let Check::Right(right) = check(&scene, text.as_bytes(), 0) else {
+                panic!("{chapter:?} by {edition} is refused");
+            };
+            let drawn = right.scene.edition.program(chapter).run(200).to_string();
+            assert!(drawn == text, "{chapter:?} by {edition}");
+            let by = |other| check(&scene.only_by(other), text.as_bytes(), 0).exit_code();
+            assert_eq!(by(edition), 0);
+            if edition != Edition::V4 {
+                assert_eq!(by(Edition::V4), 1, "{chapter:?} by {edition}");
+            }
+        }
+    }
+}
+
+/// As the page says.
+#[test]
+fn between_the_cameras_of_versions_3_and_4_is_half_a_pixel() {
+    let [older, newer] = [Edition::V3, Edition::V4]
+        .map(|edition| edition.program(Chapter::Gradient).run(400).picture());
+    let Comparison::Pixels(difference) = Comparison::of(&newer, &older) else {
+        panic!("they differ");
+    };
+    let share = difference.count as f64 / difference.total as f64;
+    assert_eq!(difference.levels, 1);
+    assert!((1.0 / 13.0..1.0 / 11.0).contains(&share), "{share}");
+}
+
+/// Half of b as version 3 of the book has it.
+fn hit_sphere_of_version_3(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
+    let oc = ray.origin - center;
+    let a = ray.direction.length_squared();
+    let half_b = oc.dot(ray.direction);
+    let c = oc.length_squared() - radius * radius;
+    let discriminant = half_b * half_b - a * c;
+    if discriminant < 0.0 {
+        return None;
+    }
+    Some((-half_b - discriminant.sqrt()) / a)
+}
+
+#[test]
+fn both_versions_find_the_same_root() {
+    for case in cases() {
+        let version_3 = case.solve(&hit_sphere_of_version_3);
+        let version_4 = case.solve(&half_b_sphere::hit_sphere);
+        assert_eq!(version_3, version_4);
+    }
+}
+
+/// Zeros are equal whatever their sign, so no comparison with t sees it.
+#[test]
+fn only_the_sign_of_a_zero_tells_the_versions_apart() {
+    let bits = |t: Option<f64>| t.map(f64::to_bits);
+    for case in cases() {
+        let version_3 = case.solve(&hit_sphere_of_version_3);
+        let version_4 = case.solve(&half_b_sphere::hit_sphere);
+        assert!(bits(version_3) == bits(version_4) || version_4 == Some(0.0));
+    }
+
+    // A ray that begins where it touches the sphere: h = 0 and c = 0.
+    let touching = Ray::new(Point3::ZERO, Vec3::X);
+    let version_3 = hit_sphere_of_version_3(Point3::Y, 1.0, &touching);
+    let version_4 = half_b_sphere::hit_sphere(Point3::Y, 1.0, &touching);
+    assert_eq!(bits(version_3), bits(Some(-0.0)));
+    assert_eq!(bits(version_4), bits(Some(0.0)));
+}
+
+/// An even number of turned signs cancels. An odd one traces the ray backwards.
+#[test]
+fn every_mixture_finds_the_root_of_the_ray_or_of_the_ray_turned_round() {
+    for (chapter, signs) in SIGNS {
+        for turned in subsets(signs) {
+            let program = with_slips(chapter, &turned);
+            for case in cases() {
+                let found = case.solve(&|c, r, ray: &Ray| program.hit_sphere(c, r, ray));
+                let expected = match turned.len() % 2 {
+                    0 => case.solve(&half_b_sphere::hit_sphere),
+                    _ => case.turned_round().solve(&half_b_sphere::hit_sphere),
+                };
+                assert_eq!(found, expected, "{turned:?} in {chapter:?}: {case}");
+            }
+        }
+    }
+}
+
+#[test]
+fn one_turned_sign_shows_the_sky_and_two_show_the_sphere() {
+    for (chapter, signs) in SIGNS {
+        for turned in subsets(signs) {
+            let drawn = with_slips(chapter, &turned).run(128).picture();
+            let expected = match turned.len() % 2 {
+                0 => normals::picture(128),
+                _ => gradient::picture(128),
+            };
+            assert_eq!(drawn, expected, "{turned:?} in {chapter:?}");
+        }
+    }
+}
+
+#[test]
+fn in_chapter_5_one_turned_sign_hangs_the_ground_in_the_sky() {
+    let draw = |names: &[&str]| {
+        let program = with_slips(Chapter::HittableList, names);
+        program.run(128).picture()
+    };
+    let right = hittable_list::picture(128);
+    assert_ne!(draw(&["minus-h"]), right);
+    assert_eq!(draw(&["minus-h"]), draw(&["oc-reversed"]));
+    assert_eq!(draw(&["minus-h", "oc-reversed"]), right);
+}
+
+#[test]
+fn rows_from_below_and_an_edge_that_points_up_belong_together() {
+    let (rows, edge) = ("rows-from-below", "viewport-upside-down");
+    let draw = |names: &[&str]| {
+        let program = with_slips(Chapter::HittableList, names);
+        program.run(400).picture()
+    };
+    let right = hittable_list::picture(400);
+    assert_ne!(draw(&[rows]), right);
+    assert_eq!(draw(&[rows]), draw(&[edge]));
+    assert_eq!(draw(&[rows, edge]), right);
+}
+
+/// The slips that turn a sign, in each chapter that has one to turn.
+const SIGNS: [(Chapter, &[&str]); 2] = [
+    (Chapter::Normals, &["oc-reversed", "b-sign", "plus-b"]),
+    (Chapter::HalfBSphere, &["oc-reversed", "minus-h"]),
+];
+
+/// Rays and spheres of which no number overflows on the way.
+fn cases() -> impl Iterator<Item = Case> {
+    let all = runner::samples(&strategies::anywhere(), 300);
+    all.into_iter().filter(Case::is_well_scaled)
+}
+
+/// The right program of the chapter, with these slips made in it.
+fn with_slips(chapter: Chapter, names: &[&str]) -> Program {
+    let make = |program, name: &&str| (slip(name).alter)(program);
+    names.iter().fold(Program::right(chapter), make)
+}
+
+/// Every choice of some of the names, none and all of them included.
+fn subsets<'a>(names: &[&'a str]) -> Vec<Vec<&'a str>> {
+    names.iter().fold(vec![Vec::new()], |chosen, name| {
+        let with_name = chosen.iter().map(|names| {
+            let names = names.iter().chain([name]);
+            names.copied().collect()
+        });
+        with_name.chain(chosen.clone()).collect()
+    })
+}

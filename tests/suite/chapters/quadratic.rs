@@ -1,0 +1,166 @@
+//! Each chapter's rays and intersection, under the laws that it is old enough for.
+//!
+//! The laws and their bounds are in the package `laws`, and so are the rays and
+//! spheres, and the mistakes that a report names.
+
+use ::hittable_list::{Hittable, HittableList, Sphere};
+use common::rtweekend::*;
+use laws::list::{self, World, worlds};
+use laws::record::Hit;
+use laws::runner::{self, holds};
+use laws::trial::Outcome;
+use laws::{Case, Trial};
+use slips::Chapter;
+
+use suite::drawn::more;
+
+pub(crate) mod gradient {
+    use super::*;
+
+    pub(crate) fn obeys_its_laws() {
+        assert_lawful(Chapter::Gradient, attempt);
+    }
+
+    /// Every later chapter stands on these small functions.
+    pub(crate) fn is_lawful() -> bool {
+        attempt(&Trial::default()).is_ok()
+    }
+
+    fn attempt(trial: &Trial) -> Outcome {
+        trial.at(&Ray::at)?;
+        trial.unit_vector(&Vec3::normalize)?;
+        trial.height(&|width| Camera::new(width).image_height)?;
+        trial.pixel_ray(&|[width, height], [i, j]| Camera::with_size(width, height).ray(i, j))?;
+        trial.dot(&Vec3::dot)
+    }
+}
+
+pub(crate) mod red_sphere {
+    use super::*;
+
+    pub(crate) fn obeys_its_laws() {
+        assert_lawful(Chapter::RedSphere, |trial| {
+            trial.decision(&::red_sphere::hit_sphere)
+        });
+    }
+}
+
+pub(crate) mod normals {
+    use super::*;
+
+    pub(crate) fn obeys_its_laws() {
+        assert_lawful(Chapter::Normals, |trial| {
+            trial.nearer_root(&::normals::hit_sphere)
+        });
+        solves_what_was_once_special(&::normals::hit_sphere);
+    }
+}
+
+pub(crate) mod half_b_sphere {
+    use super::*;
+
+    pub(crate) fn obeys_its_laws() {
+        assert_lawful(Chapter::HalfBSphere, |trial| {
+            trial.nearer_root(&::half_b_sphere::hit_sphere)
+        });
+        solves_what_was_once_special(&::half_b_sphere::hit_sphere);
+    }
+}
+
+pub(crate) mod hittable_list {
+    use super::*;
+
+    pub(crate) fn obeys_its_laws() {
+        assert_lawful(Chapter::HittableList, |trial| {
+            trial.nearest_in_range(&hit)?;
+            trial.record(&recorded)?;
+            trial.list(&flat)?;
+            trial.list(&nested)
+        });
+        a_list_of_one_is_that_one();
+        a_nested_list_is_the_flat_list();
+        solves_what_was_once_special(&|center, radius, ray: &Ray| {
+            hit(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY)
+        });
+    }
+
+    fn a_list_of_one_is_that_one() {
+        holds(&worlds(), |world| {
+            let (center, radius) = world.spheres[0];
+            let sphere = Sphere::new(center, radius);
+            let alone = World {
+                spheres: vec![(center, radius)],
+                ..world.clone()
+            };
+            list::both_find_the_same(&flat, &|world| nearest(&sphere, world), &alone)
+        });
+    }
+
+    fn a_nested_list_is_the_flat_list() {
+        holds(&worlds(), |world| {
+            list::both_find_the_same(&nested, &flat, world)
+        });
+    }
+
+    fn hit(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
+        let sphere = Sphere::new(center, radius);
+        sphere.hit(ray, t_min, t_max).map(|hit| hit.t)
+    }
+
+    fn recorded(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
+        let record = Sphere::new(center, radius).hit(ray, t_min, t_max)?;
+        Some(Hit {
+            t: record.t,
+            normal: record.normal,
+            front_face: record.front_face,
+        })
+    }
+
+    fn flat(world: &World) -> Option<f64> {
+        let mut list = HittableList::default();
+        for &(center, radius) in &world.spheres {
+            list.add(Sphere::new(center, radius));
+        }
+        nearest(&list, world)
+    }
+
+    /// Each sphere in a list with all that follow it.
+    fn nested(world: &World) -> Option<f64> {
+        let mut list = HittableList::default();
+        for &(center, radius) in world.spheres.iter().rev() {
+            let mut outer = HittableList::default();
+            outer.add(Sphere::new(center, radius));
+            outer.add(list);
+            list = outer;
+        }
+        nearest(&list, world)
+    }
+
+    fn nearest(thing: &dyn Hittable, world: &World) -> Option<f64> {
+        thing
+            .hit(&world.ray, world.t_min, world.t_max)
+            .map(|hit| hit.t)
+    }
+}
+
+/// Fails with the first law that is broken, and says where there is more to see.
+fn assert_lawful(chapter: Chapter, attempt: impl Fn(&Trial) -> Outcome) {
+    if let Err(report) = attempt(&Trial::default()) {
+        panic!(
+            "\n\nChapter `{}` breaks a law.\n\n{report}\n\n{}",
+            chapter.name(),
+            more(chapter)
+        );
+    }
+}
+
+/// The cases of a file, each of which was once hard for somebody.
+fn solves_what_was_once_special(solve: &laws::nearer_root::Solver) {
+    let lines = include_str!("regressions.txt").lines();
+    for line in lines.filter(|line| !line.is_empty() && !line.starts_with('#')) {
+        let numbers = line.split_whitespace().map(str::parse);
+        let numbers: Vec<f64> = numbers.map(|number| number.expect("a number")).collect();
+        let case = Case::from_numbers(numbers.try_into().expect("a case is ten numbers"));
+        runner::one_case(solve, &case);
+    }
+}

@@ -1,0 +1,210 @@
+//! A right picture tells what it can't show, and a picture of another scene which one
+//! it is.
+
+use std::collections::BTreeSet;
+
+use check::blind_spots::BlindSpots;
+use check::diagnosis::Scene;
+use check::judge::{Check, Finding, check};
+use check::png;
+use slips::Chapter;
+use slips::{self, PROBES, Probe, Slip, Unseen};
+
+use suite::slip;
+
+/// 227 is the width of a probe, and the height is rounded there.
+const WIDTHS: [u32; 3] = [1, 60, 227];
+
+#[test]
+fn those_slips_are_hidden_that_draw_the_right_picture() {
+    for chapter in Chapter::OF_THE_BOOK {
+        let own = scene(chapter, None);
+        for width in WIDTHS {
+            let right = chapter.picture(width);
+            let hidden = own.slips().filter(|slip| {
+                let equivalent = matches!(slip.unseen_in(chapter), Some(Unseen::Equivalent(_)));
+                !equivalent && slip.program(chapter).run(width).picture() == right
+            });
+            let expected: BTreeSet<&str> = hidden.map(|slip| slip.name).collect();
+            let told = BlindSpots::after(&own, width);
+            assert_eq!(names(&told), expected, "{chapter:?} at {width}");
+        }
+    }
+}
+
+#[test]
+fn each_picture_to_draw_shows_what_it_is_said_to_show_and_all_of_them_leave_the_laws() {
+    for chapter in Chapter::OF_THE_BOOK {
+        let own = (scene(chapter, None), 60);
+        let told = BlindSpots::of(chapter, &[own]);
+        for showing in &told.shown_by {
+            let draw = |slips: &[&Slip]| {
+                let program = showing.scene.program(slips);
+                program.run(showing.width).picture()
+            };
+            for slip in &showing.slips {
+                assert!(draw(&[slip]) != draw(&[]), "{chapter:?}: {}", slip.name);
+            }
+        }
+        let drawn = told.shown_by.iter();
+        let drawn = drawn.map(|showing| (showing.scene, showing.width));
+        let after_all: Vec<_> = [own].into_iter().chain(drawn).collect();
+        let left = BlindSpots::of(chapter, &after_all);
+        assert!(left.shown_by.is_empty(), "{chapter:?}: {left:?}");
+    }
+}
+
+#[test]
+fn the_picture_that_shows_most_is_to_be_drawn_next() {
+    let told = BlindSpots::after(&scene(Chapter::HalfBSphere, None), 400);
+    let counts = told.shown_by.iter().map(|showing| showing.slips.len());
+    assert!(counts.is_sorted_by(|more, less| more >= less));
+    let next = told.shown_by[0].scene.probe.expect("a probe");
+    assert_eq!(next.name, "behind");
+    assert!(
+        told.told(&scene(Chapter::HalfBSphere, None))
+            .lines()
+            .count()
+            <= 8
+    );
+}
+
+#[test]
+fn after_a_probe_only_the_rest_is_left() {
+    let behind = slips::find_probe("behind");
+    let before = names(&BlindSpots::after(&scene(Chapter::Normals, None), 400));
+    let after = names(&BlindSpots::after(&scene(Chapter::Normals, behind), 128));
+    let shown: Vec<_> = before.difference(&after).copied().collect();
+    assert_eq!(
+        shown,
+        ["behind-drawn", "dot-with-swapped-letter", "range-loosened"]
+    );
+    assert!(
+        after.is_subset(&before),
+        "what the chapter's own picture shows is shown"
+    );
+}
+
+#[test]
+fn a_picture_that_is_too_small_is_to_be_drawn_as_large_as_in_the_book() {
+    let told = BlindSpots::after(&scene(Chapter::Gradient, None), 60);
+    let next = &told.shown_by[0];
+    assert_eq!((next.scene.probe, next.width), (None, 400));
+}
+
+#[test]
+fn a_forgotten_change_is_recognized_at_any_width() {
+    for (chapter, probe) in probes() {
+        for width in [20, probe.width, 400] {
+            let wanted = scene(chapter, Some(probe));
+            let own = chapter.picture(width);
+            let is_right = probe.spheres.is_none() && width == probe.width;
+            if is_right || (probe.spheres.is_some() && own == wanted.right(width, own.height())) {
+                continue;
+            }
+            let check = check(&wanted, &png::encode(&own), 0);
+            assert_eq!(check.exit_code(), 1);
+            let Check::Another { cause, scenes } = check else {
+                panic!("{} in {chapter:?} at {width}: {check:?}", probe.name);
+            };
+            assert_eq!(scenes[0].probe, None);
+            assert!(
+                cause.problem.contains("the picture of the chapter itself"),
+                "{cause}"
+            );
+            assert!(
+                cause
+                    .fix
+                    .contains(&probe.lines(chapter).replace('\n', "\n  ")),
+                "{cause}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_forgotten_width_is_recognized_in_a_picture_of_any_size() {
+    let wide = check(
+        &scene(Chapter::Normals, slips::find_probe("odd-width")),
+        &png::encode(&normals::picture(1400)),
+        0,
+    );
+    assert!(matches!(wide, Check::Another { .. }), "{wide:?}");
+}
+
+#[test]
+fn a_change_that_is_still_there_is_recognized_at_any_width() {
+    for (chapter, probe) in probes().filter(|(_, probe)| probe.spheres.is_some()) {
+        for width in [probe.width, 57, 400] {
+            let own = chapter.picture(width);
+            let picture = scene(chapter, Some(probe)).right(width, own.height());
+            if picture == own {
+                continue;
+            }
+            let check = check(&scene(chapter, None), &png::encode(&picture), 0);
+            assert_eq!(check.exit_code(), 1);
+            // At other widths a mistake that draws it as well is the better guess.
+            let is_told = check
+                .others()
+                .iter()
+                .any(|other| other.probe == Some(probe));
+            let is_certain = |finding: &Finding| finding.diagnosis.is_certain();
+            assert!(
+                is_told || (width != probe.width && check.finding().is_some_and(is_certain)),
+                "{} in {chapter:?}",
+                probe.name
+            );
+        }
+    }
+}
+
+#[test]
+fn a_mistake_that_draws_the_picture_of_a_probe_is_named_before_the_probe() {
+    let vanished = slip("minus-h")
+        .program(Chapter::HalfBSphere)
+        .run(128)
+        .picture();
+    let check = check(
+        &scene(Chapter::HalfBSphere, None),
+        &png::encode(&vanished),
+        0,
+    );
+    let finding = check.finding().expect("the mistake comes first");
+    assert!(finding.diagnosis.is_certain());
+    assert!(
+        !finding.others.is_empty(),
+        "nothing is to be seen behind the camera either"
+    );
+}
+
+#[test]
+fn another_way_of_rounding_is_no_other_scene() {
+    let reversed = slips::find_probe("reversed");
+    let rounded = slip("rounded")
+        .program(Chapter::HittableList)
+        .run(128)
+        .picture();
+    let check = check(
+        &scene(Chapter::HittableList, reversed),
+        &png::encode(&rounded),
+        0,
+    );
+    assert!(matches!(check, Check::Wrong(_)), "{check:?}");
+}
+
+/// The slips that are hidden, by whatever they are shown.
+fn names(told: &BlindSpots) -> BTreeSet<&'static str> {
+    let shown = told.shown_by.iter().flat_map(|showing| &showing.slips);
+    shown.chain(&told.by_law).map(|slip| slip.name).collect()
+}
+
+/// Each probe in each chapter that has room for it.
+fn probes() -> impl Iterator<Item = (Chapter, Probe)> {
+    let all = Chapter::OF_THE_BOOK.into_iter();
+    all.flat_map(|chapter| PROBES.map(|probe| (chapter, probe)))
+        .filter(|&(chapter, probe)| Scene::new(chapter, Some(probe)).is_some())
+}
+
+fn scene(chapter: Chapter, probe: Option<Probe>) -> Scene {
+    Scene::new(chapter, probe).expect("the chapter has room for it")
+}

@@ -1,0 +1,251 @@
+//! What the tables of caught slips say.
+
+use std::fmt::Write;
+
+use slips::Chapter;
+use slips::{self, Probe, Slip, Unseen};
+
+use super::{Outcome, Shown};
+
+/// Everything, as text: each slip in each chapter and each exam.
+pub(super) fn in_full(outcomes: &[Outcome]) -> String {
+    let mut table = LEGEND.to_owned();
+    for of_chapter in outcomes.chunk_by(|one, other| one.chapter == other.chapter) {
+        write_head(&mut table, &of_chapter[0]);
+        for outcome in of_chapter {
+            write_row(&mut table, outcome);
+        }
+    }
+    table
+}
+
+const LEGEND: &str = "\
+Each slip in each chapter in which it can be made: the percentage of pixels that
+differ from the right picture at the book's size and in each probe scene, and
+the first law that it breaks. A point is the right picture, ±1 a difference of
+one level at most, `size` a picture of another size. What each slip is, and why
+an (equivalent) one is that, says tests/slips/src/catalogue.
+";
+
+const NAME_WIDTH: usize = 27;
+const VERDICT_WIDTH: usize = 12;
+
+fn write_head(table: &mut String, outcome: &Outcome) {
+    let name = outcome.chapter.name();
+    write!(table, "\n{name:NAME_WIDTH$}").expect("a string takes it");
+    for (probe, _) in &outcome.verdicts {
+        let exam = probe.map_or("book", |probe| probe.name);
+        write!(table, "{exam:>VERDICT_WIDTH$}").expect("a string takes it");
+    }
+    table.push_str("   law\n");
+}
+
+/// One slip: a point where the picture is the right one, else the percentage of
+/// pixels that differ; `±1` after it if no level is farther off. At the end the
+/// law that it breaks, if it breaks one.
+fn write_row(table: &mut String, outcome: &Outcome) {
+    write!(table, "{:NAME_WIDTH$}", outcome.slip.name).expect("a string takes it");
+    for (_, verdict) in &outcome.verdicts {
+        let text = match verdict {
+            Shown::Same => ".   ".to_owned(),
+            Shown::Size => "size   ".to_owned(),
+            Shown::Pixels(share, largest) => {
+                percent(*share) + if *largest == 1 { " ±1" } else { "   " }
+            }
+        };
+        write!(table, "{text:>VERDICT_WIDTH$}").expect("a string takes it");
+    }
+    table.push_str(match (&outcome.report, outcome.is_equivalent()) {
+        (Some(report), _) => report.broken.law,
+        (None, true) => "(equivalent)",
+        (None, false) => "",
+    });
+    table.truncate(table.trim_end_matches(' ').len());
+    table.push('\n');
+}
+
+fn percent(share: f64) -> String {
+    match 100.0 * share {
+        tiny if tiny < 0.05 => "<0.1".to_owned(),
+        percent => format!("{percent:.1}"),
+    }
+}
+
+/// The same in brief, as Markdown: what catches each slip first, and which slips
+/// a law catches. Each name is an anchor.
+pub(super) fn at_a_glance(outcomes: &[Outcome]) -> String {
+    let mut page = String::new();
+    for (number, first) in Chapter::OF_THE_BOOK.into_iter().enumerate() {
+        let numbers: String = (number..6).map(|number| format!(" {number} |")).collect();
+        let lines = "---|".repeat(8 - number);
+        let name = first.name();
+        write!(
+            page,
+            "## Slips that begin in `{name}`\n\n| slip |{numbers} law |\n|{lines}\n"
+        )
+        .expect("a string takes it");
+        for slip in slips::all().filter(|slip| slip.chapters[0] == first) {
+            page += &glance(slip, outcomes);
+        }
+        page.push('\n');
+    }
+    page + "## The laws and their tests\n\n" + &laws(outcomes)
+}
+
+/// A slip in its first chapter and all that follow, and the numbers of the
+/// laws that it breaks before any other.
+fn glance(slip: &Slip, outcomes: &[Outcome]) -> String {
+    let of_slip = || {
+        outcomes
+            .iter()
+            .filter(|outcome| outcome.slip.name == slip.name)
+    };
+    let cell = |chapter: &Chapter| {
+        let outcome = of_slip().find(|outcome| outcome.chapter == *chapter);
+        format!(
+            " {} |",
+            outcome.map_or(String::new(), Outcome::caught_first_by)
+        )
+    };
+    let chapters = Chapter::OF_THE_BOOK
+        .iter()
+        .filter(|chapter| **chapter >= slip.chapters[0]);
+    let cells: String = chapters.map(cell).collect();
+    let breaks = |law: &str| of_slip().any(|outcome| outcome.breaks(law));
+    let broken: Vec<String> = (1..)
+        .zip(TESTS)
+        .filter(|(_, (law, ..))| breaks(law))
+        .map(|(n, _)| format!("[{n}](#law-{n})"))
+        .collect();
+    let laws = broken.join(", ");
+    let name = slip.name;
+    format!("| <span class=\"name\" id=\"{name}\">{name}</span> |{cells} {laws} |\n")
+}
+
+impl Outcome {
+    fn is_equivalent(&self) -> bool {
+        matches!(
+            self.slip.unseen_in(self.chapter),
+            Some(Unseen::Equivalent(_))
+        )
+    }
+
+    /// The share of the book's pixels that differ, or else the first probe that
+    /// shows the slip, or else that only a law does, or nothing.
+    fn caught_first_by(&self) -> String {
+        let differs = |(_, verdict): &&(Option<Probe>, Shown)| *verdict != Shown::Same;
+        match self.verdicts.iter().find(differs) {
+            Some((None, Shown::Pixels(share, _))) => percent(*share),
+            Some((None, _)) => "size".to_owned(),
+            Some((Some(probe), _)) => format!("*{}*", probe.name),
+            None if self.is_equivalent() => "=".to_owned(),
+            None => "law".to_owned(),
+        }
+    }
+}
+
+/// Each law that a slip breaks, where it is tested, and the slips that break it
+/// before any other.
+fn laws(outcomes: &[Outcome]) -> String {
+    let mut list = String::new();
+    for (n, (law, file, test)) in (1..).zip(TESTS) {
+        let breaks = |slip: &&Slip| {
+            let mut of_slip = outcomes
+                .iter()
+                .filter(|outcome| outcome.slip.name == slip.name);
+            of_slip.any(|outcome| outcome.breaks(law))
+        };
+        let slips: Vec<String> = slips::all()
+            .filter(breaks)
+            .map(|slip| format!("[{name}](#{name})", name = slip.name))
+            .collect();
+        let slips = slips.join(", ");
+        writeln!(
+            list,
+            "{n}. <span id=\"law-{n}\">**{law}**</span>: `{test}` in `tests/suite/{file}` catches {slips}."
+        )
+        .expect("a string takes it");
+    }
+    list
+}
+
+/// Each law, and the test that puts the chapters under it.
+pub(super) const TESTS: &[(&str, &str, &str)] = &[
+    (
+        "the point at t is t directions away from the origin",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+    (
+        "a unit vector has length 1 and points where the vector does",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+    (
+        "the height of a picture is rounded down, and at least 1",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+    (
+        "the ray of a pixel goes from the eye through the pixel's center",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+    (
+        "a dot product multiplies equal letters and adds",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+    (
+        "a ray aimed at the sphere hits it, and one aimed past it misses",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+    (
+        "the line hits the sphere exactly when the discriminant is not negative",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+    ("a tangent is a hit", "quadratic.rs", "obeys_its_laws"),
+    (
+        "the point at t lies on the sphere",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+    ("t is the nearer root", "quadratic.rs", "obeys_its_laws"),
+    (
+        "a hit lies inside the open interval (t_min, t_max)",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+    (
+        "the farther root is the nearer one of the ray turned round, negated",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+    (
+        "the nearest root in the open interval (t_min, t_max) is returned",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+    (
+        "the normal of a hit has length 1",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+    (
+        "the normal of a hit points against the ray",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+    (
+        "a ray meets the front face where it enters the sphere",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+    (
+        "of all that a ray hits, the nearest counts",
+        "quadratic.rs",
+        "obeys_its_laws",
+    ),
+];

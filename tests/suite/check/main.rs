@@ -1,0 +1,11 @@
+//! The judge: is every file read, every mistake known, and every mistake named?
+
+mod bank;
+mod blind_spots;
+mod caught;
+mod causes;
+mod named;
+mod pictures;
+mod reading;
+mod slips;
+mod spoiled;

@@ -1,0 +1,448 @@
+//! What `cargo rtrace check`, `probes` and `slips` say.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use check::places;
+use check::png;
+use check::reading::{MOST_PIXELS, read};
+use common::rtweekend::Picture;
+use slips::Chapter;
+use slips::{self, PROBES};
+use tempfile::TempDir;
+
+use suite::command::woven;
+use suite::command::{assert_refused, assert_success, names_in, path_of, program_with, run, text};
+use suite::drawn::p3;
+
+#[test]
+fn a_right_picture_is_followed_by_what_it_can_not_show() {
+    let folder = TempDir::new().expect("a folder");
+    write(&folder, "mine.ppm", &p3(&normals::picture(400)));
+    let output = run(&mut check_in(&folder, &["normals", "mine.ppm"]));
+    assert_success(&output);
+    insta::assert_snapshot!(text(&output.stdout));
+    let json = run(&mut check_in(&folder, &["normals", "mine.ppm", "--json"]));
+    let json: serde_json::Value = serde_json::from_slice(&json.stdout).expect("an object");
+    let next = &json["blind_spots"]["shown_by"][0];
+    assert_eq!(next["probe"], "behind");
+    assert_eq!(next["mistakes"][1], "behind-drawn");
+    assert_eq!(json["blind_spots"]["only_by_law"][0], "ray-normalized");
+}
+
+#[test]
+fn a_forgotten_change_is_told_before_anything_else() {
+    let folder = TempDir::new().expect("a folder");
+    write(&folder, "mine.ppm", &p3(&normals::picture(200)));
+    let inside = ["normals", "mine.ppm", "--probe", "off-axis"];
+    let output = run(&mut check_in(&folder, &inside));
+    assert_eq!(output.status.code(), Some(1));
+    insta::assert_snapshot!(text(&output.stdout));
+}
+
+#[test]
+fn a_set_of_mistakes_is_shown_with_the_probe_that_tells_them_apart() {
+    insta::assert_snapshot!(said_of("half_b_sphere", "minus-h", "mine.png", 1));
+}
+
+#[test]
+fn a_single_level_is_told_apart_from_a_wrong_picture() {
+    insta::assert_snapshot!(said_of("hittable_list", "rounded", "mine.png", 1));
+}
+
+#[test]
+fn numbers_that_are_no_levels_are_shown_with_the_mistake() {
+    insta::assert_snapshot!(said_of("normals", "normal-only-shifted", "mine.ppm", 2));
+}
+
+#[test]
+fn a_wrong_shape_is_shown_with_the_mistake() {
+    insta::assert_snapshot!(said_of("gradient", "integer-aspect-ratio", "mine.png", 1));
+}
+
+#[test]
+fn a_picture_that_no_mistake_draws_is_described() {
+    let folder = TempDir::new().expect("a folder");
+    write(&folder, "mine.ppm", &p3(&hittable_list::picture(200)));
+    let output = run(&mut check_in(&folder, &["normals", "mine.ppm"]));
+    assert_eq!(output.status.code(), Some(1));
+    insta::assert_snapshot!(text(&output.stdout));
+}
+
+#[test]
+fn what_is_no_picture_is_refused_with_cause_and_fix() {
+    let folder = TempDir::new().expect("a folder");
+    write(
+        &folder,
+        "mine.ppm",
+        b"P3\n400 225\n255\nScanlines remaining: 224\n",
+    );
+    let output = run(&mut check_in(&folder, &["gradient", "mine.ppm"]));
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(
+        text(&output.stdout),
+        "mine.ppm is not a picture: line 4, byte 15: \"Scanlines\" stands among the numbers.\n\
+         Only the picture goes to standard output. Send progress and messages to standard error: \
+         std::clog, eprintln!, sys.stderr.\n"
+    );
+    let missing = run(&mut check_in(&folder, &["gradient", "missing.ppm"]));
+    assert_eq!(missing.status.code(), Some(2));
+    assert!(text(&missing.stdout).contains("missing.ppm is not a picture: it can't be read"));
+}
+
+#[test]
+fn bytes_that_a_stream_of_text_has_changed_are_told_with_what_to_do_on_windows() {
+    let folder = TempDir::new().expect("a folder");
+    let bytes: Vec<Vec<u8>> = [b"P6\n16 16\n255\n", build_test::picture(16).rgb()]
+        .concat()
+        .into_iter()
+        .map(|byte| match byte {
+            b'\n' => b"\r\n".to_vec(),
+            byte => vec![byte],
+        })
+        .collect();
+    write(&folder, "mine.ppm", &bytes.concat());
+    let output = run(&mut check_in(&folder, &["gradient", "mine.ppm"]));
+    assert_eq!(output.status.code(), Some(2));
+    let said = text(&output.stdout);
+    for words in ["is not a picture", "13 and 10", "_setmode", "wb"] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+}
+
+#[test]
+fn a_picture_may_come_from_standard_input_or_from_a_program() {
+    let mut child = program_with("rtrace", &["check", "red_sphere", "-"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let mut stdin = child.stdin.take().expect("it is piped");
+    stdin
+        .write_all(&p3(&red_sphere::picture(64)))
+        .expect("it reads");
+    drop(stdin);
+    let output = child.wait_with_output().expect("the program ends");
+    assert!(text(&output.stdout).starts_with("standard input is right"));
+
+    let normals = path_of("normals").display().to_string();
+    let output = run(&mut program_with(
+        "rtrace",
+        &["check", "half_b_sphere", "--", &normals],
+    ));
+    assert_success(&output);
+    let output = run(&mut program_with(
+        "rtrace",
+        &["check", "gradient", "--", &normals, "-"],
+    ));
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stdout).contains("a picture of the chapter normals"));
+
+    for (words, problem) in [
+        (&["no-such-program"][..], "does not start"),
+        (&[&normals, "--option"], "ended with exit status: 2"),
+    ] {
+        let output = run(program_with("rtrace", &["check", "normals", "--"]).args(words));
+        assert_eq!(output.status.code(), Some(2));
+        assert!(
+            text(&output.stdout).contains(problem),
+            "{}",
+            text(&output.stdout)
+        );
+    }
+}
+
+/// Programs that would keep a check waiting: a loop, one that hands its output to a
+/// process that goes on, one that closes it and goes on, one that prints forever.
+#[cfg(unix)]
+#[test]
+fn a_program_ends_with_all_that_it_started_within_its_time() {
+    let mark = format!("sleep {}.5", std::process::id());
+    let gradient = path_of("gradient").display().to_string();
+    for (script, seconds, code, words) in [
+        (format!("exec {mark}"), "1", 2, "did not end within 1s"),
+        (format!("{gradient} -; {mark} &"), "600", 0, "is right"),
+        (
+            format!("exec >&-; exec {mark}"),
+            "1",
+            2,
+            "did not end within 1s",
+        ),
+        ("exec yes".to_owned(), "600", 2, "has more than"),
+    ] {
+        let arguments = ["check", "gradient", "--timeout", seconds, "--", "sh", "-c"];
+        let output = run(program_with("rtrace", &arguments).arg(&script));
+        assert_eq!(output.status.code(), Some(code), "{script}");
+        let said = text(&output.stdout);
+        assert!(said.contains(words), "{script}: {said}");
+    }
+    let left = Command::new("pgrep").args(["-f", &mark]).output();
+    if let Ok(left) = left {
+        assert_eq!(text(&left.stdout), "", "these are still running");
+    }
+}
+
+#[test]
+fn a_time_that_is_none_is_refused() {
+    for time in ["0", "-1", "soon", "nan", "inf"] {
+        assert_refused(
+            &mut program_with(
+                "rtrace",
+                &["check", "gradient", "--timeout", time, "--", "true"],
+            ),
+            &["--timeout", "a number of seconds"],
+        );
+    }
+}
+
+/// As many pixels as are accepted, in a file of a few kilobytes.
+#[test]
+fn a_picture_of_an_absurd_shape_is_judged_by_its_shape() {
+    let folder = TempDir::new().expect("a folder");
+    for (width, height) in [(1, MOST_PIXELS as u32), (MOST_PIXELS as u32, 1)] {
+        let black = Picture::from_rgb(width, height, vec![0; 3 * MOST_PIXELS as usize]);
+        let file = png::encode(&black.expect("three bytes a pixel"));
+        write(&folder, "mine.png", &file);
+        let output = run(&mut check_in(&folder, &["normals", "mine.png"]));
+        assert_eq!(output.status.code(), Some(1));
+        let said = text(&output.stdout);
+        let size = format!("is {width} × {height}, but");
+        assert!(said.contains(&size) && said.lines().count() < 4, "{said}");
+    }
+}
+
+#[test]
+fn a_tolerance_accepts_what_it_says() {
+    let folder = TempDir::new().expect("a folder");
+    draw(&folder, "rounded", "hittable_list", "mine.png");
+    let exit = |arguments: &[&str]| {
+        let arguments = [&["hittable_list", "mine.png"], arguments].concat();
+        run(&mut check_in(&folder, &arguments)).status.code()
+    };
+    assert_eq!(exit(&[]), Some(1));
+    assert_eq!(exit(&["--tolerance", "1"]), Some(0));
+    assert_eq!(exit(&["--tolerance", "256"]), Some(2));
+}
+
+#[test]
+fn a_probe_is_checked_with_its_own_scene() {
+    let folder = TempDir::new().expect("a folder");
+    write(&folder, "mine.ppm", &p3(&hittable_list::picture(128)));
+    let reversed = ["hittable_list", "mine.ppm", "--probe", "reversed"];
+    assert_success(&run(&mut check_in(&folder, &reversed)));
+    let inside = ["hittable_list", "mine.ppm", "--probe", "inside"];
+    assert_eq!(run(&mut check_in(&folder, &inside)).status.code(), Some(1));
+    let odd = run(&mut check_in(
+        &folder,
+        &["hittable_list", "mine.ppm", "--probe", "odd-width"],
+    ));
+    assert_eq!(odd.status.code(), Some(1));
+    assert!(text(&odd.stdout).contains("image_width = 227"));
+    assert_refused(
+        &mut check_in(&folder, &["gradient", "mine.ppm", "--probe", "inside"]),
+        &["no place", "cargo rtrace probes"],
+    );
+}
+
+#[test]
+fn programs_get_the_same_as_json() {
+    woven();
+    let folder = TempDir::new().expect("a folder");
+    draw(&folder, "closest-ignored", "hittable_list", "mine.png");
+    let output = run(&mut check_in(
+        &folder,
+        &["hittable_list", "mine.png", "--json"],
+    ));
+    assert_eq!(output.status.code(), Some(1));
+    insta::assert_snapshot!(in_any_workspace(&output));
+
+    let output =
+        run(program_with("rtrace", &["check", "normals", "--json", "-"]).stdin(Stdio::null()));
+    assert_eq!(output.status.code(), Some(2));
+    let said = text(&output.stdout);
+    assert!(
+        said.contains("\"verdict\": \"not-a-picture\"") && said.contains("\"name\": \"empty\""),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_report_is_a_page_that_needs_nothing_else() {
+    let folder = TempDir::new().expect("a folder");
+    draw(&folder, "minus-h", "half_b_sphere", "a<b>&c.png");
+    let output = run(&mut check_in(
+        &folder,
+        &["half_b_sphere", "a<b>&c.png", "--report", "report/mine"],
+    ));
+    assert_eq!(output.status.code(), Some(1));
+    let report = folder.path().join("report").join("mine");
+    assert_eq!(
+        names_in(&report),
+        [
+            ".rtrace-manifest",
+            "difference.png",
+            "expected.png",
+            "index.html",
+            "yours.png"
+        ]
+    );
+    let shown = |name: &str| {
+        read(&fs::read(report.join(name)).expect("the file"))
+            .expect("a picture")
+            .picture()
+    };
+    assert!(shown("expected.png") == half_b_sphere::picture(400));
+    assert!(shown("yours.png") == gradient::picture(400));
+    let page = fs::read_to_string(report.join("index.html")).expect("the page");
+    for part in [
+        "a&lt;b&gt;&amp;c.png",
+        "minus-h",
+        "type=\"range\"",
+        "(-h - sqrt(discriminant)) / a",
+        "width=device-width",
+        "light dark",
+    ] {
+        assert!(page.contains(part), "{part} is missing");
+    }
+    assert!(!page.contains("http"), "a page on a disk has no network");
+    assert!(!page.contains("<b>"), "the name of a file is no markup");
+}
+
+#[test]
+fn every_probe_is_listed_with_what_to_change() {
+    let output = run(&mut program_with("rtrace", &["probes"]));
+    assert_success(&output);
+    let said = text(&output.stdout);
+    for probe in PROBES {
+        assert!(
+            said.contains(&format!("\n{}\n", probe.name)),
+            "{}",
+            probe.name
+        );
+        for line in probe.lines(Chapter::HittableList).lines() {
+            assert!(said.contains(line), "{line}");
+        }
+    }
+    let output = run(&mut program_with("rtrace", &["probes", "gradient"]));
+    assert!(
+        !text(&output.stdout).contains("sphere"),
+        "there is none yet"
+    );
+}
+
+#[test]
+fn every_slip_is_listed_and_can_be_drawn() {
+    let output = run(&mut program_with("rtrace", &["slips"]));
+    assert_success(&output);
+    let said = text(&output.stdout);
+    for slip in slips::all() {
+        assert!(said.contains(slip.name) && said.contains(slip.wrong) && said.contains(slip.right));
+    }
+    let output = run(&mut program_with("rtrace", &["slips", "build_test"]));
+    assert!(
+        !text(&output.stdout).contains("minus-h"),
+        "there is no h yet"
+    );
+    let one = text(&run(&mut program_with("rtrace", &["slips", "minus-h"])).stdout);
+    assert!(
+        one.starts_with("minus-h\n") && one.contains("1 mistake."),
+        "{one}"
+    );
+
+    let folder = TempDir::new().expect("a folder");
+    let path = folder.path().join("wrong.ppm");
+    let draw = |arguments: &[&str]| {
+        let mut command = program_with("rtrace", &["slips", "draw"]);
+        command.args(arguments).arg("--output").arg(&path);
+        command
+    };
+    assert_success(&run(&mut draw(&[
+        "times-256",
+        "--chapter",
+        "build_test",
+        "--width",
+        "4",
+    ])));
+    assert!(
+        fs::read_to_string(&path)
+            .expect("the file")
+            .contains("256 256 0")
+    );
+    assert_success(&run(&mut draw(&[
+        "dot-with-swapped-letter",
+        "--width",
+        "32",
+    ])));
+    let wrong = slips::find("dot-with-swapped-letter")
+        .expect("a slip")
+        .program(Chapter::HittableList);
+    assert_eq!(
+        fs::read_to_string(&path).expect("the file"),
+        wrong.run(32).to_string()
+    );
+
+    assert_refused(
+        &mut draw(&["minus-h", "--chapter", "gradient"]),
+        &["can't be made"],
+    );
+    assert_refused(&mut draw(&["minus-g"]), &["similar", "'minus-h'"]);
+    assert_refused(
+        program_with(
+            "rtrace",
+            &["slips", "draw", "height-may-be-zero", "--width", "1", "-o"],
+        )
+        .arg(folder.path().join("none.png")),
+        &["no pixel", ".ppm"],
+    );
+}
+
+/// What is said of the picture that a slip draws, under the name of that file.
+fn said_of(chapter: &str, slip: &str, name: &str, code: i32) -> String {
+    woven();
+    let folder = TempDir::new().expect("a folder");
+    draw(&folder, slip, chapter, name);
+    let output = run(&mut check_in(&folder, &[chapter, name]));
+    assert_eq!(output.status.code(), Some(code), "{}", text(&output.stderr));
+    assert_eq!(text(&output.stderr), "");
+    in_any_workspace(&output)
+}
+
+/// What a program printed, with the paths of pages and sources as they are everywhere.
+fn in_any_workspace(output: &Output) -> String {
+    let workspace = places::workspace().expect("it is here");
+    let workspace = format!("{}/", workspace.display());
+    text(&output.stdout).replace(&workspace, "WORKSPACE/")
+}
+
+fn draw(folder: &TempDir, slip: &str, chapter: &str, name: &str) {
+    let arguments = [
+        "slips",
+        "draw",
+        slip,
+        "--chapter",
+        chapter,
+        "--output",
+        name,
+    ];
+    assert_success(&run(in_folder(
+        folder,
+        &mut program_with("rtrace", &arguments),
+    )));
+}
+
+fn check_in(folder: &TempDir, arguments: &[&str]) -> Command {
+    let mut command = program_with("rtrace", &["check"]);
+    in_folder(folder, command.args(arguments));
+    command
+}
+
+fn in_folder<'a>(folder: &TempDir, command: &'a mut Command) -> &'a mut Command {
+    command.current_dir(folder.path())
+}
+
+fn write(folder: &TempDir, name: &str, bytes: &[u8]) {
+    let path: &Path = folder.path();
+    fs::write(path.join(name), bytes).expect("a file");
+}

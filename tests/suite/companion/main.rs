@@ -1,0 +1,15 @@
+//! The companion: what does each command do with good input and bad?
+
+mod anywhere;
+mod check_command;
+mod command_line;
+#[cfg(unix)]
+mod faults;
+mod folders;
+mod hit_command;
+mod needs_command;
+mod start;
+#[cfg(unix)]
+mod terminal;
+#[cfg(unix)]
+mod watch;

@@ -1,0 +1,409 @@
+//! A crate of the reader's own: made, typed, carried on, and put under the laws.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use suite::mine::Mine;
+
+use tempfile::TempDir;
+
+use suite::command::{assert_failed, assert_refused, assert_success, names_in, run, text};
+
+/// The chapters that are typed.
+const TYPED: [&str; 5] = [
+    "gradient",
+    "red_sphere",
+    "normals",
+    "half_b_sphere",
+    "hittable_list",
+];
+
+#[test]
+fn every_chapter_can_be_typed_and_begins_with_the_one_before() {
+    let mine = Mine::new();
+    type_all_chapters(&mine, &[]);
+    // What was typed in chapter 1 is still what the sky is.
+    let last = fs::read_to_string(mine.lib("hittable_list")).expect("the chapter");
+    assert!(
+        last.contains("pub fn sky(ray: &Ray) -> Color {\n    let up"),
+        "{last}"
+    );
+}
+
+/// Vectors, rays, the camera and the text of a picture.
+#[test]
+fn a_reader_may_type_the_prelude_as_well() {
+    type_all_chapters(&Mine::new(), &["--own-prelude"]);
+}
+
+#[test]
+fn nothing_that_was_typed_is_written_over() {
+    let mine = Mine::new();
+    assert_success(&run(&mut mine.start("normals", &[])));
+    fs::write(mine.lib("normals"), "// mine").expect("a file");
+    assert_refused(
+        &mut mine.start("normals", &[]),
+        &["normals is there already", "--again"],
+    );
+    assert_eq!(
+        fs::read_to_string(mine.lib("normals")).expect("a file"),
+        "// mine"
+    );
+
+    let again = run(&mut mine.start("normals", &["--again"]));
+    assert_success(&again);
+    assert!(
+        text(&again.stdout).contains("normals.1"),
+        "{}",
+        text(&again.stdout)
+    );
+    let kept = fs::read_to_string(mine.path().join("normals.1/src/lib.rs"));
+    assert_eq!(kept.expect("what was there"), "// mine");
+    assert!(
+        fs::read_to_string(mine.lib("normals"))
+            .expect("a file")
+            .contains("todo!()")
+    );
+}
+
+#[test]
+fn what_cannot_be_read_is_not_carried_over_and_that_is_said() {
+    let mine = Mine::new();
+    assert_success(&run(&mut mine.start("gradient", &[])));
+    fs::write(mine.lib("gradient"), "pub fn ray_color(").expect("a file");
+    let started = run(&mut mine.start("red_sphere", &[]));
+    assert_success(&started);
+    let said = text(&started.stdout);
+    assert!(
+        said.contains("Nothing is carried over from gradient"),
+        "{said}"
+    );
+
+    // An editor has it open, and a note is no text.
+    let beside = |name: &str| mine.lib("gradient").with_file_name(name);
+    fs::write(beside(".lib.rs.swp"), b"\xff").expect("a file");
+    fs::write(beside("note.bin"), b"\xff").expect("a file");
+    fs::remove_file(mine.lib("gradient")).expect("it goes");
+    assert_success(&run(&mut mine.start("red_sphere", &["--again"])));
+    let source = mine.lib("red_sphere");
+    assert!(source.is_file() && source.with_file_name("note.bin").is_file());
+    assert!(!source.with_file_name(".lib.rs.swp").exists());
+    let left = names_in(&mine.path());
+    assert_eq!(
+        left,
+        ["gradient", "red_sphere", "red_sphere.1"],
+        "and nothing beside"
+    );
+}
+
+#[test]
+fn from_anywhere_below_the_same_crates_are_meant() {
+    let mine = Mine::new();
+    assert_success(&run(&mut mine.start("gradient", &[])));
+    let inside = mine.path().join("gradient/src");
+    for words in [&["start", "red_sphere"][..], &["done", "-b was b"]] {
+        assert_success(&run(mine.rtrace(words).current_dir(&inside)));
+    }
+    assert_eq!(
+        names_in(&mine.path()),
+        ["done.md", "gradient", "red_sphere"]
+    );
+    assert_refused(&mut mine.rtrace(&["done", ""]), &["TEXT"]);
+}
+
+/// A report ends with a test to paste, and that is where it came from.
+#[test]
+fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
+    for prelude in [&[][..], &["--own-prelude"]] {
+        let mine = Mine::new();
+        for chapter in TYPED {
+            start_and_type(&mine, chapter, prelude);
+        }
+        for (chapter, right, wrong) in [
+            ("red_sphere", "4.0 * a * c", "a * c"),
+            ("normals", "2.0 * a)", "a)"),
+            (
+                "hittable_list",
+                "t = (h + sqrtd) / a;",
+                "t = (h - sqrtd) / a;",
+            ),
+        ] {
+            mine.edit(chapter, right, wrong);
+            let law = mine.path().join(chapter).join("tests/laws.rs");
+            let test = |words: &[&str]| {
+                let mut cargo = Command::new(env!("CARGO"));
+                cargo.args(["test", "--quiet"]).args(words);
+                cargo
+                    .env("CARGO_TARGET_DIR", Mine::built())
+                    .env_remove("RUST_BACKTRACE");
+                run(cargo.current_dir(mine.path().join(chapter)))
+            };
+            let said = test(&[]).stdout;
+            let said = text(&said);
+            let (_, pasted) = said.split_once("#[test]\n").expect("a test to paste");
+            let (pasted, _) = pasted.split_once("\n}\n").expect("its end");
+            let source = fs::read_to_string(&law).expect("the test");
+            fs::write(&law, format!("{source}\n#[test]\n{pasted}\n}}\n")).expect("it is pasted");
+            let said = test(&["this_case_is_right"]);
+            let said = text(&said.stdout) + &text(&said.stderr);
+            assert!(
+                said.contains("0 passed; 1 failed"),
+                "{chapter}: {pasted}\n{said}"
+            );
+        }
+    }
+}
+
+/// Cargo puts the settings of all folders above together.
+#[test]
+fn in_a_crate_inside_the_workspace_cargo_rtrace_is_the_same() {
+    let mine = TempDir::new_in(env!("CARGO_TARGET_TMPDIR")).expect("a folder");
+    let into = mine.path().to_str().expect("a name in UTF-8");
+    assert_success(&run(&mut Mine::new().start("normals", &["--into", into])));
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["rtrace", "slips", "minus-h"]);
+    let said = run(cargo.current_dir(mine.path().join("normals/src")));
+    assert!(
+        text(&said.stdout).starts_with("minus-h"),
+        "{}",
+        text(&said.stderr)
+    );
+}
+
+#[test]
+fn a_folder_of_the_workspace_is_refused() {
+    let mine = Mine::new();
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let chapters = fs::canonicalize(workspace.join("chapters")).expect("our chapters");
+    let before = names_in(&chapters);
+    let into = chapters.to_str().expect("a name in UTF-8");
+    assert_refused(
+        &mut mine.start("gradient", &["--into", into]),
+        &["belongs to this workspace"],
+    );
+    assert_eq!(names_in(&chapters), before);
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_named() {
+    let mine = Mine::new();
+    fs::write(mine.path(), "").expect("a file");
+    assert_failed(
+        &mut mine.start("normals", &["--into", "mine/deeper"]),
+        &["cannot write", "mine/deeper/normals"],
+    );
+}
+
+#[test]
+fn the_list_of_done_things_has_what_came_out_right_once_and_the_readers_own_lines() {
+    let mine = Mine::new();
+    assert_success(&run(&mut mine.start("gradient", &[])));
+    mine.edit("gradient", "todo!()", "Color::new(1.0, 1.0, 1.0)");
+    mine.watch_once("gradient");
+    mine.watch_once("gradient");
+    let done = |words: &[&str]| {
+        let output = run(&mut mine.rtrace(&[&["done"], words].concat()));
+        assert_success(&output);
+        text(&output.stdout)
+    };
+    done(&["red and green\nwere swapped"]);
+    let list = fs::read_to_string(mine.path().join("done.md")).expect("the list");
+    let lines: Vec<&str> = list.lines().collect();
+    assert_eq!(lines[..2], ["# Done", ""]);
+    assert_eq!(lines.len(), 4, "{list}");
+    for (line, what) in lines[2..].iter().zip([
+        "gradient: step 1 shows what it should",
+        "red and green were swapped",
+    ]) {
+        let (when, thing) = line.split_at("- 2026-11-22 10:41  ".len());
+        assert_eq!(thing, what);
+        assert!(when.starts_with("- 20") && when.ends_with("  "), "{when}");
+    }
+    let said = done(&[]);
+    assert!(
+        said.contains("were swapped") && said.contains("gradient       2. Where does"),
+        "{said}"
+    );
+    assert!(!said.contains("gradient       1."), "{said}");
+}
+
+/// Types one chapter after the other, each of which is right in the end, and says so.
+fn type_all_chapters(mine: &Mine, prelude: &[&str]) {
+    for chapter in TYPED {
+        start_and_type(mine, chapter, prelude);
+        let said = mine.watch_once(chapter);
+        let right = match chapter {
+            "gradient" => "to the last bit.",
+            _ => "to the last bit. The laws hold.",
+        };
+        assert!(said.contains(right), "{chapter}:\n{said}");
+    }
+}
+
+fn start_and_type(mine: &Mine, chapter: &str, prelude: &[&str]) {
+    assert_success(&run(&mut mine.start(chapter, prelude)));
+    if chapter == "gradient" && !prelude.is_empty() {
+        type_prelude(mine);
+    }
+    type_all(mine, chapter);
+}
+
+/// Types all that is missing.
+fn type_all(mine: &Mine, chapter: &str) {
+    match chapter {
+        "gradient" => mine.edit(chapter, "todo!()", "let up = 0.5 * (ray.direction.normalize().y + 1.0);\n    (1.0 - up) * Color::new(1.0, 1.0, 1.0) + up * Color::new(0.5, 0.7, 1.0)"),
+        "red_sphere" => mine.edit(chapter, "todo!()", DECISION),
+        "normals" => {
+            fill(mine, chapter, "pub fn ray_color(ray: &Ray) -> Color", NORMAL_AS_COLOR);
+            fill(mine, chapter, "-> Option<f64>", FULL);
+        }
+        "half_b_sphere" => mine.edit(chapter, "todo!()", HALF),
+        _ => {
+            fill(mine, chapter, "world: &dyn Hittable) -> Color", "match world.hit(ray, 0.0, f64::INFINITY) {\n        Some(record) => 0.5 * (record.normal + Vec3::new(1.0, 1.0, 1.0)),\n        None => sky(ray),\n    }");
+            fill(mine, chapter, "outward_normal: Vec3)", "self.front_face = ray.direction.dot(outward_normal) < 0.0;\n        self.normal = if self.front_face { outward_normal } else { -outward_normal };");
+            fill(mine, chapter, "impl Hittable for Sphere", SPHERE);
+            fill(mine, chapter, "impl Hittable for HittableList", LIST);
+            mine.edit(chapter, "    world\n}", "    world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0));\n    world\n}");
+        }
+    }
+}
+
+/// Puts `body` in the place of the first `todo!()` behind `place`.
+fn fill(mine: &Mine, chapter: &str, place: &str, body: &str) {
+    let (file, source) = mine.source_with(chapter, place);
+    let (before, behind) = source.split_once(place).expect("the place");
+    let behind = behind.replacen("todo!()", body, 1);
+    fs::write(&file, format!("{before}{place}{behind}")).expect("the chapter is saved");
+}
+
+const DECISION: &str = "let oc = center - ray.origin;
+    let a = ray.direction.dot(ray.direction);
+    let b = -2.0 * ray.direction.dot(oc);
+    let c = oc.dot(oc) - radius * radius;
+    b * b - 4.0 * a * c >= 0.0";
+
+pub(crate) const FULL: &str = "let oc = center - ray.origin;
+    let a = ray.direction.dot(ray.direction);
+    let b = -2.0 * ray.direction.dot(oc);
+    let c = oc.dot(oc) - radius * radius;
+    let discriminant = b * b - 4.0 * a * c;
+    if discriminant < 0.0 {
+        return None;
+    }
+    Some((-b - discriminant.sqrt()) / (2.0 * a))";
+
+const NORMAL_AS_COLOR: &str = "let center = Point3::new(0.0, 0.0, -1.0);
+    match hit_sphere(center, 0.5, ray) {
+        Some(t) if t > 0.0 => {
+            let normal = (ray.at(t) - center).normalize();
+            0.5 * (normal + Vec3::new(1.0, 1.0, 1.0))
+        }
+        _ => sky(ray),
+    }";
+
+const HALF: &str = "let oc = center - ray.origin;
+    let a = ray.direction.length_squared();
+    let h = ray.direction.dot(oc);
+    let c = oc.length_squared() - radius * radius;
+    let discriminant = h * h - a * c;
+    if discriminant < 0.0 {
+        return None;
+    }
+    Some((h - discriminant.sqrt()) / a)";
+
+/// As the book compares: NaN passes, which no law minds.
+const SPHERE: &str = "let oc = self.center - ray.origin;
+        let a = ray.direction.length_squared();
+        let h = ray.direction.dot(oc);
+        let c = oc.length_squared() - self.radius * self.radius;
+        let discriminant = h * h - a * c;
+        if discriminant < 0.0 {
+            return None;
+        }
+        let sqrtd = discriminant.sqrt();
+        let mut t = (h - sqrtd) / a;
+        if t <= t_min || t_max <= t {
+            t = (h + sqrtd) / a;
+            if t <= t_min || t_max <= t {
+                return None;
+            }
+        }
+        let point = ray.at(t);
+        let mut record = HitRecord { t, point, ..HitRecord::default() };
+        record.set_face_normal(ray, (1.0 / self.radius) * (point - self.center));
+        Some(record)";
+
+const LIST: &str = "let mut nearest: Option<HitRecord> = None;
+        for object in &self.objects {
+            let closest = nearest.map_or(t_max, |record| record.t);
+            nearest = object.hit(ray, t_min, closest).or(nearest);
+        }
+        nearest";
+
+fn type_prelude(mine: &Mine) {
+    let source = mine.path().join("gradient/src");
+    let answers: [(&str, &[(&str, &str)]); 3] = [
+        (
+            "vec3.rs",
+            &[
+                (
+                    "fn dot(self, other: Self) -> f64",
+                    "self.x * other.x + self.y * other.y + self.z * other.z",
+                ),
+                ("fn length_squared(self) -> f64", "self.dot(self)"),
+                ("fn length(self) -> f64", "self.length_squared().sqrt()"),
+                ("fn normalize(self) -> Self", "(1.0 / self.length()) * self"),
+                (
+                    "fn add(self, other: Self)",
+                    "Self::new(self.x + other.x, self.y + other.y, self.z + other.z)",
+                ),
+                ("fn sub(self, other: Self)", "self + -other"),
+                ("fn neg(self)", "-1.0 * self"),
+                (
+                    "fn mul(self, v: Vec3)",
+                    "Vec3::new(self * v.x, self * v.y, self * v.z)",
+                ),
+            ],
+        ),
+        (
+            "ray.rs",
+            &[("fn at(&self, t: f64)", "self.origin + t * self.direction")],
+        ),
+        (
+            "render.rs",
+            &[("ray_color: impl Fn(&Ray) -> Color) -> Picture", RENDER)],
+        ),
+    ];
+    for (name, functions) in answers {
+        let file = source.join(name);
+        let mut text = fs::read_to_string(&file).expect("the prelude");
+        for (place, body) in functions {
+            let (before, behind) = text.split_once(place).expect("the place");
+            text = format!("{before}{place}{}", behind.replacen("todo!()", body, 1));
+        }
+        fs::write(file, text).expect("the prelude is saved");
+    }
+}
+
+const RENDER: &str = "use crate::vec3::Vec3;
+
+    let height = ((f64::from(width) / (16.0 / 9.0)) as u32).max(1);
+    let viewport = 2.0 * (f64::from(width) / f64::from(height));
+    let (u, v) = (Vec3::new(viewport, 0.0, 0.0), Vec3::new(0.0, -2.0, 0.0));
+    let delta_u = (1.0 / f64::from(width)) * u;
+    let delta_v = (1.0 / f64::from(height)) * v;
+    let eye = Vec3::new(0.0, 0.0, 0.0);
+    let corner = eye - Vec3::new(0.0, 0.0, 1.0) - 0.5 * u - 0.5 * v;
+    let first = corner + 0.5 * (delta_u + delta_v);
+    let mut text = format!(\"P3\\n{width} {height}\\n255\\n\");
+    for j in 0..height {
+        for i in 0..width {
+            let pixel = first + f64::from(i) * delta_u + f64::from(j) * delta_v;
+            let color = ray_color(&Ray::new(eye, pixel - eye));
+            for component in [color.x, color.y, color.z] {
+                text += &format!(\"{} \", (255.999 * component) as u8);
+            }
+            text.push('\\n');
+        }
+    }
+    text";

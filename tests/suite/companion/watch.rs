@@ -1,0 +1,399 @@
+//! The loop from a save to a verdict, watched in a terminal as a reader sees it.
+
+use std::fs;
+use std::io::Read;
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use insta::assert_binary_snapshot;
+use rustix::process::{Pid, Signal, kill_process};
+use tempfile::TempDir;
+
+use crate::faults::hears_signals;
+use crate::start::FULL;
+use crate::terminal;
+use suite::command::{assert_refused, program, run, text};
+use suite::left_out::left_out;
+use suite::mine::Mine;
+
+/// The first hour of the introduction, which shows some of these screens.
+#[test]
+fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
+    let mine = Mine::new();
+    run(&mut mine.start("red_sphere", &[]));
+    let started = run(&mut mine.start("normals", &[]));
+    keep("start", &text(&started.stdout));
+    let mut desk = Desk::sit_down(&mine.rtrace(&["watch", "normals"]));
+    desk.see("Not written yet");
+
+    mine.edit("normals", RAY_COLOR_TODO, RED_DISC);
+    desk.see("src/lib.rs:");
+    // The first mistake: a bracket too few. The compiler says so itself.
+    let bracket_lost = FULL.replace("(2.0 * a)", "(2.0 * a");
+    mine.edit(
+        "normals",
+        HIT_SPHERE_TODO,
+        &HIT_SPHERE_TODO.replace("todo!()", &bracket_lost),
+    );
+    let screen = desk.see("It does not compile");
+    assert!(plain(&screen).contains("src/lib.rs"), "{screen}");
+    mine.edit("normals", "(2.0 * a", "(2.0 * a)");
+    keep("step", &desk.see("Step 1 of 3 is right."));
+
+    mine.edit("normals", RED_BODY, GRAY_BODY);
+    keep("gray", &desk.see("Step 2 of 3 is right."));
+
+    // The second: the normal points inwards.
+    mine.edit(
+        "normals",
+        GRAY_BODY,
+        &NORMAL_BODY.replace("ray.at(t) - center", "center - ray.at(t)"),
+    );
+    keep("wrong", &desk.see("Wrong:"));
+    mine.edit("normals", "center - ray.at(t)", "ray.at(t) - center");
+    desk.see("The laws hold.");
+
+    // The third: the sign of b.
+    mine.edit("normals", "let b = -2.0", "let b = 2.0");
+    let screen = plain(&desk.see("Wrong:"));
+    assert!(screen.contains("b-sign"), "{screen}");
+    mine.edit("normals", "let b = 2.0", "let b = -2.0");
+    keep("right", &desk.see("The laws hold."));
+
+    for screen in desk.screens() {
+        let lines: Vec<usize> = plain(&screen)
+            .lines()
+            .map(|line| line.chars().count())
+            .collect();
+        let rows: usize = lines.iter().map(|length| length.div_ceil(80).max(1)).sum();
+        assert!(
+            rows <= 23,
+            "a terminal of 24 lines has no room for\n{}",
+            plain(&screen)
+        );
+    }
+    desk.leave();
+    let list = fs::read_to_string(mine.path().join("done.md")).expect("the list");
+    for done in ["step 1 shows", "the picture is right", "the laws hold"] {
+        assert_eq!(list.matches(done).count(), 1, "{list}");
+    }
+    run(&mut mine.rtrace(&[
+        "done",
+        "the ball was inside out: n points away from the center",
+    ]));
+    let done = run(&mut mine.rtrace(&["done"]));
+    keep("done", &text(&done.stdout));
+}
+
+#[test]
+fn a_program_in_any_language_is_watched_with_its_folder() {
+    let Some(python) = python() else {
+        left_out("there is no Python here to watch a program of");
+        return;
+    };
+    let here = TempDir::new().expect("a folder");
+    let file = here.path().join("gradient.py");
+    fs::write(&file, GRADIENT_PY).expect("the program");
+    let mut watch = program("rtrace");
+    watch.args(["watch", "gradient", "--timeout", "60", "--"]);
+    watch.args([&python, "gradient.py"]);
+    let mut desk = Desk::sit_down(watch.current_dir(here.path()));
+    desk.see("Right: all 64 × 36 pixels");
+
+    let save = |old: &str, new: &str| {
+        let source = fs::read_to_string(&file).expect("the program");
+        assert!(source.contains(old));
+        fs::write(&file, source.replace(old, new)).expect("it is saved");
+    };
+    save("(1 - a) * 1 + a * 0.5", "(1 - a) * 1 + a * a * 0.5");
+    desk.see("Wrong:");
+    save("import math", "import maths");
+    assert!(plain(&desk.see("It ended with")).contains("maths"));
+    save("import maths", "import math\nimport time\ntime.sleep(600)");
+    // It hangs, and is not waited for once there is something newer.
+    thread::sleep(Duration::from_millis(400));
+    save(
+        "time.sleep(600)",
+        "open('own.ppm', 'w').write(str(time.time()))",
+    );
+    desk.see("Wrong:");
+    // A program that writes a new file on every run is not judged for ever.
+    desk.see_no_more();
+    save(
+        "'own.ppm', 'w').write(str(time.time()))",
+        "'part', 'w')\nimport os; os.rename('part', 'own')",
+    );
+    desk.see("Wrong:");
+    desk.see_no_more();
+    save("(1 - a) * 1 + a * a * 0.5", "(1 - a) * 1 + a * 0.5");
+    desk.see("Right:");
+
+    // Another folder takes the place of this one.
+    let (aside, new) = (here.path().with_extension("aside"), fs::read(&file));
+    fs::rename(here.path(), &aside).expect("it is put aside");
+    fs::create_dir(here.path()).expect("a folder");
+    fs::write(&file, new.expect("the program")).expect("it is there again");
+    desk.see("Right:");
+    save("(1 - a) * 1 + a * 0.5", "(1 - a) * 1 + a * a * 0.5");
+    desk.see("Wrong:");
+    fs::remove_dir_all(aside).expect("what was aside goes");
+    fs::remove_dir_all(here.path()).expect("the folder goes");
+    assert!(!desk.ended().success());
+}
+
+#[test]
+fn what_cannot_be_watched_is_said() {
+    let here = TempDir::new().expect("a folder");
+    let mut none = program("rtrace");
+    none.args(["watch", "normals"]).current_dir(here.path());
+    assert_refused(
+        &mut none,
+        &[
+            "there is no mine/normals yet",
+            "start normals",
+            "-- PROGRAM",
+        ],
+    );
+
+    let once = |words: &[&str]| {
+        let mut watch = program("rtrace");
+        watch
+            .args(["watch", "gradient", "--once"])
+            .args(words)
+            .current_dir(here.path());
+        run(&mut watch)
+    };
+    let output = once(&["--", "./no-such-program"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        text(&output.stdout).contains("does not start"),
+        "{output:?}"
+    );
+    let output = once(&["--timeout", "0.3", "--", "sleep", "60"]);
+    assert!(
+        text(&output.stdout).contains("did not end within 300ms"),
+        "{output:?}"
+    );
+    let output = once(&["--", "echo", "hello"]);
+    assert!(text(&output.stdout).contains("no picture"), "{output:?}");
+}
+
+/// Somebody at a terminal, before whom the program runs.
+struct Desk {
+    child: Child,
+    shown: Arc<Mutex<Vec<u8>>>,
+    /// How much of it has been seen.
+    seen: usize,
+}
+
+/// What clears the screen.
+const CLEAR: &str = "\x1b[2J\x1b[H";
+
+impl Desk {
+    fn sit_down(wanted: &Command) -> Self {
+        let (mut controller, end) = terminal::open();
+        let mut command = hears_signals(wanted.get_program().into());
+        command.args(wanted.get_args());
+        for (name, value) in wanted.get_envs() {
+            command.env(name, value.unwrap_or_default());
+        }
+        if let Some(folder) = wanted.get_current_dir() {
+            command.current_dir(folder);
+        }
+        command.env("COLORTERM", "truecolor");
+        terminal::forget_ours(&mut command);
+        command.stdout(end).stderr(Stdio::null());
+        let child = command.spawn().expect("the program starts");
+        let shown = Arc::new(Mutex::new(Vec::new()));
+        let screen = Arc::clone(&shown);
+        thread::spawn(move || {
+            let mut piece = [0; 4096];
+            while let Ok(length @ 1..) = controller.read(&mut piece) {
+                let mut screen = screen.lock().expect("nobody panics with it");
+                screen.extend_from_slice(&piece[..length]);
+            }
+        });
+        Self {
+            child,
+            shown,
+            seen: 0,
+        }
+    }
+
+    /// All screens so far, each as it was before the next one replaced it.
+    fn screens(&self) -> Vec<String> {
+        let shown = text(&self.shown.lock().expect("nobody panics with it")).replace("\r\n", "\n");
+        let screens = shown.split(CLEAR).skip(1);
+        // What is said while the next one is made stays on the line of the cursor.
+        let whole = screens.map(|screen| screen.trim_end_matches("judging …"));
+        whole.map(str::to_owned).collect()
+    }
+
+    /// Waits for a new screen that says this.
+    fn see(&mut self, what: &str) -> String {
+        // The first one may have to build all that a crate stands on.
+        let patience = Duration::from_secs(if self.seen == 0 { 300 } else { 30 });
+        let patience = Instant::now() + patience;
+        loop {
+            let screens = self.screens();
+            let new = screens.iter().skip(self.seen);
+            let found = new
+                .zip(self.seen..)
+                .find(|(screen, _)| plain(screen).contains(what));
+            if let Some((screen, at)) = found
+                && screen.ends_with('\n')
+            {
+                self.seen = at + 1;
+                return screen.clone();
+            }
+            assert!(
+                Instant::now() < patience,
+                "{what} is not said:\n{}",
+                screens.join("\n---\n")
+            );
+            thread::sleep(Duration::from_millis(20));
+        }
+    }
+
+    /// Waits until no new screen comes for two seconds.
+    fn see_no_more(&mut self) {
+        let patience = Instant::now() + Duration::from_secs(60);
+        loop {
+            let before = self.screens().len();
+            thread::sleep(Duration::from_secs(2));
+            if self.screens().len() == before {
+                self.seen = before;
+                return;
+            }
+            assert!(Instant::now() < patience, "it is judged for ever");
+        }
+    }
+
+    fn ended(&mut self) -> ExitStatus {
+        let patience = Instant::now() + Duration::from_secs(20);
+        loop {
+            if let Some(status) = self.child.try_wait().expect("it can be asked") {
+                return status;
+            }
+            assert!(Instant::now() < patience, "it does not end");
+            thread::sleep(Duration::from_millis(20));
+        }
+    }
+
+    /// Presses Ctrl-C. Whatever was switched on in the terminal is off again.
+    fn leave(mut self) {
+        kill_process(Pid::from_child(&self.child), Signal::INT).expect("it is running");
+        assert!(!self.ended().success());
+        let shown = text(&self.shown.lock().expect("nobody panics with it"));
+        assert!(
+            !shown.contains("\x1b[?"),
+            "a mode of the terminal was changed"
+        );
+        let last = shown.rfind("\x1b[").map_or("", |at| &shown[at..]);
+        assert!(last.starts_with("\x1b[0m"), "{last:?}");
+    }
+}
+
+impl Drop for Desk {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// Keeps a screen for the introduction, as it was on the day before the first one.
+fn keep(name: &str, screen: &str) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path("../../../book/notes/terminal");
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    let screen: String = screen.lines().map(|line| undated(line) + "\n").collect();
+    let svg = anstyle_svg::Term::new().render_svg(&screen);
+    // The blocks of a picture are to meet, whatever the font.
+    let wider = "<style>\n    [class^=bg-rgb] { stroke-width: 4px }";
+    let svg = svg.replacen("<style>", wider, 1);
+    settings.bind(|| assert_binary_snapshot!(&format!("{name}.svg"), svg.into_bytes()));
+}
+
+/// The line without what differs from run to run.
+fn undated(line: &str) -> String {
+    match (
+        line.split_once("  \x1b[2msaved "),
+        line.split_at_checked(20),
+    ) {
+        (Some((title, _)), _) => title.to_owned(),
+        (_, Some((date, thing))) if date.starts_with("  - 20") => format!("  - …{thing}"),
+        _ => line.to_owned(),
+    }
+}
+
+/// The text without colors.
+fn plain(screen: &str) -> String {
+    let mut pieces = screen.split("\x1b[");
+    let first = pieces.next().unwrap_or_default().to_owned();
+    pieces.fold(first, |text, piece| {
+        let end = piece.find(|letter: char| letter.is_ascii_alphabetic());
+        text + &piece[end.map_or(0, |end| end + 1)..]
+    })
+}
+
+fn python() -> Option<String> {
+    let has = |name: &&str| {
+        Command::new(name)
+            .arg("--version")
+            .output()
+            .is_ok_and(|it| it.status.success())
+    };
+    ["python3", "python"]
+        .iter()
+        .copied()
+        .find(|name| has(name))
+        .map(str::to_owned)
+}
+
+const RAY_COLOR_TODO: &str = "pub fn ray_color(ray: &Ray) -> Color {
+    todo!()";
+
+const RED_DISC: &str = "pub fn ray_color(ray: &Ray) -> Color {
+    let center = Point3::new(0.0, 0.0, -1.0);
+    if let Some(t) = hit_sphere(center, 0.5, ray)
+        && t > 0.0
+    {
+        return Color::new(1.0, 0.0, 0.0);
+    }
+    sky(ray)";
+
+const RED_BODY: &str = "    {
+        return Color::new(1.0, 0.0, 0.0);";
+
+const GRAY_BODY: &str = "    {
+        return t * Vec3::ONE;";
+
+const NORMAL_BODY: &str = "    {
+        let normal = (ray.at(t) - center).normalize();
+        return 0.5 * (normal + Vec3::ONE);";
+
+const HIT_SPHERE_TODO: &str = "-> Option<f64> {
+    todo!()";
+
+/// Chapter 1, as somebody types it who likes Python.
+const GRADIENT_PY: &str = r#"import math
+
+width, height = 64, 36
+viewport = 2.0 * (width / height)
+du, dv = viewport * (1.0 / width), -2.0 * (1.0 / height)
+x0 = -0.5 * viewport + 0.5 * du
+y0 = 0.5 * 2.0 + 0.5 * dv
+print("P3", width, height, 255)
+for j in range(height):
+    for i in range(width):
+        x, y, z = x0 + i * du, y0 + j * dv, -1.0
+        y = y * (1.0 / math.sqrt(x * x + y * y + z * z))
+        a = 0.5 * (y + 1.0)
+        red = (1 - a) * 1 + a * 0.5
+        green = (1 - a) * 1 + a * 0.7
+        blue = (1 - a) * 1 + a * 1
+        print(int(255.999 * red), int(255.999 * green), int(255.999 * blue))
+"#;

@@ -1,0 +1,13 @@
+//! Chapter 6: is each method as right, as exact and as it is said to be?
+
+mod campaign;
+mod leaving;
+mod measured;
+mod methods;
+mod nearest;
+mod oracle;
+mod proofs;
+mod shadow;
+mod speed_vs_accuracy;
+mod stability;
+mod witnesses;

@@ -1,0 +1,337 @@
+//! What chapter 6 is measured with: the cases, the batches, the maps, and the
+//! file of timings.
+
+use common::rtweekend::*;
+use figures::records::Timing;
+use figures::table::Table;
+use laws::oracle::Exact;
+use speed_vs_accuracy::batch::{self, BLOCK, Block};
+use speed_vs_accuracy::{
+    Case, Discriminant, Eye, METHODS, Method, Precision, REGIMES, Regime, SCENES, Scene,
+    exact_discriminant, failure_map, find_scene, half_b, half_b_f32,
+};
+
+mod cases {
+    use super::*;
+
+    /// Numbers made by addition, division and roots are the same everywhere; so
+    /// is this sum of their bits.
+    #[test]
+    fn are_the_same_on_every_machine() {
+        let sums = REGIMES.map(|regime| {
+            let cases = regime.cases(Precision::Double, 1, 100);
+            let bits = cases.iter().flat_map(Case::numbers).map(f64::to_bits);
+            (regime.name, bits.fold(0, u64::wrapping_add) % 1_000_000)
+        });
+        insta::assert_debug_snapshot!(sums);
+    }
+
+    #[test]
+    fn for_single_precision_are_made_of_its_numbers() {
+        for regime in REGIMES {
+            for case in regime.cases(Precision::Single, 3, 200) {
+                assert_eq!(case, case.rounded(Precision::Single));
+                assert!(case.numbers().iter().all(|number| number.is_finite()));
+            }
+        }
+    }
+
+    #[test]
+    fn of_a_level_are_as_near_a_tangent_as_it_says() {
+        for level in [3, 6, 9, 12] {
+            let expected = 0.1 * f64::powi(10.0, -level);
+            for case in Regime::GRAZING.cases_at(level, Precision::Double, 1, 50) {
+                let margin = Exact::of(&case).discriminant_margin().abs();
+                assert!(
+                    (expected..5.0 * expected).contains(&margin),
+                    "{margin} at {level}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn have_the_discriminant_of_half_b_to_the_bit() {
+        for case in REGIMES
+            .iter()
+            .flat_map(|regime| regime.cases(Precision::Double, 4, 300))
+        {
+            let found = case.put_to(&Method::HALF_B, f64::NEG_INFINITY, f64::INFINITY);
+            let discriminant = case.discriminant();
+            let expected =
+                (discriminant >= 0.0).then(|| (case.h() - discriminant.sqrt()) / case.a());
+            assert_eq!(found, expected.filter(|t| t.is_finite()), "{case}");
+        }
+    }
+
+    /// The oracle of the laws has other code.
+    #[test]
+    fn have_an_exact_discriminant_that_is_the_oracle_s() {
+        for case in REGIMES
+            .iter()
+            .filter(|regime| regime.name != "exponents")
+            .flat_map(|regime| regime.cases(Precision::Double, 4, 300))
+        {
+            let exact = Exact::of(&case);
+            let found = exact_discriminant(case.center, case.radius, &case.ray).expect("finite");
+            assert_eq!(found.total_cmp(&0.0), exact.discriminant(), "{case}");
+            // a and M are off by some 3u each, and three more operations round.
+            let expected = exact.discriminant_margin() * case.a() * case.m();
+            let bound = 8.0 * f64::EPSILON * expected.abs();
+            assert!(
+                (found - expected).abs() <= bound,
+                "{found} and {expected}: {case}"
+            );
+        }
+        let far = Case::from_numbers([f64::INFINITY, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
+        assert_eq!(exact_discriminant(far.center, far.radius, &far.ray), None);
+    }
+
+    #[test]
+    fn of_other_seeds_are_others() {
+        for regime in REGIMES {
+            let [one, other] = [1, 2].map(|seed| regime.cases(Precision::Double, seed, 9));
+            assert_ne!(one, other);
+        }
+    }
+}
+
+mod a_batch {
+    use super::*;
+
+    /// One begins behind the ray, and two between the roots of many.
+    const RANGES: [[f64; 2]; 4] = [[0.0, f64::INFINITY], [-1.0, 2.0], [1e-3, 1.5], [1.0, 4.0]];
+
+    /// Blocks that the sign tells all of, and blocks that must be done again.
+    #[test]
+    fn of_rays_answers_as_the_method_does_one_by_one_to_the_bit() {
+        for (range, regime) in everywhere() {
+            let cases = regime.cases(Precision::Double, 5, 2 * BLOCK);
+            let rays =
+                [0, BLOCK].map(|first| Block::from_fn(|k| batch::numbers(&cases[first + k].ray)));
+            for &Case { center, radius, .. } in cases.iter().step_by(16) {
+                let mut ts = [[0.0; BLOCK]; 2];
+                batch::half_b((center, radius), &rays, range, &mut ts);
+                for (t, case) in ts.as_flattened().iter().zip(&cases) {
+                    let alone = half_b(center, radius, &case.ray, range[0], range[1]);
+                    let expected = alone.unwrap_or(f64::INFINITY);
+                    assert_eq!(t.to_bits(), expected.to_bits(), "{case:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn of_rays_in_single_precision_does_so_too() {
+        for (range, regime) in everywhere() {
+            let range = range.map(|end| end as f32);
+            let cases = regime.cases(Precision::Single, 6, BLOCK);
+            let numbers = |k: usize| batch::numbers(&cases[k].ray).map(|number| number as f32);
+            let rays = [Block::from_fn(numbers)];
+            for case in cases.iter().step_by(8) {
+                let (center, radius) = (case.center.as_vec3(), case.radius as f32);
+                let mut ts = [[0.0; BLOCK]];
+                batch::half_b_f32((center, radius), &rays, range, &mut ts);
+                for (t, case) in ts[0].iter().zip(&cases) {
+                    let ray = case.single_ray();
+                    let alone = half_b_f32(center, radius, &ray, range[0], range[1]);
+                    let expected = alone.unwrap_or(f32::INFINITY);
+                    assert_eq!(t.to_bits(), expected.to_bits(), "{case:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn of_spheres_finds_the_nearest_root_of_all_to_the_bit() {
+        for (range, regime) in everywhere() {
+            let cases = regime.cases(Precision::Double, 7, 2 * BLOCK);
+            let sphere = |case: &Case| {
+                let [x, y, z] = case.center.to_array();
+                [x, y, z, case.radius]
+            };
+            let spheres = [0, BLOCK].map(|first| Block::from_fn(|k| sphere(&cases[first + k])));
+            for Case { ray, .. } in cases.iter().step_by(8) {
+                let root = |case: &Case| half_b(case.center, case.radius, ray, range[0], range[1]);
+                let roots = cases.iter().filter_map(root);
+                let expected = roots.fold(f64::INFINITY, f64::min);
+                let found = batch::nearest(&spheres, ray, range);
+                assert_eq!(found.to_bits(), expected.to_bits());
+            }
+        }
+    }
+
+    fn everywhere() -> impl Iterator<Item = ([f64; 2], Regime)> {
+        let in_all_regimes = |range| REGIMES.map(|regime| (range, regime));
+        RANGES.into_iter().flat_map(in_all_regimes)
+    }
+}
+
+mod a_map_of_neighboring_rays {
+    use super::*;
+
+    #[test]
+    fn shows_wrong_decisions_of_half_b_and_none_of_the_certified() {
+        let wrong = |method: &Method| {
+            let map = failure_map(method, 32);
+            map.wrong.iter().filter(|wrong| **wrong).count()
+        };
+        for method in METHODS {
+            if method.discriminant == Discriminant::Certain {
+                assert_eq!(wrong(method), 0, "{}", method.name);
+            }
+        }
+        for method in [
+            Method::FULL_B,
+            Method::HALF_B,
+            Method::HALF_B_Q,
+            Method::HALF_B_F32,
+        ] {
+            let (name, wrong) = (method.name, wrong(&method));
+            assert!(wrong > 30, "{name}: {wrong} of 1024");
+        }
+    }
+
+    #[test]
+    fn has_hits_at_the_left_of_the_tangent_and_misses_at_the_right() {
+        let map = failure_map(&Method::EXACT, 16);
+        let hit = |column: usize, row: usize| map.hits[row * 16 + column];
+        assert!(hit(8, 8) && !hit(9, 8), "the ray in the middle is the last");
+        assert!((0..16).all(|row| hit(0, row)), "the left edge");
+        assert!((0..16).all(|row| !hit(15, row)), "the right edge");
+    }
+}
+
+mod a_scene {
+    use super::*;
+
+    #[test]
+    fn is_drawn_rightly_by_the_certified_methods_if_no_spheres_meet() {
+        let is_other = |scene: &&Scene| scene.name != "neighbors";
+        for scene in SCENES.iter().filter(is_other) {
+            for method in METHODS.iter().filter(|method| method.is_certified) {
+                let right = scene.right_picture(method.precision(), 48);
+                let name = &scene.name;
+                assert!(scene.picture(*method, 48).rgb() == right.rgb(), "{name}");
+            }
+        }
+    }
+
+    /// The order of two spheres is not in the answers about each, however good.
+    #[test]
+    fn in_which_spheres_meet_is_drawn_rightly_by_no_method() {
+        let scene = find_scene("neighbors").expect("it is one of the seven");
+        for method in METHODS {
+            let right = scene.right_picture(method.precision(), 128);
+            assert_ne!(scene.picture(*method, 128), right, "{}", method.name);
+        }
+    }
+
+    /// From so near, the three surfaces are planes, and what lies in front follows from
+    /// their slopes: at the top 4/3, at the bottom −1/2 upwards and ∓1 to the right.
+    #[test]
+    fn in_which_spheres_meet_has_three_flat_parts_with_straight_seams() {
+        let camera = Camera::new(64);
+        let picture = find_scene("neighbors")
+            .expect("it is one of the seven")
+            .right_picture(Precision::Double, 64);
+        let (pixels, _) = picture.rgb().as_chunks::<3>();
+        let mut colors = [None; 3];
+        for (k, pixel) in (0..).zip(pixels) {
+            let Vec3 { x, y, .. } = camera.ray(k % 64, k / 64).direction;
+            let heights = [4.0 / 3.0 * y, -x - 0.5 * y, x - 0.5 * y];
+            let highest = (0..3).max_by(|&i, &j| heights[i].total_cmp(&heights[j]));
+            let color = &mut colors[highest.expect("there are three")];
+            assert_eq!(pixel, color.get_or_insert(*pixel), "pixel {k}");
+        }
+        let [top, left, right] = colors;
+        assert!(top != left && left != right && right != top, "{colors:?}");
+    }
+
+    /// A ball straight ahead, and a smaller one nearer to where the top should be.
+    #[test]
+    fn stands_upright_wherever_the_camera_looks() {
+        for (direction, top) in [
+            ("[0, 0, -1]", "[0, 1, 0]"),
+            ("[3, 0, 0]", "[0, 1, 0]"),
+            ("[0, 0, 1e300]", "[0, 1, 0]"),
+            ("[0, 5e-324, 0]", "[0, 0, -1]"),
+            ("[0, -2, 0]", "[0, 0, -1]"),
+            ("[-1, -1, 0]", "[-1, 1, 0]"),
+        ] {
+            let numbers = |text: &str| -> Vec<f64> {
+                let text = text.trim_matches(['[', ']']);
+                text.split(", ")
+                    .map(|it| it.parse().expect("a number"))
+                    .collect()
+            };
+            let unit = |text: &str| {
+                let v = Vec3::from_slice(&numbers(text));
+                (v / v.abs().max_element()).normalize()
+            };
+            let (ahead, above) = (5.0 * unit(direction), 2.0 * unit(top));
+            let sphere = |center: Vec3, radius: f64| {
+                format!(
+                    "[[sphere]]\ncenter = {:?}\nradius = {radius}\n",
+                    center.to_array()
+                )
+            };
+            let file = format!(
+                "[camera]\ndirection = {direction}\n{}{}",
+                sphere(ahead, 1.0),
+                sphere(ahead + above, 0.5)
+            );
+            let scene = Scene::read("it", &file).expect("it is well-formed");
+            let camera = Camera::new(33);
+            let seen = |i, j| {
+                let sight = scene.look(Eye::Exact(Precision::Double), &camera.ray(i, j));
+                sight.hit.map(|hit| hit.sphere)
+            };
+            assert_eq!(
+                [seen(16, 9), seen(16, 5), seen(16, 13)],
+                [Some(0), Some(1), None]
+            );
+            assert_eq!([seen(10, 9), seen(22, 9)], [None, None], "{direction}");
+        }
+    }
+
+    #[test]
+    fn of_the_book_is_the_picture_of_chapter_5() {
+        let book = find_scene("book").expect("it is one of the seven");
+        let drawn = book.picture(Method::HALF_B, 100);
+        assert_eq!(drawn, hittable_list::picture(100));
+    }
+}
+
+mod timings {
+    use super::*;
+
+    const RECORDED: &str = include_str!("../../../book/notes/measured/timings.csv");
+
+    #[test]
+    fn are_recorded_as_they_are_written() {
+        assert_eq!(recorded().text(), RECORDED);
+    }
+
+    #[test]
+    fn are_recorded_of_every_method_in_every_regime() {
+        let timings = recorded();
+        for method in METHODS {
+            for place in REGIMES
+                .map(|regime| regime.name)
+                .into_iter()
+                .chain(["all_hits"])
+            {
+                assert!(
+                    timings.find("method", method.name, place).is_some(),
+                    "{} in {place} is missing: cargo bench -p measure --bench clock -- --record",
+                    method.name
+                );
+            }
+        }
+    }
+
+    fn recorded() -> Table<Timing> {
+        Table::read(RECORDED).expect("the file is well-formed")
+    }
+}
