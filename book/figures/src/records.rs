@@ -85,13 +85,14 @@ impl Record for Worst {
     const FILE: &str = "measured/worst.snap.csv";
 }
 
-/// How close a case comes to a bound of chapter 6: its witness.
+/// The case that comes closest to an error bound of chapter 6, of all that a search has
+/// found: its witness. A smaller constant in the code answers it wrongly.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Tightness {
     /// The letter of the proof, and which side of it.
     pub bound: String,
-    /// `u`, if the three that follow count u = 2⁻⁵³, or `log2` if they are exponents of
-    /// two.
+    /// What the three that follow are counted in: `u` = 2⁻⁵³, `u2` = u², the `bound` that
+    /// is computed with the numbers; `log2` if they are exponents of two.
     pub unit: String,
     /// What the code has.
     pub constant: f64,
@@ -99,10 +100,12 @@ pub struct Tightness {
     pub proved: f64,
     /// Below this, the witness is answered wrongly.
     pub attained: f64,
-    /// The same with all its digits, and without a unit.
-    pub exactly: f64,
     /// Center, radius, origin and direction, with all their digits.
     pub witness: String,
+    /// Where the range of t begins.
+    pub t_min: f64,
+    /// Where the range of t ends.
+    pub t_max: f64,
 }
 
 impl Record for Tightness {
@@ -223,12 +226,9 @@ pub struct Timing {
     /// |---|---|---|
     /// | `method` | a method | one ray against one sphere, one after the other |
     /// | `leaving` | a way to leave | where one ray starts that leaves a sphere |
-    /// | `batch` | a method | the same by the loop over arrays that the compiler vectorizes |
-    /// | `limit` | `one_by_one`, `packed` | one √ and one ÷ that wait for nothing but the divider |
-    /// | `growth` | `boxed_list`, `vec`, `batch`, `bvh` | the nearest hit of one ray among `n` spheres |
     /// | `nearest` | `half_b`, `certified_nearest` | which of `n` spheres is first, by a loop over the method and for certain |
     pub what: String,
-    /// A method, or a way to keep spheres.
+    /// A method, or a way to leave.
     pub name: String,
     /// What numbers it computes with.
     #[serde(with = "PrecisionName")]
@@ -259,10 +259,10 @@ impl Record for Timing {
 }
 
 impl Table<Timing> {
-    /// The row of that kind, name and place; for growth, of the largest n.
+    /// The row of that kind, name and place.
     pub fn find(&self, what: &str, name: &str, place: &str) -> Option<&Timing> {
         let same = |row: &&Timing| row.what == what && row.name == name && row.place == place;
-        self.rows.iter().rfind(same)
+        self.rows.iter().find(same)
     }
 }
 

@@ -3,7 +3,6 @@
 //! everything takes.
 
 pub mod accuracy;
-pub mod climb;
 pub mod contest;
 pub mod cost;
 pub mod machine;
@@ -12,5 +11,4 @@ pub mod rival;
 pub mod scenes;
 pub mod shadows;
 pub mod spread;
-pub mod tightness;
 pub mod worst;

@@ -3,7 +3,6 @@
 //! Every serious way to intersect a ray with a sphere, in one place and over
 //! one signature.
 
-pub mod batch;
 mod case;
 mod certified;
 mod double_double;

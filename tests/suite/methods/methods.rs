@@ -1,6 +1,6 @@
 //! The methods of chapter 6: what each one promises, and where it fails.
 //!
-//! Laws and bounds are those of the chapters. The judge is `src/oracle.rs`, which
+//! Laws and bounds are those of the chapters. The judge is `laws::oracle`, which
 //! shares no line with the method `exact`: each would notice a mistake of the
 //! other. Where a method is known to fail, it is asserted to fail.
 
@@ -13,7 +13,6 @@ use laws::shrinker::Simplify;
 use laws::strategies;
 use laws::verdict::Verdict;
 use laws::{Case, WithInterval};
-use proptest::strategy::Strategy;
 use speed_vs_accuracy::{
     Discriminant, METHODS, Method, Precision, Solve, Stage, certified_hit, certified_t, exact,
     full_b, half_b, herbie, interval_q, stage_of_hit, stage_of_t,
@@ -250,61 +249,6 @@ mod the_exact_method {
         assert_eq!(one_over(1.0, 0.0, 2.0), Some(1.0));
         assert_eq!(one_over(1.0, 1.0, 2.0), None);
         assert_eq!(one_over(1.0, 0.0, 1.0), None);
-    }
-}
-
-/// What Boost.Math does, step by step, with the fused operation that it has.
-mod the_quadratic_roots_of_boost {
-    use super::*;
-
-    /// Either discriminant is off by 2 ulps at most: they have one sign, and differ by
-    /// 8u. So their roots differ by 4u and one rounding each, and so do the sums and the
-    /// quotients: 4u + 3 · 2u is 5ε.
-    #[test]
-    fn decide_as_kahan_q_does_and_hardly_ever_have_another_last_bit() {
-        let strategies = [
-            strategies::anywhere().boxed(),
-            strategies::book_rays().boxed(),
-            strategies::far(7.0..=7.0).boxed(),
-            strategies::grazing(14.0..=14.0).boxed(),
-            strategies::leaving_the_surface(3.0..=3.0).boxed(),
-        ];
-        let (mut hits, mut other_bits) = (0, 0);
-        for case in strategies.iter().flat_map(|cases| samples(cases, CASES)) {
-            let expected = in_front(&case, &Method::KAHAN_Q);
-            let found = quadratic_roots(&case).into_iter().find(|t| 0.0 < *t);
-            assert_eq!(found.is_some(), expected.is_some(), "{case}");
-            if let (Some(found), Some(expected)) = (found, expected) {
-                let off = (found - expected).abs();
-                assert!(off <= 5.0 * f64::EPSILON * expected, "{off} of {case}");
-                hits += 1;
-                other_bits += u32::from(found != expected);
-            }
-        }
-        let share = f64::from(other_bits) / f64::from(hits);
-        assert_between(0.005, share, 0.05, Method::KAHAN_Q);
-    }
-
-    /// Both roots, the lesser one first; NaN where there is none.
-    fn quadratic_roots(case: &Case) -> [f64; 2] {
-        let oc = case.center - case.ray.origin;
-        let a = case.a();
-        let b = -2.0 * case.ray.direction.dot(oc);
-        let c = oc.length_squared() - case.radius * case.radius;
-        if b == 0.0 {
-            let root = (-c / a).sqrt();
-            return [-root, root];
-        }
-        let product = 4.0 * a * c;
-        let lost = (-c).mul_add(4.0 * a, product);
-        let discriminant = b.mul_add(b, -product) + lost;
-        let q = -(b + discriminant.sqrt().copysign(b)) / 2.0;
-        let (one, other) = (q / a, c / q);
-        if one < other {
-            [one, other]
-        } else {
-            [other, one]
-        }
     }
 }
 

@@ -1,14 +1,13 @@
-//! What chapter 6 is measured with: the cases, the batches, the maps, and the
-//! file of timings.
+//! What chapter 6 is measured with: the cases, the maps, the scenes, and the file of
+//! timings.
 
 use common::rtweekend::*;
 use figures::records::Timing;
 use figures::table::Table;
 use laws::oracle::Exact;
-use speed_vs_accuracy::batch::{self, BLOCK, Block};
 use speed_vs_accuracy::{
     Case, Discriminant, Eye, METHODS, Method, Precision, REGIMES, Regime, SCENES, Scene,
-    exact_discriminant, failure_map, find_scene, half_b, half_b_f32,
+    exact_discriminant, failure_map, find_scene,
 };
 
 mod cases {
@@ -86,85 +85,6 @@ mod cases {
         let far = Case::from_numbers([f64::INFINITY, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
         assert_eq!(exact_discriminant(far.center, far.radius, &far.ray), None);
     }
-
-    #[test]
-    fn of_other_seeds_are_others() {
-        for regime in REGIMES {
-            let [one, other] = [1, 2].map(|seed| regime.cases(Precision::Double, seed, 9));
-            assert_ne!(one, other);
-        }
-    }
-}
-
-mod a_batch {
-    use super::*;
-
-    /// One begins behind the ray, and two between the roots of many.
-    const RANGES: [[f64; 2]; 4] = [[0.0, f64::INFINITY], [-1.0, 2.0], [1e-3, 1.5], [1.0, 4.0]];
-
-    /// Blocks that the sign tells all of, and blocks that must be done again.
-    #[test]
-    fn of_rays_answers_as_the_method_does_one_by_one_to_the_bit() {
-        for (range, regime) in everywhere() {
-            let cases = regime.cases(Precision::Double, 5, 2 * BLOCK);
-            let rays =
-                [0, BLOCK].map(|first| Block::from_fn(|k| batch::numbers(&cases[first + k].ray)));
-            for &Case { center, radius, .. } in cases.iter().step_by(16) {
-                let mut ts = [[0.0; BLOCK]; 2];
-                batch::half_b((center, radius), &rays, range, &mut ts);
-                for (t, case) in ts.as_flattened().iter().zip(&cases) {
-                    let alone = half_b(center, radius, &case.ray, range[0], range[1]);
-                    let expected = alone.unwrap_or(f64::INFINITY);
-                    assert_eq!(t.to_bits(), expected.to_bits(), "{case:?}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn of_rays_in_single_precision_does_so_too() {
-        for (range, regime) in everywhere() {
-            let range = range.map(|end| end as f32);
-            let cases = regime.cases(Precision::Single, 6, BLOCK);
-            let numbers = |k: usize| batch::numbers(&cases[k].ray).map(|number| number as f32);
-            let rays = [Block::from_fn(numbers)];
-            for case in cases.iter().step_by(8) {
-                let (center, radius) = (case.center.as_vec3(), case.radius as f32);
-                let mut ts = [[0.0; BLOCK]];
-                batch::half_b_f32((center, radius), &rays, range, &mut ts);
-                for (t, case) in ts[0].iter().zip(&cases) {
-                    let ray = case.single_ray();
-                    let alone = half_b_f32(center, radius, &ray, range[0], range[1]);
-                    let expected = alone.unwrap_or(f32::INFINITY);
-                    assert_eq!(t.to_bits(), expected.to_bits(), "{case:?}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn of_spheres_finds_the_nearest_root_of_all_to_the_bit() {
-        for (range, regime) in everywhere() {
-            let cases = regime.cases(Precision::Double, 7, 2 * BLOCK);
-            let sphere = |case: &Case| {
-                let [x, y, z] = case.center.to_array();
-                [x, y, z, case.radius]
-            };
-            let spheres = [0, BLOCK].map(|first| Block::from_fn(|k| sphere(&cases[first + k])));
-            for Case { ray, .. } in cases.iter().step_by(8) {
-                let root = |case: &Case| half_b(case.center, case.radius, ray, range[0], range[1]);
-                let roots = cases.iter().filter_map(root);
-                let expected = roots.fold(f64::INFINITY, f64::min);
-                let found = batch::nearest(&spheres, ray, range);
-                assert_eq!(found.to_bits(), expected.to_bits());
-            }
-        }
-    }
-
-    fn everywhere() -> impl Iterator<Item = ([f64; 2], Regime)> {
-        let in_all_regimes = |range| REGIMES.map(|regime| (range, regime));
-        RANGES.into_iter().flat_map(in_all_regimes)
-    }
 }
 
 mod a_map_of_neighboring_rays {
@@ -227,27 +147,6 @@ mod a_scene {
         }
     }
 
-    /// From so near, the three surfaces are planes, and what lies in front follows from
-    /// their slopes: at the top 4/3, at the bottom −1/2 upwards and ∓1 to the right.
-    #[test]
-    fn in_which_spheres_meet_has_three_flat_parts_with_straight_seams() {
-        let camera = Camera::new(64);
-        let picture = find_scene("neighbors")
-            .expect("it is one of the seven")
-            .right_picture(Precision::Double, 64);
-        let (pixels, _) = picture.rgb().as_chunks::<3>();
-        let mut colors = [None; 3];
-        for (k, pixel) in (0..).zip(pixels) {
-            let Vec3 { x, y, .. } = camera.ray(k % 64, k / 64).direction;
-            let heights = [4.0 / 3.0 * y, -x - 0.5 * y, x - 0.5 * y];
-            let highest = (0..3).max_by(|&i, &j| heights[i].total_cmp(&heights[j]));
-            let color = &mut colors[highest.expect("there are three")];
-            assert_eq!(pixel, color.get_or_insert(*pixel), "pixel {k}");
-        }
-        let [top, left, right] = colors;
-        assert!(top != left && left != right && right != top, "{colors:?}");
-    }
-
     /// A ball straight ahead, and a smaller one nearer to where the top should be.
     #[test]
     fn stands_upright_wherever_the_camera_looks() {
@@ -306,16 +205,10 @@ mod a_scene {
 mod timings {
     use super::*;
 
-    const RECORDED: &str = include_str!("../../../book/notes/measured/timings.csv");
-
-    #[test]
-    fn are_recorded_as_they_are_written() {
-        assert_eq!(recorded().text(), RECORDED);
-    }
-
     #[test]
     fn are_recorded_of_every_method_in_every_regime() {
-        let timings = recorded();
+        let file = include_str!("../../../book/notes/measured/timings.csv");
+        let timings = Table::<Timing>::read(file).expect("the file is well-formed");
         for method in METHODS {
             for place in REGIMES
                 .map(|regime| regime.name)
@@ -329,9 +222,5 @@ mod timings {
                 );
             }
         }
-    }
-
-    fn recorded() -> Table<Timing> {
-        Table::read(RECORDED).expect("the file is well-formed")
     }
 }

@@ -3,7 +3,7 @@
 //! Each test asserts both sides of a threshold: an improvement is noticed as
 //! surely as a regression. The functions are the chapters' own. Errors are in
 //! ulps of the exact root, from the oracle; u = 2⁻⁵³, M = |oc|² + r², and a
-//! decision is in danger where |D| is not above 24u·a·M (see `src/laws.rs`).
+//! decision is in danger where |D| is not above 24u·a·M (see `laws::nearer_root`).
 
 use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};

@@ -4,43 +4,36 @@
 //! them is asked.
 
 use common::rtweekend::*;
+use figures::records::Tightness;
+use figures::table::Table;
 use laws::intervals::{t_is_within_ulps, the_decision_is_exactly_right};
 use laws::verdict::Verdict;
 use laws::{Case, WithInterval};
-use measure::tightness::{self, Attempt, BOUNDS};
 use speed_vs_accuracy::{Stage, certified_hit, certified_t, exact, stage_of_hit};
 
 #[test]
-fn each_bound_has_one_that_attains_what_is_recorded() {
-    let recorded = tightness::recorded().rows;
-    assert_eq!(recorded.len(), BOUNDS.len());
-    for (row, bound) in recorded.iter().zip(&BOUNDS) {
-        let found = (bound.attempt)(&tightness::witness(row));
-        let found = found
-            .filter(Attempt::is_witness)
-            .unwrap_or_else(|| panic!("{}: with no constant is this answered wrongly", bound.name));
-        assert_eq!(&bound.row(&found), row);
-    }
-}
-
-#[test]
-fn no_bound_is_attained() {
-    for (row, bound) in tightness::recorded().rows.iter().zip(&BOUNDS) {
-        assert!(row.exactly < bound.proved, "{}", bound.name);
-        assert!(bound.proved <= bound.constant, "{}", bound.name);
-    }
-}
-
-#[test]
 fn the_certified_methods_answer_each_of_them_rightly() {
+    let recorded = include_str!("../../../book/notes/measured/tightness.csv");
+    let recorded = Table::<Tightness>::read(recorded).expect("the file is well-formed");
     let mut wrong = String::new();
-    for (row, bound) in tightness::recorded().rows.iter().zip(&BOUNDS) {
-        let found = (bound.attempt)(&tightness::witness(row)).expect("a witness");
-        if let Err(broken) = is_certified(&found.asked) {
-            wrong += &format!("{}:\n{broken}\n{}\n\n", bound.name, found.asked);
+    for row in &recorded.rows {
+        let asked = asked(row);
+        if let Err(broken) = is_certified(&asked) {
+            wrong += &format!("{}:\n{broken}\n{asked}\n\n", row.bound);
         }
     }
     assert!(wrong.is_empty(), "bounds that are too small\n\n{wrong}");
+}
+
+fn asked(row: &Tightness) -> WithInterval {
+    let numbers = row.witness.split(' ').map(|number| number.parse());
+    let numbers: Result<Vec<f64>, _> = numbers.collect();
+    let numbers = numbers.ok().and_then(|numbers| numbers.try_into().ok());
+    WithInterval {
+        case: Case::from_numbers(numbers.expect("ten numbers")),
+        t_min: row.t_min,
+        t_max: row.t_max,
+    }
 }
 
 fn is_certified(asked: &WithInterval) -> Verdict {

@@ -2,19 +2,15 @@
 
 mod axes;
 mod bars;
-mod batch;
 mod chart;
 mod failure_map;
-mod growth;
 mod heat;
 mod labels;
 mod leaving;
 mod legend;
 mod methods;
-mod pixels;
 mod race;
 mod scenes;
-mod seen;
 mod speed_accuracy;
 mod sweep;
 
@@ -24,17 +20,13 @@ pub use speed_accuracy::scene_chart;
 
 /// All charts, in reading order.
 pub const CHARTS: &[Chart] = &[
-    pixels::CHART,
     speed_accuracy::BOOK,
-    seen::CHART,
     speed_accuracy::REGIMES,
     sweep::DISTANCE,
     sweep::GRAZING,
     failure_map::CHART,
     scenes::CHART,
     leaving::CHART,
-    batch::CHART,
-    growth::CHART,
     race::PROGRAMS,
     race::TRACING,
 ];

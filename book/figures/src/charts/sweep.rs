@@ -9,7 +9,6 @@ use super::axes::{Axis, Panel};
 use super::chart::{Chart, Drawn, Layout};
 use super::labels::spread;
 use super::methods::{cross, digits, idea};
-use super::seen::LESSON;
 use crate::number::{raised, short};
 use crate::records::Level;
 use crate::svg::{Anchor, SMALL, Svg};
@@ -159,6 +158,14 @@ fn plot(svg: &mut Svg, panel: &Panel, lines: &[&Line]) {
         );
     }
 }
+
+/// The methods that the lesson of chapter 6 is about, from chapter 5 on.
+const LESSON: [Method; 4] = [
+    Method::HALF_B,
+    Method::HALF_B_Q,
+    Method::CROSS_Q,
+    Method::ADAPTIVE_Q,
+];
 
 /// From the back to the front.
 const STROKES: [&str; 3] = ["bold", "thin", "line"];

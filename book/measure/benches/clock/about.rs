@@ -17,7 +17,6 @@ pub(crate) fn about(effort: &Effort) -> BTreeMap<String, String> {
         ("machine", machine::machine()),
         ("compiler", compiler()),
         ("flags", format!("release profile, {}", compiled_for())),
-        ("chosen at run time", chosen()),
         ("command", "cargo bench -p measure --bench clock".to_owned()),
         (
             "how",
@@ -78,21 +77,4 @@ fn compiled_for() -> &'static str {
     } else {
         std::env::consts::ARCH
     }
-}
-
-/// What the loops over arrays use here.
-#[cfg(target_arch = "x86_64")]
-fn chosen() -> String {
-    if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") {
-        "AVX-512".to_owned()
-    } else if is_x86_feature_detected!("avx2") {
-        "AVX2".to_owned()
-    } else {
-        "SSE2".to_owned()
-    }
-}
-
-#[cfg(not(target_arch = "x86_64"))]
-fn chosen() -> String {
-    "nothing".to_owned()
 }

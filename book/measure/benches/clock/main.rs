@@ -1,10 +1,7 @@
-//! A benchmark: how long each method of chapter 6 takes, each way to leave a surface, and
-//! each way to keep many spheres.
+//! Microbenchmark: how long each method of chapter 6 takes, and each way to leave a surface.
 
 mod about;
-mod growth;
 mod leaving;
-mod many;
 mod nearest;
 mod one_by_one;
 
@@ -15,11 +12,11 @@ use clap::Parser;
 use common::engine::output;
 use figures::records::Timing;
 use figures::table::{Record, Table};
-use speed_vs_accuracy::{METHODS, Method, Precision};
+use speed_vs_accuracy::{METHODS, Method};
 
 use measure::contest::{Effort, Group};
 
-/// How long each method of chapter 6 takes, and each way to keep many spheres.
+/// How long each method of chapter 6 takes, and each way to leave a surface.
 #[derive(Parser)]
 struct Arguments {
     /// A tenth of the rounds: within seconds instead of a minute or two
@@ -41,9 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let effort = Effort::new(arguments.quick);
     let mut groups: Vec<Group> = one_by_one::groups();
     groups.push(leaving::group());
-    groups.push(many::group());
     groups.extend(nearest::groups());
-    groups.extend(growth::groups(arguments.quick)?);
     let timings = Table::<Timing> {
         about: about::about(&effort),
         rows: measure::contest::run(groups, &effort),
@@ -70,17 +65,7 @@ fn headlines(timings: &Table<Timing>) -> String {
             ratio("all_hits")
         );
     }
-    let is_limit = |row: &&Timing| row.name == "packed" && row.precision == Precision::Double;
-    let limit = timings.rows.iter().find(is_limit);
-    if let Some((limit, batch)) = limit.zip(timings.find("batch", "half_b", "book")) {
-        text += &format!(
-            "half_b in a batch reaches {:.0} % of what the divider allows: {:.2} of {:.2} ns\n",
-            100.0 * limit.least_ns / batch.least_ns,
-            batch.least_ns,
-            limit.least_ns,
-        );
-    }
-    text + &growth::crossovers(&timings.rows)
+    text
 }
 
 fn ratio(row: Option<&Timing>) -> String {

@@ -3,13 +3,13 @@
 use std::hint::black_box;
 
 use common::rtweekend::*;
-use speed_vs_accuracy::{Case, Precision, certified_nearest, half_b};
+use speed_vs_accuracy::{Case, Precision, Random, certified_nearest, half_b};
 
-use crate::{growth, one_by_one};
+use crate::one_by_one;
 use measure::contest::{Group, Runner};
 
 /// How many spheres are many: enough that most of them are not hit.
-const MANY: usize = 64;
+const MANY: u32 = 64;
 
 /// The loop of chapter 5 and the certified one, on the book’s two spheres and on many.
 pub(crate) fn groups() -> Vec<Group> {
@@ -19,8 +19,27 @@ pub(crate) fn groups() -> Vec<Group> {
     let rays: Vec<Ray> = cases.iter().map(|case| case.ray).collect();
     vec![
         group("book", &two, &rays),
-        group("many", &growth::spheres(MANY), &growth::rays(MANY)),
+        group("many", &many_spheres(), &rays_at_many()),
     ]
+}
+
+/// Spheres at random in a cube, so large that most rays hit one.
+fn many_spheres() -> Vec<(Point3, f64)> {
+    let mut random = Random::new(1);
+    let sphere = |_| {
+        let mut coordinate = || random.between(-0.5, 0.5);
+        let center = Point3::new(coordinate(), coordinate(), coordinate() - 2.0);
+        (center, 0.3 / f64::from(MANY).cbrt())
+    };
+    (0..MANY).map(sphere).collect()
+}
+
+/// Rays of the book's camera at this cube, as many as one round takes in some milliseconds.
+fn rays_at_many() -> Vec<Ray> {
+    let camera = Camera::with_size(64, 64);
+    let mut random = Random::new(2);
+    let mut pixel = || 16 + random.below(32);
+    (0..64).map(|_| camera.ray(pixel(), pixel())).collect()
 }
 
 fn group(place: &str, spheres: &[(Point3, f64)], rays: &[Ray]) -> Group {

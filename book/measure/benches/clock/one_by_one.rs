@@ -1,6 +1,4 @@
 //! Latency: one ray against one sphere, one after the other.
-//!
-//! What takes several at once many.rs measures.
 
 use common::rtweekend::*;
 use measure::accuracy::has_root;
