@@ -10,10 +10,10 @@ use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 use common::engine::output;
 use jiff::Zoned;
-use slips::Chapter;
+use slips::{Chapter, steps};
 
 use crate::mine::{Mine, TYPED};
-use crate::{steps, terminal};
+use crate::terminal;
 
 /// What `cargo rtrace done` is told.
 #[derive(Args)]

@@ -1,5 +1,6 @@
 //! `cargo rtrace`: the reader's companion.
 
+mod book;
 mod check;
 mod done;
 mod draw;
@@ -13,10 +14,8 @@ mod save;
 mod show;
 mod slips;
 mod start;
-mod steps;
 mod terminal;
 mod watch;
-mod weave;
 
 use std::process::ExitCode;
 
@@ -37,7 +36,7 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     /// Weave the book: the notes with the code, the pictures and the figures
-    Book(weave::Arguments),
+    Book(book::Arguments),
     /// Draw one picture: in the terminal, into a file, or into a viewer
     Show(show::Arguments),
     /// Check your own picture, and learn which mistake draws it
@@ -60,8 +59,8 @@ enum Command {
 
 fn main() -> ExitCode {
     let done = match misuse::command_line::<Cli>().command {
-        None => draw::all().and_then(|()| weave::this_book()),
-        Some(Command::Book(arguments)) => weave::book(&arguments),
+        None => draw::all().and_then(|()| book::this_book()),
+        Some(Command::Book(arguments)) => book::book(&arguments),
         Some(Command::Show(arguments)) => show::show(&arguments),
         Some(Command::Check(arguments)) => return check::check(&arguments),
         Some(Command::Start(arguments)) => start::start(&arguments),

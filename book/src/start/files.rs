@@ -2,9 +2,7 @@
 
 use std::path::Path;
 
-use slips::Chapter;
-
-use crate::steps;
+use slips::{Chapter, steps};
 
 /// The files of the chapter with nothing in its functions, `src/lib.rs` first: the same as
 /// those that the page lists.

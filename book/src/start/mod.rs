@@ -12,11 +12,11 @@ use check::places::{shown, workspace};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use common::engine::{companion, output};
-use slips::Chapter;
+use slips::{Chapter, steps};
 
 use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;
-use crate::{steps, terminal};
+use crate::terminal;
 
 /// What `cargo rtrace start` is told.
 #[derive(Args)]

@@ -9,13 +9,11 @@ use check::judge::{self, Check, Finding};
 use check::reading::{self, Cause};
 use common::engine::companion;
 use common::rtweekend::Picture;
-use slips::Chapter;
-use slips::{Edition, Slip};
+use slips::{Chapter, Edition, Slip, steps};
 
 use super::laws::{self, Answer};
 use super::verdict::{Line, Verdict, labeled, printed, step_says};
 use crate::done::{picture_is_right, step_is_done};
-use crate::steps;
 
 /// Who was asked, and can be asked more.
 pub(super) struct Judge<'a> {

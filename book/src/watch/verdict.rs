@@ -8,10 +8,9 @@ use std::time::Duration;
 use check::diagnosis::Scene;
 use common::engine::output;
 use common::rtweekend::Picture;
-use slips::Chapter;
+use slips::{Chapter, steps};
 
 use super::build::Problem;
-use crate::steps;
 
 /// What a save has come to.
 #[derive(Default)]

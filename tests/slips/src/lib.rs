@@ -36,6 +36,7 @@ mod probes;
 mod program;
 mod single;
 mod slip;
+pub mod steps;
 
 pub use catalogue::{all, find};
 pub use chapter::{Chapter, Room};

@@ -1,7 +1,7 @@
 //! The result of a directive or a formula: inline or block, as Markdown has it.
 
 /// What stands in a page in place of what was written.
-pub(super) enum Woven {
+pub(crate) enum Woven {
     /// Part of a line.
     Inline(String),
     /// Markdown that needs lines of its own.

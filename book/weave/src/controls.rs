@@ -10,7 +10,7 @@ use live::{FIGURES, Live, Number};
 
 /// The figure `live`: its question, its `drawing` under handles, what is to be seen, buttons
 /// and the caption.
-pub(super) fn around(live: &Live, drawing: &str, caption: &str) -> String {
+pub(crate) fn around(live: &Live, drawing: &str, caption: &str) -> String {
     let place = FIGURES.iter().position(|other| other.name == live.name);
     let answer = (live.answer)(&live.defaults());
     format!(
@@ -31,7 +31,7 @@ pub(super) fn around(live: &Live, drawing: &str, caption: &str) -> String {
 }
 
 /// A number that the live figure of that name tells: at first as it is on the page.
-pub(super) fn number(figure: &str, name: &str) -> Result<String, String> {
+pub(crate) fn number(figure: &str, name: &str) -> Result<String, String> {
     let live = live::find(figure).ok_or_else(|| {
         let names: Vec<&str> = FIGURES.iter().map(|live| live.name).collect();
         format!(

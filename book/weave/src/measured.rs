@@ -9,7 +9,7 @@ use figures::table;
 ///
 /// The key is `CELL/CELL.COLUMN`, where the cells are those that the row begins
 /// with, or that of a line `# KEY: value`.
-pub(super) fn value(path: &Path, key: &str) -> Result<String, String> {
+pub(crate) fn value(path: &Path, key: &str) -> Result<String, String> {
     let shown = path.display();
     let text = fs::read_to_string(path).map_err(|cause| format!("{shown}: {cause}"))?;
     let found = match key.rsplit_once('.') {

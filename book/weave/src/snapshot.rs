@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// What the snapshot at `path` holds, without the header of the file.
-pub(super) fn text(path: &Path) -> Result<String, String> {
+pub(crate) fn text(path: &Path) -> Result<String, String> {
     let text = fs::read_to_string(path).map_err(|cause| format!("{}: {cause}", path.display()))?;
     // insta begins a snapshot with a header between lines of dashes.
     let body = text.splitn(3, "---\n").nth(2);

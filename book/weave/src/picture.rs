@@ -11,7 +11,7 @@ use slips::{self, Slip};
 
 /// The `image` of a chapter, in Markdown, with what is needed to paint it at another width
 /// and with a slip. The pages that the slips belong to are in the folder `notes`.
-pub(super) fn picture(notes: &Path, chapter: &str, image: &str) -> Result<String, String> {
+pub(crate) fn picture(notes: &Path, chapter: &str, image: &str) -> Result<String, String> {
     let found = (0..)
         .zip(PICTURES)
         .find(|(_, live)| live.chapter.name() == chapter);

@@ -1,12 +1,11 @@
 //! Half-finished pictures: what there is to see after a step on the way to a chapter.
 
-use slips::Chapter;
+use slips::{Chapter, steps};
 
-use super::slip::image;
-use crate::steps;
+use crate::slip::image;
 
 /// The picture of step `number` of the chapter, drawn now, and what to type for it.
-pub(super) fn step(chapter: &str, number: &str) -> Result<String, String> {
+pub(crate) fn step(chapter: &str, number: &str) -> Result<String, String> {
     let chapter =
         Chapter::find(chapter).ok_or_else(|| format!("there is no chapter `{chapter}`"))?;
     let steps = steps::of(chapter);

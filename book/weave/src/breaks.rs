@@ -7,7 +7,7 @@
 
 /// The MathML of a formula, cut into such parts. They stand in a line, so what is
 /// drawn as large as on a line of its own says so.
-pub(super) fn with_breaks(mathml: &str) -> String {
+pub(crate) fn with_breaks(mathml: &str) -> String {
     let (start, content) = mathml
         .strip_suffix("</math>")
         .and_then(|rest| rest.split_once('>'))

@@ -8,7 +8,7 @@ use tracing::span::{Attributes, Id, Record};
 use tracing::{Event, Level, Metadata, Subscriber, subscriber};
 
 /// Does the `work`, and returns what was warned about meanwhile.
-pub(super) fn collect<E>(work: impl FnOnce() -> Result<(), E>) -> Result<Vec<String>, E> {
+pub(crate) fn collect<E>(work: impl FnOnce() -> Result<(), E>) -> Result<Vec<String>, E> {
     let warnings = Warnings::default();
     subscriber::with_default(warnings.clone(), work)?;
     let mut warnings = warnings.0.lock().unwrap_or_else(PoisonError::into_inner);

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use super::code::Listed;
-use super::woven::Woven;
-use super::{changes, code, controls, figure, measured, picture, slip, snapshot, step};
+use crate::code::Listed;
+use crate::woven::Woven;
+use crate::{changes, code, controls, figure, measured, picture, slip, snapshot, step};
 
 /// What the directive with this `text` stands for, in a page of `folder`.
 ///
@@ -23,12 +23,12 @@ use super::{changes, code, controls, figure, measured, picture, slip, snapshot, 
 /// | `{{step CHAPTER NUMBER}}` | the picture after this step on the way to the chapter |
 /// | `{{snapshot PATH}}` | the Markdown in a snapshot |
 /// | `{{value FILE KEY}}` | a number that was measured |
-pub(super) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<Woven, String> {
+pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<Woven, String> {
     let (name, rest) = split(text.trim());
     match name {
         "code" => {
             let (path, items) = split(rest);
-            code::listing(&folder.join(path), items, listed).map(Woven::Block)
+            code::listing(folder, path, items, listed).map(Woven::Block)
         }
         "figure" => figure::figure(rest).map(Woven::Block),
         "live" => {

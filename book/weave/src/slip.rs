@@ -7,7 +7,7 @@ use slips::Chapter;
 use slips::{self, Edition, Look, Sight, Slip, Unseen};
 
 /// The picture that a slip draws in a chapter, with the name of both below it.
-pub(super) fn slip(name: &str, chapter: &str) -> Result<String, String> {
+pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
     let slip = slips::find(name).ok_or_else(|| format!("there is no slip `{name}`"))?;
     let chapter = Chapter::find(chapter)
         .filter(|chapter| slip.chapters.contains(chapter))
@@ -24,7 +24,7 @@ pub(super) fn slip(name: &str, chapter: &str) -> Result<String, String> {
 }
 
 /// What each edition of the book draws, and by what it differs.
-pub(super) fn editions() -> String {
+pub(crate) fn editions() -> String {
     let pictures = |edition: Edition| -> String {
         let chapters = [Chapter::BuildTest, Chapter::Normals, Chapter::HittableList];
         let picture = |chapter: Chapter| {
@@ -56,7 +56,7 @@ pub(super) fn editions() -> String {
 const EDITION_WIDTH: u32 = 144;
 
 /// All slips, by what there is to see.
-pub(super) fn gallery() -> String {
+pub(crate) fn gallery() -> String {
     let sights = slips::sights();
     let mut page = String::new();
     for (look, heading, sentence) in HEADINGS {
@@ -174,7 +174,7 @@ fn unseen(slip: &Slip) -> String {
 }
 
 /// The picture inside the page, pixel by pixel.
-pub(super) fn image(picture: &Picture, alt: &str) -> String {
+pub(crate) fn image(picture: &Picture, alt: &str) -> String {
     format!(
         "<img class=\"pixels\" width=\"{}\" height=\"{}\" alt=\"{alt}\" src=\"data:image/png;base64,{}\">",
         picture.width(),

@@ -11,7 +11,7 @@ use syn::{ImplItem, Item, TraitItem};
 /// What a page has listed so far, so that a listing can say what it stands beside: the
 /// file, the lines, and what to look for there.
 #[derive(Default)]
-pub(super) struct Listed(Vec<(String, Range<usize>, String)>);
+pub(crate) struct Listed(Vec<(String, Range<usize>, String)>);
 
 impl Listed {
     /// `, below …` or `, above …`, if something else of the same file was listed before.
@@ -37,15 +37,22 @@ impl Listed {
     }
 }
 
-/// The `items` of the source at `path`, or all of it, as Markdown.
+/// The `items` of the source at `path` from the `folder`, or all of it, as Markdown.
 ///
 /// The items are separated by commas. A function, type, trait or constant goes by its
 /// name, an import by its line, an impl block by its header, a method by either of them,
 /// `::` and its name. Doc comments and attributes belong to an item, and a method is
 /// shown inside its block.
-pub(super) fn listing(path: &Path, items: &str, listed: &mut Listed) -> Result<String, String> {
-    let file = shown(path);
-    let source = fs::read_to_string(path).map_err(|cause| format!("{file}: {cause}"))?;
+pub(crate) fn listing(
+    folder: &Path,
+    path: &str,
+    items: &str,
+    listed: &mut Listed,
+) -> Result<String, String> {
+    // The pages are in book/notes, so without `../../` it is as seen from the workspace.
+    let file = path.trim_start_matches("../");
+    let source =
+        fs::read_to_string(folder.join(path)).map_err(|cause| format!("{file}: {cause}"))?;
     let (beside, listing) = match items {
         "" => (String::new(), source),
         items => {
@@ -59,8 +66,8 @@ pub(super) fn listing(path: &Path, items: &str, listed: &mut Listed) -> Result<S
                 .iter()
                 .find(|item| !item.is_import)
                 .unwrap_or(&found[0]);
-            let beside = listed.beside(&file, main);
-            listed.add(&file, &found);
+            let beside = listed.beside(file, main);
+            listed.add(file, &found);
             (beside, excerpt(&source, &found))
         }
     };
@@ -72,19 +79,6 @@ pub(super) fn listing(path: &Path, items: &str, listed: &mut Listed) -> Result<S
 
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;")
-}
-
-/// The path as seen from the workspace, if it is in there.
-fn shown(path: &Path) -> String {
-    let book = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let whole = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-    let workspace = book.parent().and_then(|path| path.canonicalize().ok());
-    let inside = workspace.and_then(|workspace| whole.strip_prefix(workspace).ok());
-    inside
-        .unwrap_or(path)
-        .display()
-        .to_string()
-        .replace('\\', "/")
 }
 
 /// The names in a list; a comma inside brackets belongs to a name.

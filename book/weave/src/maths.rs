@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
-use super::breaks::with_breaks;
+use crate::breaks::with_breaks;
 
 /// The formulas of the book, and the numbers that are taken.
-pub(super) struct Maths {
+pub(crate) struct Maths {
     converter: LatexToMathML,
     /// Where the equation of each number stands.
     numbered: HashMap<String, String>,
@@ -15,7 +15,7 @@ pub(super) struct Maths {
 
 impl Maths {
     /// Maths without macros, and no equation numbered yet.
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let converter = LatexToMathML::new(MathCoreConfig::default())
             .expect("without macros there is none that can be wrong");
         Self {
@@ -25,7 +25,7 @@ impl Maths {
     }
 
     /// A formula inside a line, which does not part from the `punctuation` behind it.
-    pub(super) fn inline(&self, latex: &str, punctuation: &str) -> Result<String, String> {
+    pub(crate) fn inline(&self, latex: &str, punctuation: &str) -> Result<String, String> {
         let mathml = self.convert(latex, MathDisplay::Inline)?;
         let mathml = untouched_by_markdown(&mathml);
         Ok(match punctuation {
@@ -35,13 +35,13 @@ impl Maths {
     }
 
     /// A formula in a table, which may need to be narrow.
-    pub(super) fn in_table(&self, latex: &str) -> Result<String, String> {
+    pub(crate) fn in_table(&self, latex: &str) -> Result<String, String> {
         let mathml = self.convert(latex, MathDisplay::Inline)?;
         Ok(untouched_by_markdown(&with_breaks(&mathml)))
     }
 
     /// A formula on a line of its own; `\tag{n}` makes it equation n of the book.
-    pub(super) fn equation(
+    pub(crate) fn equation(
         &mut self,
         latex: &str,
         place: impl Fn() -> String,

@@ -1,15 +1,16 @@
 //! The steps of each chapter: a few lines to type, and one thing to see.
 
-use check::diagnosis::Scene;
 use common::rtweekend::*;
-use slips::Chapter;
+
+use crate::chapter::Chapter;
+use crate::program::Program;
 
 /// A few lines to type, after which there is something new to see.
-pub(crate) struct Step {
+pub struct Step {
     /// What to type, and what it will show.
-    pub(crate) says: &'static str,
+    pub says: &'static str,
     /// Whether all that the laws ask for is written by then.
-    pub(crate) has_laws: bool,
+    pub has_laws: bool,
     shows: Shows,
 }
 
@@ -23,18 +24,23 @@ enum Shows {
 
 impl Step {
     /// The picture that there is to see, in the size of the reader's.
-    pub(crate) fn picture(&self, width: u32, height: u32) -> Picture {
+    pub fn picture(&self, width: u32, height: u32) -> Picture {
+        let camera = Camera::with_size(width, height);
         match self.shows {
-            Shows::Chapter(chapter) => of_chapter(chapter).right(width, height),
+            Shows::Chapter(chapter) => {
+                let program = Program::right(chapter);
+                Picture::paint(width, height, move |i, j| {
+                    (program.color)(&program, &camera, i, j)
+                })
+            }
             Shows::Rays(ray_color, _) => {
-                let camera = Camera::with_size(width, height);
                 Picture::paint(width, height, move |i, j| ray_color(&camera.ray(i, j)))
             }
         }
     }
 
     /// What there is to see, for whoever can't.
-    pub(crate) fn seen(&self) -> &'static str {
+    pub fn seen(&self) -> &'static str {
         match self.shows {
             Shows::Chapter(chapter) => chapter.shows(),
             Shows::Rays(_, seen) => seen,
@@ -43,7 +49,7 @@ impl Step {
 }
 
 /// The steps that lead to the picture of `chapter`, which the last of them shows.
-pub(crate) fn of(chapter: Chapter) -> &'static [Step] {
+pub fn of(chapter: Chapter) -> &'static [Step] {
     match chapter {
         Chapter::BuildTest => &[Step {
             says: "Red grows to the right and green grows downwards, from 0 to 1.",
@@ -140,8 +146,4 @@ fn gray_of_t(ray: &Ray) -> Color {
         Some(t) if t > 0.0 => t * Color::ONE,
         _ => sky(ray),
     }
-}
-
-fn of_chapter(chapter: Chapter) -> Scene {
-    Scene::new(chapter, None).expect("a chapter has room for its own scene")
 }

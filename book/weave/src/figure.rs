@@ -4,11 +4,11 @@ use std::path::Path;
 
 use figures::{CHARTS, FIGURES};
 
-use super::controls;
+use crate::controls;
 
 /// The figure of that name, drawn now, with its caption; and if it is live, with what
 /// moves it.
-pub(super) fn figure(name: &str) -> Result<String, String> {
+pub(crate) fn figure(name: &str) -> Result<String, String> {
     let figure = figures::find(name).ok_or_else(|| {
         let names: Vec<&str> = FIGURES.iter().map(|figure| figure.name).collect();
         format!(
@@ -27,7 +27,7 @@ pub(super) fn figure(name: &str) -> Result<String, String> {
 
 /// The chart of that name, drawn now from its files in the folder `notes`, with its
 /// caption and a table of the same numbers.
-pub(super) fn chart(notes: &Path, name: &str) -> Result<String, String> {
+pub(crate) fn chart(notes: &Path, name: &str) -> Result<String, String> {
     let chart = figures::find_chart(name).ok_or_else(|| {
         let names: Vec<&str> = CHARTS.iter().map(|chart| chart.name).collect();
         format!("there is no chart `{name}`: there are {}", names.join(", "))

@@ -4,11 +4,11 @@ use std::path::Path;
 
 use slips::Chapter;
 
-use super::snapshot;
+use crate::snapshot;
 
 /// The pictures of chapter `name` and of the one before, the pixels that changed,
 /// and the lines of code: as the files say that a test keeps fresh.
-pub(super) fn changes(folder: &Path, name: &str) -> Result<String, String> {
+pub(crate) fn changes(folder: &Path, name: &str) -> Result<String, String> {
     let [before, after] = Chapter::ALL
         .array_windows()
         .find(|[_, after]| after.name() == name)

@@ -1,18 +1,18 @@
 //! One page: where its formulas and directives are, and what becomes of them.
 
+use std::env;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use check::places::shown;
 use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
-use super::code::Listed;
-use super::directive;
-use super::maths::Maths;
-use super::woven::Woven;
+use crate::code::Listed;
+use crate::directive;
+use crate::maths::Maths;
+use crate::woven::Woven;
 
 /// A page as it was written.
-pub(super) struct Page<'a> {
+pub(crate) struct Page<'a> {
     path: PathBuf,
     text: &'a str,
 }
@@ -22,17 +22,17 @@ type Piece = (Range<usize>, Result<Woven, String>);
 
 impl<'a> Page<'a> {
     /// The page at `path`, with `text` in it.
-    pub(super) fn new(path: PathBuf, text: &'a str) -> Self {
+    pub(crate) fn new(path: PathBuf, text: &'a str) -> Self {
         Self { path, text }
     }
 
     /// The folder that paths in the page start from.
-    pub(super) fn folder(&self) -> &Path {
+    pub(crate) fn folder(&self) -> &Path {
         self.path.parent().unwrap_or(&self.path)
     }
 
     /// The page as mdBook understands it, or each cause why there is none.
-    pub(super) fn weave(&self, maths: &mut Maths) -> Result<String, Vec<String>> {
+    pub(crate) fn weave(&self, maths: &mut Maths) -> Result<String, Vec<String>> {
         let (mut pieces, opaque) = self.formulas(maths);
         pieces.extend(self.directives(&opaque));
         pieces.sort_by_key(|(range, _)| range.start);
@@ -56,10 +56,12 @@ impl<'a> Page<'a> {
         }
     }
 
-    /// File and line of the byte `at`.
+    /// File and line of the byte `at`, as seen from the folder that the reader is in.
     fn place(&self, at: usize) -> String {
         let line = 1 + self.text[..at].matches('\n').count();
-        format!("{}:{line}", shown(&self.path))
+        let here = env::current_dir().unwrap_or_default();
+        let path = self.path.strip_prefix(here).unwrap_or(&self.path);
+        format!("{}:{line}", path.display())
     }
 
     /// The formulas, and the ranges in which braces mean what they are.

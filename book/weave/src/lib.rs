@@ -1,0 +1,99 @@
+//! A preprocessor of mdBook: pages, sources, figures and formulas become one book.
+//!
+//! mdBook does what it does well: Markdown, search, themes, the print page. What
+//! it does not know, the directives of the pages and their formulas, is resolved
+//! before by [`Weaver`]. Whatever goes wrong fails the build, with the file, the
+//! line and the cause.
+
+mod breaks;
+mod changes;
+mod code;
+mod controls;
+mod directive;
+mod figure;
+mod maths;
+mod measured;
+mod page;
+mod picture;
+mod slip;
+mod snapshot;
+mod step;
+mod warnings;
+mod woven;
+
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+use mdbook_driver::MDBook;
+use mdbook_preprocessor::book::{Book, BookItem};
+use mdbook_preprocessor::errors::{Error as Cause, Result as Done};
+use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
+
+use maths::Maths;
+use page::Page;
+
+/// Weaves the book in the folder `source`, which has a book.toml, into the empty `folder`.
+///
+/// # Errors
+/// If a page can't be woven, or mdBook as much as warns; with every cause that was found.
+pub fn weave(source: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
+    let warnings = warnings::collect(|| {
+        let mut book = MDBook::load(source).map_err(cannot_weave)?;
+        refuse_inside(&book.source_dir(), folder)?;
+        book.config.build.build_dir = folder.to_owned();
+        book.with_preprocessor(Weaver);
+        book.build().map_err(cannot_weave)
+    })?;
+    match warnings.is_empty() {
+        true => Ok(()),
+        false => Err(format!("mdBook warns about the book\n{}", warnings.join("\n")).into()),
+    }
+}
+
+/// mdBook copies what lies among the pages into the book: the last book, too.
+fn refuse_inside(pages: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
+    match fs::canonicalize(folder)?.starts_with(fs::canonicalize(pages)?) {
+        false => Ok(()),
+        true => Err(format!(
+            "the book would lie among its pages in {}, and become a part of the next one.\n\
+             Name a folder elsewhere.",
+            pages.display()
+        )
+        .into()),
+    }
+}
+
+fn cannot_weave(error: Cause) -> Box<dyn Error> {
+    format!("the book can't be woven\n{error:#}").into()
+}
+
+/// Resolves what the pages have that mdBook does not know.
+struct Weaver;
+
+impl Preprocessor for Weaver {
+    fn name(&self) -> &str {
+        "weave"
+    }
+
+    fn run(&self, context: &PreprocessorContext, mut book: Book) -> Done<Book> {
+        let notes = context.root.join(&context.config.book.src);
+        let mut maths = Maths::new();
+        let mut problems = Vec::new();
+        book.for_each_mut(|item| {
+            if let BookItem::Chapter(chapter) = item
+                && let Some(path) = &chapter.source_path
+            {
+                let page = Page::new(notes.join(path), &chapter.content);
+                match page.weave(&mut maths) {
+                    Ok(woven) => chapter.content = woven,
+                    Err(causes) => problems.extend(causes),
+                }
+            }
+        });
+        match problems.is_empty() {
+            true => Ok(book),
+            false => Err(Cause::msg(problems.join("\n"))),
+        }
+    }
+}
