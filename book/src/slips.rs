@@ -10,7 +10,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Subcommand, value_parser};
 use common::engine::{companion, output};
 use slips::Chapter;
-use slips::{self, Slip, Unseen};
+use slips::{self, Edition, Slip, Unseen};
 
 use crate::check::chapter_parser;
 use crate::misuse::misuse;
@@ -83,11 +83,10 @@ fn list(which: Option<Which>) -> Result<(), Box<dyn Error>> {
         Some(Which::One(one)) => slip.name == one.name,
     };
     for slip in slips::all().filter(can_be_made) {
-        write!(
-            text,
-            "{}\n  probably   {}\n  should be  {}\n  why        {}\n",
-            slip.name, slip.wrong, slip.right, slip.explanation
-        )?;
+        writeln!(text, "{}", slip.name)?;
+        for (label, said) in slip.rows(Edition::V4) {
+            writeln!(text, "  {label:<9}  {said}")?;
+        }
         match chapter.and_then(|chapter| slip.unseen_in(chapter)) {
             Some(Unseen::Equivalent(why)) => text += &format!("  unseen     {why}\n"),
             Some(Unseen::OnlyByLaw(law)) => {

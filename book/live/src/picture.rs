@@ -120,17 +120,13 @@ pub fn verdict(live: &LivePicture, slip: Option<&Slip>, width: u32, different: u
         );
     };
     let wrong_size = slip.program(live.chapter).run(width).size();
-    let Words {
-        wrong,
-        right,
-        explanation,
-    } = slip.words(Edition::V4);
+    let Words { wrong, right, why } = slip.words(Edition::V4);
     format!(
         "<code>{}</code> should be <code>{}</code>. {} {} <a href=\"{}\">How it is right</a>, and \
          <a href=\"caught.html#{name}\">what catches it</a>.",
         escape(wrong),
         escape(right),
-        escape(explanation),
+        escape(why),
         escape(&match (size == wrong_size, different) {
             (false, _) => sizes(wrong_size, size),
             (true, 0) => unseen(slip, live.chapter),

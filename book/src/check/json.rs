@@ -172,7 +172,7 @@ fn slip_as_json(slip: &Slip, edition: Edition) -> Value {
         "name": slip.name,
         "probably": words.wrong,
         "should_be": words.right,
-        "why": words.explanation,
+        "why": words.why,
         "page": slip.page,
         "read": places::page(slip),
         "code": places::source(slip),

@@ -146,7 +146,7 @@ fn given_by(slips: &[&Slip]) -> String {
         slips => {
             let names: Vec<String> = slips
                 .iter()
-                .map(|slip| format!("{} ({})", slip.name, slip.wrong))
+                .map(|slip| format!("{} ({})", slip.name, slip.words(Edition::V4).wrong))
                 .collect();
             format!(
                 "If you did not choose this shape, look for {}.\n",
@@ -266,20 +266,15 @@ fn diagnosis(scene: &Scene, finding: &Finding, style: Style) -> String {
 fn in_full(mistake: &[&Slip], edition: Edition, style: Style) -> String {
     let mut text = String::new();
     for slip in mistake {
-        let words = slip.words(edition);
-        let rows = [
-            ("probably", Some(words.wrong.to_owned())),
-            ("should be", Some(words.right.to_owned())),
-            ("why", Some(words.explanation.to_owned())),
-            ("read", Some(read(slip))),
-            ("code", places::source(slip)),
-        ];
+        let words = slip
+            .rows(edition)
+            .map(|(label, said)| (label, said.to_owned()));
+        let code = places::source(slip).map(|file| ("code", file));
+        let rows = words.into_iter().chain([("read", read(slip))]).chain(code);
         text += &format!("\n  {}\n", style.bold(slip.name));
         for (label, said) in rows {
-            if let Some(said) = said {
-                let label = style.dim(&format!("{label:<9}"));
-                text += &format!("    {label} {said}\n");
-            }
+            let label = style.dim(&format!("{label:<9}"));
+            text += &format!("    {label} {said}\n");
         }
     }
     text

@@ -106,7 +106,10 @@ impl Judge<'_> {
             .finding()
             .map_or(Vec::new(), |finding| self.mistakes(finding));
         let or = mistakes.iter().take(SHOWN).map(|mistake| {
-            let wrong: Vec<&str> = mistake.iter().map(|slip| slip.wrong).collect();
+            let wrong: Vec<&str> = mistake
+                .iter()
+                .map(|slip| slip.words(scene.edition).wrong)
+                .collect();
             let (next, wrong) = (at + 2, wrong.join("; "));
             labeled(
                 "or",
@@ -307,15 +310,9 @@ fn of_no_picture(verdict: &str, cause: &Cause, finding: Option<Box<Finding>>) ->
 
 /// A slip, or two that were made together.
 fn in_full(mistake: &[&Slip], edition: Edition) -> Vec<Line> {
-    let lines = mistake.iter().flat_map(|slip| {
-        let words = slip.words(edition);
-        [
-            labeled("probably", words.wrong.to_owned()),
-            labeled("should be", words.right.to_owned()),
-            labeled("why", words.explanation.to_owned()),
-        ]
-    });
-    lines.collect()
+    let rows = mistake.iter().flat_map(|slip| slip.rows(edition));
+    rows.map(|(label, said)| labeled(label, said.to_owned()))
+        .collect()
 }
 
 /// Slips that draw the same picture, and how to find out which it is.

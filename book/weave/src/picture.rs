@@ -7,7 +7,7 @@ use std::path::Path;
 use figures::escape;
 use live::picture::{self, LivePicture, PICTURES, WIDEST};
 use slips::Chapter;
-use slips::{self, Slip};
+use slips::{self, Edition, Slip};
 
 /// The `image` of a chapter, in Markdown, with what is needed to paint it at another width
 /// and with a slip. The pages that the slips belong to are in the folder `notes`.
@@ -59,7 +59,7 @@ fn choices(notes: &Path, live: &LivePicture) -> Result<String, String> {
             escape(&title(&notes.join(format!("{page}.md")))?)
         );
         for (place, slip) in slips {
-            let (name, wrong) = (slip.name, escape(slip.wrong));
+            let (name, wrong) = (slip.name, escape(slip.words(Edition::V4).wrong));
             let _ = write!(
                 html,
                 "<option value=\"{name}\" data-slip=\"{place}\">{wrong}</option>"
@@ -77,7 +77,7 @@ fn by_page(chapter: Chapter) -> Vec<(&'static str, Vec<(usize, &'static Slip)>)>
         if !slip.chapters.contains(&chapter) {
             continue;
         }
-        let page = slip.page.split('#').next().unwrap_or_default();
+        let page = slip.page_and_heading().0;
         match pages.iter_mut().find(|(other, _)| *other == page) {
             Some((_, slips)) => slips.push((place, slip)),
             None => pages.push((page, vec![(place, slip)])),

@@ -4,7 +4,7 @@ use base64::prelude::{BASE64_STANDARD, Engine as _};
 use check::png;
 use common::rtweekend::Picture;
 use slips::Chapter;
-use slips::{self, Edition, Look, Sight, Slip, Unseen};
+use slips::{self, Edition, Look, Sight, Slip, Unseen, Words};
 
 /// The picture that a slip draws in a chapter, with the name of both below it.
 pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
@@ -17,7 +17,7 @@ pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
         "<figure>{}<figcaption><a href=\"slips.html\">{name}</a> in <code>{}</code></figcaption></figure>",
         image(
             &picture,
-            &format!("What {name} draws: {}", slip.explanation)
+            &format!("What {name} draws: {}", slip.words(Edition::V4).why)
         ),
         chapter.name()
     ))
@@ -144,16 +144,10 @@ fn tile(sight: &Sight) -> String {
 
 /// The slip in words, as an item of a list.
 fn told(slip: &Slip) -> String {
-    let Slip {
-        name,
-        wrong,
-        right,
-        explanation,
-        ..
-    } = slip;
-    let (page, heading) = slip.page.split_once('#').unwrap_or((slip.page, ""));
+    let (name, Words { wrong, right, why }) = (slip.name, slip.words(Edition::V4));
+    let (page, heading) = slip.page_and_heading();
     format!(
-        "* **[{name}](caught.md#{name})** · `{wrong}` should be `{right}`. {explanation} See [{page}]({page}.md#{heading})."
+        "* **[{name}](caught.md#{name})** · `{wrong}` should be `{right}`. {why} See [{page}]({page}.md#{heading})."
     )
 }
 

@@ -141,28 +141,28 @@ pub fn escaped(text: impl fmt::Display) -> String {
 }
 
 fn slip_as_html(slip: &Slip, edition: Edition, book: &Path) -> String {
-    let words = slip.words(edition);
-    let [name, wrong, right, explanation, source] = [
-        slip.name,
-        words.wrong,
-        words.right,
-        words.explanation,
-        slip.source,
-    ]
-    .map(escaped);
-    let page = page_of_book(slip, book);
+    let [wrong, right, why] = slip
+        .rows(edition)
+        .map(|(label, said)| (label, escaped(said)));
+    let rows = [
+        (wrong.0, format!("<code>{}</code>", wrong.1)),
+        (right.0, format!("<code>{}</code>", right.1)),
+        why,
+        ("read", page_of_book(slip, book)),
+        ("code", escaped(slip.source)),
+    ];
+    let rows = rows.map(|(label, said)| format!("<dt>{label}</dt><dd>{said}</dd>"));
     format!(
-        "<h3>{name}</h3>\n<dl><dt>probably</dt><dd><code>{wrong}</code></dd>\
-         <dt>should be</dt><dd><code>{right}</code></dd>\
-         <dt>why</dt><dd>{explanation}</dd><dt>read</dt><dd>{page}</dd>\
-         <dt>code</dt><dd>{source}</dd></dl>\n"
+        "<h3>{}</h3>\n<dl>{}</dl>\n",
+        escaped(slip.name),
+        rows.concat()
     )
 }
 
 /// The page that tells how it is right: a link, or its name in words while there is no
 /// such page.
 fn page_of_book(slip: &Slip, book: &Path) -> String {
-    let (page, heading) = slip.page.split_once('#').unwrap_or((slip.page, ""));
+    let (page, heading) = slip.page_and_heading();
     match fs::canonicalize(book.join(page).with_extension("html")) {
         Ok(file) => format!(
             "<a href=\"{}#{heading}\">{}</a>",

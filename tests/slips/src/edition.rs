@@ -1,17 +1,10 @@
-//! Editions of the book: the same chapters under another camera.
+//! Editions of the book: what tells the versions of the same chapters apart.
 //!
-//! An edition is the program of the latest one with other steps, like a slip, but
-//! right from its first line to its last. The facts are from the listings in the
-//! repositories `RayTracing/InOneWeekend` (versions 1 and 2) and
-//! `RayTracing/raytracing.github.io` (the others), as they stand at each tag.
+//! The facts are from the listings in the repositories `RayTracing/InOneWeekend`
+//! (versions 1 and 2) and `RayTracing/raytracing.github.io` (the others), as they stand
+//! at each tag. [`older`](crate::older) makes programs of them.
 
 use std::fmt;
-
-use common::rtweekend::*;
-
-use super::program::Program;
-use super::single;
-use crate::chapter::{Chapter, Room};
 
 /// The versions of *Ray Tracing in One Weekend* whose pictures of these chapters
 /// differ. A version that is not named here draws what the one before it draws.
@@ -74,14 +67,6 @@ impl Edition {
         }
     }
 
-    /// The chapter's program in this edition.
-    ///
-    /// # Panics
-    /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
-    pub fn program(self, chapter: Chapter) -> Program {
-        self.put_to(Program::right(chapter))
-    }
-
     /// After "right" or "wrong": which edition it is judged by, if it is not the one
     /// that this workspace follows.
     pub fn said(self) -> String {
@@ -102,61 +87,12 @@ impl Edition {
         matches!(self, Self::V3_1_0 | Self::V3 | Self::V4)
     }
 
-    /// The program of the same chapter in this edition, from that of version 4.
-    pub(crate) fn put_to(self, program: Program) -> Program {
-        let is_square = program.chapter == Chapter::BuildTest;
-        let edition = self;
-        let program = Program { edition, ..program };
-        match self {
-            Self::V1 => Program {
-                color: match program.chapter {
-                    Chapter::BuildTest => program.color,
-                    _ => single::color,
-                },
-                level: |component| (255.99 * component) as i32,
-                ..two_to_one(program)
-            },
-            Self::V1InDouble => Program {
-                level: |component| (255.99 * component) as i32,
-                ..two_to_one(program)
-            },
-            Self::V3_0 => two_to_one(program),
-            Self::V3_1_0 if program.chapter.room() == Room::Many => Program {
-                viewport_ratio: |_, _, _| 2.0,
-                ..from_below(program)
-            },
-            Self::V3_1_0 if !is_square => Program {
-                viewport_height: 2.25,
-                viewport_ratio: |_, _, _| 4.0 / 2.25,
-                ..from_below(program)
-            },
-            Self::V3 | Self::V3_1_0 => from_below(program),
-            Self::V4 => program,
-        }
-    }
-
     /// The row that the loop counts as it draws the `j`th row from above.
     pub(super) fn row(self, j: u32, image_height: u32) -> f64 {
         match self.counts_from_below() {
             true => f64::from(image_height) - 1.0 - f64::from(j),
             false => f64::from(j),
         }
-    }
-
-    /// The ray for a column and a row as the loops count them.
-    pub(super) fn ray(self, program: &Program, camera: &Camera, i: f64, j: f64) -> Ray {
-        let [u, v] = match self.counts_from_below() {
-            true => {
-                let (width, height) = (camera.image_width, camera.image_height);
-                let [across, up] = (program.divisors)(width.into(), height.into());
-                [i / across, j / up]
-            }
-            false => [i, j],
-        };
-        let plus = program.plus;
-        let in_column = plus(camera.pixel00, u * camera.pixel_delta_u);
-        let point = plus(in_column, v * camera.pixel_delta_v);
-        Ray::new(camera.center, point - camera.center)
     }
 }
 
@@ -170,35 +106,5 @@ impl fmt::Display for Edition {
             Self::V3 => "version 3 of the book (2020 to 2023)",
             Self::V4 => "version 4 of the book",
         })
-    }
-}
-
-/// 16:9. The viewport's left edge points up from its lower left corner, and a pixel is
-/// a fraction of the whole edges.
-fn from_below(program: Program) -> Program {
-    Program {
-        image_height: match program.chapter {
-            Chapter::BuildTest => program.image_height,
-            _ => |width, aspect_ratio| (width / aspect_ratio) as u32,
-        },
-        viewport_ratio: |_, _, aspect_ratio| aspect_ratio,
-        viewport_v: |_, height| Vec3::new(0.0, height, 0.0),
-        divisors: |width, height| [width - 1.0, height - 1.0],
-        pixel_deltas: |_, u, v, _| [u, v],
-        inset: [0.0, 0.0],
-        blue: 0.25,
-        ..program
-    }
-}
-
-/// Twice as wide as high, in all chapters, and the last column stops short of 1.
-fn two_to_one(program: Program) -> Program {
-    Program {
-        aspect_ratio: 2.0,
-        image_height: |width, aspect_ratio| (width / aspect_ratio) as u32,
-        viewport_ratio: |_, _, _| 2.0,
-        divisors: |width, height| [width, height],
-        blue: 0.2,
-        ..from_below(program)
     }
 }

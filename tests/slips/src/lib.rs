@@ -31,6 +31,7 @@ mod catalogue;
 mod chapter;
 mod edition;
 mod look;
+mod older;
 mod output;
 mod probes;
 mod program;

@@ -221,7 +221,22 @@ impl Program {
     /// The ray of a program without a slip in it.
     pub(super) fn right_ray(&self, camera: &Camera, i: u32, j: u32) -> Ray {
         let row = self.edition.row(j, camera.image_height);
-        self.edition.ray(self, camera, i.into(), row)
+        self.ray_of(camera, i.into(), row)
+    }
+
+    /// The ray for a column and a row as the loops count them.
+    pub(super) fn ray_of(&self, camera: &Camera, i: f64, j: f64) -> Ray {
+        let [u, v] = match self.edition.counts_from_below() {
+            true => {
+                let (width, height) = (camera.image_width, camera.image_height);
+                let [across, up] = (self.divisors)(width.into(), height.into());
+                [i / across, j / up]
+            }
+            false => [i, j],
+        };
+        let in_column = (self.plus)(camera.pixel00, u * camera.pixel_delta_u);
+        let point = (self.plus)(in_column, v * camera.pixel_delta_v);
+        Ray::new(camera.center, point - camera.center)
     }
 
     /// The color of the build test where red is made of `i` and green of `j`.

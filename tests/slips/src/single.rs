@@ -1,13 +1,13 @@
-//! Single precision: the chapters in `f32`, a slip in all steps at once.
+//! Single precision: the chapters in `f32`, as in version 1 of the book.
 //!
-//! So it stands in for the steps from camera to color, and a second slip shows
-//! beside it only if it is in the scene or in the file.
+//! It replaces every step from camera to color, so other slips in those steps have no
+//! effect.
 
 use common::rtweekend::{Camera, Color};
 
-use super::program::{Ball, Program};
 use crate::chapter::Chapter;
 use crate::edition::Edition;
+use crate::program::{Ball, Program};
 
 type Vector = [f32; 3];
 

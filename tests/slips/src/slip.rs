@@ -1,39 +1,48 @@
-//! A slip: a mutation of the right program, and what there is to say about it.
+//! Mutation operators: a slip is a known mistake, as a change of the right program, and
+//! what there is to say of it.
 
 use std::path::{Path, PathBuf};
 
-use super::program::Program;
 use crate::chapter::Chapter;
 use crate::edition::Edition;
+use crate::program::Program;
 
-/// A mistake: the right program with one step replaced.
+/// A mistake that readers make, as a change of the program without it.
 #[derive(Clone, Copy, Debug)]
 pub struct Slip {
     /// What it is called, on the command line and in tables. It never changes.
     pub name: &'static str,
     /// The chapters in which it can be made.
     pub chapters: &'static [Chapter],
+    /// The page of the book and its heading that tell how it is right, as the end of an
+    /// address: `half_b_sphere#two-observations`.
+    pub page: &'static str,
+    /// The file of this workspace that has the line right.
+    pub source: &'static str,
+    words: Words,
+    /// The words for those who follow an edition before version 4, where they are others.
+    before_4: Option<Words>,
+    reported: &'static [&'static str],
+    alter: fn(&mut Program),
+    /// In which chapters neither picture nor probe shows it, and why.
+    unseen: Option<(&'static [Chapter], Unseen)>,
+}
+
+/// Where a line is right: see the fields of [`Slip`].
+pub(super) struct Place {
+    pub(super) page: &'static str,
+    pub(super) source: &'static str,
+}
+
+/// What there is to say of a slip in one edition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Words {
     /// What the code probably says, in no particular language.
     pub wrong: &'static str,
     /// What it should say.
     pub right: &'static str,
-    /// Why that is wrong, and what it does to the picture.
-    pub explanation: &'static str,
-    /// The same three for who follows an edition before version 4, where they are
-    /// others.
-    pub before_4: Option<[&'static str; 3]>,
-    /// Who made it: issues of `RayTracing/raytracing.github.io`, or of another
-    /// repository if that is named. Often empty: few people report a slip.
-    pub evidence: &'static [&'static str],
-    /// The page of the book and its heading that tell how it is right, as the
-    /// end of an address: `half_b_sphere#two-observations`.
-    pub page: &'static str,
-    /// The file of this workspace that has the line right.
-    pub source: &'static str,
-    /// Replaces the step.
-    pub alter: fn(Program) -> Program,
-    /// Where no picture and no probe shows it, with the reason.
-    pub unseen: &'static [(&'static [Chapter], Unseen)],
+    /// Why, and what the mistake does to the picture.
+    pub why: &'static str,
 }
 
 /// Why neither picture nor probe shows a slip.
@@ -46,45 +55,86 @@ pub enum Unseen {
     OnlyByLaw(&'static str),
 }
 
-/// What there is to say of a slip in one edition: what the code probably says, what it
-/// should say, and why.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Words {
-    /// What the code probably says.
-    pub wrong: &'static str,
-    /// What it should say.
-    pub right: &'static str,
-    /// Why, and what it does to the picture.
-    pub explanation: &'static str,
+/// A slip that changes nothing yet, and of which nothing is said.
+pub(super) const fn slip(name: &'static str, chapters: &'static [Chapter], place: Place) -> Slip {
+    Slip {
+        name,
+        chapters,
+        page: place.page,
+        source: place.source,
+        words: Words {
+            wrong: "",
+            right: "",
+            why: "",
+        },
+        before_4: None,
+        reported: &[],
+        alter: |_| {},
+        unseen: None,
+    }
+}
+
+/// The parts of an entry in the catalogue.
+impl Slip {
+    pub(super) const fn says(mut self, words: Words) -> Self {
+        self.words = words;
+        self
+    }
+
+    pub(super) const fn before_4(mut self, words: Words) -> Self {
+        self.before_4 = Some(words);
+        self
+    }
+
+    /// Who made it: issues of `RayTracing/raytracing.github.io`, or of another repository
+    /// if that is named. Few people report a slip.
+    pub(super) const fn reported(mut self, issues: &'static [&'static str]) -> Self {
+        self.reported = issues;
+        self
+    }
+
+    pub(super) const fn alters(mut self, alter: fn(&mut Program)) -> Self {
+        self.alter = alter;
+        self
+    }
+
+    pub(super) const fn equivalent(
+        mut self,
+        chapters: &'static [Chapter],
+        proof: &'static str,
+    ) -> Self {
+        self.unseen = Some((chapters, Unseen::Equivalent(proof)));
+        self
+    }
+
+    pub(super) const fn only_by_law(
+        mut self,
+        chapters: &'static [Chapter],
+        law: &'static str,
+    ) -> Self {
+        self.unseen = Some((chapters, Unseen::OnlyByLaw(law)));
+        self
+    }
 }
 
 impl Slip {
-    /// What most slips have in common; the rest is empty.
-    pub(super) const USUAL: Self = Self {
-        name: "",
-        chapters: &[],
-        wrong: "",
-        right: "",
-        explanation: "",
-        before_4: None,
-        evidence: &[],
-        page: "",
-        source: "",
-        alter: |right| right,
-        unseen: &[],
-    };
-
     /// What there is to say of it to someone who follows that edition.
     pub fn words(&self, edition: Edition) -> Words {
-        let [wrong, right, explanation] = match self.before_4 {
+        match self.before_4 {
             Some(words) if edition != Edition::V4 => words,
-            _ => [self.wrong, self.right, self.explanation],
-        };
-        Words {
-            wrong,
-            right,
-            explanation,
+            _ => self.words,
         }
+    }
+
+    /// The same, labeled, as every report shows it.
+    pub fn rows(&self, edition: Edition) -> [(&'static str, &'static str); 3] {
+        let Words { wrong, right, why } = self.words(edition);
+        [("probably", wrong), ("should be", right), ("why", why)]
+    }
+
+    /// How many people have reported that they made it.
+    pub fn reports(&self) -> usize {
+        self.reported.len()
     }
 
     /// The program of someone who made this slip in that chapter.
@@ -94,18 +144,51 @@ impl Slip {
             "{} can't be made in {chapter:?}",
             self.name
         );
-        (self.alter)(Program::right(chapter))
+        self.put_to(Program::right(chapter))
     }
 
-    /// Where `cargo rtrace book` puts the page that tells how it is right, as seen
-    /// from the workspace.
+    /// The same program with this slip in it.
+    pub fn put_to(&self, mut program: Program) -> Program {
+        (self.alter)(&mut program);
+        program
+    }
+
+    /// Why nothing shows the slip in that chapter, or `None` if something does.
+    pub fn unseen_in(&self, chapter: Chapter) -> Option<Unseen> {
+        self.unseen
+            .filter(|(chapters, _)| chapters.contains(&chapter))
+            .map(|(_, why)| why)
+    }
+
+    /// The page and its heading apart.
+    pub fn page_and_heading(&self) -> (&'static str, &'static str) {
+        self.page.split_once('#').unwrap_or((self.page, ""))
+    }
+
+    /// The page and its heading, as seen from another page.
+    pub fn address(&self) -> String {
+        self.page.replace('#', ".html#")
+    }
+
+    /// Where `cargo rtrace book` puts the page, as seen from the workspace.
     pub fn read(&self) -> String {
         format!("target/book/{}", self.address())
     }
 
-    /// The page that tells how it is right, and its heading, as seen from another page.
-    pub fn address(&self) -> String {
-        self.page.replace('#', ".html#")
+    /// The page and its heading in words, for whoever can't open it.
+    pub fn page_in_words(&self) -> String {
+        let (page, heading) = self.page_and_heading();
+        format!(
+            "\"{}\", on the page {page} of the book",
+            heading.replace('-', " ")
+        )
+    }
+
+    /// The page with the heading, if the book was woven in that workspace.
+    pub fn page_in(&self, workspace: &Path) -> Option<PathBuf> {
+        let path = workspace.join(self.read());
+        let (file, _) = path.to_str()?.rsplit_once('#')?;
+        Path::new(file).is_file().then_some(path)
     }
 
     /// Whether the line is in a chapter, and not in what all of them share.
@@ -113,33 +196,8 @@ impl Slip {
         self.source.starts_with("chapters/")
     }
 
-    /// Why nothing shows the slip in that chapter, or `None` if something does.
-    pub fn unseen_in(&self, chapter: Chapter) -> Option<Unseen> {
-        self.unseen
-            .iter()
-            .find(|(chapters, _)| chapters.contains(&chapter))
-            .map(|&(_, why)| why)
-    }
-
-    /// The page of the book that tells how it is right, with the heading, if the book was
-    /// woven in that workspace.
-    pub fn page_in(&self, workspace: &Path) -> Option<PathBuf> {
-        let path = workspace.join(self.read());
-        let (file, _) = path.to_str()?.rsplit_once('#')?;
-        Path::new(file).is_file().then_some(path)
-    }
-
     /// The file that has the line right, if it is in that workspace.
     pub fn source_in(&self, workspace: &Path) -> Option<PathBuf> {
         Some(workspace.join(self.source)).filter(|file| file.is_file())
-    }
-
-    /// The page and its heading in words, for whoever can't open it.
-    pub fn page_in_words(&self) -> String {
-        let (page, heading) = self.page.split_once('#').unwrap_or((self.page, ""));
-        format!(
-            "\"{}\", on the page {page} of the book",
-            heading.replace('-', " ")
-        )
     }
 }

@@ -1,12 +1,7 @@
 //! The first report about a function names the mistake that was made in it.
 
-use laws::causes::{Cause, Mistake, Question};
-use laws::list::World;
-use laws::nearer_root::Decided;
-use laws::ray_and_camera::{Arrow, Letters, Pixel, Place, Width};
-use laws::record::Recorded;
+use laws::causes::Cause;
 use laws::trial::Outcome;
-use laws::{Case, WithInterval};
 use slips::Chapter;
 use slips::{self, Program, Slip};
 
@@ -66,32 +61,4 @@ fn assert_named(attempt: fn(&Program) -> Outcome) {
 
 fn everything() -> impl Iterator<Item = (&'static Slip, Chapter)> {
     slips::all().flat_map(|slip| slip.chapters.iter().map(move |&chapter| (slip, chapter)))
-}
-
-#[test]
-fn a_mistake_that_has_the_name_of_a_slip_has_its_words() {
-    let mistakes = [
-        known::<Case>(),
-        known::<Decided>(),
-        known::<WithInterval>(),
-        known::<Recorded>(),
-        known::<World>(),
-        known::<Letters>(),
-        known::<Arrow>(),
-        known::<Place>(),
-        known::<Width>(),
-        known::<Pixel>(),
-    ];
-    for mistake in mistakes.concat() {
-        for name in mistake.names {
-            let slip = slips::find(name).expect("the name is that of a slip");
-            assert!(mistake.wrong.contains(slip.wrong), "{name}: {}", slip.wrong);
-            assert!(mistake.right.contains(slip.right), "{name}: {}", slip.right);
-        }
-    }
-}
-
-fn known<Q: Question>() -> Vec<Mistake> {
-    let hypotheses = Q::hypotheses().into_iter();
-    hypotheses.map(|hypothesis| hypothesis.mistake).collect()
 }

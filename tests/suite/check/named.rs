@@ -262,7 +262,7 @@ fn a_viewport_of_the_books_shape_is_named_in_a_picture_of_another() {
             image_height: |width, _| (0.75 * width) as u32,
             ..scene.only_by(edition).program(&[])
         };
-        let output = (slip.alter)(chosen).run(120);
+        let output = slip.put_to(chosen).run(120);
         let wrong = check(&scene, &png::encode(&output.picture()), 0);
         let names = names(wrong.finding().expect("it is wrong"));
         assert!(

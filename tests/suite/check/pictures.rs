@@ -7,7 +7,7 @@ use check::png;
 use common::rtweekend::*;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
-use slips::Chapter;
+use slips::{Chapter, Edition};
 use speed_vs_accuracy::{Method, find_scene};
 use tempfile::TempDir;
 
@@ -124,9 +124,10 @@ fn a_wrong_picture_of_a_chapter_is_explained_with_its_cause_and_a_page() {
     let lines: Vec<&str> = said.lines().collect();
     assert!(lines[0].starts_with("The picture of `half_b_sphere` is not its snapshot: "));
     assert!(lines[1].ends_with("exactly this picture:"), "{said}");
+    let words = slip.words(Edition::V4);
     let named = format!(
         "  minus-h: probably {}, should be {}",
-        slip.wrong, slip.right
+        words.wrong, words.right
     );
     assert!(lines.contains(&&*named), "{said}");
     let html = fs::read_to_string(page.join("index.html")).expect("a page");

@@ -273,7 +273,7 @@ fn slips_that_draw_the_same_picture_are_known_as_a_set() {
 #[test]
 fn two_slips_make_a_program_that_has_both() {
     let minus_h = slip("minus-h").program(Chapter::HalfBSphere);
-    let both = (slip("range-loosened").alter)(minus_h);
+    let both = slip("range-loosened").put_to(minus_h);
     let picture = both.run(400).picture();
     let gradient = gradient::picture(400);
     // The rim is back, the middle is not: there t is less than -1.

@@ -187,7 +187,7 @@ impl Scene {
             .viewport_height
             .unwrap_or(program.viewport_height);
         for slip in slips {
-            program = (slip.alter)(program);
+            program = slip.put_to(program);
         }
         match self.probe {
             Some(probe) => probe

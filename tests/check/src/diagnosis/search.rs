@@ -393,9 +393,8 @@ impl<'a> Looks<'a> {
             set.explains == best.0 && set.fit.far <= 2 * best.1.far && set.fit.off <= 2 * best.1.off
         });
         for set in &mut sets {
-            let reported = |mistake: &Vec<&Slip>| -> usize {
-                mistake.iter().map(|slip| slip.evidence.len()).sum()
-            };
+            let reported =
+                |mistake: &Vec<&Slip>| -> usize { mistake.iter().map(|slip| slip.reports()).sum() };
             set.mistakes
                 .sort_by_key(|mistake| std::cmp::Reverse(reported(mistake)));
         }

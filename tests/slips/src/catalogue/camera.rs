@@ -6,751 +6,571 @@ use super::chapters::{GRADIENT, RAYS, SPHERES};
 use crate::chapter::Chapter;
 use crate::edition::Edition;
 use crate::program::Program;
-use crate::slip::{Slip, Unseen};
+use crate::slip::{Place, Slip, Words, slip};
+
+const SKY: Place = Place {
+    page: "gradient#the-color-of-the-sky",
+    source: "chapters/1_gradient/src/lib.rs",
+};
+const GRID: Place = Place {
+    page: "gradient#the-grid-of-pixels",
+    source: "common/src/camera.rs",
+};
+const QUOTIENT: Place = Place {
+    page: "gradient#the-grid-of-pixels",
+    source: "common/src/vec3.rs",
+};
+const SUM: Place = Place {
+    page: "gradient#a-ray-is-a-function",
+    source: "common/src/vec3.rs",
+};
+const CAMERA: Place = Place {
+    page: "gradient#the-camera",
+    source: "common/src/camera.rs",
+};
+const SIZE: Place = Place {
+    page: "gradient#how-large-is-the-picture",
+    source: "common/src/camera.rs",
+};
 
 pub(super) const SLIPS: &[Slip] = &[
-    Slip {
-        name: "viewport-upside-down",
-        chapters: RAYS,
-        wrong: "viewport_v = (0, viewport_height, 0)",
-        right: "viewport_v = (0, -viewport_height, 0)",
-        explanation: "Rows run downwards while y points up, so the edge from top to bottom is negative. The picture stands on its head.",
-        before_4: Some([
-            "vertical = (0, -viewport_height, 0)",
-            "vertical = (0, viewport_height, 0)",
-            "Rows are counted from below, so the edge from the lower left corner points up. The picture stands on its head.",
-        ]),
-        evidence: &["#879", "#1076", "#1579"],
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            viewport_v: match right.edition.counts_from_below() {
+    slip("viewport-upside-down", RAYS, GRID)
+        .says(Words {
+            wrong: "viewport_v = (0, viewport_height, 0)",
+            right: "viewport_v = (0, -viewport_height, 0)",
+            why: "Rows run downwards while y points up, so the edge from top to bottom is \
+                  negative. The picture stands on its head.",
+        })
+        .before_4(Words {
+            wrong: "vertical = (0, -viewport_height, 0)",
+            right: "vertical = (0, viewport_height, 0)",
+            why: "Rows are counted from below, so the edge from the lower left corner points up. \
+                  The picture stands on its head.",
+        })
+        .reported(&["#879", "#1076", "#1579"])
+        .alters(|p| {
+            p.viewport_v = match p.edition.counts_from_below() {
                 true => |_, height| Vec3::new(0.0, -height, 0.0),
                 false => |_, height| Vec3::new(0.0, height, 0.0),
-            },
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "viewport-mirrored",
-        chapters: RAYS,
-        wrong: "viewport_u = (-viewport_width, 0, 0)",
-        right: "viewport_u = (viewport_width, 0, 0)",
-        explanation: "Left and right change places. The sky and a disc in the middle don't show it, the colors of normals do.",
-        before_4: Some([
-            "horizontal = (-viewport_width, 0, 0)",
-            "horizontal = (viewport_width, 0, 0)",
-            "Left and right change places. The sky and a disc in the middle don't show it, the colors of normals do.",
-        ]),
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            viewport_u: |width, _| Vec3::new(-width, 0.0, 0.0),
-            ..right
-        },
-        unseen: &[(
+            }
+        }),
+    slip("viewport-mirrored", RAYS, GRID)
+        .says(Words {
+            wrong: "viewport_u = (-viewport_width, 0, 0)",
+            right: "viewport_u = (viewport_width, 0, 0)",
+            why: "Left and right change places. The sky and a disc in the middle don't show it, \
+                  the colors of normals do.",
+        })
+        .before_4(Words {
+            wrong: "horizontal = (-viewport_width, 0, 0)",
+            right: "horizontal = (viewport_width, 0, 0)",
+            why: "Left and right change places. The sky and a disc in the middle don't show it, \
+                  the colors of normals do.",
+        })
+        .alters(|p| p.viewport_u = |width, _| Vec3::new(-width, 0.0, 0.0))
+        .equivalent(
             GRADIENT,
-            Unseen::Equivalent(
-                "Only the sign of x changes, and the sky depends on y and the length of the direction.",
-            ),
-        )],
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "grid-not-inset",
-        chapters: RAYS,
-        wrong: "pixel00 = viewport_upper_left",
-        right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
-        explanation: "A pixel is sampled in its middle. At its corner, everything moves by half a pixel.",
-        evidence: &["#923", "PR #1158"],
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            inset: [0.0, 0.0],
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "inset-upwards",
-        chapters: RAYS,
-        wrong: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u - pixel_delta_v)",
-        right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
-        explanation: "pixel_delta_v points down already. With a minus the first row lies above the viewport, and everything is a pixel lower.",
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            inset: [0.5, -0.5],
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "inset-to-the-left",
-        chapters: RAYS,
-        wrong: "pixel00 = viewport_upper_left - 0.5 * (pixel_delta_u - pixel_delta_v)",
-        right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
-        explanation: "The first column lies left of the viewport, and everything is a pixel farther to the right.",
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            inset: [-0.5, 0.5],
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "first-pixel-on-axis",
-        chapters: RAYS,
-        wrong: "pixel00 = center - (0, 0, focal_length), or … + 0.5 * (viewport_u + viewport_v)",
-        right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
-        explanation: "Half of both edges leads to the middle of the viewport, as does leaving them out. The first pixel lies on the axis, and only a quarter of the scene is left.",
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/camera.rs",
-        alter: |right| match right.edition {
-            Edition::V4 => first_pixel_on_the_axis(right),
-            _ => right,
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "older-camera",
-        chapters: RAYS,
-        wrong: "u = i / (image_width - 1), v = j / (image_height - 1)",
-        right: "pixel00 + i * pixel_delta_u + j * pixel_delta_v",
-        explanation: "The camera of older editions puts the first and last pixels on the edges of the viewport: nearly right, but edges differ.",
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            divisors: |width, height| [width - 1.0, height - 1.0],
-            inset: [0.0, 0.0],
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "viewport-not-centered",
-        chapters: RAYS,
-        wrong: "viewport_upper_left = center - (0, 0, focal_length)",
-        right: "… - viewport_u / 2 - viewport_v / 2",
-        explanation: "Without the two halves the axis goes through the upper left corner, and only a quarter of the scene is left.",
-        before_4: Some([
-            "lower_left_corner = origin - (0, 0, focal_length)",
-            "lower_left_corner = origin - horizontal / 2 - vertical / 2 - (0, 0, focal_length)",
-            "Without the two halves the axis goes through the lower left corner, and only a quarter of the scene is left.",
-        ]),
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            corner: 0.0,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "corner-not-halved",
-        chapters: RAYS,
-        wrong: "… - viewport_u - viewport_v",
-        right: "… - viewport_u / 2 - viewport_v / 2",
-        explanation: "With whole edges the axis goes through the lower right corner, and only a quarter of the scene is left.",
-        before_4: Some([
-            "lower_left_corner = origin - horizontal - vertical - …",
-            "lower_left_corner = origin - horizontal / 2 - vertical / 2 - …",
-            "With whole edges the axis goes through the upper right corner, and only a quarter of the scene is left.",
-        ]),
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            corner: 1.0,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "division-in-place",
-        chapters: RAYS,
-        wrong: "vec3& operator/(double t) { e[0] /= t; …; return *this; }",
-        right: "vec3 operator/(vec3 v, double t) { return (1/t) * v; }",
-        explanation: "The quotient is right, but the operand is changed with it. viewport_u / image_width leaves viewport_u one pixel long, its half is half a pixel, and the first pixel lies on the axis.",
-        before_4: Some([
-            "vec3& operator/(double t) { e[0] /= t; …; return *this; }",
-            "vec3 operator/(vec3 v, double t) { return (1/t) * v; }",
-            "The quotient is right, but the operand is changed with it. horizontal / 2 halves horizontal itself: the corner is right, and the picture is the lower left quarter.",
-        ]),
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/vec3.rs",
-        alter: |right| match right.edition {
-            Edition::V4 => first_pixel_on_the_axis(right),
-            edition if edition.divides_the_viewport() => Program {
-                pixel_deltas: |_, u, v, _| [0.5 * u, 0.5 * v],
-                ..right
-            },
-            _ => right,
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "divided-with-swapped-letter",
-        chapters: RAYS,
-        wrong: "vec3(v.x / t, v.y / t, v.y / t)",
-        right: "vec3(v.x / t, v.y / t, v.z / t)",
-        explanation: "In operator/ the third component is made of the second. Half of an edge that has only y has a z as well, and no unit vector keeps its own.",
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/vec3.rs",
-        alter: |right| Program {
-            over: swapped_over,
-            unit: |v| swapped_over(v, v.length()),
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "sum-with-swapped-letter",
-        chapters: RAYS,
-        wrong: "vec3(u.x + v.x, u.y + v.y, u.z + u.z)",
-        right: "vec3(u.x + v.x, u.y + v.y, u.z + v.z)",
-        explanation: "In operator+ the third component is that of the first vector, twice. Three sums on the way to a pixel move the viewport from -1 to -8, and a point on a ray has no depth.",
-        before_4: Some([
-            "vec3(u.x + v.x, u.y + v.y, u.z + u.z)",
-            "vec3(u.x + v.x, u.y + v.y, u.z + v.z)",
-            "In operator+ the third component is that of the first vector, twice. Two sums on the way to a pixel move the viewport from -1 to -4, and a point on a ray has no depth.",
-        ]),
-        page: "gradient#a-ray-is-a-function",
-        source: "common/src/vec3.rs",
-        alter: |right| Program {
-            plus: swapped_plus,
-            lerp: |[below, above], a| swapped_plus((1.0 - a) * below, a * above),
-            shade: match right.chapter {
+            "Only the sign of x changes, and the sky depends on y and the length of the \
+                 direction.",
+        ),
+    slip("grid-not-inset", RAYS, GRID)
+        .says(Words {
+            wrong: "pixel00 = viewport_upper_left",
+            right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+            why: "A pixel is sampled in its middle. At its corner, everything moves by half a \
+                  pixel.",
+        })
+        .reported(&["#923", "PR #1158"])
+        .alters(|p| p.inset = [0.0, 0.0]),
+    slip("inset-upwards", RAYS, GRID)
+        .says(Words {
+            wrong: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u - pixel_delta_v)",
+            right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+            why: "pixel_delta_v points down already. With a minus the first row lies above the \
+                  viewport, and everything is a pixel lower.",
+        })
+        .alters(|p| p.inset = [0.5, -0.5]),
+    slip("inset-to-the-left", RAYS, GRID)
+        .says(Words {
+            wrong: "pixel00 = viewport_upper_left - 0.5 * (pixel_delta_u - pixel_delta_v)",
+            right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+            why: "The first column lies left of the viewport, and everything is a pixel farther to \
+                  the right.",
+        })
+        .alters(|p| p.inset = [-0.5, 0.5]),
+    slip("first-pixel-on-axis", RAYS, GRID)
+        .says(Words {
+            wrong: "pixel00 = center - (0, 0, focal_length), or … + 0.5 * (viewport_u + \
+                    viewport_v)",
+            right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+            why: "Half of both edges leads to the middle of the viewport, as does leaving them \
+                  out. The first pixel lies on the axis, and only a quarter of the scene is left.",
+        })
+        .alters(|p| {
+            if p.edition == Edition::V4 {
+                put_first_pixel_on_axis(p);
+            }
+        }),
+    slip("older-camera", RAYS, GRID)
+        .says(Words {
+            wrong: "u = i / (image_width - 1), v = j / (image_height - 1)",
+            right: "pixel00 + i * pixel_delta_u + j * pixel_delta_v",
+            why: "The camera of older editions puts the first and last pixels on the edges of the \
+                  viewport: nearly right, but edges differ.",
+        })
+        .alters(|p| {
+            p.divisors = |width, height| [width - 1.0, height - 1.0];
+            p.inset = [0.0, 0.0];
+        }),
+    slip("viewport-not-centered", RAYS, GRID)
+        .says(Words {
+            wrong: "viewport_upper_left = center - (0, 0, focal_length)",
+            right: "… - viewport_u / 2 - viewport_v / 2",
+            why: "Without the two halves the axis goes through the upper left corner, and only a \
+                  quarter of the scene is left.",
+        })
+        .before_4(Words {
+            wrong: "lower_left_corner = origin - (0, 0, focal_length)",
+            right: "lower_left_corner = origin - horizontal / 2 - vertical / 2 - (0, 0, \
+                    focal_length)",
+            why: "Without the two halves the axis goes through the lower left corner, and only a \
+                  quarter of the scene is left.",
+        })
+        .alters(|p| p.corner = 0.0),
+    slip("corner-not-halved", RAYS, GRID)
+        .says(Words {
+            wrong: "… - viewport_u - viewport_v",
+            right: "… - viewport_u / 2 - viewport_v / 2",
+            why: "With whole edges the axis goes through the lower right corner, and only a \
+                  quarter of the scene is left.",
+        })
+        .before_4(Words {
+            wrong: "lower_left_corner = origin - horizontal - vertical - …",
+            right: "lower_left_corner = origin - horizontal / 2 - vertical / 2 - …",
+            why: "With whole edges the axis goes through the upper right corner, and only a \
+                  quarter of the scene is left.",
+        })
+        .alters(|p| p.corner = 1.0),
+    slip("division-in-place", RAYS, QUOTIENT)
+        .says(Words {
+            wrong: "vec3& operator/(double t) { e[0] /= t; …; return *this; }",
+            right: "vec3 operator/(vec3 v, double t) { return (1/t) * v; }",
+            why: "The quotient is right, but the operand is changed with it. viewport_u / \
+                  image_width leaves viewport_u one pixel long, its half is half a pixel, and the \
+                  first pixel lies on the axis.",
+        })
+        .before_4(Words {
+            wrong: "vec3& operator/(double t) { e[0] /= t; …; return *this; }",
+            right: "vec3 operator/(vec3 v, double t) { return (1/t) * v; }",
+            why: "The quotient is right, but the operand is changed with it. horizontal / 2 halves \
+                  horizontal itself: the corner is right, and the picture is the lower left \
+                  quarter.",
+        })
+        .alters(|p| match p.edition {
+            Edition::V4 => put_first_pixel_on_axis(p),
+            older if older.divides_the_viewport() => {
+                p.pixel_deltas = |_, u, v, _| [0.5 * u, 0.5 * v]
+            }
+            _ => {}
+        }),
+    slip("divided-with-swapped-letter", RAYS, QUOTIENT)
+        .says(Words {
+            wrong: "vec3(v.x / t, v.y / t, v.y / t)",
+            right: "vec3(v.x / t, v.y / t, v.z / t)",
+            why: "In operator/ the third component is made of the second. Half of an edge that has \
+                  only y has a z as well, and no unit vector keeps its own.",
+        })
+        .alters(|p| {
+            p.over = swapped_over;
+            p.unit = |v| swapped_over(v, v.length());
+        }),
+    slip("sum-with-swapped-letter", RAYS, SUM)
+        .says(Words {
+            wrong: "vec3(u.x + v.x, u.y + v.y, u.z + u.z)",
+            right: "vec3(u.x + v.x, u.y + v.y, u.z + v.z)",
+            why: "In operator+ the third component is that of the first vector, twice. Three sums \
+                  on the way to a pixel move the viewport from -1 to -8, and a point on a ray has \
+                  no depth.",
+        })
+        .before_4(Words {
+            wrong: "vec3(u.x + v.x, u.y + v.y, u.z + u.z)",
+            right: "vec3(u.x + v.x, u.y + v.y, u.z + v.z)",
+            why: "In operator+ the third component is that of the first vector, twice. Two sums on \
+                  the way to a pixel move the viewport from -1 to -4, and a point on a ray has no \
+                  depth.",
+        })
+        .alters(|p| {
+            p.plus = swapped_plus;
+            p.lerp = |[below, above], a| swapped_plus((1.0 - a) * below, a * above);
+            p.shade = match p.chapter {
                 Chapter::HittableList => |_, normal| 0.5 * swapped_plus(normal, Vec3::ONE),
-                _ => right.shade,
-            },
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "focal-length-added",
-        chapters: RAYS,
-        wrong: "viewport_upper_left = center + (0, 0, focal_length) - …",
-        right: "viewport_upper_left = center - (0, 0, focal_length) - …",
-        explanation: "The camera looks along the negative z axis. With a plus it looks the other way, where nothing is.",
-        before_4: Some([
-            "lower_left_corner = … + (0, 0, focal_length)",
-            "lower_left_corner = … - (0, 0, focal_length)",
-            "The camera looks along the negative z axis. With a plus it looks the other way, where nothing is.",
-        ]),
-        evidence: &["#1578"],
-        page: "gradient#the-camera",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            focal_length: -1.0,
-            ..right
-        },
-        unseen: &[(
+                _ => p.shade,
+            };
+        }),
+    slip("focal-length-added", RAYS, CAMERA)
+        .says(Words {
+            wrong: "viewport_upper_left = center + (0, 0, focal_length) - …",
+            right: "viewport_upper_left = center - (0, 0, focal_length) - …",
+            why: "The camera looks along the negative z axis. With a plus it looks the other way, \
+                  where nothing is.",
+        })
+        .before_4(Words {
+            wrong: "lower_left_corner = … + (0, 0, focal_length)",
+            right: "lower_left_corner = … - (0, 0, focal_length)",
+            why: "The camera looks along the negative z axis. With a plus it looks the other way, \
+                  where nothing is.",
+        })
+        .reported(&["#1578"])
+        .alters(|p| p.focal_length = -1.0)
+        .equivalent(
             GRADIENT,
-            Unseen::Equivalent(
-                "Only the sign of z changes, and the sky depends on y and the length of the direction.",
-            ),
-        )],
-    },
-    Slip {
-        name: "focal-length-forgotten",
-        chapters: RAYS,
-        wrong: "viewport_upper_left = center - viewport_u / 2 - viewport_v / 2",
-        right: "viewport_upper_left = center - (0, 0, focal_length) - …",
-        explanation: "The eye lies in the plane of the viewport, and every ray stays in it.",
-        before_4: Some([
-            "lower_left_corner = origin - horizontal / 2 - vertical / 2",
-            "lower_left_corner = … - (0, 0, focal_length)",
-            "The eye lies in the plane of the viewport, and every ray stays in it.",
-        ]),
-        page: "gradient#the-camera",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            focal_length: 0.0,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "focal-length-two",
-        chapters: RAYS,
-        wrong: "focal_length = 2",
-        right: "focal_length = 1",
-        explanation: "Twice as far from the viewport, the eye sees less of the world: half as much of what is ahead, twice as large.",
-        page: "gradient#the-camera",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            focal_length: 2.0,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "viewport-height-one",
-        chapters: RAYS,
-        wrong: "viewport_height = 1",
-        right: "viewport_height = 2",
-        explanation: "Through half a viewport everything is twice as large, as with a focal length of 2.",
-        page: "gradient#the-camera",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            viewport_height: 1.0,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "integer-aspect-ratio",
-        chapters: RAYS,
-        wrong: "int aspect_ratio = 16 / 9",
-        right: "double aspect_ratio = 16.0 / 9.0",
-        explanation: "Two integers divide to an integer, 1: the picture is a square.",
-        evidence: &["#952"],
-        page: "gradient#how-large-is-the-picture",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            aspect_ratio: 1.0,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "inverted-aspect-ratio",
-        chapters: RAYS,
-        wrong: "image_height = image_width * aspect_ratio",
-        right: "image_height = image_width / aspect_ratio",
-        explanation: "A ratio of width to height divides the width. Multiplied, the picture is higher than wide.",
-        page: "gradient#how-large-is-the-picture",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            image_height: |width, aspect_ratio| (width * aspect_ratio) as u32,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "height-rounded",
-        chapters: RAYS,
-        wrong: "image_height = round(image_width / aspect_ratio)",
-        right: "image_height = int(image_width / aspect_ratio)",
-        explanation: "The height is cut off, not rounded: at half of all widths the picture has a row too many.",
-        page: "gradient#how-large-is-the-picture",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            image_height: |width, aspect_ratio| ((width / aspect_ratio).round() as u32).max(1),
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "height-may-be-zero",
-        chapters: RAYS,
-        wrong: "image_height = int(image_width / aspect_ratio)",
-        right: "… and image_height = (image_height < 1) ? 1 : image_height",
-        explanation: "A picture one pixel wide is cut off to no row at all.",
-        page: "gradient#how-large-is-the-picture",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            image_height: |width, aspect_ratio| (width / aspect_ratio) as u32,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "ideal-viewport-ratio",
-        chapters: RAYS,
-        wrong: "viewport_width = viewport_height * aspect_ratio",
-        right: "viewport_width = viewport_height * (double(image_width) / image_height)",
-        explanation: "The height was cut off, so the picture's own ratio is not 16:9. At 400 wide it happens to be. In a picture of quite another shape the sphere becomes an ellipse.",
-        before_4: Some([
-            "horizontal = (4, 0, 0), or aspect_ratio = 16.0 / 9.0, whatever the picture's size",
-            "horizontal = (viewport_height * image_width / image_height, 0, 0)",
-            "The picture has got another shape and the viewport has not: the sphere becomes an ellipse.",
-        ]),
-        evidence: &["#527", "#1246", "#1342", "#1486"],
-        page: "gradient#how-large-is-the-picture",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            viewport_ratio: match right.edition {
+            "Only the sign of z changes, and the sky depends on y and the length of the \
+                 direction.",
+        ),
+    slip("focal-length-forgotten", RAYS, CAMERA)
+        .says(Words {
+            wrong: "viewport_upper_left = center - viewport_u / 2 - viewport_v / 2",
+            right: "viewport_upper_left = center - (0, 0, focal_length) - …",
+            why: "The eye lies in the plane of the viewport, and every ray stays in it.",
+        })
+        .before_4(Words {
+            wrong: "lower_left_corner = origin - horizontal / 2 - vertical / 2",
+            right: "lower_left_corner = … - (0, 0, focal_length)",
+            why: "The eye lies in the plane of the viewport, and every ray stays in it.",
+        })
+        .alters(|p| p.focal_length = 0.0),
+    slip("focal-length-two", RAYS, CAMERA)
+        .says(Words {
+            wrong: "focal_length = 2",
+            right: "focal_length = 1",
+            why: "Twice as far from the viewport, the eye sees less of the world: half as much of \
+                  what is ahead, twice as large.",
+        })
+        .alters(|p| p.focal_length = 2.0),
+    slip("viewport-height-one", RAYS, CAMERA)
+        .says(Words {
+            wrong: "viewport_height = 1",
+            right: "viewport_height = 2",
+            why: "Through half a viewport everything is twice as large, as with a focal length of \
+                  2.",
+        })
+        .alters(|p| p.viewport_height = 1.0),
+    slip("integer-aspect-ratio", RAYS, SIZE)
+        .says(Words {
+            wrong: "int aspect_ratio = 16 / 9",
+            right: "double aspect_ratio = 16.0 / 9.0",
+            why: "Two integers divide to an integer, 1: the picture is a square.",
+        })
+        .reported(&["#952"])
+        .alters(|p| p.aspect_ratio = 1.0),
+    slip("inverted-aspect-ratio", RAYS, SIZE)
+        .says(Words {
+            wrong: "image_height = image_width * aspect_ratio",
+            right: "image_height = image_width / aspect_ratio",
+            why: "A ratio of width to height divides the width. Multiplied, the picture is higher \
+                  than wide.",
+        })
+        .alters(|p| p.image_height = |width, aspect_ratio| (width * aspect_ratio) as u32),
+    slip("height-rounded", RAYS, SIZE)
+        .says(Words {
+            wrong: "image_height = round(image_width / aspect_ratio)",
+            right: "image_height = int(image_width / aspect_ratio)",
+            why: "The height is cut off, not rounded: at half of all widths the picture has a row \
+                  too many.",
+        })
+        .alters(|p| {
+            p.image_height = |width, aspect_ratio| ((width / aspect_ratio).round() as u32).max(1)
+        }),
+    slip("height-may-be-zero", RAYS, SIZE)
+        .says(Words {
+            wrong: "image_height = int(image_width / aspect_ratio)",
+            right: "… and image_height = (image_height < 1) ? 1 : image_height",
+            why: "A picture one pixel wide is cut off to no row at all.",
+        })
+        .alters(|p| p.image_height = |width, aspect_ratio| (width / aspect_ratio) as u32),
+    slip("ideal-viewport-ratio", RAYS, SIZE)
+        .says(Words {
+            wrong: "viewport_width = viewport_height * aspect_ratio",
+            right: "viewport_width = viewport_height * (double(image_width) / image_height)",
+            why: "The height was cut off, so the picture's own ratio is not 16:9. At 400 wide it \
+                  happens to be. In a picture of quite another shape the sphere becomes an \
+                  ellipse.",
+        })
+        .before_4(Words {
+            wrong: "horizontal = (4, 0, 0), or aspect_ratio = 16.0 / 9.0, whatever the picture's \
+                    size",
+            right: "horizontal = (viewport_height * image_width / image_height, 0, 0)",
+            why: "The picture has got another shape and the viewport has not: the sphere becomes \
+                  an ellipse.",
+        })
+        .reported(&["#527", "#1246", "#1342", "#1486"])
+        .alters(|p| {
+            p.viewport_ratio = match p.edition {
                 Edition::V1 | Edition::V1InDouble | Edition::V3_0 => |_, _, _| 2.0,
                 _ => |_, _, _| 16.0 / 9.0,
-            },
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "integer-viewport-ratio",
-        chapters: RAYS,
-        wrong: "viewport_width = viewport_height * (image_width / image_height)",
-        right: "viewport_width = viewport_height * (double(image_width) / image_height)",
-        explanation: "Two integers divide to an integer, 1: the viewport is a square, and the sphere an ellipse.",
-        page: "gradient#how-large-is-the-picture",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            viewport_ratio: |width, height, _| (width / height).floor(),
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "inverted-viewport-ratio",
-        chapters: RAYS,
-        wrong: "viewport_width = viewport_height * (double(image_height) / image_width)",
-        right: "viewport_width = viewport_height * (double(image_width) / image_height)",
-        explanation: "The viewport is higher than wide while the picture is wider than high: the sphere becomes an ellipse.",
-        evidence: &["PR #487", "#527", "#536"],
-        page: "gradient#how-large-is-the-picture",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            viewport_ratio: |width, height, _| height / width,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "integer-viewport-width",
-        chapters: RAYS,
-        wrong: "int viewport_width = …",
-        right: "double viewport_width = …",
-        explanation: "An integer keeps 3 of the 3.56 units: everything is wider by a fifth, and the sphere is an ellipse.",
-        page: "gradient#how-large-is-the-picture",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            viewport_u: |width, _| Vec3::new(width.trunc(), 0.0, 0.0),
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "viewport-lengths-swapped",
-        chapters: RAYS,
-        wrong: "viewport_u = (viewport_height, 0, 0), viewport_v = (0, -viewport_width, 0)",
-        right: "viewport_u = (viewport_width, 0, 0), viewport_v = (0, -viewport_height, 0)",
-        explanation: "The viewport is higher than wide while the picture is wider than high: the sphere is a flat ellipse.",
-        before_4: Some([
-            "horizontal = (viewport_height, 0, 0), vertical = (0, viewport_width, 0)",
-            "horizontal = (viewport_width, 0, 0), vertical = (0, viewport_height, 0)",
-            "The viewport is higher than wide while the picture is wider than high: the sphere is a flat ellipse.",
-        ]),
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            viewport_u: |_, height| Vec3::new(height, 0.0, 0.0),
-            viewport_v: match right.edition.counts_from_below() {
+            }
+        }),
+    slip("integer-viewport-ratio", RAYS, SIZE)
+        .says(Words {
+            wrong: "viewport_width = viewport_height * (image_width / image_height)",
+            right: "viewport_width = viewport_height * (double(image_width) / image_height)",
+            why: "Two integers divide to an integer, 1: the viewport is a square, and the sphere \
+                  an ellipse.",
+        })
+        .alters(|p| p.viewport_ratio = |width, height, _| (width / height).floor()),
+    slip("inverted-viewport-ratio", RAYS, SIZE)
+        .says(Words {
+            wrong: "viewport_width = viewport_height * (double(image_height) / image_width)",
+            right: "viewport_width = viewport_height * (double(image_width) / image_height)",
+            why: "The viewport is higher than wide while the picture is wider than high: the \
+                  sphere becomes an ellipse.",
+        })
+        .reported(&["PR #487", "#527", "#536"])
+        .alters(|p| p.viewport_ratio = |width, height, _| height / width),
+    slip("integer-viewport-width", RAYS, SIZE)
+        .says(Words {
+            wrong: "int viewport_width = …",
+            right: "double viewport_width = …",
+            why: "An integer keeps 3 of the 3.56 units: everything is wider by a fifth, and the \
+                  sphere is an ellipse.",
+        })
+        .alters(|p| p.viewport_u = |width, _| Vec3::new(width.trunc(), 0.0, 0.0)),
+    slip("viewport-lengths-swapped", RAYS, GRID)
+        .says(Words {
+            wrong: "viewport_u = (viewport_height, 0, 0), viewport_v = (0, -viewport_width, 0)",
+            right: "viewport_u = (viewport_width, 0, 0), viewport_v = (0, -viewport_height, 0)",
+            why: "The viewport is higher than wide while the picture is wider than high: the \
+                  sphere is a flat ellipse.",
+        })
+        .before_4(Words {
+            wrong: "horizontal = (viewport_height, 0, 0), vertical = (0, viewport_width, 0)",
+            right: "horizontal = (viewport_width, 0, 0), vertical = (0, viewport_height, 0)",
+            why: "The viewport is higher than wide while the picture is wider than high: the \
+                  sphere is a flat ellipse.",
+        })
+        .alters(|p| {
+            p.viewport_u = |_, height| Vec3::new(height, 0.0, 0.0);
+            p.viewport_v = match p.edition.counts_from_below() {
                 true => |width, _| Vec3::new(0.0, width, 0.0),
                 false => |width, _| Vec3::new(0.0, -width, 0.0),
-            },
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "pixel-deltas-swapped",
-        chapters: RAYS,
-        wrong: "pixel_delta_u = viewport_u / image_height, pixel_delta_v = viewport_v / image_width",
-        right: "pixel_delta_u = viewport_u / image_width, pixel_delta_v = viewport_v / image_height",
-        explanation: "Each edge is divided by the pixels along the other one: stretched sideways, squeezed upwards.",
-        before_4: Some([
-            "u = i / (image_height - 1), v = j / (image_width - 1)",
-            "u = i / (image_width - 1), v = j / (image_height - 1)",
-            "Each count is divided by the pixels along the other edge: stretched sideways, squeezed upwards.",
-        ]),
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            divisors: match right.edition {
+            };
+        }),
+    slip("pixel-deltas-swapped", RAYS, GRID)
+        .says(Words {
+            wrong: "pixel_delta_u = viewport_u / image_height, pixel_delta_v = viewport_v / \
+                    image_width",
+            right: "pixel_delta_u = viewport_u / image_width, pixel_delta_v = viewport_v / \
+                    image_height",
+            why: "Each edge is divided by the pixels along the other one: stretched sideways, \
+                  squeezed upwards.",
+        })
+        .before_4(Words {
+            wrong: "u = i / (image_height - 1), v = j / (image_width - 1)",
+            right: "u = i / (image_width - 1), v = j / (image_height - 1)",
+            why: "Each count is divided by the pixels along the other edge: stretched sideways, \
+                  squeezed upwards.",
+        })
+        .alters(|p| {
+            p.divisors = match p.edition {
                 Edition::V3 | Edition::V3_1_0 => |width, height| [height - 1.0, width - 1.0],
                 _ => |width, height| [height, width],
-            },
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "columns-by-height",
-        chapters: RAYS,
-        wrong: "pixel_delta_u = viewport_u / image_height",
-        right: "pixel_delta_u = viewport_u / image_width",
-        explanation: "A step to the right is too long by the ratio of the picture, and the columns run out of the viewport.",
-        before_4: Some([
-            "u = i / (image_height - 1)",
-            "u = i / (image_width - 1)",
-            "u runs from 0 to the ratio of the picture and not to 1, so the columns run out of the viewport.",
-        ]),
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            divisors: match right.edition {
+            }
+        }),
+    slip("columns-by-height", RAYS, GRID)
+        .says(Words {
+            wrong: "pixel_delta_u = viewport_u / image_height",
+            right: "pixel_delta_u = viewport_u / image_width",
+            why: "A step to the right is too long by the ratio of the picture, and the columns run \
+                  out of the viewport.",
+        })
+        .before_4(Words {
+            wrong: "u = i / (image_height - 1)",
+            right: "u = i / (image_width - 1)",
+            why: "u runs from 0 to the ratio of the picture and not to 1, so the columns run out \
+                  of the viewport.",
+        })
+        .alters(|p| {
+            p.divisors = match p.edition {
                 Edition::V3 | Edition::V3_1_0 => |_, height| [height - 1.0; 2],
                 _ => |_, height| [height; 2],
-            },
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "rows-by-width",
-        chapters: RAYS,
-        wrong: "pixel_delta_v = viewport_v / image_width",
-        right: "pixel_delta_v = viewport_v / image_height",
-        explanation: "A step down is too short, and the rows end in the middle of the viewport.",
-        before_4: Some([
-            "v = j / (image_width - 1)",
-            "v = j / (image_height - 1)",
-            "v ends far below 1, so the highest rows are missing.",
-        ]),
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            divisors: match right.edition {
+            }
+        }),
+    slip("rows-by-width", RAYS, GRID)
+        .says(Words {
+            wrong: "pixel_delta_v = viewport_v / image_width",
+            right: "pixel_delta_v = viewport_v / image_height",
+            why: "A step down is too short, and the rows end in the middle of the viewport.",
+        })
+        .before_4(Words {
+            wrong: "v = j / (image_width - 1)",
+            right: "v = j / (image_height - 1)",
+            why: "v ends far below 1, so the highest rows are missing.",
+        })
+        .alters(|p| {
+            p.divisors = match p.edition {
                 Edition::V3 | Edition::V3_1_0 => |width, _| [width - 1.0; 2],
                 _ => |width, _| [width; 2],
-            },
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "column-and-row-swapped",
-        chapters: RAYS,
-        wrong: "pixel00 + j * pixel_delta_u + i * pixel_delta_v",
-        right: "pixel00 + i * pixel_delta_u + j * pixel_delta_v",
-        explanation: "Column i goes to the right and row j down. Swapped, the picture is transposed and runs out of the viewport.",
-        before_4: Some([
-            "u = j / (image_width - 1), v = i / (image_height - 1)",
-            "u = i / (image_width - 1), v = j / (image_height - 1)",
-            "Column i goes to the right and row j up. Swapped, the picture is transposed and runs out of the viewport.",
-        ]),
-        page: "gradient#the-grid-of-pixels",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            ray: |program, camera, i, j| {
+            }
+        }),
+    slip("column-and-row-swapped", RAYS, GRID)
+        .says(Words {
+            wrong: "pixel00 + j * pixel_delta_u + i * pixel_delta_v",
+            right: "pixel00 + i * pixel_delta_u + j * pixel_delta_v",
+            why: "Column i goes to the right and row j down. Swapped, the picture is transposed \
+                  and runs out of the viewport.",
+        })
+        .before_4(Words {
+            wrong: "u = j / (image_width - 1), v = i / (image_height - 1)",
+            right: "u = i / (image_width - 1), v = j / (image_height - 1)",
+            why: "Column i goes to the right and row j up. Swapped, the picture is transposed and \
+                  runs out of the viewport.",
+        })
+        .alters(|p| {
+            p.ray = |program, camera, i, j| {
                 let row = program.edition.row(j, camera.image_height);
-                program.edition.ray(program, camera, row, i.into())
-            },
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "pixel-center-as-direction",
-        chapters: RAYS,
-        wrong: "ray_direction = pixel_center",
-        right: "ray_direction = pixel_center - camera_center",
-        explanation: "A direction is a difference of two points. It shows as soon as the camera leaves the origin.",
-        page: "gradient#the-camera",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            ray: |program, camera, i, j| {
+                program.ray_of(camera, row, i.into())
+            }
+        }),
+    slip("pixel-center-as-direction", RAYS, CAMERA)
+        .says(Words {
+            wrong: "ray_direction = pixel_center",
+            right: "ray_direction = pixel_center - camera_center",
+            why: "A direction is a difference of two points. It shows as soon as the camera leaves \
+                  the origin.",
+        })
+        .alters(|p| {
+            p.ray = |program, camera, i, j| {
                 let ray = program.right_ray(camera, i, j);
                 Ray::new(ray.origin, ray.origin + ray.direction)
-            },
-            ..right
-        },
-        unseen: &[(
-            RAYS,
-            Unseen::Equivalent("The camera is at the origin, and x - 0 is x."),
-        )],
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "ray-normalized",
-        chapters: RAYS,
-        wrong: "ray(center, unit_vector(pixel_center - center))",
-        right: "ray(center, pixel_center - center)",
-        explanation: "The same lines, so the same picture; but t is now a distance, and no longer 1 on the viewport.",
-        page: "gradient#the-camera",
-        source: "common/src/camera.rs",
-        alter: |right| Program {
-            ray: |program, camera, i, j| {
+            }
+        })
+        .equivalent(RAYS, "The camera is at the origin, and x - 0 is x."),
+    slip("ray-normalized", RAYS, CAMERA)
+        .says(Words {
+            wrong: "ray(center, unit_vector(pixel_center - center))",
+            right: "ray(center, pixel_center - center)",
+            why: "The same lines, so the same picture; but t is now a distance, and no longer 1 on \
+                  the viewport.",
+        })
+        .alters(|p| {
+            p.ray = |program, camera, i, j| {
                 let ray = program.right_ray(camera, i, j);
                 Ray::new(ray.origin, (program.unit)(ray.direction))
-            },
-            ..right
-        },
-        unseen: &[(
-            RAYS,
-            Unseen::OnlyByLaw("A ray meets the viewport at t = 1."),
-        )],
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "direction-not-normalized",
-        chapters: RAYS,
-        wrong: "a = 0.5 * (r.direction().y() + 1)",
-        right: "a = 0.5 * (unit_vector(r.direction()).y() + 1)",
-        explanation: "The blend is made for unit directions. Without that every row has one color, and the lowest is almost pure white.",
-        evidence: &["#306", "PR #308", "#1652"],
-        page: "gradient#the-color-of-the-sky",
-        source: "chapters/1_gradient/src/lib.rs",
-        alter: |right| Program {
-            sky_direction: |_, direction| direction,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "divided-by-length-squared",
-        chapters: RAYS,
-        wrong: "unit_vector(v) = v / v.length_squared()",
-        right: "unit_vector(v) = v / v.length()",
-        explanation: "A unit vector is v divided by its length. Divided by its square, long vectors become too short and short ones too long.",
-        page: "gradient#the-color-of-the-sky",
-        source: "chapters/1_gradient/src/lib.rs",
-        alter: |right| Program {
-            unit: |v| v * (1.0 / v.length_squared()),
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "length-with-swapped-letter",
-        chapters: RAYS,
-        wrong: "e[0]*e[0] + e[1]*e[1] + e[1]*e[1]",
-        right: "e[0]*e[0] + e[1]*e[1] + e[2]*e[2]",
-        explanation: "One component counts twice, one never: each length is wrong, and with it each unit vector.",
-        page: "gradient#the-color-of-the-sky",
-        source: "chapters/1_gradient/src/lib.rs",
-        alter: |right| Program {
-            unit: |v| v * (1.0 / swapped_length_squared(v).sqrt()),
-            squared: match right.chapter {
+            }
+        })
+        .only_by_law(RAYS, "A ray meets the viewport at t = 1."),
+    slip("direction-not-normalized", RAYS, SKY)
+        .says(Words {
+            wrong: "a = 0.5 * (r.direction().y() + 1)",
+            right: "a = 0.5 * (unit_vector(r.direction()).y() + 1)",
+            why: "The blend is made for unit directions. Without that every row has one color, and \
+                  the lowest is almost pure white.",
+        })
+        .reported(&["#306", "PR #308", "#1652"])
+        .alters(|p| p.sky_direction = |_, direction| direction),
+    slip("divided-by-length-squared", RAYS, SKY)
+        .says(Words {
+            wrong: "unit_vector(v) = v / v.length_squared()",
+            right: "unit_vector(v) = v / v.length()",
+            why: "A unit vector is v divided by its length. Divided by its square, long vectors \
+                  become too short and short ones too long.",
+        })
+        .alters(|p| p.unit = |v| v * (1.0 / v.length_squared())),
+    slip("length-with-swapped-letter", RAYS, SKY)
+        .says(Words {
+            wrong: "e[0]*e[0] + e[1]*e[1] + e[1]*e[1]",
+            right: "e[0]*e[0] + e[1]*e[1] + e[2]*e[2]",
+            why: "One component counts twice, one never: each length is wrong, and with it each \
+                  unit vector.",
+        })
+        .alters(|p| {
+            p.unit = |v| v * (1.0 / swapped_length_squared(v).sqrt());
+            p.squared = match p.chapter {
                 Chapter::HalfBSphere | Chapter::HittableList => |_, v| swapped_length_squared(v),
-                _ => right.squared,
-            },
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "blend-not-mapped",
-        chapters: RAYS,
-        wrong: "a = unit_direction.y()",
-        right: "a = 0.5 * (unit_direction.y() + 1)",
-        explanation: "y runs from -1 to 1, a weight from 0 to 1. Below the horizon the weight is negative, and white exceeds 1.",
-        page: "gradient#the-color-of-the-sky",
-        source: "chapters/1_gradient/src/lib.rs",
-        alter: |right| Program {
-            blend: |program, direction| (program.sky_direction)(program, direction).y,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "blend-not-halved",
-        chapters: RAYS,
-        wrong: "a = unit_direction.y() + 1",
-        right: "a = 0.5 * (unit_direction.y() + 1)",
-        explanation: "y + 1 runs from 0 to 2. Above the horizon the weight exceeds 1, and the sky is too blue.",
-        page: "gradient#the-color-of-the-sky",
-        source: "chapters/1_gradient/src/lib.rs",
-        alter: |right| Program {
-            blend: |program, direction| (program.sky_direction)(program, direction).y + 1.0,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "blend-without-brackets",
-        chapters: RAYS,
-        wrong: "a = 0.5 * unit_direction.y() + 1",
-        right: "a = 0.5 * (unit_direction.y() + 1)",
-        explanation: "The half takes y alone, so the weight runs from 0.5 to 1.5: above the horizon the sky is too blue, below it as it should be above.",
-        page: "gradient#the-color-of-the-sky",
-        source: "chapters/1_gradient/src/lib.rs",
-        alter: |right| Program {
-            blend: |program, direction| 0.5 * (program.sky_direction)(program, direction).y + 1.0,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "blend-along-x",
-        chapters: RAYS,
-        wrong: "a = 0.5 * (unit_direction.x() + 1)",
-        right: "a = 0.5 * (unit_direction.y() + 1)",
-        explanation: "x points to the right, so the gradient runs from left to right.",
-        page: "gradient#the-color-of-the-sky",
-        source: "chapters/1_gradient/src/lib.rs",
-        alter: |right| Program {
-            blend: |program, direction| 0.5 * ((program.sky_direction)(program, direction).x + 1.0),
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "blend-along-z",
-        chapters: RAYS,
-        wrong: "a = 0.5 * (unit_direction.z() + 1)",
-        right: "a = 0.5 * (unit_direction.y() + 1)",
-        explanation: "z points to the viewer, so the sky is white in the middle of the picture and bluer all around.",
-        page: "gradient#the-color-of-the-sky",
-        source: "chapters/1_gradient/src/lib.rs",
-        alter: |right| Program {
-            blend: |program, direction| 0.5 * ((program.sky_direction)(program, direction).z + 1.0),
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "white-and-blue-swapped",
-        chapters: RAYS,
-        wrong: "(1 - a) * blue + a * white",
-        right: "(1 - a) * white + a * blue",
-        explanation: "a is 1 at the top, where the sky is blue. Swapped, the sky is upside down and the sphere is not.",
-        evidence: &["#879"],
-        page: "gradient#the-color-of-the-sky",
-        source: "chapters/1_gradient/src/lib.rs",
-        alter: |right| Program {
-            lerp: |[below, above], a| a * below + (1.0 - a) * above,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "white-in-full",
-        chapters: RAYS,
-        wrong: "white + a * blue",
-        right: "(1 - a) * white + a * blue",
-        explanation: "The two weights add up to 1. Without the first one, everything is brighter than white.",
-        page: "gradient#the-color-of-the-sky",
-        source: "chapters/1_gradient/src/lib.rs",
-        alter: |right| Program {
-            lerp: |[below, above], a| below + a * above,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "white-by-the-same-weight",
-        chapters: RAYS,
-        wrong: "a * white + a * blue",
-        right: "(1 - a) * white + a * blue",
-        explanation: "The two weights add up to 1. With the same one for both, the sky is dark below and far too bright above.",
-        page: "gradient#the-color-of-the-sky",
-        source: "chapters/1_gradient/src/lib.rs",
-        alter: |right| Program {
-            lerp: |[below, above], a| a * below + a * above,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "background-missing",
-        chapters: SPHERES,
-        wrong: "if (…) return color(1, 0, 0); return color(0, 0, 0)",
-        right: "… return (1 - a) * white + a * blue",
-        explanation: "What hits nothing shows the sky. Here it stays black.",
-        page: "gradient#the-color-of-the-sky",
-        source: "chapters/1_gradient/src/lib.rs",
-        alter: |right| Program {
-            lerp: |_, _| Color::ZERO,
-            ..right
-        },
-        ..Slip::USUAL
-    },
+                _ => p.squared,
+            };
+        }),
+    slip("blend-not-mapped", RAYS, SKY)
+        .says(Words {
+            wrong: "a = unit_direction.y()",
+            right: "a = 0.5 * (unit_direction.y() + 1)",
+            why: "y runs from -1 to 1, a weight from 0 to 1. Below the horizon the weight is \
+                  negative, and white exceeds 1.",
+        })
+        .alters(|p| p.blend = |program, direction| (program.sky_direction)(program, direction).y),
+    slip("blend-not-halved", RAYS, SKY)
+        .says(Words {
+            wrong: "a = unit_direction.y() + 1",
+            right: "a = 0.5 * (unit_direction.y() + 1)",
+            why: "y + 1 runs from 0 to 2. Above the horizon the weight exceeds 1, and the sky is \
+                  too blue.",
+        })
+        .alters(|p| {
+            p.blend = |program, direction| (program.sky_direction)(program, direction).y + 1.0
+        }),
+    slip("blend-without-brackets", RAYS, SKY)
+        .says(Words {
+            wrong: "a = 0.5 * unit_direction.y() + 1",
+            right: "a = 0.5 * (unit_direction.y() + 1)",
+            why: "The half takes y alone, so the weight runs from 0.5 to 1.5: above the horizon \
+                  the sky is too blue, below it as it should be above.",
+        })
+        .alters(|p| {
+            p.blend = |program, direction| 0.5 * (program.sky_direction)(program, direction).y + 1.0
+        }),
+    slip("blend-along-x", RAYS, SKY)
+        .says(Words {
+            wrong: "a = 0.5 * (unit_direction.x() + 1)",
+            right: "a = 0.5 * (unit_direction.y() + 1)",
+            why: "x points to the right, so the gradient runs from left to right.",
+        })
+        .alters(|p| {
+            p.blend =
+                |program, direction| 0.5 * ((program.sky_direction)(program, direction).x + 1.0)
+        }),
+    slip("blend-along-z", RAYS, SKY)
+        .says(Words {
+            wrong: "a = 0.5 * (unit_direction.z() + 1)",
+            right: "a = 0.5 * (unit_direction.y() + 1)",
+            why: "z points to the viewer, so the sky is white in the middle of the picture and \
+                  bluer all around.",
+        })
+        .alters(|p| {
+            p.blend =
+                |program, direction| 0.5 * ((program.sky_direction)(program, direction).z + 1.0)
+        }),
+    slip("white-and-blue-swapped", RAYS, SKY)
+        .says(Words {
+            wrong: "(1 - a) * blue + a * white",
+            right: "(1 - a) * white + a * blue",
+            why: "a is 1 at the top, where the sky is blue. Swapped, the sky is upside down and \
+                  the sphere is not.",
+        })
+        .reported(&["#879"])
+        .alters(|p| p.lerp = |[below, above], a| a * below + (1.0 - a) * above),
+    slip("white-in-full", RAYS, SKY)
+        .says(Words {
+            wrong: "white + a * blue",
+            right: "(1 - a) * white + a * blue",
+            why: "The two weights add up to 1. Without the first one, everything is brighter than \
+                  white.",
+        })
+        .alters(|p| p.lerp = |[below, above], a| below + a * above),
+    slip("white-by-the-same-weight", RAYS, SKY)
+        .says(Words {
+            wrong: "a * white + a * blue",
+            right: "(1 - a) * white + a * blue",
+            why: "The two weights add up to 1. With the same one for both, the sky is dark below \
+                  and far too bright above.",
+        })
+        .alters(|p| p.lerp = |[below, above], a| a * below + a * above),
+    slip("background-missing", SPHERES, SKY)
+        .says(Words {
+            wrong: "if (…) return color(1, 0, 0); return color(0, 0, 0)",
+            right: "… return (1 - a) * white + a * blue",
+            why: "What hits nothing shows the sky. Here it stays black.",
+        })
+        .alters(|p| p.lerp = |_, _| Color::ZERO),
 ];
 
 fn swapped_length_squared(v: Vec3) -> f64 {
@@ -766,10 +586,7 @@ fn swapped_over(v: Vec3, t: f64) -> Vec3 {
 }
 
 /// The grid begins where the middle of the picture should be.
-fn first_pixel_on_the_axis(right: Program) -> Program {
-    Program {
-        corner: 0.0,
-        inset: [0.0, 0.0],
-        ..right
-    }
+fn put_first_pixel_on_axis(p: &mut Program) {
+    p.corner = 0.0;
+    p.inset = [0.0, 0.0];
 }

@@ -20,3 +20,5 @@ pub(super) const FULL_B: &[Chapter] = &[Chapter::RedSphere, Chapter::Normals];
 pub(super) const HALF_B: &[Chapter] = &[Chapter::HalfBSphere, Chapter::HittableList];
 /// The chapters that make the normal a unit vector by its length.
 pub(super) const ONE_SPHERE: &[Chapter] = &[Chapter::Normals, Chapter::HalfBSphere];
+/// The chapters whose scene is one sphere.
+pub(super) const LONE_SPHERE: &[Chapter] = SPHERES.split_at(3).0;

@@ -2,310 +2,212 @@
 
 use common::rtweekend::*;
 
-use super::chapters::{HITTABLE_LIST, ONE_SPHERE, ROOTS};
+use super::chapters::{HITTABLE_LIST, LONE_SPHERE, ONE_SPHERE, RED_SPHERE, ROOTS};
 use super::sphere::SIGN_OF_B;
 use crate::chapter::Chapter;
 use crate::program::{Ball, Program};
-use crate::slip::{Slip, Unseen};
+use crate::slip::{Place, Slip, Words, slip};
+
+const ROOT: Place = Place {
+    page: "normals#where-the-nearer-root",
+    source: "chapters/3_normals/src/lib.rs",
+};
+const RANGE: Place = Place {
+    page: "half_b_sphere#the-sign-that-got-lost",
+    source: "chapters/3_normals/src/lib.rs",
+};
+const NORMAL: Place = Place {
+    page: "normals#which-way-the-normal",
+    source: "chapters/3_normals/src/lib.rs",
+};
+const NORMAL_BY_RADIUS: Place = Place {
+    page: "normals#which-way-the-normal",
+    source: "chapters/5_hittable_list/src/sphere.rs",
+};
+const POINT: Place = Place {
+    page: "gradient#a-ray-is-a-function",
+    source: "common/src/ray.rs",
+};
+const SHADE: Place = Place {
+    page: "normals#a-color-for-each-direction",
+    source: "chapters/3_normals/src/lib.rs",
+};
 
 pub(super) const SLIPS: &[Slip] = &[
-    Slip {
-        name: "behind-drawn",
-        chapters: ONE_SPHERE,
-        wrong: "if (hit_sphere(…)) without t > 0",
-        right: "if (t > 0)",
-        explanation: "A negative t is a point behind the camera. The book's sphere is in front, so nothing shows it.",
-        evidence: &["#1570"],
-        page: "normals#where-the-nearer-root",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            t_min: f64::NEG_INFINITY,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "range-loosened",
-        chapters: ONE_SPHERE,
-        wrong: "if (t > -1)",
-        right: "if (t > 0)",
-        explanation: "Often tried to bring back a sphere that a slip in a sign has lost. It counts points just behind the camera.",
-        evidence: &["#1643", "#1558"],
-        page: "half_b_sphere#the-sign-that-got-lost",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            t_min: -1.0,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "only-behind-drawn",
-        chapters: ONE_SPHERE,
-        wrong: "if (t < 0)",
-        right: "if (t > 0)",
-        explanation: "What is in front of the camera is left out, and a miss is drawn: its -1.0 is a t like any other.",
-        page: "normals#where-the-nearer-root",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            search: only_behind,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "sphere-at-plus-one",
-        chapters: &[Chapter::RedSphere, Chapter::Normals, Chapter::HalfBSphere],
-        wrong: "center = (0, 0, 1)",
-        right: "center = (0, 0, -1)",
-        explanation: "The sphere is behind the camera. Chapter 2 draws it all the same, the later ones must not.",
-        evidence: &["#1570"],
-        page: "normals#where-the-nearer-root",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            world: const { &[Ball::new(0.0, 0.0, 1.0, 0.5)] },
-            ..right
-        },
-        unseen: SIGN_OF_B,
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "normal-from-point",
-        chapters: ROOTS,
-        wrong: "N = unit_vector(r.at(t))",
-        right: "N = unit_vector(r.at(t) - center)",
-        explanation: "A normal points away from the center of the sphere, not from the eye.",
-        page: "normals#which-way-the-normal",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            outward: |program, point, _| (program.unit)(point),
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "center-added",
-        chapters: ROOTS,
-        wrong: "N = unit_vector(r.at(t) + center)",
-        right: "N = unit_vector(r.at(t) - center)",
-        explanation: "A normal is the way from the center to the point, a difference.",
-        page: "normals#which-way-the-normal",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            outward: |program, point, ball| rescaled(program, point + ball.center, ball),
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "center-after-unit",
-        chapters: ROOTS,
-        wrong: "N = unit_vector(r.at(t)) - center",
-        right: "N = unit_vector(r.at(t) - center)",
-        explanation: "The bracket closes too early: the center is taken from a vector that is 1 long already, and the difference is not.",
-        page: "normals#which-way-the-normal",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            outward: |program, point, ball| (program.unit)(point) - ball.center,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "normal-inward",
-        chapters: ROOTS,
-        wrong: "N = unit_vector(center - r.at(t))",
-        right: "N = unit_vector(r.at(t) - center)",
-        explanation: "The way from the point to the center points in.",
-        page: "normals#which-way-the-normal",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            outward: |program, point, ball| rescaled(program, ball.center - point, ball),
-            ..right
-        },
-        unseen: &[(
+    slip("behind-drawn", ONE_SPHERE, ROOT)
+        .says(Words {
+            wrong: "if (hit_sphere(…)) without t > 0",
+            right: "if (t > 0)",
+            why: "A negative t is a point behind the camera. The book's sphere is in front, so \
+                  nothing shows it.",
+        })
+        .reported(&["#1570"])
+        .alters(|p| p.t_min = f64::NEG_INFINITY),
+    slip("range-loosened", ONE_SPHERE, RANGE)
+        .says(Words {
+            wrong: "if (t > -1)",
+            right: "if (t > 0)",
+            why: "Often tried to bring back a sphere that a slip in a sign has lost. It counts \
+                  points just behind the camera.",
+        })
+        .reported(&["#1643", "#1558"])
+        .alters(|p| p.t_min = -1.0),
+    slip("only-behind-drawn", ONE_SPHERE, ROOT)
+        .says(Words {
+            wrong: "if (t < 0)",
+            right: "if (t > 0)",
+            why: "What is in front of the camera is left out, and a miss is drawn: its -1.0 is a t \
+                  like any other.",
+        })
+        .alters(|p| p.search = only_behind),
+    slip("sphere-at-plus-one", LONE_SPHERE, ROOT)
+        .says(Words {
+            wrong: "center = (0, 0, 1)",
+            right: "center = (0, 0, -1)",
+            why: "The sphere is behind the camera. Chapter 2 draws it all the same, the later ones \
+                  must not.",
+        })
+        .reported(&["#1570"])
+        .alters(|p| p.world = const { &[Ball::new(0.0, 0.0, 1.0, 0.5)] })
+        .equivalent(RED_SPHERE, SIGN_OF_B),
+    slip("normal-from-point", ROOTS, NORMAL)
+        .says(Words {
+            wrong: "N = unit_vector(r.at(t))",
+            right: "N = unit_vector(r.at(t) - center)",
+            why: "A normal points away from the center of the sphere, not from the eye.",
+        })
+        .alters(|p| p.outward = |program, point, _| (program.unit)(point)),
+    slip("center-added", ROOTS, NORMAL)
+        .says(Words {
+            wrong: "N = unit_vector(r.at(t) + center)",
+            right: "N = unit_vector(r.at(t) - center)",
+            why: "A normal is the way from the center to the point, a difference.",
+        })
+        .alters(|p| {
+            p.outward = |program, point, ball| rescaled(program, point + ball.center, ball)
+        }),
+    slip("center-after-unit", ROOTS, NORMAL)
+        .says(Words {
+            wrong: "N = unit_vector(r.at(t)) - center",
+            right: "N = unit_vector(r.at(t) - center)",
+            why: "The bracket closes too early: the center is taken from a vector that is 1 long \
+                  already, and the difference is not.",
+        })
+        .alters(|p| p.outward = |program, point, ball| (program.unit)(point) - ball.center),
+    slip("normal-inward", ROOTS, NORMAL)
+        .says(Words {
+            wrong: "N = unit_vector(center - r.at(t))",
+            right: "N = unit_vector(r.at(t) - center)",
+            why: "The way from the point to the center points in.",
+        })
+        .alters(|p| p.outward = |program, point, ball| rescaled(program, ball.center - point, ball))
+        .only_by_law(
             HITTABLE_LIST,
-            Unseen::OnlyByLaw("The front face is hit exactly when the ray comes from outside."),
-        )],
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "normal-not-unit",
-        chapters: ROOTS,
-        wrong: "N = r.at(t) - center",
-        right: "N = unit_vector(r.at(t) - center)",
-        explanation: "Its length is the radius, and colors are made for length 1: a small sphere fades to gray, the ground leaves the range.",
-        evidence: &["#1062", "#525"],
-        page: "normals#which-way-the-normal",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            outward: |_, point, ball| point - ball.center,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "normal-times-radius",
-        chapters: HITTABLE_LIST,
-        wrong: "outward_normal = (p - center) * radius",
-        right: "outward_normal = (p - center) / radius",
-        explanation: "The way from the center to the point is as long as the radius: dividing makes it a unit vector.",
-        page: "normals#which-way-the-normal",
-        source: "chapters/5_hittable_list/src/sphere.rs",
-        alter: |right| Program {
-            outward: |_, point, ball| (point - ball.center) * ball.radius,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "unit-vector-for-radius",
-        chapters: HITTABLE_LIST,
-        wrong: "outward_normal = unit_vector(p - center)",
-        right: "outward_normal = (p - center) / radius",
-        explanation: "Only slower, since p is on the sphere. It matters for a negative radius, which turns the normal here and was a trick of older editions.",
-        evidence: &["#977"],
-        page: "normals#which-way-the-normal",
-        source: "chapters/5_hittable_list/src/sphere.rs",
-        alter: |right| Program {
-            outward: |program, point, ball| (program.unit)(point - ball.center),
-            ..right
-        },
-        unseen: &[(
+            "The front face is hit exactly when the ray comes from outside.",
+        ),
+    slip("normal-not-unit", ROOTS, NORMAL)
+        .says(Words {
+            wrong: "N = r.at(t) - center",
+            right: "N = unit_vector(r.at(t) - center)",
+            why: "Its length is the radius, and colors are made for length 1: a small sphere fades \
+                  to gray, the ground leaves the range.",
+        })
+        .reported(&["#1062", "#525"])
+        .alters(|p| p.outward = |_, point, ball| point - ball.center),
+    slip("normal-times-radius", HITTABLE_LIST, NORMAL_BY_RADIUS)
+        .says(Words {
+            wrong: "outward_normal = (p - center) * radius",
+            right: "outward_normal = (p - center) / radius",
+            why: "The way from the center to the point is as long as the radius: dividing makes it \
+                  a unit vector.",
+        })
+        .alters(|p| p.outward = |_, point, ball| (point - ball.center) * ball.radius),
+    slip("unit-vector-for-radius", HITTABLE_LIST, NORMAL_BY_RADIUS)
+        .says(Words {
+            wrong: "outward_normal = unit_vector(p - center)",
+            right: "outward_normal = (p - center) / radius",
+            why: "Only slower, since p is on the sphere. It matters for a negative radius, which \
+                  turns the normal here and was a trick of older editions.",
+        })
+        .reported(&["#977"])
+        .alters(|p| p.outward = |program, point, ball| (program.unit)(point - ball.center))
+        .equivalent(
             HITTABLE_LIST,
-            Unseen::Equivalent(
-                "The point is on the sphere, so its distance from the center is the radius, but for a few roundings.",
-            ),
-        )],
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "point-along-unit-direction",
-        chapters: ROOTS,
-        wrong: "r.at(t) = origin + t * unit_vector(direction)",
-        right: "r.at(t) = origin + t * direction",
-        explanation: "t counts lengths of the direction, whatever that length is.",
-        page: "gradient#a-ray-is-a-function",
-        source: "common/src/ray.rs",
-        alter: |right| Program {
-            at: |program, ray, t| ray.origin + t * (program.unit)(ray.direction),
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "point-without-origin",
-        chapters: ROOTS,
-        wrong: "r.at(t) = t * direction",
-        right: "r.at(t) = origin + t * direction",
-        explanation: "It shows as soon as a ray starts anywhere but at the origin.",
-        page: "gradient#a-ray-is-a-function",
-        source: "common/src/ray.rs",
-        alter: |right| Program {
-            at: |_, ray, t| t * ray.direction,
-            ..right
-        },
-        unseen: &[(ROOTS, Unseen::OnlyByLaw("A ray is at its origin at t = 0."))],
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "normal-not-mapped",
-        chapters: ROOTS,
-        wrong: "color(N.x(), N.y(), N.z())",
-        right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
-        explanation: "A normal's components run from -1 to 1, a color's from 0 to 1. Negative ones are printed or cut off.",
-        page: "normals#a-color-for-each-direction",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            shade: |_, normal| normal,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "normal-only-halved",
-        chapters: ROOTS,
-        wrong: "0.5 * color(N.x(), N.y(), N.z())",
-        right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
-        explanation: "Without the 1 half of the components stay negative.",
-        page: "normals#a-color-for-each-direction",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            shade: |_, normal| 0.5 * normal,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "normal-only-shifted",
-        chapters: ROOTS,
-        wrong: "color(N.x() + 1, N.y() + 1, N.z() + 1)",
-        right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
-        explanation: "Without the half components run from 0 to 2, and half of them are too bright for a picture.",
-        page: "normals#a-color-for-each-direction",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            shade: |_, normal| normal + Vec3::ONE,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "normal-without-brackets",
-        chapters: ROOTS,
-        wrong: "0.5 * N + color(1, 1, 1)",
-        right: "0.5 * (N + color(1, 1, 1))",
-        explanation: "The half takes the normal alone, so components run from 0.5 to 1.5, and half of them are too bright for a picture.",
-        page: "normals#a-color-for-each-direction",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            shade: |_, normal| 0.5 * normal + Vec3::ONE,
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "normal-channels-reversed",
-        chapters: ROOTS,
-        wrong: "0.5 * color(N.z() + 1, N.y() + 1, N.x() + 1)",
-        right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
-        explanation: "x is red and z is blue. The sky is right, the sphere's red and blue have changed places.",
-        page: "normals#a-color-for-each-direction",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            shade: |_, normal| 0.5 * (Vec3::new(normal.z, normal.y, normal.x) + Vec3::ONE),
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "normal-in-gray",
-        chapters: ROOTS,
-        wrong: "0.5 * color(N.x() + 1, N.x() + 1, N.x() + 1)",
-        right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
-        explanation: "A copied term keeps its letter: with one component for all three, what is hit is gray.",
-        page: "normals#a-color-for-each-direction",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            shade: |_, normal| 0.5 * (Vec3::splat(normal.x) + Vec3::ONE),
-            ..right
-        },
-        ..Slip::USUAL
-    },
-    Slip {
-        name: "normal-as-absolute",
-        chapters: ROOTS,
-        wrong: "color(abs(N.x()), abs(N.y()), abs(N.z()))",
-        right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
-        explanation: "Absolute values fit into a color, but left and right, above and below look the same.",
-        page: "normals#a-color-for-each-direction",
-        source: "chapters/3_normals/src/lib.rs",
-        alter: |right| Program {
-            shade: |_, normal| normal.abs(),
-            ..right
-        },
-        ..Slip::USUAL
-    },
+            "The point is on the sphere, so its distance from the center is the radius, \
+                 but for a few roundings.",
+        ),
+    slip("point-along-unit-direction", ROOTS, POINT)
+        .says(Words {
+            wrong: "r.at(t) = origin + t * unit_vector(direction)",
+            right: "r.at(t) = origin + t * direction",
+            why: "t counts lengths of the direction, whatever that length is.",
+        })
+        .alters(|p| p.at = |program, ray, t| ray.origin + t * (program.unit)(ray.direction)),
+    slip("point-without-origin", ROOTS, POINT)
+        .says(Words {
+            wrong: "r.at(t) = t * direction",
+            right: "r.at(t) = origin + t * direction",
+            why: "It shows as soon as a ray starts anywhere but at the origin.",
+        })
+        .alters(|p| p.at = |_, ray, t| t * ray.direction)
+        .only_by_law(ROOTS, "A ray is at its origin at t = 0."),
+    slip("normal-not-mapped", ROOTS, SHADE)
+        .says(Words {
+            wrong: "color(N.x(), N.y(), N.z())",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "A normal's components run from -1 to 1, a color's from 0 to 1. Negative ones are \
+                  printed or cut off.",
+        })
+        .alters(|p| p.shade = |_, normal| normal),
+    slip("normal-only-halved", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(N.x(), N.y(), N.z())",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "Without the 1 half of the components stay negative.",
+        })
+        .alters(|p| p.shade = |_, normal| 0.5 * normal),
+    slip("normal-only-shifted", ROOTS, SHADE)
+        .says(Words {
+            wrong: "color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "Without the half components run from 0 to 2, and half of them are too bright for \
+                  a picture.",
+        })
+        .alters(|p| p.shade = |_, normal| normal + Vec3::ONE),
+    slip("normal-without-brackets", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * N + color(1, 1, 1)",
+            right: "0.5 * (N + color(1, 1, 1))",
+            why: "The half takes the normal alone, so components run from 0.5 to 1.5, and half of \
+                  them are too bright for a picture.",
+        })
+        .alters(|p| p.shade = |_, normal| 0.5 * normal + Vec3::ONE),
+    slip("normal-channels-reversed", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(N.z() + 1, N.y() + 1, N.x() + 1)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "x is red and z is blue. The sky is right, the sphere's red and blue have changed \
+                  places.",
+        })
+        .alters(|p| {
+            p.shade = |_, normal| 0.5 * (Vec3::new(normal.z, normal.y, normal.x) + Vec3::ONE)
+        }),
+    slip("normal-in-gray", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(N.x() + 1, N.x() + 1, N.x() + 1)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "A copied term keeps its letter: with one component for all three, what is hit is \
+                  gray.",
+        })
+        .alters(|p| p.shade = |_, normal| 0.5 * (Vec3::splat(normal.x) + Vec3::ONE)),
+    slip("normal-as-absolute", ROOTS, SHADE)
+        .says(Words {
+            wrong: "color(abs(N.x()), abs(N.y()), abs(N.z()))",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "Absolute values fit into a color, but left and right, above and below look the \
+                  same.",
+        })
+        .alters(|p| p.shade = |_, normal| normal.abs()),
 ];
 
 /// A vector as long as the sphere's radius made one of length 1, in the way of

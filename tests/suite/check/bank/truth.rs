@@ -145,7 +145,7 @@ impl Truth {
             };
         }
         for slip in slips {
-            program = (slip.alter)(program);
+            program = slip.put_to(program);
         }
         match self.scene.probe {
             Some(probe) => probe.put_to(program).expect("the scene has room for it"),
@@ -252,7 +252,7 @@ pub(super) fn is_a_rounding(slip: &Slip) -> bool {
 /// begins and of others.
 fn levels(slip: &Slip) -> impl Iterator<Item = [i32; 2]> {
     let right = Program::right(slip.chapters[0]);
-    let wrong = (slip.alter)(right);
+    let wrong = slip.put_to(right);
     let components = (0..4096).flat_map(|n| {
         let n = f64::from(n);
         [n / 4095.0, n / 16.0 / 255.999]

@@ -1,0 +1,74 @@
+//! The older editions as mutations of the latest one: a few other steps, like a slip, but
+//! right from the first line to the last.
+
+use common::rtweekend::*;
+
+use crate::chapter::{Chapter, Room};
+use crate::edition::Edition;
+use crate::program::Program;
+use crate::single;
+
+impl Edition {
+    /// The chapter's program in this edition.
+    ///
+    /// # Panics
+    /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
+    pub fn program(self, chapter: Chapter) -> Program {
+        let mut program = Program::right(chapter);
+        let p = &mut program;
+        p.edition = self;
+        match self {
+            Self::V4 => {}
+            Self::V3 => count_from_below(p),
+            Self::V3_1_0 => {
+                count_from_below(p);
+                widen_viewport(p);
+            }
+            Self::V3_0 => make_two_to_one(p),
+            Self::V1 | Self::V1InDouble => {
+                make_two_to_one(p);
+                p.level = |component| (255.99 * component) as i32;
+            }
+        }
+        if self == Self::V1 && chapter != Chapter::BuildTest {
+            p.color = single::color;
+        }
+        program
+    }
+}
+
+/// 16:9. The viewport's left edge points up from its lower left corner, and a pixel is
+/// a fraction of the whole edges.
+fn count_from_below(p: &mut Program) {
+    if p.chapter != Chapter::BuildTest {
+        p.image_height = |width, aspect_ratio| (width / aspect_ratio) as u32;
+    }
+    p.viewport_ratio = |_, _, aspect_ratio| aspect_ratio;
+    p.viewport_v = |_, height| Vec3::new(0.0, height, 0.0);
+    p.divisors = |width, height| [width - 1.0, height - 1.0];
+    p.pixel_deltas = |_, u, v, _| [u, v];
+    p.inset = [0.0, 0.0];
+    p.blue = 0.25;
+}
+
+/// Twice as wide as high, in all chapters, and the last column stops short of 1.
+fn make_two_to_one(p: &mut Program) {
+    count_from_below(p);
+    p.aspect_ratio = 2.0;
+    p.image_height = |width, aspect_ratio| (width / aspect_ratio) as u32;
+    p.viewport_ratio = |_, _, _| 2.0;
+    p.divisors = |width, height| [width, height];
+    p.blue = 0.2;
+}
+
+/// 4 × 2.25, and for the list 4 × 2, which does not fit 16:9.
+fn widen_viewport(p: &mut Program) {
+    match p.chapter.room() {
+        Room::Many => p.viewport_ratio = |_, _, _| 2.0,
+        _ if p.chapter == Chapter::BuildTest => {}
+        _ => {
+            p.viewport_height = 2.25;
+            p.viewport_ratio = |_, _, _| 4.0 / 2.25;
+        }
+    }
+}
