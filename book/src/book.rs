@@ -1,18 +1,17 @@
-//! `cargo rtrace book`: a folder is prepared, cargo runs the weaver into it, and it takes
-//! the place of the last book.
+//! `cargo rtrace book`: cargo runs the weaver into a temporary folder, and what it wrote
+//! takes the place of the last book.
 
-use std::env;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::{env, path};
 
-use check::places::shown;
+use check::names::from_here;
 use clap::Args;
-use common::engine::folder::{self, NewFolder};
 use common::engine::output;
 
-use crate::draw;
-use crate::misuse::refusal;
+use crate::misuse::misuse;
+use crate::{draw, files};
 
 /// What `cargo rtrace book` is told.
 #[derive(Args)]
@@ -39,14 +38,8 @@ pub(crate) fn book(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     output::to_stdout(|out| {
         out.write_all(b"Weaving the book: the first time cargo builds mdBook for it, in a minute\n")
     })?;
-    let (index, aside) = weave(&source, arguments.output.as_deref())?;
-    let mut said = format!("The book is in {}\n", shown(&index));
-    if let Some(aside) = aside {
-        said += &format!(
-            "What was there had no list of its files, so it is now {}, to keep or to delete.\n",
-            shown(&aside)
-        );
-    }
+    let index = weave(&source, arguments.output.as_deref())?;
+    let said = format!("The book is in {}\n", from_here(&index));
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
     if arguments.open {
         open::that_detached(&index).map_err(|cause| {
@@ -68,28 +61,33 @@ pub(crate) fn this_book() -> Result<(), Box<dyn Error>> {
     })
 }
 
-/// Weaves the book in the folder `source`. Returns the path of its first page, and
-/// where a folder is now that was in the way.
-fn weave(
-    source: &Path,
-    output: Option<&Path>,
-) -> Result<(PathBuf, Option<PathBuf>), Box<dyn Error>> {
+/// Weaves the book in the folder `source`. Returns the path of its first page.
+fn weave(source: &Path, output: Option<&Path>) -> Result<PathBuf, Box<dyn Error>> {
     let default = || draw::folder().map(|pictures| pictures.with_file_name("book"));
     let target = output.map_or_else(default, |output| Ok(output.to_owned()))?;
-    let folder = NewFolder::beside(&target, "book").map_err(refusal)?;
-    // Books that were woven before there were manifests have none. In our own folder
-    // they make way; elsewhere nobody knows whether it was a book.
-    let makes_way = output.is_none() && folder::is_unlisted(&target);
-    if !makes_way {
-        folder.check().map_err(refusal)?;
+    refuse_pages(&target)?;
+    files::refuse_strangers(&target, KIND)?;
+    let woven = tempfile::tempdir()?;
+    fill(woven.path(), source)?;
+    files::fill(&target, KIND, &files::read(woven.path())?)?;
+    Ok(target.join("index.html"))
+}
+
+/// What the folder is called where another one is refused.
+const KIND: &str = "book";
+
+/// mdBook copies what lies among the pages into the book: the last book, too.
+fn refuse_pages(target: &Path) -> Result<(), Box<dyn Error>> {
+    let target = path::absolute(target)?;
+    let has_pages = |above: &Path| above.join("SUMMARY.md").is_file();
+    match target.ancestors().any(has_pages) {
+        false => Ok(()),
+        true => Err(misuse(&format!(
+            "{} lies among the pages of a book, and would become a part of the next one\n\
+             Name a folder elsewhere.",
+            from_here(&target)
+        ))),
     }
-    fill(&folder.path(), source)?;
-    let aside = match makes_way {
-        true => folder::set_aside(&target).map_err(refusal)?,
-        false => None,
-    };
-    folder.put_in_place().map_err(refusal)?;
-    Ok((target.join("index.html"), aside))
 }
 
 /// Has cargo build the package `weave`, if need be, and run it.

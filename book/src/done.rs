@@ -5,7 +5,7 @@ use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use check::places::shown;
+use check::names::{self, from_here};
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 use common::engine::output;
@@ -36,10 +36,10 @@ pub(crate) fn done(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         "" => list.show()?,
         line => {
             list.add(line)?;
-            format!("{}: {line}\n", shown(&list.file))
+            format!("{}: {line}\n", from_here(&list.file))
         }
     };
-    let mut lines = said.lines().map(output::visible);
+    let mut lines = said.lines().map(names::visible);
     Ok(output::to_stdout(|out| {
         lines.try_for_each(|line| writeln!(out, "{line}"))
     })?)
@@ -120,7 +120,7 @@ impl Done {
     }
 
     fn named(&self, cause: &io::Error) -> io::Error {
-        io::Error::new(cause.kind(), format!("{}: {cause}", shown(&self.file)))
+        io::Error::new(cause.kind(), format!("{}: {cause}", from_here(&self.file)))
     }
 
     fn show(&self) -> Result<String, Box<dyn Error>> {
@@ -128,7 +128,11 @@ impl Done {
         let lines: Vec<&str> = text.lines().filter(|line| line.starts_with("- ")).collect();
         let mut said = match lines.is_empty() {
             true => "Nothing is done yet.\n".to_owned(),
-            false => format!("Done, in {}\n  {}\n", shown(&self.file), lines.join("\n  ")),
+            false => format!(
+                "Done, in {}\n  {}\n",
+                from_here(&self.file),
+                lines.join("\n  ")
+            ),
         };
         let ahead: String = TYPED
             .into_iter()

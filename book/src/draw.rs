@@ -1,12 +1,12 @@
 //! No command at all: all pictures into one folder.
 
 use std::error::Error;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use std::{env, fs};
 
-use check::places::shown;
-use common::engine::{companion, output};
+use check::names::{companion, from_here};
+use common::engine::output;
 use slips::Chapter;
 
 use crate::save::{Format, save};
@@ -15,7 +15,7 @@ use crate::save::{Format, save};
 /// it is, how large, and how long it took to trace.
 pub(crate) fn all() -> Result<(), Box<dyn Error>> {
     let folder = folder()?;
-    let mut report = format!("The pictures are in {}\n", shown(&folder));
+    let mut report = format!("The pictures are in {}\n", from_here(&folder));
     for chapter in Chapter::ALL {
         report += &draw(chapter, &folder)?;
     }
@@ -36,30 +36,16 @@ pub(crate) fn folder() -> Result<PathBuf, Box<dyn Error>> {
     Ok(folder)
 }
 
-/// The workspace that this program was built for, if it is still there.
+/// The workspace, which has the sources of the book.
 pub(crate) fn workspace() -> Result<&'static Path, Box<dyn Error>> {
-    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let workspace = package.parent().unwrap_or(package);
-    if is_elsewhere(package) {
-        return Err(format!(
-            "this program was built for a workspace in {}, which is not there any more\n\
-             Build it for where the workspace is now: run cargo clean --package rtrace in it, \
-             then cargo rtrace, or cargo install --path book if it was installed.\n{}",
-            workspace.display(),
+    check::workspace::workspace().ok_or_else(|| {
+        format!(
+            "the workspace that this program was built from is not there any more\n\
+             Run this in another clone of it. {}",
             without_it()
         )
-        .into());
-    }
-    Ok(workspace)
-}
-
-/// Whether this package was moved after it was built, or copied and is now run by
-/// cargo in the copy. Cargo does not build a program anew for that.
-fn is_elsewhere(package: &Path) -> bool {
-    let run_by_cargo = env::var_os("CARGO_PKG_NAME").is_some_and(|it| it == env!("CARGO_PKG_NAME"));
-    let here = env::var_os("CARGO_MANIFEST_DIR").filter(|_| run_by_cargo);
-    let is_here = |here| fs::canonicalize(here).ok() == fs::canonicalize(package).ok();
-    !package.join("Cargo.toml").is_file() || here.is_some_and(|here| !is_here(here))
+        .into()
+    })
 }
 
 /// What can be done where nothing can be written into the workspace.

@@ -4,23 +4,26 @@ mod book;
 mod check;
 mod done;
 mod draw;
+mod files;
 mod hit;
 mod mine;
 mod misuse;
 mod needs;
 mod probes;
-mod program;
 mod save;
 mod show;
+#[cfg(unix)]
+mod signals;
 mod slips;
 mod start;
+mod subprocess;
 mod terminal;
 mod watch;
 
 use std::process::ExitCode;
 
+use ::check::names::companion;
 use clap::{Parser, Subcommand};
-use common::engine::companion;
 
 /// The pictures of Ray Tracing in One Weekend, chapter by chapter.
 ///

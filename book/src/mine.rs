@@ -3,8 +3,8 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
-use check::places;
-use common::engine::output;
+use check::names;
+use check::workspace;
 use slips::Chapter;
 
 /// The chapters that are typed in a crate of one's own; the one before them is the setup.
@@ -28,7 +28,7 @@ impl Mine {
     /// for everybody else in the nearest folder above that has one with a crate, or here.
     pub(crate) fn find(chosen: Option<&Path>) -> Self {
         let here = env::current_dir().unwrap_or_default();
-        let workspace = places::workspace().filter(|workspace| here.starts_with(workspace));
+        let workspace = workspace::workspace().filter(|workspace| here.starts_with(workspace));
         let has_one = |folder: &&Path| {
             TYPED
                 .iter()
@@ -41,7 +41,7 @@ impl Mine {
         Self {
             folder: chosen.map_or_else(usual, |chosen| here.join(chosen)),
             option: chosen.map_or(String::new(), |chosen| {
-                format!(" --in {:?}", output::shown(chosen))
+                format!(" --in {:?}", names::spelled(chosen))
             }),
         }
     }

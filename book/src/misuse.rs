@@ -6,9 +6,8 @@ use std::fmt;
 use std::io::{self, Write};
 use std::process::{ExitCode, exit};
 
+use check::names;
 use clap::Parser;
-use common::engine::folder::FolderError;
-use common::engine::output;
 
 /// What the command line says. Who asks for help is helped, and who can't be
 /// understood is told why; that ends the program.
@@ -28,7 +27,7 @@ pub(crate) fn command_line<Cli: Parser>() -> Cli {
 pub(crate) fn complain(about: &str) {
     for line in about.lines() {
         // If even this can't be written, there is nobody left to tell.
-        let _ = writeln!(io::stderr(), "{}", output::visible(line));
+        let _ = writeln!(io::stderr(), "{}", names::visible(line));
     }
 }
 
@@ -47,14 +46,6 @@ impl Error for Misuse {}
 /// An error that says why a command line can't be followed.
 pub(crate) fn misuse(what: &str) -> Box<dyn Error> {
     Misuse(what.to_owned()).into()
-}
-
-/// A folder that is not ours to replace is a misuse.
-pub(crate) fn refusal(error: FolderError) -> Box<dyn Error> {
-    match error {
-        FolderError::Refused(why) => misuse(&why),
-        FolderError::Failed(_) => error.into(),
-    }
 }
 
 /// 2 for a misuse, and 1 for what failed on the way.

@@ -4,8 +4,9 @@ use std::error::Error;
 use std::fmt::Write;
 
 use check::diagnosis::Scene;
+use check::names::companion;
 use clap::Args;
-use common::engine::{companion, output};
+use common::engine::output;
 use slips::Chapter;
 use slips::PROBES;
 

@@ -1,9 +1,10 @@
 //! Picture files: PNG and P3.
 
+use std::io;
 use std::path::Path;
 
 use check::png;
-use common::engine::output::{self, OutputError};
+use common::engine::output;
 use common::rtweekend::Picture;
 
 /// What a picture file holds.
@@ -33,7 +34,7 @@ impl Format {
 }
 
 /// Writes `picture` to `path`, whole or not at all.
-pub(crate) fn save(picture: &Picture, format: Format, path: &Path) -> Result<(), OutputError> {
+pub(crate) fn save(picture: &Picture, format: Format, path: &Path) -> io::Result<()> {
     match format {
         Format::Png => {
             let bytes = png::encode(picture);

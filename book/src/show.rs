@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
+use check::names;
 use clap::Args;
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
 use common::engine::{output, parse_width};
@@ -89,7 +90,7 @@ fn save_and_say(
 ) -> Result<(), Box<dyn Error>> {
     save(picture, format, path)?;
     let (width, height) = (picture.width(), picture.height());
-    let said = format!("{width} × {height} pixels in {}\n", output::shown(path));
+    let said = format!("{width} × {height} pixels in {}\n", names::spelled(path));
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
     if open {
         open::that_detached(path).map_err(|cause| {

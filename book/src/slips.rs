@@ -5,10 +5,11 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use check::diagnosis::Scene;
+use check::names::{self, companion};
 use check::png;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Subcommand, value_parser};
-use common::engine::{companion, output};
+use common::engine::output;
 use slips::Chapter;
 use slips::{self, Edition, Slip, Unseen};
 
@@ -138,7 +139,7 @@ fn draw(arguments: &Draw) -> Result<(), Box<dyn Error>> {
         "{} in {}: {columns} × {rows} pixels in {}\n",
         slip.name,
         chapter.name(),
-        output::shown(path)
+        names::spelled(path)
     );
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }

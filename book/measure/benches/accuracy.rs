@@ -1,6 +1,7 @@
 //! A long trial: how exact each method of chapter 6 is, on as many cases as you like.
 
 use std::error::Error;
+use std::io;
 use std::num::NonZeroUsize;
 use std::path::Path;
 
@@ -49,7 +50,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Writes the numbers, which the book shows.
-fn keep<Row: Record>(mut table: Table<Row>) -> Result<(), output::OutputError> {
+fn keep<Row: Record>(mut table: Table<Row>) -> Result<(), io::Error> {
     let command = "cargo bench -p measure --bench accuracy -- --record";
     table.about.insert("command".to_owned(), command.to_owned());
     let notes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../notes");

@@ -224,7 +224,7 @@ fn instructions(program: &Path, arguments: &[&str]) -> Option<String> {
 }
 
 /// Writes the numbers, from which the book draws its chart.
-fn record(machine: String, rows: Vec<Race>) -> Result<(), output::OutputError> {
+fn record(machine: String, rows: Vec<Race>) -> Result<(), io::Error> {
     let about = [("machine".to_owned(), machine)].into();
     let text = Table { about, rows }.text();
     let notes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../notes");
@@ -233,6 +233,6 @@ fn record(machine: String, rows: Vec<Race>) -> Result<(), output::OutputError> {
     })
 }
 
-fn say(what: &str) -> Result<(), output::OutputError> {
+fn say(what: &str) -> Result<(), io::Error> {
     output::to_stdout(|out| out.write_all(what.as_bytes()))
 }

@@ -7,10 +7,10 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::time::Duration;
 
+use check::names;
 use check::reading::{Cause, MOST_BYTES};
-use common::engine::output;
 
-use crate::program;
+use crate::subprocess;
 
 /// A place to read a picture from.
 #[derive(Clone, Copy)]
@@ -44,7 +44,7 @@ impl<'a> Source<'a> {
                 let problem = format!("standard input can't be read: {cause}");
                 Cause::new("unreadable", problem, "Name a file instead.")
             }),
-            Self::Program(words) => program::output_of(words, limit),
+            Self::Program(words) => subprocess::output_of(words, limit),
         }
     }
 }
@@ -52,10 +52,10 @@ impl<'a> Source<'a> {
 impl fmt::Display for Source<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::File(path) => write!(f, "{}", output::shown(path)),
+            Self::File(path) => write!(f, "{}", names::spelled(path)),
             Self::Stdin => write!(f, "standard input"),
             Self::Program(words) => {
-                let words: Vec<String> = words.iter().map(output::shown).collect();
+                let words: Vec<String> = words.iter().map(names::spelled).collect();
                 write!(f, "what {} prints", words.join(" "))
             }
         }

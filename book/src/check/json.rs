@@ -5,8 +5,8 @@ use std::path::Path;
 use check::blind_spots::{BlindSpots, Showing};
 use check::diagnosis::{But, Conversion, Explains, Near, Scene, Set};
 use check::judge::{Check, Finding};
-use check::places;
-use common::engine::output;
+use check::names;
+use check::workspace;
 use common::rtweekend::Color;
 use serde_json::{Value, json};
 use slips::{Edition, Slip};
@@ -49,7 +49,7 @@ pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
         "difference": finding.map(difference),
         "diagnosis": sets.iter().map(|set| diagnosis(&judged.scene, set)).collect::<Value>(),
         "sights": finding.map(|finding| &finding.diagnosis.sights),
-        "report": report.map(output::shown),
+        "report": report.map(names::spelled),
     });
     format!("{object:#}\n")
 }
@@ -174,7 +174,7 @@ fn slip_as_json(slip: &Slip, edition: Edition) -> Value {
         "should_be": words.right,
         "why": words.why,
         "page": slip.page,
-        "read": places::page(slip),
-        "code": places::source(slip),
+        "read": workspace::page(slip),
+        "code": workspace::source(slip),
     })
 }

@@ -15,10 +15,10 @@ use std::time::Duration;
 
 use check::diagnosis::Scene;
 use check::judge::{self, Check};
-use check::report;
+use check::names::companion;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use common::engine::{companion, output};
+use common::engine::output;
 use slips::Chapter;
 use slips::{self, Edition, PROBES, Probe};
 
@@ -26,6 +26,7 @@ use input::Source;
 use judged::Judged;
 pub(crate) use text::Style;
 
+use crate::files;
 use crate::misuse::complain;
 
 /// What `cargo rtrace check` is told.
@@ -92,7 +93,7 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         None => scene,
     };
     if let Some(folder) = &arguments.report {
-        report::check_folder(folder)?;
+        files::refuse_strangers(folder, page::KIND)?;
     }
     let source = match &arguments.picture {
         Some(path) => Source::of(path),

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use check::diagnosis::{Near, Scene, Set, names_of};
 use check::judge::{Check, Finding};
-use check::places;
-use common::engine::{companion, output};
+use check::names::{self, companion};
+use check::workspace;
 use slips::{Edition, Slip};
 use supports_color::Stream;
 
@@ -77,7 +77,7 @@ pub(crate) fn text(judged: &Judged, report: Option<&Path>, style: Style) -> Stri
         }
     }
     if let Some(page) = report {
-        writeln!(text, "\nThe page is {}", output::shown(page)).expect("a string takes it");
+        writeln!(text, "\nThe page is {}", names::spelled(page)).expect("a string takes it");
     }
     text
 }
@@ -269,7 +269,7 @@ fn in_full(mistake: &[&Slip], edition: Edition, style: Style) -> String {
         let words = slip
             .rows(edition)
             .map(|(label, said)| (label, said.to_owned()));
-        let code = places::source(slip).map(|file| ("code", file));
+        let code = workspace::source(slip).map(|file| ("code", file));
         let rows = words.into_iter().chain([("read", read(slip))]).chain(code);
         text += &format!("\n  {}\n", style.bold(slip.name));
         for (label, said) in rows {
@@ -282,7 +282,7 @@ fn in_full(mistake: &[&Slip], edition: Edition, style: Style) -> String {
 
 /// A page that can be opened, or else what to look for in the book.
 fn read(slip: &Slip) -> String {
-    places::page(slip).unwrap_or_else(|| match places::workspace() {
+    workspace::page(slip).unwrap_or_else(|| match workspace::workspace() {
         Some(_) => format!("{}: {} book weaves it", slip.page_in_words(), companion()),
         None => slip.page_in_words(),
     })

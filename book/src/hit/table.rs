@@ -5,6 +5,7 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
 use std::path::Path;
 
+use check::names;
 use common::engine::output;
 use speed_vs_accuracy::Method;
 
@@ -27,7 +28,7 @@ pub(crate) fn print(
             Ok(Box::new(io::stdin().lock())),
         ),
         _ => (
-            output::shown(path),
+            names::spelled(path),
             File::open(path).map(|file| Box::new(BufReader::new(file)) as _),
         ),
     };

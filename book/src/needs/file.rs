@@ -6,7 +6,7 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::string::FromUtf8Error;
 
-use common::engine::output;
+use check::names;
 use speed_vs_accuracy::Scene;
 
 /// The largest file, in bytes: so much is more than the most spheres can take, with
@@ -18,7 +18,7 @@ const MOST_BYTES: u64 = 1 << 24;
 /// # Errors
 /// If it can't be read; or its first mistake, with line, column and fix.
 pub(super) fn read(path: &Path) -> Result<Scene, Box<dyn Error>> {
-    let shown = output::shown(path);
+    let shown = names::spelled(path);
     let bytes = bytes(path).map_err(|cause| {
         format!(
             "cannot read {shown}: {cause}\nA scene is a TOML file; its form is shown by --help."

@@ -4,14 +4,12 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use check::png;
-use common::engine::folder::NewFolder;
-use common::engine::output;
 use figures::{Point, scene_chart, standalone};
 use speed_vs_accuracy::{Precision, Scene};
 
 use super::found::{Found, Row};
 use crate::draw;
-use crate::misuse::refusal;
+use crate::files;
 
 /// Where the files of a scene go if nobody says otherwise.
 pub(super) fn usual(scene: &Scene) -> Result<PathBuf, Box<dyn Error>> {
@@ -22,7 +20,7 @@ pub(super) fn usual(scene: &Scene) -> Result<PathBuf, Box<dyn Error>> {
 
 /// Refuses now what [`write`] would refuse in the end: until then much is drawn.
 pub(super) fn check(folder: &Path) -> Result<(), Box<dyn Error>> {
-    new(folder).map(drop)
+    files::refuse_strangers(folder, KIND)
 }
 
 /// Replaces `folder` by one with the chart, the right pictures, and the wrong ones.
@@ -43,19 +41,12 @@ pub(super) fn write(
             (name, png::encode(&view.picture))
         }));
     }
-    let new = new(folder)?;
-    for (name, bytes) in &files {
-        output::to_file(&new.path().join(name), |out| out.write_all(bytes))?;
-    }
-    new.put_in_place().map_err(refusal)?;
+    files::fill(folder, KIND, &files)?;
     Ok(files.into_iter().map(|(name, _)| name).collect())
 }
 
-fn new(folder: &Path) -> Result<NewFolder, Box<dyn Error>> {
-    let new = NewFolder::beside(folder, "report on a scene").map_err(refusal)?;
-    new.check().map_err(refusal)?;
-    Ok(new)
-}
+/// What the folder is called where another one is refused.
+const KIND: &str = "report on a scene";
 
 /// The methods that hit anything rightly.
 fn points(found: &[Found]) -> Vec<Point> {

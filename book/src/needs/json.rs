@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use common::engine::output;
+use check::names;
 use common::rtweekend::*;
 use serde_json::{Value, json};
 use speed_vs_accuracy::{Precision, Scene};
@@ -31,7 +31,7 @@ pub(super) fn json(scene: &Scene, found: &[Found], folder: &Path, files: &[Strin
         double: in_double,
         // Null if it has no such numbers.
         single: in_single,
-        "folder": output::shown(folder),
+        "folder": names::spelled(folder),
         "files": files,
     });
     format!("{object:#}\n")

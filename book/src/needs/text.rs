@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use common::engine::{companion, output};
+use check::names::{self, companion};
 use common::rtweekend::*;
 use figures::number::three_digits;
 use measure::machine;
@@ -27,7 +27,7 @@ pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[Strin
     } else {
         ""
     };
-    let name = output::visible(&scene.name);
+    let name = names::visible(&scene.name);
     let mut text = format!("{name}: {spheres}{sun}, {width} × {height} pixels\n");
     if found
         .iter()
@@ -49,7 +49,7 @@ pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[Strin
         machine::machine(),
         faster()
     );
-    let written = format!("In {}: {}", output::shown(folder), files.join(", "));
+    let written = format!("In {}: {}", names::spelled(folder), files.join(", "));
     text + "\n" + &paragraph(&times) + &paragraph(&written)
 }
 

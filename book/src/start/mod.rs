@@ -8,10 +8,11 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use carry::Written;
-use check::places::{shown, workspace};
+use check::names::{companion, from_here};
+use check::workspace::workspace;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use common::engine::{companion, output};
+use common::engine::output;
 use slips::{Chapter, steps};
 
 use crate::mine::{Mine, TYPED};
@@ -48,7 +49,7 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         return Err(misuse(&format!(
             "{} is there already, and nothing is written over it\n\
              Go on with {companion} watch {name}{option}, or begin once more with {companion} start {name}{option} --again.",
-            shown(&folder),
+            from_here(&folder),
             companion = companion(),
             option = mine.option(),
         )));
@@ -58,9 +59,9 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let new = New::compose(arguments, before.as_deref())?;
     let kept = new
         .write(&folder)
-        .map_err(|cause| format!("cannot write {}: {cause}", shown(&folder)))?;
+        .map_err(|cause| format!("cannot write {}: {cause}", from_here(&folder)))?;
     let kept = kept.map_or(String::new(), |kept| {
-        format!("What you had is in {}.\n", shown(&kept))
+        format!("What you had is in {}.\n", from_here(&kept))
     });
     let said = kept + &new.said(&mine);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
@@ -157,7 +158,7 @@ impl New {
     fn said(&self, mine: &Mine) -> String {
         let (name, option) = (self.chapter.name(), mine.option());
         let file = mine.of(self.chapter).join("src/lib.rs");
-        let mut said = format!("{} is yours.\n{}", shown(&file), self.carried);
+        let mut said = format!("{} is yours.\n{}", from_here(&file), self.carried);
         for (number, step) in (1..).zip(steps::of(self.chapter)) {
             let line = format!("  step {number}  {}", step.says);
             said += &(terminal::hanging(&line, 10) + "\n");

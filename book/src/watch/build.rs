@@ -8,7 +8,7 @@ use std::{env, iter};
 use serde_json::Value;
 use supports_color::Stream;
 
-use crate::program::{self, End};
+use crate::subprocess::{self, End};
 
 /// The programs of a reader's crate.
 pub(super) struct Built {
@@ -45,7 +45,7 @@ pub(super) fn build(
     let words: Vec<OsString> = iter::once(cargo)
         .chain(what.iter().chain(&["--quiet", format]).map(OsString::from))
         .collect();
-    match program::run(&words, folder, LONGEST, is_old) {
+    match subprocess::run(&words, folder, LONGEST, is_old) {
         Ok((End::Interrupted, _)) => Ok(None),
         Ok((End::Itself(status, said), errors)) => {
             let messages = messages(&said);

@@ -6,8 +6,8 @@ use std::iter;
 use check::blind_spots::BlindSpots;
 use check::diagnosis::{Near, Scene, Set, names_of};
 use check::judge::{self, Check, Finding};
+use check::names::companion;
 use check::reading::{self, Cause};
-use common::engine::companion;
 use common::rtweekend::Picture;
 use slips::{Chapter, Edition, Slip, steps};
 

@@ -9,7 +9,7 @@ use common::rtweekend::*;
 use slips::Chapter;
 use slips::{Ball, Program};
 
-use crate::program::{self, End};
+use crate::subprocess::{self, End};
 
 /// What the laws say of a reader's function.
 pub(super) enum Answer {
@@ -24,15 +24,17 @@ pub(super) enum Answer {
 /// Runs the test of a reader's crate; `None` if it has none.
 pub(super) fn ask(test: &OsStr, folder: &Path, limit: Duration) -> Option<Answer> {
     let words: [OsString; 2] = [test.into(), "--nocapture".into()];
-    Some(match program::run(&words, folder, limit, &mut || false) {
-        Ok((End::Itself(status, _), _)) if status.success() => Answer::Obeyed,
-        Ok((End::Itself(..), errors)) => match report(&errors) {
-            Some(lines) => Answer::Broken(lines),
-            None => Answer::Unknown(errors),
+    Some(
+        match subprocess::run(&words, folder, limit, &mut || false) {
+            Ok((End::Itself(status, _), _)) if status.success() => Answer::Obeyed,
+            Ok((End::Itself(..), errors)) => match report(&errors) {
+                Some(lines) => Answer::Broken(lines),
+                None => Answer::Unknown(errors),
+            },
+            Ok(_) => Answer::Unknown(format!("the laws were not done within {limit:?}")),
+            Err(cause) => Answer::Unknown(cause.to_string()),
         },
-        Ok(_) => Answer::Unknown(format!("the laws were not done within {limit:?}")),
-        Err(cause) => Answer::Unknown(cause.to_string()),
-    })
+    )
 }
 
 /// Whether the laws that the test of a chapter asks would find a mistake in the program.

@@ -15,9 +15,9 @@ use std::time::{Duration, SystemTime};
 use std::{env, fs};
 
 use check::diagnosis::Scene;
-use check::places::shown;
+use check::names::{companion, from_here};
 use clap::Args;
-use common::engine::{companion, output};
+use common::engine::output;
 use jiff::Zoned;
 use slips::Chapter;
 use slips::Probe;
@@ -26,7 +26,7 @@ use crate::check::{chapter_parser, probe_parser, seconds};
 use crate::done::Done;
 use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;
-use crate::program::{self, End};
+use crate::subprocess::{self, End};
 use changes::Changes;
 use judge::Judge;
 use verdict::Verdict;
@@ -89,7 +89,7 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
             return Ok(ExitCode::from(u8::from(!verdict.is_right)));
         }
         if !changes.wait(end)? {
-            return Err(format!("{} is not there any more", shown(&subject.folder)).into());
+            return Err(format!("{} is not there any more", from_here(&subject.folder)).into());
         }
     }
 }
@@ -129,7 +129,7 @@ impl Subject {
             };
             return Err(misuse(&format!(
                 "there is no {} yet\n{make} your program: {companion} watch {name} -- PROGRAM",
-                shown(&folder)
+                from_here(&folder)
             )));
         }
         let (program, limit) = (arguments.program.clone(), arguments.timeout);
@@ -178,7 +178,7 @@ impl Subject {
             Some(built) => vec![built.program.clone(), "-".into()],
             None => self.program.clone(),
         };
-        let ran = program::run(&words, &self.folder, self.limit, is_old);
+        let ran = subprocess::run(&words, &self.folder, self.limit, is_old);
         let laws = built.and_then(|built| built.laws);
         let ask_laws = || laws::ask(laws.as_deref()?, &self.folder, self.limit);
         let judge = Judge {

@@ -3,7 +3,7 @@
 use std::io::{IsTerminal, stdout};
 use std::{env, iter};
 
-use common::engine::output;
+use check::names;
 use jiff::Zoned;
 
 use super::verdict::{Line, Verdict};
@@ -126,5 +126,5 @@ fn wrapped(label: &str, text: &str) -> Vec<String> {
 }
 
 fn labeled(label: &str, text: &str) -> String {
-    format!("{label:<9}  {}", output::visible(text))
+    format!("{label:<9}  {}", names::visible(text))
 }

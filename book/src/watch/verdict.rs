@@ -6,7 +6,7 @@ use std::process::ExitStatus;
 use std::time::Duration;
 
 use check::diagnosis::Scene;
-use common::engine::output;
+use check::names;
 use common::rtweekend::Picture;
 use slips::{Chapter, steps};
 
@@ -73,7 +73,7 @@ impl Verdict {
     pub(super) fn not_started(program: &OsStr, cause: &io::Error) -> Self {
         let name = program.to_string_lossy();
         Self {
-            headline: format!("{} does not start: {cause}.", output::visible(&name)),
+            headline: format!("{} does not start: {cause}.", names::visible(&name)),
             next: "is it built, and is its path right? In this folder it is ./NAME".to_owned(),
             ..Self::default()
         }
@@ -112,7 +112,7 @@ pub(super) fn labeled(label: &str, text: String) -> Line {
 }
 
 pub(super) fn printed(text: &str) -> Vec<Line> {
-    let visible = |line| Line::Printed(output::visible(line).into_owned());
+    let visible = |line| Line::Printed(names::visible(line).into_owned());
     text.lines().map(visible).collect()
 }
 

@@ -22,7 +22,6 @@ mod warnings;
 mod woven;
 
 use std::error::Error;
-use std::fs;
 use std::path::Path;
 
 use mdbook_driver::MDBook;
@@ -40,7 +39,6 @@ use page::Page;
 pub fn weave(source: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     let warnings = warnings::collect(|| {
         let mut book = MDBook::load(source).map_err(cannot_weave)?;
-        refuse_inside(&book.source_dir(), folder)?;
         book.config.build.build_dir = folder.to_owned();
         book.with_preprocessor(Weaver);
         book.build().map_err(cannot_weave)
@@ -48,19 +46,6 @@ pub fn weave(source: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     match warnings.is_empty() {
         true => Ok(()),
         false => Err(format!("mdBook warns about the book\n{}", warnings.join("\n")).into()),
-    }
-}
-
-/// mdBook copies what lies among the pages into the book: the last book, too.
-fn refuse_inside(pages: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
-    match fs::canonicalize(folder)?.starts_with(fs::canonicalize(pages)?) {
-        false => Ok(()),
-        true => Err(format!(
-            "the book would lie among its pages in {}, and become a part of the next one.\n\
-             Name a folder elsewhere.",
-            pages.display()
-        )
-        .into()),
     }
 }
 

@@ -1,6 +1,6 @@
 //! `weave SOURCE FOLDER`: weaves the book in the folder SOURCE into an empty FOLDER.
 //!
-//! `cargo rtrace book` prepares that folder, has cargo run this, and puts the folder in its
+//! `cargo rtrace book` has cargo run this into a temporary folder, and puts the book in its
 //! place. So the companion builds without mdBook.
 
 use std::path::Path;

@@ -4,11 +4,9 @@
 //! Everything is in the page or beside it, so that it also works from a disk and
 //! without a network.
 
-use std::path::{Path, PathBuf};
-use std::{fmt, fs, io, iter};
+use std::path::Path;
+use std::{fmt, fs, iter};
 
-use common::engine::folder::NewFolder;
-use common::engine::output;
 use common::rtweekend::Picture;
 
 use crate::comparison::{Comparison, differing_pixels};
@@ -16,9 +14,6 @@ use crate::diagnosis::{Scene, Set};
 use crate::judge::Finding;
 use crate::png;
 use slips::{Edition, Slip};
-
-/// The folder of the book, if it was woven.
-pub const BOOK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../target/book");
 
 /// What a report page shows.
 #[derive(Debug)]
@@ -34,29 +29,23 @@ pub struct Report<'a> {
 }
 
 impl Report<'_> {
-    /// Replaces `folder` by one with `index.html` and the pictures that it shows.
-    /// Returns the path of the page.
-    ///
-    /// # Errors
-    /// If the folder holds anything but an earlier report, or if it or a file in it
-    /// cannot be written, with its name.
-    pub fn write(&self, folder: &Path) -> io::Result<PathBuf> {
-        let new = new_folder(folder)?;
+    /// The page, `index.html`, and the pictures that it shows, by their names.
+    pub fn files(&self) -> Vec<(String, Vec<u8>)> {
+        let mut files = Vec::new();
         // What the reader named comes last, so that braces in it are only braces.
         let html = TEMPLATE
-            .replace("{figures}", &self.figures(&new.path())?)
+            .replace("{figures}", &self.figures(&mut files))
             .replace("{remarks}", self.remarks)
             .replace("{title}", &escaped(self.title))
             .replace("{headline}", &escaped(self.headline).replace('\n', "<br>"));
-        write(&new.path().join("index.html"), html.as_bytes())?;
-        new.put_in_place().map_err(io::Error::other)?;
-        Ok(folder.join("index.html"))
+        files.push(("index.html".to_owned(), html.into_bytes()));
+        files
     }
 
-    /// Writes the pictures, and returns the figures that show them.
-    fn figures(&self, folder: &Path) -> io::Result<String> {
+    /// Adds the pictures to `files`, and returns the figures that show them.
+    fn figures(&self, files: &mut Vec<(String, Vec<u8>)>) -> String {
         let Some([expected, yours]) = self.pictures else {
-            return Ok(String::new());
+            return String::new();
         };
         let difference = difference_picture(expected, yours);
         let panels = [("expected", expected), ("yours", yours)]
@@ -64,28 +53,13 @@ impl Report<'_> {
             .chain(difference.iter().map(|picture| ("difference", picture)));
         let mut figures = String::from("<div class=\"panels\">\n");
         for (name, picture) in panels {
-            write(&folder.join(format!("{name}.png")), &png::encode(picture))?;
+            files.push((format!("{name}.png"), png::encode(picture)));
             figures += &format!(
                 "<figure><img src=\"{name}.png\" alt=\"{name}\"><figcaption>{name}</figcaption></figure>\n"
             );
         }
-        Ok(figures + "</div>\n" + ONION)
+        figures + "</div>\n" + ONION
     }
-}
-
-/// Refuses now what [`Report::write`] would refuse in the end, for those who have a
-/// long way to go until then.
-///
-/// # Errors
-/// If the folder holds anything but an earlier report, or can't be replaced.
-pub fn check_folder(folder: &Path) -> io::Result<()> {
-    new_folder(folder).map(drop)
-}
-
-fn new_folder(folder: &Path) -> io::Result<NewFolder> {
-    let new = NewFolder::beside(folder, "report").map_err(io::Error::other)?;
-    new.check().map_err(io::Error::other)?;
-    Ok(new)
 }
 
 /// What is to be said below the pictures: the mistakes that may draw yours, and what
@@ -199,10 +173,6 @@ fn how_to_tell(scene: &Scene, set: &Set) -> String {
         nothing if nothing.is_empty() => nothing,
         said => format!("<pre>{}</pre>\n", escaped(said.trim())),
     }
-}
-
-fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    output::to_file(path, |out| out.write_all(bytes)).map_err(io::Error::other)
 }
 
 const ONION: &str = "\

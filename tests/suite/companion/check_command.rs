@@ -5,9 +5,9 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use check::places;
 use check::png;
 use check::reading::{MOST_PIXELS, read};
+use check::workspace;
 use common::rtweekend::Picture;
 use slips::Chapter;
 use slips::{self, Edition, PROBES};
@@ -416,7 +416,7 @@ fn said_of(chapter: &str, slip: &str, name: &str, code: i32) -> String {
 
 /// What a program printed, with the paths of pages and sources as they are everywhere.
 fn in_any_workspace(output: &Output) -> String {
-    let workspace = places::workspace().expect("it is here");
+    let workspace = workspace::workspace().expect("it is here");
     let workspace = format!("{}/", workspace.display());
     text(&output.stdout).replace(&workspace, "WORKSPACE/")
 }

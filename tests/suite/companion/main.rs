@@ -3,9 +3,7 @@
 mod anywhere;
 mod check_command;
 mod command_line;
-#[cfg(unix)]
-mod faults;
-mod folders;
+mod files;
 mod hit_command;
 mod needs_command;
 mod start;

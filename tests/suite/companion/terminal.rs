@@ -2,12 +2,17 @@
 
 use std::ffi::OsString;
 use std::fs::File;
+use std::io::Read;
 use std::os::fd::OwnedFd;
-use std::process::Command;
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+use std::sync::LazyLock;
+use std::thread;
 
 use rustix::fs::{Mode, OFlags};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{Winsize, tcsetwinsize};
+use suite::command::{assert_success, path_of, program, program_with, run, text};
 
 /// A terminal of 80 columns and 24 lines: what it shows can be read from the first end,
 /// and a program writes to the second.
@@ -39,4 +44,126 @@ pub(crate) fn forget_ours(command: &mut Command) {
     if !said.iter().any(|said| said == "TERM") {
         command.env("TERM", "xterm-256color");
     }
+}
+
+/// `program` as someone starts it at a terminal. What a shell starts in the
+/// background, as these tests may be, ignores the signal of Ctrl-C.
+pub(crate) fn hears_signals(program: PathBuf) -> Command {
+    const RESET: &str = "--default-signal=INT,TERM,HUP";
+    static CAN_RESET: LazyLock<bool> = LazyLock::new(|| {
+        let tried = Command::new("env").args([RESET, "true"]).output();
+        tried.is_ok_and(|output| output.status.success())
+    });
+    if !*CAN_RESET {
+        return Command::new(program);
+    }
+    let mut command = Command::new("env");
+    command.arg(RESET).arg(program);
+    command
+}
+
+#[test]
+fn at_a_terminal_a_chapter_says_where_to_send_the_picture() {
+    let (output, screen) = run_in_terminal(&mut program("normals"));
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(screen, "", "no number reaches the terminal");
+    let said = text(&output.stderr);
+    assert!(
+        said.contains("cargo run -p normals > normals.ppm"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_picture_is_shown_in_the_colors_that_the_terminal_has() {
+    // 16 × 9 pixels: four lines of two rows, and one with the last row.
+    let sky = &red_sphere::picture(16).rgb()[..3].to_vec();
+    let sky = format!("\x1b[38;2;{};{};{}m", sky[0], sky[1], sky[2]);
+    for (variable, value, red) in [
+        ("COLORTERM", "truecolor", "\x1b[48;2;255;0;0m"),
+        ("TERM", "xterm-256color", "\x1b[48;5;196m"),
+        ("TERM", "xterm", "\x1b[41m"),
+    ] {
+        let mut show = show("red_sphere");
+        let (output, screen) = run_in_terminal(show.args(["--width", "16"]).env(variable, value));
+        assert_success(&output);
+        let lines: Vec<&str> = screen.lines().collect();
+        assert_eq!(lines.len(), 5, "{screen}");
+        assert!(lines.iter().all(|line| line.matches('▀').count() == 16));
+        assert!(lines[2].contains(red), "{value}: {screen:?}");
+        assert_eq!(lines[0].starts_with(&sky), value == "truecolor", "{screen}");
+    }
+}
+
+#[test]
+fn a_large_picture_is_reduced_to_fit_the_terminal() {
+    let (_, screen) = run_in_terminal(&mut show("build_test"));
+    let lines: Vec<&str> = screen.lines().collect();
+    // A square in 80 columns and 24 lines, one of which is for the prompt.
+    assert_eq!(lines.len(), 23, "{screen}");
+    assert!(lines.iter().all(|line| line.matches('▀').count() == 46));
+}
+
+#[test]
+fn nothing_is_colored_where_colors_are_not_wanted() {
+    let wrong = || {
+        let mut check = program_with("rtrace", &["check", "normals", "--"]);
+        check.arg(path_of("gradient")).arg("-");
+        check
+    };
+    assert!(run_in_terminal(&mut wrong()).1.contains('\x1b'));
+    let unwanted: [fn(&mut Command) -> &mut Command; 3] = [
+        |command| command.env("TERM", "dumb"),
+        |command| command.env("NO_COLOR", "1"),
+        |command| command.env_remove("TERM"),
+    ];
+    for without in unwanted {
+        let (_, screen) = run_in_terminal(without(&mut wrong()));
+        assert!(!screen.contains('\x1b'), "{screen:?}");
+        let (output, screen) = run_in_terminal(without(&mut show("normals")));
+        assert_eq!((output.status.code(), &*screen), (Some(2), ""));
+        assert!(text(&output.stderr).contains("--output"));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_picture_that_memory_cannot_hold_is_refused_as_png_and_printed_as_text() {
+    let limited = |output: &str| {
+        let mut shell = Command::new("sh");
+        shell.args(["-c", "ulimit -v 60000; exec \"$0\" \"$@\""]);
+        shell.arg(path_of("rtrace")).args(["show", "gradient"]);
+        run(shell
+            .args(["--width", "6000", "--output", output])
+            .stdout(Stdio::null()))
+    };
+    let refused = limited("picture.png");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("no memory for 60 MB"));
+    assert_success(&limited("-"));
+}
+
+fn show(chapter: &str) -> Command {
+    program_with("rtrace", &["show", chapter])
+}
+
+/// Runs `command` with a terminal of 80 columns and 24 lines as its standard
+/// output. Returns what it did, and what appeared on that terminal.
+fn run_in_terminal(command: &mut Command) -> (Output, String) {
+    let (mut controller, end) = open();
+    forget_ours(command);
+    let reader = thread::spawn(move || {
+        let mut screen = Vec::new();
+        // When the other end is closed, some systems end the file and some
+        // report an error; what was read until then counts.
+        let _ = controller.read_to_end(&mut screen);
+        text(&screen).replace("\r\n", "\n")
+    });
+    let child = command.stdout(end).stderr(Stdio::piped()).spawn();
+    let child = child.expect("the program starts");
+    // The command holds the terminal too; only when nobody does, the reader
+    // sees the end.
+    command.stdout(Stdio::null());
+    let output = child.wait_with_output().expect("the program ends");
+    (output, reader.join().expect("the screen was read"))
 }

@@ -11,15 +11,15 @@ use insta::assert_binary_snapshot;
 use rustix::process::{Pid, Signal, kill_process};
 use tempfile::TempDir;
 
-use crate::faults::hears_signals;
 use crate::start::FULL;
-use crate::terminal;
+use crate::terminal::{self, hears_signals};
 use suite::command::{assert_refused, program, run, text};
 use suite::left_out::left_out;
 use suite::mine::Mine;
 
 /// The first hour of the introduction, which shows some of these screens.
 #[test]
+#[ignore = "builds a reader's crate a dozen times"]
 fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
     let mine = Mine::new();
     run(&mut mine.start("red_sphere", &[]));
@@ -88,6 +88,7 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
 }
 
 #[test]
+#[ignore = "waits for the changes of files, some twenty seconds"]
 fn a_program_in_any_language_is_watched_with_its_folder() {
     let Some(python) = python() else {
         left_out("there is no Python here to watch a program of");

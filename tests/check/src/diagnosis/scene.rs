@@ -1,6 +1,6 @@
 //! The scene that a picture is meant to show.
 
-use common::engine::companion;
+use crate::names::companion;
 use common::rtweekend::{Color, Picture};
 
 use slips::Chapter;

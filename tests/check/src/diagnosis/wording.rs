@@ -1,6 +1,6 @@
 //! What there is to say about a set of mistakes, wherever it is said.
 
-use common::engine::companion;
+use crate::names::companion;
 use common::rtweekend::Color;
 
 use super::{But, Chosen, Conversion, Curve, Explains, Near, Scene, Set};

@@ -26,12 +26,7 @@ pub fn main(book_width: u32, picture: fn(u32) -> Picture) -> ExitCode {
     let wish = match Wish::read(book_width, io::stdout().is_terminal()) {
         Ok(wish) => wish,
         Err(problem) => {
-            let problem = problem.to_string();
-            complain(&format!(
-                "{}\n\n{}",
-                output::visible(&problem),
-                usage(book_width)
-            ));
+            complain(&format!("{problem}\n\n{}", usage(book_width)));
             return ExitCode::from(2);
         }
     };
@@ -78,11 +73,12 @@ impl Wish {
                 Arg::Short('h') | Arg::Long("help") => return Ok(Self::Help),
                 Arg::Long("width") => {
                     let said = arguments.value()?.string()?;
-                    width = parse_width(&said).map_err(|fix| format!("--width {said}: {fix}"))?;
+                    width = parse_width(&said).map_err(|fix| format!("--width {said:?}: {fix}"))?;
                 }
                 Arg::Value(_) if file.is_some() => return Err("one file name is enough".into()),
                 Arg::Value(name) => file = Some(name.into()),
-                option => return Err(option.unexpected()),
+                Arg::Short(letter) => return Err(no_option(&format!("-{letter}"))),
+                Arg::Long(name) => return Err(no_option(&format!("--{name}"))),
             }
         }
         match file {
@@ -92,13 +88,17 @@ impl Wish {
             None => Ok(Self::Stdout(width)),
             Some(dash) if dash == Path::new("-") => Ok(Self::Stdout(width)),
             Some(path) if promises_another_format(&path) => Err(format!(
-                "{} would not be what its name says: this program writes .ppm files",
-                path.display()
+                "{path:?} would not be what its name says: this program writes .ppm files"
             )
             .into()),
             Some(path) => Ok(Self::File(width, path)),
         }
     }
+}
+
+/// As `Debug` has it, a terminal can only show the option, not obey it.
+fn no_option(typed: &str) -> lexopt::Error {
+    format!("there is no option {typed:?}").into()
 }
 
 fn promises_another_format(path: &Path) -> bool {

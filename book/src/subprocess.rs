@@ -12,10 +12,11 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use check::names;
 use check::reading::{Cause, MOST_BYTES};
-use common::engine::output;
+
 #[cfg(unix)]
-use common::engine::signals;
+use crate::signals;
 
 /// All that the program prints, or one byte more than a picture may have, so that
 /// the reading of pictures can say so.
@@ -23,7 +24,7 @@ use common::engine::signals;
 /// # Errors
 /// If the program does not start, fails, or takes longer than `limit`.
 pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, Cause> {
-    let name = output::shown(&words[0]);
+    let name = names::spelled(&words[0]);
     let mut group = Group::start(words, None, Stdio::inherit()).map_err(|cause| {
         failed(
             format!("{name} does not start: {cause}"),
@@ -100,7 +101,7 @@ const TICK: Duration = Duration::from_millis(50);
 impl Group {
     fn start(words: &[OsString], folder: Option<&Path>, errors: Stdio) -> io::Result<Self> {
         #[cfg(unix)]
-        let deferral = signals::Deferral::new();
+        let deferral = signals::Deferral::begin();
         let mut command = Command::new(&words[0]);
         command
             .args(&words[1..])

@@ -1,0 +1,49 @@
+//! Escaping: names in messages, so that a terminal shows them instead of obeying them.
+
+use std::borrow::Cow;
+use std::env;
+use std::ffi::OsStr;
+use std::path::Path;
+
+/// `text`, which may be the name of a file, with those characters spelled out that
+/// a terminal obeys instead of showing them, or that turn the order of the others.
+pub fn visible(text: &str) -> Cow<'_, str> {
+    let obeyed = |c: char| c.is_control() || TURNS.contains(&c);
+    if !text.contains(obeyed) {
+        return text.into();
+    }
+    let spell = |c: char| match obeyed(c) {
+        true => c.escape_default().to_string(),
+        false => c.to_string(),
+    };
+    text.chars().map(spell).collect()
+}
+
+/// The marks of Unicode by which a text runs from right to left, or back.
+const TURNS: [char; 9] = [
+    '\u{202a}', '\u{202b}', '\u{202c}', '\u{202d}', '\u{202e}', '\u{2066}', '\u{2067}', '\u{2068}',
+    '\u{2069}',
+];
+
+/// The name of a file, or another word of a command line, as a message shows it.
+pub fn spelled(name: impl AsRef<OsStr>) -> String {
+    visible(&name.as_ref().to_string_lossy()).into_owned()
+}
+
+/// `path` as seen from the folder that the reader is in, if it is below that.
+pub fn from_here(path: &Path) -> String {
+    let here = env::current_dir().ok();
+    let below = here.and_then(|here| path.strip_prefix(here).ok());
+    spelled(below.unwrap_or(path))
+}
+
+/// The name by which the companion can be called again: `cargo rtrace` if cargo runs the
+/// program that asks, in this workspace by an alias and elsewhere as a subcommand; else
+/// `rtrace`, which is installed then.
+pub fn companion() -> &'static str {
+    // Cargo tells all that it runs where cargo is.
+    match env::var_os("CARGO") {
+        Some(_) => "cargo rtrace",
+        None => "rtrace",
+    }
+}
