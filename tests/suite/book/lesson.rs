@@ -32,6 +32,7 @@ const DRAWS_NOTHING: [(&str, &str, &str); 2] = [
 ];
 
 #[test]
+#[ignore = "builds the chapters with a panic in each function"]
 fn a_panic_in_a_function_that_a_page_lists_breaks_the_picture_of_that_page() {
     let listed: Vec<(Chapter, Vec<Function>)> = Chapter::OF_THE_BOOK
         .into_iter()

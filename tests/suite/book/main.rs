@@ -1,17 +1,14 @@
 //! The book: is it whole, and is what it shows what there is?
 
-mod bibliography;
 mod book;
 mod browser;
 mod changes;
 mod charts;
 mod compiler;
-mod cpp_to_rust;
 mod errata;
 mod figures;
 mod lesson;
 mod live;
-mod told;
 mod typed;
 mod weave;
 

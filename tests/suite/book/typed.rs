@@ -16,6 +16,7 @@ use suite::drawn::p3;
 use suite::mine::Mine;
 
 #[test]
+#[ignore = "builds what the pages list"]
 fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
     let typed = listed();
     assert_nothing_is_left_out(&typed);
@@ -37,6 +38,7 @@ fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
 
 /// So that a listing can be typed into the crate that was made for it.
 #[test]
+#[ignore = "builds what the pages list"]
 fn the_crates_that_start_makes_have_the_files_and_the_names_of_the_pages() {
     let mine = Mine::new();
     let typed = listed();
@@ -74,21 +76,6 @@ fn named(line: &str) -> Option<&str> {
     // The sky was typed in chapter 1.
     let name = line.split(['(', '{']).next().unwrap_or(line).trim_end();
     (is_named && name != "fn sky").then_some(name)
-}
-
-/// A screen and a half: what is longer is read in pieces.
-const LONGEST: usize = 60;
-
-#[test]
-fn no_listing_of_a_chapter_that_is_typed_is_longer_than_one_can_overlook() {
-    let pages = book::pages();
-    for chapter in Chapter::OF_THE_BOOK {
-        let page = pages.iter().find(|page| page.name == page_of(chapter));
-        for listing in page.expect("a page").all(".listing code") {
-            let lines = text_of(listing).lines().count();
-            assert!(lines <= LONGEST, "{lines} lines in {}", page_of(chapter));
-        }
-    }
 }
 
 /// The listings of all chapters, put together by the files that they name. The answers to

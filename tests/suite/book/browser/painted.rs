@@ -4,58 +4,65 @@
 use ::live::picture::{self, LivePicture, PICTURES, WIDEST};
 use common::rtweekend::Picture;
 use serde_json::{Value, json};
-use slips::{self, Slip};
+use slips::Slip;
 
 use super::dragged::{ALIVE, fowler_noll_vo};
-use super::{ALL_ALIVE, NEXT_FRAME, Window, browser, firefox};
+use super::driver::{Browser, NEXT_FRAME};
+use super::{ALL_ALIVE, each_browser};
+use crate::book::woven;
 use crate::live::{opaque, slips_in};
-use suite::command::woven;
 
 #[test]
+#[ignore = "drives browsers"]
 fn each_chapters_page_paints_the_picture_of_the_chapter() {
-    each_browser(|window| {
+    each_browser(|browser| {
         for live in PICTURES {
             let width = live.chapter.book_width();
-            open(window, live.chapter.name(), "");
-            assert_painted(window, &[live.chapter.picture(width)]);
+            open(browser, live.chapter.name(), "");
+            assert_painted(browser, &[live.chapter.picture(width)]);
             // The least, and more than the most.
             for width in [1, 1921] {
-                ask(window, &width.to_string(), "");
-                assert_painted(window, &[live.chapter.picture(width.min(WIDEST))]);
+                ask(browser, &width.to_string(), "");
+                assert_painted(browser, &[live.chapter.picture(width.min(WIDEST))]);
             }
             let (_, slip) = slips_in(live.chapter).last().expect("a slip");
-            ask(window, "37", slip.name);
-            assert_broken(window, live, slip, 37);
-            assert_eq!(window.complaints(), [""; 0]);
+            ask(browser, "37", slip.name);
+            assert_broken(browser, live, slip, 37);
+            assert_eq!(browser.complaints(), [""; 0]);
         }
     });
 }
 
 /// Not in Firefox, which asks there how to print, and waits.
 #[test]
+#[ignore = "drives browsers"]
 fn the_page_of_the_whole_book_paints_all_its_pictures() {
-    let Some(mut browser) = browser() else { return };
-    let mut tab = browser.tab(1200);
-    tab.open(&woven().join("print.html"), "");
-    tab.evaluate(ALL_ALIVE);
-    let of = |live: &LivePicture| live.chapter.picture(live.chapter.book_width());
-    let pictures: Vec<Picture> = PICTURES.iter().map(of).collect();
-    assert_painted(&mut tab, &pictures);
-    assert_eq!(tab.complaints(), [""; 0]);
+    each_browser(|browser| {
+        if browser.name != "Chromium" {
+            return;
+        }
+        browser.open(&woven().join("print.html"), "");
+        browser.evaluate(ALL_ALIVE);
+        let of = |live: &LivePicture| live.chapter.picture(live.chapter.book_width());
+        let pictures: Vec<Picture> = PICTURES.iter().map(of).collect();
+        assert_painted(browser, &pictures);
+        assert_eq!(browser.complaints(), [""; 0]);
+    });
 }
 
 #[test]
+#[ignore = "drives browsers"]
 fn the_browsers_paint_what_any_slip_draws() {
-    each_browser(|window| {
-        open(window, "gradient", "");
-        window.value_of(DONE);
+    each_browser(|browser| {
+        open(browser, "gradient", "");
+        browser.evaluate(DONE);
         for (place, live) in PICTURES.iter().enumerate() {
             let slips: Vec<_> = slips_in(live.chapter).collect();
             let places: Vec<u32> = slips.iter().map(|(place, _)| *place).collect();
             let script = PAINT
                 .replace("PLACE", &place.to_string())
                 .replace("SLIPS", &json!(places).to_string());
-            let sums = window.value_of(&script);
+            let sums = browser.evaluate(&script);
             for ((_, slip), sum) in slips.iter().zip(sums.as_array().expect("a list")) {
                 let drawn = slip.program(live.chapter).run(41).picture();
                 let expected = fowler_noll_vo(&opaque(&drawn));
@@ -66,58 +73,50 @@ fn the_browsers_paint_what_any_slip_draws() {
 }
 
 #[test]
+#[ignore = "drives browsers"]
 fn a_link_leads_to_a_broken_picture_and_reset_mends_it() {
-    each_browser(|window| {
+    each_browser(|browser| {
         let live = PICTURES[3];
-        open(window, "normals", "?picture=97,far-root#picture");
+        open(browser, "normals", "?picture=97,far-root#picture");
         let slip = slips::find("far-root").expect("a slip");
-        assert_broken(window, &live, slip, 97);
+        assert_broken(browser, &live, slip, 97);
         let link = "document.querySelector('#picture .this-case').getAttribute('href')";
-        assert_eq!(window.value_of(link), "?picture=97,far-root#picture");
-        window.value_of("document.querySelector('#picture [data-action=reset]').click()");
-        assert_painted(window, &[live.chapter.picture(400)]);
+        assert_eq!(browser.evaluate(link), "?picture=97,far-root#picture");
+        browser.evaluate("document.querySelector('#picture [data-action=reset]').click()");
+        assert_painted(browser, &[live.chapter.picture(400)]);
         // What is no width and no slip is none.
-        open(window, "normals", "?picture=nonsense,nothing#picture");
-        assert_painted(window, &[live.chapter.picture(400)]);
+        open(browser, "normals", "?picture=nonsense,nothing#picture");
+        assert_painted(browser, &[live.chapter.picture(400)]);
     });
 }
 
 #[test]
+#[ignore = "drives browsers"]
 fn whoever_asks_again_before_all_is_painted_sees_only_the_last() {
-    each_browser(|window| {
+    each_browser(|browser| {
         let live = PICTURES[3];
-        open(window, "normals", "");
+        open(browser, "normals", "");
         let slip = slips::find("far-root").expect("a slip");
         for (width, slip) in [("1920", "normal-inward"), ("1900", ""), ("64", slip.name)] {
-            ask(window, width, slip);
-            window.value_of(NEXT_FRAME);
+            ask(browser, width, slip);
+            browser.evaluate(NEXT_FRAME);
         }
-        assert_broken(window, &live, slip, 64);
+        assert_broken(browser, &live, slip, 64);
     });
 }
 
-fn each_browser(look: impl Fn(&mut dyn Window)) {
-    if let Some(mut browser) = browser() {
-        look(&mut browser.tab(1200));
-    }
-    if let Some(mut firefox) = firefox() {
-        firefox.set_width(1200);
-        look(&mut *firefox);
-    }
-}
-
-pub(super) fn open(window: &mut dyn Window, chapter: &str, behind: &str) {
+fn open(browser: &mut Browser, chapter: &str, behind: &str) {
     let page = match chapter {
         "build_test" => "setup",
         other => other,
     };
-    window.open_file(&woven().join(format!("{page}.html")), behind);
+    browser.open(&woven().join(format!("{page}.html")), behind);
 }
 
 /// Asks for a width and a slip, as a reader does who changes the one and the other.
-pub(super) fn ask(window: &mut dyn Window, width: &str, slip: &str) {
+fn ask(browser: &mut Browser, width: &str, slip: &str) {
     let [width, slip] = [width, slip].map(|it| json!(it));
-    window.value_of(&format!(
+    browser.evaluate(&format!(
         "{ALIVE}.then(() => {{
             const figure = document.getElementById('picture');
             figure.querySelector('input[type=number]').value = {width};
@@ -130,18 +129,18 @@ pub(super) fn ask(window: &mut dyn Window, width: &str, slip: &str) {
 
 /// The picture of the chapter, and beside it what the slip draws; and below how many pixels
 /// differ.
-fn assert_broken(window: &mut dyn Window, live: &LivePicture, slip: &Slip, width: u32) {
+fn assert_broken(browser: &mut Browser, live: &LivePicture, slip: &Slip, width: u32) {
     let right = live.chapter.picture(width);
     let wrong = slip.program(live.chapter).run(width).picture();
     let pixels = right.rgb().chunks(3).zip(wrong.rgb().chunks(3));
     let different = pixels.filter(|(right, wrong)| right != wrong).count() as u32;
-    assert_painted(window, &[right, wrong]);
-    let said = window.value_of("document.querySelector('#picture .sentence').innerHTML");
+    assert_painted(browser, &[right, wrong]);
+    let said = browser.evaluate("document.querySelector('#picture .sentence').innerHTML");
     assert_eq!(said, picture::verdict(live, Some(slip), width, different));
 }
 
-fn assert_painted(window: &mut dyn Window, pictures: &[Picture]) {
-    let sums = window.value_of(&format!("{DONE}.then(() => {SUMS})"));
+fn assert_painted(browser: &mut Browser, pictures: &[Picture]) {
+    let sums = browser.evaluate(&format!("{DONE}.then(() => {SUMS})"));
     let expected: Vec<Value> = pictures
         .iter()
         .map(|picture| {
@@ -153,7 +152,7 @@ fn assert_painted(window: &mut dyn Window, pictures: &[Picture]) {
 }
 
 /// Waits until all is painted.
-pub(super) const DONE: &str = "new Promise((done) => {
+const DONE: &str = "new Promise((done) => {
     const look = () => document.querySelector('#picture.alive .sentence')?.ariaBusy === 'false'
         ? done() : setTimeout(look, 5);
     look();
