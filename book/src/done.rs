@@ -4,12 +4,12 @@ use std::error::Error;
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 use check::names::{self, from_here};
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 use common::engine::output;
-use jiff::Zoned;
 use slips::{Chapter, steps};
 
 use crate::mine::{Mine, TYPED};
@@ -48,7 +48,7 @@ pub(crate) fn done(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 /// The name of the list.
 pub(crate) const DONE: &str = "done.md";
 
-/// The list in a reader's folder: a line for each thing, with date and time.
+/// The list in a reader's folder: a line for each thing, with its day in UTC.
 pub(crate) struct Done {
     file: PathBuf,
 }
@@ -95,8 +95,9 @@ impl Done {
         if let Some(folder) = self.file.parent() {
             fs::create_dir_all(folder)?;
         }
-        let now = Zoned::now().strftime("%Y-%m-%d %H:%M").to_string();
-        let line = format!("{before}- {now}  {thing}\n");
+        // The day of a time such as 2026-11-23T17:41:00Z.
+        let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
+        let line = format!("{before}- {}  {thing}\n", &now[..10]);
         let file = OpenOptions::new()
             .append(true)
             .create(true)

@@ -8,7 +8,6 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use quote::ToTokens;
 use syn::Item;
 use syn::spanned::Spanned;
 
@@ -65,7 +64,7 @@ pub(super) fn into(skeletons: Vec<(&'static str, String)>, written: Option<&Writ
     for (_, text) in &mut files {
         if text.contains("mod rtweekend;") {
             // Who types the prelude has no use for ours any more.
-            used.push("common :: rtweekend :: *".to_owned());
+            used.push("common::rtweekend::*".to_owned());
         }
         *text = filled(text, items, &mut used);
     }
@@ -145,12 +144,13 @@ fn items_of(source: &str) -> Result<Vec<(String, String)>, String> {
         let span = item.span();
         lines[span.start().line - 1..span.end().line].join("\n")
     };
-    let named = |item: &Item| Some((name(item)?, text(item)));
+    let named = |item: &Item| Some((name(item, source)?, text(item)));
     Ok(file.items.iter().filter_map(named).collect())
 }
 
 /// What an item goes by: an impl block by its header, so that it stays with its type.
-fn name(item: &Item) -> Option<String> {
+fn name(item: &Item, source: &str) -> Option<String> {
+    let written = |part: &dyn Spanned| source[part.span().byte_range()].to_owned();
     Some(match item {
         Item::Const(item) => item.ident.to_string(),
         Item::Enum(item) => item.ident.to_string(),
@@ -161,8 +161,8 @@ fn name(item: &Item) -> Option<String> {
         Item::Struct(item) => item.ident.to_string(),
         Item::Trait(item) => item.ident.to_string(),
         Item::Type(item) => item.ident.to_string(),
-        Item::Use(item) => item.tree.to_token_stream().to_string(),
-        Item::Impl(block) => block.self_ty.to_token_stream().to_string(),
+        Item::Use(item) => written(&item.tree),
+        Item::Impl(block) => written(&block.self_ty),
         _ => return None,
     })
 }

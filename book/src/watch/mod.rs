@@ -11,14 +11,13 @@ use std::error::Error;
 use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::time::{Duration, SystemTime};
+use std::time::{Duration, Instant, SystemTime};
 use std::{env, fs};
 
 use check::diagnosis::Scene;
 use check::names::{companion, from_here};
 use clap::Args;
 use common::engine::output;
-use jiff::Zoned;
 use slips::Chapter;
 use slips::Probe;
 
@@ -70,7 +69,7 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
         output::to_stdout(|out| out.write_all(said.as_bytes()))?;
     }
     loop {
-        let saved = Zoned::now();
+        let start = Instant::now();
         if screen::replaces_the_last() {
             output::to_stdout(|out| out.write_all("judging …".as_bytes()))?;
         }
@@ -82,7 +81,7 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
         if !was_stale {
             let news = subject.done.add_all(&verdict.done);
             let news = news.unwrap_or_else(|problem| vec![problem.to_string()]);
-            let screen = screen::compose(&subject.title(), &verdict, &news, &saved);
+            let screen = screen::compose(&subject.title(), &verdict, &news, start.elapsed());
             output::to_stdout(|out| out.write_all(screen.as_bytes()))?;
         }
         if arguments.once {

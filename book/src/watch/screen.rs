@@ -1,10 +1,10 @@
 //! One screen: both pictures small, the verdict, its cause, and what is next.
 
 use std::io::{IsTerminal, stdout};
+use std::time::Duration;
 use std::{env, iter};
 
 use check::names;
-use jiff::Zoned;
 
 use super::verdict::{Line, Verdict};
 use crate::check::Style;
@@ -17,8 +17,8 @@ const MOST_LINES: usize = 25;
 const PICTURE: (u32, u32) = (32, 9);
 
 /// The screen as text; on a terminal it replaces the one before.
-pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], saved: &Zoned) -> String {
-    let mut lines = vec![head(title, saved)];
+pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], took: Duration) -> String {
+    let mut lines = vec![head(title, took)];
     lines.extend(pictures(verdict));
     let headline = textwrap::wrap(&verdict.headline, terminal::text_width());
     lines.extend(headline.iter().map(|line| colored(line, verdict)));
@@ -44,15 +44,11 @@ pub(super) fn replaces_the_last() -> bool {
     stdout().is_terminal() && env::var_os("TERM").is_some_and(|term| term != "dumb")
 }
 
-/// What is judged, when it was saved, and how long that took.
-fn head(title: &str, saved: &Zoned) -> String {
+/// What is judged, and how long that took.
+fn head(title: &str, took: Duration) -> String {
     let style = Style::of_stdout();
-    let took = saved.duration_until(&Zoned::now()).as_secs_f64();
-    let when = format!(
-        "saved {}, judged in {took:.1} s",
-        saved.strftime("%H:%M:%S")
-    );
-    format!("{}  {}", style.bold(title), style.dim(&when))
+    let took = format!("judged in {:.1} s", took.as_secs_f64());
+    format!("{}  {}", style.bold(title), style.dim(&took))
 }
 
 /// As many of the lines as there is room for, with a mark where some are left out.

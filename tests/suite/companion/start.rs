@@ -215,7 +215,7 @@ fn the_list_of_done_things_has_what_came_out_right_once_and_the_readers_own_line
         "gradient: step 1 shows what it should",
         "red and green were swapped",
     ]) {
-        let (when, thing) = line.split_at("- 2026-11-22 10:41  ".len());
+        let (when, thing) = line.split_at("- 2026-11-22  ".len());
         assert_eq!(thing, what);
         assert!(when.starts_with("- 20") && when.ends_with("  "), "{when}");
     }

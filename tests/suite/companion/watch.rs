@@ -321,8 +321,8 @@ fn keep(name: &str, screen: &str) {
 /// The line without what differs from run to run.
 fn undated(line: &str) -> String {
     match (
-        line.split_once("  \x1b[2msaved "),
-        line.split_at_checked(20),
+        line.split_once("  \x1b[2mjudged "),
+        line.split_at_checked(14),
     ) {
         (Some((title, _)), _) => title.to_owned(),
         (_, Some((date, thing))) if date.starts_with("  - 20") => format!("  - …{thing}"),
