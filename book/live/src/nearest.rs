@@ -96,7 +96,7 @@ impl Search for Slipped {
             own,
             ..self.program
         };
-        let (t, hit) = (program.search)(&program, ray)?;
+        let (t, hit) = program.search(ray)?;
         let place = own.iter().position(|&it| it == Some(hit))?;
         Some((t, place))
     }

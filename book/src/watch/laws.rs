@@ -5,9 +5,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use ::laws::trial::Trial;
-use common::rtweekend::*;
-use slips::Chapter;
-use slips::{Ball, Program};
+use slips::Program;
 
 use crate::subprocess::{self, End};
 
@@ -39,21 +37,7 @@ pub(super) fn ask(test: &OsStr, folder: &Path, limit: Duration) -> Option<Answer
 
 /// Whether the laws that the test of a chapter asks would find a mistake in the program.
 pub(super) fn find(program: &Program) -> bool {
-    let hit = |center, radius, ray: &Ray| program.hit_sphere(center, radius, ray);
-    let trial = Trial::default();
-    let outcome = match program.chapter {
-        Chapter::RedSphere => {
-            trial.decision(&|center, radius, ray: &Ray| hit(center, radius, ray).is_some())
-        }
-        Chapter::Normals | Chapter::HalfBSphere => trial.nearer_root(&hit),
-        Chapter::HittableList => {
-            trial.nearest_in_range(&|center, radius, ray: &Ray, t_min, t_max| {
-                program.hit(Ball { center, radius }, ray, t_min, t_max)
-            })
-        }
-        _ => Ok(()),
-    };
-    outcome.is_err()
+    Trial::default().intersection(program).is_err()
 }
 
 /// From the law to the page that tells of it.

@@ -10,8 +10,8 @@ use common::rtweekend::*;
 use speed_vs_accuracy::Case;
 
 use crate::nearer_root::{BAND, EQUATION, root_bound};
+use crate::numbers;
 use crate::oracle::Exact;
-use crate::shrinker::number;
 use crate::verdict::{Broken, Verdict};
 
 /// A function from center, radius, ray, `t_min` and `t_max` to the nearest root
@@ -200,7 +200,7 @@ pub struct WithInterval {
 impl fmt::Display for WithInterval {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { case, t_min, t_max } = self;
-        let [t_min, t_max] = [t_min, t_max].map(|&end| number(end));
+        let [t_min, t_max] = [t_min, t_max].map(|&end| numbers::code(end));
         write!(f, "{case}\nlet (t_min, t_max) = ({t_min}, {t_max});")
     }
 }

@@ -3,21 +3,23 @@
 //! A law is a plain function over a reader's function and a question. [`runner`] and
 //! [`trial`] put a function under all of them, with questions that [`strategies`] make
 //! and answers that [`oracle`] knows exactly. What breaks a law is explained by
-//! [`causes`], made simple by [`shrinker`] and told by [`report`]. A reader's own crate
-//! depends on this one, so it is small.
+//! [`causes`], made simpler and put into words by [`report`]. A reader's own crate
+//! depends on this one, so it brings few other crates.
 
 pub mod causes;
 pub mod intervals;
 pub mod list;
 pub mod nearer_root;
 pub mod neighbors;
+mod numbers;
 pub mod oracle;
+pub mod question;
 pub mod ray_and_camera;
 pub mod record;
 pub mod report;
 pub mod runner;
+pub mod sampling;
 pub mod shadow;
-pub mod shrinker;
 pub mod strategies;
 pub mod trial;
 pub mod truth;

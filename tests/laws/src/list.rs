@@ -3,11 +3,8 @@
 use common::rtweekend::*;
 use proptest::collection::vec;
 use proptest::prelude::*;
-use speed_vs_accuracy::Case;
 
-use crate::causes::Question;
 use crate::intervals::WithInterval;
-use crate::shrinker::{Simplify, number};
 use crate::strategies;
 use crate::verdict::{Broken, Verdict};
 
@@ -113,68 +110,4 @@ pub fn both_find_the_same(search: &Search, other: &Search, world: &World) -> Ver
                 of a member is changed",
         page: "chapter 5: a list is hittable too",
     })
-}
-
-impl Simplify for World {
-    fn simpler(&self) -> Vec<Self> {
-        // A world without spheres would be simpler still, but says nothing.
-        let removable = if self.spheres.len() > 1 {
-            self.spheres.len()
-        } else {
-            0
-        };
-        let shorter = (0..removable).map(|at| {
-            let mut spheres = self.spheres.clone();
-            spheres.remove(at);
-            Self {
-                spheres,
-                ..self.clone()
-            }
-        });
-        let rounder = (0..self.spheres.len()).flat_map(|at| {
-            let (center, radius) = self.spheres[at];
-            let case = Case {
-                center,
-                radius,
-                ray: self.ray,
-            };
-            case.simpler().into_iter().map(move |case| {
-                let mut spheres = self.spheres.clone();
-                spheres[at] = (case.center, case.radius);
-                Self {
-                    spheres,
-                    ray: case.ray,
-                    ..*self
-                }
-            })
-        });
-        shorter.chain(rounder).collect()
-    }
-
-    fn as_test(&self, _: &str) -> String {
-        let Self {
-            spheres,
-            ray,
-            t_min,
-            t_max,
-        } = self;
-        let vector = |v: Vec3| format!("new({:?}, {:?}, {:?})", v.x, v.y, v.z);
-        let mut code = "let mut world = HittableList::default();\n".to_owned();
-        for &(center, radius) in spheres {
-            code += &format!(
-                "world.add(Sphere::new(Point3::{}, {radius:?}));\n",
-                vector(center)
-            );
-        }
-        code + &format!(
-            "let ray = Ray::new(Point3::{}, Vec3::{});\n\
-             let found = world.hit(&ray, {}, {}).map(|hit| hit.t);\n\
-             assert_eq!(found, {:?});",
-            vector(ray.origin),
-            vector(ray.direction),
-            number(*t_min),
-            number(*t_max),
-            self.right()
-        )
-    }
 }

@@ -1,6 +1,7 @@
 //! Laws for the record of a hit: its normal, and its side.
 
 use common::rtweekend::*;
+use slips::{Ball, Program};
 use speed_vs_accuracy::Case;
 
 use crate::nearer_root::U;
@@ -16,6 +17,19 @@ pub struct Hit {
     pub normal: Vec3,
     /// Whether the ray came from outside.
     pub front_face: bool,
+}
+
+impl Hit {
+    /// What a program records of the nearest hit between `t_min` and `t_max`.
+    pub fn of(program: &Program, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Self> {
+        let t = program.hit(ball, ray, t_min, t_max)?;
+        let outward = (program.outward)(program, (program.at)(program, ray, t), ball);
+        Some(Self {
+            t,
+            normal: (program.face)(program, ray.direction, outward),
+            front_face: (program.dot)(ray.direction, outward) < 0.0,
+        })
+    }
 }
 
 /// A function from center, radius, ray, `t_min` and `t_max` to the record of the

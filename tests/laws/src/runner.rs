@@ -1,23 +1,20 @@
 //! Property testing: what a reader's test calls to put a function under the laws, and
 //! what lets a law be tried on many values.
 
-use std::env;
-use std::fmt::Debug;
-
 use common::rtweekend::*;
-use proptest::strategy::{Strategy, ValueTree};
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use proptest::strategy::Strategy;
 use speed_vs_accuracy::Case;
 
 use crate::causes::Cause;
 use crate::intervals::{NEAREST_IN_RANGE, RangeSolver, WithInterval};
 use crate::list::World;
 use crate::nearer_root::{DECISION, NEARER_ROOT, Solver};
+use crate::question::{Question, simplified};
 use crate::record::Hit;
 use crate::report::{self, Report};
-use crate::shrinker::{Simplify, simplified};
+use crate::sampling::{cases, chosen_seed, endless};
 use crate::trial::{Outcome, Trial};
-use crate::verdict::{Broken, Verdict};
+use crate::verdict::Verdict;
 
 /// Puts `decide`, the `hit_sphere` of chapter 2, under every law for a decision.
 ///
@@ -141,75 +138,19 @@ fn holds_once(mut verdicts: impl Iterator<Item = Verdict>) {
 ///
 /// # Panics
 /// If the law is broken, with the simplest case that was found.
-pub fn holds<T: Simplify>(strategy: &impl Strategy<Value = T>, law: impl Fn(&T) -> Verdict) {
-    if let Some((value, broken)) = first_broken(strategy, cases(), law) {
-        let report = Report {
-            broken,
-            cause: Cause::default(),
-            others: 0,
-            test: report::test(&value, "super::hit", "hit"),
-        };
-        panic!("\n\n{report}\n{}", seed());
-    }
-}
-
-/// Tries `law` on `count` values of `strategy`. If it is broken, returns how, and
-/// the simplest value that was found to break it.
-fn first_broken<T: Simplify>(
-    strategy: &impl Strategy<Value = T>,
-    count: u32,
-    law: impl Fn(&T) -> Verdict,
-) -> Option<(T, Broken)> {
-    let found = endless(strategy, &chosen_seed())
-        .take(count as usize)
-        .find(|value| law(value).is_err())?;
+pub fn holds<Q: Question>(strategy: &impl Strategy<Value = Q>, law: impl Fn(&Q) -> Verdict) {
+    let mut tried = endless(strategy, &chosen_seed()).take(cases() as usize);
+    let Some(found) = tried.find(|value| law(value).is_err()) else {
+        return;
+    };
     let simplest = simplified(found, |simpler| law(simpler).is_err());
-    let broken = law(&simplest).expect_err("simplifying keeps the law broken");
-    Some((simplest, broken))
-}
-
-/// The first `count` values of `strategy`, the same in every run.
-pub fn samples<T: Debug>(strategy: &impl Strategy<Value = T>, count: u32) -> Vec<T> {
-    endless(strategy, &chosen_seed())
-        .take(count as usize)
-        .collect()
-}
-
-/// Values of `strategy` without end, the same whenever the seed is.
-pub fn endless<T: Debug, S: Strategy<Value = T>>(
-    strategy: S,
-    seed: &str,
-) -> impl Iterator<Item = T> + use<T, S> {
-    let mut runner = runner(seed);
-    std::iter::repeat_with(move || {
-        let tree = strategy.new_tree(&mut runner);
-        tree.expect("no strategy here filters anything out")
-            .current()
-    })
-}
-
-/// How many cases a law is tried on: 1000, or what the environment variable
-/// `PROPTEST_CASES` says.
-pub fn cases() -> u32 {
-    env::var("PROPTEST_CASES")
-        .ok()
-        .and_then(|number| number.parse().ok())
-        .unwrap_or(1000)
-}
-
-/// The same cases in every run, so that a failure is never luck; or the cases
-/// of another seed, with the environment variable `PROPTEST_SEED`.
-fn runner(seed: &str) -> TestRunner {
-    let mut bytes = [0; 32];
-    for (byte, letter) in bytes.iter_mut().zip(seed.bytes()) {
-        *byte = letter;
-    }
-    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &bytes);
-    TestRunner::new_with_rng(Config::default(), rng)
-}
-
-pub(crate) fn chosen_seed() -> String {
-    env::var("PROPTEST_SEED").unwrap_or_default()
+    let report = Report {
+        broken: law(&simplest).expect_err("simplifying keeps the law broken"),
+        cause: Cause::default(),
+        others: 0,
+        test: report::test(&simplest),
+    };
+    panic!("\n\n{report}\n{}", seed());
 }
 
 /// What finds the same cases again, if they are not those of every run.

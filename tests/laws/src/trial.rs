@@ -1,21 +1,20 @@
 //! A trial: a function is put under all laws that there are for its kind, and found
 //! wrong with one report, which names the cause.
 
-use std::any::type_name;
-
 use common::rtweekend::*;
 use proptest::prelude::*;
+use slips::{Ball, Chapter, Program};
 use speed_vs_accuracy::Case;
 
-use crate::causes::{self, Hypothesis, Question};
+use crate::causes;
 use crate::intervals::{NEAREST_IN_RANGE, WithInterval};
 use crate::list::{self, Search, World, worlds};
 use crate::nearer_root::{DECISION, Decided, NEARER_ROOT};
+use crate::question::{Question, simplified};
 use crate::ray_and_camera::{self, Arrow, Letters, Pixel, Place, Width};
 use crate::record::{Hit, RECORD, Recorded};
 use crate::report::{self, Report};
-use crate::runner::{cases, chosen_seed, endless};
-use crate::shrinker::simplified;
+use crate::sampling::{cases, chosen_seed, endless};
 use crate::strategies;
 use crate::verdict::Verdict;
 
@@ -41,8 +40,6 @@ type Law<'a, Q> = dyn Fn(&Q) -> Verdict + 'a;
 
 /// A function under trial.
 struct Tried<'a, Q: Question> {
-    /// The name of its type, which for a function is its path.
-    path: &'a str,
     answer: &'a dyn Fn(&Q) -> Q::Answer,
     /// In teaching order.
     laws: &'a [&'a Law<'a, Q>],
@@ -60,7 +57,6 @@ impl Trial {
         let solve = |center, radius, ray: &Ray| decide(center, radius, ray).then_some(0.0);
         let laws = DECISION.map(|law| move |Decided(case): &Decided| law(&solve, case));
         Tried {
-            path: type_name::<F>(),
             answer: &|Decided(case)| case.solve(&solve).is_some(),
             laws: &laws.each_ref().map(|law| law as _),
             questions: &|| self.generated(strategies::anywhere().prop_map(Decided)),
@@ -76,7 +72,6 @@ impl Trial {
         let solver = |center, radius, ray: &Ray| solve(center, radius, ray);
         let laws = NEARER_ROOT.map(|law| move |case: &Case| law(&solver, case));
         Tried {
-            path: type_name::<F>(),
             answer: &|case: &Case| case.solve(&solver),
             laws: &laws.each_ref().map(|law| law as _),
             questions: &|| self.generated(strategies::anywhere()),
@@ -110,12 +105,28 @@ impl Trial {
             ])
         };
         Tried {
-            path: type_name::<F>(),
             answer: &|asked: &WithInterval| asked.solve(&solver),
             laws: &laws,
             questions: &questions,
         }
         .outcome()
+    }
+
+    /// The intersection of a program, as its chapter has one.
+    pub fn intersection(&self, program: &Program) -> Outcome {
+        let hit = |center, radius, ray: &Ray| program.hit_sphere(center, radius, ray);
+        match program.chapter {
+            Chapter::RedSphere => {
+                self.decision(&|center, radius, ray: &Ray| hit(center, radius, ray).is_some())
+            }
+            Chapter::Normals | Chapter::HalfBSphere => self.nearer_root(&hit),
+            Chapter::HittableList => {
+                self.nearest_in_range(&|center, radius, ray: &Ray, t_min, t_max| {
+                    program.hit(Ball { center, radius }, ray, t_min, t_max)
+                })
+            }
+            _ => Ok(()),
+        }
     }
 
     /// A function that returns the record of the nearest hit between `t_min` and
@@ -134,7 +145,6 @@ impl Trial {
             }
         });
         Tried {
-            path: type_name::<F>(),
             answer: &|asked: &Recorded| asked.hits(&recorder),
             laws: &laws.each_ref().map(|law| law as _),
             questions: &|| self.generated(strategies::anywhere().prop_map(Recorded)),
@@ -153,7 +163,6 @@ impl Trial {
         ]
         .map(|law| move |world: &World| law(search, world));
         Tried {
-            path: type_name::<F>(),
             answer: search,
             laws: &laws.each_ref().map(|law| law as _),
             questions: &|| self.generated(worlds()),
@@ -167,28 +176,28 @@ impl Trial {
             let [u, v] = letters.vectors();
             dot(u, v)
         };
-        small::<Letters, F>(&answer, &|letters| {
+        small(&answer, &|letters| {
             ray_and_camera::dot_multiplies_equal_letters(dot, letters)
         })
     }
 
     /// A function that makes a vector one of length 1.
     pub fn unit_vector<F: Fn(Vec3) -> Vec3>(&self, unit: &F) -> Outcome {
-        small::<Arrow, F>(&|arrow| unit(arrow.0), &|arrow| {
+        small(&|arrow: &Arrow| unit(arrow.0), &|arrow| {
             ray_and_camera::a_unit_vector_has_length_1_and_points_along(unit, arrow)
         })
     }
 
     /// A function that returns the point of a ray at `t`.
     pub fn at<F: Fn(&Ray, f64) -> Point3>(&self, at: &F) -> Outcome {
-        small::<Place, F>(&|place| at(&place.ray, place.t), &|place| {
+        small(&|place: &Place| at(&place.ray, place.t), &|place| {
             ray_and_camera::the_point_at_t_is_t_directions_from_the_origin(at, place)
         })
     }
 
     /// A function that returns the height of a picture of 16:9 from its width.
     pub fn height<F: Fn(u32) -> u32>(&self, height: &F) -> Outcome {
-        small::<Width, F>(&|width| height(width.0), &|width| {
+        small(&|width: &Width| height(width.0), &|width| {
             ray_and_camera::the_height_is_rounded_down_and_at_least_one(height, width)
         })
     }
@@ -196,7 +205,7 @@ impl Trial {
     /// A function that returns the ray of a pixel, from the size of the picture and
     /// the pixel's column and row.
     pub fn pixel_ray<F: Fn([u32; 2], [u32; 2]) -> Ray>(&self, ray: &F) -> Outcome {
-        small::<Pixel, F>(&|pixel| ray(pixel.size, pixel.place), &|pixel| {
+        small(&|pixel: &Pixel| ray(pixel.size, pixel.place), &|pixel| {
             ray_and_camera::the_ray_of_a_pixel_goes_through_its_center(ray, pixel)
         })
     }
@@ -210,9 +219,8 @@ impl Trial {
 }
 
 /// The trial of a function with one law, and few questions that are always the same.
-fn small<Q: Question, F>(answer: &dyn Fn(&Q) -> Q::Answer, law: &Law<Q>) -> Outcome {
+fn small<Q: Question>(answer: &dyn Fn(&Q) -> Q::Answer, law: &Law<Q>) -> Outcome {
     Tried {
-        path: type_name::<F>(),
         answer,
         laws: &[law],
         questions: &|| Box::new(Q::telling().into_iter()),
@@ -231,9 +239,8 @@ impl<Q: Question> Tried<'_, Q> {
             return Ok(());
         };
         let law = self.laws[first];
-        let (cause, hypothesis) = causes::of(self.answer, telling, &found);
-        let simplest = self.simplest(found, law, hypothesis.as_ref());
-        let (path, function) = report::import(self.path, Q::FUNCTION);
+        let (cause, mutant) = causes::of(self.answer, telling, &found);
+        let simplest = self.simplest(found, law, mutant.as_ref());
         Err(Box::new(Report {
             broken: law(&simplest).expect_err("what is simpler breaks the law as well"),
             cause,
@@ -241,20 +248,20 @@ impl<Q: Question> Tried<'_, Q> {
                 .iter()
                 .filter(|law| self.breaks(law))
                 .count(),
-            test: report::test(&simplest, &path, &function),
+            test: report::test(&simplest),
         }))
     }
 
     /// The simplest question that breaks the law as the one that was found does: from the
     /// same cause, with a wrong answer, and not by chance.
-    fn simplest(&self, found: Q, law: &Law<Q>, cause: Option<&Hypothesis<Q>>) -> Q {
+    fn simplest(&self, found: Q, law: &Law<Q>, mutant: Option<&Program>) -> Q {
         let (degenerate, wrong) = (found.is_degenerate(), self.is_wrong(&found));
         simplified(found, |simpler| {
             law(simpler).is_err()
                 && (degenerate || !simpler.is_degenerate())
                 && (!wrong || self.is_wrong(simpler))
-                && cause.is_none_or(|cause| {
-                    simpler.same(&(self.answer)(simpler), &(cause.answer)(simpler))
+                && mutant.is_none_or(|mutant| {
+                    simpler.same(&(self.answer)(simpler), &simpler.answer_of(mutant))
                 })
         })
     }

@@ -20,18 +20,24 @@ pub struct Broken {
     pub page: &'static str,
 }
 
-impl fmt::Display for Broken {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Broken {
+    /// The same, where more is known of what makes it so.
+    pub(crate) fn explained_by(&self, usually: &str) -> String {
         let Self {
             law,
             found,
             allowed,
-            usually,
             page,
+            ..
         } = self;
-        write!(
-            f,
+        format!(
             "the law:  {law}\nfound:    {found}\nallowed:  {allowed}\nusually:  {usually}\nread:     {page}"
         )
+    }
+}
+
+impl fmt::Display for Broken {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.explained_by(self.usually))
     }
 }

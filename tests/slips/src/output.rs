@@ -63,7 +63,7 @@ impl Output {
         (0..width * height).map(move |n| {
             let (i, j) = (program.order)(n, width, height);
             let ray = (program.ray)(program, camera, i, j);
-            (program.search)(program, &ray).is_some()
+            program.search(&ray).is_some()
         })
     }
 

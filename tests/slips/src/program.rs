@@ -27,6 +27,12 @@ impl Ball {
 /// The sphere of chapters 2 to 4.
 pub(super) const BALL: Ball = Ball::new(0.0, 0.0, -1.0, 0.5);
 
+/// Spheres, one after the other from either end.
+pub(super) type Balls<'a> = dyn DoubleEndedIterator<Item = Ball> + 'a;
+
+/// Chooses one of all hits, by its ray parameter and its sphere.
+pub(super) type Search = fn(&Program, &mut Balls, &Ray) -> Option<(f64, Ball)>;
+
 /// A chapter as its steps, in the order in which a pixel passes through them.
 ///
 /// The steps are fields, so a slip is the right program with one of them
@@ -91,7 +97,7 @@ pub struct Program {
     /// Spheres in place of the first three of these.
     pub own: [Option<Ball>; 3],
     /// Which hit wins.
-    pub search: fn(&Program, &Ray) -> Option<(f64, Ball)>,
+    pub search: Search,
     /// Only a greater ray parameter counts.
     pub t_min: f64,
     /// Only a lesser one counts: no bound in any chapter, but a list has one.
@@ -202,7 +208,7 @@ impl Program {
 
     /// The chapter's `ray_color`.
     pub fn ray_color(&self, ray: &Ray) -> Color {
-        match (self.search)(self, ray) {
+        match self.search(ray) {
             Some((t, ball)) => {
                 let outward = (self.outward)(self, (self.at)(self, ray, t), ball);
                 (self.shade)(self.paint, (self.face)(self, ray.direction, outward))
@@ -216,6 +222,27 @@ impl Program {
         let own = self.own;
         let ball = move |(n, &ball): (usize, &Ball)| own.get(n).copied().flatten().unwrap_or(ball);
         self.world.iter().enumerate().map(ball)
+    }
+
+    /// What wins of all that the ray hits in the program's world.
+    pub fn search(&self, ray: &Ray) -> Option<(f64, Ball)> {
+        (self.search)(self, &mut self.balls(), ray)
+    }
+
+    /// What wins in a world of other spheres, between `t_min` and `t_max`.
+    pub fn search_among(
+        &self,
+        mut balls: impl DoubleEndedIterator<Item = Ball>,
+        ray: &Ray,
+        t_min: f64,
+        t_max: f64,
+    ) -> Option<(f64, Ball)> {
+        let program = Self {
+            t_min,
+            t_max,
+            ..*self
+        };
+        (self.search)(&program, &mut balls, ray)
     }
 
     /// The ray of a program without a slip in it.
@@ -389,10 +416,10 @@ const BUILD_TEST: Program = Program {
     ..GRADIENT
 };
 
-fn nearest(program: &Program, ray: &Ray) -> Option<(f64, Ball)> {
+fn nearest(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
     let mut found = None;
     let mut closest_so_far = program.t_max;
-    for ball in program.balls() {
+    for ball in balls {
         if let Some(t) = program.hit(ball, ray, program.t_min, closest_so_far) {
             closest_so_far = t;
             found = Some((t, ball));

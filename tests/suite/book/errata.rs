@@ -5,7 +5,7 @@
 use check::comparison::differing_pixels;
 use common::rtweekend::*;
 use hittable_list::{HitRecord, Hittable, Sphere};
-use laws::{runner, strategies};
+use laws::{sampling, strategies};
 use slips::Chapter;
 
 use suite::slip;
@@ -168,7 +168,7 @@ fn dividing_by_the_radius_makes_a_unit_vector_of_a_point_that_is_on_the_sphere()
 
 /// How far a normal's length is from 1, on a sphere 10ᵏ radii away.
 fn worst_length_of_a_normal(k: f64) -> f64 {
-    let cases = runner::samples(&strategies::far(k..=k), 200);
+    let cases = sampling::samples(&strategies::far(k..=k), 200);
     let errors = cases.iter().filter_map(|case| {
         let sphere = Sphere::new(case.center, case.radius);
         let record = sphere.hit(&case.ray, 0.0, f64::INFINITY)?;

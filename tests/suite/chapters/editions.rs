@@ -12,7 +12,7 @@ use check::diagnosis::Scene;
 use check::judge::{Check, check};
 use common::rtweekend::*;
 use laws::Case;
-use laws::{runner, strategies};
+use laws::{sampling, strategies};
 use measure::rival;
 use slips::Chapter;
 use slips::{Edition, Program};
@@ -22,7 +22,7 @@ use suite::slip;
 
 #[test]
 fn each_edition_draws_what_its_program_in_cpp_draws() {
-    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/editions/editions.cc");
+    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/chapters/editions/editions.cc");
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("editions");
     let program = match rival::compiled(source.as_ref(), &folder) {
         Ok(program) => program,
@@ -195,7 +195,7 @@ const SIGNS: [(Chapter, &[&str]); 2] = [
 
 /// Rays and spheres of which no number overflows on the way.
 fn cases() -> impl Iterator<Item = Case> {
-    let all = runner::samples(&strategies::anywhere(), 300);
+    let all = sampling::samples(&strategies::anywhere(), 300);
     all.into_iter().filter(Case::is_well_scaled)
 }
 

@@ -8,7 +8,7 @@ use figures::records::Shadows;
 use figures::table::{Record, Table};
 use laws::Case;
 use laws::oracle::Exact;
-use laws::runner::samples;
+use laws::sampling::samples;
 use measure::shadows;
 use proptest::prelude::*;
 use speed_vs_accuracy::{Departure, Method, Precision, proven_offset};

@@ -8,8 +8,9 @@ use common::rtweekend::*;
 use laws::intervals;
 use laws::nearer_root::{BAND, NEARER_ROOT, root_bound};
 use laws::oracle::Exact;
-use laws::runner::{self, holds, samples};
-use laws::shrinker::Simplify;
+use laws::question::Question;
+use laws::runner::{self, holds};
+use laws::sampling::{self, samples};
 use laws::strategies;
 use laws::verdict::Verdict;
 use laws::{Case, WithInterval};
@@ -357,7 +358,7 @@ mod the_certified_methods {
     fn stages_that_answer(cases: usize, seed: &str) -> [u64; 2 * STAGES] {
         let strategy = strategies::with_hostile_interval(strategies::hostile());
         let mut stages = [0; 2 * STAGES];
-        for asked in runner::endless(&strategy, seed).take(cases) {
+        for asked in sampling::endless(&strategy, seed).take(cases) {
             if let Err(broken) = is_certified(&asked) {
                 panic!("{broken}\n\n{}", asked.as_test("certified_t"));
             }

@@ -4,7 +4,7 @@
 use common::rtweekend::*;
 use laws::list::World;
 use laws::neighbors;
-use laws::runner;
+use laws::sampling;
 use speed_vs_accuracy::{certified_nearest, certified_t, exact};
 
 use crate::campaign;
@@ -23,7 +23,7 @@ fn the_first_of_several_spheres_is_found_for_every_input() {
 /// were equal, and how often the plain loop chose another sphere.
 fn hits_ties_and_errors(cases: usize, seed: &str) -> [u64; 3] {
     let mut counts = [0; 3];
-    for world in runner::endless(neighbors::hostile(), seed).take(cases) {
+    for world in sampling::endless(neighbors::hostile(), seed).take(cases) {
         if let Err(broken) = neighbors::the_first_sphere_is_exactly_right(&nearest, &world) {
             panic!("{broken}\n\n{world:?}");
         }

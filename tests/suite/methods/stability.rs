@@ -10,7 +10,7 @@ use hittable_list::{Hittable, Sphere};
 use laws::Case;
 use laws::nearer_root::Solver;
 use laws::oracle::Exact;
-use laws::{runner, strategies};
+use laws::{sampling, strategies};
 use measure::spread::Spread;
 use proptest::strategy::Strategy;
 
@@ -116,7 +116,7 @@ mod an_origin_near_the_surface {
     #[test]
     fn makes_chapter_5_hit_the_surface_that_a_ray_leaves() {
         let share_of_wrong_hits = |k: f64| {
-            let cases = runner::samples(&strategies::near_the_surface(k..=k), CASES);
+            let cases = sampling::samples(&strategies::near_the_surface(k..=k), CASES);
             share(&cases, |case| {
                 let found = sphere(case).hit(&case.ray, 0.0, f64::INFINITY).is_some();
                 found
@@ -218,7 +218,7 @@ mod the_length_of_the_direction {
     #[test]
     fn about_two_to_minus_515_tells_the_two_formulas_apart() {
         let scale = two_to(-515);
-        let hits = runner::samples(&strategies::anywhere(), 4000).into_iter();
+        let hits = sampling::samples(&strategies::anywhere(), 4000).into_iter();
         let hits =
             hits.map(|case| case.with_ray(case.ray.origin, scale * case.ray.direction.normalize()));
         let answers = hits.map(|case| {
@@ -261,7 +261,7 @@ mod a_sphere_an_ulp_too_small {
     /// as oc·oc is a few times as large, and then D is 0 as for a tangent.
     #[test]
     fn is_still_hit_when_the_ray_comes_from_afar() {
-        let tangents = runner::samples(&strategies::tangents(), CASES);
+        let tangents = sampling::samples(&strategies::tangents(), CASES);
         let too_small: Vec<Case> = tangents
             .into_iter()
             .map(|case| Case {
@@ -303,7 +303,7 @@ struct Survey {
 }
 
 fn each_chapter(strategy: &impl Strategy<Value = Case>) -> Vec<Survey> {
-    let cases = runner::samples(strategy, CASES);
+    let cases = sampling::samples(strategy, CASES);
     CHAPTERS
         .iter()
         .map(|(name, solve)| {

@@ -75,7 +75,7 @@ impl Pixels {
         for n in spread(LOOK, reading.pixels.len() as u32) {
             let ray = (program.ray)(program, &camera, n % reading.width, n / reading.width);
             let found = reading.pixels[n as usize];
-            match (program.search)(program, &ray) {
+            match program.search(&ray) {
                 Some(_) => pixels.hits.push(found),
                 None => pixels
                     .sky

@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 
 use super::chapters::HITTABLE_LIST;
-use crate::program::{BALL, Ball, Program};
+use crate::program::{BALL, Ball, Balls, Program};
 use crate::slip::{Place, Slip, Words, slip};
 
 const SEARCH: Place = Place {
@@ -183,21 +183,25 @@ pub(super) const SLIPS: &[Slip] = &[
 ];
 
 /// All hits in the order of the list, each looked for in the whole interval.
-fn hits<'a>(program: &'a Program, ray: &'a Ray) -> impl DoubleEndedIterator<Item = (f64, Ball)> {
-    program.balls().filter_map(|ball| {
+fn hits<'a>(
+    program: &'a Program,
+    balls: &'a mut Balls,
+    ray: &'a Ray,
+) -> impl DoubleEndedIterator<Item = (f64, Ball)> {
+    balls.filter_map(|ball| {
         let t = program.hit(ball, ray, program.t_min, program.t_max)?;
         Some((t, ball))
     })
 }
 
-fn first_hit(program: &Program, ray: &Ray) -> Option<(f64, Ball)> {
-    hits(program, ray).next()
+fn first_hit(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+    hits(program, balls, ray).next()
 }
 
-fn last_hit(program: &Program, ray: &Ray) -> Option<(f64, Ball)> {
-    hits(program, ray).next_back()
+fn last_hit(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+    hits(program, balls, ray).next_back()
 }
 
-fn farthest_hit(program: &Program, ray: &Ray) -> Option<(f64, Ball)> {
-    hits(program, ray).max_by(|(t, _), (other, _)| t.total_cmp(other))
+fn farthest_hit(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+    hits(program, balls, ray).max_by(|(t, _), (other, _)| t.total_cmp(other))
 }

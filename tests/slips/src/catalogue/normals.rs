@@ -5,7 +5,7 @@ use common::rtweekend::*;
 use super::chapters::{HITTABLE_LIST, LONE_SPHERE, ONE_SPHERE, RED_SPHERE, ROOTS};
 use super::sphere::SIGN_OF_B;
 use crate::chapter::Chapter;
-use crate::program::{Ball, Program};
+use crate::program::{Ball, Balls, Program};
 use crate::slip::{Place, Slip, Words, slip};
 
 const ROOT: Place = Place {
@@ -220,8 +220,8 @@ fn rescaled(program: &Program, v: Vec3, ball: Ball) -> Vec3 {
 }
 
 /// A miss is the book's -1.0, which is below 0.
-fn only_behind(program: &Program, ray: &Ray) -> Option<(f64, Ball)> {
-    let ball = *program.world.first()?;
+fn only_behind(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+    let ball = balls.next()?;
     let t = program.hit_sphere(ball.center, ball.radius, ray);
     let t = t.unwrap_or(-1.0);
     (t < 0.0).then_some((t, ball))

@@ -66,7 +66,7 @@ impl View<'_> {
         let camera = program.camera(self.reading.width);
         let (i, j) = (n % self.reading.width, n / self.reading.width);
         let ray = (program.ray)(&program, &camera, i, j);
-        (program.search)(&program, &ray).is_some()
+        program.search(&ray).is_some()
     }
 
     /// Whether a neighbor is hit and this pixel is not, or the other way round.

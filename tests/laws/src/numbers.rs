@@ -1,0 +1,36 @@
+//! Numbers as Rust writes them, and shorter ones near them for shrinking.
+
+/// A number as Rust has it, which has words for three of them.
+pub(crate) fn code(x: f64) -> String {
+    if x.is_nan() {
+        "f64::NAN".to_owned()
+    } else if x == f64::INFINITY {
+        "f64::INFINITY".to_owned()
+    } else if x == f64::NEG_INFINITY {
+        "f64::NEG_INFINITY".to_owned()
+    } else {
+        format!("{x:?}")
+    }
+}
+
+/// Numbers that take fewer digits to write than `number`, near it or not.
+pub(crate) fn simpler(number: f64) -> Vec<f64> {
+    let digits = |x: f64| format!("{:e}", x.abs()).len();
+    let size = if number == 0.0 {
+        0.0
+    } else {
+        number.abs().log10().floor()
+    };
+    let rounded = (0..=3).map(|keep| {
+        let unit = 10f64.powf(size - f64::from(keep));
+        (number / unit).round() * unit
+    });
+    [0.0, 1.0, -1.0, number.round()]
+        .into_iter()
+        .chain(rounded)
+        .filter(|simpler| {
+            simpler.is_finite()
+                && (digits(*simpler), simpler.abs()) < (digits(number), number.abs())
+        })
+        .collect()
+}
