@@ -1,4 +1,4 @@
-//! Who is faster: everyone in turns, many times.
+//! Interleaved timing: all candidates in turns, with median and spread.
 //!
 //! Other programs disturb a clock, and a processor changes its pace. So nothing
 //! is measured at a stretch: in each round everyone of a group has a short turn,
@@ -7,9 +7,9 @@
 use std::time::{Duration, Instant};
 
 use figures::records::Timing;
-use indicatif::{ProgressBar, ProgressStyle};
 use speed_vs_accuracy::Precision;
 
+use crate::progress::Progress;
 use crate::spread::Spread;
 
 /// Those that take turns. The first is what the others are compared with.
@@ -121,20 +121,15 @@ impl Group {
 
 /// The rows of all runners, in order.
 pub fn run(groups: Vec<Group>, effort: &Effort) -> Vec<Timing> {
-    let bar = ProgressBar::new((groups.len() * effort.rounds) as u64);
-    let style = ProgressStyle::with_template("{bar:40} {percent} %, {eta} left")
-        .expect("the template is well-formed");
-    bar.set_style(style);
+    let progress = Progress::new(groups.len() * effort.rounds);
     let rows = groups
         .into_iter()
-        .flat_map(|group| take_times(group, effort, &bar));
-    let rows = rows.collect();
-    bar.finish_and_clear();
-    rows
+        .flat_map(|group| take_times(group, effort, &progress));
+    rows.collect()
 }
 
-fn take_times(mut group: Group, effort: &Effort, bar: &ProgressBar) -> Vec<Timing> {
-    let times = group.times(effort, || bar.inc(1));
+fn take_times(mut group: Group, effort: &Effort, progress: &Progress) -> Vec<Timing> {
+    let times = group.times(effort, || progress.step());
     let first = times[0].clone();
     let rows = group.0.into_iter().zip(times);
     rows.filter(|(runner, _)| runner.is_wanted)

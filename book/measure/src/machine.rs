@@ -1,11 +1,9 @@
-//! Provenance: on what processor and on which day something was measured. It is kept
-//! beside every time that a clock took, which says nothing without it.
+//! Provenance: on what processor something was measured. It is kept beside every time
+//! that a clock took, which says nothing without it.
 
 use std::{env, fs, thread};
 
-use jiff::Timestamp;
-
-/// Today's date, the processor and how many of it there are.
+/// The processor, how many of it there are, and the system.
 pub fn machine() -> String {
     let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = info
@@ -13,6 +11,5 @@ pub fn machine() -> String {
         .find_map(|line| line.strip_prefix("model name")?.split_once(": "))
         .map_or(env::consts::ARCH, |(_, name)| name);
     let threads = thread::available_parallelism().map_or(1, usize::from);
-    let date = Timestamp::now().strftime("%F");
-    format!("{date}, {model}, {threads} threads, {}", env::consts::OS)
+    format!("{model}, {threads} threads, {}", env::consts::OS)
 }

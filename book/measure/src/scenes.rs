@@ -5,7 +5,9 @@ use common::rtweekend::*;
 use figures::records::{Least, Timing, WrongPixels};
 use figures::table::Table;
 use rayon::prelude::*;
-use speed_vs_accuracy::{Eye, METHODS, Method, Precision, SCENES, Scene, Sight};
+use speed_vs_accuracy::{Eye, METHODS, Method, Precision, Scene, Sight};
+
+use crate::scene_file::SCENES;
 
 /// The wrong pixels of all methods in all scenes, in pictures `width` pixels wide.
 pub fn table(width: u32) -> Table<WrongPixels> {

@@ -1,32 +1,40 @@
 //! CSV: a row for each case, read as it comes.
 
 use std::fmt;
-use std::io::{self, BufRead, Cursor, Read};
+use std::io::{BufRead, Read};
 
-use csv::{Reader, ReaderBuilder, StringRecord, Trim};
+use csv::{ReaderBuilder, StringRecord, Terminator, Trim};
 use speed_vs_accuracy::Case;
 
-use super::lines::Lines;
 use super::number::finite;
 
-/// The most rows that are read. All methods together take seconds for them.
-const MOST_ROWS: u64 = 1_000_000;
+/// The most lines that are read. All methods together take seconds for them.
+const MOST_LINES: u64 = 1_000_000;
+
+/// The longest line, in bytes. Ten numbers take less than 11 000, even if each is as long
+/// as an `f64` can be in decimal digits.
+const MOST_BYTES_OF_A_LINE: u64 = 1 << 16;
+
+/// The largest file, in bytes. A million rows of ten numbers with all their digits fit.
+const MOST_BYTES: usize = 1 << 28;
 
 /// The columns that a case is made of, in this order.
 const NAMES: [&str; 10] = ["ox", "oy", "oz", "dx", "dy", "dz", "cx", "cy", "cz", "r"];
 
-/// The cases in a text, row by row, until there is a problem.
+/// The cases in a text, line by line, until there is a problem.
 ///
-/// Takes no more memory than the longest row.
+/// Takes no more memory than the longest line.
 pub(super) struct Cases<R> {
-    rows: Reader<Lines<R>>,
+    input: R,
+    /// How many fields a row has.
+    width: usize,
     /// Where each of [`NAMES`] stands.
     columns: [usize; 10],
-    row: StringRecord,
-    count: u64,
+    lines: u64,
+    bytes: usize,
 }
 
-/// What is wrong with a row, and at which line it begins.
+/// What is wrong, and in which line.
 pub(super) struct Problem {
     line: u64,
     what: String,
@@ -42,32 +50,75 @@ impl fmt::Display for Problem {
 impl<R: BufRead> Cases<R> {
     /// Reads the names of the columns.
     pub(super) fn of(input: R) -> Result<Self, Problem> {
-        let mut rows = ReaderBuilder::new()
-            .trim(Trim::All)
-            .from_reader(Lines::of(input));
-        let columns = rows.headers().map_err(unreadable).and_then(find_columns);
-        match columns {
-            Ok(columns) => Ok(Self {
-                rows,
-                columns,
-                row: StringRecord::new(),
-                count: 0,
-            }),
-            Err(what) => Err(problem(&rows, what)),
-        }
+        let mut cases = Self {
+            input,
+            width: 0,
+            columns: [0; 10],
+            lines: 0,
+            bytes: 0,
+        };
+        let head = cases.row().and_then(|head| {
+            let head = head.unwrap_or_default();
+            Ok((head.len(), find_columns(&head)?))
+        });
+        (cases.width, cases.columns) = head.map_err(|what| cases.problem(what))?;
+        Ok(cases)
     }
 
     /// The next case, `None` at the end, or what is wrong.
     fn read(&mut self) -> Result<Option<Case>, String> {
-        self.rows.get_mut().begin_row();
-        if !self.rows.read_record(&mut self.row).map_err(unreadable)? {
+        let Some(row) = self.row()? else {
             return Ok(None);
+        };
+        if row.len() != self.width {
+            let (fields, names) = (row.len(), self.width);
+            return Err(format!(
+                "the fields are {fields}, but the column names are {names}"
+            ));
         }
-        if self.count == MOST_ROWS {
-            return Err(format!("the file has more than {MOST_ROWS} rows: split it"));
+        parse(&row, &self.columns).map(Some)
+    }
+
+    /// The fields of the next line that has any.
+    fn row(&mut self) -> Result<Option<StringRecord>, String> {
+        loop {
+            let mut line = Vec::new();
+            let mut limited = self.input.by_ref().take(MOST_BYTES_OF_A_LINE + 1);
+            let length = limited.read_until(b'\n', &mut line);
+            let length = length.map_err(|cause| format!("cannot read on: {cause}"))?;
+            if length == 0 {
+                return Ok(None);
+            }
+            self.lines += 1;
+            self.bytes += length;
+            if length as u64 > MOST_BYTES_OF_A_LINE {
+                return Err(format!(
+                    "it has more than {MOST_BYTES_OF_A_LINE} bytes: is this no CSV file?"
+                ));
+            }
+            if self.lines > MOST_LINES || self.bytes > MOST_BYTES {
+                return Err(format!(
+                    "the file has more than {MOST_LINES} lines or {MOST_BYTES} bytes: split it"
+                ));
+            }
+            // Some editors put a mark before a text.
+            let text = line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&line);
+            if text.trim_ascii().is_empty() {
+                continue;
+            }
+            let mut rows = ReaderBuilder::new()
+                .has_headers(false)
+                .terminator(Terminator::Any(b'\n'))
+                .trim(Trim::All)
+                .from_reader(text);
+            let row = rows.records().next().transpose();
+            return row.map_err(|_| "this is no text in UTF-8".to_owned());
         }
-        self.count += 1;
-        parse(&self.row, &self.columns).map(Some)
+    }
+
+    fn problem(&self, what: String) -> Problem {
+        let line = self.lines.max(1);
+        Problem { line, what }
     }
 }
 
@@ -75,34 +126,7 @@ impl<R: BufRead> Iterator for Cases<R> {
     type Item = Result<Case, Problem>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        self.read()
-            .map_err(|what| problem(&self.rows, what))
-            .transpose()
-    }
-}
-
-/// `input` without the mark that some editors put before a text.
-pub(super) fn without_byte_order_mark(mut input: impl BufRead) -> io::Result<impl BufRead> {
-    let mut start = Vec::new();
-    input.by_ref().take(3).read_to_end(&mut start)?;
-    if start == b"\xef\xbb\xbf" {
-        start.clear();
-    }
-    Ok(Cursor::new(start).chain(input))
-}
-
-fn problem<R: BufRead>(rows: &Reader<Lines<R>>, what: String) -> Problem {
-    let line = rows.get_ref().line_of_row();
-    Problem { line, what }
-}
-
-fn unreadable(error: csv::Error) -> String {
-    match error.kind() {
-        csv::ErrorKind::UnequalLengths {
-            expected_len, len, ..
-        } => format!("the fields are {len}, but the column names are {expected_len}"),
-        csv::ErrorKind::Utf8 { .. } => "this is no text in UTF-8".to_owned(),
-        _ => error.to_string(),
+        self.read().map_err(|what| self.problem(what)).transpose()
     }
 }
 
@@ -127,17 +151,16 @@ fn needed(what: &str) -> String {
 fn parse(row: &StringRecord, columns: &[usize; 10]) -> Result<Case, String> {
     let mut numbers = [0.0; 10];
     for ((number, &column), name) in numbers.iter_mut().zip(columns).zip(NAMES) {
-        let text = row.get(column).unwrap_or_default();
-        *number = finite(text).map_err(|problem| match text.char_indices().nth(LONGEST) {
-            _ if text.is_empty() => format!("{name} is empty"),
-            None => format!("{name} is {text:?}, which {problem}"),
-            Some((end, _)) => format!("{name} is {:?} and so on, which {problem}", &text[..end]),
+        let text = &row[column];
+        *number = finite(text).map_err(|problem| {
+            let start: String = text.chars().take(LONGEST).collect();
+            format!("{name} is {start:?}, which {problem}")
         })?;
     }
     let [ox, oy, oz, dx, dy, dz, cx, cy, cz, r] = numbers;
     Ok(Case::from_numbers([cx, cy, cz, r, ox, oy, oz, dx, dy, dz]))
 }
 
-/// How many characters of a field a message shows: after a quotation mark that
-/// is left open, the field may be as long as a row.
+/// How many characters of a field a message shows: after a quotation mark that is left
+/// open, it may be as long as a line.
 const LONGEST: usize = 40;

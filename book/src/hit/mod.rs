@@ -1,7 +1,6 @@
 //! `hit`: rays and spheres under a microscope, by every method.
 
 mod cases;
-mod lines;
 mod number;
 mod one;
 mod strain;

@@ -9,7 +9,7 @@ use check::names;
 use common::engine::output;
 use speed_vs_accuracy::Method;
 
-use super::cases::{Cases, Problem, without_byte_order_mark};
+use super::cases::{Cases, Problem};
 use super::number::shortest;
 
 /// Prints `row,method,t` for each row of the file at `path` and each method.
@@ -32,9 +32,7 @@ pub(crate) fn print(
             File::open(path).map(|file| Box::new(BufReader::new(file)) as _),
         ),
     };
-    let input = input
-        .and_then(without_byte_order_mark)
-        .map_err(|cause| format!("cannot read {name}: {cause}"))?;
+    let input = input.map_err(|cause| format!("cannot read {name}: {cause}"))?;
     let mut done = Ok(());
     output::to_stdout(|out| {
         done = answer(input, methods, range, out)?;

@@ -7,6 +7,7 @@ use std::path::Path;
 use std::string::FromUtf8Error;
 
 use check::names;
+use measure::scene_file;
 use speed_vs_accuracy::Scene;
 
 /// The largest file, in bytes: so much is more than the most spheres can take, with
@@ -31,7 +32,7 @@ pub(super) fn read(path: &Path) -> Result<Scene, Box<dyn Error>> {
         )
     })?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    Scene::read(&name, &text).map_err(|mistake| format!("{shown}:{mistake}").into())
+    scene_file::read(&name, &text).map_err(|mistake| format!("{shown}: {mistake}").into())
 }
 
 fn bytes(path: &Path) -> io::Result<Vec<u8>> {

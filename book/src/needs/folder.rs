@@ -7,9 +7,9 @@ use check::png;
 use figures::{Point, scene_chart, standalone};
 use speed_vs_accuracy::{Precision, Scene};
 
-use super::found::{Found, Row};
 use crate::draw;
 use crate::files;
+use measure::needs::{Found, Row};
 
 /// Where the files of a scene go if nobody says otherwise.
 pub(super) fn usual(scene: &Scene) -> Result<PathBuf, Box<dyn Error>> {

@@ -7,9 +7,8 @@ use common::rtweekend::*;
 use serde_json::{Value, json};
 use speed_vs_accuracy::{Precision, Scene};
 
-use super::culprit::Culprit;
-use super::found::{Found, Row};
 use super::text::profile;
+use measure::needs::{Culprit, Found, Row};
 
 /// One object.
 pub(super) fn json(scene: &Scene, found: &[Found], folder: &Path, files: &[String]) -> String {

@@ -3,10 +3,8 @@
 //! The scene is drawn by every method, each is timed on its rays, and the cheapest
 //! one that draws every pixel right is named, in each precision.
 
-mod culprit;
 mod file;
 mod folder;
-mod found;
 mod json;
 mod text;
 
@@ -17,12 +15,12 @@ use std::time::Duration;
 use clap::{Args, value_parser};
 use common::engine::output;
 use common::rtweekend::Camera;
-use indicatif::{ProgressBar, ProgressStyle};
 use measure::contest::Effort;
+use measure::needs::Found;
+use measure::progress::Progress;
+use measure::scene_file::WIDEST;
 use measure::{cost, scenes};
-use speed_vs_accuracy::{Precision, Scene, WIDEST};
-
-use found::Found;
+use speed_vs_accuracy::{Precision, Scene};
 
 /// What `cargo rtrace needs` is told.
 #[derive(Args)]
@@ -101,20 +99,14 @@ fn look_into(scene: &Scene) -> Vec<Found> {
         .into_iter()
         .filter(|precision| scene.fits(*precision));
     let precisions: Vec<Precision> = precisions.collect();
-    let rows = u64::from(Camera::new(scene.width).image_height);
-    let bar = ProgressBar::new(rows * precisions.len() as u64 + EFFORT.rounds as u64);
-    let style = ProgressStyle::with_template("{msg} {bar:40} {percent} %, {eta} left")
-        .expect("the template is well-formed");
-    bar.set_style(style);
-    bar.set_message("timing");
-    let times = cost::times(scene, &EFFORT, || bar.inc(1));
-    bar.set_message("drawing");
+    let rows = Camera::new(scene.width).image_height as usize;
+    let progress = Progress::new(rows * precisions.len() + EFFORT.rounds);
+    let times = cost::times(scene, &EFFORT, || progress.step());
     let mut found: Vec<Found> = Vec::new();
     for precision in precisions {
-        let drawn = scenes::drawn(scene, precision, scene.width, || bar.inc(1));
+        let drawn = scenes::drawn(scene, precision, scene.width, || progress.step());
         let finest = found.first().map(|finest| &finest.right);
         found.push(Found::new(scene, precision, finest, drawn, &times));
     }
-    bar.finish_and_clear();
     found
 }

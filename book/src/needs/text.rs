@@ -9,10 +9,9 @@ use figures::number::three_digits;
 use measure::machine;
 use speed_vs_accuracy::{Method, Precision, Scene};
 
-use super::culprit::Culprit;
-use super::found::{Found, Row};
 use crate::hit;
 use crate::terminal::hanging;
+use measure::needs::{Culprit, Found, Row};
 
 /// All that there is to say.
 pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[String]) -> String {

@@ -2,8 +2,7 @@
 
 use common::rtweekend::*;
 
-use crate::precision::Precision;
-use crate::single::SingleRay;
+use crate::precision::{Precision, SingleRay};
 
 /// A way to find where a ray meets a sphere.
 #[derive(Clone, Copy, Debug)]

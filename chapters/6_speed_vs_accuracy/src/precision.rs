@@ -1,5 +1,7 @@
 //! Single and double precision: the two kinds of numbers that methods compute with.
 
+use glam::Vec3;
+
 /// A kind of number, named as in IEEE 754.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
@@ -36,4 +38,13 @@ impl Precision {
             Self::Single => f32::EPSILON.into(),
         }
     }
+}
+
+/// A ray in `f32`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SingleRay {
+    /// Where it starts.
+    pub origin: Vec3,
+    /// Where it points; one `t` long.
+    pub direction: Vec3,
 }

@@ -6,8 +6,9 @@ use ::png::{ColorType, Compression, Encoder};
 use check::comparison::Comparison;
 use check::png;
 use common::rtweekend::*;
+use measure::scene_file::find_scene;
 use slips::{Chapter, Edition};
-use speed_vs_accuracy::{Method, find_scene};
+use speed_vs_accuracy::Method;
 use tempfile::TempDir;
 
 use suite::drawn::p3_with_threads;

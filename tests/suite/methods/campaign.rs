@@ -1,6 +1,6 @@
 //! A campaign: random cases without end, shared by all processors.
 //!
-//! `cargo test` runs a short part of each; the README has the commands for the rest.
+//! `cargo test` runs a short part of each; `proofs.md` has the commands for the rest.
 
 use std::array;
 use std::env;
@@ -8,7 +8,7 @@ use std::thread;
 
 /// How many cases were tried, and the sums of what `tries` counted in so many of them.
 ///
-/// `name`_CASES in the environment says how many, 20 000 without, and `name`_SEED
+/// `name`_CASES in the environment says how many, 12 000 without, and `name`_SEED
 /// which.
 ///
 /// # Panics
@@ -17,7 +17,7 @@ pub(crate) fn run<const N: usize>(
     name: &str,
     tries: impl Fn(usize, &str) -> [u64; N] + Sync,
 ) -> (u64, [u64; N]) {
-    let cases = from_environment(&format!("{name}_CASES")).unwrap_or(20_000);
+    let cases = from_environment(&format!("{name}_CASES")).unwrap_or(12_000);
     let seed = from_environment(&format!("{name}_SEED")).unwrap_or(1);
     let threads = thread::available_parallelism().map_or(1, usize::from) as u64;
     let share = cases / threads;

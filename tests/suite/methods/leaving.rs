@@ -174,7 +174,7 @@ fn hostile(precision: Precision) -> Vec<Case> {
         .rounded(precision)
     });
     let is_somewhere = |case: &Case| case.ray.origin != case.center;
-    let cases = samples(&strategy, 20_000).into_iter();
+    let cases = samples(&strategy, 6000).into_iter();
     cases.filter(is_somewhere).collect()
 }
 

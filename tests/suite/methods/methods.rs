@@ -9,7 +9,6 @@ use laws::intervals;
 use laws::nearer_root::{BAND, NEARER_ROOT, root_bound};
 use laws::oracle::Exact;
 use laws::question::Question;
-use laws::runner::{self, holds};
 use laws::sampling::{self, samples};
 use laws::strategies;
 use laws::verdict::Verdict;
@@ -28,23 +27,27 @@ mod every_method {
     /// The bounds are those of `half_b`, the worst of all.
     #[test]
     fn returns_the_nearest_root_in_the_interval() {
-        for (name, solve) in in_double_precision() {
-            println!("{name}");
-            let asked = strategies::with_interval(strategies::anywhere());
-            holds(&asked, |asked| {
-                intervals::the_nearest_root_in_the_interval_is_returned(&solve, asked)
-            });
-        }
+        let asked = strategies::with_interval(strategies::anywhere());
+        obeys(
+            intervals::the_nearest_root_in_the_interval_is_returned,
+            &samples(&asked, FEW),
+        );
     }
 
     #[test]
     fn returns_no_t_outside_the_interval() {
+        let asked = strategies::with_hostile_interval(strategies::hostile());
+        obeys(
+            intervals::no_t_outside_the_interval_is_returned,
+            &samples(&asked, FEW),
+        );
+    }
+
+    fn obeys(law: intervals::RangeLaw, cases: &[WithInterval]) {
         for (name, solve) in in_double_precision() {
-            println!("{name}");
-            let asked = strategies::with_hostile_interval(strategies::hostile());
-            holds(&asked, |asked| {
-                intervals::no_t_outside_the_interval_is_returned(&solve, asked)
-            });
+            for asked in cases {
+                law(&solve, asked).unwrap_or_else(|broken| panic!("{name}: {broken}\n\n{asked}"));
+            }
         }
     }
 
@@ -53,16 +56,14 @@ mod every_method {
     #[test]
     fn obeys_the_laws_of_a_nearer_root() {
         let lawless = [Method::HERBIE.name, Method::INTERVAL_Q.name];
-        for (name, solve) in in_double_precision() {
-            if lawless.contains(&name) {
-                continue;
-            }
-            println!("{name}");
-            runner::nearer_root(&|center, radius, ray: &Ray| {
-                solve(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY)
-            });
+        let cases = samples(&strategies::anywhere(), FEW);
+        for method in of(Precision::Double).filter(|method| !lawless.contains(&method.name)) {
+            obeys_the_laws(method, &cases);
         }
     }
+
+    /// Each of a dozen methods is asked, and exact arithmetic about each answer.
+    const FEW: u32 = 1000;
 
     #[test]
     fn misses_what_is_no_number() {
@@ -155,7 +156,7 @@ mod every_single_precision_method {
     fn is_never_wrong_if_it_is_certified() {
         let asked = strategies::with_hostile_interval(strategies::hostile());
         let mut hits = 0;
-        for WithInterval { case, t_min, t_max } in samples(&asked, 4 * CASES) {
+        for WithInterval { case, t_min, t_max } in samples(&asked, 2 * CASES) {
             let case = case.rounded(Precision::Single);
             let Some(exact) = Exact::of_finite(&case) else {
                 continue;
@@ -181,7 +182,7 @@ mod every_single_precision_method {
                 "{t:?}, not {right:?} on {case}"
             );
         }
-        assert!(hits > CASES / 2, "{hits} hits");
+        assert!(hits > CASES / 4, "{hits} hits");
     }
 
     /// 2²⁹: an ulp of an `f32` in ulps of an `f64`.
@@ -258,7 +259,9 @@ mod the_rewrite_by_herbie {
 
     #[test]
     fn obeys_the_laws_where_b_is_not_huge() {
-        obeys_the_laws(&Method::HERBIE, |case| case.a() * case.m() < 1e250);
+        let mut cases = samples(&strategies::anywhere(), CASES);
+        cases.retain(|case| case.a() * case.m() < 1e250);
+        obeys_the_laws(&Method::HERBIE, &cases);
     }
 
     /// The ball of chapter 3 straight ahead: the roots are ½ and 1½, and −b/a + c/b
@@ -283,9 +286,9 @@ mod the_interval_method {
     #[test]
     fn hits_nothing_that_is_a_miss() {
         let asked = strategies::with_hostile_interval(strategies::hostile());
-        for asked in samples(&asked, 20_000) {
-            let exact = Exact::of(&asked.case);
+        for asked in samples(&asked, 2 * CASES) {
             if asked.solve(&interval_q).is_some() {
+                let exact = Exact::of(&asked.case);
                 let root = exact.nearest_root_in(asked.t_min, asked.t_max);
                 assert!(root.is_some(), "{asked}");
             }
@@ -294,9 +297,9 @@ mod the_interval_method {
 
     #[test]
     fn obeys_the_laws_where_rounding_cannot_decide() {
-        obeys_the_laws(&Method::INTERVAL_Q, |case| {
-            Exact::of(case).discriminant_margin().abs() > 2.0 * BAND
-        });
+        let mut cases = samples(&strategies::anywhere(), CASES);
+        cases.retain(|case| Exact::of(case).discriminant_margin().abs() > 2.0 * BAND);
+        obeys_the_laws(&Method::INTERVAL_Q, &cases);
     }
 
     #[test]
@@ -695,8 +698,8 @@ mod surprises {
 
 const CASES: u32 = 4000;
 
-/// Every law for a nearer root, on those cases that count.
-fn obeys_the_laws(method: &Method, counts: impl Fn(&Case) -> bool) {
+/// Every law for a nearer root.
+fn obeys_the_laws(method: &Method, cases: &[Case]) {
     let solve = |center, radius, ray: &Ray| {
         let case = Case {
             center,
@@ -705,10 +708,10 @@ fn obeys_the_laws(method: &Method, counts: impl Fn(&Case) -> bool) {
         };
         case.put_to(method, f64::NEG_INFINITY, f64::INFINITY)
     };
-    let cases = samples(&strategies::anywhere(), CASES);
-    for case in cases.iter().filter(|case| counts(case)) {
+    for case in cases {
         for law in NEARER_ROOT {
-            law(&solve, case).unwrap_or_else(|broken| panic!("{broken}\n\n{case}"));
+            law(&solve, case)
+                .unwrap_or_else(|broken| panic!("{}: {broken}\n\n{case}", method.name));
         }
     }
 }

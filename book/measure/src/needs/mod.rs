@@ -1,41 +1,45 @@
 //! Model selection: the cheapest method that draws every pixel right, and why the next
 //! cheaper one does not do.
 
+mod culprit;
+
+use crate::contest::ratio;
+use crate::scenes::{Drawn, View, levels_off};
+use crate::spread::Spread;
 use common::rtweekend::*;
-use measure::contest::ratio;
-use measure::scenes::{Drawn, View, levels_off};
-use measure::spread::Spread;
 use speed_vs_accuracy::{METHODS, Method, Precision, Scene};
 
-use super::culprit::Culprit;
+pub use culprit::Culprit;
 
 /// What a scene needs in one precision.
-pub(super) struct Found {
-    pub(super) precision: Precision,
+pub struct Found {
+    /// The precision.
+    pub precision: Precision,
     /// The right picture.
-    pub(super) right: Picture,
+    pub right: Picture,
     /// In how many pixels it differs from the right picture in `f64`: what it costs to
     /// round the scene itself.
-    pub(super) changed: usize,
+    pub changed: usize,
     /// The methods, the cheapest first.
-    pub(super) rows: Vec<Row>,
+    pub rows: Vec<Row>,
     /// The place of the least that suffices, if one does.
-    pub(super) least: Option<usize>,
+    pub least: Option<usize>,
     /// The places of those that suffice too, and cost the same as far as can be told.
-    pub(super) ties: Vec<usize>,
+    pub ties: Vec<usize>,
     /// The place of the next cheaper one that fails, or of one that costs the same;
     /// where none suffices, of the one that comes nearest.
-    pub(super) failing: Option<(usize, Culprit)>,
+    pub failing: Option<(usize, Culprit)>,
 }
 
 /// A method: what it draws, and what it takes.
-pub(super) struct Row {
-    pub(super) view: View,
+pub struct Row {
+    /// What it draws.
+    pub view: View,
     /// Nanoseconds for a question in the quickest round, which others disturbed least.
-    pub(super) ns: f64,
+    pub ns: f64,
     /// How many times as long as the reference in the same round: the median. By this
     /// they are in order, because it does not change with the pace of the processor.
-    pub(super) ratio: f64,
+    pub ratio: f64,
     /// Nanoseconds in each round.
     times: Vec<f64>,
 }
@@ -43,7 +47,7 @@ pub(super) struct Row {
 impl Found {
     /// From what was drawn, and the times of all methods, the reference first. `finest`
     /// is the right picture in `f64`, if that is another one.
-    pub(super) fn new(
+    pub fn new(
         scene: &Scene,
         precision: Precision,
         finest: Option<&Picture>,

@@ -8,8 +8,8 @@
 
 use common::rtweekend::*;
 
-use crate::certified::certified_t;
-use crate::exact::comes_before;
+use super::certified_t;
+use super::exact::comes_before;
 
 /// The index of the sphere that the ray hits first in the range, and `t`.
 ///

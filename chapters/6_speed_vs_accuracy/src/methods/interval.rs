@@ -8,6 +8,16 @@ use std::ops::{Add, Div, Mul, Sub};
 
 use common::rtweekend::*;
 
+use crate::method::{Discriminant, Method};
+
+impl Method {
+    /// Bounds for each number; a hit only where they leave no doubt.
+    pub const INTERVAL_Q: Self = Self {
+        discriminant: Discriminant::Enclosed,
+        ..Self::double("interval_q", interval_q)
+    };
+}
+
 /// D and both roots between bounds, as pbrt intersects a sphere: a hit needs a D that
 /// cannot be negative, and a root that cannot lie outside the range.
 ///
@@ -45,7 +55,7 @@ pub fn interval_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64
     roots.find(is_inside).map(Interval::middle)
 }
 
-/// As in plain.rs: the sum q cancels nothing, and the roots are c/q and q/a. In order
+/// As in [`half_b_q`](crate::half_b_q): the sum q cancels nothing, and the roots are c/q and q/a. In order
 /// of their lower bounds.
 #[inline]
 fn roots_by_q(a: Interval, h: Interval, c: Interval, discriminant: Interval) -> [Interval; 2] {

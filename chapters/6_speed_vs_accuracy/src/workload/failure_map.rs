@@ -3,7 +3,7 @@
 
 use common::rtweekend::*;
 
-use crate::case::Case;
+use super::case::Case;
 use crate::method::Method;
 use crate::precision::Precision;
 

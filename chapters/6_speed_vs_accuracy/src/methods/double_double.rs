@@ -4,7 +4,17 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use common::rtweekend::*;
 
-use crate::error_free::{quick_two_sum, two_product, two_sum};
+use super::error_free::{quick_two_sum, two_product, two_sum};
+use crate::method::Method;
+use crate::precision::Precision;
+
+impl Method {
+    /// Twice the digits.
+    pub const DOUBLE_DOUBLE: Self = Self {
+        digits: 2.0 * Precision::Double.digits(),
+        ..Self::double("double_double", double_double)
+    };
+}
 
 /// `half_b_q` with some 106 digits instead of 53; `t` is rounded at the end.
 ///
@@ -83,9 +93,9 @@ impl Quadratic {
 
 /// The sum `high` + `low`, of which `high` alone is the rounded value.
 #[derive(Clone, Copy, Debug)]
-pub struct Double {
+pub(crate) struct Double {
     /// The sum, rounded.
-    pub high: f64,
+    pub(crate) high: f64,
     low: f64,
 }
 
@@ -111,7 +121,7 @@ impl Double {
     }
 
     /// How far above `x` it is, rounded; `x` may be infinite.
-    pub fn minus(self, x: f64) -> f64 {
+    pub(crate) fn minus(self, x: f64) -> f64 {
         (self.high - x) + self.low
     }
 

@@ -5,8 +5,7 @@ use std::fmt;
 use common::rtweekend::*;
 
 use crate::method::{Method, Solve};
-use crate::precision::Precision;
-use crate::single::SingleRay;
+use crate::precision::{Precision, SingleRay};
 
 /// Does this ray meet this sphere, and where?
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,21 +1,38 @@
 //! Single precision: methods in `f32`.
 //!
-//! The same formulas as in plain.rs, with u = 2⁻²⁴ instead of 2⁻⁵³ and exponents
+//! The same formulas as in `f64`, with u = 2⁻²⁴ instead of 2⁻⁵³ and exponents
 //! up to 1e38: all that fails in `f64` fails here at the square root of the
 //! distance.
 
 use common::rtweekend::{Point3, Ray};
 use glam::Vec3;
 
-use crate::{certified, plain};
+use super::half_b_q::half_b_q;
+use crate::method::{Discriminant, Method};
+use crate::precision::{Precision, SingleRay};
 
-/// A ray in `f32`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SingleRay {
-    /// Where it starts.
-    pub origin: Vec3,
-    /// Where it points; one `t` long.
-    pub direction: Vec3,
+impl Method {
+    /// Half of b in `f32`.
+    pub const HALF_B_F32: Self = Self {
+        root_cancels: true,
+        ..Self::single("half_b_f32", half_b_f32)
+    };
+
+    /// The same discriminant, and roots that do not cancel, in `f32`.
+    pub const HALF_B_Q_F32: Self = Self::single("half_b_q_f32", half_b_q_f32);
+
+    /// The cross product in `f32`.
+    pub const CROSS_Q_F32: Self = Self {
+        discriminant: Discriminant::Distance,
+        ..Self::single("cross_q_f32", cross_q_f32)
+    };
+
+    /// Input in `f32`, and all between in `f64`.
+    pub const WIDENED_HALF_B_Q_F32: Self = Self {
+        any_exponent: true,
+        digits: Precision::Double.digits(),
+        ..Self::single("widened_half_b_q_f32", widened_half_b_q_f32)
+    };
 }
 
 /// As [`half_b`](crate::half_b), in `f32`.
@@ -100,32 +117,13 @@ pub fn widened_half_b_q_f32(
     t_min: f32,
     t_max: f32,
 ) -> Option<f32> {
-    widened(plain::half_b_q, center, radius, ray, t_min, t_max)
-}
-
-/// [`certified_t`](crate::certified_t) on numbers that are stored in `f32`.
-///
-/// The decision is right for every input, and so is the choice between the roots.
-/// Cost: that of `certified_t`, and the conversions. Error: less than 0.51 ulp of an
-/// `f32`, before a root in range that rounds to an end gives way inwards. Fails:
-/// never. A filter in `f32` would be silent from 600 radii on, 48u·a·M being all of
-/// D there, and for the last digit of t it takes wider numbers anyway: so they are
-/// widened first.
-#[inline]
-pub fn certified_f32(
-    center: Vec3,
-    radius: f32,
-    ray: &SingleRay,
-    t_min: f32,
-    t_max: f32,
-) -> Option<f32> {
-    widened(certified::certified_t, center, radius, ray, t_min, t_max)
+    widened(half_b_q, center, radius, ray, t_min, t_max)
 }
 
 /// What `solve` answers in `f64`, rounded; a root in range that rounds to an end of
 /// it gives way inwards.
 #[inline(always)]
-fn widened(
+pub(crate) fn widened(
     solve: impl Fn(Point3, f64, &Ray, f64, f64) -> Option<f64>,
     center: Vec3,
     radius: f32,
@@ -143,7 +141,7 @@ fn widened(
     (t_min < t && t < t_max).then_some(t)
 }
 
-/// As in plain.rs: the sum q cancels nothing, and the roots are c/q and q/a.
+/// As in [`half_b_q`](crate::half_b_q): the sum q cancels nothing, and the roots are c/q and q/a.
 #[inline]
 fn nearest_by_q(a: f32, h: f32, c: f32, discriminant: f32, t_min: f32, t_max: f32) -> Option<f32> {
     if discriminant < 0.0 {

@@ -47,34 +47,6 @@ pub const LEAVINGS: [Leaving; 5] = [
 ];
 
 impl Leaving {
-    /// From the rounded point.
-    pub const AT_ONCE: Self = Self {
-        name: "at_once",
-        precisions: &Precision::ALL,
-        leave: at_once,
-    };
-
-    /// From the rounded point, and the first thousandth does not count.
-    pub const AFTER_T_MIN: Self = Self {
-        name: "after_t_min",
-        leave: after_t_min,
-        ..Self::AT_ONCE
-    };
-
-    /// By up to 256 numbers farther on.
-    pub const INTEGER_OFFSET: Self = Self {
-        name: "integer_offset",
-        precisions: &[Precision::Single],
-        leave: integer_offset,
-    };
-
-    /// By the bound of the rounding error of the point.
-    pub const PBRT_OFFSET: Self = Self {
-        name: "pbrt_offset",
-        leave: pbrt_offset,
-        ..Self::AT_ONCE
-    };
-
     /// By the bound of the rounding error of the test that comes next.
     pub const PROVEN_OFFSET: Self = Self {
         name: "proven_offset",
@@ -124,6 +96,15 @@ pub fn proven_offset(
     Some(departure(origin, direction))
 }
 
+impl Leaving {
+    /// From the rounded point.
+    pub const AT_ONCE: Self = Self {
+        name: "at_once",
+        precisions: &Precision::ALL,
+        leave: at_once,
+    };
+}
+
 /// From the point as it is.
 ///
 /// Cost: none. Fails: about every third ray that goes out hits the sphere, as exact
@@ -137,6 +118,15 @@ pub fn at_once(
     _precision: Precision,
 ) -> Option<Departure> {
     Some(departure(point, direction))
+}
+
+impl Leaving {
+    /// From the rounded point, and the first thousandth does not count.
+    pub const AFTER_T_MIN: Self = Self {
+        name: "after_t_min",
+        leave: after_t_min,
+        ..Self::AT_ONCE
+    };
 }
 
 /// From the point as it is, with `t_min` = 0.001.
@@ -156,6 +146,15 @@ pub fn after_t_min(
         t_min: 0.001,
         ..departure(point, direction)
     })
+}
+
+impl Leaving {
+    /// By up to 256 numbers farther on.
+    pub const INTEGER_OFFSET: Self = Self {
+        name: "integer_offset",
+        precisions: &[Precision::Single],
+        leave: integer_offset,
+    };
 }
 
 /// Along the normal by up to 256 numbers in each coordinate, or by 2⁻¹⁶ where the
@@ -189,6 +188,15 @@ pub fn integer_offset(
         moved(point.z, normal.z),
     );
     Some(departure(origin.as_dvec3(), direction))
+}
+
+impl Leaving {
+    /// By the bound of the rounding error of the point.
+    pub const PBRT_OFFSET: Self = Self {
+        name: "pbrt_offset",
+        leave: pbrt_offset,
+        ..Self::AT_ONCE
+    };
 }
 
 /// Along the normal by a bound of the rounding error that the point has, once it was

@@ -13,13 +13,13 @@ use std::array;
 use common::rtweekend::*;
 use ruint::Uint;
 
-use crate::certified::{U, Unclear, lies_between};
-use crate::double_double::{Double, Quadratic};
-use crate::exact::{inwards, split};
-use crate::plain::two_to;
+use super::exact::{inwards, split};
+use super::filter::{U, Unclear, lies_between};
+use crate::methods::two_to;
+use crate::methods::{Double, Quadratic};
 
 /// Bound W: a root as a pair is off by no more than 64u² of itself.
-pub const W_BAND: f64 = 64.0 * U * U;
+const W_BAND: f64 = 64.0 * U * U;
 
 /// The nearest root in the range, decided exactly and rounded once.
 ///
@@ -27,7 +27,7 @@ pub const W_BAND: f64 = 64.0 * U * U;
 /// inwards as in [`exact`](crate::exact()). Unclear if lengths or directions do
 /// not fit, if they are of sizes 2⁷⁰⁰ apart, or if a root is so close to an end
 /// that twice the digits do not tell them apart.
-pub(crate) fn fixed_width(
+pub(super) fn fixed_width(
     center: Point3,
     radius: f64,
     ray: &Ray,
@@ -44,7 +44,7 @@ pub(crate) fn fixed_width(
 }
 
 /// The roots as pairs, the nearer one first; `None` where the numbers do not fit.
-pub fn pairs(center: Point3, radius: f64, ray: &Ray) -> Option<impl Iterator<Item = Double>> {
+fn pairs(center: Point3, radius: f64, ray: &Ray) -> Option<impl Iterator<Item = Double>> {
     let (lengths, unit_of_length) = integers(coordinates(center, radius, ray.origin))?;
     let (d, unit_of_direction) = integers(ray.direction.to_array())?;
     // Neither the root nor its lower half leaves the range of an `f64` then.

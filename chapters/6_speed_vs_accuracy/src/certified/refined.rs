@@ -15,7 +15,7 @@ use glam::DVec4;
 /// are so small that their rounding does not matter. The radius rides along as a
 /// fourth coordinate, whose square is subtracted.
 #[inline(always)]
-pub fn refined(
+pub(super) fn refined(
     center: Point3,
     radius: f64,
     ray: &Ray,
@@ -42,7 +42,7 @@ pub fn refined(
 ///
 /// It is F(0), and found as F is in [`refined`].
 #[inline(always)]
-pub(crate) fn c(center: Point3, radius: f64, origin: Point3, m: f64) -> f64 {
+pub(super) fn c(center: Point3, radius: f64, origin: Point3, m: f64) -> f64 {
     let (high, low) = oc(center, radius, origin, shifter(m));
     square(high, low)
 }

@@ -10,7 +10,7 @@ use std::ops::RangeInclusive;
 
 use common::rtweekend::*;
 
-use crate::case::Case;
+use super::case::Case;
 use crate::precision::Precision;
 
 /// A situation that rays and spheres are in, from mild to hard.

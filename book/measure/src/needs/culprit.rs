@@ -1,32 +1,32 @@
 //! Blame: from the first wrong pixel to the ray and the sphere at which a method errs.
 
+use crate::scenes::View;
 use common::rtweekend::*;
 use laws::oracle::Exact;
 use laws::truth::Truth;
-use measure::scenes::View;
 use speed_vs_accuracy::{Case, Eye, Hit, Method, Scene, T_MIN_OF_SHADOWS};
 
 /// A question that a method answers wrongly, and the pixel that shows it.
-pub(super) struct Culprit {
+pub struct Culprit {
     /// Column and row.
-    pub(super) pixel: [u32; 2],
+    pub pixel: [u32; 2],
     /// What the method draws there, and what is right.
-    pub(super) colors: [[u8; 3]; 2],
+    pub colors: [[u8; 3]; 2],
     /// The sphere, by its place in the list.
-    pub(super) sphere: usize,
+    pub sphere: usize,
     /// Whether the ray leads from the hit point to the sun.
-    pub(super) is_to_sun: bool,
+    pub is_to_sun: bool,
     /// The ray and the sphere.
-    pub(super) case: Case,
+    pub case: Case,
     /// Where the range of t begins.
-    pub(super) t_min: f64,
+    pub t_min: f64,
     /// How many ulps t is off; infinite if the decision is wrong.
-    pub(super) error: f64,
+    pub error: f64,
 }
 
 impl Culprit {
     /// In the first wrong pixel of `view`, if there is one.
-    pub(super) fn of(scene: &Scene, view: &View) -> Option<Self> {
+    pub fn of(scene: &Scene, view: &View) -> Option<Self> {
         let pixel @ [i, j] = view.first_wrong?;
         let ray = Camera::new(scene.width).ray(i, j);
         let eyes = [

@@ -1,18 +1,14 @@
-//! Seven scenes, from the book's own to the hardest, as each method sees them.
-//!
-//! Each is a file of the folder `scenes`, and so may anyone's own be.
-
-use std::sync::LazyLock;
+//! Ray casting by a method of choice: a scene as it looks with rounding, and without.
 
 use common::rtweekend::*;
 
-use crate::case::Case;
+use super::case::Case;
+use crate::certified::certified_nearest;
 use crate::method::Method;
-use crate::nearest::certified_nearest;
 use crate::precision::Precision;
 
 /// Some spheres, and a camera that looks at them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// A word, for tables.
     pub name: String,
@@ -26,33 +22,22 @@ pub struct Scene {
     pub spheres: Vec<(Point3, f64)>,
 }
 
-/// All scenes, the book’s first.
-pub static SCENES: LazyLock<[Scene; 7]> = LazyLock::new(|| {
-    [
-        ("book", include_str!("../scenes/book.toml")),
-        ("telescope", include_str!("../scenes/telescope.toml")),
-        ("planet", include_str!("../scenes/planet.toml")),
-        ("grazing", include_str!("../scenes/grazing.toml")),
-        ("inside", include_str!("../scenes/inside.toml")),
-        ("shadows", include_str!("../scenes/shadows.toml")),
-        ("neighbors", include_str!("../scenes/neighbors.toml")),
-    ]
-    .map(|(name, text)| match Scene::read(name, text) {
-        Ok(scene) => scene,
-        Err(mistake) => panic!("scenes/{name}.toml:{mistake}"),
-    })
-});
-
-/// The scene of that name.
-pub fn find_scene(name: &str) -> Option<&'static Scene> {
-    SCENES.iter().find(|scene| scene.name == name)
-}
-
 /// Shadow rays that hit closer than this are taken to hit where they start, as
 /// in the book's later chapters.
 pub const T_MIN_OF_SHADOWS: f64 = 1e-3;
 
 impl Scene {
+    /// A star in a telescope, as far as one like the Sun at seven light-years.
+    pub fn telescope() -> Self {
+        Self {
+            name: "telescope".to_owned(),
+            width: 400,
+            sun: None,
+            lens: Lens::new(Point3::ZERO, Vec3::NEG_Z, [33_554_432.0; 2]),
+            spheres: vec![(Point3::new(0.25, -0.5, -1e8), 1.0)],
+        }
+    }
+
     /// The picture at `width` pixels wide, by `method`: the loop of chapter 5 asks it
     /// about one sphere after the other.
     pub fn picture(&self, method: Method, width: u32) -> Picture {
@@ -183,7 +168,7 @@ pub struct Hit {
 }
 
 /// Where the eye is, and how its view differs from that of the book's camera.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lens {
     origin: Point3,
     /// Unit vectors: to the right of the picture, to its top, and into it.

@@ -4,8 +4,8 @@
 
 use common::rtweekend::*;
 
-use crate::certified::{Unclear, filter};
-use crate::plain::{exponent, two_to};
+use super::filter::{Unclear, filter};
+use crate::methods::{exponent, two_to};
 
 /// The filter, asked in units in which neither the scene nor the direction is
 /// much longer than 1.
@@ -13,7 +13,7 @@ use crate::plain::{exponent, two_to};
 /// Unclear if the filter says so, or if a number would lose a digit: a coordinate that is smaller by 2¹⁰⁰⁰ than another
 /// one, or an end of the range beyond the largest number.
 #[inline(always)]
-pub(crate) fn rescaled<const ULP: bool>(
+pub(super) fn rescaled<const ULP: bool>(
     center: Point3,
     radius: f64,
     ray: &Ray,

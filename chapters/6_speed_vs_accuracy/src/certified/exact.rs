@@ -12,6 +12,18 @@ use common::rtweekend::*;
 use dashu_int::ops::{Abs, BitTest, SquareRoot};
 use dashu_int::{IBig, UBig};
 
+use crate::method::{Discriminant, Method};
+
+impl Method {
+    /// Integers.
+    pub const EXACT: Self = Self {
+        discriminant: Discriminant::Certain,
+        c_cancels: false,
+        any_exponent: true,
+        ..Self::double("exact", exact)
+    };
+}
+
 /// The nearest root in the range, decided exactly and rounded once.
 ///
 /// Cost: a few hundred times that of `half_b`, more for numbers of very
@@ -40,7 +52,7 @@ pub fn exact_discriminant(center: Point3, radius: f64, ray: &Ray) -> Option<f64>
 /// that on the second. Not if they are equal, or one of them has none.
 ///
 /// Cost: about twice that of [`exact`]. Rounds: nothing.
-pub(crate) fn comes_before(spheres: [(Point3, f64); 2], ray: &Ray, t_min: f64, t_max: f64) -> bool {
+pub(super) fn comes_before(spheres: [(Point3, f64); 2], ray: &Ray, t_min: f64, t_max: f64) -> bool {
     let [Some((first, root)), Some((second, of_second))] = spheres.map(|(center, radius)| {
         let quadratic = Quadratic::new(center, radius, ray)?;
         let root = quadratic.nearest_root_in(t_min, t_max)?;
@@ -53,7 +65,7 @@ pub(crate) fn comes_before(spheres: [(Point3, f64); 2], ray: &Ray, t_min: f64, t
 
 /// `t`, or the next number inwards if it is not between the ends; `None` if
 /// there is no number between them.
-pub(crate) fn inwards(t: f64, t_min: f64, t_max: f64) -> Option<f64> {
+pub(super) fn inwards(t: f64, t_min: f64, t_max: f64) -> Option<f64> {
     let inside = t.max(t_min.next_up()).min(t_max.next_down());
     (t_min < inside && inside < t_max).then_some(inside)
 }
@@ -264,7 +276,7 @@ fn integers<const N: usize>(values: [f64; N]) -> Option<([IBig; N], i64)> {
 }
 
 /// The integer and the exponent of two whose product is `x`, as they are stored.
-pub(crate) fn split(x: f64) -> (i64, i64) {
+pub(super) fn split(x: f64) -> (i64, i64) {
     let bits = x.abs().to_bits();
     let fraction = (bits & ((1 << 52) - 1)).cast_signed();
     let (mantissa, exponent) = match bits >> 52 {

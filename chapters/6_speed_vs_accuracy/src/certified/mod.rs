@@ -11,33 +11,61 @@
 //! Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates*,
 //! 1997.
 
+mod exact;
+mod filter;
+mod fixed_width;
+mod leaving;
+mod nearest;
+mod refined;
+mod rescaled;
+mod sharper;
+
 use common::rtweekend::*;
+use glam::Vec3 as SingleVec3;
 
-use crate::exact::exact;
-use crate::fixed_width::fixed_width;
-use crate::plain::roots_by_q;
-use crate::refined::refined;
-use crate::rescaled::rescaled;
-use crate::sharper::sharper;
+use crate::method::{Discriminant, Method};
+use crate::methods::widened;
+use crate::precision::{Precision, SingleRay};
+use filter::{Unclear, filter, has_ordinary_exponents};
+use fixed_width::fixed_width;
+use rescaled::rescaled;
+use sharper::sharper;
 
-/// The largest relative error of one operation.
-pub(crate) const U: f64 = f64::EPSILON / 2.0;
+pub use exact::{exact, exact_discriminant};
+pub use filter::D_BAND;
+pub use leaving::{
+    Departure, LEAVINGS, Leaving, after_t_min, at_once, integer_offset, pbrt_offset, proven_offset,
+};
+pub use nearest::certified_nearest;
 
-/// Bound E: a and M are from 2⁻⁴⁵⁰ to 2⁴⁵⁰.
-pub const E_EXPONENT: u64 = 450;
+impl Method {
+    /// The decision is certain, the digits of t are those of `half_b_q`.
+    pub const CERTIFIED_HIT: Self = Self {
+        discriminant: Discriminant::Certain,
+        any_exponent: true,
+        is_certified: true,
+        ..Self::double("certified_hit", certified_hit)
+    };
 
-/// Bound C: |ĉ − c| ≤ 8u·M.
-pub const C_BAND: f64 = 8.0 * U;
+    /// The decision is certain, and so are the digits of t.
+    pub const CERTIFIED_T: Self = Self {
+        discriminant: Discriminant::Certain,
+        c_cancels: false,
+        any_exponent: true,
+        is_certified: true,
+        ..Self::double("certified_t", certified_t)
+    };
 
-/// Bound D: |D̂ − D| ≤ 24u·a·M.
-pub const D_BAND: f64 = 24.0 * U;
-
-/// Bound T: |t̂ − t|·√D̂ ≤ 64u·M where D̂ > 48u·a·M.
-pub const T_BAND: f64 = 64.0 * U;
-
-/// Bound R: where D̂ > 2⁻¹⁶·a·M and |t̂|·√D̂ > 2⁻¹⁵·M, the refined t is less than
-/// 0.8 ulp off.
-pub const R_BANDS: [f64; 2] = [1.0 / 65_536.0, 1.0 / 32_768.0];
+    /// Input in `f32`; the decision is certain, and so is the last digit of t.
+    pub const CERTIFIED_F32: Self = Self {
+        discriminant: Discriminant::Certain,
+        c_cancels: false,
+        any_exponent: true,
+        digits: Precision::Double.digits(),
+        is_certified: true,
+        ..Self::single("certified_f32", certified_f32)
+    };
+}
 
 /// Whether the ray hits within the range is right for every input, and so is the
 /// choice between the two roots.
@@ -72,6 +100,25 @@ pub fn certified_t(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f6
         .unwrap_or_else(|Unclear| later_stages::<true>(center, radius, ray, t_min, t_max).0)
 }
 
+/// [`certified_t`] on numbers that are stored in `f32`.
+///
+/// The decision is right for every input, and so is the choice between the roots.
+/// Cost: that of `certified_t`, and the conversions. Error: less than 0.51 ulp of an
+/// `f32`, before a root in range that rounds to an end gives way inwards. Fails:
+/// never. A filter in `f32` would be silent from 600 radii on, 48u·a·M being all of
+/// D there, and for the last digit of t it takes wider numbers anyway: so they are
+/// widened first.
+#[inline]
+pub fn certified_f32(
+    center: SingleVec3,
+    radius: f32,
+    ray: &SingleRay,
+    t_min: f32,
+    t_max: f32,
+) -> Option<f32> {
+    widened(certified_t, center, radius, ray, t_min, t_max)
+}
+
 /// The stage that decides a case, from fast to slow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Stage {
@@ -104,55 +151,6 @@ fn stage<const ULP: bool>(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_
     }
 }
 
-/// What a stage says that has too few digits to be certain.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Unclear;
-
-/// The first stage. `ULP` asks for a t within one ulp.
-#[inline(always)]
-pub(crate) fn filter<const ULP: bool>(
-    center: Point3,
-    radius: f64,
-    ray: &Ray,
-    t_min: f64,
-    t_max: f64,
-) -> Result<Option<f64>, Unclear> {
-    let oc = center - ray.origin;
-    let a = ray.direction.length_squared();
-    let h = ray.direction.dot(oc);
-    let (oc_squared, r_squared) = (oc.length_squared(), radius * radius);
-    let (c, m) = (oc_squared - r_squared, oc_squared + r_squared);
-    let (discriminant, am) = (h * h - a * c, a * m);
-    if !(is_ordinary(a) && is_ordinary(m)) {
-        return Err(Unclear);
-    }
-    // From outside, a ray that does not turn towards the center meets nothing.
-    let turns_away = h <= 0.0 && c > C_BAND * m && t_min >= 0.0;
-    if discriminant < -D_BAND * am || turns_away {
-        return Ok(None);
-    }
-    if discriminant <= if ULP { R_BANDS[0] } else { 2.0 * D_BAND } * am {
-        return Err(Unclear);
-    }
-    let [nearer, farther] = roots_by_q(a, h, c, discriminant).ok_or(Unclear)?;
-    let sqrtd = discriminant.sqrt();
-    for (sqrtd, (numerator, denominator)) in [(-sqrtd, nearer), (sqrtd, farther)] {
-        let t = numerator / denominator;
-        if !lies_between([t - t_min, t_max - t], sqrtd.abs(), T_BAND * m)? {
-            continue;
-        }
-        if !ULP {
-            return Ok(Some(t));
-        }
-        if (t * sqrtd).abs() <= R_BANDS[1] * m {
-            return Err(Unclear);
-        }
-        let divisor = |t: f64| (a * t - h) + sqrtd;
-        return Ok(Some(refined(center, radius, ray, m, t, divisor)));
-    }
-    Ok(None)
-}
-
 #[cold]
 #[inline(never)]
 fn later_stages<const ULP: bool>(
@@ -173,39 +171,4 @@ fn later_stages<const ULP: bool>(
             fixed_width(center, radius, ray, t_min, t_max).map(by(Stage::FixedWidth))
         })
         .unwrap_or_else(|Unclear| (exact(center, radius, ray, t_min, t_max), Stage::Exact))
-}
-
-/// Whether a root lies inside the range, from its gaps to both ends: each is off
-/// by no more than `band` / `sqrtd`.
-#[inline(always)]
-pub(crate) fn lies_between(
-    [above, below]: [f64; 2],
-    sqrtd: f64,
-    band: f64,
-) -> Result<bool, Unclear> {
-    let (above, below) = (above * sqrtd, below * sqrtd);
-    if above > band && below > band {
-        Ok(true)
-    } else if above <= -band || below <= -band {
-        Ok(false)
-    } else {
-        Err(Unclear)
-    }
-}
-
-/// Whether a and M are ordinary numbers.
-#[inline(always)]
-pub(crate) fn has_ordinary_exponents(center: Point3, radius: f64, ray: &Ray) -> bool {
-    let m = (center - ray.origin).length_squared() + radius * radius;
-    is_ordinary(ray.direction.length_squared()) && is_ordinary(m)
-}
-
-/// Whether `x` is from 2⁻⁴⁵⁰ to 2⁴⁵⁰. If a and M are, nothing overflows on the
-/// way, and what underflow takes away is far below every bound here (bound E).
-#[inline(always)]
-fn is_ordinary(x: f64) -> bool {
-    const LEAST: u64 = (1023 - E_EXPONENT) << 52;
-    const SPAN: u64 = (2 * E_EXPONENT) << 52;
-    // One comparison for both ends and NaN: neither x nor its bits are negative.
-    x.to_bits().wrapping_sub(LEAST) < SPAN
 }

@@ -8,21 +8,21 @@
 
 use common::rtweekend::*;
 
-use crate::certified::{U, Unclear, lies_between};
-use crate::refined;
+use super::filter::{U, Unclear, lies_between};
+use super::refined;
 
 /// Bound S: ĉ has the sign of c where it is more than so many times its bound.
-pub const S_C_BAND: f64 = 2.0;
+const S_C_BAND: f64 = 2.0;
 
 /// Bound S: the roots are computed where D̂ is more than so many times its bound.
-pub const S_D_BAND: f64 = 16.0;
+const S_D_BAND: f64 = 16.0;
 
 /// Whether the ray hits within the range, and where, if these bounds can tell.
 ///
 /// They can as far as `cross_q` decides rightly, and for nearly all points that
 /// rounding leaves beside a surface. A hit is left to the next stage if `ULP` asks
 /// for a t within one ulp: here its last digits are not known.
-pub(crate) fn sharper<const ULP: bool>(
+pub(super) fn sharper<const ULP: bool>(
     center: Point3,
     radius: f64,
     ray: &Ray,
@@ -55,41 +55,41 @@ pub(crate) fn sharper<const ULP: bool>(
 
 /// A question in numbers that know how far off they are (bound S).
 #[derive(Clone, Copy, Debug)]
-pub struct Sharper {
+struct Sharper {
     a: f64,
     h: f64,
     /// |d||oc|
     s: f64,
     /// c = |C − Q|² − r², with 70 digits of M.
-    pub c: Bounded,
+    c: Bounded,
     /// D = a·r² − |d × oc|².
-    pub discriminant: Bounded,
+    discriminant: Bounded,
 }
 
 /// A computed number, and how far it is from the exact one at most.
 #[derive(Clone, Copy, Debug)]
-pub struct Bounded {
+struct Bounded {
     /// What was computed.
-    pub value: f64,
+    value: f64,
     /// At most so far off.
-    pub error: f64,
+    error: f64,
 }
 
 /// A computed root, off by `error` / `scale` at most, which need not be divided.
 #[derive(Clone, Copy, Debug)]
-pub struct Quotient {
+struct Quotient {
     /// The root.
-    pub t: f64,
+    t: f64,
     /// Its error times `scale`.
-    pub error: f64,
+    error: f64,
     /// The size of the number by which it was divided.
-    pub scale: f64,
+    scale: f64,
 }
 
 impl Sharper {
     /// The numbers of a question whose a and M are of ordinary size.
     #[inline(always)]
-    pub fn of(center: Point3, radius: f64, ray: &Ray) -> Self {
+    fn of(center: Point3, radius: f64, ray: &Ray) -> Self {
         let oc = center - ray.origin;
         let a = ray.direction.length_squared();
         let (oc_squared, r_squared) = (oc.length_squared(), radius * radius);
@@ -106,7 +106,7 @@ impl Sharper {
 
     /// Both roots, the nearer one first, where D is more than 16 times its bound.
     #[inline(always)]
-    pub fn roots(&self) -> impl Iterator<Item = Quotient> {
+    fn roots(&self) -> impl Iterator<Item = Quotient> {
         let q = q(self.h, self.s, self.discriminant);
         let a = Bounded {
             value: self.a,
