@@ -16,8 +16,9 @@ pub(super) struct Written {
     chapter: String,
     /// The named items of `src/lib.rs` with their texts; or why it can't be read.
     items: Result<Vec<(String, String)>, String>,
+    pub(super) folder: PathBuf,
     /// The other files of `src`, by their names as seen from the crate.
-    pub(super) files: Vec<(PathBuf, Vec<u8>)>,
+    pub(super) files: Vec<PathBuf>,
 }
 
 impl Written {
@@ -28,15 +29,15 @@ impl Written {
         Self {
             chapter: chapter.to_string_lossy().into_owned(),
             items: items.and_then(|text| items_of(&text)),
+            folder: folder.to_owned(),
             files: other_files(folder, Path::new("src")),
         }
     }
 
     /// Whether vectors and rays are the reader's own.
     pub(super) fn has_own_prelude(&self) -> bool {
-        self.files
-            .iter()
-            .any(|(name, _)| name == Path::new("src/rtweekend.rs"))
+        let prelude = Path::new("src/rtweekend.rs");
+        self.files.iter().any(|name| name == prelude)
     }
 }
 
@@ -168,25 +169,21 @@ fn name(item: &Item, source: &str) -> Option<String> {
 }
 
 /// The files below a folder of the crate, however deep, but for the chapter itself and
-/// what an editor or a system hides there.
-fn other_files(folder: &Path, below: &Path) -> Vec<(PathBuf, Vec<u8>)> {
-    let entries = fs::read_dir(folder.join(below))
-        .into_iter()
+/// what an editor or a system hides there. A link is left where it is.
+fn other_files(folder: &Path, below: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder.join(below)).into_iter().flatten();
+    let shown = entries
         .flatten()
-        .flatten();
-    let shown = entries.filter(|entry| !entry.file_name().to_string_lossy().starts_with('.'));
-    let names = shown.map(|entry| below.join(entry.file_name()));
-    let is_chapter = |name: &PathBuf| {
-        ["src/lib.rs", "src/main.rs"]
-            .map(Path::new)
-            .contains(&&**name)
-    };
-    names
-        .filter(|name| !is_chapter(name))
-        .flat_map(|name| match fs::read(folder.join(&name)) {
-            Ok(bytes) => vec![(name, bytes)],
-            // A folder, or nothing that can be read.
-            Err(_) => other_files(folder, &name),
-        })
-        .collect()
+        .filter(|entry| !entry.file_name().to_string_lossy().starts_with('.'));
+    let named = shown.filter_map(|entry| {
+        let name = below.join(entry.file_name());
+        Some((name, entry.file_type().ok()?))
+    });
+    let inside = named.flat_map(|(name, kind)| match kind.is_dir() {
+        true => other_files(folder, &name),
+        false if kind.is_file() => vec![name],
+        false => Vec::new(),
+    });
+    let chapter = ["src/lib.rs", "src/main.rs"].map(PathBuf::from);
+    inside.filter(|name| !chapter.contains(name)).collect()
 }

@@ -83,8 +83,10 @@ fn refuse_ours(mine: &Mine) -> Result<(), Box<dyn Error>> {
 /// A crate that is about to be written.
 struct New {
     chapter: Chapter,
-    /// Its files, by their names.
-    files: Vec<(PathBuf, Vec<u8>)>,
+    /// Files to be copied as they are, each with the name that it gets.
+    copies: Vec<(PathBuf, PathBuf)>,
+    /// The other files, by their names. One of the chapter takes the place of a copy.
+    files: Vec<(&'static str, String)>,
     /// What was carried over from the chapter before, or why nothing was.
     carried: String,
 }
@@ -116,18 +118,15 @@ impl New {
         ];
         let prelude = files::OWN_PRELUDE.map(|(name, text)| (name, text.to_owned()));
         let prelude = prelude.into_iter().filter(|_| own && !has_own);
-        let texts = carried
-            .files
-            .into_iter()
-            .chain(texts)
-            .chain(prelude)
-            .filter(|(_, text)| !text.is_empty());
-        let files = texts.map(|(name, text)| (name.into(), text.into_bytes()));
-        // A file of the chapter takes the place of one that has its name.
-        let kept = written.map_or(Vec::new(), |written| written.files);
+        let files = carried.files.into_iter().chain(texts).chain(prelude);
+        let copies = written.map_or(Vec::new(), |Written { folder, files, .. }| {
+            let copy = |name: PathBuf| (folder.join(&name), name);
+            files.into_iter().map(copy).collect()
+        });
         Ok(Self {
             chapter,
-            files: kept.into_iter().chain(files).collect(),
+            copies,
+            files: files.filter(|(_, text)| !text.is_empty()).collect(),
             carried: carried.said,
         })
     }
@@ -142,10 +141,16 @@ impl New {
             .tempdir_in(mine)?;
         // A folder like others, not only for its owner.
         let new = partial.path().join("new");
-        for (name, text) in &self.files {
+        let place = |name: &Path| {
             let path = new.join(name);
             fs::create_dir_all(path.parent().expect("a file is in a folder"))?;
-            fs::write(path, text)?;
+            io::Result::Ok(path)
+        };
+        for (file, name) in &self.copies {
+            fs::copy(file, place(name)?)?;
+        }
+        for (name, text) in &self.files {
+            fs::write(place(name.as_ref())?, text)?;
         }
         let kept = folder.exists().then(|| put_aside(folder)).transpose()?;
         let named = fs::rename(new, folder);

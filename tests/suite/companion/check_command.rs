@@ -10,11 +10,13 @@ use check::reading::{MOST_PIXELS, read};
 use check::workspace;
 use common::rtweekend::Picture;
 use slips::Chapter;
-use slips::{self, Edition, PROBES};
+use slips::{self, PROBES};
 use tempfile::TempDir;
 
 use suite::command::woven;
-use suite::command::{assert_refused, assert_success, names_in, path_of, program_with, run, text};
+use suite::command::{
+    assert_refused, assert_success, names_in, path_of, program_with, run, text, transcript,
+};
 use suite::drawn::p3;
 
 #[test]
@@ -74,42 +76,22 @@ fn a_picture_that_no_mistake_draws_is_described() {
 #[test]
 fn what_is_no_picture_is_refused_with_cause_and_fix() {
     let folder = TempDir::new().expect("a folder");
-    write(
-        &folder,
-        "mine.ppm",
-        b"P3\n400 225\n255\nScanlines remaining: 224\n",
-    );
-    let output = run(&mut check_in(&folder, &["gradient", "mine.ppm"]));
-    assert_eq!(output.status.code(), Some(2));
-    assert_eq!(
-        text(&output.stdout),
-        "mine.ppm is not a picture: line 4, byte 15: \"Scanlines\" stands among the numbers.\n\
-         Only the picture goes to standard output. Send progress and messages to standard error: \
-         std::clog, eprintln!, sys.stderr.\n"
-    );
-    let missing = run(&mut check_in(&folder, &["gradient", "missing.ppm"]));
-    assert_eq!(missing.status.code(), Some(2));
-    assert!(text(&missing.stdout).contains("missing.ppm is not a picture: it can't be read"));
-}
-
-#[test]
-fn bytes_that_a_stream_of_text_has_changed_are_told_with_what_to_do_on_windows() {
-    let folder = TempDir::new().expect("a folder");
-    let bytes: Vec<Vec<u8>> = [b"P6\n16 16\n255\n", build_test::picture(16).rgb()]
-        .concat()
+    let chatty = b"P3\n400 225\n255\nScanlines remaining: 224\n";
+    // As a stream of text changes them on Windows.
+    let swollen = [b"P6\n16 16\n255\n", build_test::picture(16).rgb()].concat();
+    let swollen: Vec<u8> = swollen
         .into_iter()
-        .map(|byte| match byte {
-            b'\n' => b"\r\n".to_vec(),
+        .flat_map(|byte| match byte {
+            b'\n' => vec![b'\r', b'\n'],
             byte => vec![byte],
         })
         .collect();
-    write(&folder, "mine.ppm", &bytes.concat());
-    let output = run(&mut check_in(&folder, &["gradient", "mine.ppm"]));
-    assert_eq!(output.status.code(), Some(2));
-    let said = text(&output.stdout);
-    for words in ["is not a picture", "13 and 10", "_setmode", "wb"] {
-        assert!(said.contains(words), "{words}: {said}");
-    }
+    write(&folder, "chatty.ppm", chatty);
+    write(&folder, "swollen.ppm", &swollen);
+    insta::assert_snapshot!(transcript(
+        &mut ["chatty.ppm", "swollen.ppm", "missing.ppm"]
+            .map(|name| check_in(&folder, &["gradient", name]))
+    ));
 }
 
 #[test]
@@ -181,19 +163,6 @@ fn a_program_ends_with_all_that_it_started_within_its_time() {
     let left = Command::new("pgrep").args(["-f", &mark]).output();
     if let Ok(left) = left {
         assert_eq!(text(&left.stdout), "", "these are still running");
-    }
-}
-
-#[test]
-fn a_time_that_is_none_is_refused() {
-    for time in ["0", "-1", "soon", "nan", "inf"] {
-        assert_refused(
-            &mut program_with(
-                "rtrace",
-                &["check", "gradient", "--timeout", time, "--", "true"],
-            ),
-            &["--timeout", "a number of seconds"],
-        );
     }
 }
 
@@ -311,96 +280,45 @@ fn a_report_is_a_page_that_needs_nothing_else() {
 }
 
 #[test]
-fn every_probe_is_listed_with_what_to_change() {
-    let output = run(&mut program_with("rtrace", &["probes"]));
-    assert_success(&output);
-    let said = text(&output.stdout);
+fn what_is_known_is_listed() {
+    let said = |words: &[&str]| {
+        let output = run(&mut program_with("rtrace", words));
+        assert_success(&output);
+        text(&output.stdout)
+    };
+    let probes = said(&["probes"]);
     for probe in PROBES {
-        assert!(
-            said.contains(&format!("\n{}\n", probe.name)),
-            "{}",
-            probe.name
-        );
-        for line in probe.lines(Chapter::HittableList).lines() {
-            assert!(said.contains(line), "{line}");
-        }
+        let lines = probe.lines(Chapter::HittableList);
+        let mut parts = lines.lines().chain([probe.name]);
+        assert!(parts.all(|part| probes.contains(part)), "{probes}");
     }
-    let output = run(&mut program_with("rtrace", &["probes", "gradient"]));
-    assert!(
-        !text(&output.stdout).contains("sphere"),
-        "there is none yet"
-    );
+    assert!(!said(&["probes", "gradient"]).contains("sphere"));
+    let all = said(&["slips"]);
+    for slip in slips::all() {
+        assert!(all.contains(slip.name), "{}", slip.name);
+    }
+    assert!(!said(&["slips", "build_test"]).contains("minus-h"));
+    insta::assert_snapshot!(said(&["slips", "minus-h"]));
 }
 
 #[test]
-fn every_slip_is_listed_and_can_be_drawn() {
-    let output = run(&mut program_with("rtrace", &["slips"]));
-    assert_success(&output);
-    let said = text(&output.stdout);
-    for slip in slips::all() {
-        let words = slip.words(Edition::V4);
-        assert!(
-            [slip.name, words.wrong, words.right]
-                .iter()
-                .all(|it| said.contains(it))
-        );
-    }
-    let output = run(&mut program_with("rtrace", &["slips", "build_test"]));
-    assert!(
-        !text(&output.stdout).contains("minus-h"),
-        "there is no h yet"
-    );
-    let one = text(&run(&mut program_with("rtrace", &["slips", "minus-h"])).stdout);
-    assert!(
-        one.starts_with("minus-h\n") && one.contains("1 mistake."),
-        "{one}"
-    );
-
+fn a_slip_is_drawn_where_there_is_something_to_see() {
     let folder = TempDir::new().expect("a folder");
-    let path = folder.path().join("wrong.ppm");
-    let draw = |arguments: &[&str]| {
+    let draw = |words: &[&str]| {
         let mut command = program_with("rtrace", &["slips", "draw"]);
-        command.args(arguments).arg("--output").arg(&path);
+        in_folder(&folder, command.args(words));
         command
     };
-    assert_success(&run(&mut draw(&[
-        "times-256",
-        "--chapter",
-        "build_test",
-        "--width",
-        "4",
-    ])));
-    assert!(
-        fs::read_to_string(&path)
-            .expect("the file")
-            .contains("256 256 0")
-    );
-    assert_success(&run(&mut draw(&[
-        "dot-with-swapped-letter",
-        "--width",
-        "32",
-    ])));
-    let wrong = slips::find("dot-with-swapped-letter")
-        .expect("a slip")
-        .program(Chapter::HittableList);
-    assert_eq!(
-        fs::read_to_string(&path).expect("the file"),
-        wrong.run(32).to_string()
-    );
-
-    assert_refused(
-        &mut draw(&["minus-h", "--chapter", "gradient"]),
-        &["can't be made"],
-    );
-    assert_refused(&mut draw(&["minus-g"]), &["similar", "'minus-h'"]);
-    assert_refused(
-        program_with(
-            "rtrace",
-            &["slips", "draw", "height-may-be-zero", "--width", "1", "-o"],
-        )
-        .arg(folder.path().join("none.png")),
-        &["no pixel", ".ppm"],
-    );
+    let small = ["dot-with-swapped-letter", "--width", "32", "-o", "a.ppm"];
+    assert_success(&run(&mut draw(&small)));
+    let wrong = suite::slip("dot-with-swapped-letter").program(Chapter::HittableList);
+    let drawn = fs::read_to_string(folder.path().join("a.ppm"));
+    assert_eq!(drawn.expect("the file"), wrong.run(32).to_string());
+    insta::assert_snapshot!(transcript(&mut [
+        draw(&["minus-h", "--chapter", "gradient", "-o", "b.ppm"]),
+        draw(&["minus-g", "-o", "b.ppm"]),
+        draw(&["height-may-be-zero", "--width", "1", "-o", "b.png"]),
+    ]));
 }
 
 /// What is said of the picture that a slip draws, under the name of that file.

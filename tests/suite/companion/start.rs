@@ -3,11 +3,15 @@
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+
+use common::rtweekend::Picture;
+use insta::assert_snapshot;
+use suite::command::{
+    assert_refused, assert_success, names_in, program_with, run, text, transcript,
+};
+use suite::drawn::p3;
 use suite::mine::Mine;
-
 use tempfile::TempDir;
-
-use suite::command::{assert_failed, assert_refused, assert_success, names_in, run, text};
 
 /// The chapters that are typed.
 const TYPED: [&str; 5] = [
@@ -19,6 +23,7 @@ const TYPED: [&str; 5] = [
 ];
 
 #[test]
+#[ignore = "builds five crates of a reader"]
 fn every_chapter_can_be_typed_and_begins_with_the_one_before() {
     let mine = Mine::new();
     type_all_chapters(&mine, &[]);
@@ -32,38 +37,28 @@ fn every_chapter_can_be_typed_and_begins_with_the_one_before() {
 
 /// Vectors, rays, the camera and the text of a picture.
 #[test]
+#[ignore = "builds five crates of a reader"]
 fn a_reader_may_type_the_prelude_as_well() {
     type_all_chapters(&Mine::new(), &["--own-prelude"]);
 }
 
 #[test]
-fn nothing_that_was_typed_is_written_over() {
+fn a_crate_is_made_once_and_nothing_that_was_typed_is_written_over() {
     let mine = Mine::new();
-    assert_success(&run(&mut mine.start("normals", &[])));
+    fs::create_dir(mine.path()).expect("a folder");
+    fs::write(mine.path().join("file"), "").expect("a file");
+    let said = transcript(&mut [
+        mine.start("normals", &[]),
+        mine.start("normals", &[]),
+        mine.start("normals", &["--into", "mine/file/deeper"]),
+    ]);
     fs::write(mine.lib("normals"), "// mine").expect("a file");
-    assert_refused(
-        &mut mine.start("normals", &[]),
-        &["normals is there already", "--again"],
-    );
-    assert_eq!(
-        fs::read_to_string(mine.lib("normals")).expect("a file"),
-        "// mine"
-    );
-
-    let again = run(&mut mine.start("normals", &["--again"]));
-    assert_success(&again);
-    assert!(
-        text(&again.stdout).contains("normals.1"),
-        "{}",
-        text(&again.stdout)
-    );
+    let again = transcript(&mut [mine.start("normals", &["--again"])]);
+    assert_snapshot!(said + &again);
     let kept = fs::read_to_string(mine.path().join("normals.1/src/lib.rs"));
     assert_eq!(kept.expect("what was there"), "// mine");
-    assert!(
-        fs::read_to_string(mine.lib("normals"))
-            .expect("a file")
-            .contains("todo!()")
-    );
+    let new = fs::read_to_string(mine.lib("normals")).expect("the chapter");
+    assert!(new.contains("todo!()"), "{new}");
 }
 
 #[test]
@@ -89,11 +84,26 @@ fn what_cannot_be_read_is_not_carried_over_and_that_is_said() {
     assert!(source.is_file() && source.with_file_name("note.bin").is_file());
     assert!(!source.with_file_name(".lib.rs.swp").exists());
     let left = names_in(&mine.path());
-    assert_eq!(
-        left,
-        ["gradient", "red_sphere", "red_sphere.1"],
-        "and nothing beside"
-    );
+    let expected = ["gradient", "red_sphere", "red_sphere.1"];
+    assert_eq!(left, expected, "and nothing beside");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_private_file_is_carried_over_as_one_and_a_link_is_not_followed() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+
+    let mine = Mine::new();
+    assert_success(&run(&mut mine.start("gradient", &[])));
+    let beside = |chapter: &str, name: &str| mine.lib(chapter).with_file_name(name);
+    let note = beside("gradient", "note.txt");
+    fs::write(&note, "private").expect("a file");
+    fs::set_permissions(&note, fs::Permissions::from_mode(0o600)).expect("the mode is set");
+    symlink("..", beside("gradient", "link")).expect("a link");
+    assert_success(&run(&mut mine.start("red_sphere", &[])));
+    let carried = fs::metadata(beside("red_sphere", "note.txt")).expect("it is there");
+    assert_eq!(carried.permissions().mode() & 0o777, 0o600);
+    assert!(!beside("red_sphere", "link").exists());
 }
 
 #[test]
@@ -104,15 +114,53 @@ fn from_anywhere_below_the_same_crates_are_meant() {
     for words in [&["start", "red_sphere"][..], &["done", "-b was b"]] {
         assert_success(&run(mine.rtrace(words).current_dir(&inside)));
     }
-    assert_eq!(
-        names_in(&mine.path()),
-        ["done.md", "gradient", "red_sphere"]
-    );
-    assert_refused(&mut mine.rtrace(&["done", ""]), &["TEXT"]);
+    let names = names_in(&mine.path());
+    assert_eq!(names, ["done.md", "gradient", "red_sphere"]);
+}
+
+#[test]
+fn a_folder_of_the_workspace_is_refused() {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let chapters = fs::canonicalize(workspace.join("chapters")).expect("our chapters");
+    let before = names_in(&chapters);
+    let into = chapters.to_str().expect("a name in UTF-8");
+    let mut start = program_with("rtrace", &["start", "gradient", "--into", into]);
+    assert_refused(&mut start, &["belongs to this workspace"]);
+    assert_eq!(names_in(&chapters), before);
+}
+
+#[test]
+fn the_list_of_done_things_has_what_came_out_right_once_and_the_readers_own_lines() {
+    let here = TempDir::new().expect("a folder");
+    let file = here.path().join("white.ppm");
+    let white = Picture::from_rgb(32, 18, vec![255; 3 * 32 * 18]);
+    fs::write(&file, p3(&white.expect("three bytes a pixel"))).expect("a file");
+    let rtrace = |words: &[&str]| {
+        let mut command = program_with("rtrace", words);
+        command.current_dir(here.path());
+        command
+    };
+    let watch = ["watch", "gradient", "--once", "--", "cat", "white.ppm"];
+    for _twice in 0..2 {
+        let said = text(&run(&mut rtrace(&watch)).stdout);
+        assert!(said.contains("step 1"), "{said}");
+    }
+    assert_success(&run(&mut rtrace(&["done", "red and green\nwere swapped"])));
+    let undated = |text: &str| {
+        let lines = text.lines().map(|line| match line.split_once("- 20") {
+            Some((before, date)) => format!("{before}- …{}\n", &date[8..]),
+            None => format!("{line}\n"),
+        });
+        lines.collect::<String>()
+    };
+    let list = fs::read_to_string(here.path().join("done.md")).expect("the list");
+    let said = transcript(&mut [rtrace(&["done"])]);
+    assert_snapshot!(undated(&list) + "\n" + &undated(&said));
 }
 
 /// A report ends with a test to paste, and that is where it came from.
 #[test]
+#[ignore = "builds ten crates of a reader"]
 fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
     for prelude in [&[][..], &["--own-prelude"]] {
         let mine = Mine::new();
@@ -156,6 +204,7 @@ fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
 
 /// Cargo puts the settings of all folders above together.
 #[test]
+#[ignore = "builds the companion again, if the settings differ"]
 fn in_a_crate_inside_the_workspace_cargo_rtrace_is_the_same() {
     let mine = TempDir::new_in(env!("CARGO_TARGET_TMPDIR")).expect("a folder");
     let into = mine.path().to_str().expect("a name in UTF-8");
@@ -168,63 +217,6 @@ fn in_a_crate_inside_the_workspace_cargo_rtrace_is_the_same() {
         "{}",
         text(&said.stderr)
     );
-}
-
-#[test]
-fn a_folder_of_the_workspace_is_refused() {
-    let mine = Mine::new();
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let chapters = fs::canonicalize(workspace.join("chapters")).expect("our chapters");
-    let before = names_in(&chapters);
-    let into = chapters.to_str().expect("a name in UTF-8");
-    assert_refused(
-        &mut mine.start("gradient", &["--into", into]),
-        &["belongs to this workspace"],
-    );
-    assert_eq!(names_in(&chapters), before);
-}
-
-#[test]
-fn a_folder_that_cannot_be_written_is_named() {
-    let mine = Mine::new();
-    fs::write(mine.path(), "").expect("a file");
-    assert_failed(
-        &mut mine.start("normals", &["--into", "mine/deeper"]),
-        &["cannot write", "mine/deeper/normals"],
-    );
-}
-
-#[test]
-fn the_list_of_done_things_has_what_came_out_right_once_and_the_readers_own_lines() {
-    let mine = Mine::new();
-    assert_success(&run(&mut mine.start("gradient", &[])));
-    mine.edit("gradient", "todo!()", "Color::new(1.0, 1.0, 1.0)");
-    mine.watch_once("gradient");
-    mine.watch_once("gradient");
-    let done = |words: &[&str]| {
-        let output = run(&mut mine.rtrace(&[&["done"], words].concat()));
-        assert_success(&output);
-        text(&output.stdout)
-    };
-    done(&["red and green\nwere swapped"]);
-    let list = fs::read_to_string(mine.path().join("done.md")).expect("the list");
-    let lines: Vec<&str> = list.lines().collect();
-    assert_eq!(lines[..2], ["# Done", ""]);
-    assert_eq!(lines.len(), 4, "{list}");
-    for (line, what) in lines[2..].iter().zip([
-        "gradient: step 1 shows what it should",
-        "red and green were swapped",
-    ]) {
-        let (when, thing) = line.split_at("- 2026-11-22  ".len());
-        assert_eq!(thing, what);
-        assert!(when.starts_with("- 20") && when.ends_with("  "), "{when}");
-    }
-    let said = done(&[]);
-    assert!(
-        said.contains("were swapped") && said.contains("gradient       2. Where does"),
-        "{said}"
-    );
-    assert!(!said.contains("gradient       1."), "{said}");
 }
 
 /// Types one chapter after the other, each of which is right in the end, and says so.
