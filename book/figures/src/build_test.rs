@@ -7,7 +7,7 @@ use crate::pixels::Frame;
 use crate::svg::Anchor;
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "build_test",
     title: "The build test in large pixels",
     description: "A square picture of eight by eight pixels. It is black at the upper left, red at \
@@ -15,31 +15,21 @@ pub const FIGURE: Figure = Figure {
         right with the column *i*, green grows downwards with the row j.",
     caption: "The first picture, here with 8 × 8 pixels: red grows with the column *i*, green with \
         the row *j*. Whoever swaps the two loops sees red and green change places.",
-    draw: || draw(&Parameters::default()),
+    draw,
 };
 
-/// What can be changed.
-#[derive(Clone, Copy, Debug)]
-pub struct Parameters {
-    /// Pixels in a row and in a column.
-    pub width: u32,
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self { width: 8 }
-    }
-}
+/// Pixels in a row and in a column.
+const WIDTH: u32 = 8;
 
 /// Draws the picture with its corners named.
-pub fn draw(&Parameters { width }: &Parameters) -> String {
+fn draw() -> String {
     let mut svg = FIGURE.sheet(400.0, 270.0);
     let side = 192.0;
     let frame = Frame {
         corner: DVec2::new(112.0, 46.0),
-        side: side / f64::from(width),
+        side: side / f64::from(WIDTH),
     };
-    let picture = build_test::picture(width);
+    let picture = build_test::picture(WIDTH);
     frame.draw(&mut svg, &picture);
 
     let corner = frame.corner;
@@ -66,13 +56,13 @@ pub fn draw(&Parameters { width }: &Parameters) -> String {
         "more green",
     );
 
-    let last = (width - 1) as usize;
+    let last = (WIDTH - 1) as usize;
     for (i, j, x, y, anchor) in [
         (0, last, 0.0, side + 20.0, Anchor::Start),
         (last, last, side, side + 20.0, Anchor::End),
         (last, 0, side + 10.0, 18.0, Anchor::Start),
     ] {
-        let at = 3 * (j * width as usize + i);
+        let at = 3 * (j * WIDTH as usize + i);
         let [red, green, blue] = [0, 1, 2].map(|k| picture.rgb()[at + k]);
         let words = format!("{red} {green} {blue}");
         svg.small_label("ink", corner + DVec2::new(x, y), anchor, &words);

@@ -4,10 +4,11 @@ use common::rtweekend::*;
 use glam::DVec2;
 
 use crate::figure::Figure;
-use crate::svg::{Anchor, Svg, spoken};
+use crate::number::spoken;
+use crate::svg::{Anchor, Svg};
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "camera_frame",
     title: "The camera and its right-handed frame",
     description: "Seen from the side. From the eye at the origin three axes start: y up, z to \
@@ -17,28 +18,14 @@ pub const FIGURE: Figure = Figure {
     caption: "Seen from the side: the eye is the origin of a right-handed frame. For whoever looks \
         through the camera, *x* points to the right, *y* up, and *z* back from where it looks. So it \
         looks along −*z*, through a viewport that is one focal length away.",
-    draw: || draw(&Parameters::default()),
+    draw,
 };
 
-/// What can be changed.
-#[derive(Clone, Copy, Debug)]
-pub struct Parameters {
-    /// The camera, whose viewport is drawn.
-    pub camera: Camera,
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            camera: Camera::with_size(16, 9),
-        }
-    }
-}
-
 /// Draws the frame and the viewport.
-pub fn draw(Parameters { camera }: &Parameters) -> String {
+fn draw() -> String {
+    let camera = Camera::with_size(16, 9);
     let mut svg = FIGURE.sheet(400.0, 320.0);
-    let corners = corners(camera);
+    let corners = corners(&camera);
     let middle = 0.5 * (corners[0] + corners[2]);
     let on_sheet = corners.map(project);
 

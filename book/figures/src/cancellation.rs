@@ -8,25 +8,24 @@ use crate::number::{printed, raised};
 use crate::svg::{Anchor, Svg};
 
 /// What is computed for a ray, and what is right.
-#[derive(Clone, Copy, Debug)]
-pub struct Numbers {
+pub(crate) struct Numbers {
     /// h², rounded.
-    pub h_squared: f64,
+    pub(crate) h_squared: f64,
     /// a·c, rounded.
-    pub ac: f64,
+    pub(crate) ac: f64,
     /// D, as `half_b` has it.
-    pub discriminant: f64,
+    pub(crate) discriminant: f64,
     /// D, to within an ulp.
-    pub exact_discriminant: f64,
+    pub(crate) exact_discriminant: f64,
     /// The root that `half_b` finds.
-    pub t: Option<f64>,
+    pub(crate) t: Option<f64>,
     /// The root, rounded once.
-    pub exact_t: Option<f64>,
+    pub(crate) exact_t: Option<f64>,
 }
 
 impl Numbers {
     /// The numbers of a `case` with finite numbers, seen from outside.
-    pub fn of(case: &Case) -> Self {
+    pub(crate) fn of(case: &Case) -> Self {
         let nearest = |method| case.put_to(method, 0.0, f64::INFINITY);
         let exact_discriminant = exact_discriminant(case.center, case.radius, &case.ray);
         Self {
@@ -40,20 +39,20 @@ impl Numbers {
     }
 
     /// In how many digits h² and a·c agree.
-    pub fn agreeing(&self) -> usize {
+    pub(crate) fn agreeing(&self) -> usize {
         let [one, other] = self.aligned([self.h_squared, self.ac]);
         agreeing(&one, &other)
     }
 
     /// How many digits of t are right, if there is one and should be.
-    pub fn right_digits(&self) -> Option<usize> {
+    pub(crate) fn right_digits(&self) -> Option<usize> {
         let (t, exact) = (self.t?, self.exact_t?);
         let first = exponent(t).max(exponent(exact));
         Some(agreeing(&places(t, first), &places(exact, first)))
     }
 
     /// How far off D is, in sizes of D; 0 if it is right.
-    pub fn error(&self) -> f64 {
+    pub(crate) fn error(&self) -> f64 {
         let off = (self.discriminant - self.exact_discriminant).abs();
         match off {
             0.0 => 0.0,

@@ -1,4 +1,5 @@
-//! A star goes away, and takes the digits of D and t along.
+//! Digits of D and t that are lost with distance: a star goes away. A ray of it is chosen by
+//! its pixel.
 
 use common::rtweekend::*;
 use glam::DVec2;
@@ -6,12 +7,13 @@ use speed_vs_accuracy::{Case, Eye, Lens, Method, Scene};
 
 use crate::cancellation::Numbers;
 use crate::figure::Figure;
-use crate::number::raised;
+use crate::live::{Action, Answer, Handle, Live, Number, parameters};
+use crate::number::{printed, raised};
 use crate::pixels::Frame;
 use crate::svg::{Anchor, Svg};
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "digits",
     title: "Digits vanish",
     description: "A star, a sphere seen through a lens that makes it as large as the picture, drawn \
@@ -23,28 +25,154 @@ pub const FIGURE: Figure = Figure {
         only the first is right. Of t the first nine digits are right, and the other eight are not.",
     caption: "The subtraction strikes out the digits in which *h*² and *ac* agree. *D* has what is left, \
         and that is what earlier rounding has spoiled: right digits are bold, wrong ones are underlined.",
-    draw: || draw(&Parameters::default()),
+    draw: || LIVE.on_page(),
 };
 
-/// What can be changed.
-#[derive(Clone, Copy, Debug)]
-pub struct Parameters {
-    /// From the eye to the center it is ten to the power of so many tenths, in radii.
-    pub tenths: u8,
-    /// The radius.
-    pub radius: f64,
-    /// The pixel of whose ray there are numbers, counted from the middle to the right and
-    /// upwards.
-    pub pixel: DVec2,
+parameters! {
+    exponent: Number {
+        steps: 10.0,
+        ..Number::new("Distance in radii, as a power of ten", 0.0, 16.0, 7.0)
+    },
+    right: Number::whole("Pixel, to the right of the middle", -7.0, 7.0, -3.0),
+    up: Number::whole("Pixel, above the middle", -7.0, 7.0, 2.0),
+    radius: Number::choice("Radius", &["6/7", "1/700", "5000/7"]),
 }
 
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            tenths: 70,
-            radius: 6.0 / 7.0,
-            pixel: DVec2::new(-3.0, 2.0),
+/// The choices of a radius: not such that squares are round numbers, of which *ac* is a
+/// little less and has no digit in common.
+const RADII: [f64; 3] = [6.0 / 7.0, 1.0 / 700.0, 5000.0 / 7.0];
+
+/// The figure, as a reader moves it.
+pub(crate) static LIVE: Live<Parameters> = Live {
+    figure: FIGURE,
+    question: "From which distance on is *D* nothing but rounding? Drag the star away, along the axis, \
+        and choose a pixel in either picture.",
+    handles: &[
+        Handle {
+            fields: &["exponent"],
+            drag: |it, to| it.exponent = exponent_at(to),
+        },
+        Handle {
+            fields: &["right", "up"],
+            drag: |it, to| [it.right, it.up] = SKIES[0].pixel_at(to).to_array(),
+        },
+        Handle {
+            fields: &["right", "up"],
+            drag: |it, to| [it.right, it.up] = SKIES[1].pixel_at(to).to_array(),
+        },
+    ],
+    actions: &[
+        Action {
+            name: "Ten radii away",
+            act: |it| it.exponent = 1.0,
+        },
+        Action {
+            name: "A million",
+            act: |it| it.exponent = 6.0,
+        },
+        Action {
+            name: "The telescope's star",
+            act: |it| it.exponent = 8.0,
+        },
+    ],
+    answer,
+};
+
+impl Parameters {
+    fn star(&self) -> Star {
+        Star {
+            tenths: (10.0 * self.exponent).round() as u8,
+            pixel: DVec2::new(self.right, self.up),
+            radius: RADII[self.radius as usize],
         }
+    }
+}
+
+/// A star, and the ray of a pixel.
+struct Star {
+    /// From the eye to the center it is ten to the power of so many tenths, in radii.
+    tenths: u8,
+    /// Its radius.
+    radius: f64,
+    /// The pixel of whose ray there are numbers, counted from the middle to the right and
+    /// upwards.
+    pixel: DVec2,
+}
+
+fn answer(parameters: &Parameters) -> Answer {
+    let star = parameters.star();
+    let case = star.case();
+    let found = Numbers::of(&case);
+    let away = star.away_in_words();
+    let agreeing = found.agreeing();
+    Answer {
+        drawing: draw(&star, &found),
+        sentence: format!(
+            "{away} radii away *h*² and *ac* agree in {agreeing} of their 17 digits. {} {}{}",
+            of_discriminant(&found),
+            of_t(&found, case.ray.direction.length() / case.radius),
+            of_step(star.step()),
+        ),
+        handles: vec![
+            on_axis(0.1 * f64::from(star.tenths)),
+            SKIES[0].on_sheet(star.pixel),
+            SKIES[1].on_sheet(star.pixel),
+        ],
+        says: vec![("distance", away), ("agree", digits(agreeing))],
+    }
+}
+
+fn digits(count: usize) -> String {
+    match count {
+        1 => "1 digit".to_owned(),
+        _ => format!("{count} digits"),
+    }
+}
+
+/// What is left of D.
+fn of_discriminant(found: &Numbers) -> String {
+    match found.error() {
+        0.0 => "*D* has lost no digit.".to_owned(),
+        ..0.001 => "*D* is off by less than a thousandth of itself.".to_owned(),
+        error @ ..0.5 => format!("*D* is off by {} % of itself.", printed(100.0 * error)),
+        _ => format!(
+            "*D* is nothing but rounding: it should be {}, and comes out as {}.",
+            printed(found.exact_discriminant),
+            printed(found.discriminant)
+        ),
+    }
+}
+
+/// What is left of t, of which 1 is so many `radii` long.
+fn of_t(found: &Numbers, radii: f64) -> String {
+    match (found.t, found.exact_t, found.right_digits()) {
+        (Some(t), Some(exact), _) if t == exact => {
+            "No digit of *t* is wrong: exact arithmetic gives the same number.".to_owned()
+        }
+        (Some(t), Some(exact), Some(right @ 2..)) => {
+            let off = radii * (t - exact).abs();
+            format!(
+                "The first {right} digits of *t* are right, and it is off by {} radii.",
+                printed(off)
+            )
+        }
+        (Some(_), Some(_), Some(1)) => "Only the first digit of *t* is right.".to_owned(),
+        (Some(_), Some(_), _) => "Not even the first digit of *t* is right.".to_owned(),
+        (Some(_), None, _) => "The ray misses the star, and half_b sees a hit.".to_owned(),
+        (None, Some(_), _) => "The ray hits the star, and half_b sees a miss.".to_owned(),
+        (None, None, _) => "The ray misses the star, as half_b says.".to_owned(),
+    }
+}
+
+/// What the right picture suffers from.
+fn of_step(radii: f64) -> String {
+    match radii {
+        0.03.. => format!(
+            " From one number *t* to the next the ray goes on by {} radii: so coarse is the right \
+            picture, too.",
+            printed(radii)
+        ),
+        _ => String::new(),
     }
 }
 
@@ -58,7 +186,7 @@ const PER_RADIUS: f64 = 5.5;
 const CLOSER: f64 = 16.0;
 
 /// Where the star is drawn, by each of the two.
-pub const SKIES: [Sky; 2] = [
+const SKIES: [Sky; 2] = [
     Sky {
         name: "half_b",
         eye: Eye::Method(Method::HALF_B),
@@ -72,8 +200,7 @@ pub const SKIES: [Sky; 2] = [
 ];
 
 /// A picture of the star.
-#[derive(Clone, Copy, Debug)]
-pub struct Sky {
+struct Sky {
     name: &'static str,
     eye: Eye,
     corner: DVec2,
@@ -83,12 +210,12 @@ impl Sky {
     const SIDE: f64 = 12.5;
 
     /// Where on the sheet a pixel is, counted from the middle.
-    pub fn on_sheet(&self, pixel: DVec2) -> DVec2 {
+    fn on_sheet(&self, pixel: DVec2) -> DVec2 {
         self.middle() + Self::SIDE * DVec2::new(pixel.x, -pixel.y)
     }
 
     /// Which pixel is there on the sheet.
-    pub fn pixel_at(&self, at: DVec2) -> DVec2 {
+    fn pixel_at(&self, at: DVec2) -> DVec2 {
         let way = (at - self.middle()) / Self::SIDE;
         DVec2::new(way.x, -way.y)
     }
@@ -99,18 +226,18 @@ impl Sky {
 }
 
 /// Where a power of ten is on the axis of distances.
-pub fn on_axis(exponent: f64) -> DVec2 {
+fn on_axis(exponent: f64) -> DVec2 {
     DVec2::new(20.0 + 22.5 * exponent, 236.0)
 }
 
 /// Which power of ten is there on the sheet.
-pub fn exponent_at(at: DVec2) -> f64 {
+fn exponent_at(at: DVec2) -> f64 {
     (at.x - 20.0) / 22.5
 }
 
-impl Parameters {
+impl Star {
     /// From the eye to the center, in radii.
-    pub fn away(&self) -> f64 {
+    fn away(&self) -> f64 {
         // From a table, since not every machine computes the same powers.
         const TENTHS: [f64; 10] = [
             1.0,
@@ -128,7 +255,7 @@ impl Parameters {
     }
 
     /// The same in a few characters.
-    pub fn away_in_words(&self) -> String {
+    fn away_in_words(&self) -> String {
         let power = raised((self.tenths / 10).into());
         match (self.tenths / 10, self.tenths % 10) {
             (0, _) => format!("{:.1}", self.away()),
@@ -138,8 +265,8 @@ impl Parameters {
     }
 
     /// The star, and the ray.
-    pub fn case(&self) -> Case {
-        let (center, radius) = self.star();
+    fn case(&self) -> Case {
+        let (center, radius) = self.sphere();
         let ray = self.scene().ray(&self.ray(self.pixel));
         Case {
             center,
@@ -149,7 +276,7 @@ impl Parameters {
     }
 
     /// How far a ray goes from one `f64` t to the next where the star is, in radii.
-    pub fn step(&self) -> f64 {
+    fn step(&self) -> f64 {
         let t = self.radius * self.away();
         (t.next_up() - t) / self.radius
     }
@@ -160,11 +287,11 @@ impl Parameters {
             width: PIXELS,
             sun: None,
             lens: Lens::new(Point3::ZERO, Vec3::NEG_Z, [self.away() / CLOSER; 2]),
-            spheres: vec![self.star()],
+            spheres: vec![self.sphere()],
         }
     }
 
-    fn star(&self) -> (Point3, f64) {
+    fn sphere(&self) -> (Point3, f64) {
         let in_radii = Point3::new(0.25, -0.5, -self.away());
         (self.radius * in_radii, self.radius)
     }
@@ -190,7 +317,7 @@ impl Parameters {
 }
 
 /// Draws the star twice, the axis, and the numbers of the chosen ray.
-pub fn draw(parameters: &Parameters) -> String {
+fn draw(star: &Star, numbers: &Numbers) -> Svg {
     let mut svg = FIGURE.sheet(400.0, 410.0);
     for sky in SKIES {
         let frame = Frame {
@@ -199,14 +326,14 @@ pub fn draw(parameters: &Parameters) -> String {
         };
         let above = DVec2::new(sky.middle().x, 14.0);
         svg.label("ink", above, Anchor::Middle, sky.name);
-        frame.draw(&mut svg, &parameters.picture(sky.eye));
+        frame.draw(&mut svg, &star.picture(sky.eye));
         let half = DVec2::splat(0.5 * Sky::SIDE);
-        let chosen = sky.on_sheet(parameters.pixel);
+        let chosen = sky.on_sheet(star.pixel);
         svg.rect("black line", chosen - half, 2.0 * half);
     }
-    draw_axis(&mut svg, parameters.tenths);
-    Numbers::of(&parameters.case()).draw(&mut svg);
-    svg.finish()
+    draw_axis(&mut svg, star.tenths);
+    numbers.draw(&mut svg);
+    svg
 }
 
 fn draw_axis(svg: &mut Svg, tenths: u8) {

@@ -1,15 +1,19 @@
-//! A ray, a sphere, and the roots on the axis of t.
+//! A ray, a sphere, and the roots on the axis of t. Ray and sphere move, and slips break the
+//! formula.
 
 use common::rtweekend::*;
 use glam::DVec2;
 use normals::hit_sphere;
+use slips::{Chapter, Program};
 
 use crate::figure::Figure;
+use crate::live::{Action, Answer, Handle, Live, Number, parameters};
+use crate::number::spoken;
 use crate::plane::Plane;
-use crate::svg::{Anchor, Svg, spoken};
+use crate::svg::{Anchor, Svg};
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "discriminant",
     title: "The roots on the axis of t",
     description: "A ray starts at Q and goes through a sphere with center C. Where it goes in and \
@@ -19,65 +23,127 @@ pub const FIGURE: Figure = Figure {
         at a distance s that is less than r.",
     caption: "Each root is a place on the line and a number on the axis. What is behind the eye has \
         a negative *t*. The line passes the center at the distance *s*.",
-    draw: || draw(&Parameters::default()),
+    draw: || LIVE.on_page(),
 };
 
-/// What can be changed.
-#[derive(Clone, Copy)]
-pub struct Parameters<'a> {
-    /// The center of the sphere, in the plane of x and y.
-    pub center: Point3,
-    /// Its radius.
-    pub radius: f64,
-    /// The ray, in the same plane.
-    pub ray: Ray,
-    /// Who finds the roots.
-    pub solver: &'a dyn Solver,
+parameters! {
+    q_x: Number::new("Q, to the right", -0.7, 5.3, 0.0),
+    q_y: Number::new("Q, upwards", -1.5, 1.7, 0.0),
+    d_x: Number::new("d, to the right", -3.0, 3.0, 1.0),
+    d_y: Number::new("d, upwards", -2.0, 2.0, 0.0),
+    c_x: Number::new("C, to the right", 0.5, 4.8, 3.0),
+    c_y: Number::new("C, upwards", -0.6, 0.8, 0.6),
+    radius: Number::new("radius", 0.2, 1.2, 1.2),
+    formula: Number::choice("The formula", CHOICES),
 }
 
-/// Finds the nearer root, in one way or another.
-pub trait Solver {
-    /// The a, b and c of the quadratic equation.
-    fn coefficients(&self, center: Point3, radius: f64, ray: &Ray) -> [f64; 3];
+/// The figure, as a reader moves it.
+pub(crate) static LIVE: Live<Parameters> = Live {
+    figure: FIGURE,
+    question: "Where does the first root go when the eye enters the sphere? Drag **Q** into it, and \
+        out at the other side.",
+    handles: &[
+        Handle {
+            fields: &["c_x", "c_y"],
+            drag: |it, to| [it.c_x, it.c_y, _] = PLANE.place(to).to_array(),
+        },
+        Handle {
+            fields: &["radius"],
+            drag: |it, to| it.radius = (PLANE.place(to) - it.center()).length(),
+        },
+        Handle {
+            fields: &["d_x", "d_y"],
+            drag: |it, to| [it.d_x, it.d_y, _] = (PLANE.place(to) - it.ray().origin).to_array(),
+        },
+        Handle {
+            fields: &["q_x", "q_y"],
+            drag: |it, to| [it.q_x, it.q_y, _] = PLANE.place(to).to_array(),
+        },
+    ],
+    actions: &[
+        Action {
+            name: "Hit",
+            act: |it| it.put([0.0, 0.0], [3.0, 0.6], 1.2),
+        },
+        Action {
+            name: "Miss",
+            act: |it| it.put([0.0, -0.7], [3.0, 0.5], 0.8),
+        },
+        Action {
+            name: "Touch",
+            act: |it| it.put([0.0, -0.5], [3.0, 0.5], 1.0),
+        },
+        Action {
+            name: "Inside",
+            act: |it| it.put([2.5, 0.0], [3.0, 0.6], 1.2),
+        },
+        Action {
+            name: "Behind",
+            act: |it| it.put([4.0, 0.5], [2.0, 0.5], 1.0),
+        },
+    ],
+    answer,
+};
 
-    /// The nearer root.
-    fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64>;
-}
+/// The formula as it should be, and three slips: their names in the catalogue.
+const SLIPS: [&str; 3] = ["b-sign", "plus-b", "radius-not-squared"];
+const CHOICES: &[&str] = &[
+    "as it should be",
+    "b = 2 d · (C − Q)",
+    "t = (b − √D) / 2a",
+    "c = (C − Q)² − r",
+];
 
-/// The function of chapter 3, and equations (13) to (15).
-#[derive(Clone, Copy, Debug)]
-pub struct Right;
-
-impl Solver for Right {
-    fn coefficients(&self, center: Point3, radius: f64, ray: &Ray) -> [f64; 3] {
-        let oc = center - ray.origin;
-        let a = ray.direction.dot(ray.direction);
-        let b = -2.0 * ray.direction.dot(oc);
-        let c = oc.dot(oc) - radius * radius;
-        [a, b, c]
+impl Parameters {
+    fn center(&self) -> Point3 {
+        Point3::new(self.c_x, self.c_y, 0.0)
     }
 
-    fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
-        hit_sphere(center, radius, ray)
+    fn ray(&self) -> Ray {
+        // Without a length it would be no direction: the shortest is one step.
+        let direction = match (self.d_x, self.d_y) {
+            (0.0, 0.0) => Vec3::new(0.05, 0.0, 0.0),
+            (x, y) => Vec3::new(x, y, 0.0),
+        };
+        Ray::new(Point3::new(self.q_x, self.q_y, 0.0), direction)
     }
-}
 
-impl Default for Parameters<'_> {
-    fn default() -> Self {
-        Self {
-            center: Point3::new(3.0, 0.6, 0.0),
-            radius: 1.2,
-            ray: Ray::new(Point3::ZERO, Vec3::new(1.0, 0.0, 0.0)),
-            solver: &Right,
+    /// Puts eye and sphere there; the ray goes to the right.
+    fn put(&mut self, q: [f64; 2], c: [f64; 2], radius: f64) {
+        [self.q_x, self.q_y] = q;
+        [self.d_x, self.d_y] = [1.0, 0.0];
+        [self.c_x, self.c_y] = c;
+        self.radius = radius;
+    }
+
+    /// Ray and sphere, and who finds the roots.
+    fn scene(&self, slipped: Option<Program>) -> Scene {
+        Scene {
+            center: self.center(),
+            radius: self.radius,
+            ray: self.ray(),
+            slipped,
         }
     }
 }
 
-impl Parameters<'_> {
-    /// All t that the solver finds: the farther one is the nearer one of the ray turned
+/// A sphere and a ray in the plane of x and y, and who finds the roots.
+struct Scene {
+    center: Point3,
+    radius: f64,
+    ray: Ray,
+    /// What a slip makes of chapter 3; or else the chapter itself finds them.
+    slipped: Option<Program>,
+}
+
+impl Scene {
+    /// All t that are found: the farther one is the nearer one of the ray turned
     /// round.
-    pub fn roots(&self) -> Vec<f64> {
-        let nearer = |ray| self.solver.hit_sphere(self.center, self.radius, &ray);
+    fn roots(&self) -> Vec<f64> {
+        let nearer = |ray| match &self.slipped {
+            Some(program) => program.hit_sphere(self.center, self.radius, &ray),
+            None => hit_sphere(self.center, self.radius, &ray),
+        };
         let turned = Ray::new(self.ray.origin, -self.ray.direction);
         let farther = nearer(turned).map(|t| -t);
         let mut roots: Vec<f64> = nearer(self.ray).into_iter().chain(farther).collect();
@@ -85,20 +151,31 @@ impl Parameters<'_> {
         roots
     }
 
+    /// The a, b and c of the quadratic equation.
+    fn coefficients(&self) -> [f64; 3] {
+        let (Ray { origin, direction }, r) = (self.ray, self.radius);
+        let Some(program) = &self.slipped else {
+            let oc = self.center - origin;
+            let a = direction.dot(direction);
+            return [a, -2.0 * direction.dot(oc), oc.dot(oc) - r * r];
+        };
+        let oc = (program.oc)(self.center, origin);
+        [
+            (program.a)(program, direction),
+            (program.linear)((program.dot)(direction, oc)),
+            (program.constant)((program.squared)(program, oc), r),
+        ]
+    }
+
     /// b² − 4ac.
-    pub fn discriminant(&self) -> f64 {
+    fn discriminant(&self) -> f64 {
         let [a, b, c] = self.coefficients();
         b * b - 4.0 * a * c
     }
 
     /// How far from the center the line passes.
-    pub fn passing(&self) -> f64 {
+    fn passing(&self) -> f64 {
         (self.center - self.foot()).length()
-    }
-
-    fn coefficients(&self) -> [f64; 3] {
-        self.solver
-            .coefficients(self.center, self.radius, &self.ray)
     }
 
     /// The point of the line that is nearest to the center.
@@ -109,17 +186,120 @@ impl Parameters<'_> {
     }
 }
 
+fn answer(parameters: &Parameters) -> Answer {
+    let right = parameters.scene(None);
+    let name = (parameters.formula as usize)
+        .checked_sub(1)
+        .map(|n| SLIPS[n]);
+    let slipped = name
+        .and_then(slips::find)
+        .map(|slip| parameters.scene(Some(slip.program(Chapter::Normals))));
+    let sentence = match &slipped {
+        None => sentence(&right),
+        Some(wrong) => sentence_on(wrong, &right),
+    };
+    let shown = slipped.as_ref().unwrap_or(&right);
+    let below = right.center - Vec3::new(0.0, right.radius, 0.0);
+    let handles = [right.center, below, right.ray.at(1.0), right.ray.origin];
+    Answer {
+        drawing: draw(shown),
+        sentence,
+        handles: handles.map(|it| PLANE.point(it)).into(),
+        says: vec![("roots", roots_in_words(&shown.roots()))],
+    }
+}
+
+/// What the roots mean.
+fn sentence(right: &Scene) -> String {
+    let roots = right.roots();
+    let at = listed(&roots);
+    match roots[..] {
+        [] => "*D* is negative: the line passes the center farther away than *r*. There is no root, and the \
+            ray misses.".to_owned(),
+        [only] if only < 0.0 => {
+            format!("*D* is 0: the line only touches, behind the eye: {at}. The ray misses.")
+        }
+        [_] => format!("*D* is 0: the line only touches. Its one root is {at}."),
+        [one, other] if near(one, 0.0) || near(other, 0.0) => {
+            format!("The eye is on the sphere, where *t* is 0. The roots are {at}.")
+        }
+        [nearer, _] if nearer > 0.0 => {
+            format!("*D* is positive, and both roots are ahead: {at}. The eye sees the first.")
+        }
+        [_, farther] if farther > 0.0 => {
+            format!("One root is behind the eye and one ahead: {at}. The eye is inside.")
+        }
+        _ => format!(
+            "*D* is positive, but both roots are behind the eye: {at}. The line meets the sphere, the ray does not."
+        ),
+    }
+}
+
+/// What a slip makes of it.
+fn sentence_on(wrong: &Scene, right: &Scene) -> String {
+    let [found, true_ones] = [wrong, right].map(Scene::roots);
+    let is_right = |t: &f64| true_ones.iter().any(|it| near(*it, *t));
+    let off: Vec<f64> = found.iter().copied().filter(|t| !is_right(t)).collect();
+    if off.is_empty() && found.len() == true_ones.len() {
+        return "Here the slip does no harm: the roots are the right ones. Change something, the radius too.".to_owned();
+    }
+    let should = match true_ones[..] {
+        [] => "There should be no root".to_owned(),
+        [_] => format!("The root should be {}", listed(&true_ones)),
+        _ => format!("The roots should be {}", listed(&true_ones)),
+    };
+    let comes = if found.len() == 2 { "come" } else { "comes" };
+    let places = match off[..] {
+        [] => String::new(),
+        [only] => format!(" At {} the line is not on the sphere.", spoken(only)),
+        _ => " These places are not on the sphere.".to_owned(),
+    };
+    let farther = match found.iter().all(|t| is_on_axis(*t)) {
+        true => "",
+        false => " What is missing on the axis is farther off.",
+    };
+    format!(
+        "{should}, but {} {comes} out.{places}{farther}",
+        listed(&found)
+    )
+}
+
+/// Whether two roots differ by rounding alone, in this figure.
+fn near(one: f64, other: f64) -> bool {
+    (one - other).abs() < 1e-9
+}
+
+fn roots_in_words(roots: &[f64]) -> String {
+    match roots {
+        [] => "there is no root".to_owned(),
+        [_] => format!("there is one root, {}", listed(roots)),
+        _ => format!("the roots are {}", listed(roots)),
+    }
+}
+
+fn listed(roots: &[f64]) -> String {
+    match *roots {
+        [] => "none".to_owned(),
+        [only] => spoken(only),
+        _ => roots
+            .iter()
+            .map(|&t| spoken(t))
+            .collect::<Vec<_>>()
+            .join(" and "),
+    }
+}
+
 /// Where the scene is on the sheet.
-pub const PLANE: Plane = Plane::new(60.0, 118.0, 60.0);
+const PLANE: Plane = Plane::new(60.0, 118.0, 60.0);
 
 /// Draws the scene, the axis, and the numbers.
-pub fn draw(parameters: &Parameters) -> String {
+fn draw(scene: &Scene) -> Svg {
     let mut svg = FIGURE.sheet(400.0, 352.0);
-    draw_scene(&mut svg, parameters);
-    let roots = parameters.roots();
+    draw_scene(&mut svg, scene);
+    let roots = scene.roots();
     draw_axis(&mut svg, &roots);
     for (t, n) in roots.into_iter().zip(1..) {
-        let point = PLANE.point(parameters.ray.at(t));
+        let point = PLANE.point(scene.ray.at(t));
         let name = format!("*t*_{{{n}}}");
         if point.cmpge(DVec2::ZERO).all() && point.cmple(SCENE).all() {
             svg.circle("ink hollow", point, 5.0);
@@ -135,15 +315,15 @@ pub fn draw(parameters: &Parameters) -> String {
             );
         }
     }
-    draw_numbers(&mut svg, parameters);
-    svg.finish()
+    draw_numbers(&mut svg, scene);
+    svg
 }
 
 /// The part of the sheet above the axis.
 const SCENE: DVec2 = DVec2::new(400.0, 226.0);
 
 /// Whether a root is shown on the axis.
-pub fn is_on_axis(t: f64) -> bool {
+fn is_on_axis(t: f64) -> bool {
     (LEAST..=MOST).contains(&t)
 }
 
@@ -155,14 +335,14 @@ fn on_axis(t: f64) -> DVec2 {
     DVec2::new(128.0 + 42.0 * t, 258.0)
 }
 
-fn draw_scene(svg: &mut Svg, parameters: &Parameters) {
-    let &Parameters {
+fn draw_scene(svg: &mut Svg, scene: &Scene) {
+    let &Scene {
         center,
         radius,
         ray,
         ..
-    } = parameters;
-    let [eye, middle, foot] = [ray.origin, center, parameters.foot()].map(|it| PLANE.point(it));
+    } = scene;
+    let [eye, middle, foot] = [ray.origin, center, scene.foot()].map(|it| PLANE.point(it));
     svg.circle("sphere area", middle, PLANE.scale * radius);
     svg.line("sphere dashed", middle, foot);
     if let Some((first, last)) = PLANE.on_sheet(&ray, SCENE) {
@@ -211,15 +391,10 @@ fn draw_axis(svg: &mut Svg, roots: &[f64]) {
     }
 }
 
-fn draw_numbers(svg: &mut Svg, parameters: &Parameters) {
-    let [a, b, c] = parameters.coefficients().map(spoken);
-    let [discriminant, s, r] = [
-        parameters.discriminant(),
-        parameters.passing(),
-        parameters.radius,
-    ]
-    .map(spoken);
-    let relation = match parameters.passing().total_cmp(&parameters.radius) {
+fn draw_numbers(svg: &mut Svg, scene: &Scene) {
+    let [a, b, c] = scene.coefficients().map(spoken);
+    let [discriminant, s, r] = [scene.discriminant(), scene.passing(), scene.radius].map(spoken);
+    let relation = match scene.passing().total_cmp(&scene.radius) {
         std::cmp::Ordering::Less => '<',
         std::cmp::Ordering::Equal => '=',
         std::cmp::Ordering::Greater => '>',

@@ -1,4 +1,5 @@
-//! A predicate map: the edge of a sphere, from the whole ball down to single ulps.
+//! A predicate map: the edge of a sphere, from the whole ball down to single ulps. A reader
+//! zooms into it until it frays.
 
 use std::sync::LazyLock;
 
@@ -8,11 +9,12 @@ use speed_vs_accuracy::{
 };
 
 use crate::figure::Figure;
+use crate::live::{Action, Answer, Handle, Live, Number, parameters};
 use crate::number::{printed, raised};
 use crate::svg::{Anchor, Svg};
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "edge",
     title: "The edge, ulp by ulp",
     description: "Two maps side by side, of the same neighboring rays: cells in rows and columns, hits \
@@ -25,107 +27,234 @@ pub const FIGURE: Figure = Figure {
     caption: "Each cell is a ray, the same at the left and at the right; the circle is a tangent, the square \
         the chosen ray. Tinted cells are hits. At the left those are marked that the method decides wrongly, \
         at the right those that the first filter leaves to later stages.",
-    draw: || {
-        let parameters = Parameters::default();
-        draw(&parameters, &parameters.decisions())
-    },
+    draw: || LIVE.on_page(),
 };
 
-/// What can be changed.
-#[derive(Clone, Copy, Debug)]
-pub struct Parameters {
-    /// Who decides in the left map.
-    pub method: Method,
-    /// From cell to cell the origin moves by two to this power ulps.
-    pub doublings: u8,
-    /// How many cells the tangent is from the middle, to the right and upwards.
-    pub tangent: DVec2,
-    /// The chosen cell, counted from the middle.
-    pub cell: DVec2,
+parameters! {
+    doublings: Number::whole(
+        "Size of a cell: doublings of an ulp",
+        0.0,
+        MOST_DOUBLINGS as f64,
+        0.0,
+    ),
+    right: in_cells("Cell, to the right of the middle", 4.0),
+    up: in_cells("Cell, above the middle", 2.0),
+    tangent_right: in_cells("Tangent, to the right of the middle", 0.0),
+    tangent_up: in_cells("Tangent, above the middle", 0.0),
+    method: Number::choice(
+        "The method at the left",
+        &[
+            METHODS[0].name,
+            METHODS[1].name,
+            METHODS[2].name,
+            METHODS[3].name,
+        ],
+    ),
 }
 
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            method: Method::HALF_B,
-            doublings: 0,
-            tangent: DVec2::ZERO,
-            cell: DVec2::new(4.0, 2.0),
+/// The choices of a method.
+const METHODS: [Method; 4] = [
+    Method::HALF_B,
+    Method::KAHAN_Q,
+    Method::CROSS_Q,
+    Method::DOUBLE_DOUBLE,
+];
+
+/// A place on a map, in cells from its middle.
+const fn in_cells(name: &'static str, default: f64) -> Number {
+    Number::whole(name, -REACH as f64, REACH as f64, default)
+}
+
+/// The figure, as a reader moves it.
+pub(crate) static LIVE: Live<Parameters> = Live {
+    figure: FIGURE,
+    question: "How close must you look before the edge frays? Begin with the whole ball, zoom in, and then \
+        choose a cell that is marked. Who is wrong there?",
+    handles: &[
+        Handle {
+            fields: &["doublings"],
+            drag: |it, to| it.doublings = doublings_at(to),
+        },
+        Handle {
+            fields: &["right", "up"],
+            drag: |it, to| [it.right, it.up] = cell_at(MIDDLES[0], to).to_array(),
+        },
+        Handle {
+            fields: &["tangent_right", "tangent_up"],
+            drag: |it, to| [it.tangent_right, it.tangent_up] = cell_at(MIDDLES[1], to).to_array(),
+        },
+    ],
+    actions: &[
+        Action {
+            name: "The whole ball",
+            act: |it| [it.doublings, it.tangent_right, it.tangent_up] = [49.0, 6.0, 3.0],
+        },
+        Action {
+            name: "16 times closer",
+            act: |it| it.doublings = (it.doublings - 4.0).max(0.0),
+        },
+        Action {
+            name: "One ulp",
+            act: |it| [it.doublings, it.tangent_right, it.tangent_up] = [0.0; 3],
+        },
+    ],
+    answer,
+};
+
+impl Parameters {
+    fn map(&self) -> Map {
+        Map {
+            method: METHODS[self.method as usize],
+            doublings: self.doublings as u8,
+            tangent: DVec2::new(self.tangent_right, self.tangent_up),
+            cell: DVec2::new(self.right, self.up),
         }
     }
 }
 
+/// Neighboring rays beside a tangent.
+struct Map {
+    /// Who decides in the left map.
+    method: Method,
+    /// From cell to cell the origin moves by two to this power ulps.
+    doublings: u8,
+    /// How many cells the tangent is from the middle, to the right and upwards.
+    tangent: DVec2,
+    /// The chosen cell, counted from the middle.
+    cell: DVec2,
+}
+
+fn answer(parameters: &Parameters) -> Answer {
+    let map = parameters.map();
+    let decisions = map.decisions();
+    let wrong = decisions
+        .iter()
+        .filter(|it| it.is_wrong())
+        .count()
+        .to_string();
+    let chosen = map.decision(map.cell);
+    Answer {
+        drawing: draw(&map, &decisions),
+        sentence: format!(
+            "{} {} On this map {} is wrong in {wrong} of {} cells.",
+            of_method(map.method.name, &chosen),
+            of_stage(chosen.stage, &map.discriminants()),
+            map.method.name,
+            decisions.len()
+        ),
+        handles: vec![
+            on_axis(map.doublings.into()),
+            on_map(MIDDLES[0], map.cell),
+            on_map(MIDDLES[1], map.tangent),
+        ],
+        says: vec![
+            ("step", ulps(map.doublings)),
+            ("method", map.method.name.to_owned()),
+            ("wrong", wrong),
+        ],
+    }
+}
+
+/// What the plain method says of the chosen cell.
+fn of_method(name: &str, decision: &Decision) -> String {
+    let found = if decision.found { "hit" } else { "miss" };
+    let verdict = match decision.is_wrong() {
+        true => "and is wrong",
+        false => "and is right",
+    };
+    format!("In the chosen cell {name} says {found}, {verdict}.")
+}
+
+/// Why that stage answered.
+fn of_stage(stage: Stage, numbers: &Discriminants) -> String {
+    let found = format!(
+        "The filter's *D* is {}, give or take {}",
+        printed(numbers.computed),
+        printed(numbers.bound)
+    );
+    let who = match stage {
+        Stage::Filter => return format!("{found}, so its sign is certain."),
+        Stage::Rescaled => "the filter in other units",
+        Stage::Sharper => "the sharper filter",
+        Stage::FixedWidth => "integers of fixed width",
+        Stage::Exact => "integers of any length",
+    };
+    let why = match numbers.computed.abs() <= numbers.bound {
+        true => "it may have either sign",
+        false => "its sign is certain, but not yet the root",
+    };
+    format!("{found}: {why}. The answer comes from {who}.")
+}
+
 /// The cells lie from so many to the left of the middle to so many to the right.
-pub const REACH: i32 = 12;
+const REACH: i32 = 12;
 const CELLS: usize = 2 * REACH as usize + 1;
 
 /// In so few doublings a cell becomes an eighth, and the map thrice the ball.
-pub const MOST_DOUBLINGS: u8 = 50;
+const MOST_DOUBLINGS: u8 = 50;
 
 /// Where the middle of each map is on the sheet, the plain method's first.
-pub const MIDDLES: [DVec2; 2] = [DVec2::new(98.0, 118.0), DVec2::new(302.0, 118.0)];
+const MIDDLES: [DVec2; 2] = [DVec2::new(98.0, 118.0), DVec2::new(302.0, 118.0)];
 const SIDE: f64 = 7.5;
 
 /// Where on the sheet a cell of a map is.
-pub fn on_map(middle: DVec2, cell: DVec2) -> DVec2 {
+fn on_map(middle: DVec2, cell: DVec2) -> DVec2 {
     middle + SIDE * DVec2::new(cell.x, -cell.y)
 }
 
 /// Which cell is there on the sheet.
-pub fn cell_at(middle: DVec2, at: DVec2) -> DVec2 {
+fn cell_at(middle: DVec2, at: DVec2) -> DVec2 {
     let way = (at - middle) / SIDE;
     DVec2::new(way.x, -way.y)
 }
 
 /// Where on the axis of sizes cells of so many doublings are.
-pub fn on_axis(doublings: f64) -> DVec2 {
+fn on_axis(doublings: f64) -> DVec2 {
     DVec2::new(20.0 + 7.2 * doublings, 258.0)
 }
 
 /// How many doublings are there on the sheet.
-pub fn doublings_at(at: DVec2) -> f64 {
+fn doublings_at(at: DVec2) -> f64 {
     (at.x - 20.0) / 7.2
 }
 
 /// What is decided about a ray, and by whom.
-#[derive(Clone, Copy, Debug)]
-pub struct Decision {
+struct Decision {
     /// Whether the plain method says that it hits.
-    pub found: bool,
+    found: bool,
     /// Whether it does, as `certified_hit` proves.
-    pub hits: bool,
+    hits: bool,
     /// The stage of `certified_hit` that decided.
-    pub stage: Stage,
+    stage: Stage,
 }
 
 impl Decision {
     /// Whether the plain method is wrong.
-    pub fn is_wrong(&self) -> bool {
+    fn is_wrong(&self) -> bool {
         self.found != self.hits
     }
 }
 
 /// D of a ray, its bound, and what it should be.
-#[derive(Clone, Copy, Debug)]
-pub struct Discriminants {
+struct Discriminants {
     /// D, as the filter has it.
-    pub computed: f64,
+    computed: f64,
     /// It is off by so much at most.
-    pub bound: f64,
+    bound: f64,
     /// D, to within an ulp.
-    pub exact: f64,
+    exact: f64,
 }
 
-impl Parameters {
+impl Map {
     /// The ray of a cell.
-    pub fn case(&self, cell: DVec2) -> Case {
+    fn case(&self, cell: DVec2) -> Case {
         static TANGENT: LazyLock<Case> = LazyLock::new(|| tangent(Precision::Double));
         let ulps = (1_u64 << self.doublings) as f64 * (cell - self.tangent);
         beside(&TANGENT, Precision::Double, ulps.x, ulps.y)
     }
 
     /// What is decided about the ray of a cell: whether its line meets the sphere.
-    pub fn decision(&self, cell: DVec2) -> Decision {
+    fn decision(&self, cell: DVec2) -> Decision {
         let case = self.case(cell);
         let (t_min, t_max) = (f64::NEG_INFINITY, f64::INFINITY);
         let hits = |method| case.put_to(method, t_min, t_max).is_some();
@@ -137,7 +266,7 @@ impl Parameters {
     }
 
     /// The decisions of all cells, row by row from above.
-    pub fn decisions(&self) -> Vec<Decision> {
+    fn decisions(&self) -> Vec<Decision> {
         let reach = -REACH..=REACH;
         let rows = reach.clone().rev();
         rows.flat_map(|up| reach.clone().map(move |right| (right, up)))
@@ -146,7 +275,7 @@ impl Parameters {
     }
 
     /// The numbers of the chosen cell.
-    pub fn discriminants(&self) -> Discriminants {
+    fn discriminants(&self) -> Discriminants {
         let case = self.case(self.cell);
         let exact = exact_discriminant(case.center, case.radius, &case.ray);
         Discriminants {
@@ -158,33 +287,33 @@ impl Parameters {
 }
 
 /// Draws both maps of these decisions, the axis of sizes, and D of the chosen cell.
-pub fn draw(parameters: &Parameters, decisions: &[Decision]) -> String {
+fn draw(map: &Map, decisions: &[Decision]) -> Svg {
     let mut svg = FIGURE.sheet(400.0, 378.0);
-    draw_plain(&mut svg, parameters, decisions);
-    draw_certified(&mut svg, parameters, decisions);
-    draw_axis(&mut svg, parameters.doublings);
-    draw_discriminants(&mut svg, &parameters.discriminants());
-    svg.finish()
+    draw_plain(&mut svg, map, decisions);
+    draw_certified(&mut svg, map, decisions);
+    draw_axis(&mut svg, map.doublings);
+    draw_discriminants(&mut svg, &map.discriminants());
+    svg
 }
 
-fn draw_plain(svg: &mut Svg, parameters: &Parameters, decisions: &[Decision]) {
-    let name = parameters.method.name;
+fn draw_plain(svg: &mut Svg, map: &Map, decisions: &[Decision]) {
+    let name = map.method.name;
     let hits: Vec<bool> = decisions.iter().map(|it| it.hits).collect();
     let wrong: Vec<bool> = decisions.iter().map(Decision::is_wrong).collect();
     let cells = [("sphere wash", &hits[..]), (WRONG, &wrong)];
-    draw_map(svg, parameters, MIDDLES[0], name, &cells);
+    draw_map(svg, map, MIDDLES[0], name, &cells);
     let count = wrong.iter().filter(|it| **it).count();
     explain(svg, MIDDLES[0], WRONG, &format!("wrong: {count}"));
 }
 
-fn draw_certified(svg: &mut Svg, parameters: &Parameters, decisions: &[Decision]) {
+fn draw_certified(svg: &mut Svg, map: &Map, decisions: &[Decision]) {
     let set = |of: fn(&Decision) -> bool| decisions.iter().map(of).collect::<Vec<bool>>();
     let cells = [
         ("sphere wash", &set(|it| it.hits)[..]),
         (SHARPER, &set(|it| it.stage == Stage::Sharper)),
         (INTEGERS, &set(|it| it.stage >= Stage::FixedWidth)),
     ];
-    draw_map(svg, parameters, MIDDLES[1], "certified_hit", &cells);
+    draw_map(svg, map, MIDDLES[1], "certified_hit", &cells);
     explain(svg, MIDDLES[1], SHARPER, "sharper filter");
     let beside = MIDDLES[1] + DVec2::new(110.0, 0.0);
     explain(svg, beside, INTEGERS, "integers");
@@ -197,13 +326,7 @@ const SHARPER: &str = "depth-2 certain solid";
 const INTEGERS: &str = "depth-3 certain solid";
 
 /// A map: cells of each class, the tangent and the chosen cell.
-fn draw_map(
-    svg: &mut Svg,
-    parameters: &Parameters,
-    middle: DVec2,
-    name: &str,
-    cells: &[(&str, &[bool])],
-) {
+fn draw_map(svg: &mut Svg, map: &Map, middle: DVec2, name: &str, cells: &[(&str, &[bool])]) {
     let half = 0.5 * SIDE * CELLS as f64;
     let corner = middle - DVec2::splat(half);
     let above = middle - DVec2::new(0.0, half + 8.0);
@@ -214,9 +337,9 @@ fn draw_map(
         }
     });
     svg.rect("faint thin", corner, DVec2::splat(2.0 * half));
-    let tangent = on_map(middle, parameters.tangent);
+    let tangent = on_map(middle, map.tangent);
     svg.circle("ink line", tangent, 4.0);
-    let chosen = on_map(middle, parameters.cell) - DVec2::splat(0.5 * SIDE);
+    let chosen = on_map(middle, map.cell) - DVec2::splat(0.5 * SIDE);
     svg.rect("ink line", chosen, DVec2::splat(SIDE));
 }
 
@@ -244,7 +367,7 @@ fn draw_axis(svg: &mut Svg, doublings: u8) {
 }
 
 /// An ulp, doubled so many times.
-pub fn ulps(doublings: u8) -> String {
+fn ulps(doublings: u8) -> String {
     match doublings {
         0 => "1 ulp".to_owned(),
         _ => format!("2{} ulps", raised(doublings.into())),

@@ -28,7 +28,7 @@ impl Figure {
     /// An empty drawing with the words of this figure.
     pub(crate) fn sheet(&self, width: f64, height: f64) -> Svg {
         let size = DVec2::new(width, height);
-        Svg::new(self.name, self.title, self.description, size)
+        Svg::new("drawing", self.name, self.title, self.description, size)
     }
 }
 

@@ -4,40 +4,41 @@
 //! grid by the camera, the roots by `hit_sphere`, the turned normal by
 //! `set_face_normal`. So a figure cannot drift from the code.
 
-pub mod build_test;
-pub mod camera_frame;
-pub mod cancellation;
+mod build_test;
+mod camera_frame;
+mod cancellation;
 mod charts;
 mod decimal;
-pub mod digits;
-pub mod discriminant;
-pub mod edge;
-pub mod face_normal;
+mod digits;
+mod discriminant;
+mod edge;
+mod face_normal;
 mod figure;
-pub mod nearest;
-pub mod normal;
-pub mod normal_colors;
+mod live;
+mod nearest;
+mod normal;
+mod normal_colors;
 pub mod number;
-pub mod passing;
+mod passing;
 mod pixels;
 mod plane;
-pub mod projection;
-pub mod ray;
+mod projection;
+mod ray;
 pub mod records;
-pub mod red_sphere;
-pub mod roots;
-pub mod sphere_test;
+mod red_sphere;
+mod roots;
+mod sphere_test;
 mod style;
 mod svg;
 pub mod table;
-pub mod unit_sky;
-pub mod viewport_grid;
+mod unit_sky;
+mod viewport_grid;
 
 pub use charts::{CHARTS, Chart, Drawn, Point, find_chart, scene_chart};
 pub use figure::{Figure, html};
-pub use plane::Plane;
+pub use live::{Answer, Movable, Number};
 pub use style::{CSS, standalone};
-pub use svg::{escape, spoken};
+pub use svg::{Svg, escape};
 
 /// All figures, in reading order: the nine of the notes, and eight more.
 pub const FIGURES: &[Figure] = &[
@@ -63,4 +64,24 @@ pub const FIGURES: &[Figure] = &[
 /// The figure of that name.
 pub fn find(name: &str) -> Option<&'static Figure> {
     FIGURES.iter().find(|figure| figure.name == name)
+}
+
+/// The figures that a reader can move, in reading order. A page names them by their place.
+pub static LIVE_FIGURES: &[&dyn Movable] = &[
+    &ray::LIVE,
+    &viewport_grid::LIVE,
+    &discriminant::LIVE,
+    &normal_colors::LIVE,
+    &nearest::LIVE,
+    &face_normal::LIVE,
+    &digits::LIVE,
+    &edge::LIVE,
+];
+
+/// The live figure of that name.
+pub fn find_live(name: &str) -> Option<&'static dyn Movable> {
+    LIVE_FIGURES
+        .iter()
+        .copied()
+        .find(|live| live.name() == name)
 }

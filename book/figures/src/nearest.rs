@@ -1,16 +1,19 @@
-//! How a list finds the nearest hit: each hit ends the interval for the next sphere.
+//! How a list finds the nearest hit: each hit ends the interval for the next sphere. Spheres
+//! and ray move, the order changes, the loop goes on turn by turn, and slips break it.
 
 use common::rtweekend::*;
 use glam::DVec2;
 use hittable_list::{Hittable, HittableList, Sphere};
+use slips::{Ball, Chapter, Program};
 
 use crate::figure::Figure;
+use crate::live::{Action, Answer, Handle, Live, Number, parameters};
 use crate::number::three_digits;
 use crate::plane::Plane;
 use crate::svg::{Anchor, Svg};
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "nearest",
     title: "The nearest hit wins",
     description: "A ray passes through three spheres: first through sphere 2, then through sphere 1, \
@@ -20,89 +23,251 @@ pub const FIGURE: Figure = Figure {
         is hit. A last bar, as long, is closest_so_far.",
     caption: "A list asks each sphere in turn, and each hit ends the interval for the next. \
         What is behind the nearest hit so far can no longer win.",
-    draw: || draw(&Parameters::default()),
+    draw: || LIVE.on_page(),
 };
 
-/// What can be changed.
-#[derive(Clone, Copy)]
-pub struct Parameters<'a> {
-    /// The spheres 1, 2 and 3: center, in the plane of x and y, and radius.
-    pub spheres: [(Point3, f64); 3],
-    /// The list: who comes first, second and third, as places in `spheres`.
-    pub order: [usize; 3],
-    /// A ray in the same plane, to the right.
-    pub ray: Ray,
-    /// How many of the list have had their turn.
-    pub turns: usize,
-    /// Who searches the list.
-    pub search: &'a dyn Search,
+parameters! {
+    x_1: Number::new("Sphere 1, to the right", 0.0, 4.4, 2.9),
+    y_1: Number::new("Sphere 1, upwards", -0.45, 0.45, 0.3),
+    x_2: Number::new("Sphere 2, to the right", 0.0, 4.4, 1.85),
+    y_2: Number::new("Sphere 2, upwards", -0.45, 0.45, -0.25),
+    x_3: Number::new("Sphere 3, to the right", 0.0, 4.4, 3.8),
+    y_3: Number::new("Sphere 3, upwards", -0.45, 0.45, -0.2),
+    d_x: Number::new("d, to the right", 0.25, 2.0, 1.0),
+    d_y: Number::new("d, upwards", -0.5, 0.5, 0.0),
+    q_x: Number::new("Q, to the right", 0.0, 2.0, 0.0),
+    q_y: Number::new("Q, upwards", -0.6, 0.6, 0.0),
+    turns: Number::whole("Turns", 0.0, 3.0, 3.0),
+    list: Number::choice("The list", LISTS),
+    search: Number::choice("The search", SEARCHES),
 }
 
-/// Finds the hit that counts in a list, in one way or another.
-pub trait Search {
-    /// Its t, and the place in the list of the sphere that is hit.
-    fn winner(&self, list: &[(Point3, f64)], ray: &Ray) -> Option<(f64, usize)>;
+/// The figure, as a reader moves it.
+pub(crate) static LIVE: Live<Parameters> = Live {
+    figure: FIGURE,
+    question: "Which sphere wins if you change the order of the list? And which, if the search \
+        returns at the first hit? Drag them so that even that is right.",
+    handles: &[
+        Handle {
+            fields: &["x_1", "y_1"],
+            drag: |it, to| [it.x_1, it.y_1, _] = PLANE.place(to).to_array(),
+        },
+        Handle {
+            fields: &["x_2", "y_2"],
+            drag: |it, to| [it.x_2, it.y_2, _] = PLANE.place(to).to_array(),
+        },
+        Handle {
+            fields: &["x_3", "y_3"],
+            drag: |it, to| [it.x_3, it.y_3, _] = PLANE.place(to).to_array(),
+        },
+        Handle {
+            fields: &["d_x", "d_y"],
+            drag: |it, to| [it.d_x, it.d_y, _] = (PLANE.place(to) - it.ray().origin).to_array(),
+        },
+        Handle {
+            fields: &["q_x", "q_y"],
+            drag: |it, to| [it.q_x, it.q_y, _] = PLANE.place(to).to_array(),
+        },
+    ],
+    actions: &[Action {
+        name: "Next turn",
+        act: |it| it.turns = (it.turns + 1.0) % 4.0,
+    }],
+    answer,
+};
+
+/// The orders of the list: who comes first, second and third, as places of the spheres.
+const ORDERS: [[usize; 3]; 6] = [
+    [0, 1, 2],
+    [0, 2, 1],
+    [1, 0, 2],
+    [1, 2, 0],
+    [2, 0, 1],
+    [2, 1, 0],
+];
+const LISTS: &[&str] = &[
+    "1, 2, 3", "1, 3, 2", "2, 1, 3", "2, 3, 1", "3, 1, 2", "3, 2, 1",
+];
+
+/// The search as it should be, and two slips: their names in the catalogue, and whether they
+/// go on after a hit.
+const SLIPS: [(&str, bool); 2] = [("first-hit-wins", false), ("closest-ignored", true)];
+const SEARCHES: &[&str] = &[
+    "as it should be",
+    "returns at the first hit",
+    "closest_so_far is not handed on",
+];
+
+/// The radii of the three spheres.
+const RADII: [f64; 3] = [0.7, 0.6, 0.5];
+
+impl Parameters {
+    fn ray(&self) -> Ray {
+        Ray::new(
+            Point3::new(self.q_x, self.q_y, 0.0),
+            Vec3::new(self.d_x, self.d_y, 0.0),
+        )
+    }
+
+    fn spheres(&self) -> [Ball; 3] {
+        let [one, two, three] = RADII;
+        [
+            Ball::new(self.x_1, self.y_1, 0.0, one),
+            Ball::new(self.x_2, self.y_2, 0.0, two),
+            Ball::new(self.x_3, self.y_3, 0.0, three),
+        ]
+    }
+
+    fn scene(&self, search: Search) -> Scene {
+        Scene {
+            spheres: self.spheres(),
+            order: ORDERS[self.list as usize],
+            ray: self.ray(),
+            turns: self.turns as usize,
+            search,
+        }
+    }
+}
+
+/// Who searches the list.
+#[derive(Clone, Copy)]
+enum Search {
+    /// The list of chapter 5.
+    Right,
+    /// What a slip makes of it, and whether that goes on after a hit.
+    Slipped(Program, bool),
+}
+
+impl Search {
+    /// The t of the hit that counts, and the place in the list of the sphere that is hit.
+    fn winner(&self, list: &[Ball], ray: &Ray) -> Option<(f64, usize)> {
+        match self {
+            Self::Right => {
+                let mut world = HittableList::default();
+                for &Ball { center, radius } in list {
+                    world.add(Sphere::new(center, radius));
+                }
+                let t_of =
+                    |object: &dyn Hittable| object.hit(ray, 0.0, f64::INFINITY).map(|it| it.t);
+                let nearest = t_of(&world)?;
+                // Of two that are equally near, the first one counts.
+                let mut list = list.iter();
+                let place = list.position(|&Ball { center, radius }| {
+                    t_of(&Sphere::new(center, radius)) == Some(nearest)
+                })?;
+                Some((nearest, place))
+            }
+            Self::Slipped(program, _) => {
+                /// Room for three spheres.
+                static PLACES: [Ball; 3] = [Ball::new(0.0, 0.0, 0.0, 0.0); 3];
+                let own = std::array::from_fn(|n| list.get(n).copied());
+                let program = Program {
+                    world: &PLACES[..list.len()],
+                    own,
+                    ..*program
+                };
+                let (t, hit) = program.search(ray)?;
+                let place = own.iter().position(|&it| it == Some(hit))?;
+                Some((t, place))
+            }
+        }
+    }
 
     /// Up to which t the next sphere is asked, given the t of the last hit; `None` if it is
     /// not asked.
-    fn t_max(&self, last_hit: Option<f64>) -> Option<f64>;
-}
-
-/// The list of chapter 5.
-#[derive(Clone, Copy, Debug)]
-pub struct Right;
-
-impl Search for Right {
-    fn winner(&self, list: &[(Point3, f64)], ray: &Ray) -> Option<(f64, usize)> {
-        let mut world = HittableList::default();
-        for &(center, radius) in list {
-            world.add(Sphere::new(center, radius));
+    fn t_max(&self, last_hit: Option<f64>) -> Option<f64> {
+        match self {
+            Self::Right => Some(last_hit.unwrap_or(f64::INFINITY)),
+            Self::Slipped(program, goes_on) => {
+                (*goes_on || last_hit.is_none()).then_some(program.t_max)
+            }
         }
-        let t_of = |object: &dyn Hittable| object.hit(ray, 0.0, f64::INFINITY).map(|it| it.t);
-        let nearest = t_of(&world)?;
-        // Of two that are equally near, the first one counts.
-        let place = list
-            .iter()
-            .position(|&(center, radius)| t_of(&Sphere::new(center, radius)) == Some(nearest))?;
-        Some((nearest, place))
-    }
-
-    fn t_max(&self, closest_so_far: Option<f64>) -> Option<f64> {
-        Some(closest_so_far.unwrap_or(f64::INFINITY))
     }
 }
 
-impl Default for Parameters<'_> {
-    fn default() -> Self {
-        Self {
-            spheres: [
-                (Point3::new(2.9, 0.3, 0.0), 0.7),
-                (Point3::new(1.85, -0.25, 0.0), 0.6),
-                (Point3::new(3.8, -0.2, 0.0), 0.5),
-            ],
-            order: [0, 1, 2],
-            ray: Ray::new(Point3::ZERO, Vec3::X),
-            turns: 3,
-            search: &Right,
+/// Spheres in an order, and a ray, in the plane of x and y.
+struct Scene {
+    /// The spheres 1, 2 and 3.
+    spheres: [Ball; 3],
+    /// The list: who comes first, second and third, as places in `spheres`.
+    order: [usize; 3],
+    ray: Ray,
+    /// How many of the list have had their turn.
+    turns: usize,
+    search: Search,
+}
+
+fn answer(parameters: &Parameters) -> Answer {
+    let right = parameters.scene(Search::Right);
+    let slip = (parameters.search as usize)
+        .checked_sub(1)
+        .map(|n| SLIPS[n]);
+    let slipped = slip.and_then(|(name, goes_on)| {
+        let program = slips::find(name)?.program(Chapter::HittableList);
+        Some(parameters.scene(Search::Slipped(program, goes_on)))
+    });
+    let shown = slipped.as_ref().unwrap_or(&right);
+    let held: Vec<String> = (0..=shown.turns)
+        .map(|turns| shown.held_after(turns))
+        .map(|held| in_digits(held.map_or(f64::INFINITY, |(t, _)| t)))
+        .collect();
+    let [one, two, three] = shown.spheres.map(|sphere| sphere.center);
+    Answer {
+        drawing: draw(shown),
+        sentence: format!("{}{}", turn(shown), end(shown, &right)),
+        handles: [one, two, three, shown.ray.at(1.0), shown.ray.origin]
+            .map(|it| PLANE.point(it))
+            .into(),
+        says: vec![("held", held.join(", "))],
+    }
+}
+
+/// What happened in the last turn.
+fn turn(shown: &Scene) -> String {
+    let Some(Turn { sphere, t_max, hit }) = shown.turns().pop() else {
+        return "No sphere has had its turn: the first one will be asked for every *t* above 0."
+            .to_owned();
+    };
+    match (t_max.map(in_digits), hit.map(in_digits)) {
+        (None, _) => format!("Sphere {sphere} is not asked: the search has returned."),
+        (Some(end), None) => {
+            format!("Sphere {sphere} is asked for 0 < *t* < {end}, and not hit there.")
         }
+        (Some(end), Some(t)) => {
+            format!("Sphere {sphere} is asked for 0 < *t* < {end}, and hit at {t}.")
+        }
+    }
+}
+
+/// What comes out when all had their turn.
+fn end(shown: &Scene, right: &Scene) -> String {
+    if shown.turns < shown.order.len() {
+        return String::new();
+    }
+    match (shown.held(), right.held()) {
+        (Some((t, sphere)), Some((nearest, nearer))) if t > nearest => format!(
+            " Sphere {sphere} wins, and is painted over sphere {nearer}, which is nearer: its *t* is {}.",
+            in_digits(nearest)
+        ),
+        (Some((_, sphere)), _) => format!(" Sphere {sphere} wins, and no other is nearer."),
+        (None, _) => " No sphere is hit ahead of **Q**.".to_owned(),
     }
 }
 
 /// What becomes of a sphere when it has its turn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turn {
+struct Turn {
     /// The number of the sphere.
-    pub sphere: usize,
+    sphere: usize,
     /// Up to which t it is asked, if at all.
-    pub t_max: Option<f64>,
+    t_max: Option<f64>,
     /// Where it is hit before that.
-    pub hit: Option<f64>,
+    hit: Option<f64>,
 }
 
-impl Parameters<'_> {
+impl Scene {
     /// The turns so far. A search of the list as far as it has come tells what it holds after
     /// each of them.
-    pub fn turns(&self) -> Vec<Turn> {
+    fn turns(&self) -> Vec<Turn> {
         let turn = |n: usize| {
             let [before, after] = [n, n + 1].map(|count| self.winner(count));
             Turn {
@@ -115,8 +280,12 @@ impl Parameters<'_> {
     }
 
     /// What the search holds after the turns so far: t, and the number of the sphere.
-    pub fn held(&self) -> Option<(f64, usize)> {
-        let (t, place) = self.winner(self.turns)?;
+    fn held(&self) -> Option<(f64, usize)> {
+        self.held_after(self.turns)
+    }
+
+    fn held_after(&self, turns: usize) -> Option<(f64, usize)> {
+        let (t, place) = self.winner(turns)?;
         Some((t, self.order[place] + 1))
     }
 
@@ -127,7 +296,7 @@ impl Parameters<'_> {
 }
 
 /// A t of a hit, or the end of an interval, in few digits.
-pub fn in_digits(t: f64) -> String {
+fn in_digits(t: f64) -> String {
     match t {
         f64::INFINITY => "∞".to_owned(),
         _ => three_digits(t),
@@ -135,17 +304,17 @@ pub fn in_digits(t: f64) -> String {
 }
 
 /// Where the scene is on the sheet.
-pub const PLANE: Plane = Plane::new(24.0, 96.0, 82.0);
+const PLANE: Plane = Plane::new(24.0, 96.0, 82.0);
 
 /// The size of the part of the sheet with the scene.
 const SCENE: DVec2 = DVec2::new(400.0, 192.0);
 
 /// Draws the spheres and the ray, then a bar for each turn so far, and what is held.
-pub fn draw(parameters: &Parameters) -> String {
+fn draw(scene: &Scene) -> Svg {
     let mut svg = FIGURE.sheet(400.0, 352.0);
-    draw_scene(&mut svg, parameters);
-    let ray = &parameters.ray;
-    let turns = parameters.turns();
+    draw_scene(&mut svg, scene);
+    let ray = &scene.ray;
+    let turns = scene.turns();
     for (turn, row) in turns.iter().zip(0..) {
         draw_turn(&mut svg, turn, row);
         let point = turn.hit.map(|t| PLANE.point(ray.at(t)));
@@ -153,12 +322,12 @@ pub fn draw(parameters: &Parameters) -> String {
             svg.circle("ray hollow", point, 5.0);
         }
     }
-    draw_held(&mut svg, parameters, turns.len());
-    svg.finish()
+    draw_held(&mut svg, scene, turns.len());
+    svg
 }
 
-fn draw_scene(svg: &mut Svg, Parameters { spheres, ray, .. }: &Parameters) {
-    for &(center, radius) in spheres {
+fn draw_scene(svg: &mut Svg, Scene { spheres, ray, .. }: &Scene) {
+    for &Ball { center, radius } in spheres {
         svg.circle("sphere area", PLANE.point(center), PLANE.scale * radius);
     }
     let [q, tip] = [0.0, 1.0].map(|t| PLANE.point(ray.at(t)));
@@ -170,8 +339,8 @@ fn draw_scene(svg: &mut Svg, Parameters { spheres, ray, .. }: &Parameters) {
     let above = DVec2::new(0.0, -16.0);
     svg.label("ink", q + above, Anchor::Middle, "**Q**");
     svg.label("ray", 0.5 * (q + tip) + above, Anchor::Middle, "**d**");
-    for ((center, _), name) in spheres.iter().zip(1..) {
-        let at = PLANE.point(*center) + DVec2::new(0.0, 5.0);
+    for (sphere, name) in spheres.iter().zip(1..) {
+        let at = PLANE.point(sphere.center) + DVec2::new(0.0, 5.0);
         svg.label("sphere", at, Anchor::Middle, &format!("{name}"));
     }
 }
@@ -193,13 +362,13 @@ fn draw_turn(svg: &mut Svg, turn: &Turn, row: usize) {
     }
 }
 
-fn draw_held(svg: &mut Svg, parameters: &Parameters, row: usize) {
-    let held = parameters.held();
+fn draw_held(svg: &mut Svg, scene: &Scene, row: usize) {
+    let held = scene.held();
     let (t, sphere) = match held {
         None => (f64::INFINITY, String::new()),
         Some((t, sphere)) => (t, format!(", sphere {sphere}")),
     };
-    let name = match parameters.search.t_max(held.map(|(t, _)| t)) {
+    let name = match scene.search.t_max(held.map(|(t, _)| t)) {
         Some(_) => "closest_so_far",
         None => "returned *t*",
     };

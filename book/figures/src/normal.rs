@@ -9,7 +9,7 @@ use crate::plane::Plane;
 use crate::svg::Anchor;
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "normal",
     title: "The normal of a sphere",
     description: "A ray comes from the left and hits a sphere with center C in a point P. A dashed \
@@ -17,42 +17,20 @@ pub const FIGURE: Figure = Figure {
         and is one unit long. It stands upright on a short line that touches the sphere in P.",
     caption: "The outward normal is the way from the center to the point that was hit: **P** − **C**. \
         That way is *r* long, so **n** = (**P** − **C**)/*r* has length 1.",
-    draw: || draw(&Parameters::default()),
+    draw,
 };
 
-/// What can be changed.
-#[derive(Clone, Copy, Debug)]
-pub struct Parameters {
-    /// The center of the sphere, in the plane of x and y.
-    pub center: Point3,
-    /// Its radius.
-    pub radius: f64,
-    /// A ray in the same plane that hits it.
-    pub ray: Ray,
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            center: Point3::ZERO,
-            radius: 1.6,
-            ray: Ray::new(Point3::new(-3.1, 1.75, 0.0), Vec3::new(1.9, -0.45, 0.0)),
-        }
-    }
-}
+/// The sphere, and a ray that hits it, in the plane of x and y.
+const CENTER: Point3 = Point3::ZERO;
+const RADIUS: f64 = 1.6;
 
 /// Draws the sphere, and if the ray hits it, the normal.
-pub fn draw(
-    &Parameters {
-        center,
-        radius,
-        ray,
-    }: &Parameters,
-) -> String {
+fn draw() -> String {
+    let ray = Ray::new(Point3::new(-3.1, 1.75, 0.0), Vec3::new(1.9, -0.45, 0.0));
     let mut svg = FIGURE.sheet(400.0, 300.0);
     let plane = Plane::new(235.0, 180.0, 68.0);
-    let middle = plane.point(center);
-    svg.circle("sphere area", middle, plane.scale * radius);
+    let middle = plane.point(CENTER);
+    svg.circle("sphere area", middle, plane.scale * RADIUS);
     svg.circle("sphere solid", middle, 4.5);
     svg.label(
         "sphere",
@@ -61,9 +39,9 @@ pub fn draw(
         "**C**",
     );
 
-    if let Some(t) = hit_sphere(center, radius, &ray) {
+    if let Some(t) = hit_sphere(CENTER, RADIUS, &ray) {
         let point = ray.at(t);
-        let unit = (point - center).normalize();
+        let unit = (point - CENTER).normalize();
         let hit = plane.point(point);
         let out = plane.vector(unit).normalize();
         svg.arrow("ray line", plane.point(ray.origin), hit);

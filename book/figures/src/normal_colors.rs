@@ -1,15 +1,17 @@
-//! Figure 8 of the notes: normals as colors.
+//! Figure 8 of the notes: normals as colors. The first of five points moves over the ball.
 
 use common::rtweekend::*;
 use glam::DVec2;
 use normals::{hit_sphere, ray_color};
 
 use crate::figure::Figure;
+use crate::live::{Action, Answer, Handle, Live, Number, parameters};
+use crate::number::spoken;
 use crate::pixels::Frame;
 use crate::svg::{Anchor, Svg};
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "normal_colors",
     title: "Normals and their colors",
     description: "The sphere colored by its normals, in large pixels. At five points an arrow \
@@ -19,38 +21,91 @@ pub const FIGURE: Figure = Figure {
     caption: "A color for each direction: red for *x*, green for *y*, blue for *z*, each from −1…1 to \
         0…1. So red grows to the right, green grows upwards, and what is turned to the eye \
         is blue.",
-    draw: || draw(&Parameters::default()),
+    draw: || LIVE.on_page(),
 };
 
-/// What can be changed.
-#[derive(Clone, Debug)]
-pub struct Parameters {
-    /// The width of the picture in pixels.
-    pub width: u32,
-    /// Where rays go through the viewport, as x and y; those that hit are shown.
-    pub through: Vec<(f64, f64)>,
+parameters! {
+    x: Number::new("Point 1, to the right", -1.5, 1.5, 0.0),
+    y: Number::new("Point 1, upwards", -0.9, 0.9, 0.0),
 }
 
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            width: 32,
-            through: vec![(0.0, 0.0), (0.0, 0.5), (0.5, 0.0), (0.0, -0.5), (-0.5, 0.0)],
-        }
+/// The figure, as a reader moves it.
+pub(crate) static LIVE: Live<Parameters> = Live {
+    figure: FIGURE,
+    question: "Where on the ball is there most red and least green? Guess, and drag point 1 there.",
+    handles: &[Handle {
+        fields: &["x", "y"],
+        drag: |it, to| *it = on_viewport(to),
+    }],
+    actions: &[
+        Action {
+            name: "Near the top",
+            act: |it| *it = Parameters { x: 0.0, y: 0.55 },
+        },
+        Action {
+            name: "Near the right edge",
+            act: |it| *it = Parameters { x: 0.55, y: 0.0 },
+        },
+        Action {
+            name: "Sky",
+            act: |it| *it = Parameters { x: -1.0, y: 0.6 },
+        },
+    ],
+    answer,
+};
+
+/// The points that stay.
+const OTHERS: [Parameters; 4] = [
+    Parameters { x: 0.0, y: 0.5 },
+    Parameters { x: 0.5, y: 0.0 },
+    Parameters { x: 0.0, y: -0.5 },
+    Parameters { x: -0.5, y: 0.0 },
+];
+
+/// The width of the picture in pixels.
+const WIDTH: u32 = 32;
+
+impl Parameters {
+    /// The ray through the point of the viewport.
+    fn ray(&self) -> Ray {
+        Ray::new(Point3::ZERO, Vec3::new(self.x, self.y, -1.0))
+    }
+}
+
+fn answer(first: &Parameters) -> Answer {
+    let ray = first.ray();
+    let color = ray_color(&ray);
+    let mut levels = [0; 3];
+    write_color(&mut levels, color);
+    let [red, green, blue] = levels;
+    let levels = format!("red {red}, green {green} and blue {blue}");
+    Answer {
+        drawing: draw(first),
+        sentence: match normal(&ray) {
+            Some(normal) => {
+                let [x, y, z] = normal.to_array().map(spoken);
+                format!("**n** = ({x}, {y}, {z}) becomes the levels {levels} of 255.")
+            }
+            None => {
+                format!("The ray misses the ball, so there is no normal: {levels} are the sky.")
+            }
+        },
+        handles: vec![on_sheet(&ray)],
+        says: vec![("levels", levels)],
     }
 }
 
 /// Draws the picture with its normals, and the table of their colors.
-pub fn draw(parameters: &Parameters) -> String {
+fn draw(first: &Parameters) -> Svg {
     let mut svg = FIGURE.sheet(400.0, 360.0);
-    let (camera, frame) = parameters.seen_by();
-    frame.draw(&mut svg, &normals::picture(parameters.width));
+    let (camera, frame) = seen_by();
+    frame.draw(&mut svg, &normals::picture(WIDTH));
 
     let below = 8.0 + frame.side * f64::from(camera.image_height);
-    for ((&(x, y), name), row) in parameters.through.iter().zip('1'..).zip(0..) {
-        let ray = Ray::new(camera.center, Vec3::new(x, y, -1.0));
+    for ((point, name), row) in [first].into_iter().chain(&OTHERS).zip('1'..).zip(0..) {
+        let ray = point.ray();
         let normal = normal(&ray);
-        let from = frame.seen(&camera, ray.at(1.0));
+        let from = on_sheet(&ray);
         let towards = normal.map_or(DVec2::ZERO, |it| 46.0 * DVec2::new(it.x, -it.y));
         if towards.length() > 12.0 {
             svg.arrow("black bold", from, from + towards);
@@ -61,38 +116,37 @@ pub fn draw(parameters: &Parameters) -> String {
         let at = below + 28.0 + 23.0 * f64::from(row);
         entry(&mut svg, at, name, normal, ray_color(&ray));
     }
-    svg.finish()
+    svg
 }
 
 /// The normal where a ray hits the sphere.
-pub fn normal(ray: &Ray) -> Option<Vec3> {
+fn normal(ray: &Ray) -> Option<Vec3> {
     let t = hit_sphere(CENTER, 0.5, ray)?;
     Some((ray.at(t) - CENTER).normalize())
 }
 
-impl Parameters {
-    /// Where on the sheet the eye sees the place (`x`, `y`) of the viewport.
-    pub fn on_sheet(&self, (x, y): (f64, f64)) -> DVec2 {
-        let (camera, frame) = self.seen_by();
-        frame.seen(&camera, Point3::new(x, y, -1.0))
-    }
+/// Where on the sheet the eye sees a ray go through the viewport.
+fn on_sheet(ray: &Ray) -> DVec2 {
+    let (camera, frame) = seen_by();
+    frame.seen(&camera, ray.at(1.0))
+}
 
-    /// Which place of the viewport that is.
-    pub fn on_viewport(&self, at: DVec2) -> (f64, f64) {
-        let (camera, frame) = self.seen_by();
-        let pixel = (at - frame.corner) / frame.side - DVec2::splat(0.5);
-        let x = camera.pixel00.x + pixel.x * camera.pixel_delta_u.x;
-        let y = camera.pixel00.y + pixel.y * camera.pixel_delta_v.y;
-        (x, y)
+/// Which place of the viewport is there on the sheet.
+fn on_viewport(at: DVec2) -> Parameters {
+    let (camera, frame) = seen_by();
+    let pixel = (at - frame.corner) / frame.side - DVec2::splat(0.5);
+    Parameters {
+        x: camera.pixel00.x + pixel.x * camera.pixel_delta_u.x,
+        y: camera.pixel00.y + pixel.y * camera.pixel_delta_v.y,
     }
+}
 
-    fn seen_by(&self) -> (Camera, Frame) {
-        let frame = Frame {
-            corner: DVec2::new(8.0, 8.0),
-            side: 384.0 / f64::from(self.width),
-        };
-        (Camera::new(self.width), frame)
-    }
+fn seen_by() -> (Camera, Frame) {
+    let frame = Frame {
+        corner: DVec2::new(8.0, 8.0),
+        side: 384.0 / f64::from(WIDTH),
+    };
+    (Camera::new(WIDTH), frame)
 }
 
 /// A line of the table: which point, its normal, its color.

@@ -37,7 +37,7 @@ pub(crate) fn short(value: f64) -> String {
         }
         100.0.. => format!("{value:.0}"),
         10.0.. => format!("{value:.1}"),
-        _ => crate::svg::number(value),
+        _ => number(value),
     }
 }
 
@@ -53,4 +53,16 @@ pub(crate) fn raised(number: i32) -> String {
         None => Some('⁻'),
     };
     number.to_string().chars().filter_map(raised).collect()
+}
+
+/// A number with at most two decimals, and no minus before zero.
+pub(crate) fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let short = trimmed(&text);
+    if short == "-0" { "0" } else { short }.to_owned()
+}
+
+/// A number as a reader writes it: two decimals at most and a real minus.
+pub fn spoken(value: f64) -> String {
+    number(value).replace('-', "−")
 }

@@ -9,7 +9,7 @@ use crate::plane::Plane;
 use crate::svg::Anchor;
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "passing",
     title: "The distance s at which a line passes the center",
     description: "A line starts at Q and goes through a sphere with center C. A dashed line of \
@@ -19,38 +19,13 @@ pub const FIGURE: Figure = Figure {
     caption: "Two triangles with a right angle at *t* = *h*/*a*. The large one, with **Q**, gives *s*. \
         The small one, with the point where the line goes in, gives √(*r*² − *s*²), half of the way \
         inside the sphere. The discriminant is the square of that, times 4a.",
-    draw: || draw(&Parameters::default()),
+    draw,
 };
 
-/// What can be changed.
-#[derive(Clone, Copy, Debug)]
-pub struct Parameters {
-    /// The center of the sphere, in the plane of x and y.
-    pub center: Point3,
-    /// Its radius.
-    pub radius: f64,
-    /// A ray in the same plane, along x.
-    pub ray: Ray,
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            center: Point3::new(2.75, 0.5, 0.0),
-            radius: 1.15,
-            ray: Ray::new(Point3::ZERO, 2.0 * Vec3::X),
-        }
-    }
-}
-
 /// Draws the line, and the two triangles.
-pub fn draw(
-    &Parameters {
-        center,
-        radius,
-        ray,
-    }: &Parameters,
-) -> String {
+fn draw() -> String {
+    let (center, radius) = (Point3::new(2.75, 0.5, 0.0), 1.15);
+    let ray = Ray::new(Point3::ZERO, 2.0 * Vec3::X);
     let mut svg = FIGURE.sheet(400.0, 250.0);
     let plane = Plane::new(30.0, 150.0, 82.0);
     let nearest = ray.direction.dot(center - ray.origin) / ray.direction.length_squared();

@@ -5,8 +5,7 @@ use glam::DVec2;
 
 /// Takes points of the plane that x and y span to the sheet, where y points
 /// down, and back.
-#[derive(Clone, Copy, Debug)]
-pub struct Plane {
+pub(crate) struct Plane {
     /// Where (0, 0, z) is on the sheet.
     pub(crate) origin: DVec2,
     /// Units of the sheet for each unit of the scene.
@@ -22,7 +21,7 @@ impl Plane {
     }
 
     /// A point of the scene on the sheet.
-    pub fn point(&self, point: Point3) -> DVec2 {
+    pub(crate) fn point(&self, point: Point3) -> DVec2 {
         self.origin + self.vector(point)
     }
 
@@ -32,7 +31,7 @@ impl Plane {
     }
 
     /// The point of the scene, with z = 0, that is there on the sheet.
-    pub fn place(&self, at: DVec2) -> Point3 {
+    pub(crate) fn place(&self, at: DVec2) -> Point3 {
         let way = (at - self.origin) / self.scale;
         Point3::new(way.x, -way.y, 0.0)
     }

@@ -1,4 +1,4 @@
-//! What h is: a shadow.
+//! h as the projection of C − Q on d, and the discriminant as the way from there to the roots.
 
 use common::rtweekend::*;
 use glam::DVec2;
@@ -10,7 +10,7 @@ use crate::roots::roots;
 use crate::svg::{Anchor, Svg};
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "projection",
     title: "What h and the discriminant measure",
     description: "A ray starts at Q and passes through a sphere with center C. The vector oc leads \
@@ -20,38 +20,14 @@ pub const FIGURE: Figure = Figure {
     caption: "With **d** of length 1, *h* = **d**·(**C** − **Q**) is how far along the ray **C** is passed, and the root \
         of *h*² − *ac* is half of the way inside the sphere: the roots are as far before that point as \
         behind it.",
-    draw: || draw(&Parameters::default()),
+    draw,
 };
 
-/// What can be changed.
-#[derive(Clone, Copy, Debug)]
-pub struct Parameters {
-    /// The center of the sphere, in the plane of x and y.
-    pub center: Point3,
-    /// Its radius.
-    pub radius: f64,
-    /// A ray in the same plane, with a direction of length 1.
-    pub ray: Ray,
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            center: Point3::new(2.6, 0.6, 0.0),
-            radius: 1.0,
-            ray: Ray::new(Point3::ZERO, Vec3::X),
-        }
-    }
-}
-
 /// Draws the triangle of Q, C and the point of the ray that is nearest to C.
-pub fn draw(
-    &Parameters {
-        center,
-        radius,
-        ray,
-    }: &Parameters,
-) -> String {
+fn draw() -> String {
+    let (center, radius) = (Point3::new(2.6, 0.6, 0.0), 1.0);
+    // With a direction of length 1, h is a length.
+    let ray = Ray::new(Point3::ZERO, Vec3::X);
     let mut svg = FIGURE.sheet(400.0, 270.0);
     let plane = Plane::new(32.0, 150.0, 86.0);
     let oc = center - ray.origin;

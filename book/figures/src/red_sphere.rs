@@ -9,7 +9,7 @@ use crate::pixels::Frame;
 use crate::svg::Anchor;
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "red_sphere",
     title: "The red sphere in large pixels",
     description: "The red sphere in front of the sky, in a picture only 24 pixels wide. A circle \
@@ -17,37 +17,27 @@ pub const FIGURE: Figure = Figure {
         whose dot lies inside the circle are red, all others show the sky.",
     caption: "One ray for each pixel, through its center, decides for the whole pixel: red if it \
         hits. The circle is the exact outline. A pixel is red where its dot lies inside.",
-    draw: || draw(&Parameters::default()),
+    draw,
 };
 
-/// What can be changed.
-#[derive(Clone, Copy, Debug)]
-pub struct Parameters {
-    /// The width of the picture in pixels.
-    pub width: u32,
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self { width: 24 }
-    }
-}
+/// The width of the picture in pixels.
+const WIDTH: u32 = 24;
 
 /// Draws the picture, the outline of the sphere, and the rays near the outline.
-pub fn draw(&Parameters { width }: &Parameters) -> String {
+fn draw() -> String {
     let mut svg = FIGURE.sheet(400.0, 250.0);
-    let camera = Camera::new(width);
+    let camera = Camera::new(WIDTH);
     let frame = Frame {
         corner: DVec2::new(8.0, 8.0),
-        side: 384.0 / f64::from(width),
+        side: 384.0 / f64::from(WIDTH),
     };
-    let picture = red_sphere::picture(width);
+    let picture = red_sphere::picture(WIDTH);
     frame.draw(&mut svg, &picture);
 
     let middle = frame.seen(&camera, CENTER);
     let radius = outline() * frame.side / camera.pixel_delta_u.x;
     for j in 0..camera.image_height {
-        for i in 0..width {
+        for i in 0..WIDTH {
             let ray = camera.ray(i, j);
             let dot = frame.seen(&camera, ray.at(1.0));
             if (dot.distance(middle) - radius).abs() < 1.6 * frame.side {
@@ -64,8 +54,8 @@ pub fn draw(&Parameters { width }: &Parameters) -> String {
 
     let y = 8.0 + frame.side * f64::from(camera.image_height) + 8.0;
     // On the colors of the picture, as there.
-    let rgb = |i, j| picture.rgb().as_chunks::<3>().0[j * width as usize + i];
-    let center = (width as usize / 2, camera.image_height as usize / 2);
+    let rgb = |i, j| picture.rgb().as_chunks::<3>().0[j * WIDTH as usize + i];
+    let center = (WIDTH as usize / 2, camera.image_height as usize / 2);
     for (x, rgb, class, words) in [
         (8.0, rgb(center.0, center.1), "solid", "the ray hits"),
         (140.0, rgb(0, 0), "dot", "it misses"),

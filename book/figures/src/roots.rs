@@ -5,11 +5,12 @@ use glam::DVec2;
 use normals::hit_sphere;
 
 use crate::figure::Figure;
+use crate::number::spoken;
 use crate::plane::Plane;
-use crate::svg::{Anchor, spoken};
+use crate::svg::Anchor;
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "roots",
     title: "No root, one root, two roots",
     description: "Three rays run from left to right. The highest one passes above the sphere: no \
@@ -17,44 +18,21 @@ pub const FIGURE: Figure = Figure {
         comes out again: two roots, each marked with its t.",
     caption: "The discriminant *b*² − 4*ac* counts: negative, the ray misses; zero, it touches; \
         positive, it goes in at the smaller *t* and comes out at the larger.",
-    draw: || draw(&Parameters::default()),
+    draw,
 };
 
-/// What can be changed.
-#[derive(Clone, Debug)]
-pub struct Parameters {
-    /// The center of the sphere, in the plane of x and y.
-    pub center: Point3,
-    /// Its radius.
-    pub radius: f64,
-    /// The rays, in the same plane.
-    pub rays: Vec<Ray>,
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        let ray = |y| Ray::new(Point3::new(0.0, y, 0.0), Vec3::X);
-        Self {
-            center: Point3::new(2.0, 0.0, 0.0),
-            radius: 1.0,
-            rays: vec![ray(1.65), ray(1.0), ray(0.0)],
-        }
-    }
-}
+/// The sphere, in the plane of x and y.
+const CENTER: Point3 = Point3::new(2.0, 0.0, 0.0);
+const RADIUS: f64 = 1.0;
 
 /// Draws the sphere, and each ray with what it meets.
-pub fn draw(
-    Parameters {
-        center,
-        radius,
-        rays,
-    }: &Parameters,
-) -> String {
+fn draw() -> String {
     let mut svg = FIGURE.sheet(400.0, 256.0);
     let plane = Plane::new(16.0, 164.0, 74.0);
-    svg.circle("sphere area", plane.point(*center), plane.scale * radius);
-    for ray in rays {
-        let roots = roots(*center, *radius, ray);
+    svg.circle("sphere area", plane.point(CENTER), plane.scale * RADIUS);
+    for y in [1.65, 1.0, 0.0] {
+        let ray = Ray::new(Point3::new(0.0, y, 0.0), Vec3::X);
+        let roots = roots(CENTER, RADIUS, &ray);
         svg.circle("ray solid", plane.point(ray.origin), 3.5);
         svg.arrow(
             "ray line",
@@ -64,7 +42,7 @@ pub fn draw(
         for &t in &roots {
             let point = plane.point(ray.at(t));
             svg.circle("ray hollow", point, 5.0);
-            let above = DVec2::new(if ray.at(t).x < center.x { -8.0 } else { 8.0 }, -10.0);
+            let above = DVec2::new(if ray.at(t).x < CENTER.x { -8.0 } else { 8.0 }, -10.0);
             let anchor = if above.x < 0.0 {
                 Anchor::End
             } else {
@@ -96,7 +74,7 @@ pub fn draw(
 
 /// All t at which the line of `ray` meets the sphere: the farther one is the
 /// nearer one of the ray turned round.
-pub fn roots(center: Point3, radius: f64, ray: &Ray) -> Vec<f64> {
+pub(crate) fn roots(center: Point3, radius: f64, ray: &Ray) -> Vec<f64> {
     let turned = Ray::new(ray.origin, -ray.direction);
     let nearer = hit_sphere(center, radius, ray);
     let farther = hit_sphere(center, radius, &turned).map(|t| -t);

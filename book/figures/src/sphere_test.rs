@@ -7,7 +7,7 @@ use crate::figure::Figure;
 use crate::pixels::Frame;
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "sphere_test",
     title: "Equation (6), asked at each pixel",
     description: "The picture in large pixels. In its middle there is a red disc inside of a circle. \
@@ -16,35 +16,21 @@ pub const FIGURE: Figure = Figure {
     caption: "The left side of (6), with the place of each pixel on the viewport for **P**. The \
         darker, the less; red is where it is at most *r*². The viewport cuts through the middle of \
         the sphere, so the red places fill a circle of radius r.",
-    draw: || draw(&Parameters::default()),
+    draw,
 };
 
-/// What can be changed.
-#[derive(Clone, Copy, Debug)]
-pub struct Parameters {
-    /// The width of the picture in pixels.
-    pub width: u32,
-    /// The radius of the sphere, whose center is the middle of the viewport.
-    pub radius: f64,
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            width: 48,
-            radius: 0.5,
-        }
-    }
-}
+/// The width of the picture in pixels.
+const WIDTH: u32 = 48;
 
 /// Draws the picture, and the circle in which the viewport cuts the sphere.
-pub fn draw(&Parameters { width, radius }: &Parameters) -> String {
+fn draw() -> String {
+    let radius = 0.5;
     let mut svg = FIGURE.sheet(400.0, 232.0);
-    let camera = Camera::new(width);
+    let camera = Camera::new(WIDTH);
     let center = Point3::new(0.0, 0.0, -1.0);
     let left_side = move |i, j| (center - camera.ray(i, j).at(1.0)).length_squared();
     let most = left_side(0, 0);
-    let picture = Picture::paint(width, camera.image_height, move |i, j| {
+    let picture = Picture::paint(WIDTH, camera.image_height, move |i, j| {
         match left_side(i, j) <= radius * radius {
             true => Color::new(1.0, 0.0, 0.0),
             false => left_side(i, j) / most * Color::ONE,
@@ -52,7 +38,7 @@ pub fn draw(&Parameters { width, radius }: &Parameters) -> String {
     });
     let frame = Frame {
         corner: DVec2::splat(8.0),
-        side: 384.0 / f64::from(width),
+        side: 384.0 / f64::from(WIDTH),
     };
     frame.draw(&mut svg, &picture);
     let radius = radius * frame.side / camera.pixel_delta_u.x;

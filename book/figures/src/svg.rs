@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use glam::DVec2;
 
-use crate::number::trimmed;
+use crate::number::number;
 
 /// A drawing while it is made: x to the right, y down, in units of the viewBox.
 ///
@@ -12,7 +12,13 @@ use crate::number::trimmed;
 /// color, and how it shows it (`line`, `dashed`, `area`, `label` …). Both are
 /// defined in the style sheet, so the drawing follows the theme of its page.
 #[derive(Clone, Debug)]
-pub(crate) struct Svg {
+pub struct Svg {
+    class: &'static str,
+    name: String,
+    title: String,
+    description: String,
+    size: DVec2,
+    /// The elements so far.
     text: String,
 }
 
@@ -37,34 +43,29 @@ pub(crate) const SMALL: f64 = 12.0;
 const SUBSCRIPT: f64 = 11.0;
 
 impl Svg {
-    /// An empty drawing. Its ids begin with `name`, so several drawings can
-    /// share a page; a reader who cannot see it is told `title` and
+    /// An empty drawing of a class that the style sheet knows. Its ids begin with `name`, so
+    /// several drawings can share a page; a reader who cannot see it is told `title` and
     /// `description`.
-    pub(crate) fn new(name: &str, title: &str, description: &str, size: DVec2) -> Self {
-        Self::of_class("drawing", name, title, description, size)
-    }
-
-    /// The same for a drawing of another class, which the style sheet knows.
-    pub(crate) fn of_class(
-        class: &str,
+    pub(crate) fn new(
+        class: &'static str,
         name: &str,
         title: &str,
         description: &str,
         size: DVec2,
     ) -> Self {
-        let id = format!("drawing-{}", name.replace('_', "-"));
-        let (title, description) = (escape(title), escape(description));
         Self {
-            text: format!(
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{class}\" \
-                 viewBox=\"0 0 {} {}\" role=\"img\" \
-                 aria-labelledby=\"{id}-title {id}-description\" font-size=\"{TEXT}\">\
-                 <title id=\"{id}-title\">{title}</title>\
-                 <desc id=\"{id}-description\">{description}</desc>",
-                number(size.x),
-                number(size.y)
-            ),
+            class,
+            name: name.to_owned(),
+            title: title.to_owned(),
+            description: description.to_owned(),
+            size,
+            text: String::new(),
         }
+    }
+
+    /// Replaces the description; in `text`, `*t*` is a number, `**P**` a vector.
+    pub(crate) fn describe(&mut self, text: &str) {
+        self.description = styled(text).map(|(piece, _)| piece).collect();
     }
 
     /// A straight line.
@@ -229,9 +230,19 @@ impl Svg {
         self.text += "</g>";
     }
 
-    /// The finished drawing, in one line.
-    pub(crate) fn finish(self) -> String {
-        self.text + "</svg>"
+    /// The finished drawing as an `<svg>` element in one line, which a page can take in.
+    pub fn finish(self) -> String {
+        let id = format!("drawing-{}", self.name.replace('_', "-"));
+        let [title, description] = [&self.title, &self.description].map(|words| escape(words));
+        let [width, height] = self.size.to_array().map(number);
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{}\" \
+             viewBox=\"0 0 {width} {height}\" role=\"img\" \
+             aria-labelledby=\"{id}-title {id}-description\" font-size=\"{TEXT}\">\
+             <title id=\"{id}-title\">{title}</title>\
+             <desc id=\"{id}-description\">{description}</desc>{}</svg>",
+            self.class, self.text
+        )
     }
 
     fn element(&mut self, name: &str, class: &str, attributes: &[(&str, f64)]) {
@@ -241,18 +252,6 @@ impl Svg {
         }
         self.text += "/>";
     }
-}
-
-/// A number with at most two decimals, and no minus before zero.
-pub(crate) fn number(value: f64) -> String {
-    let text = format!("{value:.2}");
-    let short = trimmed(&text);
-    if short == "-0" { "0" } else { short }.to_owned()
-}
-
-/// A number as a reader writes it: two decimals at most and a real minus.
-pub fn spoken(value: f64) -> String {
-    number(value).replace('-', "−")
 }
 
 /// How wide a label is at most, in the usual fonts.

@@ -8,7 +8,7 @@ use crate::plane::Plane;
 use crate::svg::{Anchor, Svg};
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "unit_sky",
     title: "From the direction of a ray to the blue of the sky",
     description: "Seen from the side: three rays leave the eye through the top, the middle and the \
@@ -18,26 +18,12 @@ pub const FIGURE: Figure = Figure {
     caption: "The height *y* of the unit direction, from −1 to 1, becomes *a* = ½(*y* + 1), the share of \
         blue. No ray of this picture is steep enough for *a* = 0 or *a* = 1: they would point straight \
         down and up.",
-    draw: || draw(&Parameters::default()),
+    draw,
 };
 
-/// What can be changed.
-#[derive(Clone, Copy, Debug)]
-pub struct Parameters {
-    /// The camera; the rays through its middle column are drawn.
-    pub camera: Camera,
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            camera: Camera::new(400),
-        }
-    }
-}
-
 /// Draws the rays from the side, and the scale of the sky.
-pub fn draw(Parameters { camera }: &Parameters) -> String {
+fn draw() -> String {
+    let camera = Camera::new(400);
     let mut svg = FIGURE.sheet(400.0, 300.0);
     let plane = Plane::new(56.0, 150.0, 118.0);
     let x = 288.0;

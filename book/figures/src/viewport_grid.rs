@@ -1,14 +1,18 @@
-//! Figure 4 of the notes: the viewport and its grid of pixels.
+//! Figure 4 of the notes: the viewport and its grid of pixels. The width of the picture
+//! changes, and the marked pixel moves.
 
 use common::rtweekend::*;
 use glam::DVec2;
+use slips::Chapter;
 
 use crate::figure::Figure;
+use crate::live::{Action, Answer, Handle, Live, Number, parameters};
+use crate::number::spoken;
 use crate::plane::Plane;
-use crate::svg::{Anchor, Svg, spoken};
+use crate::svg::{Anchor, Svg};
 
 /// The words of this figure.
-pub const FIGURE: Figure = Figure {
+pub(crate) const FIGURE: Figure = Figure {
     name: "viewport_grid",
     title: "The viewport and its grid of pixels",
     description: "A rectangle of eight by four squares, each with a point in its center. Q is the \
@@ -19,30 +23,157 @@ pub const FIGURE: Figure = Figure {
     caption: "The pixels of a picture on its viewport. **Q** is a corner of the viewport, and the first \
         **P** the center of a pixel: half a step right and half a step down from **Q**. Rows run \
         downwards, where *y* runs up, so Δ**v** points along −*y*.",
-    draw: || draw(&Parameters::default()),
+    draw: || LIVE.on_page(),
 };
 
-/// What can be changed.
-#[derive(Clone, Copy, Debug)]
-pub struct Parameters {
-    /// Whose grid it is.
-    pub camera: Camera,
-    /// Column and row of the pixel that is marked.
-    pub pixel: [u32; 2],
+parameters! {
+    width: Number::whole("Width", 1.0, 40.0, 8.0),
+    i: Number {
+        most_beside: Some(|numbers| f64::from(Parameters::of(numbers).right().image_width - 1)),
+        ..Number::whole("Column i", 0.0, 39.0, 5.0)
+    },
+    j: Number {
+        most_beside: Some(|numbers| f64::from(Parameters::of(numbers).right().image_height - 1)),
+        downwards: true,
+        ..Number::whole("Row j", 0.0, 21.0, 2.0)
+    },
+    first: Number::choice("The first P", CHOICES),
 }
 
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            camera: Camera::new(8),
-            pixel: [5, 2],
+/// The figure, as a reader moves it: the height jumps, and a pixel has its ray.
+pub(crate) static LIVE: Live<Parameters> = Live {
+    figure: FIGURE,
+    question: "At which widths does the picture gain a row? And where does the ray of the marked \
+        pixel go, if the half pixel is forgotten?",
+    handles: &[Handle {
+        fields: &["i", "j"],
+        drag: |it, to| {
+            let Camera {
+                pixel00,
+                pixel_delta_u,
+                pixel_delta_v,
+                ..
+            } = it.camera();
+            let way = it.grid().plane().place(to) - pixel00;
+            let along = |step: Vec3| way.dot(step) / step.length_squared();
+            [it.i, it.j] = [along(pixel_delta_u), along(pixel_delta_v)];
+        },
+    }],
+    // The pixel stays, where there is one.
+    actions: &[
+        Action {
+            name: "1 wide",
+            act: |it| it.width = 1.0,
+        },
+        Action {
+            name: "16 wide",
+            act: |it| it.width = 16.0,
+        },
+        Action {
+            name: "40 wide",
+            act: |it| it.width = 40.0,
+        },
+    ],
+    answer,
+};
+
+/// The name of the slip in the catalogue.
+const SLIP: &str = "grid-not-inset";
+const CHOICES: &[&str] = &["half a pixel in", "at the corner Q"];
+
+impl Parameters {
+    /// The camera of the chapter.
+    fn right(&self) -> Camera {
+        Camera::new(self.width as u32)
+    }
+
+    /// The camera that is shown.
+    fn camera(&self) -> Camera {
+        let right = self.right();
+        let slip = slips::find(SLIP).filter(|_| self.first >= 1.0);
+        slip.map_or(right, |slip| {
+            slip.program(Chapter::Gradient).camera(right.image_width)
+        })
+    }
+
+    fn grid(&self) -> Grid {
+        Grid {
+            camera: self.camera(),
+            pixel: [self.i, self.j].map(|it| it as u32),
         }
     }
 }
 
-impl Parameters {
+fn answer(parameters: &Parameters) -> Answer {
+    let grid = parameters.grid();
+    let width = grid.camera.image_width;
+    let [i, j] = grid.pixel;
+    let right = parameters.right().ray(i, j).direction;
+    Answer {
+        drawing: draw(&grid),
+        sentence: format!("{} {}", way(&grid, right), height(width)),
+        handles: vec![grid.plane().point(grid.place([i, j]))],
+        says: vec![
+            ("width", width.to_string()),
+            ("rows", rows(width)),
+            ("because", because(width)),
+            ("pixel", format!("({i}, {j})")),
+            ("direction", triple(right)),
+        ],
+    }
+}
+
+/// Where the ray of the pixel goes, and that it should go to the `right`.
+fn way(grid: &Grid, right: Vec3) -> String {
+    let [i, j] = grid.pixel;
+    let way = grid.camera.ray(i, j).direction;
+    let corner = match way == right {
+        true => String::new(),
+        false => format!(
+            ", to its corner: half a pixel up and to the left of {}",
+            triple(right)
+        ),
+    };
+    format!(
+        "The ray of pixel ({i}, {j}) has the direction {}{corner}.",
+        triple(way)
+    )
+}
+
+/// How many rows there are, and why.
+fn height(width: u32) -> String {
+    let (rows, because) = (rows(width), because(width));
+    format!("A picture {width} wide has {rows}: {because}.")
+}
+
+fn because(width: u32) -> String {
+    let quotient = f64::from(width) / (16.0 / 9.0);
+    let end = match quotient {
+        ..1.0 => " would leave none",
+        _ if quotient.fract() == 0.0 => ", and nothing is cut",
+        _ => " is cut",
+    };
+    format!("{width} / (16/9) = {}{end}", spoken(quotient))
+}
+
+fn rows(width: u32) -> String {
+    match Camera::new(width).image_height {
+        1 => "1 row".to_owned(),
+        rows => format!("{rows} rows"),
+    }
+}
+
+/// A grid with a pixel that is marked.
+struct Grid {
+    /// Whose grid it is.
+    camera: Camera,
+    /// Column and row of the pixel.
+    pixel: [u32; 2],
+}
+
+impl Grid {
     /// Where the scene is on the sheet: the viewport as wide, or as high, as there is room.
-    pub fn plane(&self) -> Plane {
+    fn plane(&self) -> Plane {
         let [u, v] = self.viewport();
         let scale = (ROOM.x / u.x).min(ROOM.y / -v.y);
         let q = self.q();
@@ -77,24 +208,24 @@ const CORNER: DVec2 = DVec2::new(84.0, 40.0);
 const ROOM: DVec2 = DVec2::new(288.0, 164.0);
 
 /// Draws the grid with its points and vectors, and the numbers below.
-pub fn draw(parameters: &Parameters) -> String {
+fn draw(grid: &Grid) -> Svg {
     let mut svg = FIGURE.sheet(400.0, 346.0);
-    let plane = parameters.plane();
-    draw_grid(&mut svg, parameters, &plane);
-    draw_viewport(&mut svg, parameters, &plane);
-    draw_steps(&mut svg, parameters, &plane);
-    draw_pixel(&mut svg, parameters, &plane);
-    draw_numbers(&mut svg, parameters);
-    svg.finish()
+    let plane = grid.plane();
+    draw_grid(&mut svg, grid, &plane);
+    draw_viewport(&mut svg, grid, &plane);
+    draw_steps(&mut svg, grid, &plane);
+    draw_pixel(&mut svg, grid, &plane);
+    draw_numbers(&mut svg, grid);
+    svg
 }
 
 /// The edges of all pixels, of which one is marked, and where their rays go through.
-fn draw_grid(svg: &mut Svg, parameters: &Parameters, plane: &Plane) {
-    let camera = &parameters.camera;
+fn draw_grid(svg: &mut Svg, grid: &Grid, plane: &Plane) {
+    let camera = &grid.camera;
     let (width, height) = (camera.image_width, camera.image_height);
-    let [u, v] = parameters.viewport().map(|edge| plane.vector(edge));
+    let [u, v] = grid.viewport().map(|edge| plane.vector(edge));
     let step = plane.vector(camera.pixel_delta_u + camera.pixel_delta_v);
-    let [i, j] = parameters.pixel.map(f64::from);
+    let [i, j] = grid.pixel.map(f64::from);
     svg.rect("viewport wash", CORNER, u + v);
     svg.rect("ray area", CORNER + step * DVec2::new(i, j), step);
     for i in 0..=width {
@@ -106,13 +237,13 @@ fn draw_grid(svg: &mut Svg, parameters: &Parameters, plane: &Plane) {
         svg.line("faint thin", left, left + u);
     }
     let pixels = (0..height).flat_map(|j| (0..width).map(move |i| [i, j]));
-    let points = pixels.map(|pixel| plane.point(parameters.place(pixel)));
+    let points = pixels.map(|pixel| plane.point(grid.place(pixel)));
     svg.dots("faint", points, (step.x / 3.0).min(5.0));
 }
 
 /// The two edges from Q.
-fn draw_viewport(svg: &mut Svg, parameters: &Parameters, plane: &Plane) {
-    let [u, v] = parameters.viewport().map(|edge| plane.vector(edge));
+fn draw_viewport(svg: &mut Svg, grid: &Grid, plane: &Plane) {
+    let [u, v] = grid.viewport().map(|edge| plane.vector(edge));
     svg.arrow("viewport bold", CORNER, CORNER + u);
     svg.arrow("viewport bold", CORNER, CORNER + v);
     svg.circle("viewport solid", CORNER, 5.0);
@@ -126,9 +257,9 @@ fn draw_viewport(svg: &mut Svg, parameters: &Parameters, plane: &Plane) {
 }
 
 /// The first point, and from there the steps to its neighbors, as far as there are any.
-fn draw_steps(svg: &mut Svg, parameters: &Parameters, plane: &Plane) {
-    let first = plane.point(parameters.place([0, 0]));
-    let camera = &parameters.camera;
+fn draw_steps(svg: &mut Svg, grid: &Grid, plane: &Plane) {
+    let first = plane.point(grid.place([0, 0]));
+    let camera = &grid.camera;
     let [u, v] = [camera.pixel_delta_u, camera.pixel_delta_v].map(|step| plane.vector(step));
     let has_room = u.x >= LABELED;
     if camera.image_width > 1 && has_room {
@@ -152,13 +283,13 @@ fn draw_steps(svg: &mut Svg, parameters: &Parameters, plane: &Plane) {
 const LABELED: f64 = 26.0;
 
 /// The point of the marked pixel, and its name.
-fn draw_pixel(svg: &mut Svg, parameters: &Parameters, plane: &Plane) {
-    let [i, j] = parameters.pixel;
-    let camera = &parameters.camera;
+fn draw_pixel(svg: &mut Svg, grid: &Grid, plane: &Plane) {
+    let [i, j] = grid.pixel;
+    let camera = &grid.camera;
     let step = plane.vector(camera.pixel_delta_u);
-    let point = plane.point(parameters.place(parameters.pixel));
+    let point = plane.point(grid.place(grid.pixel));
     svg.circle("ink solid", point, (step.x / 3.0).min(5.0));
-    if parameters.pixel == [0, 0] {
+    if grid.pixel == [0, 0] {
         return;
     }
     // Towards the middle there is always room.
@@ -175,19 +306,19 @@ fn draw_pixel(svg: &mut Svg, parameters: &Parameters, plane: &Plane) {
 }
 
 /// The vectors in numbers, below the grid in two columns, and the ratio.
-fn draw_numbers(svg: &mut Svg, parameters: &Parameters) {
-    let camera = &parameters.camera;
-    let [u, v] = parameters.viewport();
-    let [i, j] = parameters.pixel;
+fn draw_numbers(svg: &mut Svg, grid: &Grid) {
+    let camera = &grid.camera;
+    let [u, v] = grid.viewport();
+    let [i, j] = grid.pixel;
     let pixel = format!("**P**_{{{i},{j}}}");
     let vectors = [
         ("viewport", "**V**_{u}", u),
         ("viewport", "**V**_{v}", v),
         ("ray", "Δ**u**", camera.pixel_delta_u),
         ("ray", "Δ**v**", camera.pixel_delta_v),
-        ("viewport", "**Q**", parameters.q()),
-        ("ink", "**P**_{0,0}", parameters.place([0, 0])),
-        ("ink", &pixel, parameters.place(parameters.pixel)),
+        ("viewport", "**Q**", grid.q()),
+        ("ink", "**P**_{0,0}", grid.place([0, 0])),
+        ("ink", &pixel, grid.place(grid.pixel)),
     ];
     let at = |column: f64, row: f64| DVec2::new(14.0 + 190.0 * column, 234.0 + 24.0 * row);
     for ((idea, name, vector), place) in vectors.into_iter().zip(0_u32..) {
@@ -202,7 +333,7 @@ fn draw_numbers(svg: &mut Svg, parameters: &Parameters) {
 }
 
 /// A vector in digits.
-pub fn triple(vector: Vec3) -> String {
+fn triple(vector: Vec3) -> String {
     let [x, y, z] = vector.to_array().map(spoken);
     format!("({x}, {y}, {z})")
 }

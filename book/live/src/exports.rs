@@ -6,11 +6,11 @@
 
 use std::cell::RefCell;
 
+use figures::{LIVE_FIGURES, Movable};
 use glam::DVec2;
-use slips::{self, Slip};
+use slips::Slip;
 
 use crate::picture::{self, PICTURES, Painting};
-use crate::{FIGURES, Live};
 
 /// No figure has more numbers.
 const MOST: usize = 16;
@@ -43,23 +43,23 @@ extern "C" fn get(place: usize) -> f64 {
 #[unsafe(no_mangle)]
 extern "C" fn drag(figure: usize, handle: usize, x: f64, y: f64) {
     change(figure, |live, numbers| {
-        live.drag(&live.handles[handle], numbers, DVec2::new(x, y));
+        live.drag(handle, numbers, DVec2::new(x, y));
     });
 }
 
 /// Does what a button of a figure says.
 #[unsafe(no_mangle)]
 extern "C" fn act(figure: usize, action: usize) {
-    change(figure, |live, numbers| (live.actions[action].act)(numbers));
+    change(figure, |live, numbers| live.act(action, numbers));
 }
 
 /// Draws a figure; returns the length of the answer in bytes.
 #[unsafe(no_mangle)]
 extern "C" fn answer(figure: usize) -> usize {
-    change(figure, Live::confine);
+    change(figure, |live, numbers| live.confine(numbers));
     keep(|state| {
-        let live = &FIGURES[figure];
-        live.text(&state.numbers[..live.numbers.len()]).into()
+        let live = LIVE_FIGURES[figure];
+        live.text(&state.numbers[..live.numbers().len()]).into()
     })
 }
 
@@ -113,7 +113,7 @@ fn slip_at(place: usize) -> Option<&'static Slip> {
     slips::all().nth(place)
 }
 
-fn change(figure: usize, change: impl FnOnce(&Live, &mut [f64])) {
-    let live = &FIGURES[figure];
-    STATE.with_borrow_mut(|state| change(live, &mut state.numbers[..live.numbers.len()]));
+fn change(figure: usize, change: impl FnOnce(&dyn Movable, &mut [f64])) {
+    let live = LIVE_FIGURES[figure];
+    STATE.with_borrow_mut(|state| change(live, &mut state.numbers[..live.numbers().len()]));
 }

@@ -5,14 +5,13 @@
 
 use std::fmt::Write;
 
-use figures::html;
-use live::{FIGURES, Live, Number};
+use figures::{LIVE_FIGURES, Movable, Number, html};
 
 /// The figure `live`: its question, its `drawing` under handles, what is to be seen, buttons
 /// and the caption.
-pub(crate) fn around(live: &Live, drawing: &str, caption: &str) -> String {
-    let place = FIGURES.iter().position(|other| other.name == live.name);
-    let answer = (live.answer)(&live.defaults());
+pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String {
+    let place = LIVE_FIGURES.iter().position(|it| it.name() == live.name());
+    let answer = live.answer(&live.defaults());
     format!(
         "<figure id=\"{name}\" class=\"live\" data-figure=\"{place}\">\
          <p class=\"question\">{question}</p>\
@@ -20,9 +19,9 @@ pub(crate) fn around(live: &Live, drawing: &str, caption: &str) -> String {
          <p class=\"sentence\" role=\"status\">{sentence}</p>\
          <div class=\"controls\">{inputs}{buttons}</div>\
          <figcaption>{caption}</figcaption></figure>",
-        name = live.name,
+        name = live.name(),
         place = place.unwrap_or_default(),
-        question = html(live.question),
+        question = html(live.question()),
         handles = handles(live),
         sentence = html(&answer.sentence),
         inputs = inputs(live),
@@ -32,14 +31,14 @@ pub(crate) fn around(live: &Live, drawing: &str, caption: &str) -> String {
 
 /// A number that the live figure of that name tells: at first as it is on the page.
 pub(crate) fn number(figure: &str, name: &str) -> Result<String, String> {
-    let live = live::find(figure).ok_or_else(|| {
-        let names: Vec<&str> = FIGURES.iter().map(|live| live.name).collect();
+    let live = figures::find_live(figure).ok_or_else(|| {
+        let names: Vec<&str> = LIVE_FIGURES.iter().map(|live| live.name()).collect();
         format!(
             "there is no live figure `{figure}`: there are {}",
             names.join(", ")
         )
     })?;
-    let says = (live.answer)(&live.defaults()).says;
+    let says = live.answer(&live.defaults()).says;
     let names: Vec<&str> = says.iter().map(|(name, _)| *name).collect();
     let told = says.iter().find(|(told, _)| *told == name);
     let (_, value) = told.ok_or_else(|| {
@@ -55,12 +54,12 @@ pub(crate) fn number(figure: &str, name: &str) -> Result<String, String> {
 
 /// Each handle holds a slider for each number that it changes: for the keyboard, and for
 /// whoever listens.
-fn handles(live: &Live) -> String {
+fn handles(live: &dyn Movable) -> String {
     let mut html = String::new();
-    for handle in live.handles {
+    for places in live.handles() {
         html += "<span class=\"handle\">";
-        for (&n, order) in handle.numbers.iter().zip(["0", "-1"]) {
-            let number = &live.numbers[n];
+        for (n, order) in places.into_iter().zip(["0", "-1"]) {
+            let number = &live.numbers()[n];
             let _ = write!(html, "<input tabindex=\"{order}\" {}>", slider(n, number));
         }
         html += "</span>";
@@ -86,10 +85,10 @@ fn slider(n: usize, number: &Number) -> String {
 }
 
 /// For each number that no handle changes a list, if it is a choice, or a slider.
-fn inputs(live: &Live) -> String {
+fn inputs(live: &dyn Movable) -> String {
     let mut html = String::new();
-    for (n, number) in live.numbers.iter().enumerate() {
-        let has_handle = live.handles.iter().any(|it| it.numbers.contains(&n));
+    for (n, number) in live.numbers().iter().enumerate() {
+        let has_handle = live.handles().iter().any(|places| places.contains(&n));
         if !has_handle {
             let input = match number.choices {
                 [] => format!("<input {}>", slider(n, number)),
@@ -110,13 +109,12 @@ fn choice(n: usize, number: &Number) -> String {
     html + "</select>"
 }
 
-fn buttons(live: &Live) -> String {
+fn buttons(live: &dyn Movable) -> String {
     let mut html = String::new();
-    for (n, action) in live.actions.iter().enumerate() {
+    for (n, action) in live.actions().iter().enumerate() {
         let _ = write!(
             html,
-            "<button type=\"button\" data-action=\"{n}\">{}</button>",
-            action.name
+            "<button type=\"button\" data-action=\"{n}\">{action}</button>"
         );
     }
     html + "<button type=\"button\" data-action=\"reset\">Reset</button>\

@@ -17,7 +17,7 @@ pub(crate) fn figure(name: &str) -> Result<String, String> {
         )
     })?;
     let (drawing, caption) = ((figure.draw)(), figure.caption());
-    Ok(match live::find(name) {
+    Ok(match figures::find_live(name) {
         Some(live) => controls::around(live, &drawing, &caption),
         None => {
             format!("<figure id=\"{name}\">{drawing}<figcaption>{caption}</figcaption></figure>")

@@ -1,14 +1,12 @@
 //! Every figure and chart is well made.
 
 use std::collections::BTreeSet;
-use std::sync::{Arc, LazyLock, Mutex};
+use std::sync::LazyLock;
 
 use common::rtweekend::*;
-use figures::{CSS, FIGURES, nearest, standalone, viewport_grid};
-use hittable_list::{HitRecord, Hittable, HittableList, Sphere};
+use figures::{CSS, FIGURES, find_live, standalone};
 use insta::assert_binary_snapshot;
 use roxmltree::{Document, Node};
-use slips::Chapter;
 
 use crate::charts;
 
@@ -60,17 +58,19 @@ fn no_label_hides_another_or_leaves_the_sheet() {
 
 #[test]
 fn the_labels_of_the_grid_have_room_at_every_width_and_at_its_edges() {
+    let live = find_live("viewport_grid").expect("a live figure");
     let mut all = String::new();
-    let slip = slips::find("grid-not-inset").expect("a slip");
-    let slipped = slip.program(Chapter::Gradient);
-    for camera in (1..=40).flat_map(|width| [Camera::new(width), slipped.camera(width)]) {
-        let width = camera.image_width;
-        let height = camera.image_height;
+    for width in 1..=40 {
+        let height = Camera::new(width).image_height;
         for i in [0, 1, width / 2, width - 1] {
-            for j in [0, 1, height / 2, height - 1] {
-                let pixel = [i.min(width - 1), j.min(height - 1)];
-                let svg = viewport_grid::draw(&viewport_grid::Parameters { camera, pixel });
-                all += &faults(&format!("{width} wide, {pixel:?}"), &svg);
+            for (j, first) in [0, 1, height / 2, height - 1]
+                .map(|j| [(j, 0), (j, 1)])
+                .as_flattened()
+            {
+                let mut numbers = [width, i, *j, *first].map(f64::from);
+                live.confine(&mut numbers);
+                let svg = live.answer(&numbers).drawing.finish();
+                all += &faults(&format!("{numbers:?}"), &svg);
             }
         }
     }
@@ -92,44 +92,6 @@ fn faults(name: &str, svg: &str) -> String {
         }
     }
     faults
-}
-
-#[test]
-fn the_bars_of_the_nearest_are_what_the_list_asks_of_its_members() {
-    let (all, slopes) = (nearest::Parameters::default(), [-0.4, -0.2, 0.0, 0.1, 0.3]);
-    for (order, y) in [[0, 1, 2], [1, 2, 0], [2, 0, 1]]
-        .into_iter()
-        .flat_map(|order| slopes.map(|y| (order, y)))
-    {
-        let ray = Ray::new(Point3::ZERO, Vec3::new(1.0, y, 0.0));
-        let asked = Arc::default();
-        let mut world = HittableList::default();
-        for (center, radius) in order.map(|place| all.spheres[place]) {
-            let asked = Arc::clone(&asked);
-            world.add(Telling(Sphere::new(center, radius), asked));
-        }
-        world.hit(&ray, 0.0, f64::INFINITY);
-        let shown = nearest::Parameters { order, ray, ..all };
-        let turns = shown.turns().into_iter();
-        let turns: Vec<_> = turns.map(|it| (it.t_max, it.hit)).collect();
-        assert_eq!(turns, *asked.lock().expect("no panic"), "{order:?} {y}");
-    }
-}
-
-/// What a member of a list was asked, and its answer.
-type Asked = Arc<Mutex<Vec<(Option<f64>, Option<f64>)>>>;
-
-/// A sphere that writes down what it is asked.
-struct Telling(Sphere, Asked);
-
-impl Hittable for Telling {
-    fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
-        let Self(sphere, asked) = self;
-        let hit = sphere.hit(ray, t_min, t_max);
-        let turn = (Some(t_max), hit.map(|it| it.t));
-        asked.lock().expect("no panic").push(turn);
-        hit
-    }
 }
 
 /// All figures and charts, and the charts of numbers that nobody measured.

@@ -1,57 +1,74 @@
-//! Live figures begin as the page shows them, answer whatever they are asked; live pictures
-//! are those of the chapters and of the slips; and the module of the pages answers as the
-//! crate does. What a reader does to them in a browser is in `browser/dragged.rs` and
-//! `browser/painted.rs`.
+//! Live figures answer whatever they are asked, and live pictures are those of the chapters
+//! and of the slips. What a reader does to them in a browser, and that the module of the pages
+//! answers as the crates do, is in `browser/dragged.rs` and `browser/painted.rs`.
 
-use ::live::picture::{PICTURES, Painting};
-use ::live::{FIGURES, Live};
+use std::fmt::Write;
+
+use ::live::picture::{self, PICTURES, Painting};
 use common::rtweekend::Picture;
+use figures::{LIVE_FIGURES, Movable, Number};
 use glam::DVec2;
-use slips::Chapter;
-use slips::Slip;
+use insta::assert_snapshot;
+use slips::{Chapter, Slip};
 
+/// At the beginning, after each button, and for each choice.
 #[test]
-fn a_live_figure_begins_as_the_page_shows_it() {
-    for live in FIGURES {
-        let figure = figures::find(live.name).expect("a figure of that name");
-        assert_eq!((live.answer)(&live.defaults()).svg, (figure.draw)());
+fn the_snapshot_has_what_each_live_figure_says() {
+    let mut said = String::new();
+    for live in LIVE_FIGURES {
+        let _ = writeln!(said, "{}", live.name());
+        let mut tell = |when: &str, numbers: &[f64]| {
+            let answer = live.answer(numbers);
+            let _ = writeln!(said, "  {when}: {}\n    {:?}", answer.sentence, answer.says);
+        };
+        tell("as on the page", &live.defaults());
+        for (n, action) in live.actions().into_iter().enumerate() {
+            let mut numbers = live.defaults();
+            live.act(n, &mut numbers);
+            tell(action, &numbers);
+        }
+        for (n, number) in live.numbers().iter().enumerate() {
+            for (choice, value) in number.choices.iter().zip(0_u8..).skip(1) {
+                let mut numbers = live.defaults();
+                numbers[n] = value.into();
+                tell(choice, &numbers);
+            }
+        }
     }
+    assert_snapshot!(said);
 }
 
 #[test]
-fn a_figure_that_was_moved_describes_what_it_shows_now() {
-    for live in FIGURES {
-        let described = |numbers: &[f64]| {
-            let text = live.text(numbers);
-            let svg = text.lines().next().expect("a drawing").to_owned();
-            let drawing = roxmltree::Document::parse(&svg).expect("an SVG");
-            let mut all = drawing.descendants();
-            let description = all
-                .find(|it| it.has_tag_name("desc"))
-                .expect("a description");
-            description.text().expect("words").to_owned()
-        };
-        let figure = figures::find(live.name).expect("a figure of that name");
-        assert_eq!(described(&live.defaults()), figure.description);
-        let moved = &questions(live, 2)[1];
-        let sentence = (live.answer)(moved).sentence.replace('*', "");
-        assert_eq!(described(moved), sentence);
-    }
+fn the_snapshot_has_what_is_said_of_a_live_picture() {
+    let said = [
+        (Chapter::Normals, None, 400, 0),
+        (Chapter::Normals, Some("far-root"), 400, 13_000),
+        (Chapter::Normals, Some("header-swapped"), 400, 1),
+        (Chapter::RedSphere, Some("radius-added"), 1, 0),
+        (Chapter::HittableList, Some("first-hit-wins"), 400, 0),
+        (Chapter::RedSphere, Some("oc-reversed"), 400, 0),
+    ]
+    .map(|(chapter, slip, width, different)| {
+        let live = PICTURES.iter().find(|live| live.chapter == chapter);
+        let slip = slip.map(|name| slips::find(name).expect("a slip"));
+        picture::verdict(live.expect("a live picture"), slip, width, different)
+    });
+    assert_snapshot!(said.join("\n\n"));
 }
 
 #[test]
 fn a_live_figure_has_an_answer_to_everything() {
-    for live in FIGURES {
-        for numbers in questions(live, 300) {
-            let answer = (live.answer)(&numbers);
+    for live in LIVE_FIGURES {
+        for numbers in questions(*live, 60) {
+            let answer = live.answer(&numbers);
             let text = live.text(&numbers);
             assert!(
                 !text.contains("NaN") && !text.contains("inf"),
                 "{} {numbers:?}",
-                live.name
+                live.name()
             );
-            roxmltree::Document::parse(&answer.svg).expect("an SVG");
-            assert_eq!(answer.handles.len(), live.handles.len());
+            roxmltree::Document::parse(&answer.drawing.finish()).expect("an SVG");
+            assert_eq!(answer.handles.len(), live.handles().len());
             assert!(answer.sentence.ends_with(['.', '!']), "{}", answer.sentence);
         }
     }
@@ -59,20 +76,20 @@ fn a_live_figure_has_an_answer_to_everything() {
 
 #[test]
 fn a_handle_comes_to_where_it_is_dragged() {
-    for live in FIGURES {
-        for (n, handle) in live.handles.iter().enumerate() {
+    for live in LIVE_FIGURES {
+        for (n, _) in live.handles().iter().enumerate() {
             let mut numbers = live.defaults();
-            let before = (live.answer)(&numbers).handles[n];
+            let before = live.answer(&numbers).handles[n];
             // Inwards, and by more than half of a pixel of the grid, which is its least step.
             let to = before + 24.0 * (DVec2::new(200.0, 150.0) - before).signum();
-            live.drag(handle, &mut numbers, to);
-            let after = (live.answer)(&numbers).handles[n];
-            assert!(after != before, "{} stays", live.name);
+            live.drag(n, &mut numbers, to);
+            let after = live.answer(&numbers).handles[n];
+            assert!(after != before, "{} stays", live.name());
             let (near, far) = ((after - to).length(), (before - to).length());
             assert!(
                 near < far,
                 "{}: handle {n} is {near} from where it was dragged",
-                live.name
+                live.name()
             );
         }
     }
@@ -80,8 +97,8 @@ fn a_handle_comes_to_where_it_is_dragged() {
 
 #[test]
 fn what_is_no_number_or_out_of_range_is_put_right() {
-    for live in FIGURES {
-        let mut numbers = vec![f64::NAN; live.numbers.len()];
+    for live in LIVE_FIGURES {
+        let mut numbers = vec![f64::NAN; live.numbers().len()];
         live.confine(&mut numbers);
         assert_eq!(numbers, live.defaults());
         numbers.fill(f64::INFINITY);
@@ -92,27 +109,13 @@ fn what_is_no_number_or_out_of_range_is_put_right() {
         assert!(
             numbers
                 .iter()
-                .zip(live.numbers)
+                .zip(live.numbers())
                 .all(|(&it, number)| it == number.most)
         );
         numbers.fill(0.6);
         live.confine(&mut numbers);
-        let mut whole = numbers.iter().zip(live.numbers);
+        let mut whole = numbers.iter().zip(live.numbers());
         assert!(whole.all(|(it, number)| number.steps > 1.0 || it.fract() == 0.0));
-    }
-}
-
-#[test]
-fn a_button_leaves_every_number_in_its_range() {
-    for live in FIGURES {
-        for mut numbers in questions(live, 100) {
-            for action in live.actions {
-                (action.act)(&mut numbers);
-                let mut confined = numbers.clone();
-                live.confine(&mut confined);
-                assert_eq!(numbers, confined, "{}: {}", live.name, action.name);
-            }
-        }
     }
 }
 
@@ -152,10 +155,10 @@ pub(crate) fn opaque(picture: &Picture) -> Vec<u8> {
 
 /// `count` questions to a figure: first that of the page, then numbers over the whole of
 /// their ranges, on steps and between them, always the same.
-pub(crate) fn questions(live: &Live, count: usize) -> Vec<Vec<f64>> {
+pub(crate) fn questions(live: &dyn Movable, count: usize) -> Vec<Vec<f64>> {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let mut question = || {
-        let value = |number: &::live::Number| {
+        let value = |number: &Number| {
             let value = number.least + (number.most - number.least) * random.next();
             let is_on_a_step = !number.choices.is_empty() || random.next() < 0.5;
             match is_on_a_step {
@@ -165,7 +168,7 @@ pub(crate) fn questions(live: &Live, count: usize) -> Vec<Vec<f64>> {
                 false => value,
             }
         };
-        let mut numbers: Vec<f64> = live.numbers.iter().map(value).collect();
+        let mut numbers: Vec<f64> = live.numbers().iter().map(value).collect();
         live.confine(&mut numbers);
         numbers
     };

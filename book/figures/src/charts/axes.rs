@@ -2,7 +2,8 @@
 
 use glam::DVec2;
 
-use crate::svg::{Anchor, SMALL, Svg, number, width};
+use crate::number::number;
+use crate::svg::{Anchor, SMALL, Svg, width};
 
 /// One direction of a panel.
 #[derive(Clone, Debug)]

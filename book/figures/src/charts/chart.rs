@@ -64,7 +64,7 @@ impl Chart {
             Layout::Wide => ("drawing wide", self.name.to_owned()),
             Layout::Narrow => ("drawing narrow", format!("{}_narrow", self.name)),
         };
-        Svg::of_class(class, &name, self.title, self.description, size)
+        Svg::new(class, &name, self.title, self.description, size)
     }
 }
 

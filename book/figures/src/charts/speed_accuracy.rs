@@ -94,7 +94,7 @@ pub fn scene_chart(name: &str, shown: &[Point]) -> String {
         how many digits of the worst hit point are right, upwards. A method with wrong pixels has a \
         cross. A line joins the methods that no other beats in both.";
     let size = DVec2::new(Layout::Wide.width(), 500.0);
-    let svg = Svg::of_class("drawing", "scene", &title, description, size);
+    let svg = Svg::new("drawing", "scene", &title, description, size);
     let digits = "digits of the worst hit point that are right";
     one_panel(svg, Layout::Wide, digits, "has wrong pixels", shown)
 }

@@ -1,7 +1,7 @@
 //! Live figures in real browsers, from a file: mouse, pen, finger and keyboard move them,
 //! links lead to a case, and what they show is what the crate `live` answers.
 
-use ::live::{FIGURES, Live};
+use figures::{LIVE_FIGURES, Movable, find_live};
 use glam::DVec2;
 use serde_json::{Value, json};
 
@@ -28,15 +28,15 @@ fn the_browsers_answer_a_thousand_questions_as_the_crate_does() {
     each_browser(|browser| {
         browser.open(&woven().join("gradient.html"), "#ray");
         browser.evaluate(ALIVE);
-        for (place, live) in FIGURES.iter().enumerate() {
-            let questions = questions(live, 1000);
+        for (place, live) in LIVE_FIGURES.iter().enumerate() {
+            let questions = questions(*live, 1000);
             let script = ANSWERS
                 .replace("PLACE", &place.to_string())
                 .replace("QUESTIONS", &json!(questions).to_string());
             let sums = browser.evaluate(&script);
             for (numbers, sum) in questions.iter().zip(sums.as_array().expect("a list")) {
                 let expected = fowler_noll_vo(live.text(numbers).as_bytes());
-                assert_eq!(*sum, expected, "{} {numbers:?}", live.name);
+                assert_eq!(*sum, expected, "{} {numbers:?}", live.name());
             }
         }
     });
@@ -48,8 +48,8 @@ fn a_mouse_a_pen_and_a_finger_drag_each_handle_where_the_crate_says() {
     each_browser(|browser| {
         let mut pointers = ["mouse", "pen", "touch"].into_iter().cycle();
         for (page, name) in PAGES {
-            let live = live::find(name).expect("a live figure");
-            for n in 0..live.handles.len() {
+            let live = find_live(name).expect("a live figure");
+            for n in 0..live.handles().len() {
                 browser.open(&woven().join(page), &format!("#{name}"));
                 let handles = browser.evaluate(&places_of(name));
                 let way = way(&handles[n]);
@@ -66,7 +66,7 @@ fn a_mouse_a_pen_and_a_finger_drag_each_handle_where_the_crate_says() {
 fn arrows_move_a_handle_and_shift_makes_ten_of_a_step() {
     let [home, up, right, shift] = ['\u{e011}', '\u{e013}', '\u{e014}', '\u{e008}'];
     each_browser(|browser| {
-        let ray = live::find("ray").expect("a live figure");
+        let ray = find_live("ray").expect("a live figure");
         browser.open(&woven().join("gradient.html"), "#ray");
         browser.evaluate(&places_of("ray"));
         browser.evaluate("document.querySelector('#ray .handle input').focus()");
@@ -74,9 +74,9 @@ fn arrows_move_a_handle_and_shift_makes_ten_of_a_step() {
         browser.press(&[shift, up]);
         assert_shows(browser, ray, &[0.05, 0.5, 1.0, 0.5, 2.0]);
         browser.press(&[home]);
-        assert_shows(browser, ray, &[0.05, ray.numbers[1].least, 1.0, 0.5, 2.0]);
+        assert_shows(browser, ray, &[0.05, ray.numbers()[1].least, 1.0, 0.5, 2.0]);
         // The row above has the smaller number.
-        let grid = live::find("viewport_grid").expect("a live figure");
+        let grid = find_live("viewport_grid").expect("a live figure");
         browser.evaluate("document.querySelector('#viewport_grid .handle input').focus()");
         browser.press(&[up]);
         assert_shows(browser, grid, &[8.0, 5.0, 1.0, 0.0]);
@@ -87,14 +87,14 @@ fn arrows_move_a_handle_and_shift_makes_ten_of_a_step() {
 #[ignore = "drives browsers"]
 fn a_button_a_link_and_the_text_agree_with_the_figure() {
     each_browser(|browser| {
-        let live = live::find("ray").expect("a live figure");
+        let live = find_live("ray").expect("a live figure");
         browser.open(&woven().join("gradient.html"), "#ray");
         browser.evaluate(&places_of("ray"));
         browser.evaluate("document.querySelector('#ray [data-action=\"0\"]').click()");
         let mut numbers = live.defaults();
-        (live.actions[0].act)(&mut numbers);
+        live.act(0, &mut numbers);
         assert_shows(browser, live, &numbers);
-        let says = (live.answer)(&numbers).says.into_iter();
+        let says = live.answer(&numbers).says.into_iter();
         let says: Vec<String> = says.map(|(_, it)| it).collect();
         let told =
             r#"[...document.querySelectorAll('[data-told^="ray "]')].map((it) => it.textContent)"#;
@@ -145,22 +145,22 @@ fn on_paper_a_live_figure_is_a_drawing_with_a_caption() {
 
 /// The figure shows what it does when its handle `n` is moved by so much. A browser may move
 /// a page by a fraction of a pixel meanwhile: either of two steps is right beside a border.
-fn assert_dragged(browser: &mut Browser, live: &Live, n: usize, by: DVec2) {
-    let from = (live.answer)(&live.defaults()).handles[n];
+fn assert_dragged(browser: &mut Browser, live: &dyn Movable, n: usize, by: DVec2) {
+    let from = live.answer(&live.defaults()).handles[n];
     let near = [DVec2::ZERO, DVec2::X, -DVec2::X, DVec2::Y, -DVec2::Y].map(|way| {
         let mut numbers = live.defaults();
-        live.drag(&live.handles[n], &mut numbers, from + by + 0.2 * way);
+        live.drag(n, &mut numbers, from + by + 0.2 * way);
         numbers
     });
-    let link = browser.evaluate(&link_of(live.name));
+    let link = browser.evaluate(&link_of(live.name()));
     let shown = near.iter().find(|numbers| link == address(live, numbers));
     assert_shows(browser, live, shown.unwrap_or(&near[0]));
 }
 
 /// The figure, the sliders and the sentence are what the crate answers.
-fn assert_shows(browser: &mut Browser, live: &Live, numbers: &[f64]) {
+fn assert_shows(browser: &mut Browser, live: &dyn Movable, numbers: &[f64]) {
     browser.evaluate(NEXT_FRAME);
-    let name = live.name;
+    let name = live.name();
     assert_eq!(browser.evaluate(&link_of(name)), address(live, numbers));
     // Some numbers have two sliders.
     let sliders = browser.evaluate(&format!(
@@ -210,8 +210,8 @@ fn link_of(name: &str) -> String {
 }
 
 /// The link to the case of these numbers.
-fn address(live: &Live, numbers: &[f64]) -> String {
-    let name = live.name;
+fn address(live: &dyn Movable, numbers: &[f64]) -> String {
+    let name = live.name();
     let numbers: Vec<String> = numbers.iter().map(f64::to_string).collect();
     format!("?{name}={}#{name}", numbers.join(","))
 }
