@@ -48,32 +48,18 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     question: "From which distance on is *D* nothing but rounding? Drag the star away, along the axis, \
         and choose a pixel in either picture.",
     handles: &[
-        Handle {
-            fields: &["exponent"],
-            drag: |it, to| it.exponent = exponent_at(to),
-        },
-        Handle {
-            fields: &["right", "up"],
-            drag: |it, to| [it.right, it.up] = SKIES[0].pixel_at(to).to_array(),
-        },
-        Handle {
-            fields: &["right", "up"],
-            drag: |it, to| [it.right, it.up] = SKIES[1].pixel_at(to).to_array(),
-        },
+        Handle::new(&["exponent"], |it, to| it.exponent = exponent_at(to)),
+        Handle::new(&["right", "up"], |it, to| {
+            [it.right, it.up] = SKIES[0].pixel_at(to).to_array()
+        }),
+        Handle::new(&["right", "up"], |it, to| {
+            [it.right, it.up] = SKIES[1].pixel_at(to).to_array()
+        }),
     ],
     actions: &[
-        Action {
-            name: "Ten radii away",
-            act: |it| it.exponent = 1.0,
-        },
-        Action {
-            name: "A million",
-            act: |it| it.exponent = 6.0,
-        },
-        Action {
-            name: "The telescope's star",
-            act: |it| it.exponent = 8.0,
-        },
+        Action::new("Ten radii away", |it| it.exponent = 1.0),
+        Action::new("A million", |it| it.exponent = 6.0),
+        Action::new("The telescope's star", |it| it.exponent = 8.0),
     ],
     answer,
 };

@@ -43,44 +43,25 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     question: "Where does the first root go when the eye enters the sphere? Drag **Q** into it, and \
         out at the other side.",
     handles: &[
-        Handle {
-            fields: &["c_x", "c_y"],
-            drag: |it, to| [it.c_x, it.c_y, _] = PLANE.place(to).to_array(),
-        },
-        Handle {
-            fields: &["radius"],
-            drag: |it, to| it.radius = (PLANE.place(to) - it.center()).length(),
-        },
-        Handle {
-            fields: &["d_x", "d_y"],
-            drag: |it, to| [it.d_x, it.d_y, _] = (PLANE.place(to) - it.ray().origin).to_array(),
-        },
-        Handle {
-            fields: &["q_x", "q_y"],
-            drag: |it, to| [it.q_x, it.q_y, _] = PLANE.place(to).to_array(),
-        },
+        Handle::new(&["c_x", "c_y"], |it, to| {
+            [it.c_x, it.c_y, _] = PLANE.place(to).to_array()
+        }),
+        Handle::new(&["radius"], |it, to| {
+            it.radius = (PLANE.place(to) - it.center()).length()
+        }),
+        Handle::new(&["d_x", "d_y"], |it, to| {
+            [it.d_x, it.d_y, _] = (PLANE.place(to) - it.ray().origin).to_array()
+        }),
+        Handle::new(&["q_x", "q_y"], |it, to| {
+            [it.q_x, it.q_y, _] = PLANE.place(to).to_array()
+        }),
     ],
     actions: &[
-        Action {
-            name: "Hit",
-            act: |it| it.put([0.0, 0.0], [3.0, 0.6], 1.2),
-        },
-        Action {
-            name: "Miss",
-            act: |it| it.put([0.0, -0.7], [3.0, 0.5], 0.8),
-        },
-        Action {
-            name: "Touch",
-            act: |it| it.put([0.0, -0.5], [3.0, 0.5], 1.0),
-        },
-        Action {
-            name: "Inside",
-            act: |it| it.put([2.5, 0.0], [3.0, 0.6], 1.2),
-        },
-        Action {
-            name: "Behind",
-            act: |it| it.put([4.0, 0.5], [2.0, 0.5], 1.0),
-        },
+        Action::new("Hit", |it| it.put([0.0, 0.0], [3.0, 0.6], 1.2)),
+        Action::new("Miss", |it| it.put([0.0, -0.7], [3.0, 0.5], 0.8)),
+        Action::new("Touch", |it| it.put([0.0, -0.5], [3.0, 0.5], 1.0)),
+        Action::new("Inside", |it| it.put([2.5, 0.0], [3.0, 0.6], 1.2)),
+        Action::new("Behind", |it| it.put([4.0, 0.5], [2.0, 0.5], 1.0)),
     ],
     answer,
 };

@@ -71,32 +71,24 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     question: "How close must you look before the edge frays? Begin with the whole ball, zoom in, and then \
         choose a cell that is marked. Who is wrong there?",
     handles: &[
-        Handle {
-            fields: &["doublings"],
-            drag: |it, to| it.doublings = doublings_at(to),
-        },
-        Handle {
-            fields: &["right", "up"],
-            drag: |it, to| [it.right, it.up] = cell_at(MIDDLES[0], to).to_array(),
-        },
-        Handle {
-            fields: &["tangent_right", "tangent_up"],
-            drag: |it, to| [it.tangent_right, it.tangent_up] = cell_at(MIDDLES[1], to).to_array(),
-        },
+        Handle::new(&["doublings"], |it, to| it.doublings = doublings_at(to)),
+        Handle::new(&["right", "up"], |it, to| {
+            [it.right, it.up] = cell_at(MIDDLES[0], to).to_array()
+        }),
+        Handle::new(&["tangent_right", "tangent_up"], |it, to| {
+            [it.tangent_right, it.tangent_up] = cell_at(MIDDLES[1], to).to_array()
+        }),
     ],
     actions: &[
-        Action {
-            name: "The whole ball",
-            act: |it| [it.doublings, it.tangent_right, it.tangent_up] = [49.0, 6.0, 3.0],
-        },
-        Action {
-            name: "16 times closer",
-            act: |it| it.doublings = (it.doublings - 4.0).max(0.0),
-        },
-        Action {
-            name: "One ulp",
-            act: |it| [it.doublings, it.tangent_right, it.tangent_up] = [0.0; 3],
-        },
+        Action::new("The whole ball", |it| {
+            [it.doublings, it.tangent_right, it.tangent_up] = [49.0, 6.0, 3.0]
+        }),
+        Action::new("16 times closer", |it| {
+            it.doublings = (it.doublings - 4.0).max(0.0)
+        }),
+        Action::new("One ulp", |it| {
+            [it.doublings, it.tangent_right, it.tangent_up] = [0.0; 3]
+        }),
     ],
     answer,
 };

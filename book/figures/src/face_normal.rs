@@ -35,28 +35,17 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     question: "When does the normal at the right turn round? Drag the origin of the lower ray out of \
         the sphere, and then to where the ray only grazes it.",
     handles: &[
-        Handle {
-            fields: &["x", "y"],
-            drag: |it, to| [it.x, it.y, _] = PLANES[0].place(to).to_array(),
-        },
-        Handle {
-            fields: &["x", "y"],
-            drag: |it, to| [it.x, it.y, _] = PLANES[1].place(to).to_array(),
-        },
+        Handle::new(&["x", "y"], |it, to| {
+            [it.x, it.y, _] = PLANES[0].place(to).to_array()
+        }),
+        Handle::new(&["x", "y"], |it, to| {
+            [it.x, it.y, _] = PLANES[1].place(to).to_array()
+        }),
     ],
     actions: &[
-        Action {
-            name: "From inside",
-            act: |it| *it = Parameters { x: -0.55, y: -0.65 },
-        },
-        Action {
-            name: "From outside",
-            act: |it| *it = Parameters { x: -1.4, y: -0.65 },
-        },
-        Action {
-            name: "A graze",
-            act: |it| *it = Parameters { x: -1.2, y: -1.0 },
-        },
+        Action::new("From inside", |it| *it = Parameters { x: -0.55, y: -0.65 }),
+        Action::new("From outside", |it| *it = Parameters { x: -1.4, y: -0.65 }),
+        Action::new("A graze", |it| *it = Parameters { x: -1.2, y: -1.0 }),
     ],
     answer,
 };

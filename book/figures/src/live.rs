@@ -97,19 +97,30 @@ pub(crate) struct Live<P: 'static> {
 /// A place on the drawing that a reader can drag.
 #[derive(Debug)]
 pub(crate) struct Handle<P> {
-    /// The fields that it changes: one; or two, across and up.
-    pub(crate) fields: &'static [&'static str],
-    /// Changes them so that the handle comes as near as can be to a place on the sheet.
-    pub(crate) drag: fn(&mut P, DVec2),
+    fields: &'static [&'static str],
+    drag: fn(&mut P, DVec2),
+}
+
+impl<P> Handle<P> {
+    /// A handle that changes one field, or two, across and up, so that it comes as near as can
+    /// be to a place on the sheet.
+    pub(crate) const fn new(fields: &'static [&'static str], drag: fn(&mut P, DVec2)) -> Self {
+        Self { fields, drag }
+    }
 }
 
 /// What a button does to all parameters.
 #[derive(Debug)]
 pub(crate) struct Action<P> {
-    /// What the button says.
-    pub(crate) name: &'static str,
-    /// Changes the parameters.
-    pub(crate) act: fn(&mut P),
+    name: &'static str,
+    act: fn(&mut P),
+}
+
+impl<P> Action<P> {
+    /// What a button does that says this.
+    pub(crate) const fn new(name: &'static str, act: fn(&mut P)) -> Self {
+        Self { name, act }
+    }
 }
 
 /// What a figure answers.

@@ -48,31 +48,25 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     question: "Which sphere wins if you change the order of the list? And which, if the search \
         returns at the first hit? Drag them so that even that is right.",
     handles: &[
-        Handle {
-            fields: &["x_1", "y_1"],
-            drag: |it, to| [it.x_1, it.y_1, _] = PLANE.place(to).to_array(),
-        },
-        Handle {
-            fields: &["x_2", "y_2"],
-            drag: |it, to| [it.x_2, it.y_2, _] = PLANE.place(to).to_array(),
-        },
-        Handle {
-            fields: &["x_3", "y_3"],
-            drag: |it, to| [it.x_3, it.y_3, _] = PLANE.place(to).to_array(),
-        },
-        Handle {
-            fields: &["d_x", "d_y"],
-            drag: |it, to| [it.d_x, it.d_y, _] = (PLANE.place(to) - it.ray().origin).to_array(),
-        },
-        Handle {
-            fields: &["q_x", "q_y"],
-            drag: |it, to| [it.q_x, it.q_y, _] = PLANE.place(to).to_array(),
-        },
+        Handle::new(&["x_1", "y_1"], |it, to| {
+            [it.x_1, it.y_1, _] = PLANE.place(to).to_array()
+        }),
+        Handle::new(&["x_2", "y_2"], |it, to| {
+            [it.x_2, it.y_2, _] = PLANE.place(to).to_array()
+        }),
+        Handle::new(&["x_3", "y_3"], |it, to| {
+            [it.x_3, it.y_3, _] = PLANE.place(to).to_array()
+        }),
+        Handle::new(&["d_x", "d_y"], |it, to| {
+            [it.d_x, it.d_y, _] = (PLANE.place(to) - it.ray().origin).to_array()
+        }),
+        Handle::new(&["q_x", "q_y"], |it, to| {
+            [it.q_x, it.q_y, _] = PLANE.place(to).to_array()
+        }),
     ],
-    actions: &[Action {
-        name: "Next turn",
-        act: |it| it.turns = (it.turns + 1.0) % 4.0,
-    }],
+    actions: &[Action::new("Next turn", |it| {
+        it.turns = (it.turns + 1.0) % 4.0
+    })],
     answer,
 };
 

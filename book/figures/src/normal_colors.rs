@@ -33,23 +33,13 @@ parameters! {
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
     question: "Where on the ball is there most red and least green? Guess, and drag point 1 there.",
-    handles: &[Handle {
-        fields: &["x", "y"],
-        drag: |it, to| *it = on_viewport(to),
-    }],
+    handles: &[Handle::new(&["x", "y"], |it, to| *it = on_viewport(to))],
     actions: &[
-        Action {
-            name: "Near the top",
-            act: |it| *it = Parameters { x: 0.0, y: 0.55 },
-        },
-        Action {
-            name: "Near the right edge",
-            act: |it| *it = Parameters { x: 0.55, y: 0.0 },
-        },
-        Action {
-            name: "Sky",
-            act: |it| *it = Parameters { x: -1.0, y: 0.6 },
-        },
+        Action::new("Near the top", |it| *it = Parameters { x: 0.0, y: 0.55 }),
+        Action::new("Near the right edge", |it| {
+            *it = Parameters { x: 0.55, y: 0.0 }
+        }),
+        Action::new("Sky", |it| *it = Parameters { x: -1.0, y: 0.6 }),
     ],
     answer,
 };

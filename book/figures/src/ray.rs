@@ -36,39 +36,23 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     question: "What becomes of *t* if **b** is twice as long, and **P** stays? Drag the tip of **b**, then \
         **P** back to where it was.",
     handles: &[
-        Handle {
-            fields: &["a_x", "a_y"],
-            drag: |it, to| [it.a_x, it.a_y, _] = PLANE.place(to).to_array(),
-        },
-        Handle {
-            fields: &["b_x", "b_y"],
-            drag: |it, to| {
-                let way = PLANE.place(to) - it.ray().origin;
-                [it.b_x, it.b_y, _] = way.to_array();
-            },
-        },
-        Handle {
-            fields: &["t"],
-            drag: |it, to| {
-                let ray = it.ray();
-                let way = PLANE.place(to) - ray.origin;
-                it.t = way.dot(ray.direction) / ray.direction.length_squared();
-            },
-        },
+        Handle::new(&["a_x", "a_y"], |it, to| {
+            [it.a_x, it.a_y, _] = PLANE.place(to).to_array()
+        }),
+        Handle::new(&["b_x", "b_y"], |it, to| {
+            let way = PLANE.place(to) - it.ray().origin;
+            [it.b_x, it.b_y, _] = way.to_array();
+        }),
+        Handle::new(&["t"], |it, to| {
+            let ray = it.ray();
+            let way = PLANE.place(to) - ray.origin;
+            it.t = way.dot(ray.direction) / ray.direction.length_squared();
+        }),
     ],
     actions: &[
-        Action {
-            name: "Double b, keep P",
-            act: |it| it.stretch(2.0),
-        },
-        Action {
-            name: "Halve b, keep P",
-            act: |it| it.stretch(0.5),
-        },
-        Action {
-            name: "P behind A",
-            act: |it| it.t = -1.0,
-        },
+        Action::new("Double b, keep P", |it| it.stretch(2.0)),
+        Action::new("Halve b, keep P", |it| it.stretch(0.5)),
+        Action::new("P behind A", |it| it.t = -1.0),
     ],
     answer,
 };

@@ -45,34 +45,22 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
     question: "At which widths does the picture gain a row? And where does the ray of the marked \
         pixel go, if the half pixel is forgotten?",
-    handles: &[Handle {
-        fields: &["i", "j"],
-        drag: |it, to| {
-            let Camera {
-                pixel00,
-                pixel_delta_u,
-                pixel_delta_v,
-                ..
-            } = it.camera();
-            let way = it.grid().plane().place(to) - pixel00;
-            let along = |step: Vec3| way.dot(step) / step.length_squared();
-            [it.i, it.j] = [along(pixel_delta_u), along(pixel_delta_v)];
-        },
-    }],
+    handles: &[Handle::new(&["i", "j"], |it, to| {
+        let Camera {
+            pixel00,
+            pixel_delta_u,
+            pixel_delta_v,
+            ..
+        } = it.camera();
+        let way = it.grid().plane().place(to) - pixel00;
+        let along = |step: Vec3| way.dot(step) / step.length_squared();
+        [it.i, it.j] = [along(pixel_delta_u), along(pixel_delta_v)];
+    })],
     // The pixel stays, where there is one.
     actions: &[
-        Action {
-            name: "1 wide",
-            act: |it| it.width = 1.0,
-        },
-        Action {
-            name: "16 wide",
-            act: |it| it.width = 16.0,
-        },
-        Action {
-            name: "40 wide",
-            act: |it| it.width = 40.0,
-        },
+        Action::new("1 wide", |it| it.width = 1.0),
+        Action::new("16 wide", |it| it.width = 16.0),
+        Action::new("40 wide", |it| it.width = 40.0),
     ],
     answer,
 };

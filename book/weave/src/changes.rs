@@ -4,7 +4,7 @@ use std::path::Path;
 
 use slips::Chapter;
 
-use crate::snapshot;
+use crate::directive::snapshot;
 
 /// The pictures of chapter `name` and of the one before, the pixels that changed,
 /// and the lines of code: as the files say that a test keeps fresh.
@@ -14,7 +14,7 @@ pub(crate) fn changes(folder: &Path, name: &str) -> Result<String, String> {
         .find(|[_, after]| after.name() == name)
         .ok_or_else(|| format!("no chapter `{name}` comes after another one"))?;
     let file = folder.join("changes").join(name).with_extension("snap");
-    let body = snapshot::text(&file)?;
+    let body = snapshot(&file)?;
     let (picture, code) = body.split_once("\n\n").unwrap_or((&body, ""));
 
     let mut panels = String::new();

@@ -7,6 +7,8 @@ use std::fmt::Write;
 
 use figures::{LIVE_FIGURES, Movable, Number, html};
 
+use crate::directive::named;
+
 /// The figure `live`: its question, its `drawing` under handles, what is to be seen, buttons
 /// and the caption.
 pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String {
@@ -31,22 +33,10 @@ pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String
 
 /// A number that the live figure of that name tells: at first as it is on the page.
 pub(crate) fn number(figure: &str, name: &str) -> Result<String, String> {
-    let live = figures::find_live(figure).ok_or_else(|| {
-        let names: Vec<&str> = LIVE_FIGURES.iter().map(|live| live.name()).collect();
-        format!(
-            "there is no live figure `{figure}`: there are {}",
-            names.join(", ")
-        )
-    })?;
+    let live = named("live figure", figure, LIVE_FIGURES, |live| live.name())?;
     let says = live.answer(&live.defaults()).says;
-    let names: Vec<&str> = says.iter().map(|(name, _)| *name).collect();
-    let told = says.iter().find(|(told, _)| *told == name);
-    let (_, value) = told.ok_or_else(|| {
-        format!(
-            "the figure {figure} tells no `{name}`: it tells {}",
-            names.join(", ")
-        )
-    })?;
+    let kind = format!("number of {figure}");
+    let (_, value) = named(&kind, name, says, |(name, _)| name)?;
     Ok(format!(
         "<span class=\"told\" data-told=\"{figure} {name}\">{value}</span>"
     ))

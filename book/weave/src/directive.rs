@@ -1,10 +1,18 @@
 //! The directives: what stands between `{{` and `}}`.
 
+use std::fs;
 use std::path::Path;
 
 use crate::code::Listed;
-use crate::woven::Woven;
-use crate::{changes, code, controls, figure, measured, picture, slip, snapshot, step};
+use crate::{changes, code, controls, figure, measured, picture, slip, step};
+
+/// What stands in a page in place of a directive or a formula.
+pub(crate) enum Woven {
+    /// Part of a line.
+    Inline(String),
+    /// Markdown that needs lines of its own.
+    Block(String),
+}
 
 /// What the directive with this `text` stands for, in a page of `folder`.
 ///
@@ -19,7 +27,7 @@ use crate::{changes, code, controls, figure, measured, picture, slip, snapshot, 
 /// | `{{editions}}` | what each edition of the book draws |
 /// | `{{picture CHAPTER IMAGE}}` | this image, which a reader can paint anew |
 /// | `{{slip NAME CHAPTER}}` | the wrong picture that this slip draws |
-/// | `{{slips}}` | all slips, by what there is to see |
+/// | `{{slips LOOK}}` | all slips that look like that |
 /// | `{{step CHAPTER NUMBER}}` | the picture after this step on the way to the chapter |
 /// | `{{snapshot PATH}}` | the Markdown in a snapshot |
 /// | `{{value FILE KEY}}` | a number that was measured |
@@ -46,12 +54,12 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
             let (name, chapter) = split(rest);
             slip::slip(name, chapter).map(Woven::Block)
         }
-        "slips" => Ok(Woven::Block(slip::gallery())),
+        "slips" => slip::gallery(rest).map(Woven::Block),
         "step" => {
             let (chapter, number) = split(rest);
             step::step(chapter, number).map(Woven::Block)
         }
-        "snapshot" => snapshot::text(&folder.join(rest)).map(Woven::Block),
+        "snapshot" => snapshot(&folder.join(rest)).map(Woven::Block),
         "value" => {
             let (file, key) = split(rest);
             measured::value(&folder.join(file), key).map(Woven::Inline)
@@ -67,4 +75,33 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
 fn split(text: &str) -> (&str, &str) {
     let (first, rest) = text.split_once(' ').unwrap_or((text, ""));
     (first, rest.trim())
+}
+
+/// The one of `all` that has this name.
+///
+/// # Errors
+/// If there is none, with the names that there are.
+pub(crate) fn named<T>(
+    kind: &str,
+    name: &str,
+    all: impl IntoIterator<Item = T>,
+    name_of: impl Fn(&T) -> &'static str,
+) -> Result<T, String> {
+    let mut names = Vec::new();
+    for one in all {
+        if name_of(&one) == name {
+            return Ok(one);
+        }
+        names.push(name_of(&one));
+    }
+    let names = names.join(", ");
+    Err(format!("there is no {kind} `{name}`: there are {names}"))
+}
+
+/// What the snapshot at `path` holds, without the header of the file.
+pub(crate) fn snapshot(path: &Path) -> Result<String, String> {
+    let text = fs::read_to_string(path).map_err(|cause| format!("{}: {cause}", path.display()))?;
+    // insta begins a snapshot with a header between lines of dashes.
+    let body = text.splitn(3, "---\n").nth(2);
+    Ok(body.unwrap_or(&text).to_owned())
 }

@@ -5,17 +5,12 @@ use std::path::Path;
 use figures::{CHARTS, FIGURES};
 
 use crate::controls;
+use crate::directive::named;
 
 /// The figure of that name, drawn now, with its caption; and if it is live, with what
 /// moves it.
 pub(crate) fn figure(name: &str) -> Result<String, String> {
-    let figure = figures::find(name).ok_or_else(|| {
-        let names: Vec<&str> = FIGURES.iter().map(|figure| figure.name).collect();
-        format!(
-            "there is no figure `{name}`: there are {}",
-            names.join(", ")
-        )
-    })?;
+    let figure = named("figure", name, FIGURES, |figure| figure.name)?;
     let (drawing, caption) = ((figure.draw)(), figure.caption());
     Ok(match figures::find_live(name) {
         Some(live) => controls::around(live, &drawing, &caption),
@@ -28,10 +23,7 @@ pub(crate) fn figure(name: &str) -> Result<String, String> {
 /// The chart of that name, drawn now from its files in the folder `notes`, with its
 /// caption and a table of the same numbers.
 pub(crate) fn chart(notes: &Path, name: &str) -> Result<String, String> {
-    let chart = figures::find_chart(name).ok_or_else(|| {
-        let names: Vec<&str> = CHARTS.iter().map(|chart| chart.name).collect();
-        format!("there is no chart `{name}`: there are {}", names.join(", "))
-    })?;
+    let chart = named("chart", name, CHARTS, |chart| chart.name)?;
     let drawn = chart.draw_from(notes)?;
     let figure = on_one_line(&format!(
         "<figure id=\"{name}\">{}{}<figcaption>{}</figcaption></figure>",

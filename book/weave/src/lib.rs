@@ -16,10 +16,8 @@ mod measured;
 mod page;
 mod picture;
 mod slip;
-mod snapshot;
 mod step;
 mod warnings;
-mod woven;
 
 use std::error::Error;
 use std::path::Path;

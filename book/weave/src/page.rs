@@ -7,9 +7,8 @@ use std::path::{Path, PathBuf};
 use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
 use crate::code::Listed;
-use crate::directive;
+use crate::directive::{self, Woven};
 use crate::maths::Maths;
-use crate::woven::Woven;
 
 /// A page as it was written.
 pub(crate) struct Page<'a> {

@@ -6,21 +6,15 @@ use std::path::Path;
 
 use figures::escape;
 use live::picture::{self, LivePicture, PICTURES, WIDEST};
-use slips::Chapter;
-use slips::{self, Edition, Slip};
+use slips::{Chapter, Edition, Slip};
+
+use crate::directive::named;
 
 /// The `image` of a chapter, in Markdown, with what is needed to paint it at another width
 /// and with a slip. The pages that the slips belong to are in the folder `notes`.
 pub(crate) fn picture(notes: &Path, chapter: &str, image: &str) -> Result<String, String> {
-    let found = (0..)
-        .zip(PICTURES)
-        .find(|(_, live)| live.chapter.name() == chapter);
-    let (place, live) = found.ok_or_else(|| {
-        let names: Vec<&str> = PICTURES.iter().map(|live| live.chapter.name()).collect();
-        format!(
-            "there is no live picture `{chapter}`: there are {}",
-            names.join(", ")
-        )
+    let (place, live) = named("live picture", chapter, (0..).zip(PICTURES), |(_, live)| {
+        live.chapter.name()
     })?;
     let width = live.chapter.book_width();
     Ok(format!(

@@ -1,10 +1,11 @@
 //! Pictures of slips and of editions, drawn while the book is woven.
 
+use std::sync::LazyLock;
+
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use check::png;
 use common::rtweekend::Picture;
-use slips::Chapter;
-use slips::{self, Edition, Look, Sight, Slip, Unseen, Words};
+use slips::{Chapter, Edition, Sight, Slip, Unseen, Words};
 
 /// The picture that a slip draws in a chapter, with the name of both below it.
 pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
@@ -55,95 +56,43 @@ pub(crate) fn editions() -> String {
 /// How wide the pictures of editions are, in pixels.
 const EDITION_WIDTH: u32 = 144;
 
-/// All slips, by what there is to see.
-pub(crate) fn gallery() -> String {
-    let sights = slips::sights();
-    let mut page = String::new();
-    for (look, heading, sentence) in HEADINGS {
-        page += &format!("## {heading}\n\n{sentence}\n\n");
-        let of_this_look = sights.iter().filter(|sight| sight.look == *look);
-        page.extend(of_this_look.map(tile));
+/// The slips of this look with their pictures; or those that draw the right picture wherever
+/// they are made.
+pub(crate) fn gallery(look: &str) -> Result<String, String> {
+    static SIGHTS: LazyLock<Vec<Sight>> = LazyLock::new(slips::sights);
+    if look == "Right" {
+        let seen = |slip: &&Slip| {
+            let mut all = SIGHTS.iter().flat_map(|sight| &sight.slips);
+            all.any(|other| other.name == slip.name)
+        };
+        let unseen = |slip| format!("{} {}\n", item(slip), shown_by(slip));
+        return Ok(slips::all()
+            .filter(|slip| !seen(slip))
+            .map(unseen)
+            .collect());
     }
-    page += "## The right picture\n\n\
-             Nothing to see here. A probe, which is another small scene, or a law tells more.\n\n";
-    let seen = |slip: &Slip| {
-        let mut all = sights.iter().flat_map(|sight| &sight.slips);
-        all.any(|other| other.name == slip.name)
-    };
-    for slip in slips::all().filter(|slip| !seen(slip)) {
-        page += &format!("{} {}\n", told(slip), unseen(slip));
+    let has_look = |sight: &&Sight| format!("{:?}", sight.look) == look;
+    let tiles: String = SIGHTS.iter().filter(has_look).map(tile).collect();
+    match tiles.is_empty() {
+        true => Err(format!("no slip has the look `{look}`")),
+        false => Ok(tiles),
     }
-    page
 }
-
-/// What each look is called, in the order of the page: the most striking first.
-const HEADINGS: &[(Look, &str, &str)] = &[
-    (
-        Look::Gone,
-        "The sphere is gone",
-        "Only the background is left: nearly always it is the picture of chapter 1.",
-    ),
-    (
-        Look::Flooded,
-        "No sky is left",
-        "Every ray seems to hit something.",
-    ),
-    (
-        Look::Misplaced,
-        "Something is where it should not be",
-        "The sphere is too large, stretched, shifted or torn, or the ground is in the sky.",
-    ),
-    (
-        Look::Incomplete,
-        "Something is missing",
-        "A part of what should be hit is sky, and nothing else is wrong with it.",
-    ),
-    (
-        Look::Turned,
-        "Upside down, or in a mirror",
-        "The right picture, turned as a whole.",
-    ),
-    (
-        Look::OtherHits,
-        "The sphere has the wrong colors",
-        "It is where it should be, and the sky is right.",
-    ),
-    (
-        Look::OtherSky,
-        "The background has the wrong colors",
-        "If there is a sphere, it is right.",
-    ),
-    (
-        Look::OtherColors,
-        "All colors are wrong",
-        "Everything is in its place.",
-    ),
-    (
-        Look::OtherSize,
-        "Another size",
-        "The header promises another width or height.",
-    ),
-    (
-        Look::Faint,
-        "No eye sees it",
-        "No color is off by more than two levels of 255. Only a comparison finds these.",
-    ),
-];
 
 /// A picture, and beside it the slips that draw it.
 fn tile(sight: &Sight) -> String {
     let chapter = sight.chapter.name();
     let names: Vec<&str> = sight.slips.iter().map(|slip| slip.name).collect();
     let alt = format!("What {} draws in {chapter}", names.join(", "));
-    let told: String = sight.slips.iter().map(|slip| told(slip) + "\n").collect();
+    let items: String = sight.slips.iter().map(|slip| item(slip) + "\n").collect();
     format!(
-        "<div class=\"slip\">\n<figure>{}<figcaption>{chapter}</figcaption></figure>\n<div>\n\n{told}\n</div>\n</div>\n\n",
+        "<div class=\"slip\">\n<figure>{}<figcaption>{chapter}</figcaption></figure>\n<div>\n\n{items}\n</div>\n</div>\n\n",
         image(&sight.picture, &alt)
     )
 }
 
 /// The slip in words, as an item of a list.
-fn told(slip: &Slip) -> String {
+fn item(slip: &Slip) -> String {
     let (name, Words { wrong, right, why }) = (slip.name, slip.words(Edition::V4));
     let (page, heading) = slip.page_and_heading();
     format!(
@@ -152,7 +101,7 @@ fn told(slip: &Slip) -> String {
 }
 
 /// What shows the slip where the book's pictures do not.
-fn unseen(slip: &Slip) -> String {
+fn shown_by(slip: &Slip) -> String {
     if let Some(probe) = slip.shown_by() {
         return format!("The probe *{probe}* shows it.");
     }

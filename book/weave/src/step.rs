@@ -2,12 +2,12 @@
 
 use slips::{Chapter, steps};
 
+use crate::directive::named;
 use crate::slip::image;
 
 /// The picture of step `number` of the chapter, drawn now, and what to type for it.
 pub(crate) fn step(chapter: &str, number: &str) -> Result<String, String> {
-    let chapter =
-        Chapter::find(chapter).ok_or_else(|| format!("there is no chapter `{chapter}`"))?;
+    let chapter = named("chapter", chapter, Chapter::ALL, |chapter| chapter.name())?;
     let steps = steps::of(chapter);
     let number = number.parse().unwrap_or(0);
     let step = (1..).zip(steps).find(|&(it, _)| it == number);

@@ -94,6 +94,17 @@ fn each_figure_is_shown_once() {
 }
 
 #[test]
+fn every_slip_is_in_the_gallery() {
+    let pages = pages();
+    let page = pages.iter().find(|page| page.name == "slips.html");
+    let links = page.expect("the page").attributes("a[href]", "href");
+    for slip in slips::all() {
+        let link = format!("caught.html#{}", slip.name);
+        assert!(links.contains(&link.as_str()), "{} is missing", slip.name);
+    }
+}
+
+#[test]
 fn every_public_function_is_shown_by_a_listing() {
     let root = Path::new(WORKSPACE);
     let pages = pages();
