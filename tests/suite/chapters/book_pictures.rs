@@ -19,7 +19,24 @@ pub(crate) fn is_drawn_by(chapter: Chapter) {
         return;
     }
     assert_picture(name, &chapter.picture(chapter.book_width()));
-    for (sum, _, width) in sums().filter(|&(_, chapter, _)| chapter == name) {
+    has_the_sums_of_the_book(chapter, |width| width < WIDEST);
+}
+
+/// The widest picture is 95 MB of text.
+const WIDEST: u32 = 3840;
+
+#[test]
+#[ignore = "hashes 475 MB of text"]
+fn each_chapter_draws_the_books_picture_at_the_size_of_a_screen_too() {
+    for chapter in Chapter::OF_THE_BOOK {
+        has_the_sums_of_the_book(chapter, |width| width == WIDEST);
+    }
+}
+
+fn has_the_sums_of_the_book(chapter: Chapter, is_asked: impl Fn(u32) -> bool) {
+    let name = chapter.name();
+    let of_chapter = sums().filter(|&(_, other, width)| other == name && is_asked(width));
+    for (sum, _, width) in of_chapter {
         let actual = sha256(&p3(&chapter.picture(width)));
         let same_as = sums().find(|(sum, ..)| *sum == actual);
         let same_as = same_as.map_or(String::new(), |(_, other, _)| {

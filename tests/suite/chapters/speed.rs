@@ -1,4 +1,5 @@
-//! The rival draws the same bytes, and what was measured is kept as it was.
+//! Many pixels at once: the engine's blocks, rings and threads draw what a loop over pixels
+//! draws, and what the book's program in C++ draws.
 
 #[cfg(target_os = "linux")]
 use std::fs;
@@ -14,10 +15,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
 use common::rtweekend::*;
-use figures::records::Race;
-use figures::table::Table;
 use measure::rival;
-use measure::spread::Spread;
 use slips::Chapter;
 
 #[cfg(target_os = "linux")]
@@ -26,10 +24,8 @@ use suite::drawn::p3;
 use suite::drawn::p3_with_threads;
 use suite::left_out::left_out;
 
-/// What `cargo bench -p measure --bench race -- --record` wrote.
-const RECORDED: &str = include_str!("../../../book/notes/speed/heats.csv");
-
 #[test]
+#[ignore = "compiles C++"]
 fn the_books_program_in_cpp_draws_the_same_bytes() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("rival");
     let program = match rival::build(&folder) {
@@ -116,6 +112,7 @@ fn one_thread_starts_no_other_and_two_share_the_work() {
 /// is at its height when the first megabytes are there.
 #[cfg(target_os = "linux")]
 #[test]
+#[ignore = "builds the programs of two chapters"]
 fn printing_takes_less_than_6_mib_of_memory_at_any_width() {
     for (chapter, width) in [
         ("hittable_list", "400"),
@@ -204,26 +201,4 @@ fn a_writer_that_fails_ends_the_picture_on_any_number_of_threads() {
             ErrorKind::StorageFull
         );
     }
-}
-
-#[test]
-fn what_is_recorded_is_as_it_is_written() {
-    let races = Table::<Race>::read(RECORDED).expect("the file is well-formed");
-    assert_eq!(
-        races.text(),
-        RECORDED,
-        "book/notes/speed/heats.csv was changed by hand: \
-         `cargo bench -p measure --bench race -- --record` writes it"
-    );
-}
-
-#[test]
-fn a_spread_has_its_median_in_the_middle() {
-    let spread = Spread::of(vec![3.5, 1.25, 2.0]);
-    let Spread {
-        median,
-        least,
-        greatest,
-    } = spread;
-    assert_eq!([least, median, greatest], [1.25, 2.0, 3.5]);
 }
