@@ -1,4 +1,4 @@
-//! A long trial: how exact each method of chapter 6 is, on as many cases as you like.
+//! Monte Carlo: how exact each method of chapter 6 is, on as many cases as you like.
 
 use std::error::Error;
 use std::io;

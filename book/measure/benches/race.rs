@@ -1,4 +1,4 @@
-//! A benchmark: the chapters' programs against the book's own in C++, in turns.
+//! Macrobenchmark: the chapters' programs against the book's own in C++, in turns.
 
 use std::error::Error;
 use std::fs::File;
@@ -69,7 +69,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         say(&format!("{}\n", shown(&race, rival.is_ok())))?;
         races.push(race);
     }
-    say_instructions(&programs, rival.as_deref().ok())?;
     if arguments.record && rival.is_ok() {
         record(machine, races)?;
     }
@@ -189,38 +188,6 @@ fn shown(race: &Race, with_rival: bool) -> String {
         );
     }
     line
-}
-
-/// Prints how many instructions a small picture takes, if valgrind is there to count
-/// them.
-fn say_instructions(programs: &Path, rival: Option<&Path>) -> Result<(), Box<dyn Error>> {
-    for chapter in &Chapter::OF_THE_BOOK[1..] {
-        let name = chapter.name();
-        let Some(count) = instructions(&programs.join(name), &["-"]) else {
-            return Ok(());
-        };
-        let mut line = format!("{name:<14} {count} instructions at 400 wide");
-        if let Some(count) = rival.and_then(|rival| instructions(rival, &[name, "400"])) {
-            line += &format!(", C++ {count}");
-        }
-        say(&(line + "\n"))?;
-    }
-    Ok(())
-}
-
-/// Counted by valgrind; `None` without it. It knows AVX2 but not AVX-512.
-fn instructions(program: &Path, arguments: &[&str]) -> Option<String> {
-    let output = Command::new("valgrind")
-        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
-        .arg(program)
-        .args(arguments)
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .output()
-        .ok()?;
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    let (_, count) = said.lines().find_map(|line| line.split_once("refs:"))?;
-    Some(count.trim().to_owned())
 }
 
 /// Writes the numbers, from which the book draws its chart.

@@ -11,7 +11,7 @@ pub mod population;
 pub mod progress;
 pub mod rival;
 pub mod scene_file;
-pub mod scenes;
 pub mod shadows;
 pub mod spread;
 pub mod worst;
+pub mod wrong_pixels;

@@ -1,4 +1,4 @@
-//! Decimal numbers, as a command line and a file have them.
+//! Parsing and shortest printing of decimal numbers.
 
 use common::rtweekend::*;
 use speed_vs_accuracy::{Method, Precision, Solve};

@@ -1,4 +1,4 @@
-//! One case, method by method, with the reasons behind an error.
+//! Error analysis of one case: each method's answer, its error in ulps, and the reason.
 
 use std::error::Error;
 

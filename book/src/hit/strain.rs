@@ -1,5 +1,4 @@
-//! What makes a case hard, and for which methods: the reasons behind an
-//! error.
+//! Cancellation, counted in digits: why a method errs.
 //!
 //! Each reason is a difference of two numbers that are nearly equal. What is
 //! left of it has lost as many digits as the two have in common.

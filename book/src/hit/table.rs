@@ -1,4 +1,4 @@
-//! Many cases: a line for each answer.
+//! Streaming answers: a line for each case and method.
 
 use std::error::Error;
 use std::fs::File;

@@ -19,7 +19,7 @@ use measure::contest::Effort;
 use measure::needs::Found;
 use measure::progress::Progress;
 use measure::scene_file::WIDEST;
-use measure::{cost, scenes};
+use measure::{cost, wrong_pixels};
 use speed_vs_accuracy::{Precision, Scene};
 
 /// What `cargo rtrace needs` is told.
@@ -104,7 +104,7 @@ fn look_into(scene: &Scene) -> Vec<Found> {
     let times = cost::times(scene, &EFFORT, || progress.step());
     let mut found: Vec<Found> = Vec::new();
     for precision in precisions {
-        let drawn = scenes::drawn(scene, precision, scene.width, || progress.step());
+        let drawn = wrong_pixels::drawn(scene, precision, scene.width, || progress.step());
         let finest = found.first().map(|finest| &finest.right);
         found.push(Found::new(scene, precision, finest, drawn, &times));
     }

@@ -9,7 +9,7 @@ use insta::assert_snapshot;
 use laws::oracle::Exact;
 use measure::needs::{Culprit, Found};
 use measure::scene_file::{self, find_scene};
-use measure::scenes;
+use measure::wrong_pixels;
 use serde_json::Value;
 use speed_vs_accuracy::{METHODS, Method, Precision, Scene};
 use tempfile::TempDir;
@@ -126,7 +126,7 @@ mod the_least {
             .map(|(place, method)| (*method, vec![cost(place); 4]))
             .collect();
         times.sort_by_key(|(method, _)| method.name != Method::REFERENCE.name);
-        let drawn = scenes::drawn(scene, precision, scene.width, || ());
+        let drawn = wrong_pixels::drawn(scene, precision, scene.width, || ());
         Found::new(scene, precision, None, drawn, &times)
     }
 }
@@ -270,7 +270,7 @@ mod the_folder {
             let of_precision = METHODS.iter().filter(|it| it.precision() == precision);
             for method in of_precision {
                 let drawn = scene.picture(*method, scene.width);
-                let levels = scenes::levels_off(&right, &drawn);
+                let levels = wrong_pixels::levels_off(&right, &drawn);
                 let wrong = levels.iter().filter(|&&levels| levels > 1).count();
                 let rows = said[precision.name()]["methods"].as_array();
                 let mut rows = rows.expect("rows").iter();

@@ -4,11 +4,12 @@
 //! questions: here a few of them are asked again, which notices that they were asked
 //! of other methods than there are now.
 
+use std::fs;
+
 use figures::records::{Accuracy, Level, Timing};
 use figures::table::{Record, Table};
-use insta::internals::SnapshotContents;
-use insta::{Comparator, Snapshot, assert_binary_snapshot};
-use measure::{accuracy, scenes, worst};
+use insta::assert_binary_snapshot;
+use measure::{accuracy, worst, wrong_pixels};
 
 /// The book shows these files, so they stand where the book finds them.
 const MEASURED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/measured");
@@ -25,10 +26,10 @@ mod the_snapshot_holds {
     /// Where the times are recorded anew, this follows.
     #[test]
     fn scenes_and_least() {
-        let table = scenes::table(WIDTH);
+        let table = wrong_pixels::table(WIDTH);
         let timings = include_str!("../../../book/notes/measured/timings.csv");
         let timings = Table::<Timing>::read(timings).expect("the file is well-formed");
-        assert_measured("least", &scenes::least(&table, &timings));
+        assert_measured("least", &wrong_pixels::least(&table, &timings));
         assert_measured("scenes", &table);
     }
 
@@ -116,60 +117,22 @@ fn recorded() -> Vec<Accuracy> {
     Table::read(file).expect("the file is well-formed").rows
 }
 
-/// Compares what was measured with the snapshot of that name.
+/// Compares what was measured with the snapshot of that name, and shows the lines that
+/// differ.
 fn assert_measured<Row: Record>(name: &str, table: &Table<Row>) {
+    let text = table.text();
+    let before = fs::read_to_string(format!("{MEASURED}/{name}.snap.csv")).unwrap_or_default();
+    for (old, new) in before.lines().zip(text.lines()) {
+        if old != new {
+            println!("- {old}\n+ {new}");
+        }
+    }
+    println!(
+        "If a method was meant to change: INSTA_UPDATE=always cargo test the_snapshot_holds::{name}"
+    );
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(MEASURED);
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    settings.set_comparator(Box::new(SameLines));
-    settings.bind(|| assert_binary_snapshot!(&format!("{name}.csv"), table.text().into_bytes()));
-}
-
-/// Compares two tables line by line, and shows the lines that differ.
-#[derive(Clone)]
-struct SameLines;
-
-impl Comparator for SameLines {
-    fn matches(&self, reference: &Snapshot, test: &Snapshot) -> bool {
-        let (Some(expected), Some(actual)) = (text_of(reference), text_of(test)) else {
-            println!("The .csv file of a snapshot is missing: restore it, or accept a new one.");
-            return false;
-        };
-        if expected == actual {
-            return true;
-        }
-        let name = test.snapshot_name().unwrap_or("table");
-        println!(
-            "\n`{name}` is not its snapshot. These lines differ, as they were and as they are:"
-        );
-        for (old, new) in expected.lines().zip(actual.lines()) {
-            if old != new {
-                println!("- {old}\n+ {new}");
-            }
-        }
-        let [old, new] = [&expected, &actual].map(|text| text.lines().count());
-        if old != new {
-            println!("{old} lines before, {new} lines now");
-        }
-        println!(
-            "If a method was meant to change: INSTA_UPDATE=always cargo test the_snapshot_holds::{name}\n\
-             (in PowerShell, first $env:INSTA_UPDATE = 'always')\n"
-        );
-        false
-    }
-
-    fn dyn_clone(&self) -> Box<dyn Comparator> {
-        Box::new(self.clone())
-    }
-}
-
-fn text_of(snapshot: &Snapshot) -> Option<String> {
-    match snapshot.contents() {
-        // Git may write the lines of a text in the manner of the system.
-        SnapshotContents::Binary(Some(file)) => {
-            Some(String::from_utf8_lossy(file).replace("\r\n", "\n"))
-        }
-        _ => None,
-    }
+    settings.bind(|| assert_binary_snapshot!(&format!("{name}.csv"), text.into_bytes()));
 }

@@ -1,4 +1,4 @@
-//! Axes: from numbers to places on the sheet.
+//! Linear and logarithmic scales: from numbers to places on the sheet.
 
 use glam::DVec2;
 

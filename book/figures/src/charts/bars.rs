@@ -1,4 +1,4 @@
-//! Bars with words.
+//! A bar chart: bars with words at their ends.
 
 use glam::DVec2;
 

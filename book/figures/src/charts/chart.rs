@@ -1,4 +1,4 @@
-//! What the book knows about a chart.
+//! A chart: its words, its files, and the function that draws it.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Where each method decides wrongly: a map of neighboring numbers.
+//! Small multiples: for each method a map of wrong decisions among neighboring numbers.
 
 use std::fmt::Write;
 

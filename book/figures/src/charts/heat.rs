@@ -1,4 +1,4 @@
-//! A cell of a heat map: the darker the more of what it counts is wrong.
+//! A cell of a heat map: the darker, the more is wrong.
 
 use glam::DVec2;
 

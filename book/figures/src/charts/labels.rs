@@ -1,4 +1,4 @@
-//! Labels that keep apart.
+//! Label placement without overlap (greedy).
 
 use glam::DVec2;
 

@@ -1,4 +1,4 @@
-//! What the marks mean.
+//! The legend: what the marks mean.
 
 use glam::DVec2;
 use speed_vs_accuracy::Precision::{Double, Single};

@@ -1,4 +1,4 @@
-//! What is known of each method: how fast, how exact.
+//! Scatter points: how fast each method is, and how exact.
 
 use glam::DVec2;
 use speed_vs_accuracy::{Method, Precision, find};

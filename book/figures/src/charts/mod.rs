@@ -6,13 +6,13 @@ mod chart;
 mod failure_map;
 mod heat;
 mod labels;
-mod leaving;
 mod legend;
 mod methods;
 mod race;
-mod scenes;
+mod shadows;
 mod speed_accuracy;
 mod sweep;
+mod wrong_pixels;
 
 pub use chart::{Chart, Drawn};
 pub use methods::Point;
@@ -25,8 +25,8 @@ pub const CHARTS: &[Chart] = &[
     sweep::DISTANCE,
     sweep::GRAZING,
     failure_map::CHART,
-    scenes::CHART,
-    leaving::CHART,
+    wrong_pixels::CHART,
+    shadows::CHART,
     race::PROGRAMS,
     race::TRACING,
 ];

@@ -1,4 +1,4 @@
-//! Our pictures and those of a plain C++ program.
+//! A bar chart of times: the pictures by our programs and by the one in C++.
 
 use std::fmt::Write;
 

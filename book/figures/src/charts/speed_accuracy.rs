@@ -1,4 +1,4 @@
-//! Speed against accuracy: a point for each method.
+//! A scatter plot with its Pareto front: speed against accuracy.
 
 use std::fmt::Write;
 

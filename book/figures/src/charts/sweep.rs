@@ -1,4 +1,4 @@
-//! Digits that are left, against distance and against closeness to a tangent.
+//! Line charts: digits that are left, against distance and closeness to a tangent.
 
 use std::fmt::Write;
 

@@ -2,8 +2,8 @@
 
 mod about;
 mod leaving;
-mod nearest;
 mod one_by_one;
+mod several_spheres;
 
 use std::error::Error;
 use std::path::Path;
@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let effort = Effort::new(arguments.quick);
     let mut groups: Vec<Group> = one_by_one::groups();
     groups.push(leaving::group());
-    groups.extend(nearest::groups());
+    groups.extend(several_spheres::groups());
     let timings = Table::<Timing> {
         about: about::about(&effort),
         rows: measure::contest::run(groups, &effort),

@@ -1,6 +1,6 @@
 //! Blame: from the first wrong pixel to the ray and the sphere at which a method errs.
 
-use crate::scenes::View;
+use crate::wrong_pixels::View;
 use common::rtweekend::*;
 use laws::oracle::Exact;
 use laws::truth::Truth;

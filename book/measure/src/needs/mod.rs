@@ -4,8 +4,8 @@
 mod culprit;
 
 use crate::contest::ratio;
-use crate::scenes::{Drawn, View, levels_off};
 use crate::spread::Spread;
+use crate::wrong_pixels::{Drawn, View, levels_off};
 use common::rtweekend::*;
 use speed_vs_accuracy::{METHODS, Method, Precision, Scene};
 

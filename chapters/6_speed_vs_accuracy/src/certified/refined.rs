@@ -1,4 +1,4 @@
-//! A correction step: the last digits of a root that is nearly right.
+//! Iterative refinement, one step: the last digits of a root that is nearly right.
 
 use common::rtweekend::*;
 use glam::DVec4;

@@ -1,4 +1,4 @@
-//! Wrong pixels, scene by scene and method by method.
+//! A heat map: wrong pixels, scene by scene and method by method.
 
 use std::fmt::Write;
 

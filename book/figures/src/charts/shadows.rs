@@ -1,4 +1,4 @@
-//! False shadows and light leaks, for each way to leave a surface and each radius.
+//! Heat maps: false shadows and light leaks, for each way to leave a surface and radius.
 
 use std::fmt::Write;
 
