@@ -168,6 +168,7 @@ fn a_program_ends_with_all_that_it_started_within_its_time() {
 
 /// As many pixels as are accepted, in a file of a few kilobytes.
 #[test]
+#[ignore = "unpacks sixteen million pixels twice, without optimization"]
 fn a_picture_of_an_absurd_shape_is_judged_by_its_shape() {
     let folder = TempDir::new().expect("a folder");
     for (width, height) in [(1, MOST_PIXELS as u32), (MOST_PIXELS as u32, 1)] {
