@@ -56,7 +56,11 @@ impl Cause {
 
 fn in_a_line(slip: &Slip) -> String {
     let [(_, wrong), (should_be, right), _] = slip.rows(Edition::V4);
-    format!("{}: {wrong}; {should_be}: {right}", slip.name)
+    let said = format!("{wrong}; {should_be}: {right}");
+    match slip.name {
+        "" => said,
+        name => format!("{name}: {said}"),
+    }
 }
 
 /// How many mistakes a message names at most: in four places a root can lose its sign.
@@ -95,7 +99,7 @@ pub(crate) fn of<Q: Question>(
     fitting.sort_by_key(|(_, slip, _)| std::cmp::Reverse(slip.reports()));
     let mut mistakes: Vec<&Slip> = Vec::new();
     for (_, slip, _) in &fitting {
-        if !mistakes.iter().any(|other| other.name == slip.name) {
+        if !mistakes.iter().any(|other| std::ptr::eq(*other, *slip)) {
             mistakes.push(slip);
         }
     }
@@ -112,7 +116,7 @@ pub(crate) fn of<Q: Question>(
 
 /// Each slip that can be made in a function of this kind, as each chapter writes it.
 fn hypotheses<Q: Question>() -> impl Iterator<Item = (&'static Slip, Program)> {
-    slips::all().flat_map(|slip| {
+    slips::all().chain(slips::unnamed()).flat_map(|slip| {
         let chapters = Q::CHAPTERS.iter();
         let can_be_made = chapters.filter(|chapter| slip.chapters.contains(chapter));
         can_be_made.map(move |&chapter| (slip, slip.program(chapter)))

@@ -39,7 +39,7 @@ mod single;
 mod slip;
 pub mod steps;
 
-pub use catalogue::{all, find};
+pub use catalogue::{all, find, unnamed};
 pub use chapter::{Chapter, Room};
 pub use edition::Edition;
 pub use look::{Look, SIGHT_WIDTH, Sight, sights};

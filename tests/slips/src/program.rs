@@ -131,6 +131,8 @@ pub struct Program {
     pub numerators: fn(f64, f64, f64) -> [f64; 2],
     /// A root from its numerator and a.
     pub divide: fn(f64, f64) -> f64,
+    /// What is returned of the two roots.
+    pub kept: fn([f64; 2]) -> Option<[f64; 2]>,
     /// The point at a ray parameter.
     pub at: fn(&Program, &Ray, f64) -> Point3,
     /// The unit normal that points out, from a point on a sphere.
@@ -301,7 +303,7 @@ impl Program {
             return self.missed.map(|t| [t; 2]);
         }
         let numerators = (self.numerators)((self.first_term)(b), (self.sqrt)(discriminant), a);
-        Some(numerators.map(|numerator| (self.divide)(numerator, a)))
+        (self.kept)(numerators.map(|numerator| (self.divide)(numerator, a)))
     }
 }
 
@@ -353,6 +355,7 @@ const HITTABLE_LIST: Program = Program {
     first_term: |h| h,
     numerators: |first, sqrtd, _| [first - sqrtd, first + sqrtd],
     divide: |numerator, a| numerator / a,
+    kept: Some,
     at: |program, ray, t| (program.plus)(ray.origin, t * ray.direction),
     outward: |program, point, ball| (program.over)(point - ball.center, ball.radius),
     face: |program, direction, outward| {

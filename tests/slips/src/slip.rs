@@ -10,7 +10,8 @@ use crate::program::Program;
 /// A mistake that readers make, as a change of the program without it.
 #[derive(Clone, Copy, Debug)]
 pub struct Slip {
-    /// What it is called, on the command line and in tables. It never changes.
+    /// What it is called, on the command line and in tables. It never changes. Empty where
+    /// only laws look for it.
     pub name: &'static str,
     /// The chapters in which it can be made.
     pub chapters: &'static [Chapter],
@@ -72,6 +73,15 @@ pub(super) const fn slip(name: &'static str, chapters: &'static [Chapter], place
         alter: |_| {},
         unseen: None,
     }
+}
+
+/// A mistake in a function that has no name, and no page of its own.
+pub(super) const fn unnamed(chapters: &'static [Chapter]) -> Slip {
+    let nowhere = Place {
+        page: "",
+        source: "",
+    };
+    slip("", chapters, nowhere)
 }
 
 /// The parts of an entry in the catalogue.

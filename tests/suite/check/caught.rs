@@ -111,6 +111,12 @@ impl Outcome {
 /// What the laws are tried on: enough to see a mistake, not to prove anything.
 pub(crate) const TRIAL: Trial = Trial { cases: 60 };
 
+/// What is said of the first law that the program breaks.
+pub(crate) fn first_report(program: &Program) -> Option<Box<Report>> {
+    let laws = [try_rays, try_intersection, try_records];
+    laws.into_iter().find_map(|ask| ask(program).err())
+}
+
 /// Puts the small functions under their laws, in the chapters that cast rays.
 fn try_rays(program: &Program) -> Tried {
     if program.chapter == Chapter::BuildTest {

@@ -2,9 +2,9 @@
 
 use laws::causes::Cause;
 use laws::report::Report;
-use slips::Chapter;
+use slips::{Chapter, Edition};
 
-use crate::caught::{OUTCOMES, Outcome, TRIAL};
+use crate::caught::{OUTCOMES, Outcome, TRIAL, first_report};
 use suite::slip;
 
 #[test]
@@ -15,6 +15,22 @@ fn the_first_broken_law_names_the_slip_in_a_chapter() {
 #[test]
 fn the_first_broken_law_names_the_slip_in_a_function_of_a_readers_own() {
     assert_named(|outcome| outcome.own.as_deref());
+}
+
+#[test]
+fn a_mistake_that_has_no_name_is_told_in_words() {
+    let mut missed = String::new();
+    for mistake in slips::unnamed() {
+        for &chapter in mistake.chapters {
+            let report = first_report(&mistake.program(chapter));
+            let told = report.map_or(Vec::new(), |report| report.cause.mistakes);
+            if !told.iter().any(|&other| std::ptr::eq(other, mistake)) {
+                let wrong = mistake.words(Edition::V4).wrong;
+                missed += &format!("{wrong} in {chapter:?}\n");
+            }
+        }
+    }
+    assert!(missed.is_empty(), "not told:\n{missed}");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod camera;
 mod chapters;
 mod file;
+mod function;
 mod list;
 mod normals;
 mod sphere;
@@ -20,6 +21,11 @@ pub fn all() -> impl Iterator<Item = &'static Slip> {
     ]
     .into_iter()
     .flatten()
+}
+
+/// Mistakes without a name, which only laws look for.
+pub fn unnamed() -> impl Iterator<Item = &'static Slip> {
+    function::SLIPS.iter()
 }
 
 /// The slip of that name.
