@@ -3,15 +3,16 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use scraper::{ElementRef, Html, Node, Selector};
+use slips::Chapter;
 
 use suite::command::{files, names_in};
 
 /// The workspace, and in it the sources of the book.
-const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+pub(crate) const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 const NOTES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes");
 
 #[test]
@@ -238,6 +239,19 @@ pub(crate) fn woven() -> &'static Path {
         folder
     });
     &WOVEN
+}
+
+/// The page of a chapter.
+pub(crate) fn page_of(chapter: Chapter) -> String {
+    match chapter {
+        Chapter::BuildTest => "setup.html".to_owned(),
+        _ => format!("{}.html", chapter.name()),
+    }
+}
+
+/// The folder of the chapter, as seen from the workspace.
+pub(crate) fn folder_of(chapter: Chapter) -> PathBuf {
+    PathBuf::from(format!("chapters/{}_{}", chapter as usize, chapter.name()))
 }
 
 /// The names of all pages, those of mdBook's own included.

@@ -1,6 +1,6 @@
 //! What the book shows as changed from chapter to chapter is what changed.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::{env, fs};
 
 use check::comparison::Comparison;
@@ -11,46 +11,26 @@ use insta::{assert_binary_snapshot, assert_snapshot};
 use similar::TextDiff;
 use slips::Chapter;
 
+use crate::book::{WORKSPACE, folder_of};
+use suite::command::names_in;
 use suite::drawn::SamePixels;
 use suite::left_out::left_out;
 
 const NOTES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/changes");
 
-mod the_snapshot_shows_the_changes_to {
-    macro_rules! stages {
-        ($($chapter:ident)*) => {
-            pub(super) const NAMES: &[&str] = &[$(stringify!($chapter)),*];
-            $(
-                #[test]
-                fn $chapter() {
-                    super::assert_changes(stringify!($chapter));
-                }
-            )*
-        };
-    }
-    stages! { gradient red_sphere normals half_b_sphere hittable_list }
-}
-
+/// The sixth chapter changes nothing: it measures the functions of the others.
 #[test]
-fn no_chapter_of_the_book_goes_without_its_changes() {
-    // The sixth changes nothing: it measures the functions of the others.
-    let chapters = &Chapter::OF_THE_BOOK[1..];
-    let names: Vec<&str> = chapters.iter().map(|chapter| chapter.name()).collect();
-    assert_eq!(
-        names,
-        the_snapshot_shows_the_changes_to::NAMES,
-        "name the new chapter in the list above this test, in the same order"
-    );
+fn the_snapshot_shows_the_changes_to_each_chapter() {
+    for [before, after] in Chapter::OF_THE_BOOK.array_windows() {
+        assert_changes(*before, *after);
+    }
 }
 
 /// Compares what changed on the way to the chapter with the files in the book: the
 /// picture. The code of a chapter may be typed in other words, so what the book shows
 /// of that is only compared when it is written anew.
-fn assert_changes(name: &str) {
-    let [before, after] = Chapter::ALL
-        .array_windows()
-        .find(|[_, after]| after.name() == name)
-        .expect("the chapter comes after another one");
+fn assert_changes(before: Chapter, after: Chapter) {
+    let name = after.name();
     let pictures = [before, after].map(|chapter| chapter.picture(chapter.book_width()));
     let sentence = picture_sentence(&pictures);
     let text = format!("{sentence}\n\n{}", code(before, after));
@@ -64,7 +44,7 @@ fn assert_changes(name: &str) {
     if in_other_words && env::var_os("INSTA_UPDATE").is_none() {
         left_out(&format!(
             "`{name}` or the chapter before it is typed in other words than the book shows. To show \
-             these: INSTA_UPDATE=always cargo test the_snapshot_shows_the_changes_to::{name}"
+             these: INSTA_UPDATE=always cargo test the_snapshot_shows_the_changes_to"
         ));
     } else {
         settings.bind(|| assert_snapshot!(name, text));
@@ -105,19 +85,20 @@ fn changed_pixels([before, after]: &[Picture; 2]) -> Option<Picture> {
 
 /// The new files, and the lines that change in `lib.rs`, as Markdown. Comments
 /// are left out: they are all new, and hide how little the code changes.
-fn code(before: &Chapter, after: &Chapter) -> String {
-    let [before, after] = [before, after].map(|chapter| sources(chapter.name()));
-    let old_names = names_in(&before);
-    let new: Vec<String> = names_in(&after)
+fn code(before: Chapter, after: Chapter) -> String {
+    let [before, after] = [before, after].map(|chapter| folder_of(chapter).join("src"));
+    let [old, new] = [&before, &after].map(|sources| Path::new(WORKSPACE).join(sources));
+    let old_names = names_in(&old);
+    let added: Vec<String> = names_in(&new)
         .into_iter()
         .filter(|name| !old_names.contains(name))
         .map(|name| format!("`{name}`"))
         .collect();
-    let new = match new.is_empty() {
+    let added = match added.is_empty() {
         true => String::new(),
-        false => format!("New files: {}.\n\n", new.join(", ")),
+        false => format!("New files: {}.\n\n", added.join(", ")),
     };
-    let [old_text, new_text] = [&before, &after].map(|folder| {
+    let [old_text, new_text] = [&old, &new].map(|folder| {
         fs::read_to_string(folder.join("lib.rs"))
             .expect("lib.rs")
             .split_inclusive('\n')
@@ -130,27 +111,14 @@ fn code(before: &Chapter, after: &Chapter) -> String {
         .context_radius(30) // A chapter is short enough to be shown whole.
         .header(&shown(&before), &shown(&after))
         .to_string();
-    format!("{new}```diff\n{diff}```")
+    format!("{added}```diff\n{diff}```")
 }
 
-/// The folder with the sources of the chapter.
-fn sources(name: &str) -> PathBuf {
-    let chapters = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../chapters");
-    let chapter = names_in(&chapters)
-        .into_iter()
-        .find(|folder| folder.split_once('_').is_some_and(|(_, rest)| rest == name))
-        .expect("each chapter is a chapter");
-    chapters.join(chapter).join("src")
-}
-
+/// The chapter's lib.rs, as seen from the workspace.
 fn shown(sources: &Path) -> String {
-    let chapter = sources
-        .parent()
-        .and_then(Path::file_name)
-        .expect("a chapter");
-    format!("chapters/{}/src/lib.rs", chapter.display())
-}
-
-fn names_in(folder: &Path) -> Vec<String> {
-    suite::command::names_in(folder)
+    sources
+        .join("lib.rs")
+        .display()
+        .to_string()
+        .replace('\\', "/")
 }

@@ -10,6 +10,7 @@ use insta::assert_snapshot;
 use serde_json::Value;
 use slips::Chapter;
 
+use crate::book::{WORKSPACE, folder_of};
 use suite::command::{assert_success, run, text};
 use suite::left_out::left_out;
 use suite::mine::Mine;
@@ -114,9 +115,9 @@ impl Mistake {
         if !mine.path().join(name).exists() {
             assert_success(&run(&mut mine.start(name, &[])));
         }
-        let number = self.chapter as usize;
-        let ours = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../chapters");
-        let ours = ours.join(format!("{number}_{name}")).join("src");
+        let ours = Path::new(WORKSPACE)
+            .join(folder_of(self.chapter))
+            .join("src");
         let typed = mine.path().join(name).join("src");
         for file in fs::read_dir(&ours).expect("the chapter") {
             let file = file.expect("a file").file_name();

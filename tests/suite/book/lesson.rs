@@ -13,7 +13,7 @@ use std::process::Command;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use slips::Chapter;
 
-use crate::book::{self, text_of};
+use crate::book::{self, page_of, text_of};
 use suite::command::files;
 use suite::drawn::p3;
 
@@ -186,13 +186,6 @@ fn find_bodies(code: TokenStream, bodies: &mut Vec<(String, Range<usize>)>) {
             _ => {}
         }
         is_named = false;
-    }
-}
-
-pub(crate) fn page_of(chapter: Chapter) -> String {
-    match chapter {
-        Chapter::BuildTest => "setup.html".to_owned(),
-        _ => format!("{}.html", chapter.name()),
     }
 }
 

@@ -8,8 +8,8 @@ use std::process::Command;
 
 use slips::Chapter;
 
-use crate::book::{self, text_of};
-use crate::lesson::{page_of, write_if_changed, write_manifest};
+use crate::book::{self, folder_of, page_of, text_of};
+use crate::lesson::{write_if_changed, write_manifest};
 use suite::command::files;
 use suite::command::{assert_success, run, text};
 use suite::drawn::p3;
@@ -154,11 +154,6 @@ fn assert_nothing_is_left_out(typed: &BTreeMap<PathBuf, String>) {
             );
         }
     }
-}
-
-/// The folder of the chapter, as seen from the workspace.
-fn folder_of(chapter: Chapter) -> PathBuf {
-    PathBuf::from(format!("chapters/{}_{}", chapter as usize, chapter.name()))
 }
 
 /// Builds the programs, and asks the answers to the exercises what they promise.
