@@ -136,21 +136,16 @@ impl Group {
             stop_here_if_asked_to()?;
             match self.printed.recv_timeout(TICK) {
                 Ok(piece) => bytes.append(&mut piece?),
-                Err(RecvTimeoutError::Disconnected) => {
-                    let deadline = start + limit;
-                    ended = self.wait_until(&mut || is_old() || Instant::now() > deadline)?;
-                    return Ok(match ended {
-                        Some(status) => End::Itself(status, bytes),
-                        None if Instant::now() > deadline => End::TooSlow,
-                        None => End::Interrupted,
-                    });
-                }
-                // One that has ended prints no more: another one keeps the pipe.
-                Err(RecvTimeoutError::Timeout) => {
+                // One that has ended prints no more: another one may keep the pipe.
+                Err(nothing) => {
                     if let Some(status) = ended {
                         return Ok(End::Itself(status, bytes));
                     }
                     ended = self.child.try_wait()?;
+                    if nothing == RecvTimeoutError::Disconnected {
+                        // It has closed its output, and may go on.
+                        thread::sleep(Duration::from_millis(1));
+                    }
                 }
             }
             if bytes.len() > MOST_BYTES {
@@ -162,21 +157,6 @@ impl Group {
             if is_old() {
                 return Ok(End::Interrupted);
             }
-        }
-    }
-
-    /// Waits for one that has closed its output and goes on, until it is enough.
-    fn wait_until(
-        &mut self,
-        is_enough: &mut dyn FnMut() -> bool,
-    ) -> io::Result<Option<ExitStatus>> {
-        loop {
-            stop_here_if_asked_to()?;
-            let ended = self.child.try_wait()?;
-            if ended.is_some() || is_enough() {
-                return Ok(ended);
-            }
-            thread::sleep(Duration::from_millis(1));
         }
     }
 }

@@ -2,7 +2,7 @@
 
 mod build;
 mod changes;
-mod judge;
+mod evidence;
 mod laws;
 mod screen;
 mod verdict;
@@ -27,7 +27,7 @@ use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;
 use crate::subprocess::{self, End};
 use changes::Changes;
-use judge::Judge;
+use evidence::Evidence;
 use verdict::Verdict;
 
 /// What `cargo rtrace watch` is told.
@@ -180,7 +180,7 @@ impl Subject {
         let ran = subprocess::run(&words, &self.folder, self.limit, is_old);
         let laws = built.and_then(|built| built.laws);
         let ask_laws = || laws::ask(laws.as_deref()?, &self.folder, self.limit);
-        let judge = Judge {
+        let evidence = Evidence {
             scene: &self.scene,
             is_crate: self.program.is_empty(),
             is_chapter_only: self.program.is_empty()
@@ -190,8 +190,8 @@ impl Subject {
         };
         match ran {
             Ok((End::Interrupted, _)) => Verdict::stale(),
-            Ok((End::Itself(status, bytes), _)) if status.success() => judge.of_picture(&bytes),
-            Ok((End::Full(bytes), _)) => judge.of_picture(&bytes),
+            Ok((End::Itself(status, bytes), _)) if status.success() => evidence.of_picture(&bytes),
+            Ok((End::Full(bytes), _)) => evidence.of_picture(&bytes),
             Ok((End::Itself(status, _), errors)) => Verdict::failed(&self.scene, &status, &errors),
             Ok((End::TooSlow, errors)) => Verdict::too_slow(self.limit, &errors),
             Err(cause) => Verdict::not_started(&words[0], &cause),

@@ -166,6 +166,34 @@ fn a_program_ends_with_all_that_it_started_within_its_time() {
     }
 }
 
+/// What is checked has started another one. Both hold the pipe, which ends when they have.
+#[cfg(unix)]
+#[test]
+#[ignore = "kills programs that would sleep for a minute"]
+fn a_signal_ends_what_is_checked_with_all_that_it_started() {
+    use rustix::process::{Pid, Signal, kill_process};
+    use std::io::{BufRead, BufReader, Read};
+    use std::os::unix::process::ExitStatusExt;
+    use std::time::{Duration, Instant};
+
+    let script = "sleep 60 & echo it runs >&2; exec sleep 60";
+    for signal in [Signal::INT, Signal::TERM, Signal::HUP] {
+        let mut check = crate::terminal::hears_signals(path_of("rtrace"));
+        check.args(["check", "gradient", "--", "sh", "-c", script]);
+        let piped = check.stdout(Stdio::null()).stderr(Stdio::piped());
+        let mut child = piped.spawn().expect("the program starts");
+        let mut pipe = BufReader::new(child.stderr.take().expect("it is piped"));
+        let mut said = String::new();
+        pipe.read_line(&mut said).expect("it runs");
+        let start = Instant::now();
+        kill_process(Pid::from_child(&child), signal).expect("it is running");
+        let ended = child.wait().expect("it ends");
+        assert_eq!(ended.signal(), Some(signal.as_raw()), "{signal:?}");
+        pipe.read_to_string(&mut said).expect("the pipe ends");
+        assert!(start.elapsed() < Duration::from_secs(30), "{signal:?}");
+    }
+}
+
 /// As many pixels as are accepted, in a file of a few kilobytes.
 #[test]
 #[ignore = "unpacks sixteen million pixels twice, without optimization"]

@@ -15,8 +15,8 @@ use super::laws::{self, Answer};
 use super::verdict::{Line, Verdict, labeled, printed, step_says};
 use crate::done::{picture_is_right, step_is_done};
 
-/// Who was asked, and can be asked more.
-pub(super) struct Judge<'a> {
+/// What is known of a picture and the program behind it, and the laws, which can be asked.
+pub(super) struct Evidence<'a> {
     pub(super) scene: &'a Scene,
     /// Whether the reader works in a crate that `start` made.
     pub(super) is_crate: bool,
@@ -28,7 +28,7 @@ pub(super) struct Judge<'a> {
     pub(super) ask_laws: &'a dyn Fn() -> Option<Answer>,
 }
 
-impl Judge<'_> {
+impl Evidence<'_> {
     /// The verdict on what the program has printed. Laws are asked where they know more
     /// than the picture.
     pub(super) fn of_picture(&self, bytes: &[u8]) -> Verdict {
