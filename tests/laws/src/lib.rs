@@ -1,4 +1,5 @@
-//! The laws: what holds for a ray and a sphere, whoever computes it.
+//! The laws: properties of a ray-sphere intersection, to be tested on any function that
+//! computes one.
 //!
 //! A law is a plain function over a reader's function and a question. [`runner`] and
 //! [`trial`] put a function under all of them, with questions that [`strategies`] make

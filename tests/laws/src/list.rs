@@ -1,4 +1,4 @@
-//! Metamorphic relations for a list of spheres, whoever searches it.
+//! Metamorphic relations for the search of a list of spheres.
 
 use common::rtweekend::*;
 use proptest::collection::vec;

@@ -1,4 +1,5 @@
-//! Laws for the nearer root: what holds for a ray and a sphere, whoever computes it.
+//! Laws for the nearer root: soundness, completeness and metamorphic relations of a
+//! ray-sphere intersection.
 //!
 //! A law is a plain function: it takes a solver and a [`Case`], and says
 //! whether the law holds. Most laws here are for a solver of the kind of

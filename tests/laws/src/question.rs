@@ -2,6 +2,7 @@
 //! what is a simpler question of the same kind.
 
 use std::fmt::Debug;
+use std::sync::LazyLock;
 
 use common::rtweekend::*;
 use slips::{Ball, Chapter, Program};
@@ -81,7 +82,7 @@ const LIST: &[Chapter] = &[Chapter::HittableList];
 
 /// Rays and spheres near and far, from inside and behind, with directions of any
 /// length. Rounding decides none of them, except that some are exact tangents.
-fn telling_cases() -> Vec<Case> {
+static TELLING: LazyLock<Vec<Case>> = LazyLock::new(|| {
     endless(strategies::book_rays(), "")
         .take(60)
         .chain(endless(strategies::integers(), "").take(80))
@@ -91,7 +92,7 @@ fn telling_cases() -> Vec<Case> {
         .chain(endless(strategies::tangents(), "").take(20))
         .filter(|case| !case.is_degenerate())
         .collect()
-}
+});
 
 impl Question for Decided {
     type Answer = bool;
@@ -109,7 +110,7 @@ impl Question for Decided {
     }
 
     fn telling() -> Vec<Self> {
-        telling_cases().into_iter().map(Self).collect()
+        TELLING.iter().copied().map(Self).collect()
     }
 
     fn as_test(&self, hit_sphere: &str) -> String {
@@ -157,7 +158,7 @@ impl Question for Case {
     }
 
     fn telling() -> Vec<Self> {
-        telling_cases()
+        TELLING.clone()
     }
 
     fn as_test(&self, hit_sphere: &str) -> String {
@@ -223,8 +224,12 @@ impl Question for WithInterval {
                 range(f64::NEG_INFINITY, near - 0.5 * (far - near)),
             ]
         };
-        let cases = telling_cases().into_iter().step_by(3);
-        cases.flat_map(with_ranges).collect()
+        TELLING
+            .iter()
+            .step_by(3)
+            .copied()
+            .flat_map(with_ranges)
+            .collect()
     }
 
     fn as_test(&self, hit: &str) -> String {
@@ -272,7 +277,7 @@ impl Question for Recorded {
 
     /// A tangent has no side, so it is left out.
     fn telling() -> Vec<Self> {
-        let cases = telling_cases().into_iter().map(Self);
+        let cases = TELLING.iter().copied().map(Self);
         cases.filter(|asked| asked.right().len() == 2).collect()
     }
 

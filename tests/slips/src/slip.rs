@@ -185,7 +185,7 @@ impl Slip {
         format!("target/book/{}", self.address())
     }
 
-    /// The page and its heading in words, for whoever can't open it.
+    /// The page and its heading in words, where it can't be opened.
     pub fn page_in_words(&self) -> String {
         let (page, heading) = self.page_and_heading();
         format!(

@@ -51,15 +51,15 @@ mod is_right {
 /// what it finds.
 fn assert_right(name: &str, further: &[fn()]) {
     // A backtrace would lead into the laws, which are right, and away from what they say.
-    set_hook(Box::new(|told| eprintln!("{told}")));
+    set_hook(Box::new(|panic| eprintln!("{panic}")));
     let chapter = Chapter::find(name).expect("the chapter is in the list");
     let picture = catch_unwind(|| book_pictures::is_drawn_by(chapter));
     let further = further.iter().map(catch_unwind);
-    if let Some(told) = std::iter::once(picture)
+    if let Some(last) = std::iter::once(picture)
         .chain(further)
         .filter_map(Result::err)
         .last()
     {
-        resume_unwind(told);
+        resume_unwind(last);
     }
 }

@@ -156,7 +156,8 @@ fn every_level_becomes_the_number_that_print_makes_of_it() {
     );
 }
 
-/// Around each number of levels, the neighbors too; and what is no color.
+/// The components around each boundary between two levels; and NaN, infinities, and
+/// numbers far out of range.
 #[test]
 fn many_components_become_the_levels_that_write_color_makes_of_them() {
     let mut components = vec![f64::NAN, -0.0, -1e-300, -1.0, 1e300, 1e-320];

@@ -18,19 +18,19 @@ fn the_first_broken_law_names_the_slip_in_a_function_of_a_readers_own() {
 }
 
 #[test]
-fn a_mistake_that_has_no_name_is_told_in_words() {
+fn a_mistake_without_a_name_is_found_too() {
     let mut missed = String::new();
     for mistake in slips::unnamed() {
         for &chapter in mistake.chapters {
             let report = first_report(&mistake.program(chapter));
-            let told = report.map_or(Vec::new(), |report| report.cause.mistakes);
-            if !told.iter().any(|&other| std::ptr::eq(other, mistake)) {
+            let causes = report.map_or(Vec::new(), |report| report.cause.mistakes);
+            if !causes.iter().any(|&other| std::ptr::eq(other, mistake)) {
                 let wrong = mistake.words(Edition::V4).wrong;
                 missed += &format!("{wrong} in {chapter:?}\n");
             }
         }
     }
-    assert!(missed.is_empty(), "not told:\n{missed}");
+    assert!(missed.is_empty(), "not found:\n{missed}");
 }
 
 #[test]

@@ -307,8 +307,8 @@ pub(super) const SLIPS: &[Slip] = &[
         }),
 ];
 
-/// Rows that are counted from below, each of them a row above its place. The order of
-/// pixels is told from above, and has no row above the first one.
+/// Rows that are counted from below, each of them a row above its place. `order` counts
+/// from above, and has no row above the first one.
 fn a_row_above(p: &mut Program) {
     if p.chapter == Chapter::BuildTest {
         p.color = |program, camera, i, j| {
