@@ -1,6 +1,5 @@
 //! The judge: is every file read, every mistake known, and every mistake named?
 
-mod bank;
 mod blind_spots;
 mod caught;
 mod causes;
