@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use anstyle::{AnsiColor, Color, RgbColor, Style};
 use common::rtweekend::Picture;
+use image::{Rgb, RgbImage, imageops};
 use supports_color::Stream;
 
 /// The colors that a terminal has.
@@ -31,7 +32,7 @@ impl Palette {
         })
     }
 
-    fn nearest(self, [red, green, blue]: [u8; 3]) -> Color {
+    fn nearest(self, Rgb([red, green, blue]): Rgb<u8>) -> Color {
         let color = RgbColor(red, green, blue);
         match self {
             Self::All => color.into(),
@@ -78,54 +79,32 @@ pub(crate) fn show(picture: &Picture, palette: Palette, out: &mut dyn Write) -> 
 
 /// The lines that show `picture`, reduced to at most `columns` × `rows` pixels.
 pub(crate) fn lines(picture: &Picture, palette: Palette, columns: u32, rows: u32) -> Vec<String> {
-    let (width, height) = fitting(picture, columns, rows);
+    let image = reduced(picture, columns, rows);
     let line = |j| {
         let character = |i| {
-            let color = |j| {
-                let is_there = j < height;
-                is_there.then(|| palette.nearest(mean(picture, [i, j], [width, height])))
-            };
+            let color = |j| Some(palette.nearest(*image.get_pixel_checked(i, j)?));
             let style = Style::new().fg_color(color(j)).bg_color(color(j + 1));
             format!("{style}▀")
         };
-        let characters: String = (0..width).map(character).collect();
+        let characters: String = (0..image.width()).map(character).collect();
         characters + "\x1b[0m"
     };
-    (0..height).step_by(2).map(line).collect()
+    (0..image.height()).step_by(2).map(line).collect()
 }
 
-/// The picture's own size if it fits into `columns` × `rows` pixels, else the largest of
-/// the same shape that does.
-fn fitting(picture: &Picture, columns: u32, rows: u32) -> (u32, u32) {
-    let size = [picture.width(), picture.height()];
-    let scale = (f64::from(columns) / f64::from(size[0]))
-        .min(f64::from(rows) / f64::from(size[1]))
-        .min(1.0);
-    let [width, height] = size.map(|size| ((scale * f64::from(size)) as u32).max(1));
-    (width, height)
-}
-
-/// The mean of those pixels that one in column `i` and row `j` stands for, where the
-/// picture is reduced to `size` (a box filter).
-fn mean(picture: &Picture, [i, j]: [u32; 2], size: [u32; 2]) -> [u8; 3] {
-    let range = |n: u32, size: u32, whole: u32| {
-        let edge = |n: u32| (u64::from(n) * u64::from(whole) / u64::from(size)) as usize;
-        edge(n)..edge(n + 1)
-    };
-    let (columns, rows) = (
-        range(i, size[0], picture.width()),
-        range(j, size[1], picture.height()),
+/// The picture at its own size if it fits into `columns` × `rows` pixels, else
+/// as large as fits, with its shape kept.
+fn reduced(picture: &Picture, columns: u32, rows: u32) -> RgbImage {
+    let (width, height) = (picture.width(), picture.height());
+    let image = RgbImage::from_raw(width, height, picture.rgb().to_vec())
+        .expect("a picture has as many bytes as its size says");
+    let scale = f64::min(
+        f64::from(columns) / f64::from(width),
+        f64::from(rows) / f64::from(height),
     );
-    let (pixels, _) = picture.rgb().as_chunks::<3>();
-    let count = columns.len() * rows.len();
-    let mut sums = [0; 3];
-    for row in rows {
-        let start = row * picture.width() as usize;
-        for pixel in &pixels[start + columns.start..start + columns.end] {
-            for (sum, &level) in sums.iter_mut().zip(pixel) {
-                *sum += usize::from(level);
-            }
-        }
+    if scale >= 1.0 {
+        return image;
     }
-    sums.map(|sum| (sum / count) as u8)
+    let fit = |size: u32| ((scale * f64::from(size)) as u32).max(1);
+    imageops::thumbnail(&image, fit(width), fit(height))
 }

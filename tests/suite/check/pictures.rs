@@ -2,10 +2,11 @@
 
 use std::fs;
 
-use ::png::{ColorType, Compression, Encoder};
 use check::comparison::Comparison;
 use check::png;
 use common::rtweekend::*;
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{ExtendedColorType, ImageEncoder};
 use measure::scene_file::find_scene;
 use slips::{Chapter, Edition};
 use speed_vs_accuracy::Method;
@@ -93,14 +94,9 @@ fn a_snapshot_may_be_compressed_in_another_way_but_not_show_another_picture() {
     let stored = png::encode(&picture);
 
     let mut other_file = Vec::new();
-    let mut encoder = Encoder::new(&mut other_file, 40, 22);
-    encoder.set_color(ColorType::Rgb);
-    encoder.set_compression(Compression::High);
-    let mut writer = encoder.write_header().expect("memory takes it");
-    writer
-        .write_image_data(picture.rgb())
+    PngEncoder::new_with_quality(&mut other_file, CompressionType::Best, FilterType::NoFilter)
+        .write_image(picture.rgb(), 40, 22, ExtendedColorType::Rgb8)
         .expect("memory takes it");
-    writer.finish().expect("memory takes it");
     assert_ne!(stored, other_file);
     assert_eq!(compare_files(&stored, &other_file), Comparison::Equal);
 

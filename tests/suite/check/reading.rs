@@ -1,6 +1,5 @@
 //! Whatever a file holds, it is read, or refused with the right reason.
 
-use ::png::{ColorType, Encoder};
 use check::png;
 use check::reading::{Cause, Reading, read};
 use common::rtweekend::*;
@@ -120,21 +119,25 @@ fn numbers_that_are_no_levels_are_kept_and_found() {
 
 #[test]
 fn a_gray_or_opaque_png_is_read_and_a_transparent_one_is_not() {
-    let one_pixel = |color, levels: &[u8]| {
-        let mut bytes = Vec::new();
-        let mut encoder = Encoder::new(&mut bytes, 1, 1);
-        encoder.set_color(color);
-        let mut writer = encoder.write_header().expect("memory takes it");
-        writer.write_image_data(levels).expect("memory takes it");
-        writer.finish().expect("memory takes it");
-        bytes
+    use image::{DynamicImage, ImageFormat};
+    let encoded = |image: DynamicImage| {
+        let mut bytes = std::io::Cursor::new(Vec::new());
+        image
+            .write_to(&mut bytes, ImageFormat::Png)
+            .expect("memory takes it");
+        bytes.into_inner()
     };
-    let gray = read(&one_pixel(ColorType::Grayscale, &[7]));
-    assert_eq!(gray.expect("gray").pixels, [[7, 7, 7]]);
-    let opaque = read(&one_pixel(ColorType::Rgba, &[1, 2, 3, 255]));
-    assert_eq!(opaque.expect("opaque").pixels, [[1, 2, 3]]);
-    let transparent = one_pixel(ColorType::Rgba, &[1, 2, 3, 254]);
-    assert_eq!(cause(&transparent), "png-kind");
+    let rgba = |alpha| image::RgbaImage::from_pixel(1, 1, image::Rgba([1, 2, 3, alpha]));
+    let gray = image::GrayImage::from_pixel(1, 1, image::Luma([7]));
+    assert_eq!(
+        read(&encoded(gray.into())).expect("gray").pixels,
+        [[7, 7, 7]]
+    );
+    assert_eq!(
+        read(&encoded(rgba(255).into())).expect("opaque").pixels,
+        [[1, 2, 3]]
+    );
+    assert_eq!(cause(&encoded(rgba(254).into())), "png-kind");
 }
 
 #[test]

@@ -1,8 +1,9 @@
-//! PNG, read by the library `png` within limits.
+//! PNG, read by the image library within limits.
 
 use std::io::{Cursor, ErrorKind};
 
-use png::{BitDepth, ColorType, Decoder, DecodingError, Limits, Transformations};
+use image::codecs::png::PngDecoder;
+use image::{DynamicImage, ImageDecoder, ImageError, Limits};
 
 use super::cause::{AS_BYTES, Cause};
 use super::limits::MOST_PIXELS;
@@ -19,59 +20,50 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
             AS_BYTES,
         ));
     }
-    let limits = Limits {
-        bytes: 8 * MOST_PIXELS as usize,
-    };
-    let mut decoder = Decoder::new_with_limits(Cursor::new(bytes), limits);
-    // A palette becomes its colors, and a gray of fewer bits one of eight.
-    decoder.set_transformations(Transformations::EXPAND);
-    let mut reader = decoder.read_info().map_err(cause)?;
-    let (width, height) = reader.info().size();
-    let absurd = || Cause::absurd_size(width.into(), height.into());
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(8 * MOST_PIXELS);
+    let decoder = PngDecoder::with_limits(Cursor::new(bytes), limits).map_err(cause)?;
+    let (width, height) = decoder.dimensions();
     if u64::from(width) * u64::from(height) > MOST_PIXELS {
-        return Err(absurd());
+        return Err(Cause::absurd_size(width.into(), height.into()));
     }
-    let mut levels = vec![0; reader.output_buffer_size().ok_or_else(absurd)?];
-    reader.next_frame(&mut levels).map_err(cause)?;
+    let image = DynamicImage::from_decoder(decoder).map_err(cause)?;
     Ok(Reading {
         width,
         height,
-        pixels: pixels(&levels, reader.output_color_type())?,
+        pixels: pixels(image)?,
     })
 }
 
 /// The levels, if nothing is lost by taking three bytes a pixel.
-fn pixels(levels: &[u8], kind: (ColorType, BitDepth)) -> Result<Vec<[i16; 3]>, Cause> {
-    let rgb = |pixel: &[u8]| [pixel[0], pixel[1], pixel[2]].map(i16::from);
-    match kind {
-        (ColorType::Rgb, BitDepth::Eight) => Ok(levels.chunks_exact(3).map(rgb).collect()),
-        (ColorType::Grayscale, BitDepth::Eight) => {
-            Ok(levels.iter().map(|&level| [level.into(); 3]).collect())
+fn pixels(image: DynamicImage) -> Result<Vec<[i16; 3]>, Cause> {
+    match image {
+        DynamicImage::ImageRgb8(image) => {
+            Ok(image.pixels().map(|pixel| pixel.0.map(i16::from)).collect())
         }
-        (ColorType::Rgba, BitDepth::Eight)
-            if levels.chunks_exact(4).all(|pixel| pixel[3] == 255) =>
-        {
-            Ok(levels.chunks_exact(4).map(rgb).collect())
+        DynamicImage::ImageLuma8(image) => {
+            Ok(image.pixels().map(|pixel| [pixel.0[0].into(); 3]).collect())
         }
-        (color, depth) => Err(Cause::new(
+        DynamicImage::ImageRgba8(image) if image.pixels().all(|pixel| pixel.0[3] == 255) => {
+            let opaque = |[red, green, blue, _]: [u8; 4]| [red, green, blue].map(i16::from);
+            Ok(image.pixels().map(|pixel| opaque(pixel.0)).collect())
+        }
+        other => Err(Cause::new(
             "png-kind",
-            format!(
-                "this PNG has {} bits a channel, of the kind {color:?}",
-                depth as u8
-            ),
+            format!("this PNG has pixels of the kind {:?}", other.color()),
             "Save it with three bytes a pixel (8-bit RGB) and without transparency.",
         )),
     }
 }
 
-fn cause(error: DecodingError) -> Cause {
+fn cause(error: ImageError) -> Cause {
     match error {
-        DecodingError::LimitsExceeded => Cause::new(
+        ImageError::Limits(_) => Cause::new(
             "absurd-size",
             format!("this PNG needs more memory than {MOST_PIXELS} pixels do"),
             "Save a smaller picture: 400 pixels wide, as in the book.",
         ),
-        DecodingError::IoError(error) if error.kind() == ErrorKind::UnexpectedEof => truncated(),
+        ImageError::IoError(error) if error.kind() == ErrorKind::UnexpectedEof => truncated(),
         // The library reports an end inside of a chunk as a defect of the format.
         error if error.to_string().to_lowercase().contains("eof") => truncated(),
         error => Cause::new(
