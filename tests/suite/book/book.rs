@@ -27,24 +27,6 @@ fn every_page_in_the_folder_is_in_the_summary() {
     assert_eq!(written.iter().collect::<Vec<_>>(), woven);
 }
 
-/// A screen and a half: what is longer is read in pieces, or in the file.
-#[test]
-fn no_listing_of_a_chapter_is_longer_than_one_can_overlook() {
-    for page in pages().iter().filter(|page| page.name != "print.html") {
-        for listing in page.all(".listing") {
-            let part = |part| text_of(listing.select(&select(part)).next().expect("a part"));
-            let lines = part("code").lines().count();
-            let is_long = lines > 60 && part(".file").starts_with("chapters/");
-            assert!(
-                !is_long,
-                "{lines} lines of {} in {}",
-                part(".file"),
-                page.name
-            );
-        }
-    }
-}
-
 /// mdBook sends who follows an old link on, but does not look where.
 #[test]
 fn every_redirect_leads_to_a_heading() {

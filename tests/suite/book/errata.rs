@@ -1,31 +1,14 @@
 //! What the notes or the book say that is not so, and what is so instead.
 //!
-//! The page `book/notes/errata.md` shows these tests beside its sentences.
+//! The page `book/notes/errata.md` shows these tests beside its sentences, and answers to
+//! exercises where they show the same.
 
 use check::comparison::differing_pixels;
 use common::rtweekend::*;
-use hittable_list::{HitRecord, Hittable, Sphere};
-use laws::{sampling, strategies};
+use hittable_list::{Hittable, Sphere};
 use slips::Chapter;
 
 use suite::slip;
-
-#[test]
-fn the_second_listing_of_the_notes_finds_minus_the_far_root() {
-    let (center, radius) = (Point3::NEG_Z, 0.5);
-    let ahead = Ray::new(Point3::ZERO, Vec3::NEG_Z);
-    let notes = slip("minus-h").program(Chapter::HalfBSphere);
-
-    let right = half_b_sphere::hit_sphere(center, radius, &ahead);
-    assert_eq!(right, Some(0.5));
-    assert_eq!(notes.hit_sphere(center, radius, &ahead), Some(-1.5));
-}
-
-#[test]
-fn the_second_listing_of_the_notes_draws_the_plain_gradient() {
-    let notes = slip("minus-h").program(Chapter::HalfBSphere);
-    assert_eq!(notes.run(400).picture(), gradient::picture(400));
-}
 
 #[test]
 fn equation_5_holds_for_every_point_and_equation_6_on_the_sphere_only() {
@@ -50,18 +33,6 @@ fn two_real_roots_may_both_lie_behind_the_ray() {
     // The farther root is the nearer one of the ray turned round, negated.
     let turned = Ray::new(Point3::ZERO, Vec3::Z);
     assert_eq!(normals::hit_sphere(behind, 0.5, &turned), Some(0.5));
-}
-
-#[test]
-fn the_height_is_rounded_down_and_not_to_the_nearest_integer() {
-    assert_eq!(Camera::new(401).image_height, 225);
-    assert_eq!((401.0_f64 / (16.0 / 9.0)).round(), 226.0);
-
-    let differs = |width: &u32| {
-        let nearest = (f64::from(*width) / (16.0 / 9.0)).round();
-        f64::from(Camera::new(*width).image_height) != nearest
-    };
-    assert_eq!((1..=2000).filter(differs).count(), 999);
 }
 
 #[test]
@@ -113,18 +84,6 @@ fn without_the_half_pixel_a_fifth_of_the_gradient_changes() {
 }
 
 #[test]
-fn the_weight_of_blue_goes_from_0_147_to_0_853_in_the_picture() {
-    let camera = Camera::new(400);
-    let weight = |(i, j)| 0.5 * (camera.ray(i, j).direction.normalize().y + 1.0);
-    let pixels = (0..225).flat_map(|j| (0..400).map(move |i| (i, j)));
-    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
-    for a in pixels.map(weight) {
-        (least, most) = (a.min(least), a.max(most));
-    }
-    assert_eq!(format!("{least:.3} to {most:.3}"), "0.147 to 0.853");
-}
-
-#[test]
 fn three_vectors_dotted_by_three_vectors_are_nine_numbers() {
     let terms = [
         Vec3::new(1.0, 2.0, 3.0),
@@ -146,54 +105,9 @@ fn a_sphere_behind_the_camera_is_drawn_in_chapter_2_and_not_in_chapter_3() {
 }
 
 #[test]
-fn from_inside_a_sphere_the_smallest_root_is_not_the_one_that_is_seen() {
-    let (center, radius) = (Point3::new(0.0, 0.0, -1.0), 2.0);
-    let ahead = Ray::new(Point3::ZERO, Vec3::NEG_Z);
-
-    let smallest = half_b_sphere::hit_sphere(center, radius, &ahead);
-    assert_eq!(smallest, Some(-1.0));
-    let sphere = Sphere::new(center, radius);
-    let seen = sphere.hit(&ahead, 0.0, f64::INFINITY);
-    assert_eq!(seen.map(|hit| hit.t), Some(3.0));
-}
-
-/// From 10ᵏ radii away, t is wrong by about 10ᵏ⁺ᵏ⁻¹⁶ radii: so far is the point
-/// from the sphere, and the length of its normal from 1.
-#[test]
-fn dividing_by_the_radius_makes_a_unit_vector_of_a_point_that_is_on_the_sphere() {
-    assert!(worst_length_of_a_normal(1.0) < 1e-12);
-    assert!((1e-10..1e-6).contains(&worst_length_of_a_normal(4.0)));
-    assert!(worst_length_of_a_normal(8.0) > 0.1);
-}
-
-/// How far a normal's length is from 1, on a sphere 10ᵏ radii away.
-fn worst_length_of_a_normal(k: f64) -> f64 {
-    let cases = sampling::samples(&strategies::far(k..=k), 200);
-    let errors = cases.iter().filter_map(|case| {
-        let sphere = Sphere::new(case.center, case.radius);
-        let record = sphere.hit(&case.ray, 0.0, f64::INFINITY)?;
-        Some((record.normal.length() - 1.0).abs())
-    });
-    errors.fold(0.0, f64::max)
-}
-
-#[test]
 fn a_negative_radius_counts_as_zero() {
     let center = Point3::NEG_Z;
     assert_eq!(Sphere::new(center, -0.5), Sphere::new(center, 0.0));
-}
-
-#[test]
-fn a_ray_at_a_right_angle_is_inside_for_the_code_and_outside_for_the_words() {
-    let (ray, outward_normal) = (Ray::new(Point3::ZERO, Vec3::X), Vec3::Y);
-    let mut record = HitRecord {
-        front_face: true,
-        ..HitRecord::default()
-    };
-    record.set_face_normal(&ray, outward_normal);
-    let inside_for_the_code = !record.front_face;
-    let inside_for_the_words = ray.direction.dot(outward_normal) > 0.0;
-    assert!(inside_for_the_code && !inside_for_the_words);
 }
 
 #[test]

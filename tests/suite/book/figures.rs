@@ -94,22 +94,18 @@ fn faults(name: &str, svg: &str) -> String {
     faults
 }
 
-/// All figures and charts, and the charts of numbers that nobody measured.
+/// All figures and charts.
 fn drawings() -> &'static [(String, String)] {
-    static DRAWINGS: LazyLock<Vec<(String, String)>> =
-        LazyLock::new(|| of_the_book().chain(charts::of_invented_numbers()).collect());
+    static DRAWINGS: LazyLock<Vec<(String, String)>> = LazyLock::new(|| {
+        let figures = FIGURES
+            .iter()
+            .map(|figure| (figure.name.to_owned(), (figure.draw)()));
+        figures.chain(charts::of_the_book()).collect()
+    });
     &DRAWINGS
 }
 
-/// All figures and charts.
-fn of_the_book() -> impl Iterator<Item = (String, String)> {
-    let figures = FIGURES
-        .iter()
-        .map(|figure| (figure.name.to_owned(), (figure.draw)()));
-    figures.chain(charts::of_the_book())
-}
-
-pub(crate) fn parse(svg: &str) -> Document<'_> {
+fn parse(svg: &str) -> Document<'_> {
     Document::parse(svg).unwrap_or_else(|error| panic!("{error}:\n{svg}"))
 }
 
@@ -124,16 +120,6 @@ fn size(drawing: &Document) -> (f64, f64) {
     (numbers[2], numbers[3])
 }
 
-pub(crate) fn all<'a>(
-    drawing: &'a Document,
-    name: &'a str,
-    class: &'a str,
-) -> impl Iterator<Item = Node<'a, 'a>> {
-    drawing
-        .descendants()
-        .filter(move |node| node.has_tag_name(name) && node.attribute("class") == Some(class))
-}
-
 /// The number that is an attribute of `node`.
 fn f(node: &Node, attribute: &str) -> f64 {
     let value = node
@@ -144,13 +130,13 @@ fn f(node: &Node, attribute: &str) -> f64 {
         .unwrap_or_else(|_| panic!("{attribute} is no number: {value}"))
 }
 
-pub(crate) fn texts<'a>(drawing: &'a Document) -> impl Iterator<Item = Node<'a, 'a>> {
+fn texts<'a>(drawing: &'a Document) -> impl Iterator<Item = Node<'a, 'a>> {
     drawing
         .descendants()
         .filter(|node| node.has_tag_name("text"))
 }
 
-pub(crate) fn words(text: &Node) -> String {
+fn words(text: &Node) -> String {
     text.descendants()
         .filter_map(|node| node.is_text().then(|| node.text()).flatten())
         .collect()

@@ -10,6 +10,7 @@ use figures::{LIVE_FIGURES, Movable, Number};
 use glam::DVec2;
 use insta::assert_snapshot;
 use slips::{Chapter, Slip};
+use speed_vs_accuracy::Random;
 
 /// At the beginning, after each button, and for each choice.
 #[test]
@@ -156,11 +157,11 @@ pub(crate) fn opaque(picture: &Picture) -> Vec<u8> {
 /// `count` questions to a figure: first that of the page, then numbers over the whole of
 /// their ranges, on steps and between them, always the same.
 pub(crate) fn questions(live: &dyn Movable, count: usize) -> Vec<Vec<f64>> {
-    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let mut random = Random::new(1);
     let mut question = || {
         let value = |number: &Number| {
-            let value = number.least + (number.most - number.least) * random.next();
-            let is_on_a_step = !number.choices.is_empty() || random.next() < 0.5;
+            let value = random.between(number.least, number.most);
+            let is_on_a_step = !number.choices.is_empty() || random.between(0.0, 1.0) < 0.5;
             match is_on_a_step {
                 true => {
                     ((value * number.steps).round() / number.steps).clamp(number.least, number.most)
@@ -175,18 +176,4 @@ pub(crate) fn questions(live: &dyn Movable, count: usize) -> Vec<Vec<f64>> {
     let mut questions = vec![live.defaults()];
     questions.extend((1..count).map(|_| question()));
     questions
-}
-
-/// A linear congruential generator: Knuth's constants (TAOCP 2, 3.3.4), the high bits.
-struct Random(u64);
-
-impl Random {
-    /// From 0 to 1.
-    fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
 }
