@@ -10,10 +10,14 @@ pub(super) fn skeletons(chapter: Chapter, own: bool) -> Vec<(&'static str, Strin
     let lib = match chapter {
         Chapter::Gradient => include_str!("skeletons/gradient.rs"),
         Chapter::RedSphere => include_str!("skeletons/red_sphere.rs"),
-        Chapter::Normals => include_str!("skeletons/normals.rs"),
-        Chapter::HalfBSphere => include_str!("skeletons/half_b_sphere.rs"),
+        Chapter::Normals | Chapter::HalfBSphere => include_str!("skeletons/normals.rs"),
         Chapter::HittableList => include_str!("skeletons/hittable_list/lib.rs"),
         Chapter::BuildTest | Chapter::SpeedVsAccuracy => unreachable!("it is not typed"),
+    };
+    // Both draw normals, so only what hits the sphere is typed again.
+    let lib = match chapter {
+        Chapter::HalfBSphere => lib.replace("// show ray_color", "// carry ray_color"),
+        _ => lib.to_owned(),
     };
     let modules = match chapter {
         Chapter::HittableList => HITTABLE_LIST,
@@ -139,17 +143,18 @@ fn toml_string(path: &Path) -> String {
 /// intersects nothing.
 pub(super) fn test(chapter: Chapter, own: bool) -> String {
     let test = match (chapter, own) {
-        (Chapter::RedSphere, false) => include_str!("skeletons/laws/red_sphere.rs"),
-        (Chapter::RedSphere, true) => include_str!("skeletons/own/laws/red_sphere.rs"),
         (Chapter::HittableList, false) => include_str!("skeletons/laws/hittable_list.rs"),
         (Chapter::HittableList, true) => include_str!("skeletons/own/laws/hittable_list.rs"),
-        (Chapter::Normals | Chapter::HalfBSphere, false) => {
-            include_str!("skeletons/laws/nearer_root.rs")
-        }
-        (Chapter::Normals | Chapter::HalfBSphere, true) => {
-            include_str!("skeletons/own/laws/nearer_root.rs")
-        }
-        _ => "",
+        (Chapter::BuildTest | Chapter::Gradient | Chapter::SpeedVsAccuracy, _) => "",
+        (_, false) => include_str!("skeletons/laws/nearer_root.rs"),
+        (_, true) => include_str!("skeletons/own/laws/nearer_root.rs"),
     };
-    test.replace("my_chapter", &format!("my_{}", chapter.name()))
+    let test = test.replace("my_chapter", &format!("my_{}", chapter.name()));
+    match chapter {
+        // It only decides whether there is a root.
+        Chapter::RedSphere => test
+            .replace("nearer_root", "decision")
+            .replace("Option<f64>", "bool"),
+        _ => test,
+    }
 }

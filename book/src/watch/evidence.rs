@@ -106,15 +106,8 @@ impl Evidence<'_> {
             .finding()
             .map_or(Vec::new(), |finding| self.mistakes(finding));
         let or = mistakes.iter().take(SHOWN).map(|mistake| {
-            let wrong: Vec<&str> = mistake
-                .iter()
-                .map(|slip| slip.words(scene.edition).wrong)
-                .collect();
-            let (next, wrong) = (at + 2, wrong.join("; "));
-            labeled(
-                "or",
-                format!("step {next} says {wrong}  ({})", names_of(mistake)),
-            )
+            let wrong = in_short(mistake, scene.edition);
+            labeled("or", format!("step {} says {wrong}", at + 2))
         });
         let (step, all) = (at + 1, steps.len());
         Some(Verdict {
@@ -315,19 +308,19 @@ fn in_full(mistake: &[&Slip], edition: Edition) -> Vec<Line> {
         .collect()
 }
 
+/// What is wrong in the code, and the names of the slips.
+fn in_short(mistake: &Mistake, edition: Edition) -> String {
+    let wrong = mistake.iter().map(|slip| slip.words(edition).wrong);
+    let wrong: Vec<&str> = wrong.collect();
+    format!("{}  ({})", wrong.join("; "), names_of(mistake))
+}
+
 /// Slips that draw the same picture, and how to find out which it is.
 fn undecided(scene: &Scene, set: &Set, mistakes: &[&Mistake]) -> (Vec<Line>, String) {
     let labels = iter::once("probably").chain(iter::repeat("or"));
-    let one_of = labels.zip(mistakes).map(|(label, mistake)| {
-        let wrong = mistake
-            .iter()
-            .map(|slip| slip.words(set.scene.edition).wrong);
-        let wrong: Vec<&str> = wrong.collect();
-        labeled(
-            label,
-            format!("{}  ({})", wrong.join("; "), names_of(mistake)),
-        )
-    });
+    let one_of = labels
+        .zip(mistakes)
+        .map(|(label, mistake)| labeled(label, in_short(mistake, set.scene.edition)));
     let next = match &set.telling {
         Some(telling) => format!(
             "the probe {probe} tells them apart: {}; and then {} watch {} --probe {probe} …",

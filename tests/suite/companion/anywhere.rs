@@ -45,20 +45,6 @@ fn messages_use_the_name_that_it_was_called_by() {
     }
 }
 
-#[test]
-fn what_needs_no_workspace_works_in_any_folder() {
-    let home = Home::new();
-    for words in [
-        "show normals --width 20 -o mine.ppm",
-        "check normals mine.ppm",
-        "slips",
-        "probes",
-        "hit --origin 0,0,0 --direction 0,0,-1 --center 0,0,-1 --radius 0.5",
-    ] {
-        assert_success(&run(home.rtrace().args(words.split(' '))));
-    }
-}
-
 /// A clone that was moved, and programs that were built in it before.
 #[test]
 fn the_workspace_is_the_one_that_the_reader_is_in() {

@@ -6,7 +6,7 @@ use std::path::Path;
 use insta::assert_snapshot;
 use slips::Chapter;
 use suite::command::{
-    assert_success, names_in, picture_in, program_with, rtrace_alone, run, text, transcript, woven,
+    assert_success, picture_in, program_with, rtrace_alone, run, text, transcript, woven,
 };
 use suite::drawn::p3;
 use tempfile::TempDir;
@@ -79,22 +79,6 @@ fn names_are_shown_and_not_obeyed() {
     let said = transcript(&mut commands);
     assert!(!said.contains(['\u{1b}', '\u{9b}', '\u{202e}']), "{said:?}");
     assert_snapshot!(said);
-}
-
-#[test]
-fn every_picture_is_saved_in_any_width_as_png_and_ppm() {
-    let here = TempDir::new().expect("a folder");
-    let (png, ppm) = (here.path().join("a.png"), here.path().join("a.ppm"));
-    for chapter in Chapter::ALL {
-        let expected = chapter.picture(37);
-        for file in [&png, &ppm] {
-            let mut show = program_with("rtrace", &["show", chapter.name(), "--width", "37"]);
-            assert_success(&run(show.arg("--output").arg(file)));
-        }
-        assert!(picture_in(&png) == expected, "{chapter:?}");
-        assert!(fs::read(&ppm).expect("it") == p3(&expected), "{chapter:?}");
-    }
-    assert_eq!(names_in(here.path()), ["a.png", "a.ppm"]);
 }
 
 #[test]

@@ -141,12 +141,11 @@ mod on_unix {
     use std::fs::{File, Permissions};
     use std::io::{BufRead, BufReader};
     use std::os::unix::fs::{FileTypeExt, PermissionsExt, symlink};
-    use std::os::unix::process::CommandExt;
     use std::process::Stdio;
     use std::thread;
     use std::time::{Duration, Instant};
 
-    use suite::command::{assert_failed, path_of};
+    use suite::command::assert_failed;
 
     use super::*;
 
@@ -251,25 +250,6 @@ mod on_unix {
         assert!(reading.join().expect("it was read") == p3(&normals::picture(400)));
         let kind = fs::metadata(&pipe).expect("the pipe").file_type();
         assert!(kind.is_fifo());
-    }
-
-    #[test]
-    fn a_folder_that_may_not_be_written_to_is_named() {
-        let desk = Desk::new();
-        desk.write("closed/", "");
-        let copy = desk.path("normals");
-        fs::copy(path_of("normals"), &copy).expect("a copy that anyone can reach");
-        for (path, mode) in [(desk.0.path(), 0o755), (&desk.path("closed"), 0o555)] {
-            fs::set_permissions(path, Permissions::from_mode(mode)).expect("the mode is set");
-        }
-        let mut command = Command::new(copy);
-        command.arg("closed/a.ppm").current_dir(desk.0.path());
-        if rustix::process::geteuid().is_root() {
-            // Nothing is closed to root: be nobody.
-            command.uid(65534).gid(65534);
-        }
-        assert_failed(&mut command, &["\"closed/a.ppm\"", "Permission denied"]);
-        assert_eq!(names_in(&desk.path("closed")), [""; 0]);
     }
 
     #[test]

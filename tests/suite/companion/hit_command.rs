@@ -243,19 +243,6 @@ mod a_file {
         assert!(said.contains(words), "{shell}: {said}");
     }
 
-    /// Whoever reads the answers may stop, as `head` does.
-    #[test]
-    fn that_nobody_reads_to_the_end_is_no_error() {
-        let mut child = start(&["--method", "half_b"]);
-        drop(child.stdout.take());
-        let mut stdin = child.stdin.take().expect("it is piped");
-        let file = format!("{HEAD}\n") + &format!("{GOOD}\n").repeat(20_000);
-        // The program may be gone before it has read all.
-        let _ = stdin.write_all(file.as_bytes());
-        drop(stdin);
-        assert_success(&child.wait_with_output().expect("the program ends"));
-    }
-
     fn answers(file: &str, arguments: &[&str]) -> String {
         let output = answer(file.as_bytes(), arguments);
         assert_success(&output);

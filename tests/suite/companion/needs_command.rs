@@ -3,7 +3,7 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Output, Stdio};
+use std::process::Output;
 
 use insta::assert_snapshot;
 use laws::oracle::Exact;
@@ -17,7 +17,6 @@ use tempfile::TempDir;
 use suite::command::{
     assert_failed, assert_success, names_in, picture_in, program_with, run, text,
 };
-use suite::random::Random;
 
 /// Of the book: in `f64` only methods draw it right that take several times as long as
 /// the others, and in `f32` none does.
@@ -203,31 +202,6 @@ mod a_scene {
     }
 
     #[test]
-    fn however_it_is_spoiled_is_read_or_refused() {
-        let pieces = "[ ] [[ = , . - e 9 0 \n \" ' # nan 1e999 0x1 sun sphere \u{e4} \t";
-        let pieces: Vec<&str> = pieces.split(' ').collect();
-        let mut random = Random(1);
-        let [mut read, mut refused] = [0; 2];
-        for _ in 0..5000 {
-            let mut scene = SUNNY.to_owned();
-            for _ in 0..=random.below(3) {
-                let [from, length] = [scene.len() + 1, 5].map(|most| random.below(most));
-                let from = scene.floor_char_boundary(from);
-                let to = scene.floor_char_boundary((from + length).min(scene.len()));
-                scene.replace_range(from..to.max(from), pieces[random.below(pieces.len())]);
-            }
-            match scene_file::read("it", &scene) {
-                Ok(scene) => {
-                    read += 1;
-                    assert!(scene.fits(Precision::Double), "{scene:?}");
-                }
-                Err(_) => refused += 1,
-            }
-        }
-        assert!(read > 50 && refused > 50, "{read} and {refused}");
-    }
-
-    #[test]
     fn that_is_no_text_or_too_long_or_not_there_is_refused_by_its_name() {
         let folder = TempDir::new().expect("a folder");
         let path = folder.path().join("scene.toml");
@@ -314,33 +288,6 @@ mod the_folder {
             all.lines().any(|line| line.trim() == wrong),
             "{wrong}: {all}"
         );
-    }
-
-    #[test]
-    fn is_replaced_by_the_next_one_unless_it_holds_something_else() {
-        let folder = TempDir::new().expect("a folder");
-        for _first_then_again in 0..2 {
-            assert_success(&needs(folder.path(), SUNNY, &["--width=2"]));
-        }
-        let mine = folder.path().join("out").join("mine.txt");
-        fs::write(&mine, "mine").expect("the folder takes it");
-        let refused = needs(folder.path(), SUNNY, &["--width=2"]);
-        assert_eq!(refused.status.code(), Some(2));
-        assert!(text(&refused.stderr).contains("mine.txt"));
-        assert_eq!(fs::read_to_string(mine).ok().as_deref(), Some("mine"));
-    }
-
-    #[cfg(target_os = "linux")]
-    #[test]
-    fn is_written_also_if_nobody_reads_what_is_said() {
-        let folder = TempDir::new().expect("a folder");
-        fs::write(folder.path().join("scene.toml"), SUNNY).expect("the folder takes it");
-        let mut command = program_with("rtrace", &["needs", "scene.toml", "--width=2"]);
-        command.args(["-o", "out"]).current_dir(folder.path());
-        let mut child = command.stdout(Stdio::piped()).spawn().expect("it starts");
-        drop(child.stdout.take());
-        assert!(child.wait().expect("it ends").success());
-        assert!(folder.path().join("out/chart.svg").is_file());
     }
 }
 

@@ -88,24 +88,6 @@ fn what_cannot_be_read_is_not_carried_over_and_that_is_said() {
     assert_eq!(left, expected, "and nothing beside");
 }
 
-#[cfg(unix)]
-#[test]
-fn a_private_file_is_carried_over_as_one_and_a_link_is_not_followed() {
-    use std::os::unix::fs::{PermissionsExt, symlink};
-
-    let mine = Mine::new();
-    assert_success(&run(&mut mine.start("gradient", &[])));
-    let beside = |chapter: &str, name: &str| mine.lib(chapter).with_file_name(name);
-    let note = beside("gradient", "note.txt");
-    fs::write(&note, "private").expect("a file");
-    fs::set_permissions(&note, fs::Permissions::from_mode(0o600)).expect("the mode is set");
-    symlink("..", beside("gradient", "link")).expect("a link");
-    assert_success(&run(&mut mine.start("red_sphere", &[])));
-    let carried = fs::metadata(beside("red_sphere", "note.txt")).expect("it is there");
-    assert_eq!(carried.permissions().mode() & 0o777, 0o600);
-    assert!(!beside("red_sphere", "link").exists());
-}
-
 #[test]
 fn from_anywhere_below_the_same_crates_are_meant() {
     let mine = Mine::new();

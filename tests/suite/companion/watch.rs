@@ -13,7 +13,7 @@ use tempfile::TempDir;
 
 use crate::start::FULL;
 use crate::terminal::{self, hears_signals};
-use suite::command::{assert_refused, program, run, text};
+use suite::command::{assert_refused, program, program_with, run, text};
 use suite::left_out::left_out;
 use suite::mine::Mine;
 
@@ -158,27 +158,20 @@ fn what_cannot_be_watched_is_said() {
         ],
     );
 
-    let once = |words: &[&str]| {
-        let mut watch = program("rtrace");
-        watch
-            .args(["watch", "gradient", "--once"])
-            .args(words)
-            .current_dir(here.path());
-        run(&mut watch)
-    };
-    let output = once(&["--", "./no-such-program"]);
-    assert_eq!(output.status.code(), Some(1));
-    assert!(
-        text(&output.stdout).contains("does not start"),
-        "{output:?}"
-    );
-    let output = once(&["--timeout", "0.3", "--", "sleep", "60"]);
-    assert!(
-        text(&output.stdout).contains("did not end within 300ms"),
-        "{output:?}"
-    );
-    let output = once(&["--", "echo", "hello"]);
-    assert!(text(&output.stdout).contains("no picture"), "{output:?}");
+    for (words, problem) in [
+        (&["--", "./no-such-program"][..], "does not start"),
+        (
+            &["--timeout", "0.3", "--", "sleep", "60"],
+            "did not end within 300ms",
+        ),
+        (&["--", "echo", "hello"], "no picture"),
+    ] {
+        let mut watch = program_with("rtrace", &["watch", "gradient", "--once"]);
+        let output = run(watch.args(words).current_dir(here.path()));
+        assert_eq!(output.status.code(), Some(1));
+        let said = text(&output.stdout);
+        assert!(said.contains(problem), "{said}");
+    }
 }
 
 /// Somebody at a terminal, before whom the program runs.
