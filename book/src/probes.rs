@@ -3,8 +3,8 @@
 use std::error::Error;
 use std::fmt::Write;
 
-use check::diagnosis::Scene;
 use check::names::companion;
+use check::scene::Scene;
 use clap::Args;
 use common::engine::output;
 use slips::Chapter;

@@ -4,9 +4,9 @@ use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use check::diagnosis::Scene;
 use check::names::{self, companion};
 use check::png;
+use check::scene::Scene;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Subcommand, value_parser};
 use common::engine::output;

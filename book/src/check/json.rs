@@ -3,9 +3,11 @@
 use std::path::Path;
 
 use check::blind_spots::{BlindSpots, Showing};
-use check::diagnosis::{But, Conversion, Explains, Near, Scene, Set};
-use check::judge::{Check, Finding};
+use check::explanations::{But, Conversion};
 use check::names;
+use check::reading::Cause;
+use check::scene::Scene;
+use check::verdict::{Check, Finding, Near, Set};
 use check::workspace;
 use common::rtweekend::Color;
 use serde_json::{Value, json};
@@ -22,18 +24,10 @@ pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
         Check::Wrong(_) | Check::WrongShape { .. } | Check::Another { .. } => "wrong",
         Check::NotAPicture { .. } => "not-a-picture",
     };
-    let cause = match &judged.check {
-        Check::Another { cause, .. }
-        | Check::WrongShape { cause, .. }
-        | Check::NotAPicture { cause, .. } => {
-            json!({ "name": cause.name, "problem": cause.problem, "fix": cause.fix })
-        }
-        _ => Value::Null,
-    };
+    let cause =
+        |cause: &Cause| json!({ "name": cause.name, "problem": cause.problem, "fix": cause.fix });
     let finding = judged.check.finding();
-    let sets = finding
-        .map(|finding| &finding.diagnosis.sets[..])
-        .unwrap_or_default();
+    let sets = finding.map(|finding| &finding.sets[..]).unwrap_or_default();
     let object = json!({
         "chapter": judged.scene.chapter.name(),
         "probe": judged.scene.probe.map(|probe| probe.name),
@@ -42,13 +36,14 @@ pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
         "edition": edition(&judged.check),
         "verdict": verdict,
         "exit_code": judged.check.exit_code(),
-        "cause": cause,
+        "cause": judged.check.cause().map(cause),
         "other_scenes": judged.check.others().iter().map(other_scene).collect::<Value>(),
         "blind_spots": judged.blind_spots.as_ref().map(blind_spots),
-        "but": finding.and_then(|finding| finding.diagnosis.near.as_ref()).map(but),
+        "but": finding.and_then(|finding| Some(but(finding, finding.near.as_ref()?))),
         "difference": finding.map(difference),
         "diagnosis": sets.iter().map(|set| diagnosis(&judged.scene, set)).collect::<Value>(),
-        "sights": finding.map(|finding| &finding.diagnosis.sights),
+        "sights": finding.map(|finding| &finding.sights),
+        "lead_in_bits": finding.map(|finding| finding.lead.round()),
         "report": report.map(names::spelled),
     });
     format!("{object:#}\n")
@@ -67,28 +62,27 @@ fn size(check: &Check) -> Option<[u32; 2]> {
 fn edition(check: &Check) -> Option<&'static str> {
     let scene = match check {
         Check::Right(right) => Some(right.scene),
-        other => other.finding().map(|finding| finding.diagnosis.scene),
+        other => other.finding().map(|finding| finding.scene),
     };
     scene.map(|scene| scene.edition.name())
 }
 
 /// What a right picture has that the book's does not have.
-fn but(near: &Near) -> Value {
+fn but(finding: &Finding, near: &Near) -> Value {
     let color = |color: Color| color.to_array();
     let colors = |sky: [Color; 2]| sky.map(color);
     let but = near.but.iter().map(|but| match but {
         But::Antialiased { samples } => json!({ "name": "antialiased", "samples": samples }),
         But::Curve(curve) => json!({ "name": "curve", "power": curve.power }),
-        But::Rounded { off, far, compared } => json!({
-            "name": "rounded", "pixels_off": off, "pixels_far_off": far, "pixels_compared": compared,
-        }),
     });
     json!({
-        "said": near.told(),
+        "said": finding.but(),
         "sky": near.scene.chosen.sky.map(colors),
         "sphere": near.scene.chosen.paint.map(color),
         "blue": near.scene.chosen.blue,
         "besides": but.collect::<Value>(),
+        "pixels_off": near.left.off,
+        "pixels_far_off": near.left.far,
     })
 }
 
@@ -133,12 +127,6 @@ fn difference(finding: &Finding) -> Value {
 }
 
 fn diagnosis(scene: &Scene, set: &Set) -> Value {
-    let explains = match set.explains {
-        Explains::All => "all",
-        Explains::AllButOneLevel => "all-but-one-level",
-        Explains::Antialiased => "antialiased",
-        Explains::Most => "most",
-    };
     let conversion = match set.conversion {
         Conversion::Printed => "printed",
         Conversion::Clamped => "clamped",
@@ -155,10 +143,9 @@ fn diagnosis(scene: &Scene, set: &Set) -> Value {
         })
     });
     json!({
-        "explains": explains,
-        "pixels_compared": set.fit.compared,
-        "pixels_off": set.fit.off,
-        "pixels_far_off": set.fit.far,
+        "bits": set.bits.round(),
+        "pixels_off": set.left.off,
+        "pixels_far_off": set.left.far,
         "conversion": conversion,
         "edition": edition.name(),
         "mistakes": set.mistakes.iter().map(|mistake| mistake.iter().map(|slip| slip_as_json(slip, edition)).collect()).collect::<Vec<Value>>(),

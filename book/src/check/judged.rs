@@ -1,8 +1,8 @@
 //! A picture with its verdict: what text, JSON and the page tell.
 
 use check::blind_spots::BlindSpots;
-use check::diagnosis::Scene;
-use check::judge::{Check, Right};
+use check::scene::Scene;
+use check::verdict::{Check, Right};
 
 use super::input::Source;
 

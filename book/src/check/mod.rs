@@ -13,9 +13,9 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
-use check::diagnosis::Scene;
-use check::judge::{self, Check};
 use check::names::companion;
+use check::scene::Scene;
+use check::verdict::{self, Check};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use common::engine::output;
@@ -100,7 +100,7 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         None => Source::Program(&arguments.program),
     };
     let check = match source.read(arguments.timeout) {
-        Ok(bytes) => judge::check(&scene, &bytes, arguments.tolerance),
+        Ok(bytes) => verdict::check(&scene, &bytes, arguments.tolerance),
         Err(cause) => Check::NotAPicture {
             cause,
             finding: None,

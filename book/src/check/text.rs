@@ -3,10 +3,10 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use check::diagnosis::{Near, Scene, Set, names_of};
-use check::judge::{Check, Finding};
 use check::names::{self, companion};
-use check::workspace;
+use check::scene::Scene;
+use check::verdict::{Check, Finding, Near};
+use check::{names_of, workspace};
 use slips::{Edition, Slip};
 use supports_color::Stream;
 
@@ -68,7 +68,12 @@ pub(crate) fn text(judged: &Judged, report: Option<&Path>, style: Style) -> Stri
         write!(text, "\n{}", blind_spots.told(&judged.scene)).expect("a string takes it");
     }
     match &judged.check {
-        Check::Near(_) => {}
+        Check::Near(finding) => {
+            if finding.near.as_ref().is_some_and(Near::is_for_pixels) {
+                text += &whereabouts(finding, style);
+            }
+            text += &diagnosis(&judged.scene, finding, style);
+        }
         other => {
             if let Some(finding) = other.finding() {
                 text += &whereabouts(finding, style);
@@ -108,18 +113,20 @@ pub(crate) fn headline(judged: &Judged, style: Style) -> String {
             )
         }
         Check::Near(finding) => {
-            let near = finding.diagnosis.near.as_ref();
-            let but = near.map_or(String::new(), Near::told);
-            let by = finding.diagnosis.scene.edition;
+            let by = finding.scene.edition;
             let (right, notes) = (style.green("right"), edition(by));
-            format!("{source} is {right}{}, but {but}.\n{notes}", by.said())
+            format!(
+                "{source} is {right}{}, but {}.\n{notes}",
+                by.said(),
+                finding.but()
+            )
         }
         Check::Wrong(finding) => {
             let verdict = match finding.levels {
                 0 | 1 => style.red("right within one level, but not to the last bit"),
                 _ => style.red("wrong"),
             };
-            let notes = edition(finding.diagnosis.scene.edition);
+            let notes = edition(finding.scene.edition);
             format!(
                 "{source} is {verdict}: {}.\n{notes}",
                 counts(&name, finding)
@@ -184,7 +191,7 @@ fn counts(name: &str, finding: &Finding) -> String {
     let share = 100.0 * count as f64 / total as f64;
     format!(
         "{count} of {total} pixels ({share:.1} %) are not those of {name} at {width} × {height}{}",
-        finding.diagnosis.scene.edition.said()
+        finding.scene.edition.said()
     )
 }
 
@@ -222,7 +229,7 @@ fn whereabouts(finding: &Finding, style: Style) -> String {
 fn diagnosis(scene: &Scene, finding: &Finding, style: Style) -> String {
     let mut text = String::new();
     let pixels = finding.right.rgb().len() / 3;
-    for set in &finding.diagnosis.sets {
+    for set in &finding.sets {
         write!(text, "\n{}\n", style.bold(&set.title(pixels))).expect("a string takes it");
         for mistake in set.mistakes.iter().take(SHOWN_IN_FULL) {
             text += &in_full(mistake, set.scene.edition, style);
@@ -244,13 +251,11 @@ fn diagnosis(scene: &Scene, finding: &Finding, style: Style) -> String {
         writeln!(text, "  It is also the right picture of a probe: {command}")
             .expect("a string takes it");
     }
-    let sights = &finding.diagnosis.sights;
-    if finding.difference.is_some() && !finding.diagnosis.sets.iter().any(Set::is_enough) {
-        let known = match finding.diagnosis.sets.is_empty() {
-            true => "No mistake in the catalogue draws this picture.",
-            false => "No mistake in the catalogue draws all of this picture.",
-        };
-        write!(text, "\n{}", style.bold(known)).expect("a string takes it");
+    let sights = &finding.sights;
+    let is_unknown = finding.near.is_none() && finding.sets.is_empty();
+    if finding.difference.is_some() && is_unknown {
+        let known = style.bold("No mistake in the catalogue draws this picture.");
+        write!(text, "\n{known}").expect("a string takes it");
         text.push_str(if sights.is_empty() {
             "\n"
         } else {

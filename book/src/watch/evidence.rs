@@ -4,10 +4,11 @@
 use std::iter;
 
 use check::blind_spots::BlindSpots;
-use check::diagnosis::{Near, Scene, Set, names_of};
-use check::judge::{self, Check, Finding};
 use check::names::companion;
+use check::names_of;
 use check::reading::{self, Cause};
+use check::scene::Scene;
+use check::verdict::{self, Check, Finding, Set};
 use common::rtweekend::Picture;
 use slips::{Chapter, Edition, Slip, steps};
 
@@ -36,7 +37,7 @@ impl Evidence<'_> {
         if let Some(verdict) = self.of_step(bytes) {
             return verdict;
         }
-        match judge::check(scene, bytes, 0) {
+        match verdict::check(scene, bytes, 0) {
             Check::Right(right) if !right.shape_given_by.is_empty() => Verdict {
                 headline: format!(
                     "Right in this shape, {} × {}, which is not the book's.",
@@ -51,14 +52,7 @@ impl Evidence<'_> {
                 self.of_right_picture(&right.scene, picture)
             }
             Check::Near(finding) => Verdict {
-                headline: format!(
-                    "Right, but {}.",
-                    finding
-                        .diagnosis
-                        .near
-                        .as_ref()
-                        .map_or(String::new(), Near::told)
-                ),
+                headline: format!("Right, but {}.", finding.but()),
                 next: "as the book has it, it can be compared to the last bit".to_owned(),
                 pictures: Some((finding.yours, finding.right)),
                 ..Verdict::default()
@@ -101,7 +95,7 @@ impl Evidence<'_> {
             });
         }
         let again = (self.is_done)(&step_is_done(scene.chapter, at + 1));
-        let check = judge::check(scene, bytes, 0);
+        let check = verdict::check(scene, bytes, 0);
         let mistakes = check
             .finding()
             .map_or(Vec::new(), |finding| self.mistakes(finding));
@@ -212,7 +206,7 @@ impl Evidence<'_> {
 
     fn of_wrong_picture(&self, finding: Finding) -> Verdict {
         let (cause, next) = match &self.mistakes(&finding)[..] {
-            [one] => (in_full(one, finding.diagnosis.scene.edition), String::new()),
+            [one] => (in_full(one, finding.scene.edition), String::new()),
             mistakes => match (self.ask_laws)() {
                 Some(Answer::Broken(report)) => (law(&report), String::new()),
                 Some(Answer::Obeyed) => self.with_laws(&finding, mistakes),
@@ -249,7 +243,7 @@ impl Evidence<'_> {
             .filter(|it| !is_found(it))
             .collect();
         let (mut cause, next) = match left[..] {
-            [one] => (in_full(one, finding.diagnosis.scene.edition), String::new()),
+            [one] => (in_full(one, finding.scene.edition), String::new()),
             _ => self.undecided(finding, &left),
         };
         let laws = "they hold: look at what calls the function, and what becomes of its answer";
@@ -261,14 +255,14 @@ impl Evidence<'_> {
     fn undecided(&self, finding: &Finding, mistakes: &[&Mistake]) -> (Vec<Line>, String) {
         match mistakes.is_empty() {
             true => (sights(finding), String::new()),
-            false => undecided(self.scene, &finding.diagnosis.sets[0], mistakes),
+            false => undecided(self.scene, &finding.sets[0], mistakes),
         }
     }
 
     /// The mistakes that explain the picture; of these, the ones that the reader can have
     /// made.
     fn mistakes<'f>(&self, finding: &'f Finding) -> Vec<&'f Mistake> {
-        let set = finding.diagnosis.sets.first().filter(|set| set.is_enough());
+        let set = finding.sets.first();
         let all: Vec<&Mistake> = set.map_or(Vec::new(), |set| set.mistakes.iter().collect());
         let own = |mistake: &&&Mistake| mistake.iter().all(|slip| slip.is_in_a_chapter());
         let of_chapter: Vec<&Mistake> = all.iter().filter(own).copied().collect();
@@ -286,10 +280,8 @@ const SHOWN: usize = 4;
 type Mistake = Vec<&'static Slip>;
 
 fn of_no_picture(verdict: &str, cause: &Cause, finding: Option<Box<Finding>>) -> Verdict {
-    let slip = finding
-        .as_ref()
-        .and_then(|finding| finding.diagnosis.sets.first());
-    let slip = slip.filter(|set| set.is_enough() && set.mistakes.len() == 1);
+    let slip = finding.as_ref().and_then(|finding| finding.sets.first());
+    let slip = slip.filter(|set| set.mistakes.len() == 1);
     Verdict {
         headline: format!("It is {verdict}: {}.", cause.problem),
         cause: slip.map_or(Vec::new(), |set| {
@@ -336,7 +328,7 @@ fn undecided(scene: &Scene, set: &Set, mistakes: &[&Mistake]) -> (Vec<Line>, Str
 
 /// What can be seen where no mistake explains it.
 fn sights(finding: &Finding) -> Vec<Line> {
-    let seen = finding.diagnosis.sights.iter().cloned();
+    let seen = finding.sights.iter().cloned();
     let mut lines: Vec<Line> = seen.map(|sight| labeled("seen", sight)).collect();
     if let Some(difference) = &finding.difference {
         let (column, row) = difference.first;

@@ -14,8 +14,8 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant, SystemTime};
 use std::{env, fs};
 
-use check::diagnosis::Scene;
 use check::names::{companion, from_here};
+use check::scene::Scene;
 use clap::Args;
 use common::engine::output;
 use slips::Chapter;

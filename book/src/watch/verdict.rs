@@ -5,8 +5,8 @@ use std::io;
 use std::process::ExitStatus;
 use std::time::Duration;
 
-use check::diagnosis::Scene;
 use check::names;
+use check::scene::Scene;
 use common::rtweekend::Picture;
 use slips::{Chapter, steps};
 

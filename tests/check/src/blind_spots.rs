@@ -5,7 +5,8 @@
 
 use std::iter;
 
-use crate::diagnosis::{Scene, spread};
+use crate::explanations::spread;
+use crate::scene::Scene;
 use slips::Chapter;
 use slips::{self, Output, PROBES, Slip, Unseen};
 

@@ -1,17 +1,25 @@
 //! What judges a picture, ours or a reader's.
 //!
 //! In the order in which a file passes through it: [`reading`] makes a picture of
-//! bytes that may be anything, [`judge`] compares it with the right one by
-//! [`comparison`], [`diagnosis`] looks for the mistake among the known slips (package `slips`),
-//! and [`report`] shows both pictures on a page. If it is right, [`blind_spots`] says
-//! what it can't show.
+//! bytes that may be anything, [`explanations`] are measured in [`bits`] and the shortest
+//! is the [`verdict`], which [`report`] shows on a page. If the picture is right,
+//! [`blind_spots`] says what it can't show.
 
+pub mod bits;
 pub mod blind_spots;
+mod causes;
 pub mod comparison;
-pub mod diagnosis;
-pub mod judge;
+pub mod explanations;
+mod judge;
 pub mod names;
 pub mod png;
 pub mod reading;
 pub mod report;
+pub mod scene;
+mod seen;
+pub mod telling;
+pub mod verdict;
+mod words;
 pub mod workspace;
+
+pub use words::names_of;

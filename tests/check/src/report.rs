@@ -10,9 +10,9 @@ use std::{fmt, fs, iter};
 use common::rtweekend::Picture;
 
 use crate::comparison::{Comparison, differing_pixels};
-use crate::diagnosis::{Scene, Set};
-use crate::judge::Finding;
 use crate::png;
+use crate::scene::Scene;
+use crate::verdict::{Finding, Set};
 use slips::{Edition, Slip};
 
 /// What a report page shows.
@@ -67,16 +67,16 @@ impl Report<'_> {
 pub fn remarks(scene: &Scene, finding: &Finding, book: &Path) -> String {
     let mut html = String::new();
     let pixels = finding.right.rgb().len() / 3;
-    for set in &finding.diagnosis.sets {
+    for set in &finding.sets {
         html += &format!("<h2>{}</h2>\n", escaped(set.title(pixels)));
         for slip in set.mistakes.iter().flatten() {
             html += &slip_as_html(slip, set.scene.edition, book);
         }
         html += &how_to_tell(scene, set);
     }
-    if !finding.diagnosis.sights.is_empty() {
+    if !finding.sights.is_empty() {
         html += "<h2>What can be seen</h2>\n";
-        for sight in &finding.diagnosis.sights {
+        for sight in &finding.sights {
             html += &format!("<p>{}</p>\n", escaped(sight));
         }
     }

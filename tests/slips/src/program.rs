@@ -220,7 +220,7 @@ impl Program {
     }
 
     /// What there is to hit.
-    pub(super) fn balls(&self) -> impl DoubleEndedIterator<Item = Ball> + ExactSizeIterator {
+    pub fn balls(&self) -> impl DoubleEndedIterator<Item = Ball> + ExactSizeIterator {
         let own = self.own;
         let ball = move |(n, &ball): (usize, &Ball)| own.get(n).copied().flatten().unwrap_or(ball);
         self.world.iter().enumerate().map(ball)

@@ -7,8 +7,8 @@ use std::io::ErrorKind;
 use std::path::Path;
 use std::process::Command;
 
-use check::diagnosis::Scene;
-use check::judge::{Check, check};
+use check::scene::Scene;
+use check::verdict::{Check, check};
 use common::rtweekend::*;
 use laws::Case;
 use laws::{sampling, strategies};

@@ -4,9 +4,9 @@
 use std::collections::BTreeSet;
 
 use check::blind_spots::BlindSpots;
-use check::diagnosis::Scene;
-use check::judge::{Check, Finding, check};
 use check::png;
+use check::scene::Scene;
+use check::verdict::{Check, Finding, check};
 use slips::Chapter;
 use slips::{self, PROBES, Probe, Slip, Unseen};
 
@@ -148,7 +148,7 @@ fn a_change_that_is_still_there_is_recognized_at_any_width() {
                 .others()
                 .iter()
                 .any(|other| other.probe == Some(probe));
-            let is_certain = |finding: &Finding| finding.diagnosis.is_certain();
+            let is_certain = |finding: &Finding| finding.is_certain();
             assert!(
                 is_told || (width != probe.width && check.finding().is_some_and(is_certain)),
                 "{} in {chapter:?}",
@@ -170,7 +170,7 @@ fn a_mistake_that_draws_the_picture_of_a_probe_is_named_before_the_probe() {
         0,
     );
     let finding = check.finding().expect("the mistake comes first");
-    assert!(finding.diagnosis.is_certain());
+    assert!(finding.is_certain());
     assert!(
         !finding.others.is_empty(),
         "nothing is to be seen behind the camera either"

@@ -3,8 +3,12 @@
 use crate::names::companion;
 use common::rtweekend::Color;
 
-use super::{But, Chosen, Conversion, Curve, Explains, Near, Scene, Set};
 use slips::{Ball, Slip};
+
+use crate::bits::Left;
+use crate::explanations::{But, Conversion, Curve};
+use crate::scene::{Chosen, Scene};
+use crate::verdict::{Near, Set};
 
 impl Set {
     /// How well the mistakes explain a picture of that many pixels.
@@ -52,33 +56,55 @@ impl Set {
     }
 
     fn extent(&self, pixels: usize) -> String {
-        let (far, off, compared) = (self.fit.far, self.fit.off, self.fit.compared);
-        match self.explains {
-            Explains::All if compared == pixels => "exactly this picture".to_owned(),
-            Explains::All => format!("this picture in all {compared} pixels that were compared"),
-            Explains::AllButOneLevel => {
-                format!("this picture, but for one level in {off} of {compared} pixels")
-            }
-            Explains::Antialiased => {
-                "this picture, if each pixel is the mean of several rays".to_owned()
-            }
-            Explains::Most if far > 0 => format!(
-                "most of this picture, but not all: {far} of {compared} pixels are still wrong"
-            ),
-            Explains::Most => format!(
-                "most of this picture, but not all: {off} of {compared} pixels are still a level off"
-            ),
+        let (far, off) = (self.left.far, self.left.off);
+        if !self.but.is_empty() {
+            return format!("this picture, {}", buts(&self.but));
+        }
+        match (off, far) {
+            (0, _) => "exactly this picture".to_owned(),
+            (_, 0) => format!("this picture, but for one level in {off} of {pixels} pixels"),
+            (1, _) => "this picture, but for 1 pixel".to_owned(),
+            _ => format!("this picture, but for {off} of {pixels} pixels"),
         }
     }
 }
 
+/// What was done to a picture besides.
+fn buts(but: &[But]) -> String {
+    let all: Vec<String> = but.iter().map(But::told).collect();
+    all.join(", and ")
+}
+
 impl Near {
     /// What it is instead of the book's picture, after "right, but".
-    pub fn told(&self) -> String {
+    pub fn told(&self, pixels: usize) -> String {
         let chosen = self.scene.chosen.told();
         let buts = self.but.iter().map(But::told);
-        let all: Vec<String> = chosen.into_iter().chain(buts).collect();
+        let left = self.is_for_pixels().then(|| left(&self.left, pixels));
+        let all: Vec<String> = chosen.into_iter().chain(buts).chain(left).collect();
         all.join(", and ")
+    }
+
+    /// Whether there are pixels that it does not explain. With several rays a pixel every
+    /// one at an edge is explained, though none to the last bit.
+    pub fn is_for_pixels(&self) -> bool {
+        let is_antialiased = |but: &But| matches!(but, But::Antialiased { .. });
+        !self.left.is_nothing() && !self.but.iter().any(is_antialiased)
+    }
+}
+
+/// The pixels that an explanation leaves: single ones, or a rounding or noise everywhere.
+fn left(left: &Left, pixels: usize) -> String {
+    let (off, far) = (left.off, left.far);
+    match (off, far) {
+        (1, _) if left.is_one_by_one => format!("for 1 of {pixels} pixels"),
+        (_, 0) => format!(
+            "not to the last bit: {off} of {pixels} pixels are a level off, as by another way of rounding"
+        ),
+        _ if left.is_one_by_one => format!("for {off} of {pixels} pixels"),
+        _ => format!(
+            "not to the last bit: {off} of {pixels} pixels are off, {far} of them by more than a level, as with less precision, noise, or a file that does not keep each level"
+        ),
     }
 }
 
@@ -146,6 +172,7 @@ impl But {
         match self {
             Self::Antialiased { samples } => {
                 let count = match samples {
+                    Some(samples) if *samples < 1.5 => "one ray a pixel, anywhere in it".to_owned(),
                     Some(samples) if *samples < 150.0 => {
                         format!(
                             "about {} samples a pixel, or fewer on a grid",
@@ -158,16 +185,6 @@ impl But {
                 format!("antialiased, with {count}: that is the next chapter of the book")
             }
             Self::Curve(curve) => curve.told(),
-            Self::Rounded {
-                off,
-                far: 0,
-                compared,
-            } => format!(
-                "not to the last bit: {off} of {compared} pixels are a level off, as by another way of rounding"
-            ),
-            Self::Rounded { off, far, compared } => format!(
-                "not to the last bit: of {compared} pixels {off} are off, all by a level but {far} at edges, as with less precision"
-            ),
         }
     }
 }

@@ -9,15 +9,15 @@ use std::ops::Range;
 
 use common::rtweekend::Point3;
 
-use super::candidates::distance;
-use super::candidates::spread;
-use super::scene::{Chosen, Scene};
+use ::slips::{Ball, Chapter, Program, Room};
+
+use super::{Evidence, Hypothesis, spread};
+use crate::bits::{distance, number};
 use crate::reading::Reading;
-use slips::{Ball, Program};
-use slips::{Chapter, Room};
+use crate::scene::{Chosen, Scene};
 
 /// How many pixels are compared for each step.
-const LOOK: u32 = 6000;
+const LOOK: u32 = 2000;
 /// A pixel that is off by more levels counts no more: it may be another color for any
 /// reason.
 const FAR: u16 = 24;
@@ -34,20 +34,39 @@ fn to_grid(number: f64, grid: f64) -> f64 {
     (number * grid).round() / grid + 0.0
 }
 
-/// The scene with spheres or a field of view of the reader's own, the likeliest first.
-pub(super) fn fitted(scene: &Scene, reading: &Reading) -> Vec<Scene> {
-    let fit = Fit::new(scene, reading);
+/// That the scene is the reader's own, beside its numbers.
+const NAME: f64 = 8.0;
+
+/// The program with spheres or a field of view of the reader's own: each with numbers of
+/// more and of fewer digits.
+pub(crate) fn own_spheres(evidence: &Evidence, right: &Hypothesis) -> Vec<Hypothesis> {
+    if evidence.has_no_levels || evidence.reading.is_plain() {
+        return Vec::new();
+    }
+    let fit = Fit::new(&right.scene, evidence.reading);
     let own = [
         fit.first_sphere(),
-        fit.ground(scene),
+        fit.ground(&right.scene),
         fit.ground(&fit.without_first_sphere()),
         fit.zoom(),
     ];
-    let mut scenes: Vec<(u32, Scene)> = own.into_iter().flatten().collect();
-    scenes.sort_by_key(|(off, _)| *off);
-    // What does not mend a third of what is off was not what the reader chose.
-    scenes.retain(|(off, _)| 3 * off < 2 * fit.off(scene));
-    scenes.into_iter().map(|(_, scene)| scene).collect()
+    let named = |scene: Scene| {
+        let Chosen {
+            balls,
+            viewport_height,
+            ..
+        } = scene.chosen;
+        let balls = balls.into_iter().flatten();
+        let numbers = balls
+            .flat_map(|Ball { center, radius }| [center.x, center.y, center.z, radius])
+            .chain(viewport_height);
+        Hypothesis {
+            scene,
+            name: right.name + NAME + numbers.map(number).sum::<f64>(),
+            ..right.clone()
+        }
+    };
+    own.into_iter().flatten().map(named).collect()
 }
 
 /// A picture that a scene is fitted to.
@@ -78,19 +97,20 @@ impl<'a> Fit<'a> {
 
     /// The first sphere elsewhere or of another size. Farther away and as much larger it
     /// is the same picture, so any distance will do that makes all its numbers simple.
-    fn first_sphere(&self) -> Option<(u32, Scene)> {
+    fn first_sphere(&self) -> Vec<Scene> {
         if self.scene.chapter.room() == Room::None || self.scene.probe.is_some() {
-            return None;
+            return Vec::new();
         }
         let with = |[x, y, z, radius]: [f64; 4]| {
             let mut chosen = self.scene.chosen;
             chosen.balls[0] = Some(Ball::new(x, y, z, radius.abs()));
             self.scene.with(chosen)
         };
-        let start = self.seen_ball()?;
+        let Some(start) = self.seen_ball() else {
+            return Vec::new();
+        };
         let start = [start.center.x, start.center.y, start.radius];
-        let (found, least) =
-            self.searched(start, [0.1; 3], |[x, y, radius]| with([x, y, -1.0, radius]));
+        let found = self.searched(start, [0.1; 3], |[x, y, radius]| with([x, y, -1.0, radius]));
         let simple = |distance: f64, grid: f64| {
             let [x, y, radius] = found.map(|number| to_grid(number * distance, grid));
             [x, y, -distance, radius]
@@ -102,7 +122,7 @@ impl<'a> Fit<'a> {
             .flat_map(|distance| coarse.iter().map(move |grid| (distance, *grid)))
             .chain(fine.iter().map(|grid| (1.0, *grid)))
             .map(|(distance, grid)| simple(distance, grid));
-        self.simplest(least, all.filter(|[.., radius]| *radius > 0.0).map(with))
+        all.filter(|[.., radius]| *radius > 0.0).map(with).collect()
     }
 
     /// The scene with a first sphere of no size, which is none.
@@ -113,27 +133,27 @@ impl<'a> Fit<'a> {
     }
 
     /// The second sphere of the list higher or lower, or of another size.
-    fn ground(&self, scene: &Scene) -> Option<(u32, Scene)> {
+    fn ground(&self, scene: &Scene) -> Vec<Scene> {
         if self.scene.chapter != Chapter::HittableList || self.scene.probe.is_some() {
-            return None;
+            return Vec::new();
         }
         let with = |[top, radius]: [f64; 2]| {
             let mut chosen = scene.chosen;
             chosen.balls[1] = Some(Ball::new(0.0, top - radius, -1.0, radius));
             scene.with(chosen)
         };
-        let ([top, radius], least) = self.searched([-0.5, 100.0], [0.4, 60.0], with);
+        let [top, radius] = self.searched([-0.5, 100.0], [0.4, 60.0], with);
         let all = GRIDS.into_iter().flat_map(|fine| {
             let coarse = [0.1].into_iter().chain(GRIDS);
             coarse.map(move |grid| [to_grid(top, fine), to_grid(radius, grid)])
         });
-        self.simplest(least, all.map(with))
+        all.map(with).collect()
     }
 
     /// The same scene through a higher or lower viewport.
-    fn zoom(&self) -> Option<(u32, Scene)> {
+    fn zoom(&self) -> Vec<Scene> {
         if self.scene.chapter == Chapter::BuildTest {
-            return None;
+            return Vec::new();
         }
         let with = |[height]: [f64; 1]| {
             let viewport_height = Some(height);
@@ -143,20 +163,22 @@ impl<'a> Fit<'a> {
             })
         };
         let starts = (-8..=8).map(|n| 2.0 * (f64::from(n) / 4.0).exp());
-        let start = starts.min_by_key(|&start| self.off(&with([start])))?;
-        let ([height], least) = self.searched([start], [start / 8.0], with);
+        let start = starts
+            .min_by_key(|&start| self.off(&with([start])))
+            .unwrap_or(2.0);
+        let [height] = self.searched([start], [start / 8.0], with);
         let all = GRIDS.map(|grid| [to_grid(height, grid)]).into_iter();
-        self.simplest(least, all.filter(|[height]| *height > 0.0).map(with))
+        all.filter(|[height]| *height > 0.0).map(with).collect()
     }
 
     /// Moves numbers by smaller and smaller steps while that brings the picture nearer.
-    /// Returns them, and how far off they leave it.
+    ///
     fn searched<const N: usize>(
         &self,
         start: [f64; N],
         mut steps: [f64; N],
         with: impl Fn([f64; N]) -> Scene,
-    ) -> ([f64; N], u32) {
+    ) -> [f64; N] {
         let off = |numbers: [f64; N]| self.off(&with(numbers));
         let (mut numbers, mut least) = (start, off(start));
         let mut halvings = 0;
@@ -175,16 +197,7 @@ impl<'a> Fit<'a> {
                 halvings += 1;
             }
         }
-        (numbers, least)
-    }
-
-    /// The scene that comes nearest, the simplest one of equals, if it leaves the picture
-    /// no farther off than other numbers do. What somebody types is simple.
-    fn simplest(&self, least: u32, scenes: impl Iterator<Item = Scene>) -> Option<(u32, Scene)> {
-        scenes
-            .map(|scene| (self.off(&scene), scene))
-            .min_by_key(|(off, _)| *off)
-            .filter(|(off, _)| *off <= least)
+        numbers
     }
 
     /// The sphere one unit away that fills the box around all that is not background.

@@ -1,23 +1,11 @@
 //! Colors that are off in the same way everywhere.
 
-use super::view::View;
-use crate::diagnosis::chosen::chosen;
 use slips::Chapter;
 
-impl View<'_> {
-    /// Red, green and blue in another order.
-    pub(super) fn channels(&self) -> Option<String> {
-        const ORDERS: [[usize; 3]; 5] = [[2, 1, 0], [1, 0, 2], [0, 2, 1], [1, 2, 0], [2, 0, 1]];
-        const NAMES: [&str; 3] = ["red", "green", "blue"];
-        let order = ORDERS
-            .into_iter()
-            .find(|order| self.shows(|n| order.map(|channel| self.expected(n)[channel])))?;
-        let [red, green, blue] = order.map(|channel| NAMES[channel]);
-        Some(format!(
-            "Its red is what {red} should be, its green what {green}, its blue what {blue} should be."
-        ))
-    }
+use super::view::View;
+use crate::explanations::chosen;
 
+impl View<'_> {
     pub(super) fn gray(&self) -> Option<String> {
         let gray = self
             .reading

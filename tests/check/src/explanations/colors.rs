@@ -2,11 +2,12 @@
 
 use common::rtweekend::Color;
 
-use super::candidates::spread;
-use super::scene::{Chosen, Scene};
+use ::slips::{Chapter, Program};
+
+use super::{Evidence, Hypothesis, spread};
+use crate::bits::number;
 use crate::reading::Reading;
-use slips::Chapter;
-use slips::{Program, Slip};
+use crate::scene::{Chosen, Scene};
 
 /// How many pixels the colors are taken from.
 const LOOK: u32 = 4000;
@@ -15,47 +16,46 @@ const ROUNDING: f64 = 1.5;
 /// The share of pixels that have to follow the colors: the others may be edges.
 const MOST: f64 = 0.97;
 
-/// The scene in the reader's own colors, if those of the picture are not the book's.
-pub(super) fn chosen(scene: &Scene, reading: &Reading) -> Option<Scene> {
-    chosen_beside(scene, &[], reading)
+/// That there are colors of the reader's own, beside their numbers.
+const NAME: f64 = 6.0;
+
+/// The program in the reader's own colors, if those of the picture are not the book's.
+pub(crate) fn in_colors(evidence: &Evidence, right: &Hypothesis) -> Option<Hypothesis> {
+    let scene = chosen(&right.scene, evidence.reading)?;
+    let Chosen {
+        sky, paint, blue, ..
+    } = scene.chosen;
+    let colors = sky.into_iter().flatten().chain(paint);
+    let numbers = colors.flat_map(|color| color.to_array()).chain(blue);
+    Some(Hypothesis {
+        scene,
+        name: right.name + NAME + numbers.map(number).sum::<f64>(),
+        ..right.clone()
+    })
 }
 
-/// The same where slips were made that move what the colors are taken from.
-pub(super) fn chosen_beside(
-    scene: &Scene,
-    slips: &[&'static Slip],
-    reading: &Reading,
-) -> Option<Scene> {
+/// The scene in those colors.
+pub(crate) fn chosen(scene: &Scene, reading: &Reading) -> Option<Scene> {
     // A picture of one color says nothing about a sky.
     if reading.is_plain() || reading.outside().is_some() {
         return None;
     }
-    let program = scene.program(slips);
+    let program = scene.program(&[]);
     let pixels = Pixels::new(&program, reading);
     let chosen = match scene.chapter {
         Chapter::BuildTest => Chosen {
-            blue: blue(reading).filter(|blue| (blue - program.blue).abs() > SAME),
+            blue: blue(reading).filter(|blue| *blue != program.blue),
             ..Chosen::default()
         },
         _ => Chosen {
-            sky: pixels.sky().filter(|&sky| !are_same(sky, program.sky)),
+            sky: pixels.sky().filter(|sky| *sky != program.sky),
             paint: pixels
                 .paint(&program)
-                .filter(|&paint| !are_same([paint], [program.paint])),
+                .filter(|paint| *paint != program.paint),
             ..Chosen::default()
         },
     };
     (chosen != Chosen::default()).then_some(scene.with(chosen))
-}
-
-/// Nobody chooses components that are so near to those of the book: they come from
-/// pixels a little elsewhere.
-const SAME: f64 = 0.02;
-
-fn are_same<const N: usize>(some: [Color; N], others: [Color; N]) -> bool {
-    some.into_iter()
-        .zip(others)
-        .all(|(one, other)| (one - other).abs().max_element() < SAME)
 }
 
 /// Where the right program sees sky and where it hits, and what the picture has there.

@@ -3,8 +3,10 @@
 use crate::names::companion;
 use common::rtweekend::{Color, Picture};
 
-use slips::Chapter;
-use slips::{self, Ball, Edition, Probe, Program, Slip};
+use crate::bits::distance;
+use crate::explanations::spread;
+use crate::reading::Reading;
+use slips::{Ball, Chapter, Edition, Probe, Program, Slip};
 
 /// A chapter's scene, or a probe's in that chapter, by one edition of the book.
 #[derive(Clone, Copy, Debug)]
@@ -80,7 +82,7 @@ impl Scene {
 
     /// The same picture drawn with the whole of b in place of its half, or the other way
     /// round, if it is that of one sphere with its normals.
-    pub(super) fn with_the_other_formula(self) -> Option<Self> {
+    pub(crate) fn with_the_other_formula(self) -> Option<Self> {
         let chapter = match self.chapter {
             Chapter::Normals => Chapter::HalfBSphere,
             Chapter::HalfBSphere => Chapter::Normals,
@@ -90,7 +92,7 @@ impl Scene {
     }
 
     /// The scene of another chapter by the same edition.
-    pub(super) fn of_chapter(self, chapter: Chapter) -> Self {
+    pub(crate) fn of_chapter(self, chapter: Chapter) -> Self {
         Self {
             chapter,
             probe: None,
@@ -99,9 +101,25 @@ impl Scene {
         }
     }
 
+    /// The same scene as the book has it.
+    pub(crate) fn without_choices(self) -> Self {
+        self.with(Chosen::default())
+    }
+
     /// The same scene with what a reader chose.
-    pub(super) fn with(self, chosen: Chosen) -> Self {
+    pub(crate) fn with(self, chosen: Chosen) -> Self {
         Self { chosen, ..self }
+    }
+
+    /// Whether the picture may be the right one of this scene to within so many levels:
+    /// some pixels tell, before all are compared.
+    pub(crate) fn may_be_shown_by(&self, reading: &Reading, tolerance: u8) -> bool {
+        let output = self.program(&[]).run(reading.width);
+        output.size() == (reading.width, reading.height)
+            && spread(GLANCE, reading.pixels.len() as u32).all(|n| {
+                let expected = output.pixel(n).map(|level| level as i16);
+                distance(expected, reading.pixels[n as usize]) <= tolerance.into()
+            })
     }
 
     /// What a reader changes to draw it that wide, a line each.
@@ -141,7 +159,7 @@ impl Scene {
     }
 
     /// The same scene in the chapter's own shape.
-    pub(super) fn in_own_shape(self) -> Self {
+    pub(crate) fn in_own_shape(self) -> Self {
         Self {
             shape: None,
             ..self
@@ -149,7 +167,7 @@ impl Scene {
     }
 
     /// The same scene in a picture of another shape.
-    pub(super) fn shaped(self, width: u32, height: u32) -> Self {
+    pub(crate) fn shaped(self, width: u32, height: u32) -> Self {
         Self {
             shape: Some((width, height)),
             ..self
@@ -221,6 +239,9 @@ impl Scene {
         })
     }
 }
+
+/// How many pixels tell a scene from most others.
+const GLANCE: u32 = 64;
 
 /// Ratios of width to height that people choose.
 const USUAL_RATIOS: [f64; 7] = [

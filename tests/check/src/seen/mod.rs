@@ -4,48 +4,61 @@
 //! about the code.
 
 mod disc;
-mod placed;
+mod pixel;
 mod tinted;
 mod view;
 
-use super::scene::Scene;
-use crate::reading::Reading;
 use slips::Room;
+
+use crate::reading::Reading;
+use crate::scene::Scene;
 
 use view::View;
 
 /// What can be seen, the most telling first.
-pub(super) fn sights(scene: &Scene, reading: &Reading) -> Vec<String> {
+pub(crate) fn sights(scene: &Scene, reading: &Reading) -> Vec<String> {
     let right = scene.right(reading.width, reading.height);
     let view = View::new(scene, reading, &right);
     if view.wrong.is_empty() {
         return Vec::new();
     }
-    if let Some(plain) = view.plain() {
-        return vec![plain];
-    }
-    [
-        view.turned(),
-        view.channels(),
-        view.moved(),
-        view.zoomed(),
-        view.disc(),
-        view.gray(),
-        view.where_it_differs(),
-        view.sky(),
-    ]
-    .into_iter()
-    .flatten()
-    .chain(view.tints())
-    .collect()
+    let seen = match view.plain() {
+        Some(plain) => vec![plain],
+        None => [
+            view.unscaled(),
+            view.disc(),
+            view.gray(),
+            view.where_it_differs(),
+            view.sky(),
+        ]
+        .into_iter()
+        .flatten()
+        .chain(view.tints())
+        .collect(),
+    };
+    seen.into_iter().chain(view.first_pixel()).collect()
 }
 
 impl View<'_> {
     fn plain(&self) -> Option<String> {
-        let first = self.found(0);
-        self.reading
-            .is_plain()
-            .then(|| format!("Every pixel has the same color, {first:?}."))
+        let said = match self.found(0) {
+            [0, 0, 0] => {
+                "Every pixel is black: is a component NaN, or is no color ever set?".to_owned()
+            }
+            first => format!("Every pixel has the same color, {first:?}."),
+        };
+        self.reading.is_plain().then_some(said)
+    }
+
+    fn unscaled(&self) -> Option<String> {
+        let levels = self.reading.pixels.iter().flatten();
+        let most = levels
+            .copied()
+            .max()
+            .filter(|most| (0..=1).contains(most))?;
+        Some(format!(
+            "No level is above {most}: is each component multiplied by 255.999?"
+        ))
     }
 
     /// On the spheres, in the sky, or along the rim.

@@ -2,7 +2,7 @@
 
 use std::hash::{DefaultHasher, Hasher};
 
-use super::scene::Scene;
+use crate::scene::Scene;
 use slips::{PROBES, Probe, Slip};
 
 /// A probe in which mistakes draw different pictures.
@@ -16,7 +16,7 @@ pub struct Telling {
 
 /// The probe that tells most of the mistakes apart, the cheapest change among
 /// equals; `None` if all of them draw the same in all of them.
-pub(super) fn apart(scene: &Scene, mistakes: &[Vec<&'static Slip>]) -> Option<Telling> {
+pub(crate) fn apart(scene: &Scene, mistakes: &[Vec<&'static Slip>]) -> Option<Telling> {
     if mistakes.len() < 2 {
         return None;
     }

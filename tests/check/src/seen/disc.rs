@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use common::rtweekend::Picture;
 
-use super::view::View;
-use crate::diagnosis::candidates::distance;
 use slips::{Chapter, Room};
+
+use super::view::View;
+use crate::bits::distance;
 
 impl View<'_> {
     /// What the outline of the only sphere says, if there is one sphere and it is
@@ -71,9 +72,8 @@ impl Disc {
         // An edge may be a pixel farther on either side before it means something.
         let near = |one: f64, other: f64| (one - other).abs() <= 1.5;
         if !near(wide, high) {
-            let ratio = wide / high;
             return format!(
-                "The sphere is an ellipse, {wide} pixels wide and {high} high: {ratio:.2} times as wide as high."
+                "What is not sky is {wide} pixels wide and {high} high, instead of {right_wide} both ways."
             );
         }
         if near(wide, right_wide) {

@@ -1,11 +1,12 @@
 //! A picture beside the right one, and what can be asked about their pixels.
 
-use common::rtweekend::{Camera, Picture};
-
-use crate::diagnosis::candidates::{distance, spread};
-use crate::diagnosis::scene::Scene;
-use crate::reading::Reading;
+use common::rtweekend::Picture;
 use slips::Program;
+
+use crate::bits::distance;
+use crate::explanations::spread;
+use crate::reading::Reading;
+use crate::scene::Scene;
 
 /// How many pixels are looked at where all would be too many.
 const LOOK: u32 = 5000;
@@ -48,13 +49,6 @@ impl View<'_> {
         right[n as usize].map(i16::from)
     }
 
-    /// Whether the reader's pixels are within a level of these, but for one in
-    /// a hundred: edges may differ.
-    pub(super) fn shows(&self, expected: impl Fn(u32) -> [i16; 3]) -> bool {
-        let off = |n: &&u32| distance(expected(**n), self.found(**n)) > 1;
-        100 * self.places.iter().filter(off).count() <= self.places.len()
-    }
-
     pub(super) fn program(&self) -> Program {
         self.scene
             .fitting(self.reading.width, self.reading.height)
@@ -84,10 +78,4 @@ impl View<'_> {
             .flatten()
             .any(|neighbor| neighbor < total && self.is_hit(neighbor) != self.is_hit(n))
     }
-}
-
-pub(super) fn color(program: &Program, camera: &Camera, n: u32) -> [i16; 3] {
-    let (i, j) = (program.order)(n, camera.image_width, camera.image_height);
-    let color = (program.color)(program, camera, i, j).to_array();
-    color.map(|component| (program.level)(component).clamp(0, 255) as i16)
 }

@@ -1,0 +1,145 @@
+//! Why a picture is not the one that was asked for: its shape, its numbers, its scene.
+
+use slips::{Edition, Program, Slip};
+
+use crate::reading::{Cause, Reading};
+use crate::scene::Scene;
+use crate::verdict::MOST_MISSHAPEN;
+
+/// The slips with which a program draws `width` × `height` pixels where the
+/// right one does not, whatever the pixels are.
+pub(crate) fn slips_giving(scene: &Scene, width: u32, height: u32) -> Vec<&'static Slip> {
+    let gives = |program: Program| {
+        [width, height]
+            .into_iter()
+            .any(|asked| program.run(asked).size() == (width, height))
+    };
+    if gives(scene.program(&[])) {
+        return Vec::new();
+    }
+    scene
+        .slips()
+        .filter(|slip| gives(scene.program(&[slip])))
+        .collect()
+}
+
+/// Whether somebody may want a picture of that shape: no stripe, and nothing endless.
+pub(crate) fn is_a_shape_to_choose(width: u32, height: u32) -> bool {
+    let [width, height] = [width, height].map(u64::from);
+    width * height <= MOST_MISSHAPEN && width.max(height) <= 8 * width.min(height)
+}
+
+/// Why the picture is not that of the probe, which is about one width.
+pub(crate) fn not_as_wide(scene: &Scene, reading: &Reading) -> Option<Cause> {
+    let probe = scene.probe.filter(|probe| probe.spheres.is_none())?;
+    let (width, height) = (reading.width, reading.height);
+    let (name, wanted, chapter) = (probe.name, probe.width, scene.chapter.name());
+    (wanted != width).then(|| Cause::new(
+        "wrong-shape",
+        format!(
+            "the picture is {width} × {height}, but the probe {name} is about one {wanted} pixels wide"
+        ),
+        format!("Draw {chapter} with image_width = {wanted}."),
+    ))
+}
+
+/// Why the picture is not of the scene's shape, if it is not.
+pub(crate) fn wrong_shape(scene: &Scene, width: u32, height: u32) -> Option<Cause> {
+    if scene
+        .by_editions(width, height)
+        .any(|scene| !scene.has_another_shape())
+    {
+        return None;
+    }
+    let name = scene.chapter.name();
+    let expected = scene.height(width);
+    let slips: Vec<&str> = slips_giving(scene, width, height)
+        .iter()
+        .map(|slip| slip.name)
+        .collect();
+    let usual = if slips.is_empty() {
+        "No mistake in the catalogue gives this shape.".to_owned()
+    } else {
+        format!("This shape is what these slips give: {}.", slips.join(", "))
+    };
+    Some(Cause::new(
+        "wrong-shape",
+        format!(
+            "the picture is {width} × {height}, but {name} at {width} wide is {width} × {expected}"
+        ),
+        format!(
+            "{usual} image_height = int(image_width / (16.0 / 9.0)), and at least 1; only build_test is a square."
+        ),
+    ))
+}
+
+/// Why the picture has numbers that are no levels, if it has.
+pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
+    let outside = reading.outside()?;
+    let (column, row) = outside.first;
+    let range = match (outside.lowest < 0, outside.highest > 255) {
+        (true, true) => format!(
+            "below 0 and above 255, from {} to {}",
+            outside.lowest, outside.highest
+        ),
+        (true, false) => format!("below 0, down to {}", outside.lowest),
+        _ => format!("above 255, up to {}", outside.highest),
+    };
+    Some(Cause::new(
+        "levels-outside",
+        format!(
+            "{} pixels have numbers {range}; the first is column {column}, row {row}: {:?}",
+            outside.count, outside.pixel
+        ),
+        "A component of a color must be from 0 to 1 before it is scaled: int(255.999 * r). The mistakes below give these very numbers, if there are any.",
+    ))
+}
+
+/// Why a picture of `others`, scenes of this chapter, is not the right one.
+pub(crate) fn another(wanted: &Scene, others: &[Scene]) -> Cause {
+    let own = wanted.chapter.name();
+    let probes: Vec<&str> = others
+        .iter()
+        .filter_map(|scene| Some(scene.probe?.name))
+        .collect();
+    if others[0].chapter != wanted.chapter {
+        let other = others[0];
+        let by = match other.edition {
+            Edition::V4 => String::new(),
+            edition => format!(", by {edition}"),
+        };
+        return Cause::new(
+            "another-chapter",
+            format!(
+                "this is a picture of the chapter {}{by}, not of {own}",
+                other.chapter.name()
+            ),
+            format!("Look at it as what it is: {}", other.command()),
+        );
+    }
+    let (problem, fix) = match (wanted.probe, others[0].probe) {
+        (Some(probe), None) => (
+            format!(
+                "this is the picture of the chapter itself, {own}: the change for the probe {} is not in it",
+                probe.name
+            ),
+            format!(
+                "Change your program to\n  {}\nand then: {}",
+                wanted.change(probe.width).replace('\n', "\n  "),
+                wanted.command()
+            ),
+        ),
+        (wanted, _) => (
+            format!(
+                "this is the picture of the probe {}, not of {}",
+                probes.join(" or "),
+                wanted.map_or("the chapter itself", |wanted| wanted.name)
+            ),
+            format!(
+                "Is the change still in your program? As what it is, it is right: {}",
+                others[0].command()
+            ),
+        ),
+    };
+    Cause::new("another-scene", problem, fix)
+}

@@ -1,0 +1,205 @@
+//! Explanations: what may have drawn a picture, a file for each kind, and how long each is.
+//!
+//! The length of an explanation is the bits that name it and its numbers, and the bits of
+//! the picture that it leaves unexplained ([`bits`](crate::bits)). What each name costs
+//! stands where it is given, with its reason: a bit more is half as likely.
+
+mod antialiased;
+mod colors;
+mod curve;
+mod places;
+mod right;
+mod slips;
+mod spheres;
+mod turned;
+
+use std::hash::{DefaultHasher, Hasher};
+
+use ::slips::{Output, Slip};
+
+use crate::bits::{Left, Pixel, distance};
+use crate::reading::Reading;
+use crate::scene::Scene;
+
+pub(crate) use antialiased::antialiased;
+pub(crate) use colors::{chosen, in_colors};
+pub use curve::Curve;
+pub(crate) use curve::on_a_curve;
+pub(crate) use places::{Places, spread};
+pub(crate) use right::right;
+pub(crate) use slips::{TWO, single, two};
+pub(crate) use spheres::own_spheres;
+pub(crate) use turned::turned;
+
+/// All that is known of what a reader did. Laws, warnings and sources may join the picture.
+pub(crate) struct Evidence<'a> {
+    /// The scene that the picture is meant to show; the chapter's own instead of a probe
+    /// that is about another width.
+    pub(crate) scene: Scene,
+    /// The picture.
+    pub(crate) reading: &'a Reading,
+    /// Whether it has numbers that are none.
+    pub(crate) has_no_levels: bool,
+}
+
+impl<'a> Evidence<'a> {
+    pub(crate) fn new(scene: &Scene, reading: &'a Reading) -> Self {
+        let is_about_another_width = scene
+            .probe
+            .is_some_and(|probe| probe.spheres.is_none() && probe.width != reading.width);
+        Self {
+            scene: match is_about_another_width {
+                true => scene.without_probe(),
+                false => *scene,
+            },
+            reading,
+            has_no_levels: reading.outside().is_some(),
+        }
+    }
+}
+
+/// A program that may have drawn a picture, before that is measured.
+#[derive(Clone)]
+pub(crate) struct Hypothesis {
+    /// The scene, with what the reader chose.
+    pub(crate) scene: Scene,
+    /// The slips that were made.
+    pub(crate) slips: Vec<&'static Slip>,
+    /// What becomes of numbers that are no levels.
+    pub(crate) conversion: Conversion,
+    /// Bits of its name.
+    pub(crate) name: f64,
+}
+
+/// What becomes of a number that is no level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Conversion {
+    /// It is printed, as C++ does.
+    Printed,
+    /// It stops at 0 or 255, as in Rust.
+    Clamped,
+    /// Its lowest eight bits are kept, as a cast to a byte does in C.
+    Wrapped,
+}
+
+impl Conversion {
+    pub(crate) fn apply(self, level: i32) -> i16 {
+        match self {
+            Self::Printed => level.clamp(i16::MIN.into(), i16::MAX.into()) as i16,
+            Self::Clamped => level.clamp(0, 255) as i16,
+            Self::Wrapped => i16::from(level as u8),
+        }
+    }
+}
+
+/// A program that may have drawn a picture, and how well it tells it.
+#[derive(Clone, Debug)]
+pub struct Explanation {
+    /// The scene, with what the reader chose.
+    pub scene: Scene,
+    /// The slips that were made: none, one or two.
+    pub slips: Vec<&'static Slip>,
+    /// What becomes of numbers that are no levels.
+    pub conversion: Conversion,
+    /// What else was done to the picture, and is no mistake.
+    pub but: Vec<But>,
+    /// What was done to the picture, where nobody knows which line of a program does it.
+    pub seen: Option<String>,
+    /// Bits of its name.
+    pub name: f64,
+    /// What it leaves.
+    pub left: Left,
+    /// Explanations of the same picture have the same mark.
+    pub mark: u64,
+}
+
+/// What a picture has that the book's does not have, and what is no mistake.
+#[derive(Clone, Debug, PartialEq)]
+pub enum But {
+    /// Each pixel is the mean of several rays.
+    Antialiased {
+        /// About how many, if there are edges enough to tell.
+        samples: Option<f64>,
+    },
+    /// All levels went through the same curve, as gamma correction does it.
+    Curve(Curve),
+}
+
+impl Explanation {
+    /// Its length in bits.
+    pub fn bits(&self) -> f64 {
+        self.name + self.left.bits
+    }
+}
+
+impl Hypothesis {
+    /// What the program prints, if its picture has the reader's size.
+    pub(crate) fn output(&self, reading: &Reading) -> Option<Output> {
+        let program = self.scene.program(&self.slips);
+        let size = (reading.width, reading.height);
+        // A header may swap the two, and then the width that was asked for
+        // stands where the height should.
+        let mut outputs = [size.0, size.1].map(|asked| program.run(asked)).into_iter();
+        outputs.find(|output| output.size() == size)
+    }
+
+    /// Its whole picture.
+    pub(crate) fn drawn(&self, reading: &Reading) -> Option<Vec<Pixel>> {
+        let output = self.output(reading)?;
+        Some(self.pixels(&output).collect())
+    }
+
+    fn pixels(&self, output: &Output) -> impl Iterator<Item = Pixel> {
+        let conversion = self.conversion;
+        let levels = output.pixels();
+        levels.map(move |pixel| pixel.map(|level| conversion.apply(level)))
+    }
+
+    /// How long it is, by all pixels.
+    pub(crate) fn measured(&self, reading: &Reading) -> Option<Explanation> {
+        Some(self.explaining(reading, &self.drawn(reading)?))
+    }
+
+    /// The same where it has been drawn.
+    pub(crate) fn explaining(&self, reading: &Reading, drawn: &[Pixel]) -> Explanation {
+        let mut hasher = DefaultHasher::new();
+        for &[red, green, blue] in drawn {
+            let [red, green, blue] = [red, green, blue].map(|level| u64::from(level as u16));
+            hasher.write_u64(red << 32 | green << 16 | blue);
+        }
+        Explanation {
+            scene: self.scene,
+            slips: self.slips.clone(),
+            conversion: self.conversion,
+            but: Vec::new(),
+            seen: None,
+            name: self.name,
+            left: Left::of(reading, drawn),
+            mark: hasher.finish(),
+        }
+    }
+
+    /// About how long it is, from some places; `None` if that is more than `most`.
+    pub(crate) fn estimated(&self, reading: &Reading, places: &Places, most: f64) -> Option<f64> {
+        let output = self.output(reading)?;
+        let mut bits = self.name;
+        for (n, pixels) in places.iter() {
+            let drawn = output.pixel(n).map(|level| self.conversion.apply(level));
+            bits += pixels * estimate(drawn, reading.pixels[n as usize]);
+            if bits > most {
+                return None;
+            }
+        }
+        Some(bits)
+    }
+}
+
+/// About how many bits a pixel costs to one who expects another: that chooses what is
+/// measured, and decides nothing.
+pub(crate) fn estimate(drawn: Pixel, found: Pixel) -> f64 {
+    match distance(drawn, found) {
+        0 => 0.0,
+        1 => 2.0,
+        off => 6.0 + f64::from(off).log2(),
+    }
+}

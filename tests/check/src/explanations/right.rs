@@ -1,0 +1,78 @@
+//! Right, by an edition: the scene itself, another of the same chapter, or of another.
+
+use ::slips::{Chapter, Edition, PROBES};
+
+use super::{Conversion, Evidence, Hypothesis};
+use crate::scene::Scene;
+
+/// Most pictures are right, by the edition that the reader was led to by these pages.
+const ITSELF: f64 = 1.0;
+/// The chapter's own scene where a probe was asked for: the change was forgotten.
+const FORGOTTEN: f64 = 4.0;
+/// The scene of a probe: the change is still there. More than a slip, which is told with
+/// the probes that draw the same.
+const STILL_THERE: f64 = 9.0;
+/// The picture of another chapter: the wrong file.
+const ANOTHER_CHAPTER: f64 = 10.0;
+
+/// What an edition costs beside version 4.
+pub(super) fn edition(edition: Edition) -> f64 {
+    match edition {
+        Edition::V4 => 0.0,
+        Edition::V3 => 3.0,
+        Edition::V3_0 | Edition::V1 | Edition::V1InDouble => 4.0,
+        // It lasted for two weeks.
+        Edition::V3_1_0 => 7.0,
+    }
+}
+
+/// A shape that the reader chose: as much as the slip that gives one, so both are told.
+pub(super) fn shape(scene: &Scene) -> f64 {
+    match scene.has_another_shape() {
+        true => 7.0,
+        false => 0.0,
+    }
+}
+
+/// Right pictures.
+pub(crate) fn right(evidence: &Evidence) -> Vec<Hypothesis> {
+    let own = evidence.scene;
+    let probes = PROBES.iter().filter(|probe| probe.spheres.is_some());
+    let scenes = [(None, FORGOTTEN)]
+        .into_iter()
+        .chain(probes.map(|&probe| (Some(probe), STILL_THERE)))
+        .filter(|(probe, _)| *probe != own.probe)
+        .filter_map(|(probe, name)| Some((Scene::new(own.chapter, probe)?, name)));
+    let chapters = Chapter::OF_THE_BOOK
+        .into_iter()
+        .filter(|&chapter| chapter != own.chapter)
+        .map(|chapter| (own.of_chapter(chapter), ANOTHER_CHAPTER));
+    let others = scenes.chain(chapters).flat_map(|(scene, name)| {
+        let by_editions = by_editions(evidence, scene, name);
+        by_editions
+            .into_iter()
+            .filter(|it| !it.scene.has_another_shape())
+    });
+    by_editions(evidence, own, ITSELF)
+        .into_iter()
+        .chain(others)
+        .collect()
+}
+
+/// The scene by each edition that will do.
+pub(super) fn by_editions(evidence: &Evidence, scene: Scene, name: f64) -> Vec<Hypothesis> {
+    let reading = evidence.reading;
+    let conversion = match evidence.has_no_levels {
+        true => Conversion::Printed,
+        false => Conversion::Clamped,
+    };
+    scene
+        .by_editions(reading.width, reading.height)
+        .map(|scene| Hypothesis {
+            scene,
+            slips: Vec::new(),
+            conversion,
+            name: name + edition(scene.edition) + shape(&scene),
+        })
+        .collect()
+}

@@ -1,0 +1,75 @@
+//! A slip, or two that were made together.
+
+use super::right::{by_editions, shape};
+use super::{Conversion, Evidence, Hypothesis};
+
+/// One of some hundred slips, where one program in two has one.
+const ONE: f64 = 8.0;
+/// Two slips are twice as much, and a little more: whoever made one looks for it.
+pub(crate) const TWO: f64 = 18.0;
+/// The formula of the neighboring chapter in its place.
+const OTHER_FORMULA: f64 = 4.0;
+/// A cast to a byte, as few programs have it.
+const WRAPPED: f64 = 4.0;
+
+/// Programs with one slip.
+pub(crate) fn single(evidence: &Evidence) -> Vec<Hypothesis> {
+    let scenes = scenes(evidence);
+    let other_formula = scenes.iter().filter_map(|it| {
+        Some(Hypothesis {
+            scene: it.scene.with_the_other_formula()?,
+            name: it.name + OTHER_FORMULA,
+            ..it.clone()
+        })
+    });
+    let wrapped = scenes.first().filter(|_| !evidence.has_no_levels);
+    let wrapped = wrapped.map(|it| Hypothesis {
+        conversion: Conversion::Wrapped,
+        name: it.name + WRAPPED,
+        ..it.clone()
+    });
+    let all: Vec<Hypothesis> = other_formula.chain(wrapped).collect();
+    let all = scenes.into_iter().chain(all);
+    all.flat_map(|right| with_a_slip(&right, ONE)).collect()
+}
+
+/// The right program with each slip that can be made in it.
+pub(super) fn with_a_slip(right: &Hypothesis, name: f64) -> Vec<Hypothesis> {
+    let with = |slip| Hypothesis {
+        slips: vec![slip],
+        name: right.name + name,
+        ..right.clone()
+    };
+    right.scene.slips().map(with).collect()
+}
+
+/// Programs with two slips.
+pub(crate) fn two(evidence: &Evidence) -> impl Iterator<Item = Hypothesis> {
+    scenes(evidence).into_iter().flat_map(|right| {
+        let slips: Vec<_> = right.scene.slips().collect();
+        let pairs: Vec<_> = (0..slips.len())
+            .flat_map(|n| slips[n + 1..].iter().map(move |&other| (n, other)))
+            .map(|(n, other)| vec![slips[n], other])
+            .collect();
+        pairs.into_iter().map(move |slips| Hypothesis {
+            slips,
+            name: right.name + TWO,
+            ..right.clone()
+        })
+    })
+}
+
+/// The scene by each edition, in the chapter's own shape too where the picture has another.
+fn scenes(evidence: &Evidence) -> Vec<Hypothesis> {
+    let mut scenes = by_editions(evidence, evidence.scene, 0.0);
+    let own_shape = scenes.iter().filter(|it| it.scene.has_another_shape());
+    // A slip may give the shape.
+    let own_shape = own_shape.map(|it| Hypothesis {
+        scene: it.scene.in_own_shape(),
+        name: it.name - shape(&it.scene),
+        ..it.clone()
+    });
+    let own_shape: Vec<Hypothesis> = own_shape.collect();
+    scenes.extend(own_shape);
+    scenes
+}

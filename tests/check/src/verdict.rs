@@ -1,0 +1,443 @@
+//! The verdict on a picture: right, wrong, or no picture, with what explains it.
+
+use std::cmp::Reverse;
+
+use common::rtweekend::Picture;
+use slips::Slip;
+
+use crate::bits::Left;
+use crate::comparison::{Comparison, Difference};
+use crate::explanations::{But, Conversion, Evidence, Explanation};
+use crate::judge::{Judgement, is_same, shortest};
+use crate::reading::{self, Cause, Reading};
+use crate::scene::Scene;
+use crate::telling::{self, Telling};
+use crate::{causes, seen};
+
+/// What there is to say about a picture.
+#[derive(Debug)]
+pub enum Check {
+    /// It is right.
+    Right(Right),
+    /// It is right but for something that is no mistake.
+    Near(Finding),
+    /// It is a picture, and not the right one.
+    Wrong(Finding),
+    /// It is right, but of another scene: a change was forgotten, or is still there, or
+    /// it is another chapter's.
+    Another {
+        /// Which one it is, and how to go on.
+        cause: Cause,
+        /// The scenes that it shows: several if their right pictures are the same.
+        scenes: Vec<Scene>,
+    },
+    /// It is a picture of another shape than the scene's.
+    WrongShape {
+        /// The shape that it should have, and what gives this one.
+        cause: Cause,
+        /// What its pixels tell, unless there are more than [`MOST_MISSHAPEN`].
+        finding: Option<Box<Finding>>,
+    },
+    /// It is no picture, or not a valid one.
+    NotAPicture {
+        /// Why.
+        cause: Cause,
+        /// What its pixels tell, if there are any.
+        finding: Option<Box<Finding>>,
+    },
+}
+
+/// A right picture.
+#[derive(Clone, Debug)]
+pub struct Right {
+    /// The scene, by the edition of the book that draws this picture.
+    pub scene: Scene,
+    /// Pixels in a row.
+    pub width: u32,
+    /// Number of rows.
+    pub height: u32,
+    /// How many pixels are off at all; 0 means equal to the last bit.
+    pub off: usize,
+    /// The farthest that a component is off, in levels; no more than was
+    /// tolerated.
+    pub levels: u8,
+    /// Slips that give it its shape, if that is not the chapter's: it may have been a
+    /// choice, or one of these.
+    pub shape_given_by: Vec<&'static Slip>,
+}
+
+/// What explains a picture that is not right to the last bit.
+#[derive(Debug)]
+pub struct Finding {
+    /// The scene that it shows, by the edition that explains most.
+    pub scene: Scene,
+    /// The right picture of that scene in the same size.
+    pub right: Picture,
+    /// The reader's, as a viewer shows it.
+    pub yours: Picture,
+    /// Where the two differ; `None` if only the shape is wrong, or only numbers
+    /// that are no levels.
+    pub difference: Option<Difference>,
+    /// The farthest that a component is off, in levels.
+    pub levels: u8,
+    /// What it is if it is right but for something that is no mistake.
+    pub near: Option<Near>,
+    /// Mistakes that explain it, best first.
+    pub sets: Vec<Set>,
+    /// What can be seen, where nothing known explains it.
+    pub sights: Vec<String>,
+    /// By how many bits that is shorter than any other explanation: with 10 it is a
+    /// thousand times as likely.
+    pub lead: f64,
+    /// Probes of which it is the right picture, as wide as it has to be, though one
+    /// mistake draws it as well.
+    pub others: Vec<Scene>,
+}
+
+/// A picture that is right, but for something that is no mistake.
+#[derive(Clone, Debug)]
+pub struct Near {
+    /// The scene, with what the reader chose.
+    pub scene: Scene,
+    /// What else is not the book's.
+    pub but: Vec<But>,
+    /// The pixels that are not explained.
+    pub left: Left,
+}
+
+/// Mistakes that draw the same picture.
+#[derive(Clone, Debug)]
+pub struct Set {
+    /// The scene that they were made in.
+    pub scene: Scene,
+    /// One slip each, or two that were made together; those that more people
+    /// reported come first.
+    pub mistakes: Vec<Vec<&'static Slip>>,
+    /// What becomes of numbers that are no levels.
+    pub conversion: Conversion,
+    /// What the picture has besides, and what is no mistake.
+    pub but: Vec<But>,
+    /// The pixels that they leave unexplained.
+    pub left: Left,
+    /// Their length in bits.
+    pub bits: f64,
+    /// A small change of scene that tells them apart, if there is one.
+    pub telling: Option<Telling>,
+}
+
+/// Explanations that are no more than three bits longer are told together: they are one
+/// in eight as likely.
+const TOGETHER: f64 = 3.0;
+
+/// Compares the picture in `bytes` with the scene's, by each edition of the book that
+/// will do, and accepts components that are at most `tolerance` levels off.
+pub fn check(scene: &Scene, bytes: &[u8], tolerance: u8) -> Check {
+    match reading::read(bytes) {
+        Ok(reading) => judge(scene, &reading, tolerance),
+        Err(cause) => Check::NotAPicture {
+            cause,
+            finding: None,
+        },
+    }
+}
+
+/// The most pixels of a picture of a wrong shape that are looked at. Its shape tells
+/// more than its pixels do, and to draw the right one in a shape that nobody wants may
+/// take long.
+pub const MOST_MISSHAPEN: u64 = 1 << 20;
+
+/// The same of a picture that was read.
+pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8) -> Check {
+    let (width, height) = (reading.width, reading.height);
+    let another_width = causes::not_as_wide(scene, reading);
+    let may_be_right = another_width.is_none();
+    let shape = another_width.or_else(|| causes::wrong_shape(scene, width, height));
+    if shape.is_none()
+        && let Some(cause) = causes::no_levels(reading)
+    {
+        let finding = match Finding::of(scene, reading) {
+            Answer::Of(finding) => finding,
+            Answer::Another(_) => {
+                return Check::NotAPicture {
+                    cause,
+                    finding: None,
+                };
+            }
+        };
+        return Check::NotAPicture {
+            cause,
+            finding: Some(finding),
+        };
+    }
+    if may_be_right
+        && let Some(right) = Right::of(scene, reading, tolerance)
+        && (shape.is_none() || causes::is_a_shape_to_choose(width, height))
+    {
+        let shape_given_by = match shape {
+            Some(_) => causes::slips_giving(scene, width, height),
+            None => Vec::new(),
+        };
+        return Check::Right(Right {
+            shape_given_by,
+            ..right
+        });
+    }
+    let size = u64::from(width) * u64::from(height);
+    let has_own_shape = scene.without_probe().height(width) == height;
+    match shape {
+        Some(cause) if size > MOST_MISSHAPEN && !has_own_shape => Check::WrongShape {
+            cause,
+            finding: None,
+        },
+        shape => match (Finding::of(scene, reading), shape) {
+            (Answer::Another(scenes), _) => Check::Another {
+                cause: causes::another(scene, &scenes),
+                scenes,
+            },
+            (Answer::Of(finding), _) if finding.near.is_some() => Check::Near(*finding),
+            (Answer::Of(finding), None) => Check::Wrong(*finding),
+            (Answer::Of(finding), Some(cause)) => Check::WrongShape {
+                cause,
+                finding: Some(finding),
+            },
+        },
+    }
+}
+
+/// What the shortest explanation says.
+enum Answer {
+    /// It is a picture of these scenes.
+    Another(Vec<Scene>),
+    /// It is a picture of the scene, or of nothing that is known.
+    Of(Box<Finding>),
+}
+
+impl Finding {
+    /// What the shortest explanation of the picture says.
+    fn of(scene: &Scene, reading: &Reading) -> Answer {
+        let evidence = Evidence::new(scene, reading);
+        let judgement = shortest(&evidence);
+        let is_known = judgement.found[0].bits() < judgement.unknown;
+        let best = &judgement.found[0];
+        let is_right = best.slips.is_empty() && best.seen.is_none();
+        if is_known && is_right && !is_same(&best.scene, scene) {
+            return Answer::Another(judgement.scenes_like(best));
+        }
+        let explaining = match is_known {
+            true => best,
+            false => judgement.nearest(&evidence.scene),
+        };
+        let compared = explaining.scene.without_choices();
+        let right = compared.right(reading.width, reading.height);
+        let yours = reading.picture();
+        let difference = match Comparison::of(&right, &yours) {
+            Comparison::Pixels(difference) => Some(difference),
+            _ => None,
+        };
+        let sights = match (is_known, &best.seen) {
+            (true, Some(seen)) => vec![seen.clone()],
+            (true, None) => Vec::new(),
+            (false, _) => seen::sights(&compared, reading),
+        };
+        let others = judgement.scenes_like(best).into_iter();
+        let is_a_probe = |it: &Scene| {
+            let is_as_wide = it.probe.is_some_and(|probe| probe.width == reading.width);
+            is_as_wide && !is_same(it, scene)
+        };
+        Answer::Of(Box::new(Self {
+            scene: compared,
+            right,
+            yours,
+            levels: difference
+                .as_ref()
+                .map_or(0, |difference| difference.levels),
+            difference,
+            near: (is_known && is_right).then(|| Near {
+                scene: best.scene,
+                but: best.but.clone(),
+                left: best.left,
+            }),
+            sets: match is_known {
+                true => sets(&judgement),
+                false => Vec::new(),
+            },
+            sights,
+            lead: judgement.lead(),
+            others: others.filter(is_a_probe).collect(),
+        }))
+    }
+}
+
+impl Finding {
+    /// What it is instead of the book's picture, after "right, but".
+    pub fn but(&self) -> String {
+        let pixels = self.right.rgb().len() / 3;
+        let near = self.near.as_ref();
+        near.map_or(String::new(), |near| near.told(pixels))
+    }
+
+    /// Whether one mistake alone draws the picture, to the last bit.
+    pub fn is_certain(&self) -> bool {
+        let draws_it = |set: &Set| set.is_exact() && set.mistakes[0].len() == 1;
+        self.sets.first().is_some_and(draws_it)
+    }
+}
+
+impl Judgement {
+    /// The scene itself, by the edition that leaves least.
+    fn nearest(&self, scene: &Scene) -> &Explanation {
+        let mut plain = self
+            .found
+            .iter()
+            .filter(|it| it.slips.is_empty() && it.seen.is_none() && is_same(&it.scene, scene));
+        plain.next().expect("the scene itself was measured")
+    }
+
+    /// Scenes of the same chapter whose right picture it is as well.
+    fn scenes_like(&self, best: &Explanation) -> Vec<Scene> {
+        let mut scenes: Vec<Scene> = Vec::new();
+        for it in &self.found {
+            let is_like = it.mark == best.mark
+                && it.slips.is_empty()
+                && it.scene.chapter == best.scene.chapter;
+            if is_like && !scenes.iter().any(|scene| is_same(scene, &it.scene)) {
+                scenes.push(it.scene);
+            }
+        }
+        scenes
+    }
+
+    /// How many bits the shortest is shorter than any that tells another picture.
+    fn lead(&self) -> f64 {
+        let best = &self.found[0];
+        let mut others = self.found.iter().filter(|it| it.mark != best.mark);
+        let other = others.next().map_or(f64::INFINITY, Explanation::bits);
+        match best.bits() < self.unknown {
+            true => other.min(self.unknown) - best.bits(),
+            false => best.bits() - self.unknown,
+        }
+    }
+}
+
+/// The sets of slips that are told.
+fn sets(judgement: &Judgement) -> Vec<Set> {
+    let shortest = judgement.found[0].bits();
+    let told = judgement.found.iter();
+    let told = told.take_while(|it| it.bits() <= shortest + TOGETHER);
+    let mut sets: Vec<(u64, Set)> = Vec::new();
+    for it in told.filter(|it| !it.slips.is_empty()) {
+        match sets.iter_mut().find(|(mark, _)| *mark == it.mark) {
+            Some((_, set)) => {
+                let is_new = set.mistakes.iter().all(|other| !are_same(other, &it.slips));
+                set.mistakes.extend(is_new.then(|| it.slips.clone()));
+            }
+            None => sets.push((
+                it.mark,
+                Set {
+                    scene: it.scene,
+                    mistakes: vec![it.slips.clone()],
+                    conversion: it.conversion,
+                    but: it.but.clone(),
+                    left: it.left,
+                    bits: it.bits(),
+                    telling: None,
+                },
+            )),
+        }
+    }
+    let mut sets: Vec<Set> = sets.into_iter().map(|(_, set)| set).collect();
+    for set in &mut sets {
+        let reports = |mistake: &Vec<&Slip>| mistake.iter().map(|slip| slip.reports()).sum();
+        set.mistakes
+            .sort_by_key(|mistake| Reverse::<usize>(reports(mistake)));
+        set.telling = telling::apart(&set.scene, &set.mistakes);
+    }
+    sets
+}
+
+fn are_same(one: &[&Slip], other: &[&Slip]) -> bool {
+    let names = |slips: &[&Slip]| slips.iter().map(|slip| slip.name).collect::<Vec<_>>();
+    names(one) == names(other)
+}
+
+impl Set {
+    /// Whether every pixel is explained to the last bit.
+    pub fn is_exact(&self) -> bool {
+        self.left.is_nothing() && self.but.is_empty()
+    }
+}
+
+impl Right {
+    /// The first edition that draws the picture to the last bit, or else the first that
+    /// draws it within the tolerance.
+    fn of(scene: &Scene, reading: &Reading, tolerance: u8) -> Option<Self> {
+        let within = |tolerance| {
+            let (width, height) = (reading.width, reading.height);
+            scene
+                .by_editions(width, height)
+                .filter(|scene| scene.may_be_shown_by(reading, tolerance))
+                .find_map(|scene| {
+                    let (off, levels) =
+                        match Comparison::of(&scene.right(width, height), &reading.picture()) {
+                            Comparison::Pixels(difference) => (difference.count, difference.levels),
+                            _ => (0, 0),
+                        };
+                    (levels <= tolerance).then_some(Self {
+                        scene,
+                        width,
+                        height,
+                        off,
+                        levels,
+                        shape_given_by: Vec::new(),
+                    })
+                })
+        };
+        within(0).or_else(|| within(tolerance))
+    }
+}
+
+impl Check {
+    /// The exit code: 0 for right, 1 for wrong, 2 for not a picture. Right is what an
+    /// edition of the book draws, to the last bit or within the tolerance, in a shape that
+    /// no slip gives.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Right(right) if right.shape_given_by.is_empty() => 0,
+            Self::Right(_)
+            | Self::Near(_)
+            | Self::Wrong(_)
+            | Self::WrongShape { .. }
+            | Self::Another { .. } => 1,
+            Self::NotAPicture { .. } => 2,
+        }
+    }
+
+    /// Why it is not the picture that was asked for, where that is no matter of pixels.
+    pub fn cause(&self) -> Option<&Cause> {
+        match self {
+            Self::Another { cause, .. }
+            | Self::WrongShape { cause, .. }
+            | Self::NotAPicture { cause, .. } => Some(cause),
+            Self::Right(_) | Self::Near(_) | Self::Wrong(_) => None,
+        }
+    }
+
+    /// Other scenes of which it is the right picture.
+    pub fn others(&self) -> &[Scene] {
+        match self {
+            Self::Another { scenes, .. } => scenes,
+            other => other.finding().map_or(&[], |finding| &finding.others),
+        }
+    }
+
+    /// What is to be seen, if there are pixels to judge and they are not right.
+    pub fn finding(&self) -> Option<&Finding> {
+        match self {
+            Self::Right(_) | Self::Another { .. } => None,
+            Self::Near(finding) | Self::Wrong(finding) => Some(finding),
+            Self::WrongShape { finding, .. } | Self::NotAPicture { finding, .. } => {
+                finding.as_deref()
+            }
+        }
+    }
+}
