@@ -86,25 +86,6 @@ fn choose(theme: &str, browser: &mut Browser) {
     browser.evaluate(NEXT_FRAME);
 }
 
-#[test]
-#[ignore = "drives browsers"]
-fn the_search_finds_the_discriminant() {
-    each_browser(|browser| {
-        browser.open(&woven().join("index.html"), "?search=discriminant");
-        let found = browser.evaluate(
-            "new Promise((resolve) => {
-                const look = () => {
-                    const links = [...document.querySelectorAll('#mdbook-searchresults a')];
-                    links.some((link) => link.href.includes('red_sphere')) ? resolve(true) : setTimeout(look, 20);
-                };
-                look();
-                setTimeout(() => resolve(false), 10000);
-            })",
-        );
-        assert_eq!(found, true, "nothing in red_sphere.html is found");
-    });
-}
-
 /// Only in Chromium: a Firefox that nobody looks at shows no focus.
 #[test]
 #[ignore = "drives a browser"]
@@ -128,21 +109,6 @@ fn an_answer_opens_by_keyboard_and_shows_where_the_keyboard_is() {
         assert_eq!(browser.evaluate(is_open), false);
         browser.press(&[enter]);
         assert_eq!(browser.evaluate(is_open), true);
-    });
-}
-
-#[test]
-#[ignore = "drives browsers"]
-fn figures_take_on_the_theme_of_the_page() {
-    each_browser(|browser| {
-        browser.open(&woven().join("gradient.html"), "");
-        let color = "getComputedStyle(document.querySelector('figure svg .ray')).color";
-        let [light, dark] = ["light", "navy"].map(|theme| {
-            choose(theme, browser);
-            browser.evaluate(color)
-        });
-        choose("default_theme", browser);
-        assert!(light.is_string() && light != dark, "{light} and {dark}");
     });
 }
 

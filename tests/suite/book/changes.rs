@@ -13,7 +13,7 @@ use slips::Chapter;
 
 use crate::book::{WORKSPACE, folder_of};
 use suite::command::names_in;
-use suite::drawn::SamePixels;
+use suite::drawn::{SamePixels, shown_in};
 use suite::left_out::left_out;
 
 const NOTES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/changes");
@@ -37,10 +37,7 @@ fn assert_changes(before: Chapter, after: Chapter) {
     let shown = Path::new(NOTES).join(name).with_extension("snap");
     let shown = fs::read_to_string(shown).unwrap_or_default();
     let in_other_words = shown.contains(&sentence) && !shown.contains(&text);
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(NOTES);
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
+    let mut settings = shown_in("changes");
     if in_other_words && env::var_os("INSTA_UPDATE").is_none() {
         left_out(&format!(
             "`{name}` or the chapter before it is typed in other words than the book shows. To show \

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use figures::{CHARTS, Chart, Drawn, find_chart, standalone};
 use insta::assert_binary_snapshot;
+use suite::drawn::shown_in;
 
 const NOTES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes");
 
@@ -15,11 +16,7 @@ fn every_chart_is_its_snapshot() {
     );
     for chart in CHARTS {
         let drawn = from_notes(chart);
-        let mut settings = insta::Settings::clone_current();
-        settings.set_snapshot_path(format!("{NOTES}/charts"));
-        settings.set_prepend_module_to_snapshot(false);
-        settings.set_omit_expression(true);
-        settings.bind(|| {
+        shown_in("charts").bind(|| {
             let (name, file) = (chart.name, standalone(&drawn.svg));
             assert_binary_snapshot!(&format!("{name}.svg"), file.into_bytes());
             assert_binary_snapshot!(&format!("{name}_table.md"), drawn.table.into_bytes());

@@ -12,6 +12,7 @@ use slips::Chapter;
 
 use crate::book::{WORKSPACE, folder_of};
 use suite::command::{assert_success, run, text};
+use suite::drawn::shown_in;
 use suite::left_out::left_out;
 use suite::mine::Mine;
 
@@ -93,11 +94,7 @@ fn the_pages_show_what_the_compiler_says() {
             assert_means_the_same(&shown, &said);
             continue;
         }
-        let mut settings = insta::Settings::clone_current();
-        settings.set_snapshot_path(FOLDER);
-        settings.set_prepend_module_to_snapshot(false);
-        settings.set_omit_expression(true);
-        settings.bind(|| assert_snapshot!(mistake.name, said));
+        shown_in("compiler").bind(|| assert_snapshot!(mistake.name, said));
     }
     if !is_the_version_shown() {
         left_out(&format!(

@@ -11,19 +11,6 @@ use slips::Chapter;
 use suite::slip;
 
 #[test]
-fn equation_5_holds_for_every_point_and_equation_6_on_the_sphere_only() {
-    let (center, radius) = (Point3::new(0.0, 0.0, -1.0), 0.5);
-    let on_it = Point3::new(0.0, 0.5, -1.0);
-    let elsewhere = Point3::new(3.0, -2.0, 7.0);
-    for point in [on_it, elsewhere] {
-        let [x, y, z] = (center - point).to_array();
-        let dot = (center - point).dot(center - point);
-        assert_eq!(dot, x * x + y * y + z * z);
-        assert_eq!(dot == radius * radius, point == on_it);
-    }
-}
-
-#[test]
 fn two_real_roots_may_both_lie_behind_the_ray() {
     let behind = Point3::new(0.0, 0.0, 1.0);
     let ahead = Ray::new(Point3::ZERO, Vec3::NEG_Z);
@@ -81,19 +68,6 @@ fn without_the_half_pixel_a_fifth_of_the_gradient_changes() {
     assert_eq!(differing_pixels(&right, &wrong).count(), 20_778);
     let mut levels = right.rgb().iter().zip(wrong.rgb());
     assert!(levels.all(|(r, w)| r.abs_diff(*w) <= 1));
-}
-
-#[test]
-fn three_vectors_dotted_by_three_vectors_are_nine_numbers() {
-    let terms = [
-        Vec3::new(1.0, 2.0, 3.0),
-        Vec3::new(-4.0, 5.0, 6.0),
-        Vec3::new(7.0, -8.0, 9.0),
-    ];
-    let nine = terms.iter().flat_map(|u| terms.iter().map(|v| u.dot(*v)));
-    let whole: Vec3 = terms.iter().sum();
-    assert_eq!(nine.clone().count(), 9);
-    assert_eq!(nine.sum::<f64>(), whole.dot(whole));
 }
 
 #[test]

@@ -9,19 +9,13 @@ use insta::assert_binary_snapshot;
 use roxmltree::{Document, Node};
 
 use crate::charts;
-
-/// The drawings, each as a file that can be looked at.
-const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/figures");
+use suite::drawn::shown_in;
 
 #[test]
 fn every_figure_is_its_snapshot() {
     println!("If you meant to change it: INSTA_UPDATE=always cargo test figure_is_its_snapshot");
     for figure in FIGURES {
-        let mut settings = insta::Settings::clone_current();
-        settings.set_snapshot_path(FOLDER);
-        settings.set_prepend_module_to_snapshot(false);
-        settings.set_omit_expression(true);
-        settings.bind(|| {
+        shown_in("figures").bind(|| {
             let file = standalone(&(figure.draw)());
             assert_binary_snapshot!(&format!("{}.svg", figure.name), file.into_bytes());
         });

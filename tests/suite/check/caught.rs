@@ -14,21 +14,15 @@ use laws::report::Report;
 use laws::trial::Outcome as Tried;
 use laws::{Case, Trial, WithInterval};
 use slips::{Ball, Chapter, PROBES, Probe, Program, Slip, Unseen};
+use suite::drawn::shown_in;
 use suite::parallel;
-
-/// The book shows the tables, so they stand where the book finds them.
-const NOTES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/slips");
 
 #[test]
 fn every_slip_is_caught_and_the_tables_say_by_what() {
     let outcomes = &*OUTCOMES;
     let complaints: String = outcomes.iter().filter_map(Outcome::complaint).collect();
     assert!(complaints.is_empty(), "\n{complaints}");
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(NOTES);
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| {
+    shown_in("slips").bind(|| {
         insta::assert_snapshot!("caught", tables::in_full(outcomes));
         insta::assert_snapshot!("caught_by", tables::at_a_glance(outcomes));
     });

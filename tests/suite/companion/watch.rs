@@ -14,6 +14,7 @@ use tempfile::TempDir;
 use crate::start::FULL;
 use crate::terminal::{self, hears_signals};
 use suite::command::{assert_refused, program, program_with, run, text};
+use suite::drawn::shown_in;
 use suite::left_out::left_out;
 use suite::mine::Mine;
 
@@ -299,16 +300,12 @@ impl Drop for Desk {
 
 /// Keeps a screen for the introduction, as it was on the day before the first one.
 fn keep(name: &str, screen: &str) {
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path("../../../book/notes/terminal");
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
     let screen: String = screen.lines().map(|line| undated(line) + "\n").collect();
     let svg = anstyle_svg::Term::new().render_svg(&screen);
     // The blocks of a picture are to meet, whatever the font.
     let wider = "<style>\n    [class^=bg-rgb] { stroke-width: 4px }";
     let svg = svg.replacen("<style>", wider, 1);
-    settings.bind(|| assert_binary_snapshot!(&format!("{name}.svg"), svg.into_bytes()));
+    shown_in("terminal").bind(|| assert_binary_snapshot!(&format!("{name}.svg"), svg.into_bytes()));
 }
 
 /// The line without what differs from run to run.

@@ -6,6 +6,8 @@ use std::array;
 use std::env;
 use std::thread;
 
+use suite::parallel;
+
 /// How many cases were tried, and the sums of what `tries` counted in so many of them.
 ///
 /// `name`_CASES in the environment says how many, 12 000 without, and `name`_SEED
@@ -21,16 +23,8 @@ pub(crate) fn run<const N: usize>(
     let seed = from_environment(&format!("{name}_SEED")).unwrap_or(1);
     let threads = thread::available_parallelism().map_or(1, usize::from) as u64;
     let share = cases / threads;
-    let tries = &tries;
-    let counts: Vec<[u64; N]> = thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads)
-            .map(|k| scope.spawn(move || tries(share as usize, &format!("{seed}/{k}"))))
-            .collect();
-        workers
-            .into_iter()
-            .map(|worker| worker.join().expect("no law is broken"))
-            .collect()
-    });
+    let workers: Vec<u64> = (0..threads).collect();
+    let counts = parallel::map(&workers, |k| tries(share as usize, &format!("{seed}/{k}")));
     (
         share * threads,
         array::from_fn(|k| counts.iter().map(|counts| counts[k]).sum()),

@@ -10,6 +10,7 @@ use figures::records::{Accuracy, Level, Timing};
 use figures::table::{Record, Table};
 use insta::assert_binary_snapshot;
 use measure::{accuracy, worst, wrong_pixels};
+use suite::drawn::shown_in;
 
 /// The book shows these files, so they stand where the book finds them.
 const MEASURED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/measured");
@@ -130,9 +131,6 @@ fn assert_measured<Row: Record>(name: &str, table: &Table<Row>) {
     println!(
         "If a method was meant to change: INSTA_UPDATE=always cargo test the_snapshot_holds::{name}"
     );
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(MEASURED);
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| assert_binary_snapshot!(&format!("{name}.csv"), text.into_bytes()));
+    shown_in("measured")
+        .bind(|| assert_binary_snapshot!(&format!("{name}.csv"), text.into_bytes()));
 }

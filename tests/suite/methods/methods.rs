@@ -377,12 +377,6 @@ mod the_certified_methods {
         stages
     }
 
-    fn is_certified(asked: &WithInterval) -> Verdict {
-        intervals::the_decision_is_exactly_right(&certified_hit, asked)?;
-        intervals::the_decision_is_exactly_right(&certified_t, asked)?;
-        intervals::t_is_within_ulps(&certified_t, asked, 1.0)
-    }
-
     /// Where no end of the interval is in the way, the proof promises more.
     #[test]
     fn round_to_less_than_eight_tenths_of_an_ulp() {
@@ -685,6 +679,13 @@ mod surprises {
 }
 
 const CASES: u32 = 4000;
+
+/// Both certified methods decide rightly, and `t` is right to an ulp.
+pub(crate) fn is_certified(asked: &WithInterval) -> Verdict {
+    intervals::the_decision_is_exactly_right(&certified_hit, asked)?;
+    intervals::the_decision_is_exactly_right(&certified_t, asked)?;
+    intervals::t_is_within_ulps(&certified_t, asked, 1.0)
+}
 
 /// Every law for a nearer root.
 fn obeys_the_laws(method: &Method, cases: &[Case]) {

@@ -6,10 +6,10 @@
 use common::rtweekend::*;
 use figures::records::Tightness;
 use figures::table::Table;
-use laws::intervals::{t_is_within_ulps, the_decision_is_exactly_right};
-use laws::verdict::Verdict;
 use laws::{Case, WithInterval};
 use speed_vs_accuracy::{Stage, certified_hit, certified_t, exact, stage_of_hit};
+
+use crate::methods::is_certified;
 
 #[test]
 fn the_certified_methods_answer_each_of_them_rightly() {
@@ -34,12 +34,6 @@ fn asked(row: &Tightness) -> WithInterval {
         t_min: row.t_min,
         t_max: row.t_max,
     }
-}
-
-fn is_certified(asked: &WithInterval) -> Verdict {
-    the_decision_is_exactly_right(&certified_hit, asked)?;
-    the_decision_is_exactly_right(&certified_t, asked)?;
-    t_is_within_ulps(&certified_t, asked, 1.0)
 }
 
 /// A tiny sphere, straight ahead and far away. If lengths had 126 digits, three squares
