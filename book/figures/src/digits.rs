@@ -50,10 +50,10 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     handles: &[
         Handle::new(&["exponent"], |it, to| it.exponent = exponent_at(to)),
         Handle::new(&["right", "up"], |it, to| {
-            [it.right, it.up] = SKIES[0].pixel_at(to).to_array()
+            [it.right, it.up] = SKIES[0].pixel_at(to).to_array();
         }),
         Handle::new(&["right", "up"], |it, to| {
-            [it.right, it.up] = SKIES[1].pixel_at(to).to_array()
+            [it.right, it.up] = SKIES[1].pixel_at(to).to_array();
         }),
     ],
     actions: &[

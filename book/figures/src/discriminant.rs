@@ -44,16 +44,16 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         out at the other side.",
     handles: &[
         Handle::new(&["c_x", "c_y"], |it, to| {
-            [it.c_x, it.c_y, _] = PLANE.place(to).to_array()
+            [it.c_x, it.c_y, _] = PLANE.place(to).to_array();
         }),
         Handle::new(&["radius"], |it, to| {
-            it.radius = (PLANE.place(to) - it.center()).length()
+            it.radius = (PLANE.place(to) - it.center()).length();
         }),
         Handle::new(&["d_x", "d_y"], |it, to| {
-            [it.d_x, it.d_y, _] = (PLANE.place(to) - it.ray().origin).to_array()
+            [it.d_x, it.d_y, _] = (PLANE.place(to) - it.ray().origin).to_array();
         }),
         Handle::new(&["q_x", "q_y"], |it, to| {
-            [it.q_x, it.q_y, _] = PLANE.place(to).to_array()
+            [it.q_x, it.q_y, _] = PLANE.place(to).to_array();
         }),
     ],
     actions: &[

@@ -73,21 +73,21 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     handles: &[
         Handle::new(&["doublings"], |it, to| it.doublings = doublings_at(to)),
         Handle::new(&["right", "up"], |it, to| {
-            [it.right, it.up] = cell_at(MIDDLES[0], to).to_array()
+            [it.right, it.up] = cell_at(MIDDLES[0], to).to_array();
         }),
         Handle::new(&["tangent_right", "tangent_up"], |it, to| {
-            [it.tangent_right, it.tangent_up] = cell_at(MIDDLES[1], to).to_array()
+            [it.tangent_right, it.tangent_up] = cell_at(MIDDLES[1], to).to_array();
         }),
     ],
     actions: &[
         Action::new("The whole ball", |it| {
-            [it.doublings, it.tangent_right, it.tangent_up] = [49.0, 6.0, 3.0]
+            [it.doublings, it.tangent_right, it.tangent_up] = [49.0, 6.0, 3.0];
         }),
         Action::new("16 times closer", |it| {
-            it.doublings = (it.doublings - 4.0).max(0.0)
+            it.doublings = (it.doublings - 4.0).max(0.0);
         }),
         Action::new("One ulp", |it| {
-            [it.doublings, it.tangent_right, it.tangent_up] = [0.0; 3]
+            [it.doublings, it.tangent_right, it.tangent_up] = [0.0; 3];
         }),
     ],
     answer,

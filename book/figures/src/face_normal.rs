@@ -36,10 +36,10 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         the sphere, and then to where the ray only grazes it.",
     handles: &[
         Handle::new(&["x", "y"], |it, to| {
-            [it.x, it.y, _] = PLANES[0].place(to).to_array()
+            [it.x, it.y, _] = PLANES[0].place(to).to_array();
         }),
         Handle::new(&["x", "y"], |it, to| {
-            [it.x, it.y, _] = PLANES[1].place(to).to_array()
+            [it.x, it.y, _] = PLANES[1].place(to).to_array();
         }),
     ],
     actions: &[

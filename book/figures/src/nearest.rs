@@ -49,23 +49,23 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         returns at the first hit? Drag them so that even that is right.",
     handles: &[
         Handle::new(&["x_1", "y_1"], |it, to| {
-            [it.x_1, it.y_1, _] = PLANE.place(to).to_array()
+            [it.x_1, it.y_1, _] = PLANE.place(to).to_array();
         }),
         Handle::new(&["x_2", "y_2"], |it, to| {
-            [it.x_2, it.y_2, _] = PLANE.place(to).to_array()
+            [it.x_2, it.y_2, _] = PLANE.place(to).to_array();
         }),
         Handle::new(&["x_3", "y_3"], |it, to| {
-            [it.x_3, it.y_3, _] = PLANE.place(to).to_array()
+            [it.x_3, it.y_3, _] = PLANE.place(to).to_array();
         }),
         Handle::new(&["d_x", "d_y"], |it, to| {
-            [it.d_x, it.d_y, _] = (PLANE.place(to) - it.ray().origin).to_array()
+            [it.d_x, it.d_y, _] = (PLANE.place(to) - it.ray().origin).to_array();
         }),
         Handle::new(&["q_x", "q_y"], |it, to| {
-            [it.q_x, it.q_y, _] = PLANE.place(to).to_array()
+            [it.q_x, it.q_y, _] = PLANE.place(to).to_array();
         }),
     ],
     actions: &[Action::new("Next turn", |it| {
-        it.turns = (it.turns + 1.0) % 4.0
+        it.turns = (it.turns + 1.0) % 4.0;
     })],
     answer,
 };
@@ -124,6 +124,7 @@ impl Parameters {
 }
 
 /// Who searches the list.
+#[expect(clippy::large_enum_variant, reason = "there is one at a time")]
 #[derive(Clone, Copy)]
 enum Search {
     /// The list of chapter 5.

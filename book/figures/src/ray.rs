@@ -37,7 +37,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         **P** back to where it was.",
     handles: &[
         Handle::new(&["a_x", "a_y"], |it, to| {
-            [it.a_x, it.a_y, _] = PLANE.place(to).to_array()
+            [it.a_x, it.a_y, _] = PLANE.place(to).to_array();
         }),
         Handle::new(&["b_x", "b_y"], |it, to| {
             let way = PLANE.place(to) - it.ray().origin;

@@ -76,7 +76,7 @@ const MISTAKES: [Mistake; 6] = [
 #[test]
 #[ignore = "builds chapters with mistakes in them"]
 fn the_pages_show_what_the_compiler_says() {
-    let mine = Mine::new();
+    let mine = Mine::empty();
     for mistake in &MISTAKES {
         let shown = Path::new(FOLDER).join(mistake.name).with_extension("snap");
         let shown = fs::read_to_string(shown).unwrap_or_default();

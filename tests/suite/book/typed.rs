@@ -40,7 +40,7 @@ fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
 #[test]
 #[ignore = "builds what the pages list"]
 fn the_crates_that_start_makes_have_the_files_and_the_names_of_the_pages() {
-    let mine = Mine::new();
+    let mine = Mine::empty();
     let typed = listed();
     for chapter in &Chapter::OF_THE_BOOK[1..] {
         assert_success(&run(&mut mine.start(chapter.name(), &[])));

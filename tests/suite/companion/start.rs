@@ -25,7 +25,7 @@ const TYPED: [&str; 5] = [
 #[test]
 #[ignore = "builds five crates of a reader"]
 fn every_chapter_can_be_typed_and_begins_with_the_one_before() {
-    let mine = Mine::new();
+    let mine = Mine::empty();
     type_all_chapters(&mine, &[]);
     // What was typed in chapter 1 is still what the sky is.
     let last = fs::read_to_string(mine.lib("hittable_list")).expect("the chapter");
@@ -39,12 +39,12 @@ fn every_chapter_can_be_typed_and_begins_with_the_one_before() {
 #[test]
 #[ignore = "builds five crates of a reader"]
 fn a_reader_may_type_the_prelude_as_well() {
-    type_all_chapters(&Mine::new(), &["--own-prelude"]);
+    type_all_chapters(&Mine::empty(), &["--own-prelude"]);
 }
 
 #[test]
 fn a_crate_is_made_once_and_nothing_that_was_typed_is_written_over() {
-    let mine = Mine::new();
+    let mine = Mine::empty();
     fs::create_dir(mine.path()).expect("a folder");
     fs::write(mine.path().join("file"), "").expect("a file");
     let said = transcript(&mut [
@@ -63,7 +63,7 @@ fn a_crate_is_made_once_and_nothing_that_was_typed_is_written_over() {
 
 #[test]
 fn what_cannot_be_read_is_not_carried_over_and_that_is_said() {
-    let mine = Mine::new();
+    let mine = Mine::empty();
     assert_success(&run(&mut mine.start("gradient", &[])));
     fs::write(mine.lib("gradient"), "pub fn ray_color(").expect("a file");
     let started = run(&mut mine.start("red_sphere", &[]));
@@ -90,7 +90,7 @@ fn what_cannot_be_read_is_not_carried_over_and_that_is_said() {
 
 #[test]
 fn from_anywhere_below_the_same_crates_are_meant() {
-    let mine = Mine::new();
+    let mine = Mine::empty();
     assert_success(&run(&mut mine.start("gradient", &[])));
     let inside = mine.path().join("gradient/src");
     for words in [&["start", "red_sphere"][..], &["done", "-b was b"]] {
@@ -145,7 +145,7 @@ fn the_list_of_done_things_has_what_came_out_right_once_and_the_readers_own_line
 #[ignore = "builds ten crates of a reader"]
 fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
     for prelude in [&[][..], &["--own-prelude"]] {
-        let mine = Mine::new();
+        let mine = Mine::empty();
         for chapter in TYPED {
             start_and_type(&mine, chapter, prelude);
         }
@@ -190,7 +190,7 @@ fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
 fn in_a_crate_inside_the_workspace_cargo_rtrace_is_the_same() {
     let mine = TempDir::new_in(env!("CARGO_TARGET_TMPDIR")).expect("a folder");
     let into = mine.path().to_str().expect("a name in UTF-8");
-    assert_success(&run(&mut Mine::new().start("normals", &["--into", into])));
+    assert_success(&run(&mut Mine::empty().start("normals", &["--into", into])));
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(["rtrace", "slips", "minus-h"]);
     let said = run(cargo.current_dir(mine.path().join("normals/src")));

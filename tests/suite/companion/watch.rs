@@ -22,7 +22,7 @@ use suite::mine::Mine;
 #[test]
 #[ignore = "builds a reader's crate a dozen times"]
 fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
-    let mine = Mine::new();
+    let mine = Mine::empty();
     run(&mut mine.start("red_sphere", &[]));
     let started = run(&mut mine.start("normals", &[]));
     keep("start", &text(&started.stdout));

@@ -33,8 +33,7 @@ impl View<'_> {
             None => "it hits nothing".to_owned(),
         };
         Some(format!(
-            "In column {i}, row {j} the ray has the direction ({x:.4}, {y:.4}, {z:.4}); with the first sphere a = {a:.4}, {} = {linear:.4}, c = {c:.4}, the discriminant is {discriminant:.4}, {hit}, and there should be {color}.",
-            name,
+            "In column {i}, row {j} the ray has the direction ({x:.4}, {y:.4}, {z:.4}); with the first sphere a = {a:.4}, {name} = {linear:.4}, c = {c:.4}, the discriminant is {discriminant:.4}, {hit}, and there should be {color}.",
         ))
     }
 }

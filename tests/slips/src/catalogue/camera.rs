@@ -169,7 +169,7 @@ pub(super) const SLIPS: &[Slip] = &[
         .alters(|p| match p.edition {
             Edition::V4 => put_first_pixel_on_axis(p),
             older if older.divides_the_viewport() => {
-                p.pixel_deltas = |_, u, v, _| [0.5 * u, 0.5 * v]
+                p.pixel_deltas = |_, u, v, _| [0.5 * u, 0.5 * v];
             }
             _ => {}
         }),
@@ -279,7 +279,7 @@ pub(super) const SLIPS: &[Slip] = &[
                   too many.",
         })
         .alters(|p| {
-            p.image_height = |width, aspect_ratio| ((width / aspect_ratio).round() as u32).max(1)
+            p.image_height = |width, aspect_ratio| ((width / aspect_ratio).round() as u32).max(1);
         }),
     slip("height-may-be-zero", RAYS, SIZE)
         .says(Words {
@@ -506,7 +506,7 @@ pub(super) const SLIPS: &[Slip] = &[
                   too blue.",
         })
         .alters(|p| {
-            p.blend = |program, direction| (program.sky_direction)(program, direction).y + 1.0
+            p.blend = |program, direction| (program.sky_direction)(program, direction).y + 1.0;
         }),
     slip("blend-without-brackets", RAYS, SKY)
         .says(Words {
@@ -516,7 +516,8 @@ pub(super) const SLIPS: &[Slip] = &[
                   the sky is too blue, below it as it should be above.",
         })
         .alters(|p| {
-            p.blend = |program, direction| 0.5 * (program.sky_direction)(program, direction).y + 1.0
+            p.blend =
+                |program, direction| 0.5 * (program.sky_direction)(program, direction).y + 1.0;
         }),
     slip("blend-along-x", RAYS, SKY)
         .says(Words {
@@ -526,7 +527,7 @@ pub(super) const SLIPS: &[Slip] = &[
         })
         .alters(|p| {
             p.blend =
-                |program, direction| 0.5 * ((program.sky_direction)(program, direction).x + 1.0)
+                |program, direction| 0.5 * ((program.sky_direction)(program, direction).x + 1.0);
         }),
     slip("blend-along-z", RAYS, SKY)
         .says(Words {
@@ -537,7 +538,7 @@ pub(super) const SLIPS: &[Slip] = &[
         })
         .alters(|p| {
             p.blend =
-                |program, direction| 0.5 * ((program.sky_direction)(program, direction).z + 1.0)
+                |program, direction| 0.5 * ((program.sky_direction)(program, direction).z + 1.0);
         }),
     slip("white-and-blue-swapped", RAYS, SKY)
         .says(Words {

@@ -84,7 +84,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A normal is the way from the center to the point, a difference.",
         })
         .alters(|p| {
-            p.outward = |program, point, ball| rescaled(program, point + ball.center, ball)
+            p.outward = |program, point, ball| rescaled(program, point + ball.center, ball);
         }),
     slip("center-after-unit", ROOTS, NORMAL)
         .says(Words {
@@ -190,7 +190,7 @@ pub(super) const SLIPS: &[Slip] = &[
                   places.",
         })
         .alters(|p| {
-            p.shade = |_, normal| 0.5 * (Vec3::new(normal.z, normal.y, normal.x) + Vec3::ONE)
+            p.shade = |_, normal| 0.5 * (Vec3::new(normal.z, normal.y, normal.x) + Vec3::ONE);
         }),
     slip("normal-in-gray", ROOTS, SHADE)
         .says(Words {
