@@ -321,7 +321,7 @@ fn colors_and_scale_of_ones_own_are_no_mistake() {
 #[test]
 fn several_rays_a_pixel_are_the_next_chapter_and_no_mistake() {
     for chapter in [Chapter::RedSphere, Chapter::Normals, Chapter::HittableList] {
-        for count in [10, 100] {
+        for count in [10, 50] {
             let near = near(chapter, &with_rays(&Program::right(chapter), count));
             let [
                 But::Antialiased {
