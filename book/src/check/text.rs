@@ -65,7 +65,7 @@ impl Style {
 pub(crate) fn text(judged: &Judged, report: Option<&Path>, style: Style) -> String {
     let mut text = headline(judged, style);
     if let Some(blind_spots) = &judged.blind_spots {
-        write!(text, "\n{}", blind_spots.told(&judged.scene)).expect("a string takes it");
+        write!(text, "\n{}", blind_spots.advice(&judged.scene)).expect("a string takes it");
     }
     match &judged.check {
         Check::Near(finding) => {

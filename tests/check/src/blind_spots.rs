@@ -153,7 +153,7 @@ fn levels(output: &Output, n: u32) -> [u8; 3] {
 impl BlindSpots {
     /// What there is to say after the right picture of `scene`: which picture shows
     /// which slips, and how to draw the next one.
-    pub fn told(&self, scene: &Scene) -> String {
+    pub fn advice(&self, scene: &Scene) -> String {
         let this = match scene.probe {
             None => "this picture",
             Some(_) => "the chapter's own picture and this one",

@@ -273,7 +273,7 @@ impl Finding {
     pub fn but(&self) -> String {
         let pixels = self.right.rgb().len() / 3;
         let near = self.near.as_ref();
-        near.map_or(String::new(), |near| near.told(pixels))
+        near.map_or(String::new(), |near| near.clause(pixels))
     }
 
     /// Whether one mistake alone draws the picture, to the last bit.

@@ -27,7 +27,7 @@ impl Set {
             }
             _ => "",
         };
-        let chosen = self.scene.chosen.told();
+        let chosen = self.scene.chosen.clause();
         let chosen = chosen.map_or(String::new(), |chosen| format!(", {chosen}"));
         format!("{who} {}{wrapped}{chosen}:", self.extent(pixels))
     }
@@ -71,15 +71,15 @@ impl Set {
 
 /// What was done to a picture besides.
 fn buts(but: &[But]) -> String {
-    let all: Vec<String> = but.iter().map(But::told).collect();
+    let all: Vec<String> = but.iter().map(But::clause).collect();
     all.join(", and ")
 }
 
 impl Near {
     /// What it is instead of the book's picture, after "right, but".
-    pub fn told(&self, pixels: usize) -> String {
-        let chosen = self.scene.chosen.told();
-        let buts = self.but.iter().map(But::told);
+    pub fn clause(&self, pixels: usize) -> String {
+        let chosen = self.scene.chosen.clause();
+        let buts = self.but.iter().map(But::clause);
         let left = self.is_for_pixels().then(|| left(&self.left, pixels));
         let all: Vec<String> = chosen.into_iter().chain(buts).chain(left).collect();
         all.join(", and ")
@@ -110,7 +110,7 @@ fn left(left: &Left, pixels: usize) -> String {
 
 impl Chosen {
     /// What the reader chose, if it is not the book's.
-    pub fn told(&self) -> Option<String> {
+    pub fn clause(&self) -> Option<String> {
         let all: Vec<String> = [self.colors(), self.places()]
             .into_iter()
             .flatten()
@@ -168,7 +168,7 @@ impl Chosen {
 }
 
 impl But {
-    fn told(&self) -> String {
+    fn clause(&self) -> String {
         match self {
             Self::Antialiased { samples } => {
                 let count = match samples {
@@ -184,13 +184,13 @@ impl But {
                 };
                 format!("antialiased, with {count}: that is the next chapter of the book")
             }
-            Self::Curve(curve) => curve.told(),
+            Self::Curve(curve) => curve.clause(),
         }
     }
 }
 
 impl Curve {
-    fn told(&self) -> String {
+    fn clause(&self) -> String {
         let ends = self.examples();
         let ends: Vec<String> = ends
             .map(|(level, found)| format!("{level} is {found}"))

@@ -62,7 +62,7 @@ fn the_picture_that_shows_most_is_to_be_drawn_next() {
     let next = told.shown_by[0].scene.probe.expect("a probe");
     assert_eq!(next.name, "behind");
     assert!(
-        told.told(&scene(Chapter::HalfBSphere, None))
+        told.advice(&scene(Chapter::HalfBSphere, None))
             .lines()
             .count()
             <= 8
