@@ -108,7 +108,7 @@ fn one_thread_starts_no_other_and_two_share_the_work() {
     );
 }
 
-/// `speed.md` and the README say so. The widest picture is not waited for: its memory
+/// `speed.md` says so. The widest picture is not waited for: its memory
 /// is at its height when the first megabytes are there.
 #[cfg(target_os = "linux")]
 #[test]

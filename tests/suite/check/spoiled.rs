@@ -1,7 +1,7 @@
 //! Fuzzing: good files are spoiled, and whatever comes of it, it is answered soon and
 //! sanely.
 //!
-//! `cargo test` tries a few. The README describes longer campaigns: `SPOILED_CASES`
+//! `cargo test` tries a few. The page `trials.md` has longer campaigns: `SPOILED_CASES`
 //! says how many files are spoiled, `SPOILED_SEED` which ones.
 
 use std::time::{Duration, Instant};
