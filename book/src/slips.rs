@@ -11,7 +11,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Subcommand, value_parser};
 use common::engine::output;
 use slips::Chapter;
-use slips::{self, Edition, Slip, Unseen};
+use slips::{self, Edition, Letters, Slip, Unseen};
 
 use crate::check::chapter_parser;
 use crate::misuse::misuse;
@@ -85,7 +85,10 @@ fn list(which: Option<Which>) -> Result<(), Box<dyn Error>> {
     };
     for slip in slips::all().filter(can_be_made) {
         writeln!(text, "{}", slip.name)?;
-        for (label, said) in slip.rows(Edition::V4) {
+        for (label, said) in slip.rows(
+            Letters::Book(Edition::V4),
+            chapter.unwrap_or(slip.chapters[0]),
+        ) {
             writeln!(text, "  {label:<9}  {said}")?;
         }
         match chapter.and_then(|chapter| slip.unseen_in(chapter)) {

@@ -6,7 +6,7 @@ use std::iter;
 use common::rtweekend::Picture;
 use figures::escape;
 use slips::Chapter;
-use slips::{Edition, PROBES, Slip, Unseen, Words};
+use slips::{Edition, Letters, PROBES, Slip, Unseen, Words};
 
 /// A chapter whose page paints its picture.
 #[derive(Clone, Copy, Debug)]
@@ -120,7 +120,7 @@ pub fn verdict(live: &LivePicture, slip: Option<&Slip>, width: u32, different: u
         );
     };
     let wrong_size = slip.program(live.chapter).run(width).size();
-    let Words { wrong, right, why } = slip.words(Edition::V4);
+    let Words { wrong, right, why } = slip.words(Letters::Book(Edition::V4), live.chapter);
     format!(
         "<code>{}</code> should be <code>{}</code>. {} {} <a href=\"{}\">How it is right</a>, and \
          <a href=\"caught.html#{name}\">what catches it</a>.",

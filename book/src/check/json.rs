@@ -11,7 +11,7 @@ use check::verdict::{Check, Finding, Near, Set};
 use check::workspace;
 use common::rtweekend::Color;
 use serde_json::{Value, json};
-use slips::{Edition, Slip};
+use slips::{Letters, Slip};
 
 use super::judged::Judged;
 
@@ -148,13 +148,13 @@ fn diagnosis(scene: &Scene, set: &Set) -> Value {
         "pixels_far_off": set.left.far,
         "conversion": conversion,
         "edition": edition.name(),
-        "mistakes": set.mistakes.iter().map(|mistake| mistake.iter().map(|slip| slip_as_json(slip, edition)).collect()).collect::<Vec<Value>>(),
+        "mistakes": set.mistakes.iter().map(|mistake| mistake.iter().map(|slip| slip_as_json(slip, &set.scene)).collect()).collect::<Vec<Value>>(),
         "probe": probe,
     })
 }
 
-fn slip_as_json(slip: &Slip, edition: Edition) -> Value {
-    let words = slip.words(edition);
+fn slip_as_json(slip: &Slip, scene: &Scene) -> Value {
+    let words = slip.words(Letters::Book(scene.edition), scene.chapter);
     json!({
         "name": slip.name,
         "probably": words.wrong,

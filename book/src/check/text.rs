@@ -7,7 +7,7 @@ use check::names::{self, companion};
 use check::scene::Scene;
 use check::verdict::{Check, Finding, Near};
 use check::{names_of, workspace};
-use slips::{Edition, Slip};
+use slips::{Edition, Letters, Slip};
 use supports_color::Stream;
 
 use super::judged::Judged;
@@ -153,7 +153,14 @@ fn given_by(slips: &[&Slip]) -> String {
         slips => {
             let names: Vec<String> = slips
                 .iter()
-                .map(|slip| format!("{} ({})", slip.name, slip.words(Edition::V4).wrong))
+                .map(|slip| {
+                    format!(
+                        "{} ({})",
+                        slip.name,
+                        slip.words(Letters::Book(Edition::V4), slip.chapters[0])
+                            .wrong
+                    )
+                })
                 .collect();
             format!(
                 "If you did not choose this shape, look for {}.\n",
@@ -232,7 +239,7 @@ fn diagnosis(scene: &Scene, finding: &Finding, style: Style) -> String {
     for set in &finding.sets {
         write!(text, "\n{}\n", style.bold(&set.title(pixels))).expect("a string takes it");
         for mistake in set.mistakes.iter().take(SHOWN_IN_FULL) {
-            text += &in_full(mistake, set.scene.edition, style);
+            text += &in_full(mistake, &set.scene, style);
         }
         if set.mistakes.len() > SHOWN_IN_FULL {
             let others: Vec<String> = set.mistakes[SHOWN_IN_FULL..]
@@ -268,11 +275,11 @@ fn diagnosis(scene: &Scene, finding: &Finding, style: Style) -> String {
     text
 }
 
-fn in_full(mistake: &[&Slip], edition: Edition, style: Style) -> String {
+fn in_full(mistake: &[&Slip], scene: &Scene, style: Style) -> String {
     let mut text = String::new();
     for slip in mistake {
         let words = slip
-            .rows(edition)
+            .rows(Letters::Book(scene.edition), scene.chapter)
             .map(|(label, said)| (label, said.to_owned()));
         let code = workspace::source(slip).map(|file| ("code", file));
         let rows = words.into_iter().chain([("read", read(slip))]).chain(code);

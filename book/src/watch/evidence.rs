@@ -10,7 +10,7 @@ use check::reading::{self, Cause};
 use check::scene::Scene;
 use check::verdict::{self, Check, Finding, Set};
 use common::rtweekend::Picture;
-use slips::{Chapter, Edition, Slip, steps};
+use slips::{Chapter, Letters, Slip, steps};
 
 use super::laws::{self, Answer};
 use super::verdict::{Line, Verdict, labeled, printed, step_says};
@@ -43,7 +43,7 @@ impl Evidence<'_> {
                     "Right in this shape, {} × {}, which is not the book's.",
                     right.width, right.height
                 ),
-                cause: in_full(&right.shape_given_by[..1], right.scene.edition),
+                cause: in_full(&right.shape_given_by[..1], &right.scene),
                 next: "if you chose the shape, nothing is wrong".to_owned(),
                 ..Verdict::default()
             },
@@ -100,7 +100,7 @@ impl Evidence<'_> {
             .finding()
             .map_or(Vec::new(), |finding| self.mistakes(finding));
         let or = mistakes.iter().take(SHOWN).map(|mistake| {
-            let wrong = in_short(mistake, scene.edition);
+            let wrong = in_short(mistake, scene);
             labeled("or", format!("step {} says {wrong}", at + 2))
         });
         let (step, all) = (at + 1, steps.len());
@@ -206,7 +206,7 @@ impl Evidence<'_> {
 
     fn of_wrong_picture(&self, finding: Finding) -> Verdict {
         let (cause, next) = match &self.mistakes(&finding)[..] {
-            [one] => (in_full(one, finding.scene.edition), String::new()),
+            [one] => (in_full(one, &finding.scene), String::new()),
             mistakes => match (self.ask_laws)() {
                 Some(Answer::Broken(report)) => (law(&report), String::new()),
                 Some(Answer::Obeyed) => self.with_laws(&finding, mistakes),
@@ -243,7 +243,7 @@ impl Evidence<'_> {
             .filter(|it| !is_found(it))
             .collect();
         let (mut cause, next) = match left[..] {
-            [one] => (in_full(one, finding.scene.edition), String::new()),
+            [one] => (in_full(one, &finding.scene), String::new()),
             _ => self.undecided(finding, &left),
         };
         let laws = "they hold: look at what calls the function, and what becomes of its answer";
@@ -284,9 +284,7 @@ fn of_no_picture(verdict: &str, cause: &Cause, finding: Option<Box<Finding>>) ->
     let slip = slip.filter(|set| set.mistakes.len() == 1);
     Verdict {
         headline: format!("It is {verdict}: {}.", cause.problem),
-        cause: slip.map_or(Vec::new(), |set| {
-            in_full(&set.mistakes[0], set.scene.edition)
-        }),
+        cause: slip.map_or(Vec::new(), |set| in_full(&set.mistakes[0], &set.scene)),
         next: cause.fix.clone(),
         pictures: finding.map(|finding| (finding.yours, finding.right)),
         ..Verdict::default()
@@ -294,15 +292,20 @@ fn of_no_picture(verdict: &str, cause: &Cause, finding: Option<Box<Finding>>) ->
 }
 
 /// A slip, or two that were made together.
-fn in_full(mistake: &[&Slip], edition: Edition) -> Vec<Line> {
-    let rows = mistake.iter().flat_map(|slip| slip.rows(edition));
+fn in_full(mistake: &[&Slip], scene: &Scene) -> Vec<Line> {
+    let rows = mistake
+        .iter()
+        .flat_map(|slip| slip.rows(Letters::Book(scene.edition), scene.chapter));
     rows.map(|(label, said)| labeled(label, said.to_owned()))
         .collect()
 }
 
 /// What is wrong in the code, and the names of the slips.
-fn in_short(mistake: &Mistake, edition: Edition) -> String {
-    let wrong = mistake.iter().map(|slip| slip.words(edition).wrong);
+fn in_short(mistake: &Mistake, scene: &Scene) -> String {
+    let wrong = mistake.iter().map(|slip| {
+        slip.words(Letters::Book(scene.edition), scene.chapter)
+            .wrong
+    });
     let wrong: Vec<&str> = wrong.collect();
     format!("{}  ({})", wrong.join("; "), names_of(mistake))
 }
@@ -312,7 +315,7 @@ fn undecided(scene: &Scene, set: &Set, mistakes: &[&Mistake]) -> (Vec<Line>, Str
     let labels = iter::once("probably").chain(iter::repeat("or"));
     let one_of = labels
         .zip(mistakes)
-        .map(|(label, mistake)| labeled(label, in_short(mistake, set.scene.edition)));
+        .map(|(label, mistake)| labeled(label, in_short(mistake, &set.scene)));
     let next = match &set.telling {
         Some(telling) => format!(
             "the probe {probe} tells them apart: {}; and then {} watch {} --probe {probe} …",

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use figures::escape;
 use live::picture::{self, LivePicture, PICTURES, WIDEST};
-use slips::{Chapter, Edition, Slip};
+use slips::{Chapter, Edition, Letters, Slip};
 
 use crate::directive::named;
 
@@ -53,7 +53,10 @@ fn choices(notes: &Path, live: &LivePicture) -> Result<String, String> {
             escape(&title(&notes.join(format!("{page}.md")))?)
         );
         for (place, slip) in slips {
-            let (name, wrong) = (slip.name, escape(slip.words(Edition::V4).wrong));
+            let (name, wrong) = (
+                slip.name,
+                escape(slip.words(Letters::Book(Edition::V4), live.chapter).wrong),
+            );
             let _ = write!(
                 html,
                 "<option value=\"{name}\" data-slip=\"{place}\">{wrong}</option>"

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use check::png;
 use common::rtweekend::Picture;
-use slips::{Chapter, Edition, Sight, Slip, Unseen, Words};
+use slips::{Chapter, Edition, Letters, Sight, Slip, Unseen, Words};
 
 /// The picture that a slip draws in a chapter, with the name of both below it.
 pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
@@ -18,7 +18,10 @@ pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
         "<figure>{}<figcaption><a href=\"slips.html\">{name}</a> in <code>{}</code></figcaption></figure>",
         image(
             &picture,
-            &format!("What {name} draws: {}", slip.words(Edition::V4).why)
+            &format!(
+                "What {name} draws: {}",
+                slip.words(Letters::Book(Edition::V4), chapter).why
+            )
         ),
         chapter.name()
     ))
@@ -93,7 +96,10 @@ fn tile(sight: &Sight) -> String {
 
 /// The slip in words, as an item of a list.
 fn item(slip: &Slip) -> String {
-    let (name, Words { wrong, right, why }) = (slip.name, slip.words(Edition::V4));
+    let (name, Words { wrong, right, why }) = (
+        slip.name,
+        slip.words(Letters::Book(Edition::V4), slip.chapters[0]),
+    );
     let (page, heading) = slip.page_and_heading();
     format!(
         "* **[{name}](caught.md#{name})** · `{wrong}` should be `{right}`. {why} See [{page}]({page}.md#{heading})."

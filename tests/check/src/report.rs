@@ -13,7 +13,7 @@ use crate::comparison::{Comparison, differing_pixels};
 use crate::png;
 use crate::scene::Scene;
 use crate::verdict::{Finding, Set};
-use slips::{Edition, Slip};
+use slips::{Letters, Slip};
 
 /// What a report page shows.
 #[derive(Debug)]
@@ -70,7 +70,7 @@ pub fn remarks(scene: &Scene, finding: &Finding, book: &Path) -> String {
     for set in &finding.sets {
         html += &format!("<h2>{}</h2>\n", escaped(set.title(pixels)));
         for slip in set.mistakes.iter().flatten() {
-            html += &slip_as_html(slip, set.scene.edition, book);
+            html += &slip_as_html(slip, &set.scene, book);
         }
         html += &how_to_tell(scene, set);
     }
@@ -114,9 +114,9 @@ pub fn escaped(text: impl fmt::Display) -> String {
         .replace('"', "&quot;")
 }
 
-fn slip_as_html(slip: &Slip, edition: Edition, book: &Path) -> String {
+fn slip_as_html(slip: &Slip, scene: &Scene, book: &Path) -> String {
     let [wrong, right, why] = slip
-        .rows(edition)
+        .rows(Letters::Book(scene.edition), scene.chapter)
         .map(|(label, said)| (label, escaped(said)));
     let rows = [
         (wrong.0, format!("<code>{}</code>", wrong.1)),

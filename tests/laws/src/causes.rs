@@ -7,7 +7,7 @@
 //! hundred is the cause. One that fits a single case is not: by chance many do, where a
 //! is 1 or the radius is 0.
 
-use slips::{Edition, Program, Slip};
+use slips::{Edition, Letters, Program, Slip};
 
 use crate::question::Question;
 use crate::verdict::Broken;
@@ -55,7 +55,8 @@ impl Cause {
 }
 
 fn in_a_line(slip: &Slip) -> String {
-    let [(_, wrong), (should_be, right), _] = slip.rows(Edition::V4);
+    let [(_, wrong), (should_be, right), _] =
+        slip.rows(Letters::Book(Edition::V4), slip.chapters[0]);
     let said = format!("{wrong}; {should_be}: {right}");
     match slip.name {
         "" => said,

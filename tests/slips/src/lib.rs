@@ -30,6 +30,7 @@
 mod catalogue;
 mod chapter;
 mod edition;
+mod letters;
 mod look;
 mod older;
 mod output;
@@ -42,6 +43,7 @@ pub mod steps;
 pub use catalogue::{all, find, unnamed};
 pub use chapter::{Chapter, Room};
 pub use edition::Edition;
+pub use letters::Letters;
 pub use look::{Look, SIGHT_WIDTH, Sight, sights};
 pub use output::Output;
 pub use probes::{PROBES, Probe, find as find_probe};

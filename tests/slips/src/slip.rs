@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::chapter::Chapter;
 use crate::edition::Edition;
+use crate::letters::Letters;
 use crate::program::Program;
 
 /// A mistake that readers make, as a change of the program without it.
@@ -23,6 +24,7 @@ pub struct Slip {
     words: Words,
     /// The words for those who follow an edition before version 4, where they are others.
     before_4: Option<Words>,
+    languages: Languages,
     reported: &'static [&'static str],
     alter: fn(&mut Program),
     /// In which chapters neither picture nor probe shows it, and why.
@@ -44,6 +46,14 @@ pub struct Words {
     pub right: &'static str,
     /// Why, and what the mistake does to the picture.
     pub why: &'static str,
+}
+
+/// In which languages a slip can be made.
+#[derive(Clone, Copy, Debug)]
+enum Languages {
+    All,
+    /// In those that take a number for a truth, and -1.0 for a miss.
+    NotRust,
 }
 
 /// Why neither picture nor probe shows a slip.
@@ -69,6 +79,7 @@ pub(super) const fn slip(name: &'static str, chapters: &'static [Chapter], place
             why: "",
         },
         before_4: None,
+        languages: Languages::All,
         reported: &[],
         alter: |_| {},
         unseen: None,
@@ -93,6 +104,11 @@ impl Slip {
 
     pub(super) const fn before_4(mut self, words: Words) -> Self {
         self.before_4 = Some(words);
+        self
+    }
+
+    pub(super) const fn not_in_rust(mut self) -> Self {
+        self.languages = Languages::NotRust;
         self
     }
 
@@ -128,18 +144,26 @@ impl Slip {
 }
 
 impl Slip {
-    /// What there is to say of it to someone who follows that edition.
-    pub fn words(&self, edition: Edition) -> Words {
-        match self.before_4 {
-            Some(words) if edition != Edition::V4 => words,
+    /// What there is to say of it to someone who made it in that chapter.
+    pub fn words(&self, letters: Letters, _chapter: Chapter) -> Words {
+        match (letters, self.before_4) {
+            (Letters::Book(edition), Some(words)) if edition != Edition::V4 => words,
             _ => self.words,
         }
     }
 
     /// The same, labeled, as every report shows it.
-    pub fn rows(&self, edition: Edition) -> [(&'static str, &'static str); 3] {
-        let Words { wrong, right, why } = self.words(edition);
+    pub fn rows(&self, letters: Letters, chapter: Chapter) -> [(&'static str, &'static str); 3] {
+        let Words { wrong, right, why } = self.words(letters, chapter);
         [("probably", wrong), ("should be", right), ("why", why)]
+    }
+
+    /// Whether that language lets it be made.
+    pub fn can_be_made_in(&self, letters: Letters) -> bool {
+        match self.languages {
+            Languages::All => true,
+            Languages::NotRust => letters != Letters::Rust,
+        }
     }
 
     /// How many people have reported that they made it.

@@ -2,7 +2,7 @@
 
 use laws::causes::Cause;
 use laws::report::Report;
-use slips::{Chapter, Edition};
+use slips::{Chapter, Edition, Letters};
 
 use crate::caught::{OUTCOMES, Outcome, TRIAL, first_report};
 use suite::slip;
@@ -25,7 +25,7 @@ fn a_mistake_without_a_name_is_found_too() {
             let report = first_report(&mistake.program(chapter));
             let causes = report.map_or(Vec::new(), |report| report.cause.mistakes);
             if !causes.iter().any(|&other| std::ptr::eq(other, mistake)) {
-                let wrong = mistake.words(Edition::V4).wrong;
+                let wrong = mistake.words(Letters::Book(Edition::V4), chapter).wrong;
                 missed += &format!("{wrong} in {chapter:?}\n");
             }
         }

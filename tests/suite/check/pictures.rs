@@ -8,7 +8,7 @@ use common::rtweekend::*;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
 use measure::scene_file::find_scene;
-use slips::{Chapter, Edition};
+use slips::{Chapter, Edition, Letters};
 use speed_vs_accuracy::Method;
 use tempfile::TempDir;
 
@@ -125,7 +125,7 @@ fn a_wrong_picture_of_a_chapter_is_explained_with_its_cause_and_a_page() {
     let lines: Vec<&str> = said.lines().collect();
     assert!(lines[0].starts_with("The picture of `half_b_sphere` is not its snapshot: "));
     assert!(lines[1].ends_with("exactly this picture:"), "{said}");
-    let words = slip.words(Edition::V4);
+    let words = slip.words(Letters::Book(Edition::V4), Chapter::HalfBSphere);
     let named = format!(
         "  minus-h: probably {}, should be {}",
         words.wrong, words.right

@@ -166,6 +166,7 @@ pub(super) const SLIPS: &[Slip] = &[
                   horizontal itself: the corner is right, and the picture is the lower left \
                   quarter.",
         })
+        .not_in_rust()
         .alters(|p| match p.edition {
             Edition::V4 => put_first_pixel_on_axis(p),
             older if older.divides_the_viewport() => {

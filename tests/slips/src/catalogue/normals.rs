@@ -59,6 +59,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "What is in front of the camera is left out, and a miss is drawn: its -1.0 is a t \
                   like any other.",
         })
+        .not_in_rust()
         .alters(|p| p.search = only_behind),
     slip("sphere-at-plus-one", LONE_SPHERE, ROOT)
         .says(Words {

@@ -210,6 +210,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Left from chapter 2: true turns into t = 1 for every hit. The disc is right, its \
                   colors are a wheel of directions without depth.",
         })
+        .not_in_rust()
         .alters(|p| p.divide = |_, _| 1.0),
     slip("minus-one-is-true", ONE_SPHERE, ROOT)
         .says(Words {
@@ -219,6 +220,7 @@ pub(super) const SLIPS: &[Slip] = &[
                   colored, also those that miss.",
         })
         .reported(&["#157"])
+        .not_in_rust()
         .alters(|p| {
             p.meets = |_| true;
             p.divide = |_, _| 1.0;
@@ -230,6 +232,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The caller takes every t > 0 for a hit. The sphere is right, and around it the \
                   sky has the colors of a hit at t = 1.",
         })
+        .not_in_rust()
         .alters(|p| p.missed = Some(1.0)),
     slip("minus-h", HALF_B, SIGN_IN_H)
         .says(Words {
