@@ -4,9 +4,11 @@
 //! A law is a plain function over a reader's function and a question. [`runner`] and
 //! [`trial`] put a function under all of them, with questions that [`strategies`] make
 //! and answers that [`oracle`] knows exactly. What breaks a law is explained by
-//! [`causes`], made simpler and put into words by [`report`]. A reader's own crate
-//! depends on this one, so it brings few other crates.
+//! [`causes`], made simpler and put into words by [`report`]; [`answers`] are kept for
+//! a judge to weigh. A reader's own crate depends on this one, so it brings few other
+//! crates.
 
+pub mod answers;
 pub mod causes;
 pub mod intervals;
 pub mod list;

@@ -8,6 +8,7 @@ use common::rtweekend::*;
 use slips::{Ball, Chapter, Program};
 use speed_vs_accuracy::Case;
 
+use crate::answers::Answer;
 use crate::intervals::WithInterval;
 use crate::list::{World, worlds};
 use crate::nearer_root::Decided;
@@ -18,9 +19,12 @@ use crate::sampling::endless;
 use crate::strategies;
 
 /// What a function under test is asked.
-pub trait Question: Clone + Debug + 'static {
+pub trait Question: Clone + Debug + Send + Sync + 'static {
     /// What it answers.
-    type Answer;
+    type Answer: Answer;
+
+    /// What questions of this kind are called in a file of answers.
+    const KIND: &'static str;
 
     /// What the function is called in a test that asks this.
     const FUNCTION: &'static str;
@@ -77,7 +81,8 @@ pub(crate) fn simplified<Q: Question>(mut question: Q, shows: impl Fn(&Q) -> boo
     question
 }
 
-/// The last chapter has every kind of function but the first two.
+/// Every chapter that casts rays has vectors, rays and a camera.
+const RAYS: &[Chapter] = Chapter::OF_THE_BOOK.split_at(1).1;
 const LIST: &[Chapter] = &[Chapter::HittableList];
 
 /// Rays and spheres near and far, from inside and behind, with directions of any
@@ -96,6 +101,8 @@ static TELLING: LazyLock<Vec<Case>> = LazyLock::new(|| {
 
 impl Question for Decided {
     type Answer = bool;
+
+    const KIND: &'static str = "decision";
 
     const FUNCTION: &'static str = "hit_sphere";
 
@@ -131,6 +138,8 @@ impl Question for Decided {
 
 impl Question for Case {
     type Answer = Option<f64>;
+
+    const KIND: &'static str = "nearer_root";
 
     const FUNCTION: &'static str = "hit_sphere";
 
@@ -191,6 +200,8 @@ impl Question for Case {
 
 impl Question for WithInterval {
     type Answer = Option<f64>;
+
+    const KIND: &'static str = "nearest_in_range";
 
     const FUNCTION: &'static str = "hit";
 
@@ -256,6 +267,8 @@ impl Question for WithInterval {
 impl Question for Recorded {
     type Answer = Vec<Hit>;
 
+    const KIND: &'static str = "record";
+
     const FUNCTION: &'static str = "Sphere";
 
     const CHAPTERS: &'static [Chapter] = LIST;
@@ -302,6 +315,8 @@ impl Question for Recorded {
 
 impl Question for World {
     type Answer = Option<f64>;
+
+    const KIND: &'static str = "list";
 
     const FUNCTION: &'static str = "HittableList";
 
@@ -376,9 +391,11 @@ impl Question for World {
 impl Question for Letters {
     type Answer = f64;
 
+    const KIND: &'static str = "dot";
+
     const FUNCTION: &'static str = "dot";
 
-    const CHAPTERS: &'static [Chapter] = LIST;
+    const CHAPTERS: &'static [Chapter] = RAYS;
 
     fn answer_of(&self, program: &Program) -> f64 {
         let [u, v] = self.vectors();
@@ -410,9 +427,11 @@ impl Question for Letters {
 impl Question for Arrow {
     type Answer = Vec3;
 
+    const KIND: &'static str = "unit_vector";
+
     const FUNCTION: &'static str = "unit_vector";
 
-    const CHAPTERS: &'static [Chapter] = LIST;
+    const CHAPTERS: &'static [Chapter] = RAYS;
 
     fn answer_of(&self, program: &Program) -> Vec3 {
         (program.unit)(self.0)
@@ -442,9 +461,11 @@ impl Question for Arrow {
 impl Question for Place {
     type Answer = Point3;
 
+    const KIND: &'static str = "at";
+
     const FUNCTION: &'static str = "at";
 
-    const CHAPTERS: &'static [Chapter] = LIST;
+    const CHAPTERS: &'static [Chapter] = RAYS;
 
     fn answer_of(&self, program: &Program) -> Point3 {
         (program.at)(program, &self.ray, self.t)
@@ -475,9 +496,11 @@ impl Question for Place {
 impl Question for Width {
     type Answer = u32;
 
+    const KIND: &'static str = "height";
+
     const FUNCTION: &'static str = "height";
 
-    const CHAPTERS: &'static [Chapter] = LIST;
+    const CHAPTERS: &'static [Chapter] = RAYS;
 
     fn answer_of(&self, program: &Program) -> u32 {
         program.camera(self.0).image_height
@@ -499,9 +522,11 @@ impl Question for Width {
 impl Question for Pixel {
     type Answer = Ray;
 
+    const KIND: &'static str = "pixel_ray";
+
     const FUNCTION: &'static str = "pixel_ray";
 
-    const CHAPTERS: &'static [Chapter] = LIST;
+    const CHAPTERS: &'static [Chapter] = RAYS;
 
     /// The size is one that a picture of that width has.
     fn answer_of(&self, program: &Program) -> Ray {

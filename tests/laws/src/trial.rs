@@ -1,11 +1,15 @@
 //! A trial: a function is put under all laws that there are for its kind, and found
 //! wrong with one report, which names the cause.
 
+use std::env;
+use std::path::PathBuf;
+
 use common::rtweekend::*;
 use proptest::prelude::*;
 use slips::{Ball, Chapter, Program};
 use speed_vs_accuracy::Case;
 
+use crate::answers;
 use crate::causes;
 use crate::intervals::{NEAREST_IN_RANGE, WithInterval};
 use crate::list::{self, Search, World, worlds};
@@ -22,16 +26,22 @@ use crate::verdict::Verdict;
 pub type Outcome = Result<(), Box<Report>>;
 
 /// How functions are tried.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Trial {
     /// On how many questions each law is tried.
     pub cases: u32,
+    /// The file to which [answers] are added.
+    pub answers: Option<PathBuf>,
 }
 
 impl Default for Trial {
-    /// With as many questions as [`cases`] says.
+    /// With as many questions as [`cases`] says, and with the file that the environment
+    /// variable `LAWS_ANSWERS` names.
     fn default() -> Self {
-        Self { cases: cases() }
+        Self {
+            cases: cases(),
+            answers: env::var_os("LAWS_ANSWERS").map(PathBuf::from),
+        }
     }
 }
 
@@ -40,6 +50,7 @@ type Law<'a, Q> = dyn Fn(&Q) -> Verdict + 'a;
 
 /// A function under trial.
 struct Tried<'a, Q: Question> {
+    trial: &'a Trial,
     answer: &'a dyn Fn(&Q) -> Q::Answer,
     /// In teaching order.
     laws: &'a [&'a Law<'a, Q>],
@@ -57,6 +68,7 @@ impl Trial {
         let solve = |center, radius, ray: &Ray| decide(center, radius, ray).then_some(0.0);
         let laws = DECISION.map(|law| move |Decided(case): &Decided| law(&solve, case));
         Tried {
+            trial: self,
             answer: &|Decided(case)| case.solve(&solve).is_some(),
             laws: &laws.each_ref().map(|law| law as _),
             questions: &|| self.generated(strategies::anywhere().prop_map(Decided)),
@@ -72,6 +84,7 @@ impl Trial {
         let solver = |center, radius, ray: &Ray| solve(center, radius, ray);
         let laws = NEARER_ROOT.map(|law| move |case: &Case| law(&solver, case));
         Tried {
+            trial: self,
             answer: &|case: &Case| case.solve(&solver),
             laws: &laws.each_ref().map(|law| law as _),
             questions: &|| self.generated(strategies::anywhere()),
@@ -105,6 +118,7 @@ impl Trial {
             ])
         };
         Tried {
+            trial: self,
             answer: &|asked: &WithInterval| asked.solve(&solver),
             laws: &laws,
             questions: &questions,
@@ -145,6 +159,7 @@ impl Trial {
             }
         });
         Tried {
+            trial: self,
             answer: &|asked: &Recorded| asked.hits(&recorder),
             laws: &laws.each_ref().map(|law| law as _),
             questions: &|| self.generated(strategies::anywhere().prop_map(Recorded)),
@@ -163,6 +178,7 @@ impl Trial {
         ]
         .map(|law| move |world: &World| law(search, world));
         Tried {
+            trial: self,
             answer: search,
             laws: &laws.each_ref().map(|law| law as _),
             questions: &|| self.generated(worlds()),
@@ -176,28 +192,28 @@ impl Trial {
             let [u, v] = letters.vectors();
             dot(u, v)
         };
-        small(&answer, &|letters| {
+        self.small(&answer, &|letters| {
             ray_and_camera::dot_multiplies_equal_letters(dot, letters)
         })
     }
 
     /// A function that makes a vector one of length 1.
     pub fn unit_vector<F: Fn(Vec3) -> Vec3>(&self, unit: &F) -> Outcome {
-        small(&|arrow: &Arrow| unit(arrow.0), &|arrow| {
+        self.small(&|arrow: &Arrow| unit(arrow.0), &|arrow| {
             ray_and_camera::a_unit_vector_has_length_1_and_points_along(unit, arrow)
         })
     }
 
     /// A function that returns the point of a ray at `t`.
     pub fn at<F: Fn(&Ray, f64) -> Point3>(&self, at: &F) -> Outcome {
-        small(&|place: &Place| at(&place.ray, place.t), &|place| {
+        self.small(&|place: &Place| at(&place.ray, place.t), &|place| {
             ray_and_camera::the_point_at_t_is_t_directions_from_the_origin(at, place)
         })
     }
 
     /// A function that returns the height of a picture of 16:9 from its width.
     pub fn height<F: Fn(u32) -> u32>(&self, height: &F) -> Outcome {
-        small(&|width: &Width| height(width.0), &|width| {
+        self.small(&|width: &Width| height(width.0), &|width| {
             ray_and_camera::the_height_is_rounded_down_and_at_least_one(height, width)
         })
     }
@@ -205,9 +221,20 @@ impl Trial {
     /// A function that returns the ray of a pixel, from the size of the picture and
     /// the pixel's column and row.
     pub fn pixel_ray<F: Fn([u32; 2], [u32; 2]) -> Ray>(&self, ray: &F) -> Outcome {
-        small(&|pixel: &Pixel| ray(pixel.size, pixel.place), &|pixel| {
+        self.small(&|pixel: &Pixel| ray(pixel.size, pixel.place), &|pixel| {
             ray_and_camera::the_ray_of_a_pixel_goes_through_its_center(ray, pixel)
         })
+    }
+
+    /// The trial of a function with one law, and few questions that are always the same.
+    fn small<Q: Question>(&self, answer: &dyn Fn(&Q) -> Q::Answer, law: &Law<Q>) -> Outcome {
+        Tried {
+            trial: self,
+            answer,
+            laws: &[law],
+            questions: &|| Box::new(Q::telling().into_iter()),
+        }
+        .outcome()
     }
 
     fn generated<Q: Question>(
@@ -218,19 +245,12 @@ impl Trial {
     }
 }
 
-/// The trial of a function with one law, and few questions that are always the same.
-fn small<Q: Question>(answer: &dyn Fn(&Q) -> Q::Answer, law: &Law<Q>) -> Outcome {
-    Tried {
-        answer,
-        laws: &[law],
-        questions: &|| Box::new(Q::telling().into_iter()),
-    }
-    .outcome()
-}
-
 impl<Q: Question> Tried<'_, Q> {
     fn outcome(&self) -> Outcome {
         let telling = Q::telling();
+        if let Some(file) = &self.trial.answers {
+            answers::add(file, self.answer, &telling);
+        }
         // What ordinary questions show comes before what only an overflow does.
         let Some((first, found)) = self
             .first_broken(|| telling.iter().cloned())

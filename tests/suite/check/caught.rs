@@ -103,7 +103,10 @@ impl Outcome {
 }
 
 /// What the laws are tried on: enough to see a mistake, not to prove anything.
-pub(crate) const TRIAL: Trial = Trial { cases: 60 };
+pub(crate) const TRIAL: Trial = Trial {
+    cases: 60,
+    answers: None,
+};
 
 /// What is said of the first law that the program breaks.
 pub(crate) fn first_report(program: &Program) -> Option<Box<Report>> {

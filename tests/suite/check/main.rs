@@ -1,5 +1,6 @@
 //! The judge: is every file read, every mistake known, and every mistake named?
 
+mod answers;
 mod blind_spots;
 mod caught;
 mod causes;

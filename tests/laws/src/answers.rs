@@ -1,0 +1,240 @@
+//! Answers as evidence: what a function said to the telling questions, kept in a file, so
+//! that a judge can weigh them beside a picture.
+//!
+//! Each line is an answer: the kind of the question, then numbers that read back to the
+//! bit. A function that panics or never returns leaves what it answered before.
+
+use std::fmt::{Debug, Write as _};
+use std::fs::OpenOptions;
+use std::io::Write as _;
+use std::path::Path;
+
+use common::rtweekend::*;
+use slips::Program;
+use speed_vs_accuracy::Case;
+
+use crate::intervals::WithInterval;
+use crate::list::World;
+use crate::nearer_root::Decided;
+use crate::question::Question;
+use crate::ray_and_camera::{Arrow, Letters, Pixel, Place, Width};
+use crate::record::{Hit, Recorded};
+
+/// What the functions of a reader answered.
+#[derive(Debug, Default)]
+pub struct Answers {
+    kinds: Vec<Box<dyn Kind>>,
+}
+
+impl Answers {
+    /// The answers in the text of a file. A text without any is no answers.
+    pub fn read(text: &str) -> Self {
+        let kinds = [
+            Answered::<Decided>::read,
+            Answered::<Case>::read,
+            Answered::<WithInterval>::read,
+            Answered::<Recorded>::read,
+            Answered::<World>::read,
+            Answered::<Letters>::read,
+            Answered::<Arrow>::read,
+            Answered::<Place>::read,
+            Answered::<Width>::read,
+            Answered::<Pixel>::read,
+        ];
+        Self {
+            kinds: kinds.iter().filter_map(|read| read(text)).collect(),
+        }
+    }
+
+    /// Whether nothing was answered.
+    pub fn is_empty(&self) -> bool {
+        self.kinds.is_empty()
+    }
+
+    /// Of how many answers how many are not those of the program. What its chapter does not
+    /// have counts as nothing; and after `most` of them no more are counted.
+    pub fn unlike(&self, program: &Program, most: usize) -> (usize, usize) {
+        let kinds = self.kinds.iter().filter(|kind| kind.is_in(program));
+        kinds.fold((0, 0), |(asked, unlike), kind| {
+            let more = kind.unlike(program, most - unlike);
+            (asked + kind.asked(), unlike + more)
+        })
+    }
+}
+
+/// Adds the answers to the file.
+///
+/// # Panics
+/// If that can't be written.
+pub(crate) fn add<Q: Question>(file: &Path, answer: &dyn Fn(&Q) -> Q::Answer, questions: &[Q]) {
+    let mut file = OpenOptions::new()
+        .create(true)
+        .append(true)
+        .open(file)
+        .unwrap_or_else(|cause| panic!("{}: {cause}", file.display()));
+    for question in questions {
+        let mut line = Q::KIND.to_owned();
+        for number in answer(question).numbers() {
+            write!(line, " {number:?}").expect("a string takes all");
+        }
+        line.push('\n');
+        let written = file.write_all(line.as_bytes());
+        written.expect("the file of answers can be written");
+    }
+}
+
+/// What a function answers, as numbers.
+pub trait Answer: Debug + Send + Sync + Sized {
+    /// All that there is to tell the answer from others.
+    fn numbers(&self) -> Vec<f64>;
+
+    /// The answer of which these are the numbers.
+    fn from_numbers(numbers: &[f64]) -> Option<Self>;
+}
+
+impl Answer for bool {
+    fn numbers(&self) -> Vec<f64> {
+        vec![f64::from(*self)]
+    }
+
+    fn from_numbers(numbers: &[f64]) -> Option<Self> {
+        f64::from_numbers(numbers).map(|number| number != 0.0)
+    }
+}
+
+impl Answer for u32 {
+    fn numbers(&self) -> Vec<f64> {
+        vec![f64::from(*self)]
+    }
+
+    fn from_numbers(numbers: &[f64]) -> Option<Self> {
+        f64::from_numbers(numbers).map(|number| number as Self)
+    }
+}
+
+impl Answer for f64 {
+    fn numbers(&self) -> Vec<f64> {
+        vec![*self]
+    }
+
+    fn from_numbers(numbers: &[f64]) -> Option<Self> {
+        match *numbers {
+            [number] => Some(number),
+            _ => None,
+        }
+    }
+}
+
+impl Answer for Option<f64> {
+    fn numbers(&self) -> Vec<f64> {
+        self.iter().copied().collect()
+    }
+
+    fn from_numbers(numbers: &[f64]) -> Option<Self> {
+        match *numbers {
+            [] => Some(None),
+            [number] => Some(Some(number)),
+            _ => None,
+        }
+    }
+}
+
+impl Answer for Vec3 {
+    fn numbers(&self) -> Vec<f64> {
+        self.to_array().into()
+    }
+
+    fn from_numbers(numbers: &[f64]) -> Option<Self> {
+        numbers.try_into().ok().map(Self::from_array)
+    }
+}
+
+impl Answer for Ray {
+    fn numbers(&self) -> Vec<f64> {
+        [self.origin.to_array(), self.direction.to_array()].concat()
+    }
+
+    fn from_numbers(numbers: &[f64]) -> Option<Self> {
+        let (origin, direction) = numbers.split_at_checked(3)?;
+        Some(Self::new(
+            Vec3::from_numbers(origin)?,
+            Vec3::from_numbers(direction)?,
+        ))
+    }
+}
+
+impl Answer for Vec<Hit> {
+    fn numbers(&self) -> Vec<f64> {
+        let numbers = |hit: &Hit| {
+            let [x, y, z] = hit.normal.to_array();
+            [hit.t, x, y, z, f64::from(hit.front_face)]
+        };
+        self.iter().flat_map(numbers).collect()
+    }
+
+    fn from_numbers(numbers: &[f64]) -> Option<Self> {
+        let hit = |numbers: &[f64]| match *numbers {
+            [t, x, y, z, front_face] => Some(Hit {
+                t,
+                normal: Vec3::new(x, y, z),
+                front_face: front_face != 0.0,
+            }),
+            _ => None,
+        };
+        numbers.chunks(5).map(hit).collect()
+    }
+}
+
+/// The answers to questions of one kind.
+trait Kind: Debug + Send + Sync {
+    /// Whether the program's chapter has a function of this kind.
+    fn is_in(&self, program: &Program) -> bool;
+
+    /// How many answers there are.
+    fn asked(&self) -> usize;
+
+    /// How many of them the program would not give, up to `most`.
+    fn unlike(&self, program: &Program, most: usize) -> usize;
+}
+
+#[derive(Debug)]
+struct Answered<Q: Question> {
+    answers: Vec<(Q, Q::Answer)>,
+}
+
+impl<Q: Question> Answered<Q> {
+    /// The answers of this kind in the text, up to the first that can't be read.
+    fn read(text: &str) -> Option<Box<dyn Kind>> {
+        let of_kind = |line: &str| {
+            let mut words = line.split(' ');
+            (words.next() == Some(Q::KIND)).then(|| words.map(str::parse).collect())
+        };
+        let lines = text
+            .split_inclusive('\n')
+            .map_while(|line| line.strip_suffix('\n'));
+        let answers = lines
+            .filter_map(of_kind)
+            .map_while(|numbers: Result<Vec<f64>, _>| Q::Answer::from_numbers(&numbers.ok()?));
+        let mut answers = answers.peekable();
+        answers.peek()?;
+        let answers = Q::telling().into_iter().zip(answers).collect();
+        Some(Box::new(Self { answers }))
+    }
+}
+
+impl<Q: Question> Kind for Answered<Q> {
+    fn is_in(&self, program: &Program) -> bool {
+        Q::CHAPTERS.contains(&program.chapter)
+    }
+
+    fn asked(&self) -> usize {
+        self.answers.len()
+    }
+
+    fn unlike(&self, program: &Program, most: usize) -> usize {
+        let answers = self.answers.iter();
+        let unlike = answers
+            .filter(|(question, answer)| !question.same(answer, &question.answer_of(program)));
+        unlike.take(most).count()
+    }
+}
