@@ -124,8 +124,8 @@ pub fn verdict(live: &LivePicture, slip: Option<&Slip>, width: u32, different: u
     format!(
         "<code>{}</code> should be <code>{}</code>. {} {} <a href=\"{}\">How it is right</a>, and \
          <a href=\"caught.html#{name}\">what catches it</a>.",
-        escape(wrong),
-        escape(right),
+        escape(&wrong),
+        escape(&right),
         escape(why),
         escape(&match (size == wrong_size, different) {
             (false, _) => sizes(wrong_size, size),

@@ -280,7 +280,7 @@ fn in_full(mistake: &[&Slip], scene: &Scene, style: Style) -> String {
     for slip in mistake {
         let words = slip
             .rows(Letters::Book(scene.edition), scene.chapter)
-            .map(|(label, said)| (label, said.to_owned()));
+            .map(|(label, said)| (label, said.into_owned()));
         let code = workspace::source(slip).map(|file| ("code", file));
         let rows = words.into_iter().chain([("read", read(slip))]).chain(code);
         text += &format!("\n  {}\n", style.bold(slip.name));

@@ -296,7 +296,7 @@ fn in_full(mistake: &[&Slip], scene: &Scene) -> Vec<Line> {
     let rows = mistake
         .iter()
         .flat_map(|slip| slip.rows(Letters::Book(scene.edition), scene.chapter));
-    rows.map(|(label, said)| labeled(label, said.to_owned()))
+    rows.map(|(label, said)| labeled(label, said.into_owned()))
         .collect()
 }
 
@@ -306,7 +306,7 @@ fn in_short(mistake: &Mistake, scene: &Scene) -> String {
         slip.words(Letters::Book(scene.edition), scene.chapter)
             .wrong
     });
-    let wrong: Vec<&str> = wrong.collect();
+    let wrong: Vec<_> = wrong.collect();
     format!("{}  ({})", wrong.join("; "), names_of(mistake))
 }
 

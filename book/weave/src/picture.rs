@@ -53,10 +53,8 @@ fn choices(notes: &Path, live: &LivePicture) -> Result<String, String> {
             escape(&title(&notes.join(format!("{page}.md")))?)
         );
         for (place, slip) in slips {
-            let (name, wrong) = (
-                slip.name,
-                escape(slip.words(Letters::Book(Edition::V4), live.chapter).wrong),
-            );
+            let words = slip.words(Letters::Book(Edition::V4), live.chapter);
+            let (name, wrong) = (slip.name, escape(&words.wrong));
             let _ = write!(
                 html,
                 "<option value=\"{name}\" data-slip=\"{place}\">{wrong}</option>"

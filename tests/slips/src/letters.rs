@@ -12,3 +12,28 @@ pub enum Letters {
     /// Python, with the names of the book.
     Python,
 }
+
+/// A line of the book's C++ as it is typed in Python.
+pub(super) fn in_python(said: &str) -> String {
+    let mut said = said.to_owned();
+    for (cpp, python) in PYTHON {
+        said = said.replace(cpp, python);
+    }
+    said
+}
+
+/// What Python says for words of C++, one after the other.
+const PYTHON: &[(&str, &str)] = &[
+    (".x()", ".x"),
+    (".y()", ".y"),
+    (".z()", ".z"),
+    (".origin()", ".origin"),
+    (".direction()", ".direction"),
+    ("&&", "and"),
+    ("||", "or"),
+    ("(!", "(not "),
+    ("true", "True"),
+    ("false", "False"),
+    ("infinity", "math.inf"),
+    ("double(image_", "(image_"),
+];

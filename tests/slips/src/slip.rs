@@ -1,11 +1,12 @@
 //! Mutation operators: a slip is a known mistake, as a change of the right program, and
 //! what there is to say of it.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use crate::chapter::Chapter;
 use crate::edition::Edition;
-use crate::letters::Letters;
+use crate::letters::{Letters, in_python};
 use crate::program::Program;
 
 /// A mistake that readers make, as a change of the program without it.
@@ -21,10 +22,12 @@ pub struct Slip {
     pub page: &'static str,
     /// The file of this workspace that has the line right.
     pub source: &'static str,
-    words: Words,
+    words: Words<&'static str>,
     /// The words for those who follow an edition before version 4, where they are others.
-    before_4: Option<Words>,
-    languages: Languages,
+    before_4: Option<Words<&'static str>>,
+    /// Lines in other letters, or of one chapter. The first that fits is said.
+    lines: [Option<Line>; 4],
+    made_in: fn(Letters) -> bool,
     reported: &'static [&'static str],
     alter: fn(&mut Program),
     /// In which chapters neither picture nor probe shows it, and why.
@@ -37,23 +40,24 @@ pub(super) struct Place {
     pub(super) source: &'static str,
 }
 
-/// What there is to say of a slip in one edition.
+/// What there is to say of a slip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Words {
-    /// What the code probably says, in no particular language.
-    pub wrong: &'static str,
+pub struct Words<Line = Cow<'static, str>> {
+    /// What the code probably says.
+    pub wrong: Line,
     /// What it should say.
-    pub right: &'static str,
+    pub right: Line,
     /// Why, and what the mistake does to the picture.
     pub why: &'static str,
 }
 
-/// In which languages a slip can be made.
+/// What the code of some chapters says, and what it should say.
 #[derive(Clone, Copy, Debug)]
-enum Languages {
-    All,
-    /// In those that take a number for a truth, and -1.0 for a miss.
-    NotRust,
+struct Line {
+    letters: Letters,
+    chapters: &'static [Chapter],
+    wrong: &'static str,
+    right: &'static str,
 }
 
 /// Why neither picture nor probe shows a slip.
@@ -79,7 +83,8 @@ pub(super) const fn slip(name: &'static str, chapters: &'static [Chapter], place
             why: "",
         },
         before_4: None,
-        languages: Languages::All,
+        lines: [None; 4],
+        made_in: |_| true,
         reported: &[],
         alter: |_| {},
         unseen: None,
@@ -97,18 +102,65 @@ pub(super) const fn unnamed(chapters: &'static [Chapter]) -> Slip {
 
 /// The parts of an entry in the catalogue.
 impl Slip {
-    pub(super) const fn says(mut self, words: Words) -> Self {
+    pub(super) const fn says(mut self, words: Words<&'static str>) -> Self {
         self.words = words;
         self
     }
 
-    pub(super) const fn before_4(mut self, words: Words) -> Self {
+    pub(super) const fn before_4(mut self, words: Words<&'static str>) -> Self {
         self.before_4 = Some(words);
         self
     }
 
-    pub(super) const fn not_in_rust(mut self) -> Self {
-        self.languages = Languages::NotRust;
+    /// What version 4 says in these chapters, where others have b for h.
+    pub(super) const fn in_book(
+        self,
+        chapters: &'static [Chapter],
+        wrong: &'static str,
+        right: &'static str,
+    ) -> Self {
+        self.line(Letters::Book(Edition::V4), chapters, wrong, right)
+    }
+
+    /// What our own chapters say, token by token where that can be.
+    pub(super) const fn in_rust(
+        self,
+        chapters: &'static [Chapter],
+        wrong: &'static str,
+        right: &'static str,
+    ) -> Self {
+        self.line(Letters::Rust, chapters, wrong, right)
+    }
+
+    /// What Python says, where [`Letters::Python`] can't be made of the book's words.
+    pub(super) const fn in_python(self, wrong: &'static str, right: &'static str) -> Self {
+        self.line(Letters::Python, &Chapter::OF_THE_BOOK, wrong, right)
+    }
+
+    const fn line(
+        mut self,
+        letters: Letters,
+        chapters: &'static [Chapter],
+        wrong: &'static str,
+        right: &'static str,
+    ) -> Self {
+        let mut free = 0;
+        while self.lines[free].is_some() {
+            free += 1;
+        }
+        self.lines[free] = Some(Line {
+            letters,
+            chapters,
+            wrong,
+            right,
+        });
+        self
+    }
+
+    /// In which languages alone it can be made: not all take a number for a truth, or -1.0
+    /// for a miss.
+    pub(super) const fn made_in(mut self, made_in: fn(Letters) -> bool) -> Self {
+        self.made_in = made_in;
         self
     }
 
@@ -143,27 +195,51 @@ impl Slip {
     }
 }
 
+impl Line {
+    fn said(&self) -> [&'static str; 2] {
+        [self.wrong, self.right]
+    }
+}
+
 impl Slip {
     /// What there is to say of it to someone who made it in that chapter.
-    pub fn words(&self, letters: Letters, _chapter: Chapter) -> Words {
-        match (letters, self.before_4) {
-            (Letters::Book(edition), Some(words)) if edition != Edition::V4 => words,
-            _ => self.words,
-        }
+    pub fn words(&self, letters: Letters, chapter: Chapter) -> Words {
+        let own = |wanted: Letters| {
+            let mut lines = self.lines.iter().flatten();
+            lines.find(|line| line.letters == wanted && line.chapters.contains(&chapter))
+        };
+        let words = match letters {
+            Letters::Book(edition) if edition != Edition::V4 => self.before_4,
+            _ => None,
+        };
+        let Words { wrong, right, why } = words.unwrap_or(self.words);
+        let book = own(Letters::Book(Edition::V4)).map_or([wrong, right], Line::said);
+        let [wrong, right] = match (own(letters), letters) {
+            (Some(line), _) => line.said().map(Cow::Borrowed),
+            (None, Letters::Python) => book.map(|said| Cow::Owned(in_python(said))),
+            (None, Letters::Rust) => book.map(Cow::Borrowed),
+            (None, Letters::Book(_)) => [wrong, right].map(Cow::Borrowed),
+        };
+        Words { wrong, right, why }
     }
 
     /// The same, labeled, as every report shows it.
-    pub fn rows(&self, letters: Letters, chapter: Chapter) -> [(&'static str, &'static str); 3] {
+    pub fn rows(
+        &self,
+        letters: Letters,
+        chapter: Chapter,
+    ) -> [(&'static str, Cow<'static, str>); 3] {
         let Words { wrong, right, why } = self.words(letters, chapter);
-        [("probably", wrong), ("should be", right), ("why", why)]
+        [
+            ("probably", wrong),
+            ("should be", right),
+            ("why", why.into()),
+        ]
     }
 
     /// Whether that language lets it be made.
     pub fn can_be_made_in(&self, letters: Letters) -> bool {
-        match self.languages {
-            Languages::All => true,
-            Languages::NotRust => letters != Letters::Rust,
-        }
+        (self.made_in)(letters)
     }
 
     /// How many people have reported that they made it.

@@ -2,12 +2,14 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
+use std::fs;
+use std::iter;
 use std::path::Path;
 
 use check::comparison::Comparison;
 use common::rtweekend::*;
 use hittable_list::{HittableList, Sphere};
-use slips::{Ball, Chapter, PROBES, Program, Slip};
+use slips::{Ball, Chapter, Edition, Letters, PROBES, Program, Slip};
 
 use suite::drawn::p3;
 
@@ -98,6 +100,59 @@ fn every_slip_leads_to_a_file_that_has_it_right() {
     for Slip { name, source, .. } in slips::all() {
         assert!(workspace.join(source).is_file(), "{name}: {source}");
     }
+}
+
+/// The judge looks for these lines in what a reader typed.
+#[test]
+fn in_rust_a_slip_is_said_as_our_chapters_are_typed() {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let typed = |file: &str| {
+        let text = fs::read_to_string(workspace.join(file)).expect("a source");
+        letters_of(&text)
+    };
+    let mut unlike = String::new();
+    for slip in slips::all().filter(|slip| slip.is_in_a_chapter()) {
+        for &chapter in slip.chapters {
+            let in_rust = slip.words(Letters::Rust, chapter);
+            if in_rust == slip.words(Letters::Book(Edition::V4), chapter) {
+                continue;
+            }
+            let typed: String = sources(chapter).map(typed).collect();
+            let [has_wrong, has_right] =
+                [&in_rust.wrong, &in_rust.right].map(|line| typed.contains(&letters_of(line)));
+            if has_wrong || !has_right {
+                writeln!(unlike, "{} in {chapter:?}: {in_rust:?}", slip.name)
+                    .expect("a string takes it");
+            }
+        }
+    }
+    assert!(unlike.is_empty(), "{unlike}");
+}
+
+/// Where a chapter is typed.
+fn sources(chapter: Chapter) -> impl Iterator<Item = &'static str> {
+    // The sky of the later chapters is what was typed in the first one.
+    let own: &[&str] = match chapter {
+        Chapter::BuildTest => &["chapters/0_build_test/src/lib.rs"],
+        Chapter::Gradient => &[],
+        Chapter::RedSphere => &["chapters/2_red_sphere/src/lib.rs"],
+        Chapter::Normals => &["chapters/3_normals/src/lib.rs"],
+        Chapter::HalfBSphere => &["chapters/4_half_b_sphere/src/lib.rs"],
+        _ => &[
+            "chapters/5_hittable_list/src/lib.rs",
+            "chapters/5_hittable_list/src/hittable.rs",
+            "chapters/5_hittable_list/src/hittable_list.rs",
+            "chapters/5_hittable_list/src/sphere.rs",
+        ],
+    };
+    iter::once("chapters/1_gradient/src/lib.rs").chain(own.iter().copied())
+}
+
+/// What is left if neither spaces nor `let` matter.
+fn letters_of(code: &str) -> String {
+    code.split_whitespace()
+        .filter(|&word| word != "let")
+        .collect()
 }
 
 /// Wrong programs print numbers that no picture holds, so these are the numbers before a

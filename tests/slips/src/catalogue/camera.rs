@@ -5,6 +5,7 @@ use common::rtweekend::*;
 use super::chapters::{GRADIENT, RAYS, SPHERES};
 use crate::chapter::Chapter;
 use crate::edition::Edition;
+use crate::letters::Letters;
 use crate::program::Program;
 use crate::slip::{Place, Slip, Words, slip};
 
@@ -18,6 +19,10 @@ const GRID: Place = Place {
 };
 const QUOTIENT: Place = Place {
     page: "gradient#the-grid-of-pixels",
+    source: "common/src/vec3.rs",
+};
+const LENGTH: Place = Place {
+    page: SKY.page,
     source: "common/src/vec3.rs",
 };
 const SUM: Place = Place {
@@ -47,6 +52,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Rows are counted from below, so the edge from the lower left corner points up. \
                   The picture stands on its head.",
         })
+        .in_rust(
+            RAYS,
+            "viewport_v = Vec3::new(0.0, viewport_height, 0.0)",
+            "viewport_v = Vec3::new(0.0, -viewport_height, 0.0)",
+        )
         .reported(&["#879", "#1076", "#1579"])
         .alters(|p| {
             p.viewport_v = match p.edition.counts_from_below() {
@@ -67,6 +77,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Left and right change places. The sky and a disc in the middle don't show it, \
                   the colors of normals do.",
         })
+        .in_rust(
+            RAYS,
+            "viewport_u = Vec3::new(-viewport_width, 0.0, 0.0)",
+            "viewport_u = Vec3::new(viewport_width, 0.0, 0.0)",
+        )
         .alters(|p| p.viewport_u = |width, _| Vec3::new(-width, 0.0, 0.0))
         .equivalent(
             GRADIENT,
@@ -80,6 +95,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A pixel is sampled in its middle. At its corner, everything moves by half a \
                   pixel.",
         })
+        .in_rust(
+            RAYS,
+            "pixel00 = viewport_upper_left;",
+            "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v);",
+        )
         .reported(&["#923", "PR #1158"])
         .alters(|p| p.inset = [0.0, 0.0]),
     slip("inset-upwards", RAYS, GRID)
@@ -89,6 +109,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "pixel_delta_v points down already. With a minus the first row lies above the \
                   viewport, and everything is a pixel lower.",
         })
+        .in_rust(
+            RAYS,
+            "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u - pixel_delta_v)",
+            "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+        )
         .alters(|p| p.inset = [0.5, -0.5]),
     slip("inset-to-the-left", RAYS, GRID)
         .says(Words {
@@ -97,6 +122,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The first column lies left of the viewport, and everything is a pixel farther to \
                   the right.",
         })
+        .in_rust(
+            RAYS,
+            "pixel00 = viewport_upper_left - 0.5 * (pixel_delta_u - pixel_delta_v)",
+            "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+        )
         .alters(|p| p.inset = [-0.5, 0.5]),
     slip("first-pixel-on-axis", RAYS, GRID)
         .says(Words {
@@ -106,6 +136,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Half of both edges leads to the middle of the viewport, as does leaving them \
                   out. The first pixel lies on the axis, and only a quarter of the scene is left.",
         })
+        .in_rust(
+            RAYS,
+            "pixel00 = viewport_upper_left + 0.5 * (viewport_u + viewport_v)",
+            "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+        )
         .alters(|p| {
             if p.edition == Edition::V4 {
                 put_first_pixel_on_axis(p);
@@ -118,6 +153,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The camera of older editions puts the first and last pixels on the edges of the \
                   viewport: nearly right, but edges differ.",
         })
+        .in_rust(
+            RAYS,
+            "u = f64::from(i) / f64::from(image_width - 1)",
+            "self.pixel00 + f64::from(i) * self.pixel_delta_u + f64::from(j) * self.pixel_delta_v",
+        )
         .alters(|p| {
             p.divisors = |width, height| [width - 1.0, height - 1.0];
             p.inset = [0.0, 0.0];
@@ -136,6 +176,12 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Without the two halves the axis goes through the lower left corner, and only a \
                   quarter of the scene is left.",
         })
+        .in_rust(
+            RAYS,
+            "viewport_upper_left = center - Vec3::new(0.0, 0.0, focal_length);",
+            "viewport_upper_left = center - Vec3::new(0.0, 0.0, focal_length) - 0.5 * viewport_u \
+             - 0.5 * viewport_v;",
+        )
         .alters(|p| p.corner = 0.0),
     slip("corner-not-halved", RAYS, GRID)
         .says(Words {
@@ -150,6 +196,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "With whole edges the axis goes through the upper right corner, and only a \
                   quarter of the scene is left.",
         })
+        .in_rust(
+            RAYS,
+            "center - Vec3::new(0.0, 0.0, focal_length) - viewport_u - viewport_v",
+            "center - Vec3::new(0.0, 0.0, focal_length) - 0.5 * viewport_u - 0.5 * viewport_v",
+        )
         .alters(|p| p.corner = 1.0),
     slip("division-in-place", RAYS, QUOTIENT)
         .says(Words {
@@ -166,7 +217,11 @@ pub(super) const SLIPS: &[Slip] = &[
                   horizontal itself: the corner is right, and the picture is the lower left \
                   quarter.",
         })
-        .not_in_rust()
+        .in_python(
+            "def __truediv__(self, t): self.x /= t; …; return self",
+            "def __truediv__(self, t): return (1/t) * self",
+        )
+        .made_in(|letters| letters != Letters::Rust)
         .alters(|p| match p.edition {
             Edition::V4 => put_first_pixel_on_axis(p),
             older if older.divides_the_viewport() => {
@@ -181,6 +236,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "In operator/ the third component is made of the second. Half of an edge that has \
                   only y has a z as well, and no unit vector keeps its own.",
         })
+        .in_rust(
+            RAYS,
+            "Vec3::new(self.x / t, self.y / t, self.y / t)",
+            "Vec3::new(self.x / t, self.y / t, self.z / t)",
+        )
         .alters(|p| {
             p.over = swapped_over;
             p.unit = |v| swapped_over(v, v.length());
@@ -200,6 +260,11 @@ pub(super) const SLIPS: &[Slip] = &[
                   the way to a pixel move the viewport from -1 to -4, and a point on a ray has no \
                   depth.",
         })
+        .in_rust(
+            RAYS,
+            "Vec3::new(self.x + other.x, self.y + other.y, self.z + self.z)",
+            "Vec3::new(self.x + other.x, self.y + other.y, self.z + other.z)",
+        )
         .alters(|p| {
             p.plus = swapped_plus;
             p.lerp = |[below, above], a| swapped_plus((1.0 - a) * below, a * above);
@@ -221,6 +286,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The camera looks along the negative z axis. With a plus it looks the other way, \
                   where nothing is.",
         })
+        .in_rust(
+            RAYS,
+            "center + Vec3::new(0.0, 0.0, focal_length)",
+            "center - Vec3::new(0.0, 0.0, focal_length)",
+        )
         .reported(&["#1578"])
         .alters(|p| p.focal_length = -1.0)
         .equivalent(
@@ -239,6 +309,12 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "lower_left_corner = … - (0, 0, focal_length)",
             why: "The eye lies in the plane of the viewport, and every ray stays in it.",
         })
+        .in_rust(
+            RAYS,
+            "viewport_upper_left = center - 0.5 * viewport_u - 0.5 * viewport_v",
+            "viewport_upper_left = center - Vec3::new(0.0, 0.0, focal_length) - 0.5 * viewport_u \
+             - 0.5 * viewport_v",
+        )
         .alters(|p| p.focal_length = 0.0),
     slip("focal-length-two", RAYS, CAMERA)
         .says(Words {
@@ -247,6 +323,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Twice as far from the viewport, the eye sees less of the world: half as much of \
                   what is ahead, twice as large.",
         })
+        .in_rust(RAYS, "focal_length = 2.0", "focal_length = 1.0")
         .alters(|p| p.focal_length = 2.0),
     slip("viewport-height-one", RAYS, CAMERA)
         .says(Words {
@@ -255,6 +332,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Through half a viewport everything is twice as large, as with a focal length of \
                   2.",
         })
+        .in_rust(RAYS, "viewport_height = 1.0", "viewport_height = 2.0")
         .alters(|p| p.viewport_height = 1.0),
     slip("integer-aspect-ratio", RAYS, SIZE)
         .says(Words {
@@ -262,6 +340,12 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "double aspect_ratio = 16.0 / 9.0",
             why: "Two integers divide to an integer, 1: the picture is a square.",
         })
+        .in_rust(
+            RAYS,
+            "aspect_ratio = f64::from(16 / 9)",
+            "aspect_ratio = 16.0 / 9.0",
+        )
+        .in_python("aspect_ratio = 16 // 9", "aspect_ratio = 16 / 9")
         .reported(&["#952"])
         .alters(|p| p.aspect_ratio = 1.0),
     slip("inverted-aspect-ratio", RAYS, SIZE)
@@ -271,6 +355,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A ratio of width to height divides the width. Multiplied, the picture is higher \
                   than wide.",
         })
+        .in_rust(
+            RAYS,
+            "(f64::from(image_width) * aspect_ratio) as u32",
+            "(f64::from(image_width) / aspect_ratio) as u32",
+        )
         .alters(|p| p.image_height = |width, aspect_ratio| (width * aspect_ratio) as u32),
     slip("height-rounded", RAYS, SIZE)
         .says(Words {
@@ -279,6 +368,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The height is cut off, not rounded: at half of all widths the picture has a row \
                   too many.",
         })
+        .in_rust(
+            RAYS,
+            "(f64::from(image_width) / aspect_ratio).round() as u32",
+            "(f64::from(image_width) / aspect_ratio) as u32",
+        )
         .alters(|p| {
             p.image_height = |width, aspect_ratio| ((width / aspect_ratio).round() as u32).max(1);
         }),
@@ -288,6 +382,15 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "… and image_height = (image_height < 1) ? 1 : image_height",
             why: "A picture one pixel wide is cut off to no row at all.",
         })
+        .in_rust(
+            RAYS,
+            "image_height = (f64::from(image_width) / aspect_ratio) as u32",
+            "image_height = ((f64::from(image_width) / aspect_ratio) as u32).max(1)",
+        )
+        .in_python(
+            "image_height = int(image_width / aspect_ratio)",
+            "image_height = max(1, int(image_width / aspect_ratio))",
+        )
         .alters(|p| p.image_height = |width, aspect_ratio| (width / aspect_ratio) as u32),
     slip("ideal-viewport-ratio", RAYS, SIZE)
         .says(Words {
@@ -304,6 +407,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The picture has got another shape and the viewport has not: the sphere becomes \
                   an ellipse.",
         })
+        .in_rust(
+            RAYS,
+            "viewport_width = viewport_height * aspect_ratio",
+            "viewport_width = viewport_height * (f64::from(image_width) / f64::from(image_height))",
+        )
         .reported(&["#527", "#1246", "#1342", "#1486"])
         .alters(|p| {
             p.viewport_ratio = match p.edition {
@@ -318,6 +426,15 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Two integers divide to an integer, 1: the viewport is a square, and the sphere \
                   an ellipse.",
         })
+        .in_rust(
+            RAYS,
+            "viewport_width = viewport_height * f64::from(image_width / image_height)",
+            "viewport_width = viewport_height * (f64::from(image_width) / f64::from(image_height))",
+        )
+        .in_python(
+            "viewport_width = viewport_height * (image_width // image_height)",
+            "viewport_width = viewport_height * (image_width / image_height)",
+        )
         .alters(|p| p.viewport_ratio = |width, height, _| (width / height).floor()),
     slip("inverted-viewport-ratio", RAYS, SIZE)
         .says(Words {
@@ -326,6 +443,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The viewport is higher than wide while the picture is wider than high: the \
                   sphere becomes an ellipse.",
         })
+        .in_rust(
+            RAYS,
+            "viewport_width = viewport_height * (f64::from(image_height) / f64::from(image_width))",
+            "viewport_width = viewport_height * (f64::from(image_width) / f64::from(image_height))",
+        )
         .reported(&["PR #487", "#527", "#536"])
         .alters(|p| p.viewport_ratio = |width, height, _| height / width),
     slip("integer-viewport-width", RAYS, SIZE)
@@ -335,6 +457,8 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "An integer keeps 3 of the 3.56 units: everything is wider by a fifth, and the \
                   sphere is an ellipse.",
         })
+        .in_python("viewport_width = int(…)", "viewport_width = …")
+        .made_in(|letters| letters != Letters::Rust)
         .alters(|p| p.viewport_u = |width, _| Vec3::new(width.trunc(), 0.0, 0.0)),
     slip("viewport-lengths-swapped", RAYS, GRID)
         .says(Words {
@@ -349,6 +473,13 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The viewport is higher than wide while the picture is wider than high: the \
                   sphere is a flat ellipse.",
         })
+        .in_rust(
+            RAYS,
+            "viewport_u = Vec3::new(viewport_height, 0.0, 0.0); viewport_v = Vec3::new(0.0, \
+             -viewport_width, 0.0)",
+            "viewport_u = Vec3::new(viewport_width, 0.0, 0.0); viewport_v = Vec3::new(0.0, \
+             -viewport_height, 0.0)",
+        )
         .alters(|p| {
             p.viewport_u = |_, height| Vec3::new(height, 0.0, 0.0);
             p.viewport_v = match p.edition.counts_from_below() {
@@ -371,6 +502,13 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Each count is divided by the pixels along the other edge: stretched sideways, \
                   squeezed upwards.",
         })
+        .in_rust(
+            RAYS,
+            "pixel_delta_u = viewport_u * (1.0 / f64::from(image_height)); pixel_delta_v = \
+             viewport_v * (1.0 / f64::from(image_width))",
+            "pixel_delta_u = viewport_u * (1.0 / f64::from(image_width)); pixel_delta_v = \
+             viewport_v * (1.0 / f64::from(image_height))",
+        )
         .alters(|p| {
             p.divisors = match p.edition {
                 Edition::V3 | Edition::V3_1_0 => |width, height| [height - 1.0, width - 1.0],
@@ -390,6 +528,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "u runs from 0 to the ratio of the picture and not to 1, so the columns run out \
                   of the viewport.",
         })
+        .in_rust(
+            RAYS,
+            "pixel_delta_u = viewport_u * (1.0 / f64::from(image_height))",
+            "pixel_delta_u = viewport_u * (1.0 / f64::from(image_width))",
+        )
         .alters(|p| {
             p.divisors = match p.edition {
                 Edition::V3 | Edition::V3_1_0 => |_, height| [height - 1.0; 2],
@@ -407,6 +550,11 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "v = j / (image_height - 1)",
             why: "v ends far below 1, so the highest rows are missing.",
         })
+        .in_rust(
+            RAYS,
+            "pixel_delta_v = viewport_v * (1.0 / f64::from(image_width))",
+            "pixel_delta_v = viewport_v * (1.0 / f64::from(image_height))",
+        )
         .alters(|p| {
             p.divisors = match p.edition {
                 Edition::V3 | Edition::V3_1_0 => |width, _| [width - 1.0; 2],
@@ -426,6 +574,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Column i goes to the right and row j up. Swapped, the picture is transposed and \
                   runs out of the viewport.",
         })
+        .in_rust(
+            RAYS,
+            "self.pixel00 + f64::from(j) * self.pixel_delta_u + f64::from(i) * self.pixel_delta_v",
+            "self.pixel00 + f64::from(i) * self.pixel_delta_u + f64::from(j) * self.pixel_delta_v",
+        )
         .alters(|p| {
             p.ray = |program, camera, i, j| {
                 let row = program.edition.row(j, camera.image_height);
@@ -439,6 +592,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A direction is a difference of two points. It shows as soon as the camera leaves \
                   the origin.",
         })
+        .in_rust(
+            RAYS,
+            "Ray::new(self.center, pixel_center)",
+            "Ray::new(self.center, pixel_center - self.center)",
+        )
         .alters(|p| {
             p.ray = |program, camera, i, j| {
                 let ray = program.right_ray(camera, i, j);
@@ -453,6 +611,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The same lines, so the same picture; but t is now a distance, and no longer 1 on \
                   the viewport.",
         })
+        .in_rust(
+            RAYS,
+            "Ray::new(self.center, (pixel_center - self.center).normalize())",
+            "Ray::new(self.center, pixel_center - self.center)",
+        )
         .alters(|p| {
             p.ray = |program, camera, i, j| {
                 let ray = program.right_ray(camera, i, j);
@@ -467,23 +630,39 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The blend is made for unit directions. Without that every row has one color, and \
                   the lowest is almost pure white.",
         })
+        .in_rust(
+            RAYS,
+            "a = 0.5 * (ray.direction.y + 1.0)",
+            "unit_direction = ray.direction.normalize(); a = 0.5 * (unit_direction.y + 1.0)",
+        )
         .reported(&["#306", "PR #308", "#1652"])
         .alters(|p| p.sky_direction = |_, direction| direction),
-    slip("divided-by-length-squared", RAYS, SKY)
+    slip("divided-by-length-squared", RAYS, LENGTH)
         .says(Words {
             wrong: "unit_vector(v) = v / v.length_squared()",
             right: "unit_vector(v) = v / v.length()",
             why: "A unit vector is v divided by its length. Divided by its square, long vectors \
                   become too short and short ones too long.",
         })
+        .in_rust(
+            RAYS,
+            "(1.0 / self.length_squared()) * self",
+            "(1.0 / self.length()) * self",
+        )
         .alters(|p| p.unit = |v| v * (1.0 / v.length_squared())),
-    slip("length-with-swapped-letter", RAYS, SKY)
+    slip("length-with-swapped-letter", RAYS, LENGTH)
         .says(Words {
             wrong: "e[0]*e[0] + e[1]*e[1] + e[1]*e[1]",
             right: "e[0]*e[0] + e[1]*e[1] + e[2]*e[2]",
             why: "One component counts twice, one never: each length is wrong, and with it each \
                   unit vector.",
         })
+        .in_rust(
+            RAYS,
+            "self.x * self.x + self.y * self.y + self.y * self.y",
+            "self.x * self.x + self.y * self.y + self.z * self.z",
+        )
+        .in_python("x*x + y*y + y*y", "x*x + y*y + z*z")
         .alters(|p| {
             p.unit = |v| v * (1.0 / swapped_length_squared(v).sqrt());
             p.squared = match p.chapter {
@@ -498,6 +677,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "y runs from -1 to 1, a weight from 0 to 1. Below the horizon the weight is \
                   negative, and white exceeds 1.",
         })
+        .in_rust(
+            RAYS,
+            "a = unit_direction.y;",
+            "a = 0.5 * (unit_direction.y + 1.0);",
+        )
         .alters(|p| p.blend = |program, direction| (program.sky_direction)(program, direction).y),
     slip("blend-not-halved", RAYS, SKY)
         .says(Words {
@@ -506,6 +690,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "y + 1 runs from 0 to 2. Above the horizon the weight exceeds 1, and the sky is \
                   too blue.",
         })
+        .in_rust(
+            RAYS,
+            "a = unit_direction.y + 1.0",
+            "a = 0.5 * (unit_direction.y + 1.0)",
+        )
         .alters(|p| {
             p.blend = |program, direction| (program.sky_direction)(program, direction).y + 1.0;
         }),
@@ -516,6 +705,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The half takes y alone, so the weight runs from 0.5 to 1.5: above the horizon \
                   the sky is too blue, below it as it should be above.",
         })
+        .in_rust(
+            RAYS,
+            "a = 0.5 * unit_direction.y + 1.0",
+            "a = 0.5 * (unit_direction.y + 1.0)",
+        )
         .alters(|p| {
             p.blend =
                 |program, direction| 0.5 * (program.sky_direction)(program, direction).y + 1.0;
@@ -526,6 +720,11 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "a = 0.5 * (unit_direction.y() + 1)",
             why: "x points to the right, so the gradient runs from left to right.",
         })
+        .in_rust(
+            RAYS,
+            "a = 0.5 * (unit_direction.x + 1.0)",
+            "a = 0.5 * (unit_direction.y + 1.0)",
+        )
         .alters(|p| {
             p.blend =
                 |program, direction| 0.5 * ((program.sky_direction)(program, direction).x + 1.0);
@@ -537,6 +736,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "z points to the viewer, so the sky is white in the middle of the picture and \
                   bluer all around.",
         })
+        .in_rust(
+            RAYS,
+            "a = 0.5 * (unit_direction.z + 1.0)",
+            "a = 0.5 * (unit_direction.y + 1.0)",
+        )
         .alters(|p| {
             p.blend =
                 |program, direction| 0.5 * ((program.sky_direction)(program, direction).z + 1.0);
@@ -548,6 +752,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "a is 1 at the top, where the sky is blue. Swapped, the sky is upside down and \
                   the sphere is not.",
         })
+        .in_rust(
+            RAYS,
+            "(1.0 - a) * blue + a * white",
+            "(1.0 - a) * white + a * blue",
+        )
         .reported(&["#879"])
         .alters(|p| p.lerp = |[below, above], a| a * below + (1.0 - a) * above),
     slip("white-in-full", RAYS, SKY)
@@ -557,6 +766,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The two weights add up to 1. Without the first one, everything is brighter than \
                   white.",
         })
+        .in_rust(RAYS, "; white + a * blue", "; (1.0 - a) * white + a * blue")
         .alters(|p| p.lerp = |[below, above], a| below + a * above),
     slip("white-by-the-same-weight", RAYS, SKY)
         .says(Words {
@@ -565,6 +775,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The two weights add up to 1. With the same one for both, the sky is dark below \
                   and far too bright above.",
         })
+        .in_rust(RAYS, "a * white + a * blue", "(1.0 - a) * white + a * blue")
         .alters(|p| p.lerp = |[below, above], a| a * below + a * above),
     slip("background-missing", SPHERES, SKY)
         .says(Words {
@@ -572,6 +783,7 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "… return (1 - a) * white + a * blue",
             why: "What hits nothing shows the sky. Here it stays black.",
         })
+        .in_rust(SPHERES, "Color::new(0.0, 0.0, 0.0)", "sky(ray)")
         .alters(|p| p.lerp = |_, _| Color::ZERO),
 ];
 

@@ -38,6 +38,8 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Two integers divide to an integer: 0 everywhere but in the last column, where it \
                   is 1.",
         })
+        .in_rust(BUILD_TEST, "f64::from(i / last)", "f64::from(i) / last")
+        .in_python("r = i // (image_width - 1)", "r = i / (image_width - 1)")
         .alters(|p| {
             p.color = |program, camera, i, j| {
                 let row = program.edition.row(j, camera.image_height);
@@ -57,6 +59,12 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The last column is number image_width - 1. In version 3 it lies on the edge of \
                   the viewport, in versions 1 and 2 a pixel before it.",
         })
+        .in_rust(
+            BUILD_TEST,
+            "last = f64::from(width)",
+            "last = f64::from((width - 1).max(1))",
+        )
+        .in_python("r = i / image_width", "r = i / (image_width - 1)")
         .reported(&["#923"])
         .alters(|p| p.divisors = |width, height| [width, height])
         .equivalent(
@@ -71,6 +79,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Columns run to the right and carry red; here they carry green. The picture is \
                   transposed.",
         })
+        .in_rust(
+            BUILD_TEST,
+            "Color::new(f64::from(j) / last, f64::from(i) / last, 0.0)",
+            "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)",
+        )
         .alters(|p| {
             p.color = |program, camera, i, j| {
                 let row = program.edition.row(j, camera.image_height);
@@ -89,6 +102,11 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "g = j / (image_height - 1)",
             why: "Green grows with j, which counts rows from below.",
         })
+        .in_rust(
+            BUILD_TEST,
+            "Color::new(f64::from(i) / last, 1.0 - f64::from(j) / last, 0.0)",
+            "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)",
+        )
         .reported(&["#879"])
         .alters(|p| {
             p.color = |program, camera, i, j| {
@@ -103,6 +121,11 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "b = 0",
             why: "Older editions put a quarter of blue into every pixel of this picture.",
         })
+        .in_rust(
+            BUILD_TEST,
+            "Color::new(f64::from(i) / last, f64::from(j) / last, 0.25)",
+            "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)",
+        )
         .reported(&["PR #1184"])
         .alters(|p| p.blue = 0.25),
     slip("columns-first", EVERY, PIXELS)
@@ -112,6 +135,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A file holds row after row. With the loops the other way round it gets column \
                   after column.",
         })
+        .in_rust(
+            EVERY,
+            "for i in 0..image_width { for j in 0..image_height {",
+            "for j in 0..image_height { for i in 0..image_width {",
+        )
         .alters(|p| p.order = |n, _, height| (n / height, n % height)),
     slip("rows-from-below", EVERY, PIXELS)
         .says(Words {
@@ -126,6 +154,15 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Rows are counted from below, and a file begins with the highest one. Printed \
                   from row 0 on, the picture stands on its head.",
         })
+        .in_rust(
+            EVERY,
+            "for j in (0..image_height).rev()",
+            "for j in 0..image_height",
+        )
+        .in_python(
+            "for j in range(image_height - 1, -1, -1)",
+            "for j in range(image_height)",
+        )
         .reported(&["PR #1051", "#766", "#879"])
         .alters(|p| p.order = |n, width, height| (n % width, height - 1 - n / width)),
     slip("columns-backwards", EVERY, PIXELS)
@@ -135,6 +172,15 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A row is printed from left to right. Backwards, the picture is mirrored; where \
                   it is symmetric, nobody sees it.",
         })
+        .in_rust(
+            EVERY,
+            "for i in (0..image_width).rev()",
+            "for i in 0..image_width",
+        )
+        .in_python(
+            "for i in range(image_width - 1, -1, -1)",
+            "for i in range(image_width)",
+        )
         .alters(|p| p.order = |n, width, _| (width - 1 - n % width, n / width))
         .equivalent(
             GRADIENT,
@@ -147,6 +193,15 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Pixels are counted from 0. Counted from 1, the picture moves by a pixel to the \
                   left and upwards.",
         })
+        .in_rust(
+            EVERY,
+            "for j in 1..=image_height { for i in 1..=image_width {",
+            "for j in 0..image_height { for i in 0..image_width {",
+        )
+        .in_python(
+            "for j in range(1, image_height + 1), for i in range(1, image_width + 1)",
+            "for j in range(image_height), for i in range(image_width)",
+        )
         .alters(|p| p.order = |n, width, _| (n % width + 1, n / width + 1)),
     slip("rows-from-one", EVERY, PIXELS)
         .says(Words {
@@ -159,6 +214,15 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "for j = image_height - 1 down to 0",
             why: "Rows are counted from 0. Counted from 1, the picture moves down by a pixel.",
         })
+        .in_rust(
+            EVERY,
+            "for j in 1..=image_height",
+            "for j in 0..image_height",
+        )
+        .in_python(
+            "for j in range(1, image_height + 1)",
+            "for j in range(image_height)",
+        )
         .alters(|p| match p.edition.counts_from_below() {
             true => a_row_above(p),
             false => p.order = |n, width, _| (n % width, n / width + 1),
@@ -170,6 +234,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The header tells the width first. Swapped, every row breaks at the wrong pixel: \
                   where columns differ the picture shears.",
         })
+        .in_rust(
+            EVERY,
+            "P3\\n{image_height} {image_width}\\n255",
+            "P3\\n{image_width} {image_height}\\n255",
+        )
         .alters(|p| p.header = |width, height| (height, width))
         .equivalent(
             BUILD_TEST,
@@ -182,6 +251,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A pixel is red, green, blue. Reversed, red and blue change places all over the \
                   picture.",
         })
+        .in_rust(EVERY, "{b} {g} {r}", "{r} {g} {b}")
         .alters(|p| p.channels = [2, 1, 0]),
     slip("green-before-red", EVERY, PIXELS)
         .says(Words {
@@ -190,6 +260,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A pixel is red, green, blue. Here red and green change places: a blue sky turns \
                   violet.",
         })
+        .in_rust(EVERY, "{g} {r} {b}", "{r} {g} {b}")
         .alters(|p| p.channels = [1, 0, 2]),
     slip("blue-before-green", EVERY, PIXELS)
         .says(Words {
@@ -198,6 +269,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A pixel is red, green, blue. Here green and blue change places: a blue sky turns \
                   green.",
         })
+        .in_rust(EVERY, "{r} {b} {g}", "{r} {g} {b}")
         .alters(|p| p.channels = [0, 2, 1]),
     slip("green-twice", EVERY, PIXELS)
         .says(Words {
@@ -205,6 +277,7 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "print r, g, b",
             why: "A copied line keeps its old letter: green stands where blue should.",
         })
+        .in_rust(EVERY, "{r} {g} {g}", "{r} {g} {b}")
         .alters(|p| p.channels = [0, 1, 1]),
     slip("red-twice", EVERY, PIXELS)
         .says(Words {
@@ -212,6 +285,7 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "print r, g, b",
             why: "A copied line keeps its old letter: red stands where blue should.",
         })
+        .in_rust(EVERY, "{r} {g} {r}", "{r} {g} {b}")
         .alters(|p| p.channels = [0, 1, 0]),
     slip("times-255", EVERY, LEVELS)
         .says(Words {
@@ -220,6 +294,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Cutting off the fraction leaves level 255 to exactly 1.0 alone, so almost all \
                   pixels are a level darker.",
         })
+        .in_rust(
+            EVERY,
+            "(255.0 * component) as u8",
+            "(255.999 * component) as u8",
+        )
         .reported(&["#1249"])
         .alters(|p| p.level = |component| (255.0 * component) as i32),
     slip("times-255-99", EVERY, LEVELS)
@@ -228,6 +307,11 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "int(255.999 * r)",
             why: "The factor of older editions: a few pixels are a level darker.",
         })
+        .in_rust(
+            EVERY,
+            "(255.99 * component) as u8",
+            "(255.999 * component) as u8",
+        )
         .alters(|p| p.level = |component| (255.99 * component) as i32),
     slip("times-256", EVERY, LEVELS)
         .says(Words {
@@ -236,6 +320,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A component of 1.0 becomes 256, which is no level; a language that stops at 255 \
                   shows a few pixels a level brighter.",
         })
+        .in_rust(
+            EVERY,
+            "(256.0 * component) as u8",
+            "(255.999 * component) as u8",
+        )
         .reported(&["RayTracing/TheRestOfYourLife PR #5"])
         .alters(|p| p.level = |component| (256.0 * component) as i32),
     slip("times-256-clamped", EVERY, LEVELS)
@@ -244,6 +333,11 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "int(255.999 * r)",
             why: "How a later chapter of the book does it: a few pixels are a level brighter.",
         })
+        .in_rust(
+            EVERY,
+            "(256.0 * component.clamp(0.0, 0.999)) as u8",
+            "(255.999 * component) as u8",
+        )
         .alters(|p| p.level = |component| (256.0 * component.clamp(0.0, 0.999)) as i32),
     slip("rounded", EVERY, LEVELS)
         .says(Words {
@@ -252,6 +346,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Rounding to the nearest level is no worse, but it is another picture: half of \
                   the pixels are a level off.",
         })
+        .in_rust(
+            EVERY,
+            "(255.0 * component).round() as u8",
+            "(255.999 * component) as u8",
+        )
         .alters(|p| p.level = |component| (255.0 * component).round() as i32),
     slip("rounded-255-999", EVERY, LEVELS)
         .says(Words {
@@ -260,6 +359,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The factor is made for cutting off. Rounded, 1.0 becomes 256, which is no level, \
                   and half of the others are a level brighter.",
         })
+        .in_rust(
+            EVERY,
+            "(255.999 * component).round() as u8",
+            "(255.999 * component) as u8",
+        )
         .alters(|p| p.level = |component| (255.999 * component).round() as i32),
     slip("blended-as-bytes", RAYS, SKY)
         .says(Words {
@@ -268,6 +372,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The two colors are bytes, and each term is cut off to an integer before the sum. \
                   So up to three levels are lost.",
         })
+        .in_rust(
+            RAYS,
+            "((1.0 - a) * 255.0) as u8 + (a * 127.0) as u8",
+            "(1.0 - a) * white + a * blue",
+        )
         .alters(|p| {
             p.lerp = |sky, a| {
                 let [below, above] = sky.map(|color| (255.0 * color).floor());
@@ -281,6 +390,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The conversion cuts off everything below 1 before the factor can spread it: \
                   levels are 0 or 255.",
         })
+        .in_rust(
+            EVERY,
+            "255 * component as u8",
+            "(255.999 * component) as u8",
+        )
         .alters(|p| p.level = |component| 255_i32.saturating_mul(component as i32)),
     slip("gamma-too-early", EVERY, LEVELS)
         .says(Words {
@@ -289,6 +403,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The square root is the gamma correction of a later chapter: everything is too \
                   bright.",
         })
+        .in_rust(
+            EVERY,
+            "(255.999 * component.sqrt()) as u8",
+            "(255.999 * component) as u8",
+        )
         .alters(|p| p.level = |component| (255.999 * component.sqrt()) as i32),
     slip("single-precision", RAYS, DIGITS)
         .says(Words {
@@ -297,6 +416,8 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "With 24 bits instead of 53, a few pixels are a level off; small far spheres come \
                   out worse.",
         })
+        .in_rust(RAYS, "f32", "f64")
+        .in_python("numpy.float32", "float")
         .reported(&["mitsuba-renderer/mitsuba3#512"])
         .alters(|p| {
             p.color = single::color;

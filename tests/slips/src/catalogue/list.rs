@@ -39,6 +39,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Each hit replaces the one before, however far it is. The ground, added last, \
                   covers the sphere's lower part.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "object.hit(ray, t_min, t_max)",
+            "object.hit(ray, t_min, closest_so_far)",
+        )
         .reported(&["#671", "#1711"])
         .alters(|p| p.search = last_hit),
     slip("first-hit-wins", HITTABLE_LIST, SEARCH)
@@ -48,6 +53,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The first object that is hit hides nearer ones that follow. The book adds the \
                   near sphere first, so its picture is right.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "return Some(record)",
+            "closest_so_far = record.t; nearest = Some(record)",
+        )
         .alters(|p| p.search = first_hit),
     slip("farthest-wins", HITTABLE_LIST, SEARCH)
         .says(Words {
@@ -55,6 +65,11 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "if (rec.t < closest_so_far)",
             why: "The farthest hit covers all nearer ones.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "if record.t > closest_so_far",
+            "object.hit(ray, t_min, closest_so_far)",
+        )
         .alters(|p| p.search = farthest_hit),
     slip("near-root-only", HITTABLE_LIST, BOTH_ROOTS)
         .says(Words {
@@ -63,6 +78,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "From inside a sphere the nearer root is behind, and the far one is what the eye \
                   sees.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "roots = [(h - sqrtd) / a]",
+            "roots = [(h - sqrtd) / a, (h + sqrtd) / a]",
+        )
         .alters(|p| p.numerators = |first, sqrtd, _| [first - sqrtd; 2]),
     slip("range-not-tested", HITTABLE_LIST, RANGE_OF_A_SPHERE)
         .says(Words {
@@ -71,6 +91,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Hits behind the camera count too, and beat those in front: the sky shows the \
                   ground's back.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "t = roots[0]",
+            "t = roots.into_iter().find(|&t| t_min < t && t < t_max)?",
+        )
         .alters(|p| p.in_range = |_, _, _| true),
     slip("range-behind-allowed", HITTABLE_LIST, RANGE_OF_THE_EYE)
         .says(Words {
@@ -79,6 +104,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The nearest t of all is the smallest: the ground behind the camera beats what is \
                   in front.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "world.hit(ray, f64::NEG_INFINITY, f64::INFINITY)",
+            "world.hit(ray, 0.0, f64::INFINITY)",
+        )
         .alters(|p| p.t_min = f64::NEG_INFINITY),
     slip("range-closed", HITTABLE_LIST, RANGE_OF_A_SPHERE)
         .says(Words {
@@ -87,6 +117,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A root exactly at an end of the interval does not count: a ray that leaves a \
                   surface must not hit it at t = 0.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "t_min <= t && t <= t_max",
+            "t_min < t && t < t_max",
+        )
         .alters(|p| p.in_range = |t_min, t, t_max| t_min <= t && t <= t_max)
         .only_by_law(HITTABLE_LIST, "A root at an end of the interval is no hit."),
     slip("range-too-early", HITTABLE_LIST, RANGE_OF_THE_EYE)
@@ -96,6 +131,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A later chapter needs it, where rays start on surfaces. Here they start at the \
                   eye.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "world.hit(ray, 0.001, f64::INFINITY)",
+            "world.hit(ray, 0.0, f64::INFINITY)",
+        )
         .alters(|p| p.t_min = 0.001)
         .equivalent(
             HITTABLE_LIST,
@@ -109,6 +149,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "From inside a sphere the normal has to turn against the ray. The book's camera \
                   is outside of everything.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "record.normal = outward_normal",
+            "record.set_face_normal(ray, outward_normal)",
+        )
         .alters(|p| p.face = |_, _, outward| outward),
     slip("faces-swapped", HITTABLE_LIST, FACE)
         .says(Words {
@@ -116,6 +161,15 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "normal = front_face ? outward_normal : -outward_normal",
             why: "Every normal points along the ray, into what it belongs to.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "if self.front_face { -outward_normal } else { outward_normal }",
+            "if self.front_face { outward_normal } else { -outward_normal }",
+        )
+        .in_python(
+            "normal = -outward_normal if front_face else outward_normal",
+            "normal = outward_normal if front_face else -outward_normal",
+        )
         .reported(&["#720", "#1729"])
         .alters(|p| {
             p.face = |program, direction, outward| {
@@ -133,6 +187,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The small sphere must stand on the ground, its lowest point at -0.5. Here it is \
                   half sunk.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "Sphere::new(Point3::new(0.0, -100.0, -1.0), 100.0)",
+            "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)",
+        )
         .alters(|p| p.world = const { &[BALL, Ball::new(0.0, -100.0, -1.0, 100.0)] }),
     slip("ground-too-large", HITTABLE_LIST, WORLD)
         .says(Words {
@@ -140,6 +199,11 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "sphere((0, -100.5, -1), 100)",
             why: "The ground reaches up to 0, so the small sphere is half sunk.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.5)",
+            "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)",
+        )
         .alters(|p| p.world = const { &[BALL, Ball::new(0.0, -100.5, -1.0, 100.5)] }),
     slip("ground-above", HITTABLE_LIST, WORLD)
         .says(Words {
@@ -148,6 +212,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "y points up, so the ground's center is far below. Without the minus it hangs in \
                   the sky.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "Sphere::new(Point3::new(0.0, 100.5, -1.0), 100.0)",
+            "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)",
+        )
         .alters(|p| p.world = const { &[BALL, Ball::new(0.0, 100.5, -1.0, 100.0)] }),
     slip("ceiling-added", HITTABLE_LIST, WORLD)
         .says(Words {
@@ -156,6 +225,12 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A third sphere, as large as the ground, hangs above the scene and hides most of \
                   the sky.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "world.add(Sphere::new(Point3::new(0.0, 100.5, -1.0), 100.0))",
+            "world.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5)); \
+             world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)); world }",
+        )
         .alters(|p| {
             p.world = const {
                 &[
@@ -172,6 +247,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The ground's center lies below the sphere. A unit nearer, its colors shift a \
                   little.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "Sphere::new(Point3::new(0.0, -100.5, 0.0), 100.0)",
+            "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)",
+        )
         .alters(|p| p.world = const { &[BALL, Ball::new(0.0, -100.5, 0.0, 100.0)] }),
     slip("ground-not-added", HITTABLE_LIST, WORLD)
         .says(Words {
@@ -179,6 +259,12 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "… and world.add(sphere((0, -100.5, -1), 100))",
             why: "Without the ground the picture is that of the chapter before.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "world.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5)); world }",
+            "world.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5)); \
+             world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)); world }",
+        )
         .alters(|p| p.world = &[BALL]),
 ];
 

@@ -5,6 +5,7 @@ use common::rtweekend::*;
 use super::chapters::{HITTABLE_LIST, LONE_SPHERE, ONE_SPHERE, RED_SPHERE, ROOTS};
 use super::sphere::SIGN_OF_B;
 use crate::chapter::Chapter;
+use crate::letters::Letters;
 use crate::program::{Ball, Balls, Program};
 use crate::slip::{Place, Slip, Words, slip};
 
@@ -41,6 +42,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A negative t is a point behind the camera. The book's sphere is in front, so \
                   nothing shows it.",
         })
+        .in_rust(
+            ONE_SPHERE,
+            "if let Some(t) = hit_sphere(center, 0.5, ray) {",
+            "if let Some(t) = hit_sphere(center, 0.5, ray) && t > 0.0 {",
+        )
         .reported(&["#1570"])
         .alters(|p| p.t_min = f64::NEG_INFINITY),
     slip("range-loosened", ONE_SPHERE, RANGE)
@@ -50,6 +56,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Often tried to bring back a sphere that a slip in a sign has lost. It counts \
                   points just behind the camera.",
         })
+        .in_rust(ONE_SPHERE, "t > -1.0", "t > 0.0")
         .reported(&["#1643", "#1558"])
         .alters(|p| p.t_min = -1.0),
     slip("only-behind-drawn", ONE_SPHERE, ROOT)
@@ -59,7 +66,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "What is in front of the camera is left out, and a miss is drawn: its -1.0 is a t \
                   like any other.",
         })
-        .not_in_rust()
+        .made_in(|letters| letters != Letters::Rust)
         .alters(|p| p.search = only_behind),
     slip("sphere-at-plus-one", LONE_SPHERE, ROOT)
         .says(Words {
@@ -68,6 +75,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The sphere is behind the camera. Chapter 2 draws it all the same, the later ones \
                   must not.",
         })
+        .in_rust(
+            LONE_SPHERE,
+            "Point3::new(0.0, 0.0, 1.0)",
+            "Point3::new(0.0, 0.0, -1.0)",
+        )
         .reported(&["#1570"])
         .alters(|p| p.world = const { &[Ball::new(0.0, 0.0, 1.0, 0.5)] })
         .equivalent(RED_SPHERE, SIGN_OF_B),
@@ -77,6 +89,16 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "N = unit_vector(r.at(t) - center)",
             why: "A normal points away from the center of the sphere, not from the eye.",
         })
+        .in_rust(
+            ONE_SPHERE,
+            "normal = ray.at(t).normalize()",
+            "normal = (ray.at(t) - center).normalize()",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "outward_normal = record.point.normalize()",
+            "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
+        )
         .alters(|p| p.outward = |program, point, _| (program.unit)(point)),
     slip("center-added", ROOTS, NORMAL)
         .says(Words {
@@ -84,6 +106,16 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "N = unit_vector(r.at(t) - center)",
             why: "A normal is the way from the center to the point, a difference.",
         })
+        .in_rust(
+            ONE_SPHERE,
+            "normal = (ray.at(t) + center).normalize()",
+            "normal = (ray.at(t) - center).normalize()",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "outward_normal = (record.point + self.center) * (1.0 / self.radius)",
+            "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
+        )
         .alters(|p| {
             p.outward = |program, point, ball| rescaled(program, point + ball.center, ball);
         }),
@@ -94,6 +126,16 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The bracket closes too early: the center is taken from a vector that is 1 long \
                   already, and the difference is not.",
         })
+        .in_rust(
+            ONE_SPHERE,
+            "normal = ray.at(t).normalize() - center",
+            "normal = (ray.at(t) - center).normalize()",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "outward_normal = record.point.normalize() - self.center",
+            "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
+        )
         .alters(|p| p.outward = |program, point, ball| (program.unit)(point) - ball.center),
     slip("normal-inward", ROOTS, NORMAL)
         .says(Words {
@@ -101,6 +143,16 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "N = unit_vector(r.at(t) - center)",
             why: "The way from the point to the center points in.",
         })
+        .in_rust(
+            ONE_SPHERE,
+            "normal = (center - ray.at(t)).normalize()",
+            "normal = (ray.at(t) - center).normalize()",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "outward_normal = (self.center - record.point) * (1.0 / self.radius)",
+            "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
+        )
         .alters(|p| p.outward = |program, point, ball| rescaled(program, ball.center - point, ball))
         .only_by_law(
             HITTABLE_LIST,
@@ -113,6 +165,16 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Its length is the radius, and colors are made for length 1: a small sphere fades \
                   to gray, the ground leaves the range.",
         })
+        .in_rust(
+            ONE_SPHERE,
+            "normal = ray.at(t) - center;",
+            "normal = (ray.at(t) - center).normalize();",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "outward_normal = record.point - self.center;",
+            "outward_normal = (record.point - self.center) * (1.0 / self.radius);",
+        )
         .reported(&["#1062", "#525"])
         .alters(|p| p.outward = |_, point, ball| point - ball.center),
     slip("normal-times-radius", HITTABLE_LIST, NORMAL_BY_RADIUS)
@@ -122,6 +184,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The way from the center to the point is as long as the radius: dividing makes it \
                   a unit vector.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "outward_normal = (record.point - self.center) * self.radius",
+            "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
+        )
         .alters(|p| p.outward = |_, point, ball| (point - ball.center) * ball.radius),
     slip("unit-vector-for-radius", HITTABLE_LIST, NORMAL_BY_RADIUS)
         .says(Words {
@@ -130,6 +197,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Only slower, since p is on the sphere. It matters for a negative radius, which \
                   turns the normal here and was a trick of older editions.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "outward_normal = (record.point - self.center).normalize()",
+            "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
+        )
         .reported(&["#977"])
         .alters(|p| p.outward = |program, point, ball| (program.unit)(point - ball.center))
         .equivalent(
@@ -143,6 +215,11 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "r.at(t) = origin + t * direction",
             why: "t counts lengths of the direction, whatever that length is.",
         })
+        .in_rust(
+            ROOTS,
+            "{ self.origin + t * self.direction.normalize() }",
+            "{ self.origin + t * self.direction }",
+        )
         .alters(|p| p.at = |program, ray, t| ray.origin + t * (program.unit)(ray.direction)),
     slip("point-without-origin", ROOTS, POINT)
         .says(Words {
@@ -150,6 +227,11 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "r.at(t) = origin + t * direction",
             why: "It shows as soon as a ray starts anywhere but at the origin.",
         })
+        .in_rust(
+            ROOTS,
+            "{ t * self.direction }",
+            "{ self.origin + t * self.direction }",
+        )
         .alters(|p| p.at = |_, ray, t| t * ray.direction)
         .only_by_law(ROOTS, "A ray is at its origin at t = 0."),
     slip("normal-not-mapped", ROOTS, SHADE)
@@ -159,6 +241,16 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A normal's components run from -1 to 1, a color's from 0 to 1. Negative ones are \
                   printed or cut off.",
         })
+        .in_rust(
+            ONE_SPHERE,
+            "return normal;",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return record.normal;",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
         .alters(|p| p.shade = |_, normal| normal),
     slip("normal-only-halved", ROOTS, SHADE)
         .says(Words {
@@ -166,6 +258,16 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
             why: "Without the 1 half of the components stay negative.",
         })
+        .in_rust(
+            ONE_SPHERE,
+            "return 0.5 * normal;",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return 0.5 * record.normal;",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
         .alters(|p| p.shade = |_, normal| 0.5 * normal),
     slip("normal-only-shifted", ROOTS, SHADE)
         .says(Words {
@@ -174,6 +276,16 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Without the half components run from 0 to 2, and half of them are too bright for \
                   a picture.",
         })
+        .in_rust(
+            ONE_SPHERE,
+            "return normal + Vec3::ONE",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return record.normal + Vec3::ONE",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
         .alters(|p| p.shade = |_, normal| normal + Vec3::ONE),
     slip("normal-without-brackets", ROOTS, SHADE)
         .says(Words {
@@ -182,6 +294,16 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The half takes the normal alone, so components run from 0.5 to 1.5, and half of \
                   them are too bright for a picture.",
         })
+        .in_rust(
+            ONE_SPHERE,
+            "return 0.5 * normal + Vec3::ONE",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return 0.5 * record.normal + Vec3::ONE",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
         .alters(|p| p.shade = |_, normal| 0.5 * normal + Vec3::ONE),
     slip("normal-channels-reversed", ROOTS, SHADE)
         .says(Words {
@@ -190,6 +312,17 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "x is red and z is blue. The sky is right, the sphere's red and blue have changed \
                   places.",
         })
+        .in_rust(
+            ONE_SPHERE,
+            "return 0.5 * (Vec3::new(normal.z, normal.y, normal.x) + Vec3::ONE)",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return 0.5 * (Vec3::new(record.normal.z, record.normal.y, record.normal.x) + \
+             Vec3::ONE)",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
         .alters(|p| {
             p.shade = |_, normal| 0.5 * (Vec3::new(normal.z, normal.y, normal.x) + Vec3::ONE);
         }),
@@ -200,6 +333,17 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A copied term keeps its letter: with one component for all three, what is hit is \
                   gray.",
         })
+        .in_rust(
+            ONE_SPHERE,
+            "return 0.5 * (Vec3::new(normal.x, normal.x, normal.x) + Vec3::ONE)",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return 0.5 * (Vec3::new(record.normal.x, record.normal.x, record.normal.x) + \
+             Vec3::ONE)",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
         .alters(|p| p.shade = |_, normal| 0.5 * (Vec3::splat(normal.x) + Vec3::ONE)),
     slip("normal-as-absolute", ROOTS, SHADE)
         .says(Words {
@@ -208,6 +352,16 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Absolute values fit into a color, but left and right, above and below look the \
                   same.",
         })
+        .in_rust(
+            ONE_SPHERE,
+            "return normal.abs()",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return record.normal.abs()",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
         .alters(|p| p.shade = |_, normal| normal.abs()),
 ];
 

@@ -1,8 +1,11 @@
 //! Slips in the quadratic.
 
-use super::chapters::{FULL_B, HALF_B, NORMALS, ONE_SPHERE, RED_SPHERE, ROOTS, SPHERES};
+use super::chapters::{
+    FULL_B, HALF_B, HITTABLE_LIST, NORMALS, ONE_SPHERE, RED_SPHERE, ROOTS, SPHERES,
+};
 use crate::chapter::Chapter;
 use crate::edition::Edition;
+use crate::letters::Letters;
 use crate::slip::{Place, Slip, Words, slip};
 
 /// Why chapter 2 does not show a slip in the sign of b.
@@ -20,6 +23,10 @@ const COEFFICIENTS: Place = Place {
 const HALF: Place = Place {
     page: "half_b_sphere#two-observations",
     source: "chapters/4_half_b_sphere/src/lib.rs",
+};
+const DOT: Place = Place {
+    page: COEFFICIENTS.page,
+    source: "common/src/vec3.rs",
 };
 const DISCRIMINANT: Place = Place {
     page: "red_sphere#what-the-discriminant-says",
@@ -56,6 +63,16 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Version 4 has it that way round, with another sign in the formula. Mixed, every \
                   root changes its sign and the sphere is behind the camera.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "oc = ray.origin - self.center",
+            "oc = self.center - ray.origin",
+        )
+        .in_rust(
+            SPHERES,
+            "oc = ray.origin - center",
+            "oc = center - ray.origin",
+        )
         .reported(&["#1292", "PR #1304", "#1643"])
         .alters(|p| p.oc = |center, origin| origin - center)
         .equivalent(RED_SPHERE, SIGN_OF_B),
@@ -72,6 +89,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The minus belongs to oc = center - origin, as in version 4. With it every root \
                   changes its sign and the sphere is behind the camera.",
         })
+        .in_rust(
+            FULL_B,
+            "b = 2.0 * ray.direction.dot(oc)",
+            "b = -2.0 * ray.direction.dot(oc)",
+        )
         .reported(&["#1292", "#1643"])
         .alters(|p| p.linear = |d_oc| 2.0 * d_oc)
         .equivalent(RED_SPHERE, SIGN_OF_B),
@@ -88,6 +110,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "That is half of b, and the formula is the one for the whole: the discriminant is \
                   far too small.",
         })
+        .in_rust(
+            FULL_B,
+            "b = -ray.direction.dot(oc)",
+            "b = -2.0 * ray.direction.dot(oc)",
+        )
         .alters(|p| p.linear = |d_oc| -d_oc),
     slip("h-doubled", HALF_B, HALF)
         .says(Words {
@@ -102,6 +129,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "That is b, and the formula is the one for half of it: the discriminant is far \
                   too large.",
         })
+        .in_rust(
+            HALF_B,
+            "h = -2.0 * ray.direction.dot(oc)",
+            "h = ray.direction.dot(oc)",
+        )
         .alters(|p| {
             p.linear = match p.edition {
                 Edition::V4 => |d_oc| -2.0 * d_oc,
@@ -116,6 +148,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The 4 goes only if b is halved. Here the discriminant is too large, and every \
                   ray hits.",
         })
+        .in_rust(
+            FULL_B,
+            "discriminant = b * b - a * c",
+            "discriminant = b * b - 4.0 * a * c",
+        )
         .reported(&["#113", "#126", "#146", "RayTracing/InOneWeekend#17"])
         .alters(|p| p.discriminant = |a, b, c| b * b - a * c),
     slip("discriminant-with-four", HALF_B, HALF)
@@ -131,15 +168,35 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Halving b cancels the 4. With it the discriminant is too small, and the small \
                   sphere is gone.",
         })
+        .in_rust(
+            HALF_B,
+            "discriminant = h * h - 4.0 * a * c",
+            "discriminant = h * h - a * c",
+        )
         .reported(&["#113", "#126", "#146", "RayTracing/InOneWeekend#17"])
         .alters(|p| p.discriminant = |a, h, c| h * h - 4.0 * a * c),
     slip("discriminant-with-plus", SPHERES, DISCRIMINANT)
         .says(Words {
-            wrong: "b*b + 4*a*c, or h*h + a*c",
-            right: "b*b - 4*a*c, or h*h - a*c",
+            wrong: "discriminant = b*b + 4*a*c",
+            right: "discriminant = b*b - 4*a*c",
             why: "From outside a sphere c is positive, so the sum is as well, and every line seems \
                   to meet the sphere.",
         })
+        .in_book(
+            HALF_B,
+            "discriminant = h*h + a*c",
+            "discriminant = h*h - a*c",
+        )
+        .in_rust(
+            FULL_B,
+            "discriminant = b * b + 4.0 * a * c",
+            "discriminant = b * b - 4.0 * a * c",
+        )
+        .in_rust(
+            HALF_B,
+            "discriminant = h * h + a * c",
+            "discriminant = h * h - a * c",
+        )
         .alters(|p| {
             p.discriminant = match p.chapter {
                 Chapter::RedSphere | Chapter::Normals => |a, b, c| b * b + 4.0 * a * c,
@@ -153,6 +210,8 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "A ray that only touches the sphere has one root, and the discriminant is 0. No \
                   ray of the camera touches exactly.",
         })
+        .in_rust(RED_SPHERE, "discriminant > 0.0", "discriminant >= 0.0")
+        .in_rust(ROOTS, "if discriminant <= 0.0", "if discriminant < 0.0")
         .reported(&["#110", "#1057", "#1058", "PR #1124"])
         .alters(|p| p.meets = |discriminant| discriminant > 0.0)
         .only_by_law(SPHERES, "A tangent is a hit."),
@@ -162,6 +221,21 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "c = dot(oc, oc) - radius*radius",
             why: "A radius of 0.5 acts as its square root, 0.707: the disc is too large.",
         })
+        .in_rust(
+            FULL_B,
+            "c = oc.dot(oc) - radius;",
+            "c = oc.dot(oc) - radius * radius;",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "c = oc.length_squared() - self.radius;",
+            "c = oc.length_squared() - self.radius * self.radius;",
+        )
+        .in_rust(
+            HALF_B,
+            "c = oc.length_squared() - radius;",
+            "c = oc.length_squared() - radius * radius;",
+        )
         .alters(|p| p.constant = |oc_squared, radius| oc_squared - radius),
     slip("radius-added", SPHERES, EQUATION)
         .says(Words {
@@ -170,6 +244,21 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The square of the radius comes from the right side of the equation. With a plus \
                   there is no such sphere.",
         })
+        .in_rust(
+            FULL_B,
+            "c = oc.dot(oc) + radius * radius",
+            "c = oc.dot(oc) - radius * radius",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "c = oc.length_squared() + self.radius * self.radius",
+            "c = oc.length_squared() - self.radius * self.radius",
+        )
+        .in_rust(
+            HALF_B,
+            "c = oc.length_squared() + radius * radius",
+            "c = oc.length_squared() - radius * radius",
+        )
         .alters(|p| p.constant = |oc_squared, radius| oc_squared + radius * radius),
     slip("center-not-squared", SPHERES, EQUATION)
         .says(Words {
@@ -178,6 +267,21 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The equation has the square of the distance. Near 1 the two are alike, so a \
                   sphere at -1 hides it.",
         })
+        .in_rust(
+            FULL_B,
+            "c = oc.length() - radius * radius",
+            "c = oc.dot(oc) - radius * radius",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "c = oc.length() - self.radius * self.radius",
+            "c = oc.length_squared() - self.radius * self.radius",
+        )
+        .in_rust(
+            HALF_B,
+            "c = oc.length() - radius * radius",
+            "c = oc.length_squared() - radius * radius",
+        )
         .alters(|p| p.constant = |oc_squared, radius| oc_squared.sqrt() - radius * radius),
     slip("a-taken-as-one", SPHERES, COEFFICIENTS)
         .says(Words {
@@ -186,22 +290,34 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "That holds for unit directions only. Here it gives every ray the discriminant of \
                   the one in the middle, and every ray hits.",
         })
+        .in_rust(FULL_B, "a = 1.0", "a = ray.direction.dot(ray.direction)")
+        .in_rust(HALF_B, "a = 1.0", "a = ray.direction.length_squared()")
         .alters(|p| p.a = |_, _| 1.0),
-    slip("dot-with-swapped-letter", SPHERES, COEFFICIENTS)
+    slip("dot-with-swapped-letter", SPHERES, DOT)
         .says(Words {
             wrong: "u.x*v.x + u.y*v.y + u.z*u.z",
             right: "u.x*v.x + u.y*v.y + u.z*v.z",
             why: "With oc.z and d.z both -1 the last product is right by chance. Any other sphere, \
                   and every normal's side, is wrong.",
         })
+        .in_rust(
+            SPHERES,
+            "{ self.x * other.x + self.y * other.y + self.z * self.z }",
+            "{ self.x * other.x + self.y * other.y + self.z * other.z }",
+        )
         .reported(&["#1292"])
         .alters(|p| p.dot = |u, v| u.x * v.x + u.y * v.y + u.z * u.z),
-    slip("dot-without-z", SPHERES, COEFFICIENTS)
+    slip("dot-without-z", SPHERES, DOT)
         .says(Words {
             wrong: "u.x*v.x + u.y*v.y",
             right: "u.x*v.x + u.y*v.y + u.z*v.z",
             why: "A dot product has three terms. Without the third, depth is lost.",
         })
+        .in_rust(
+            SPHERES,
+            "{ self.x * other.x + self.y * other.y }",
+            "{ self.x * other.x + self.y * other.y + self.z * other.z }",
+        )
         .alters(|p| p.dot = |u, v| u.x * v.x + u.y * v.y),
     slip("stale-boolean", ONE_SPHERE, ROOT)
         .says(Words {
@@ -210,7 +326,12 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Left from chapter 2: true turns into t = 1 for every hit. The disc is right, its \
                   colors are a wheel of directions without depth.",
         })
-        .not_in_rust()
+        .in_book(
+            HALF_B,
+            "return discriminant >= 0",
+            "return (h - sqrt(discriminant)) / a",
+        )
+        .made_in(|letters| letters != Letters::Rust)
         .alters(|p| p.divide = |_, _| 1.0),
     slip("minus-one-is-true", ONE_SPHERE, ROOT)
         .says(Words {
@@ -220,7 +341,7 @@ pub(super) const SLIPS: &[Slip] = &[
                   colored, also those that miss.",
         })
         .reported(&["#157"])
-        .not_in_rust()
+        .made_in(|letters| matches!(letters, Letters::Book(_)))
         .alters(|p| {
             p.meets = |_| true;
             p.divide = |_, _| 1.0;
@@ -232,7 +353,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The caller takes every t > 0 for a hit. The sphere is right, and around it the \
                   sky has the colors of a hit at t = 1.",
         })
-        .not_in_rust()
+        .made_in(|letters| letters != Letters::Rust)
         .alters(|p| p.missed = Some(1.0)),
     slip("minus-h", HALF_B, SIGN_IN_H)
         .says(Words {
@@ -247,6 +368,16 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Here half_b is half of b, so the root begins with a minus, as it does with b. \
                   Without it the root is minus the far one, and the sphere is behind the camera.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "roots = [(-h - sqrtd) / a, (-h + sqrtd) / a]",
+            "roots = [(h - sqrtd) / a, (h + sqrtd) / a]",
+        )
+        .in_rust(
+            HALF_B,
+            "(-h - discriminant.sqrt()) / a",
+            "(h - discriminant.sqrt()) / a",
+        )
         .reported(&["#1292", "PR #1304", "#1643"])
         .alters(|p| p.first_term = |h| -h),
     slip("plus-b", NORMALS, SIGN_IN_ROOT)
@@ -256,6 +387,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Without the minus the root is minus the far one, and the sphere is behind the \
                   camera.",
         })
+        .in_rust(
+            NORMALS,
+            "(b - discriminant.sqrt()) / (2.0 * a)",
+            "(-b - discriminant.sqrt()) / (2.0 * a)",
+        )
         .alters(|p| p.first_term = |b| b),
     slip("far-root", ROOTS, ROOT)
         .says(Words {
@@ -263,6 +399,26 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "(-b - sqrt(discriminant)) / (2*a)",
             why: "The plus gives the far side of the sphere, seen from inside.",
         })
+        .in_book(
+            HALF_B,
+            "(h + sqrt(discriminant)) / a",
+            "(h - sqrt(discriminant)) / a",
+        )
+        .in_rust(
+            NORMALS,
+            "(-b + discriminant.sqrt()) / (2.0 * a)",
+            "(-b - discriminant.sqrt()) / (2.0 * a)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "roots = [(h + sqrtd) / a, (h + sqrtd) / a]",
+            "roots = [(h - sqrtd) / a, (h + sqrtd) / a]",
+        )
+        .in_rust(
+            HALF_B,
+            "(h + discriminant.sqrt()) / a",
+            "(h - discriminant.sqrt()) / a",
+        )
         .alters(|p| p.numerators = |first, sqrtd, _| [first + sqrtd; 2]),
     slip("square-root-forgotten", ROOTS, ROOT)
         .says(Words {
@@ -271,6 +427,26 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The discriminant's sign alone decides which lines meet the sphere, so the disc \
                   stays; but the points are not on it.",
         })
+        .in_book(
+            HALF_B,
+            "(h - discriminant) / a",
+            "(h - sqrt(discriminant)) / a",
+        )
+        .in_rust(
+            NORMALS,
+            "(-b - discriminant) / (2.0 * a)",
+            "(-b - discriminant.sqrt()) / (2.0 * a)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "sqrtd = discriminant;",
+            "sqrtd = discriminant.sqrt();",
+        )
+        .in_rust(
+            HALF_B,
+            "(h - discriminant) / a",
+            "(h - discriminant.sqrt()) / a",
+        )
         .alters(|p| p.sqrt = |discriminant| discriminant),
     slip("two-a-without-brackets", ROOTS, ROOT)
         .says(Words {
@@ -279,6 +455,17 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "That divides by 2 and then multiplies by a. In the middle, where a is 1, it is \
                   right.",
         })
+        .in_rust(
+            NORMALS,
+            "(-b - discriminant.sqrt()) / 2.0 * a",
+            "(-b - discriminant.sqrt()) / (2.0 * a)",
+        )
+        .in_rust(HITTABLE_LIST, "(-b - sqrtd) / 2.0 * a", "(h - sqrtd) / a")
+        .in_rust(
+            HALF_B,
+            "(-b - discriminant.sqrt()) / 2.0 * a",
+            "(h - discriminant.sqrt()) / a",
+        )
         .alters(
             |p| // Who types the whole of b in later chapters as well has a numerator twice as
             // large.
@@ -289,8 +476,8 @@ pub(super) const SLIPS: &[Slip] = &[
         ),
     slip("numerator-without-brackets", ROOTS, ROOT)
         .says(Words {
-            wrong: "-b - sqrt(discriminant) / (2*a), or h - sqrt(discriminant) / a",
-            right: "(-b - sqrt(discriminant)) / (2*a), or (h - sqrt(discriminant)) / a",
+            wrong: "-b - sqrt(discriminant) / (2*a)",
+            right: "(-b - sqrt(discriminant)) / (2*a)",
             why: "Only the square root is divided. In the middle, where a is 1, half of b gives \
                   the right root even so.",
         })
@@ -300,6 +487,26 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Only the square root is divided. In the middle, where a is 1, half of b gives \
                   the right root even so.",
         })
+        .in_book(
+            HALF_B,
+            "h - sqrt(discriminant) / a",
+            "(h - sqrt(discriminant)) / a",
+        )
+        .in_rust(
+            NORMALS,
+            "-b - discriminant.sqrt() / (2.0 * a)",
+            "(-b - discriminant.sqrt()) / (2.0 * a)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "roots = [h - sqrtd / a, h + sqrtd / a]",
+            "roots = [(h - sqrtd) / a, (h + sqrtd) / a]",
+        )
+        .in_rust(
+            HALF_B,
+            "h - discriminant.sqrt() / a",
+            "(h - discriminant.sqrt()) / a",
+        )
         .alters(|p| {
             p.numerators = match p.chapter {
                 Chapter::Normals => |first, sqrtd, a| [first - sqrtd / (2.0 * a); 2],
@@ -315,6 +522,11 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "That is the division of the next chapter, where b is halved. Here t is twice as \
                   large.",
         })
+        .in_rust(
+            NORMALS,
+            "(-b - discriminant.sqrt()) / a",
+            "(-b - discriminant.sqrt()) / (2.0 * a)",
+        )
         .alters(|p| p.divide = |numerator, a| numerator / a),
     slip("divided-by-two-a", HALF_B, HALF)
         .says(Words {
@@ -327,6 +539,16 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "(-half_b - sqrt(discriminant)) / a",
             why: "Halving b cancels the 2. With it t is half as large.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "roots = [(h - sqrtd) / (2.0 * a), (h + sqrtd) / (2.0 * a)]",
+            "roots = [(h - sqrtd) / a, (h + sqrtd) / a]",
+        )
+        .in_rust(
+            HALF_B,
+            "(h - discriminant.sqrt()) / (2.0 * a)",
+            "(h - discriminant.sqrt()) / a",
+        )
         .alters(|p| p.divide = |numerator, a| numerator / (2.0 * a)),
     slip("not-divided", HALF_B, HALF)
         .says(Words {
@@ -341,5 +563,15 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "That is right for unit directions only. The rays here are longer away from the \
                   middle.",
         })
+        .in_rust(
+            HITTABLE_LIST,
+            "roots = [h - sqrtd, h + sqrtd]",
+            "roots = [(h - sqrtd) / a, (h + sqrtd) / a]",
+        )
+        .in_rust(
+            HALF_B,
+            "Some(h - discriminant.sqrt())",
+            "Some((h - discriminant.sqrt()) / a)",
+        )
         .alters(|p| p.divide = |numerator, _| numerator),
 ];
