@@ -139,17 +139,24 @@ fn toml_string(path: &Path) -> String {
     format!("{:?}", path.display().to_string())
 }
 
-/// The test that puts what the chapter computes under the laws; empty where it
-/// intersects nothing.
+/// The test that puts what the reader types under the laws; empty where nobody would look
+/// for a mistake.
 pub(super) fn test(chapter: Chapter, own: bool) -> String {
     let test = match (chapter, own) {
         (Chapter::HittableList, false) => include_str!("skeletons/laws/hittable_list.rs"),
         (Chapter::HittableList, true) => include_str!("skeletons/own/laws/hittable_list.rs"),
-        (Chapter::BuildTest | Chapter::Gradient | Chapter::SpeedVsAccuracy, _) => "",
+        (Chapter::Gradient, true) => include_str!("skeletons/own/laws/gradient.rs"),
+        (Chapter::BuildTest | Chapter::Gradient | Chapter::SpeedVsAccuracy, _) => {
+            return String::new();
+        }
         (_, false) => include_str!("skeletons/laws/nearer_root.rs"),
         (_, true) => include_str!("skeletons/own/laws/nearer_root.rs"),
     };
-    let test = test.replace("my_chapter", &format!("my_{}", chapter.name()));
+    let prelude = match own {
+        true => include_str!("skeletons/own/laws/prelude.rs"),
+        false => "",
+    };
+    let test = format!("{test}{prelude}").replace("my_chapter", &format!("my_{}", chapter.name()));
     match chapter {
         // It only decides whether there is a root.
         Chapter::RedSphere => test

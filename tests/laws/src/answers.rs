@@ -13,11 +13,12 @@ use common::rtweekend::*;
 use slips::Program;
 use speed_vs_accuracy::Case;
 
+use crate::camera::{Pixel, Width};
 use crate::intervals::WithInterval;
 use crate::list::World;
 use crate::nearer_root::Decided;
+use crate::prelude::Asked;
 use crate::question::Question;
-use crate::ray_and_camera::{Arrow, Letters, Pixel, Place, Width};
 use crate::record::{Hit, Recorded};
 
 /// What the functions of a reader answered.
@@ -35,9 +36,7 @@ impl Answers {
             Answered::<WithInterval>::read,
             Answered::<Recorded>::read,
             Answered::<World>::read,
-            Answered::<Letters>::read,
-            Answered::<Arrow>::read,
-            Answered::<Place>::read,
+            Answered::<Asked>::read,
             Answered::<Width>::read,
             Answered::<Pixel>::read,
         ];
@@ -98,7 +97,9 @@ impl Answer for bool {
     }
 
     fn from_numbers(numbers: &[f64]) -> Option<Self> {
-        f64::from_numbers(numbers).map(|number| number != 0.0)
+        <[f64; 1]>::try_from(numbers)
+            .ok()
+            .map(|[number]| number != 0.0)
     }
 }
 
@@ -108,20 +109,9 @@ impl Answer for u32 {
     }
 
     fn from_numbers(numbers: &[f64]) -> Option<Self> {
-        f64::from_numbers(numbers).map(|number| number as Self)
-    }
-}
-
-impl Answer for f64 {
-    fn numbers(&self) -> Vec<f64> {
-        vec![*self]
-    }
-
-    fn from_numbers(numbers: &[f64]) -> Option<Self> {
-        match *numbers {
-            [number] => Some(number),
-            _ => None,
-        }
+        <[f64; 1]>::try_from(numbers)
+            .ok()
+            .map(|[number]| number as Self)
     }
 }
 
@@ -139,13 +129,13 @@ impl Answer for Option<f64> {
     }
 }
 
-impl Answer for Vec3 {
+impl Answer for Option<Vec<f64>> {
     fn numbers(&self) -> Vec<f64> {
-        self.to_array().into()
+        self.clone().unwrap_or_default()
     }
 
     fn from_numbers(numbers: &[f64]) -> Option<Self> {
-        numbers.try_into().ok().map(Self::from_array)
+        Some((!numbers.is_empty()).then(|| numbers.to_vec()))
     }
 }
 
@@ -155,33 +145,33 @@ impl Answer for Ray {
     }
 
     fn from_numbers(numbers: &[f64]) -> Option<Self> {
-        let (origin, direction) = numbers.split_at_checked(3)?;
-        Some(Self::new(
-            Vec3::from_numbers(origin)?,
-            Vec3::from_numbers(direction)?,
-        ))
+        let &[x, y, z, u, v, w] = numbers else {
+            return None;
+        };
+        Some(Self::new(Vec3::new(x, y, z), Vec3::new(u, v, w)))
     }
 }
 
 impl Answer for Vec<Hit> {
     fn numbers(&self) -> Vec<f64> {
         let numbers = |hit: &Hit| {
-            let [x, y, z] = hit.normal.to_array();
-            [hit.t, x, y, z, f64::from(hit.front_face)]
+            let [point, normal] = [hit.point.to_array(), hit.normal.to_array()];
+            [&[hit.t], &point[..], &normal, &[f64::from(hit.front_face)]].concat()
         };
         self.iter().flat_map(numbers).collect()
     }
 
     fn from_numbers(numbers: &[f64]) -> Option<Self> {
         let hit = |numbers: &[f64]| match *numbers {
-            [t, x, y, z, front_face] => Some(Hit {
+            [t, x, y, z, u, v, w, front_face] => Some(Hit {
                 t,
-                normal: Vec3::new(x, y, z),
+                point: Point3::new(x, y, z),
+                normal: Vec3::new(u, v, w),
                 front_face: front_face != 0.0,
             }),
             _ => None,
         };
-        numbers.chunks(5).map(hit).collect()
+        numbers.chunks(8).map(hit).collect()
     }
 }
 

@@ -9,6 +9,7 @@
 //! crates.
 
 pub mod answers;
+pub mod camera;
 pub mod causes;
 pub mod intervals;
 pub mod list;
@@ -16,8 +17,8 @@ pub mod nearer_root;
 pub mod neighbors;
 mod numbers;
 pub mod oracle;
+pub mod prelude;
 pub mod question;
-pub mod ray_and_camera;
 pub mod record;
 pub mod report;
 pub mod runner;

@@ -9,11 +9,11 @@ use slips::{Ball, Chapter, Program};
 use speed_vs_accuracy::Case;
 
 use crate::answers::Answer;
+use crate::camera::{Pixel, Width};
 use crate::intervals::WithInterval;
 use crate::list::{World, worlds};
 use crate::nearer_root::Decided;
 use crate::numbers;
-use crate::ray_and_camera::{Arrow, Letters, Pixel, Place, Width};
 use crate::record::{Hit, Recorded};
 use crate::sampling::endless;
 use crate::strategies;
@@ -49,6 +49,11 @@ pub trait Question: Clone + Debug + Send + Sync + 'static {
         Vec::new()
     }
 
+    /// Whether both ask the same function, so that one mistake may explain both answers.
+    fn is_akin(&self, _other: &Self) -> bool {
+        true
+    }
+
     /// Whether mistakes fit the question by chance, as for a sphere of radius 0.
     fn is_degenerate(&self) -> bool {
         false
@@ -82,7 +87,7 @@ pub(crate) fn simplified<Q: Question>(mut question: Q, shows: impl Fn(&Q) -> boo
 }
 
 /// Every chapter that casts rays has vectors, rays and a camera.
-const RAYS: &[Chapter] = Chapter::OF_THE_BOOK.split_at(1).1;
+pub(crate) const RAYS: &[Chapter] = Chapter::OF_THE_BOOK.split_at(1).1;
 const LIST: &[Chapter] = &[Chapter::HittableList];
 
 /// Rays and spheres near and far, from inside and behind, with directions of any
@@ -269,7 +274,7 @@ impl Question for Recorded {
 
     const KIND: &'static str = "record";
 
-    const FUNCTION: &'static str = "Sphere";
+    const FUNCTION: &'static str = "record";
 
     const CHAPTERS: &'static [Chapter] = LIST;
 
@@ -281,9 +286,12 @@ impl Question for Recorded {
 
     fn same(&self, one: &Vec<Hit>, other: &Vec<Hit>) -> bool {
         let near = |(one, other): (&Hit, &Hit)| {
-            let size = one.normal.length() + other.normal.length();
+            let is_near = |one: Vec3, other: Vec3, size: f64| {
+                (one - other).length() <= 1e-6 * (one.length() + other.length() + size)
+            };
             one.front_face == other.front_face
-                && (one.normal - other.normal).length() <= 1e-6 * size
+                && is_near(one.normal, other.normal, 0.0)
+                && is_near(one.point, other.point, self.0.m().sqrt())
         };
         one.len() == other.len() && one.iter().zip(other).all(near)
     }
@@ -294,12 +302,9 @@ impl Question for Recorded {
         cases.filter(|asked| asked.right().len() == 2).collect()
     }
 
-    fn as_test(&self, sphere: &str) -> String {
+    fn as_test(&self, record: &str) -> String {
         format!(
-            "{}\nlet hit = |t_min| {sphere}::new(center, radius).hit(&ray, t_min, f64::INFINITY).unwrap();\n\
-             let (nearer, farther) = (hit(f64::NEG_INFINITY), hit(hit(f64::NEG_INFINITY).t));\n\
-             assert!((nearer.normal.length() - 1.0).abs() < 1e-9 && nearer.front_face && !farther.front_face);\n\
-             assert!(ray.direction.dot(nearer.normal) <= 0.0 && ray.direction.dot(farther.normal) <= 0.0);",
+            "{}\nlaws::runner::one_record(&{record}, &laws::Case {{ center, radius, ray }});",
             self.0
         )
     }
@@ -318,7 +323,7 @@ impl Question for World {
 
     const KIND: &'static str = "list";
 
-    const FUNCTION: &'static str = "HittableList";
+    const FUNCTION: &'static str = "nearest";
 
     const CHAPTERS: &'static [Chapter] = LIST;
 
@@ -340,17 +345,16 @@ impl Question for World {
         endless(&worlds(), "").take(100).collect()
     }
 
-    fn as_test(&self, list: &str) -> String {
-        let mut code = format!("let mut world = {list}::default();\n");
-        for &(center, radius) in &self.spheres {
-            code += &format!("world.add(Sphere::new({}, {radius:?}));\n", code_of(center));
-        }
+    fn as_test(&self, nearest: &str) -> String {
+        let sphere = |&(center, radius): &_| format!("({}, {radius:?})", code_of(center));
+        let spheres: Vec<String> = self.spheres.iter().map(sphere).collect();
         let [origin, direction] = [self.ray.origin, self.ray.direction].map(code_of);
         let [t_min, t_max] = [self.t_min, self.t_max].map(numbers::code);
-        code + &format!(
-            "let ray = Ray::new({origin}, {direction});\n\
-             let found = world.hit(&ray, {t_min}, {t_max}).map(|hit| hit.t);\n\
-             assert_eq!(found, {:?});",
+        format!(
+            "let spheres = vec![\n    {},\n];\nlet ray = Ray::new({origin}, {direction});\n\
+             let world = laws::list::World {{ spheres, ray, t_min: {t_min}, t_max: {t_max} }};\n\
+             assert_eq!({nearest}(&world), {:?});",
+            spheres.join(",\n    "),
             self.right()
         )
     }
@@ -385,111 +389,6 @@ impl Question for World {
     fn is_degenerate(&self) -> bool {
         let is_point = |&(_, radius): &(_, f64)| radius <= 0.0;
         self.ray.direction == Vec3::ZERO || self.spheres.iter().any(is_point)
-    }
-}
-
-impl Question for Letters {
-    type Answer = f64;
-
-    const KIND: &'static str = "dot";
-
-    const FUNCTION: &'static str = "dot";
-
-    const CHAPTERS: &'static [Chapter] = RAYS;
-
-    fn answer_of(&self, program: &Program) -> f64 {
-        let [u, v] = self.vectors();
-        (program.dot)(u, v)
-    }
-
-    fn same(&self, one: &f64, other: &f64) -> bool {
-        one == other
-    }
-
-    fn telling() -> Vec<Self> {
-        [
-            [[1, 2, 3], [5, 7, 11]],
-            [[1, 0, 0], [0, 1, 0]],
-            [[0, 1, 0], [0, 0, 1]],
-            [[0, 0, 1], [1, 0, 0]],
-            [[-4, 9, 2], [3, -8, 6]],
-        ]
-        .map(Self)
-        .into()
-    }
-
-    fn as_test(&self, dot: &str) -> String {
-        let [u, v] = self.vectors().map(code_of);
-        format!("assert_eq!({dot}({u}, {v}), {:?});", self.right())
-    }
-}
-
-impl Question for Arrow {
-    type Answer = Vec3;
-
-    const KIND: &'static str = "unit_vector";
-
-    const FUNCTION: &'static str = "unit_vector";
-
-    const CHAPTERS: &'static [Chapter] = RAYS;
-
-    fn answer_of(&self, program: &Program) -> Vec3 {
-        (program.unit)(self.0)
-    }
-
-    fn same(&self, one: &Vec3, other: &Vec3) -> bool {
-        near(*one, *other)
-    }
-
-    fn telling() -> Vec<Self> {
-        [
-            [1.0, 2.0, 2.0],
-            [0.0, -3.0, 4.0],
-            [0.125, 0.0, 0.0],
-            [-20.0, 5.0, 4.0],
-        ]
-        .map(|v| Self(Vec3::from_array(v)))
-        .into()
-    }
-
-    fn as_test(&self, unit_vector: &str) -> String {
-        let v = code_of(self.0);
-        format!("assert!(({unit_vector}({v}).length() - 1.0).abs() < 1e-9);")
-    }
-}
-
-impl Question for Place {
-    type Answer = Point3;
-
-    const KIND: &'static str = "at";
-
-    const FUNCTION: &'static str = "at";
-
-    const CHAPTERS: &'static [Chapter] = RAYS;
-
-    fn answer_of(&self, program: &Program) -> Point3 {
-        (program.at)(program, &self.ray, self.t)
-    }
-
-    fn same(&self, one: &Point3, other: &Point3) -> bool {
-        one == other
-    }
-
-    fn telling() -> Vec<Self> {
-        let ray = Ray::new(Point3::new(1.0, -2.0, 3.0), Vec3::new(5.0, 7.0, -11.0));
-        let rounding = Ray::new(Point3::splat(-1.0), Vec3::splat(10.0));
-        [(ray, 0.0), (ray, 1.0), (ray, -2.0), (rounding, 0.1)]
-            .map(|(ray, t)| Self { ray, t })
-            .into()
-    }
-
-    fn as_test(&self, at: &str) -> String {
-        let Ray { origin, direction } = self.ray;
-        let [origin, direction, right] = [origin, direction, self.right()].map(code_of);
-        format!(
-            "let ray = Ray::new({origin}, {direction});\nassert_eq!({at}(&ray, {:?}), {right});",
-            self.t
-        )
     }
 }
 

@@ -13,6 +13,8 @@ use crate::verdict::{Broken, Verdict};
 pub struct Hit {
     /// The ray parameter, in lengths of the ray's direction.
     pub t: f64,
+    /// The point on the sphere.
+    pub point: Point3,
     /// The normal, which should be a unit vector against the ray.
     pub normal: Vec3,
     /// Whether the ray came from outside.
@@ -23,9 +25,11 @@ impl Hit {
     /// What a program records of the nearest hit between `t_min` and `t_max`.
     pub fn of(program: &Program, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Self> {
         let t = program.hit(ball, ray, t_min, t_max)?;
-        let outward = (program.outward)(program, (program.at)(program, ray, t), ball);
+        let point = (program.at)(program, ray, t);
+        let outward = (program.outward)(program, point, ball);
         Some(Self {
             t,
+            point,
             normal: (program.face)(program, ray.direction, outward),
             front_face: (program.dot)(ray.direction, outward) < 0.0,
         })
@@ -40,8 +44,10 @@ pub type Recorder<'a> = dyn Fn(Point3, f64, &Ray, f64, f64) -> Option<Hit> + 'a;
 pub type RecordLaw = fn(&Case, bool, &Hit) -> Verdict;
 
 /// Every law for a record.
-pub const RECORD: [RecordLaw; 3] = [
+pub const RECORD: [RecordLaw; 5] = [
+    the_point_is_the_one_at_t,
     the_normal_is_a_unit_vector,
+    the_normal_lies_along_the_radius,
     the_normal_points_against_the_ray,
     the_front_face_is_where_the_ray_enters,
 ];
@@ -64,23 +70,41 @@ impl Recorded {
         let farther = nearer.and_then(|nearer| behind(nearer.t));
         nearer.into_iter().chain(farther).collect()
     }
+
+    /// Whether both records obey the law.
+    pub(crate) fn obeys(&self, record: &Recorder, law: RecordLaw) -> Verdict {
+        let hits = self.hits(record);
+        let mut hits = [true, false].into_iter().zip(&hits);
+        hits.try_for_each(|(nearer, hit)| law(&self.0, nearer, hit))
+    }
+}
+
+/// The point of a record is that of the ray at its t: two roundings of each letter, and
+/// two more if it was computed in another way.
+pub fn the_point_is_the_one_at_t(case: &Case, _nearer: bool, hit: &Hit) -> Verdict {
+    let Ray { origin, direction } = case.ray;
+    let expected = origin + hit.t * direction;
+    let bound = 4.0 * U * (origin.abs() + (hit.t * direction).abs()).max_element();
+    if (hit.point - expected).abs().max_element() <= bound || !case.is_well_scaled() {
+        return Ok(());
+    }
+    Err(Broken {
+        law: "the point of a hit is the one at its t",
+        found: format!("{:?} at t = {:?}", hit.point, hit.t),
+        allowed: format!("{expected:?} ± {bound:.1e}"),
+        usually: "it is computed before t is known, or without the origin of the ray",
+        page: "chapter 5: anything that a ray can hit",
+    })
 }
 
 /// The normal of a hit is a unit vector, as far as the point lies on the sphere.
 ///
-/// The error of t moves the point off the sphere by at most 43u·M/r², in radii:
-/// that of the root (see [`root_bound`](crate::nearer_root::root_bound)) times
-/// √D/(r·√(a·M)). The coordinates of the point and the center round on top,
-/// and the division by r rounds twice.
-///
 /// A sphere of radius 0 can be hit, but it is a point, and a point has no
 /// normal: nothing is claimed for it here or below.
 pub fn the_normal_is_a_unit_vector(case: &Case, _nearer: bool, hit: &Hit) -> Verdict {
-    let (m, r) = (case.m(), case.radius);
-    let coordinates = case.center.length() + case.ray.origin.length() + 3.0 * m.sqrt();
-    let bound = U * (43.0 * m / (r * r) + 4.0 * coordinates / r + 6.0);
+    let bound = normal_bound(case);
     let length = hit.normal.length();
-    if (length - 1.0).abs() <= bound || r == 0.0 || !case.is_well_scaled() {
+    if (length - 1.0).abs() <= bound || case.radius == 0.0 || !case.is_well_scaled() {
         return Ok(());
     }
     Err(Broken {
@@ -90,6 +114,36 @@ pub fn the_normal_is_a_unit_vector(case: &Case, _nearer: bool, hit: &Hit) -> Ver
         usually: "the vector from the center to the point is not divided by the radius",
         page: "chapter 3: how long normals are, and why",
     })
+}
+
+/// The normal of a hit points from the center to the point at t, or the other way.
+pub fn the_normal_lies_along_the_radius(case: &Case, _nearer: bool, hit: &Hit) -> Verdict {
+    let bound = normal_bound(case);
+    let outward = (case.ray.at(hit.t) - case.center) / case.radius;
+    let is_near = |normal: Vec3| (normal - outward).length() <= bound;
+    let is_along = is_near(hit.normal) || is_near(-hit.normal);
+    if is_along || case.radius == 0.0 || !case.is_well_scaled() {
+        return Ok(());
+    }
+    Err(Broken {
+        law: "the normal of a hit lies along the radius to its point",
+        found: format!("{:?}", hit.normal),
+        allowed: format!("{outward:?} ± {bound:.1e}, or the other way"),
+        usually: "it is not that of point - center, or set before the point is",
+        page: "chapter 3: how long normals are, and why",
+    })
+}
+
+/// How far rounding may take a normal.
+///
+/// The error of t moves the point off the sphere by at most 43u·M/r², in radii:
+/// that of the root (see [`root_bound`](crate::nearer_root::root_bound)) times
+/// √D/(r·√(a·M)). The coordinates of the point and the center round on top,
+/// and the division by r rounds twice.
+fn normal_bound(case: &Case) -> f64 {
+    let (m, r) = (case.m(), case.radius);
+    let coordinates = case.center.length() + case.ray.origin.length() + 3.0 * m.sqrt();
+    U * (43.0 * m / (r * r) + 4.0 * coordinates / r + 6.0)
 }
 
 /// The normal of a hit never points along the ray, on either side of the

@@ -9,8 +9,9 @@ use crate::causes::Cause;
 use crate::intervals::{NEAREST_IN_RANGE, RangeSolver, WithInterval};
 use crate::list::World;
 use crate::nearer_root::{DECISION, NEARER_ROOT, Solver};
+use crate::prelude::Prelude;
 use crate::question::{Question, simplified};
-use crate::record::Hit;
+use crate::record::{Hit, RECORD, Recorded, Recorder};
 use crate::report::{self, Report};
 use crate::sampling::{cases, chosen_seed, endless};
 use crate::trial::{Outcome, Trial};
@@ -89,6 +90,14 @@ pub fn list<F: Fn(&World) -> Option<f64>>(search: &F) {
     succeed(Trial::default().list(search));
 }
 
+/// Puts a prelude under the laws: each of its functions that is written.
+///
+/// # Panics
+/// If a law is broken.
+pub fn prelude(prelude: &Prelude) {
+    succeed(Trial::default().prelude(&|asked| asked.put_to(prelude)));
+}
+
 /// Panics with the report, if there is one.
 ///
 /// # Panics
@@ -126,6 +135,15 @@ pub fn one_interval(solve: &RangeSolver, case: Case, t_min: f64, t_max: f64) {
     holds_once(NEARER_ROOT.into_iter().map(|law| law(&nearer, &case)));
     let asked = WithInterval { case, t_min, t_max };
     holds_once(NEAREST_IN_RANGE.into_iter().map(|law| law(solve, &asked)));
+}
+
+/// Puts what records a hit under every law for that, with this one case.
+///
+/// # Panics
+/// If a law is broken.
+pub fn one_record(record: &Recorder, case: &Case) {
+    let asked = Recorded(*case);
+    holds_once(RECORD.into_iter().map(|law| asked.obeys(record, law)));
 }
 
 fn holds_once(mut verdicts: impl Iterator<Item = Verdict>) {

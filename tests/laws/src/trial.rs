@@ -2,6 +2,7 @@
 //! wrong with one report, which names the cause.
 
 use std::env;
+use std::panic::{self, AssertUnwindSafe};
 use std::path::PathBuf;
 
 use common::rtweekend::*;
@@ -10,12 +11,13 @@ use slips::{Ball, Chapter, Program};
 use speed_vs_accuracy::Case;
 
 use crate::answers;
+use crate::camera::{self, Pixel, Width};
 use crate::causes;
 use crate::intervals::{NEAREST_IN_RANGE, WithInterval};
 use crate::list::{self, Search, World, worlds};
 use crate::nearer_root::{DECISION, Decided, NEARER_ROOT};
+use crate::prelude::{self, Asked};
 use crate::question::{Question, simplified};
-use crate::ray_and_camera::{self, Arrow, Letters, Pixel, Place, Width};
 use crate::record::{Hit, RECORD, Recorded};
 use crate::report::{self, Report};
 use crate::sampling::{cases, chosen_seed, endless};
@@ -151,13 +153,7 @@ impl Trial {
     {
         let recorder =
             |center, radius, ray: &Ray, low, high| record(center, radius, ray, low, high);
-        let laws = RECORD.map(|law| {
-            move |asked: &Recorded| {
-                let hits = asked.hits(&recorder);
-                let mut hits = [true, false].into_iter().zip(&hits);
-                hits.try_for_each(|(nearer, hit)| law(&asked.0, nearer, hit))
-            }
-        });
+        let laws = RECORD.map(|law| move |asked: &Recorded| asked.obeys(&recorder, law));
         Tried {
             trial: self,
             answer: &|asked: &Recorded| asked.hits(&recorder),
@@ -186,35 +182,26 @@ impl Trial {
         .outcome()
     }
 
-    /// A dot product.
-    pub fn dot<F: Fn(Vec3, Vec3) -> f64>(&self, dot: &F) -> Outcome {
-        let answer = |letters: &Letters| {
-            let [u, v] = letters.vectors();
-            dot(u, v)
+    /// The functions of a prelude. One that is not written yet is not asked.
+    pub fn prelude<F: Fn(&Asked) -> Vec<f64>>(&self, prelude: &F) -> Outcome {
+        let telling = Asked::telling();
+        let one_of_each = telling.chunk_by(Asked::is_akin).map(|of_one| of_one[0]);
+        let unwritten: Vec<Asked> = one_of_each
+            .filter(|asked| !is_written(|| prelude(asked)))
+            .collect();
+        let answer = |asked: &Asked| {
+            let is_written = !unwritten.iter().any(|other| other.is_akin(asked));
+            is_written.then(|| prelude(asked))
         };
-        self.small(&answer, &|letters| {
-            ray_and_camera::dot_multiplies_equal_letters(dot, letters)
-        })
-    }
-
-    /// A function that makes a vector one of length 1.
-    pub fn unit_vector<F: Fn(Vec3) -> Vec3>(&self, unit: &F) -> Outcome {
-        self.small(&|arrow: &Arrow| unit(arrow.0), &|arrow| {
-            ray_and_camera::a_unit_vector_has_length_1_and_points_along(unit, arrow)
-        })
-    }
-
-    /// A function that returns the point of a ray at `t`.
-    pub fn at<F: Fn(&Ray, f64) -> Point3>(&self, at: &F) -> Outcome {
-        self.small(&|place: &Place| at(&place.ray, place.t), &|place| {
-            ray_and_camera::the_point_at_t_is_t_directions_from_the_origin(at, place)
+        self.small(&answer, &|asked| {
+            prelude::small_numbers_are_worked_out_by_head(&answer, asked)
         })
     }
 
     /// A function that returns the height of a picture of 16:9 from its width.
     pub fn height<F: Fn(u32) -> u32>(&self, height: &F) -> Outcome {
         self.small(&|width: &Width| height(width.0), &|width| {
-            ray_and_camera::the_height_is_rounded_down_and_at_least_one(height, width)
+            camera::the_height_is_rounded_down_and_at_least_one(height, width)
         })
     }
 
@@ -222,7 +209,7 @@ impl Trial {
     /// the pixel's column and row.
     pub fn pixel_ray<F: Fn([u32; 2], [u32; 2]) -> Ray>(&self, ray: &F) -> Outcome {
         self.small(&|pixel: &Pixel| ray(pixel.size, pixel.place), &|pixel| {
-            ray_and_camera::the_ray_of_a_pixel_goes_through_its_center(ray, pixel)
+            camera::the_ray_of_a_pixel_goes_through_its_center(ray, pixel)
         })
     }
 
@@ -245,6 +232,13 @@ impl Trial {
     }
 }
 
+/// Whether something else is there than `todo!()`.
+fn is_written<T>(call: impl FnOnce() -> T) -> bool {
+    let panicked = panic::catch_unwind(AssertUnwindSafe(call)).err();
+    let message = panicked.and_then(|it| it.downcast::<&str>().ok());
+    message.is_none_or(|message| *message != "not yet implemented")
+}
+
 impl<Q: Question> Tried<'_, Q> {
     fn outcome(&self) -> Outcome {
         let telling = Q::telling();
@@ -259,6 +253,10 @@ impl<Q: Question> Tried<'_, Q> {
             return Ok(());
         };
         let law = self.laws[first];
+        let telling = telling
+            .into_iter()
+            .filter(|it| it.is_akin(&found))
+            .collect();
         let (cause, mutant) = causes::of(self.answer, telling, &found);
         let simplest = self.simplest(found, law, mutant.as_ref());
         Err(Box::new(Report {

@@ -1,7 +1,7 @@
 //! The camera maps pixels to rays as the book's does, and rays to points.
 
 use common::rtweekend::*;
-use laws::ray_and_camera::{self, Pixel};
+use laws::camera::{self, Pixel};
 use laws::verdict::Verdict;
 
 /// The law itself is in quadratic.rs; these sizes are not of 16:9.
@@ -17,7 +17,7 @@ fn the_ray_of_a_pixel_goes_through_its_center_in_pictures_of_any_shape() {
             [0, height - 1],
             [width / 2, height / 3],
         ] {
-            assert_holds(ray_and_camera::the_ray_of_a_pixel_goes_through_its_center(
+            assert_holds(camera::the_ray_of_a_pixel_goes_through_its_center(
                 &ray,
                 &Pixel { size, place },
             ));

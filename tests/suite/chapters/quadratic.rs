@@ -6,6 +6,7 @@
 use ::hittable_list::{Hittable, HittableList, Sphere};
 use common::rtweekend::*;
 use laws::list::{self, World, worlds};
+use laws::prelude::Prelude;
 use laws::record::Hit;
 use laws::runner::{self, holds};
 use laws::trial::Outcome;
@@ -27,11 +28,24 @@ pub(crate) mod gradient {
     }
 
     fn attempt(trial: &Trial) -> Outcome {
-        trial.at(&Ray::at)?;
-        trial.unit_vector(&Vec3::normalize)?;
+        trial.prelude(&|asked| asked.put_to(&prelude()))?;
         trial.height(&|width| Camera::new(width).image_height)?;
-        trial.pixel_ray(&|[width, height], [i, j]| Camera::with_size(width, height).ray(i, j))?;
-        trial.dot(&Vec3::dot)
+        trial.pixel_ray(&|[width, height], [i, j]| Camera::with_size(width, height).ray(i, j))
+    }
+
+    fn prelude() -> Prelude<'static> {
+        Prelude {
+            mul: &|t, v| t * v,
+            add: &|u, v| u + v,
+            neg: &|v| -v,
+            sub: &|u, v| u - v,
+            dot: &|u, v| u.dot(v),
+            length_squared: &|v| v.length_squared(),
+            length: &|v| v.length(),
+            normalize: &|v| v.normalize(),
+            ray: &|origin, direction| Ray::new(origin, direction),
+            at: &|ray, t| ray.at(t),
+        }
     }
 }
 
@@ -73,8 +87,8 @@ pub(crate) mod hittable_list {
     pub(crate) fn obeys_its_laws() {
         assert_lawful(Chapter::HittableList, |trial| {
             trial.nearest_in_range(&hit)?;
-            trial.record(&recorded)?;
-            trial.list(&flat)?;
+            trial.record(&record)?;
+            trial.list(&nearest)?;
             trial.list(&nested)
         });
         a_list_of_one_is_that_one();
@@ -92,13 +106,13 @@ pub(crate) mod hittable_list {
                 spheres: vec![(center, radius)],
                 ..world.clone()
             };
-            list::both_find_the_same(&flat, &|world| nearest(&sphere, world), &alone)
+            list::both_find_the_same(&nearest, &|world| nearest_of(&sphere, world), &alone)
         });
     }
 
     fn a_nested_list_is_the_flat_list() {
         holds(&worlds(), |world| {
-            list::both_find_the_same(&nested, &flat, world)
+            list::both_find_the_same(&nested, &nearest, world)
         });
     }
 
@@ -107,21 +121,22 @@ pub(crate) mod hittable_list {
         sphere.hit(ray, t_min, t_max).map(|hit| hit.t)
     }
 
-    fn recorded(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
+    fn record(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
         let record = Sphere::new(center, radius).hit(ray, t_min, t_max)?;
         Some(Hit {
             t: record.t,
+            point: record.point,
             normal: record.normal,
             front_face: record.front_face,
         })
     }
 
-    fn flat(world: &World) -> Option<f64> {
+    fn nearest(world: &World) -> Option<f64> {
         let mut list = HittableList::default();
         for &(center, radius) in &world.spheres {
             list.add(Sphere::new(center, radius));
         }
-        nearest(&list, world)
+        nearest_of(&list, world)
     }
 
     /// Each sphere in a list with all that follow it.
@@ -133,10 +148,10 @@ pub(crate) mod hittable_list {
             outer.add(list);
             list = outer;
         }
-        nearest(&list, world)
+        nearest_of(&list, world)
     }
 
-    fn nearest(thing: &dyn Hittable, world: &World) -> Option<f64> {
+    fn nearest_of(thing: &dyn Hittable, world: &World) -> Option<f64> {
         thing
             .hit(&world.ray, world.t_min, world.t_max)
             .map(|hit| hit.t)

@@ -80,9 +80,7 @@ fn answers_of(program: &Program) -> Answers {
         let camera = |width| program.camera(width);
         let ray =
             |[width, _]: [u32; 2], [i, j]: [u32; 2]| (program.ray)(program, &camera(width), i, j);
-        let _ = trial.dot(&program.dot);
-        let _ = trial.unit_vector(&program.unit);
-        let _ = trial.at(&|ray, t| (program.at)(program, ray, t));
+        let _ = trial.prelude(&|asked| asked.put_to_program(program));
         let _ = trial.height(&|width| camera(width).image_height);
         let _ = trial.pixel_ray(&ray);
         let _ = trial.intersection(program);

@@ -119,12 +119,10 @@ fn try_rays(program: &Program) -> Tried {
     if program.chapter == Chapter::BuildTest {
         return Ok(());
     }
-    TRIAL.at(&|ray, t| (program.at)(program, ray, t))?;
-    TRIAL.unit_vector(&program.unit)?;
+    TRIAL.prelude(&|asked| asked.put_to_program(program))?;
     TRIAL.height(&|width| program.camera(width).image_height)?;
     // The height is right, so it is that of the size that is asked for.
-    TRIAL.pixel_ray(&|[width, _], [i, j]| (program.ray)(program, &program.camera(width), i, j))?;
-    TRIAL.dot(&program.dot)
+    TRIAL.pixel_ray(&|[width, _], [i, j]| (program.ray)(program, &program.camera(width), i, j))
 }
 
 /// Puts the intersection under its laws, unless it answers as the right one does: most

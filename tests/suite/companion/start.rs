@@ -1,13 +1,13 @@
 //! A crate of the reader's own: made, typed, carried on, and put under the laws.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use common::rtweekend::Picture;
 use insta::assert_snapshot;
 use suite::command::{
-    assert_refused, assert_success, names_in, program_with, run, text, transcript,
+    assert_refused, assert_success, files, names_in, program_with, run, text, transcript,
 };
 use suite::drawn::p3;
 use suite::mine::Mine;
@@ -41,6 +41,54 @@ fn every_chapter_can_be_typed_and_begins_with_the_one_before() {
 fn a_reader_may_type_the_prelude_as_well() {
     type_all_chapters(&Mine::empty(), &["--own-prelude"]);
 }
+
+/// Each listing of the pages, and what it takes from the prelude.
+#[test]
+#[ignore = "builds five crates of a reader"]
+fn the_listings_of_the_pages_do_with_a_prelude_of_the_readers_own() {
+    let mine = Mine::empty();
+    for (folder, chapter) in ["1_", "2_", "3_", "4_", "5_"].into_iter().zip(TYPED) {
+        assert_success(&run(&mut mine.start(chapter, &["--own-prelude"])));
+        if chapter == "gradient" {
+            type_prelude(&mine);
+        }
+        let chapters = ours().join(format!("chapters/{folder}{chapter}/src"));
+        for file in files(&chapters) {
+            let own = mine
+                .lib(chapter)
+                .with_file_name(file.file_name().expect("a name"));
+            let listed = fs::read_to_string(&file).expect("our chapter");
+            let listed = listed.replace("use common::rtweekend::*;", "use crate::rtweekend::*;");
+            match file.file_stem() {
+                Some(stem) if stem == "main" => {}
+                Some(stem) if stem == "lib" => {
+                    fs::write(own, listed + LISTED_PRELUDE).expect("it is typed");
+                }
+                _ => fs::write(own, listed).expect("it is typed"),
+            }
+        }
+        let camera = fs::read_to_string(ours().join("common/src/camera.rs")).expect("our camera");
+        let own = mine.lib(chapter).with_file_name("camera.rs");
+        fs::write(own, camera).expect("it is typed");
+        let said = mine.watch_once(chapter);
+        assert!(said.contains("The laws hold."), "{chapter}:\n{said}");
+    }
+}
+
+/// What is on the page of chapter 1, or in the files that `start` made.
+const LISTED_PRELUDE: &str = "
+pub mod camera;
+pub mod ray;
+pub mod render;
+pub mod rtweekend;
+pub mod vec3;
+
+pub fn sky(ray: &Ray) -> Color {
+    let unit_direction = ray.direction.normalize();
+    let a = 0.5 * (unit_direction.y + 1.0);
+    (1.0 - a) * Color::new(1.0, 1.0, 1.0) + a * Color::new(0.5, 0.7, 1.0)
+}
+";
 
 #[test]
 fn a_crate_is_made_once_and_nothing_that_was_typed_is_written_over() {
@@ -102,8 +150,7 @@ fn from_anywhere_below_the_same_crates_are_meant() {
 
 #[test]
 fn a_folder_of_the_workspace_is_refused() {
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let chapters = fs::canonicalize(workspace.join("chapters")).expect("our chapters");
+    let chapters = fs::canonicalize(ours().join("chapters")).expect("our chapters");
     let before = names_in(&chapters);
     let into = chapters.to_str().expect("a name in UTF-8");
     let mut start = program_with("rtrace", &["start", "gradient", "--into", into]);
@@ -313,6 +360,11 @@ const LIST: &str = "let mut nearest: Option<HitRecord> = None;
             nearest = object.hit(ray, t_min, closest).or(nearest);
         }
         nearest";
+
+/// The workspace.
+fn ours() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
 
 fn type_prelude(mine: &Mine) {
     let source = mine.path().join("gradient/src");

@@ -18,8 +18,8 @@ fn hit(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option
 
 fn record(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
     let record = Sphere::new(center, radius).hit(ray, t_min, t_max)?;
-    let HitRecord { t, normal, front_face, .. } = record;
-    Some(Hit { t, normal, front_face })
+    let HitRecord { t, point, normal, front_face } = record;
+    Some(Hit { t, point, normal, front_face })
 }
 
 fn nearest(world: &World) -> Option<f64> {

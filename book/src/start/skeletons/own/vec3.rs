@@ -17,6 +17,9 @@ pub type Point3 = Vec3;
 pub type Color = Vec3;
 
 impl Vec3 {
+    pub const ZERO: Self = Self::new(0.0, 0.0, 0.0);
+    pub const ONE: Self = Self::new(1.0, 1.0, 1.0);
+
     pub const fn new(x: f64, y: f64, z: f64) -> Self {
         Self { x, y, z }
     }
@@ -70,5 +73,14 @@ impl Mul<Vec3> for f64 {
 
     fn mul(self, v: Vec3) -> Vec3 {
         todo!()
+    }
+}
+
+/// The same the other way round.
+impl Mul<f64> for Vec3 {
+    type Output = Self;
+
+    fn mul(self, number: f64) -> Self {
+        number * self
     }
 }

@@ -1,18 +1,16 @@
-//! Your function, under the laws: `cargo test`
+//! Your prelude and your function, under the laws: `cargo test`
 
-use common::rtweekend as theirs;
-use my_chapter::{ray::Ray, vec3::Vec3};
+use common::rtweekend as ours;
+use laws::prelude::Prelude;
+use my_chapter::hit_sphere as own_hit_sphere;
+use my_chapter::rtweekend::{Ray, Vec3};
 
 #[test]
-fn hit_sphere_obeys_the_laws() {
+fn prelude_and_hit_sphere_obey_the_laws() {
+    laws::runner::prelude(&prelude());
     laws::runner::nearer_root(&hit_sphere);
 }
 
-fn hit_sphere(center: theirs::Point3, radius: f64, ray: &theirs::Ray) -> Option<f64> {
-    let ray = Ray::new(own(ray.origin), own(ray.direction));
-    my_chapter::hit_sphere(own(center), radius, &ray)
-}
-
-fn own(v: theirs::Vec3) -> Vec3 {
-    Vec3::new(v.x, v.y, v.z)
+fn hit_sphere(center: ours::Point3, radius: f64, ray: &ours::Ray) -> Option<f64> {
+    own_hit_sphere(own(center), radius, &own_ray(*ray))
 }
