@@ -15,6 +15,7 @@ mod show;
 #[cfg(unix)]
 mod signals;
 mod slips;
+mod sources;
 mod start;
 mod subprocess;
 mod terminal;

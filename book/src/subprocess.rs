@@ -6,7 +6,6 @@
 
 use std::ffi::OsString;
 use std::io::{self, IsTerminal, Read};
-use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::thread;
@@ -25,7 +24,7 @@ use crate::signals;
 /// If the program does not start, fails, or takes longer than `limit`.
 pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, Cause> {
     let name = names::spelled(&words[0]);
-    let mut group = Group::start(words, None, Stdio::inherit()).map_err(|cause| {
+    let mut group = Group::start(command(words), Stdio::inherit()).map_err(|cause| {
         failed(
             format!("{name} does not start: {cause}"),
             "Is it built, and is its path right? In this folder it is ./NAME.",
@@ -54,18 +53,24 @@ fn failed(problem: String, fix: &str) -> Cause {
     Cause::new("program-failed", problem, fix)
 }
 
-/// Runs the program in `folder`, unless `is_old` says meanwhile that this is no longer wanted. How
-/// it ended, and the last of what it wrote to standard error.
+/// A program with its arguments.
+pub(crate) fn command(words: &[OsString]) -> Command {
+    let mut command = Command::new(&words[0]);
+    command.args(&words[1..]);
+    command
+}
+
+/// Runs the program, unless `is_old` says meanwhile that this is no longer wanted. How it
+/// ended, and the last of what it wrote to standard error.
 ///
 /// # Errors
 /// If the program does not start, or can't be read from.
 pub(crate) fn run(
-    words: &[OsString],
-    folder: &Path,
+    command: Command,
     limit: Duration,
     is_old: &mut dyn FnMut() -> bool,
 ) -> io::Result<(End, String)> {
-    let mut group = Group::start(words, Some(folder), Stdio::piped())?;
+    let mut group = Group::start(command, Stdio::piped())?;
     let errors = group.child.stderr.take().map(last_words);
     let end = group.finish(limit, is_old)?;
     drop(group);
@@ -99,17 +104,10 @@ struct Group {
 const TICK: Duration = Duration::from_millis(50);
 
 impl Group {
-    fn start(words: &[OsString], folder: Option<&Path>, errors: Stdio) -> io::Result<Self> {
+    fn start(mut command: Command, errors: Stdio) -> io::Result<Self> {
         #[cfg(unix)]
         let deferral = signals::Deferral::begin();
-        let mut command = Command::new(&words[0]);
-        command
-            .args(&words[1..])
-            .stdout(Stdio::piped())
-            .stderr(errors);
-        if let Some(folder) = folder {
-            command.current_dir(folder);
-        }
+        command.stdout(Stdio::piped()).stderr(errors);
         // A group in the background is stopped when it reads from the terminal.
         if io::stdin().is_terminal() {
             command.stdin(Stdio::null());

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use check::blind_spots::{BlindSpots, Showing};
+use check::evidence::Known;
 use check::explanations::{But, Conversion};
 use check::names;
 use check::reading::Cause;
@@ -11,7 +12,7 @@ use check::verdict::{Check, Finding, Near, Set};
 use check::workspace;
 use common::rtweekend::Color;
 use serde_json::{Value, json};
-use slips::{Letters, Slip};
+use slips::Slip;
 
 use super::judged::Judged;
 
@@ -41,7 +42,7 @@ pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
         "blind_spots": judged.blind_spots.as_ref().map(blind_spots),
         "but": finding.and_then(|finding| Some(but(finding, finding.near.as_ref()?))),
         "difference": finding.map(difference),
-        "diagnosis": sets.iter().map(|set| diagnosis(&judged.scene, set)).collect::<Value>(),
+        "diagnosis": sets.iter().map(|set| diagnosis(&judged.known, &judged.scene, set)).collect::<Value>(),
         "sights": finding.map(|finding| &finding.sights),
         "lead_in_bits": finding.map(|finding| finding.lead.round()),
         "report": report.map(names::spelled),
@@ -126,7 +127,7 @@ fn difference(finding: &Finding) -> Value {
     })
 }
 
-fn diagnosis(scene: &Scene, set: &Set) -> Value {
+fn diagnosis(known: &Known, scene: &Scene, set: &Set) -> Value {
     let conversion = match set.conversion {
         Conversion::Printed => "printed",
         Conversion::Clamped => "clamped",
@@ -148,13 +149,13 @@ fn diagnosis(scene: &Scene, set: &Set) -> Value {
         "pixels_far_off": set.left.far,
         "conversion": conversion,
         "edition": edition.name(),
-        "mistakes": set.mistakes.iter().map(|mistake| mistake.iter().map(|slip| slip_as_json(slip, &set.scene)).collect()).collect::<Vec<Value>>(),
+        "mistakes": set.mistakes.iter().map(|mistake| mistake.iter().map(|slip| slip_as_json(slip, &set.scene, known)).collect()).collect::<Vec<Value>>(),
         "probe": probe,
     })
 }
 
-fn slip_as_json(slip: &Slip, scene: &Scene) -> Value {
-    let words = slip.words(Letters::Book(scene.edition), scene.chapter);
+fn slip_as_json(slip: &Slip, scene: &Scene, known: &Known) -> Value {
+    let words = known.words(slip, scene);
     json!({
         "name": slip.name,
         "probably": words.wrong,
@@ -162,6 +163,7 @@ fn slip_as_json(slip: &Slip, scene: &Scene) -> Value {
         "why": words.why,
         "page": slip.page,
         "read": workspace::page(slip),
+        "yours": known.line_of(slip, scene).map(|line| line.to_string()),
         "code": workspace::source(slip),
     })
 }

@@ -9,25 +9,27 @@ mod text;
 
 use std::error::Error;
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
+use check::evidence::Known;
 use check::names::companion;
 use check::scene::Scene;
+use check::sources::Sources;
 use check::verdict::{self, Check};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use common::engine::output;
 use slips::Chapter;
-use slips::{self, Edition, PROBES, Probe};
+use slips::{self, Edition, PROBES, Probe, Slip};
 
 use input::Source;
 use judged::Judged;
 pub(crate) use text::Style;
 
-use crate::files;
 use crate::misuse::complain;
+use crate::{files, sources};
 
 /// What `cargo rtrace check` is told.
 #[derive(Args)]
@@ -99,14 +101,26 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         Some(path) => Source::of(path),
         None => Source::Program(&arguments.program),
     };
+    // What a program is made of may lie beside it.
+    let (sources, letters) = match arguments.program.is_empty() {
+        true => (Sources::default(), None),
+        false => sources::of_program(&arguments.program, Path::new(".")),
+    };
+    let can_be_made = |slip: &Slip| letters.is_none_or(|letters| slip.can_be_made_in(letters));
+    let known = Known {
+        letters,
+        sources,
+        can_be_made: Some(&can_be_made),
+        ..Known::default()
+    };
     let check = match source.read(arguments.timeout) {
-        Ok(bytes) => verdict::check(&scene, &bytes, arguments.tolerance),
+        Ok(bytes) => verdict::check_knowing(&scene, &bytes, arguments.tolerance, &known),
         Err(cause) => Check::NotAPicture {
             cause,
             finding: None,
         },
     };
-    let judged = Judged::new(scene, source, check);
+    let judged = Judged::new(scene, source, known, check);
     let report = match &arguments.report {
         Some(folder) => Some(page::write(folder, &judged)?),
         None => None,

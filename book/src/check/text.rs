@@ -13,9 +13,6 @@ use supports_color::Stream;
 use super::judged::Judged;
 use super::map;
 
-/// Mistakes of one set that are shown in full; of the others only the name.
-const SHOWN_IN_FULL: usize = 6;
-
 /// Bold and color, or neither.
 #[derive(Clone, Copy)]
 pub(crate) struct Style {
@@ -72,12 +69,12 @@ pub(crate) fn text(judged: &Judged, report: Option<&Path>, style: Style) -> Stri
             if finding.near.as_ref().is_some_and(Near::is_for_pixels) {
                 text += &whereabouts(finding, style);
             }
-            text += &diagnosis(&judged.scene, finding, style);
+            text += &diagnosis(judged, finding, style);
         }
         other => {
             if let Some(finding) = other.finding() {
                 text += &whereabouts(finding, style);
-                text += &diagnosis(&judged.scene, finding, style);
+                text += &diagnosis(judged, finding, style);
             }
         }
     }
@@ -233,63 +230,49 @@ fn whereabouts(finding: &Finding, style: Style) -> String {
     text
 }
 
-fn diagnosis(scene: &Scene, finding: &Finding, style: Style) -> String {
+fn diagnosis(judged: &Judged, finding: &Finding, style: Style) -> String {
     let mut text = String::new();
     let pixels = finding.right.rgb().len() / 3;
-    for set in &finding.sets {
-        write!(text, "\n{}\n", style.bold(&set.title(pixels))).expect("a string takes it");
-        for mistake in set.mistakes.iter().take(SHOWN_IN_FULL) {
-            text += &in_full(mistake, &set.scene, style);
-        }
-        if set.mistakes.len() > SHOWN_IN_FULL {
-            let others: Vec<String> = set.mistakes[SHOWN_IN_FULL..]
-                .iter()
-                .map(|mistake| names_of(mistake))
-                .collect();
-            writeln!(text, "\n  Also: {}.", others.join("; ")).expect("a string takes it");
-        }
-        text += &set.how_to_tell(scene);
-    }
-    if !finding.others.is_empty() {
-        text.push('\n');
-    }
-    for other in &finding.others {
-        let command = other.command();
-        writeln!(text, "  It is also the right picture of a probe: {command}")
-            .expect("a string takes it");
-    }
-    let sights = &finding.sights;
     let is_unknown = finding.near.is_none() && finding.sets.is_empty();
-    if finding.difference.is_some() && is_unknown {
-        let known = style.bold("No mistake in the catalogue draws this picture.");
-        write!(text, "\n{known}").expect("a string takes it");
-        text.push_str(if sights.is_empty() {
-            "\n"
-        } else {
-            " What can be seen:\n"
-        });
-        for sight in sights {
-            writeln!(text, "  {sight}").expect("a string takes it");
+    if let Some(set) = finding.sets.first() {
+        text += &format!("\n{}\n", style.bold(&set.title(pixels)));
+        if let [mistake] = &set.mistakes[..] {
+            text += &format!("\n  {}\n", style.bold(&names_of(mistake)));
         }
+    } else if finding.difference.is_some() && is_unknown {
+        let known = style.bold("No mistake in the catalogue draws this picture.");
+        text += &format!("\n{known}\n");
+    }
+    let rows = finding.rows(&judged.known).into_iter();
+    let other = |scene: &Scene| {
+        (
+            "also",
+            format!("it is the picture of a probe: {}", scene.command()),
+        )
+    };
+    let command = |probe| judged.scene.probed_command(probe);
+    let next = finding.how_to_tell(command).map(|next| ("next", next));
+    let rows = rows.chain(where_to_look(finding)).chain(next);
+    for (label, said) in rows.chain(finding.others.iter().map(other)) {
+        let label = style.dim(&format!("{label:<9}"));
+        text += &format!("    {label} {said}\n");
     }
     text
 }
 
-fn in_full(mistake: &[&Slip], scene: &Scene, style: Style) -> String {
-    let mut text = String::new();
-    for slip in mistake {
-        let words = slip
-            .rows(Letters::Book(scene.edition), scene.chapter)
-            .map(|(label, said)| (label, said.into_owned()));
+/// The page and the file that have it right, of a single slip.
+fn where_to_look(finding: &Finding) -> Vec<(&'static str, String)> {
+    let [set] = &finding.sets[..] else {
+        return Vec::new();
+    };
+    let [mistake] = &set.mistakes[..] else {
+        return Vec::new();
+    };
+    let look = |slip: &&Slip| {
         let code = workspace::source(slip).map(|file| ("code", file));
-        let rows = words.into_iter().chain([("read", read(slip))]).chain(code);
-        text += &format!("\n  {}\n", style.bold(slip.name));
-        for (label, said) in rows {
-            let label = style.dim(&format!("{label:<9}"));
-            text += &format!("    {label} {said}\n");
-        }
-    }
-    text
+        [("read", read(slip))].into_iter().chain(code)
+    };
+    mistake.iter().flat_map(look).collect()
 }
 
 /// A page that can be opened, or else what to look for in the book.

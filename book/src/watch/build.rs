@@ -16,6 +16,8 @@ pub(super) struct Built {
     pub(super) program: OsString,
     /// Puts what the chapter computes under the laws, if it computes something.
     pub(super) laws: Option<OsString>,
+    /// What the compiler warned of in the reader's files, each in its first line.
+    pub(super) warnings: Vec<String>,
 }
 
 /// Why a crate was not built.
@@ -45,7 +47,9 @@ pub(super) fn build(
     let words: Vec<OsString> = iter::once(cargo)
         .chain(what.iter().chain(&["--quiet", format]).map(OsString::from))
         .collect();
-    match subprocess::run(&words, folder, LONGEST, is_old) {
+    let mut command = subprocess::command(&words);
+    command.current_dir(folder);
+    match subprocess::run(command, LONGEST, is_old) {
         Ok((End::Interrupted, _)) => Ok(None),
         Ok((End::Itself(status, said), errors)) => {
             let messages = messages(&said);
@@ -72,7 +76,29 @@ fn built(messages: &[Value]) -> Result<Built, Problem> {
     let missing = "the crate has no program: src/main.rs is missing";
     let program = executable(messages, "bin").ok_or_else(|| problem(&[], missing))?;
     let laws = executable(messages, "test");
-    Ok(Built { program, laws })
+    Ok(Built {
+        program,
+        laws,
+        warnings: warnings(messages),
+    })
+}
+
+/// The compiler's warnings, each with its file and line. A program and its test have some in common.
+fn warnings(messages: &[Value]) -> Vec<String> {
+    let messages = messages.iter().map(|it| &it["message"]);
+    let warning = |message: &Value| {
+        let text = message["message"].as_str()?;
+        let place = &message["spans"][0];
+        let (file, line) = (place["file_name"].as_str()?, place["line_start"].as_u64()?);
+        Some(format!("{file}:{line}  {text}"))
+    };
+    let mut warnings: Vec<String> = messages
+        .filter(|message| message["level"] == "warning")
+        .filter_map(warning)
+        .collect();
+    warnings.sort();
+    warnings.dedup();
+    warnings
 }
 
 /// The first error; what cargo itself says where the compiler has said nothing.

@@ -1,17 +1,28 @@
-//! The laws, which the reader's crate puts its own function under.
+//! The laws, which the reader's crate puts its own functions under.
 
-use std::ffi::{OsStr, OsString};
+use std::ffi::OsStr;
+use std::fs;
 use std::path::Path;
+use std::process::Command;
 use std::time::Duration;
 
-use ::laws::trial::Trial;
+use ::laws::Trial;
+use ::laws::answers::{ANSWERS, Answers};
 use slips::Program;
 
 use crate::subprocess::{self, End};
 
-/// What the laws say of a reader's function.
-pub(super) enum Answer {
-    /// All of them hold.
+/// What came of the test of a reader's crate.
+pub(super) struct Asked {
+    /// What the functions answered.
+    pub(super) answers: Answers,
+    /// Whether the laws hold.
+    pub(super) outcome: Outcome,
+}
+
+/// Whether the laws hold.
+pub(super) enum Outcome {
+    /// All of them do.
     Obeyed,
     /// The first broken one: its report, line by line.
     Broken(Vec<String>),
@@ -19,20 +30,31 @@ pub(super) enum Answer {
     Unknown(String),
 }
 
-/// Runs the test of a reader's crate; `None` if it has none.
-pub(super) fn ask(test: &OsStr, folder: &Path, limit: Duration) -> Option<Answer> {
-    let words: [OsString; 2] = [test.into(), "--nocapture".into()];
-    Some(
-        match subprocess::run(&words, folder, limit, &mut || false) {
-            Ok((End::Itself(status, _), _)) if status.success() => Answer::Obeyed,
-            Ok((End::Itself(..), errors)) => match report(&errors) {
-                Some(lines) => Answer::Broken(lines),
-                None => Answer::Unknown(errors),
-            },
-            Ok(_) => Answer::Unknown(format!("the laws were not done within {limit:?}")),
-            Err(cause) => Answer::Unknown(cause.to_string()),
+/// Runs the test of a reader's crate.
+pub(super) fn ask(test: &OsStr, folder: &Path, limit: Duration) -> Asked {
+    let Ok(kept) = tempfile::tempdir() else {
+        return Asked {
+            answers: Answers::default(),
+            outcome: Outcome::Unknown("there is no room for a folder of answers".to_owned()),
+        };
+    };
+    let file = kept.path().join("answers");
+    let mut command = Command::new(test);
+    command.arg("--nocapture").current_dir(folder);
+    command.env(ANSWERS, &file);
+    let outcome = match subprocess::run(command, limit, &mut || false) {
+        Ok((End::Itself(status, _), _)) if status.success() => Outcome::Obeyed,
+        Ok((End::Itself(..), errors)) => match report(&errors) {
+            Some(lines) => Outcome::Broken(lines),
+            None => Outcome::Unknown(errors),
         },
-    )
+        Ok(_) => Outcome::Unknown(format!("the laws were not done within {limit:?}")),
+        Err(cause) => Outcome::Unknown(cause.to_string()),
+    };
+    Asked {
+        answers: Answers::read(&fs::read_to_string(file).unwrap_or_default()),
+        outcome,
+    }
 }
 
 /// Whether the laws that the test of a chapter asks would find a mistake in the program.

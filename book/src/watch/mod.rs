@@ -14,18 +14,20 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant, SystemTime};
 use std::{env, fs};
 
-use check::names::{companion, from_here};
+use check::evidence::Known;
+use check::names::{self, companion, from_here};
 use check::scene::Scene;
 use clap::Args;
 use common::engine::output;
-use slips::Chapter;
-use slips::Probe;
+use slips::{Chapter, Letters, Probe, Program, Slip, steps};
 
 use crate::check::{chapter_parser, probe_parser, seconds};
-use crate::done::Done;
+use crate::done::{Done, step_is_done};
 use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;
+use crate::sources;
 use crate::subprocess::{self, End};
+use build::Built;
 use changes::Changes;
 use evidence::Evidence;
 use verdict::Verdict;
@@ -93,6 +95,9 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     }
 }
 
+/// After so many answers that a program would not give, no more are counted.
+const MOST_UNLIKE: usize = 60;
+
 /// What is watched and judged.
 struct Subject {
     scene: Scene,
@@ -101,6 +106,8 @@ struct Subject {
     folder: PathBuf,
     limit: Duration,
     done: Done,
+    /// The words that choose the folder of a reader's crates, if it was chosen.
+    option: String,
 }
 
 impl Subject {
@@ -138,6 +145,7 @@ impl Subject {
             folder,
             limit,
             done,
+            option: mine.option().to_owned(),
         })
     }
 
@@ -177,24 +185,86 @@ impl Subject {
             Some(built) => vec![built.program.clone(), "-".into()],
             None => self.program.clone(),
         };
-        let ran = subprocess::run(&words, &self.folder, self.limit, is_old);
-        let laws = built.and_then(|built| built.laws);
-        let ask_laws = || laws::ask(laws.as_deref()?, &self.folder, self.limit);
-        let evidence = Evidence {
-            scene: &self.scene,
-            is_crate: self.program.is_empty(),
-            is_chapter_only: self.program.is_empty()
-                && !self.folder.join("src/rtweekend.rs").exists(),
-            is_done: &|thing| self.done.has(thing),
-            ask_laws: &ask_laws,
-        };
-        match ran {
+        let mut command = subprocess::command(&words);
+        command.current_dir(&self.folder);
+        match subprocess::run(command, self.limit, is_old) {
             Ok((End::Interrupted, _)) => Verdict::stale(),
-            Ok((End::Itself(status, bytes), _)) if status.success() => evidence.of_picture(&bytes),
-            Ok((End::Full(bytes), _)) => evidence.of_picture(&bytes),
+            Ok((End::Itself(status, bytes), _)) if status.success() => {
+                self.of_picture(&bytes, built)
+            }
+            Ok((End::Full(bytes), _)) => self.of_picture(&bytes, built),
             Ok((End::Itself(status, _), errors)) => Verdict::failed(&self.scene, &status, &errors),
             Ok((End::TooSlow, errors)) => Verdict::too_slow(self.limit, &errors),
             Err(cause) => Verdict::not_started(&words[0], &cause),
+        }
+    }
+
+    /// The verdict on a picture, with all that is known of the program.
+    fn of_picture(&self, bytes: &[u8], built: Option<Built>) -> Verdict {
+        let chapter = self.scene.chapter;
+        let is_crate = built.is_some();
+        let (sources, letters) = match is_crate {
+            true => (
+                sources::of_crate(&self.folder, chapter),
+                Some(Letters::Rust),
+            ),
+            false => sources::of_program(&self.program, &self.folder),
+        };
+        let has_own_prelude = self.folder.join("src/rtweekend.rs").exists();
+        let can_be_made = |slip: &Slip| {
+            letters.is_none_or(|letters| slip.can_be_made_in(letters))
+                && (!is_crate || has_own_prelude || slip.is_in_a_chapter())
+        };
+        let (tests, warnings) = built.map_or((None, Vec::new()), |it| (it.laws, it.warnings));
+        let asked = tests.map(|test| laws::ask(&test, &self.folder, self.limit));
+        let answers = asked.as_ref().map(|it| &it.answers);
+        let unlike =
+            answers.map(|answers| |program: &Program| answers.unlike(program, MOST_UNLIKE));
+        let is_done = |step| self.done.has(&step_is_done(chapter, step));
+        let known = Known {
+            letters,
+            can_be_made: Some(&can_be_made),
+            sources,
+            answers: unlike.as_ref().map(|unlike| unlike as _),
+            warnings,
+            steps: match self.scene.probe {
+                Some(_) => Vec::new(),
+                None => (1..=steps::of(chapter).len()).map(is_done).collect(),
+            },
+        };
+        let evidence = Evidence {
+            scene: &self.scene,
+            known: &known,
+            laws: asked.as_ref().map(|it| &it.outcome),
+            watch: &|probe| self.watch(probe),
+            start: &|chapter| self.start(chapter),
+        };
+        evidence.of_picture(bytes)
+    }
+
+    /// The command that watches this, or a probe of it.
+    fn watch(&self, probe: Option<Probe>) -> String {
+        let probe = probe.map(|probe| format!(" --probe {}", probe.name));
+        let chapter = self.scene.chapter.name();
+        let chosen = probe.unwrap_or_default() + &self.chosen();
+        format!("{} watch {chapter}{chosen}", companion())
+    }
+
+    /// The command that goes on with another chapter.
+    fn start(&self, chapter: Chapter) -> String {
+        let (verb, name) = match self.program.is_empty() {
+            true => ("start", chapter.name()),
+            false => ("watch", chapter.name()),
+        };
+        format!("{} {verb} {name}{}", companion(), self.chosen())
+    }
+
+    /// The words of the command line that say what is watched.
+    fn chosen(&self) -> String {
+        let program: Vec<String> = self.program.iter().map(names::spelled).collect();
+        match program.is_empty() {
+            true => self.option.clone(),
+            false => format!(" -- {}", program.join(" ")),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Half-finished pictures: what there is to see after a step on the way to a chapter.
 
-use slips::{Chapter, steps};
+use slips::{Chapter, Program, steps};
 
 use crate::directive::named;
 use crate::slip::image;
@@ -18,11 +18,13 @@ pub(crate) fn step(chapter: &str, number: &str) -> Result<String, String> {
             steps.len()
         )
     })?;
-    let right = chapter.picture(chapter.book_width());
-    let picture = step.picture(right.width(), right.height());
+    let picture = step
+        .put_to(Program::right(chapter))
+        .run(chapter.book_width())
+        .picture();
     Ok(format!(
         "<figure>{}<figcaption>{}</figcaption></figure>",
-        image(&picture, step.seen()),
+        image(&picture, step.seen),
         with_code(step.says)
     ))
 }

@@ -4,9 +4,10 @@
 //! win is measured by all of them. Each program is drawn once.
 
 use crate::bits::{self, Pixel};
+use crate::evidence::Evidence;
 use crate::explanations::{
-    But, Evidence, Explanation, Hypothesis, Places, TWO, antialiased, in_colors, on_a_curve,
-    own_spheres, right, single, turned, two,
+    But, Explanation, Hypothesis, Places, TWO, antialiased, in_colors, on_a_curve, own_spheres,
+    right, single, turned, two,
 };
 use crate::scene::Scene;
 
@@ -49,6 +50,9 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
         evidence,
         found: vec![nearest.explaining(reading, &drawn)],
     };
+    if nearest.scene.step().is_some() {
+        search.found.extend(rights[0].measured(reading));
+    }
     let singles = rights.iter().cloned().chain(single(evidence));
     let likeliest = search.add(singles.collect::<Vec<_>>(), Some(&drawn), f64::INFINITY);
     search.add_changed(&rights, &likeliest);
@@ -58,7 +62,9 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     simplest_first(&mut found);
     Judgement {
         found,
-        unknown: UNKNOWN + bits::alone(reading).min(bits::beside(reading, &drawn)),
+        unknown: UNKNOWN
+            + evidence.besides(&nearest)
+            + bits::alone(reading).min(bits::beside(reading, &drawn)),
     }
 }
 
@@ -94,7 +100,7 @@ fn nearest(evidence: &Evidence, rights: &[Hypothesis]) -> Hypothesis {
     nearest.expect("there is an edition").1.clone()
 }
 
-/// Whether it is the same chapter and probe.
+/// Whether it is the same chapter and probe, at whatever step.
 pub(crate) fn is_same(one: &Scene, other: &Scene) -> bool {
     (one.chapter, one.probe) == (other.chapter, other.probe)
 }
@@ -212,7 +218,7 @@ impl Search<'_> {
             let pairs = two(evidence).filter(|it| editions.contains(&it.scene.edition));
             let some = likeliest(evidence, pairs, &places, most);
             self.add(
-                some.into_iter().map(|(_, it)| it),
+                some.into_iter().map(|(_, it)| evidence.weighed(it)),
                 Some(&drawn),
                 f64::INFINITY,
             );

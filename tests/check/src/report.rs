@@ -12,7 +12,7 @@ use common::rtweekend::Picture;
 use crate::comparison::{Comparison, differing_pixels};
 use crate::png;
 use crate::scene::Scene;
-use crate::verdict::{Finding, Set};
+use crate::verdict::Finding;
 use slips::{Letters, Slip};
 
 /// What a report page shows.
@@ -72,7 +72,9 @@ pub fn remarks(scene: &Scene, finding: &Finding, book: &Path) -> String {
         for slip in set.mistakes.iter().flatten() {
             html += &slip_as_html(slip, &set.scene, book);
         }
-        html += &how_to_tell(scene, set);
+    }
+    if let Some(told) = finding.how_to_tell(|probe| scene.probed_command(probe)) {
+        html += &format!("<p>{}</p>\n", escaped(told));
     }
     if !finding.sights.is_empty() {
         html += "<h2>What can be seen</h2>\n";
@@ -168,13 +170,6 @@ fn url_of(file: &Path) -> String {
     url
 }
 
-fn how_to_tell(scene: &Scene, set: &Set) -> String {
-    match set.how_to_tell(scene) {
-        nothing if nothing.is_empty() => nothing,
-        said => format!("<pre>{}</pre>\n", escaped(said.trim())),
-    }
-}
-
 const ONION: &str = "\
 <figure class=\"onion\">
 <div><img src=\"expected.png\" alt=\"expected\"><img id=\"top\" src=\"yours.png\" alt=\"yours\"></div>
@@ -207,7 +202,6 @@ img { display: block; width: 100%; image-rendering: pixelated; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: 0 1rem; }
 dt { color: GrayText; }
 dd { margin: 0; }
-pre { white-space: pre-wrap; }
 </style>
 <h1>{title}</h1>
 <p>{headline}</p>

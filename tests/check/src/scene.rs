@@ -6,7 +6,7 @@ use common::rtweekend::{Color, Picture};
 use crate::bits::distance;
 use crate::explanations::spread;
 use crate::reading::Reading;
-use slips::{Ball, Chapter, Edition, Probe, Program, Slip};
+use slips::{Ball, Chapter, Edition, Probe, Program, Slip, steps};
 
 /// A chapter's scene, or a probe's in that chapter, by one edition of the book.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +19,8 @@ pub struct Scene {
     pub edition: Edition,
     /// Whether no other edition will do.
     insists: bool,
+    /// A step on the way to the chapter, counted from 0, if it is not the last.
+    step: Option<usize>,
     /// Width and height in pixels, if they are not the chapter's own.
     shape: Option<(u32, u32)>,
     /// What the reader chose.
@@ -51,6 +53,7 @@ impl Scene {
             probe,
             edition: Edition::V4,
             insists: false,
+            step: None,
             shape: None,
             chosen: Chosen::default(),
         })
@@ -83,9 +86,9 @@ impl Scene {
     /// The same picture drawn with the whole of b in place of its half, or the other way
     /// round, if it is that of one sphere with its normals.
     pub(crate) fn with_the_other_formula(self) -> Option<Self> {
-        let chapter = match self.chapter {
-            Chapter::Normals => Chapter::HalfBSphere,
-            Chapter::HalfBSphere => Chapter::Normals,
+        let chapter = match (self.chapter, self.step) {
+            (Chapter::Normals, None) => Chapter::HalfBSphere,
+            (Chapter::HalfBSphere, None) => Chapter::Normals,
             _ => return None,
         };
         Some(Self { chapter, ..self })
@@ -96,6 +99,7 @@ impl Scene {
         Self {
             chapter,
             probe: None,
+            step: None,
             shape: None,
             ..self
         }
@@ -104,6 +108,19 @@ impl Scene {
     /// The same scene as the book has it.
     pub(crate) fn without_choices(self) -> Self {
         self.with(Chosen::default())
+    }
+
+    /// The same scene as far as it is written after a step.
+    pub(crate) fn at_step(self, step: usize) -> Self {
+        Self {
+            step: Some(step),
+            ..self
+        }
+    }
+
+    /// The step that it shows, counted from 0, if it is not the chapter's last.
+    pub fn step(&self) -> Option<usize> {
+        self.step
     }
 
     /// The same scene with what a reader chose.
@@ -132,12 +149,17 @@ impl Scene {
 
     /// The command that checks a picture of it.
     pub fn command(&self) -> String {
-        let probe = self.probe.map(|probe| format!("--probe {} ", probe.name));
         let (companion, chapter) = (companion(), self.chapter.name());
-        format!(
-            "{companion} check {chapter} {}PICTURE",
-            probe.unwrap_or_default()
-        )
+        match self.probe {
+            Some(probe) => self.probed_command(probe),
+            None => format!("{companion} check {chapter} PICTURE"),
+        }
+    }
+
+    /// The command that checks a picture of it with that probe.
+    pub fn probed_command(&self, probe: Probe) -> String {
+        let (companion, chapter) = (companion(), self.chapter.name());
+        format!("{companion} check {chapter} --probe {} PICTURE", probe.name)
     }
 
     /// The same scene by each edition that will do, in a picture of that size: the
@@ -194,6 +216,9 @@ impl Scene {
                 program.aspect_ratio = wished;
                 program.viewport_ratio = |_, _, aspect_ratio| aspect_ratio;
             }
+        }
+        if let Some(step) = self.step {
+            program = steps::of(self.chapter)[step].put_to(program);
         }
         program.sky = self.chosen.sky.unwrap_or(program.sky);
         program.paint = self.chosen.paint.unwrap_or(program.paint);

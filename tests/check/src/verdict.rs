@@ -7,7 +7,8 @@ use slips::Slip;
 
 use crate::bits::Left;
 use crate::comparison::{Comparison, Difference};
-use crate::explanations::{But, Conversion, Evidence, Explanation};
+use crate::evidence::{Evidence, Known};
+use crate::explanations::{But, Conversion, Explanation};
 use crate::judge::{Judgement, is_same, shortest};
 use crate::reading::{self, Cause, Reading};
 use crate::scene::Scene;
@@ -86,6 +87,10 @@ pub struct Finding {
     pub sets: Vec<Set>,
     /// What can be seen, where nothing known explains it.
     pub sights: Vec<String>,
+    /// Whether the few lines that are not as the chapter has them explain it.
+    pub is_typed: bool,
+    /// Whether it explains all answers of the reader's functions, too.
+    pub is_answered: bool,
     /// By how many bits that is shorter than any other explanation: with 10 it is a
     /// thousand times as likely.
     pub lead: f64,
@@ -132,8 +137,13 @@ const TOGETHER: f64 = 3.0;
 /// Compares the picture in `bytes` with the scene's, by each edition of the book that
 /// will do, and accepts components that are at most `tolerance` levels off.
 pub fn check(scene: &Scene, bytes: &[u8], tolerance: u8) -> Check {
+    check_knowing(scene, bytes, tolerance, &Known::default())
+}
+
+/// The same where more is known than the picture.
+pub fn check_knowing(scene: &Scene, bytes: &[u8], tolerance: u8, known: &Known) -> Check {
     match reading::read(bytes) {
-        Ok(reading) => judge(scene, &reading, tolerance),
+        Ok(reading) => judge(scene, &reading, tolerance, known),
         Err(cause) => Check::NotAPicture {
             cause,
             finding: None,
@@ -147,7 +157,7 @@ pub fn check(scene: &Scene, bytes: &[u8], tolerance: u8) -> Check {
 pub const MOST_MISSHAPEN: u64 = 1 << 20;
 
 /// The same of a picture that was read.
-pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8) -> Check {
+pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> Check {
     let (width, height) = (reading.width, reading.height);
     let another_width = causes::not_as_wide(scene, reading);
     let may_be_right = another_width.is_none();
@@ -155,7 +165,7 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8) -> Check {
     if shape.is_none()
         && let Some(cause) = causes::no_levels(reading)
     {
-        let finding = match Finding::of(scene, reading) {
+        let finding = match Finding::of(scene, reading, known) {
             Answer::Of(finding) => finding,
             Answer::Another(_) => {
                 return Check::NotAPicture {
@@ -173,6 +183,13 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8) -> Check {
         && let Some(right) = Right::of(scene, reading, tolerance)
         && (shape.is_none() || causes::is_a_shape_to_choose(width, height))
     {
+        let is_answered = known.is_answered_by(&right.scene.program(&[]));
+        if !is_answered
+            && let Answer::Of(finding) = Finding::of(scene, reading, known)
+            && !finding.sets.is_empty()
+        {
+            return Check::Wrong(*finding);
+        }
         let shape_given_by = match shape {
             Some(_) => causes::slips_giving(scene, width, height),
             None => Vec::new(),
@@ -189,7 +206,7 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8) -> Check {
             cause,
             finding: None,
         },
-        shape => match (Finding::of(scene, reading), shape) {
+        shape => match (Finding::of(scene, reading, known), shape) {
             (Answer::Another(scenes), _) => Check::Another {
                 cause: causes::another(scene, &scenes),
                 scenes,
@@ -214,18 +231,22 @@ enum Answer {
 
 impl Finding {
     /// What the shortest explanation of the picture says.
-    fn of(scene: &Scene, reading: &Reading) -> Answer {
-        let evidence = Evidence::new(scene, reading);
+    fn of(scene: &Scene, reading: &Reading, known: &Known) -> Answer {
+        let evidence = Evidence::new(scene, reading, known);
         let judgement = shortest(&evidence);
-        let is_known = judgement.found[0].bits() < judgement.unknown;
         let best = &judgement.found[0];
         let is_right = best.slips.is_empty() && best.seen.is_none();
+        let is_typed = evidence.typed().is_some_and(|typed| match is_right {
+            true => typed < best.bits(),
+            false => typed + TOGETHER < best.bits(),
+        });
+        let is_known = best.bits() < judgement.unknown && !is_typed;
         if is_known && is_right && !is_same(&best.scene, scene) {
             return Answer::Another(judgement.scenes_like(best));
         }
         let explaining = match is_known {
             true => best,
-            false => judgement.nearest(&evidence.scene),
+            false => judgement.nearest(&evidence.scene, is_typed),
         };
         let compared = explaining.scene.without_choices();
         let right = compared.right(reading.width, reading.height);
@@ -237,6 +258,7 @@ impl Finding {
         let sights = match (is_known, &best.seen) {
             (true, Some(seen)) => vec![seen.clone()],
             (true, None) => Vec::new(),
+            (false, _) if is_typed => Vec::new(),
             (false, _) => seen::sights(&compared, reading),
         };
         let others = judgement.scenes_like(best).into_iter();
@@ -262,6 +284,8 @@ impl Finding {
                 false => Vec::new(),
             },
             sights,
+            is_typed,
+            is_answered: known.is_answered_by(&best.scene.without_probe().program(&best.slips)),
             lead: judgement.lead(),
             others: others.filter(is_a_probe).collect(),
         }))
@@ -284,13 +308,15 @@ impl Finding {
 }
 
 impl Judgement {
-    /// The scene itself, by the edition that leaves least.
-    fn nearest(&self, scene: &Scene) -> &Explanation {
-        let mut plain = self
-            .found
-            .iter()
-            .filter(|it| it.slips.is_empty() && it.seen.is_none() && is_same(&it.scene, scene));
-        plain.next().expect("the scene itself was measured")
+    /// The scene itself, by the edition or step that leaves least; or as a whole.
+    fn nearest(&self, scene: &Scene, is_whole: bool) -> &Explanation {
+        let is_plain = |it: &&Explanation| {
+            it.slips.is_empty() && it.seen.is_none() && is_same(&it.scene, scene)
+        };
+        let mut plain = self.found.iter().filter(is_plain).peekable();
+        let first = plain.peek().copied();
+        let whole = plain.find(|it| is_whole && it.scene.step().is_none());
+        whole.or(first).expect("the scene itself was measured")
     }
 
     /// Scenes of the same chapter whose right picture it is as well.

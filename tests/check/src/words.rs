@@ -1,13 +1,12 @@
 //! What there is to say about a set of mistakes, wherever it is said.
 
-use crate::names::companion;
 use common::rtweekend::Color;
 
 use slips::{Ball, Slip};
 
 use crate::bits::Left;
 use crate::explanations::{But, Conversion, Curve};
-use crate::scene::{Chosen, Scene};
+use crate::scene::Chosen;
 use crate::verdict::{Near, Set};
 
 impl Set {
@@ -30,29 +29,6 @@ impl Set {
         let chosen = self.scene.chosen.clause();
         let chosen = chosen.map_or(String::new(), |chosen| format!(", {chosen}"));
         format!("{who} {}{wrapped}{chosen}:", self.extent(pixels))
-    }
-
-    /// How to find out which mistake it is, if there are several.
-    pub fn how_to_tell(&self, scene: &Scene) -> String {
-        if self.mistakes.len() < 2 {
-            return String::new();
-        }
-        let Some(telling) = &self.telling else {
-            return "\n  This picture can't tell them apart, and no probe can: look for each.\n"
-                .to_owned();
-        };
-        let group = |group: &Vec<usize>| {
-            let names: Vec<String> = group.iter().map(|&n| names_of(&self.mistakes[n])).collect();
-            names.join(", ")
-        };
-        let groups: Vec<String> = telling.groups.iter().map(group).collect();
-        let (name, probe) = (scene.chapter.name(), telling.probe.name);
-        format!(
-            "\n  This picture can't tell them apart. The probe {probe} can: {}.\n  Change your program to\n    {}\n  and then: {} check {name} --probe {probe} PICTURE\n",
-            groups.join(" | "),
-            telling.probe.lines(scene.chapter).replace('\n', "\n    "),
-            companion(),
-        )
     }
 
     fn extent(&self, pixels: usize) -> String {
@@ -83,6 +59,11 @@ impl Near {
         let left = self.is_for_pixels().then(|| left(&self.left, pixels));
         let all: Vec<String> = chosen.into_iter().chain(buts).chain(left).collect();
         all.join(", and ")
+    }
+
+    /// Whether it is right to the last bit.
+    pub fn is_exact(&self) -> bool {
+        self.left.is_nothing() && self.but.is_empty() && self.scene.chosen == Chosen::default()
     }
 
     /// Whether there are pixels that it does not explain. With several rays a pixel every

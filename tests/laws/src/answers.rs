@@ -21,6 +21,9 @@ use crate::prelude::Asked;
 use crate::question::Question;
 use crate::record::{Hit, Recorded};
 
+/// The environment variable that names the file.
+pub const ANSWERS: &str = "LAWS_ANSWERS";
+
 /// What the functions of a reader answered.
 #[derive(Debug, Default)]
 pub struct Answers {

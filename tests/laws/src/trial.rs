@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use slips::{Ball, Chapter, Program};
 use speed_vs_accuracy::Case;
 
-use crate::answers;
+use crate::answers::{self, ANSWERS};
 use crate::camera::{self, Pixel, Width};
 use crate::causes;
 use crate::intervals::{NEAREST_IN_RANGE, WithInterval};
@@ -38,11 +38,11 @@ pub struct Trial {
 
 impl Default for Trial {
     /// With as many questions as [`cases`] says, and with the file that the environment
-    /// variable `LAWS_ANSWERS` names.
+    /// variable [`ANSWERS`] names.
     fn default() -> Self {
         Self {
             cases: cases(),
-            answers: env::var_os("LAWS_ANSWERS").map(PathBuf::from),
+            answers: env::var_os(ANSWERS).map(PathBuf::from),
         }
     }
 }

@@ -78,7 +78,7 @@ impl Chapter {
     }
 
     /// What there is to see in the picture, for whoever can't see it.
-    pub fn shows(self) -> &'static str {
+    pub const fn shows(self) -> &'static str {
         match self {
             Self::BuildTest => "Red grows to the right, green grows downwards",
             Self::Gradient => "Pale at the bottom, ever bluer towards the top",

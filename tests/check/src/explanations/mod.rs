@@ -18,6 +18,7 @@ use std::hash::{DefaultHasher, Hasher};
 use ::slips::{Output, Slip};
 
 use crate::bits::{Left, Pixel, distance};
+use crate::evidence::Evidence;
 use crate::reading::Reading;
 use crate::scene::Scene;
 
@@ -30,33 +31,6 @@ pub(crate) use right::right;
 pub(crate) use slips::{TWO, single, two};
 pub(crate) use spheres::own_spheres;
 pub(crate) use turned::turned;
-
-/// All that is known of what a reader did. Laws, warnings and sources may join the picture.
-pub(crate) struct Evidence<'a> {
-    /// The scene that the picture is meant to show; the chapter's own instead of a probe
-    /// that is about another width.
-    pub(crate) scene: Scene,
-    /// The picture.
-    pub(crate) reading: &'a Reading,
-    /// Whether it has numbers that are none.
-    pub(crate) has_no_levels: bool,
-}
-
-impl<'a> Evidence<'a> {
-    pub(crate) fn new(scene: &Scene, reading: &'a Reading) -> Self {
-        let is_about_another_width = scene
-            .probe
-            .is_some_and(|probe| probe.spheres.is_none() && probe.width != reading.width);
-        Self {
-            scene: match is_about_another_width {
-                true => scene.without_probe(),
-                false => *scene,
-            },
-            reading,
-            has_no_levels: reading.outside().is_some(),
-        }
-    }
-}
 
 /// A program that may have drawn a picture, before that is measured.
 #[derive(Clone)]

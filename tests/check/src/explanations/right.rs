@@ -7,6 +7,9 @@ use crate::scene::Scene;
 
 /// Most pictures are right, by the edition that the reader was led to by these pages.
 const ITSELF: f64 = 1.0;
+/// A step on the way, where steps are judged; and one that has been done before.
+const STEP: f64 = 2.0;
+const STEP_AGAIN: f64 = 6.0;
 /// The chapter's own scene where a probe was asked for: the change was forgotten.
 const FORGOTTEN: f64 = 4.0;
 /// The scene of a probe: the change is still there. More than a slip, which is told with
@@ -47,7 +50,10 @@ pub(crate) fn right(evidence: &Evidence) -> Vec<Hypothesis> {
         .into_iter()
         .filter(|&chapter| chapter != own.chapter)
         .map(|chapter| (own.of_chapter(chapter), ANOTHER_CHAPTER));
-    let others = scenes.chain(chapters).flat_map(|(scene, name)| {
+    // A reader who types the chapter has no other picture at hand.
+    let is_typing = evidence.known.sources.are_of_the_chapter();
+    let others = scenes.chain(chapters).filter(|_| !is_typing);
+    let others = others.flat_map(|(scene, name)| {
         let by_editions = by_editions(evidence, scene, name);
         by_editions
             .into_iter()
@@ -55,8 +61,23 @@ pub(crate) fn right(evidence: &Evidence) -> Vec<Hypothesis> {
     });
     by_editions(evidence, own, ITSELF)
         .into_iter()
+        .chain(steps(evidence))
         .chain(others)
+        .map(|it| evidence.weighed(it))
         .collect()
+}
+
+/// The steps before the last, as the edition has them that was asked for.
+pub(super) fn steps(evidence: &Evidence) -> Vec<Hypothesis> {
+    let own = evidence.scene;
+    let (_, before) = evidence.known.steps.split_last().unwrap_or((&true, &[]));
+    let step = |(n, &is_done): (usize, &bool)| {
+        let name = if is_done { STEP_AGAIN } else { STEP };
+        by_editions(evidence, own.at_step(n), name)
+            .into_iter()
+            .next()
+    };
+    before.iter().enumerate().filter_map(step).collect()
 }
 
 /// The scene by each edition that will do.

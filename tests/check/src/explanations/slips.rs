@@ -1,6 +1,6 @@
 //! A slip, or two that were made together.
 
-use super::right::{by_editions, shape};
+use super::right::{by_editions, shape, steps};
 use super::{Conversion, Evidence, Hypothesis};
 
 /// One of some hundred slips, where one program in two has one.
@@ -30,23 +30,24 @@ pub(crate) fn single(evidence: &Evidence) -> Vec<Hypothesis> {
     });
     let all: Vec<Hypothesis> = other_formula.chain(wrapped).collect();
     let all = scenes.into_iter().chain(all);
-    all.flat_map(|right| with_a_slip(&right, ONE)).collect()
+    let singles = all.flat_map(|right| with_a_slip(evidence, &right, ONE));
+    singles.map(|it| evidence.weighed(it)).collect()
 }
 
 /// The right program with each slip that can be made in it.
-pub(super) fn with_a_slip(right: &Hypothesis, name: f64) -> Vec<Hypothesis> {
+fn with_a_slip(evidence: &Evidence, right: &Hypothesis, name: f64) -> Vec<Hypothesis> {
     let with = |slip| Hypothesis {
         slips: vec![slip],
         name: right.name + name,
         ..right.clone()
     };
-    right.scene.slips().map(with).collect()
+    evidence.slips(&right.scene).map(with).collect()
 }
 
 /// Programs with two slips.
 pub(crate) fn two(evidence: &Evidence) -> impl Iterator<Item = Hypothesis> {
     scenes(evidence).into_iter().flat_map(|right| {
-        let slips: Vec<_> = right.scene.slips().collect();
+        let slips: Vec<_> = evidence.slips(&right.scene).collect();
         let pairs: Vec<_> = (0..slips.len())
             .flat_map(|n| slips[n + 1..].iter().map(move |&other| (n, other)))
             .map(|(n, other)| vec![slips[n], other])
@@ -71,5 +72,6 @@ fn scenes(evidence: &Evidence) -> Vec<Hypothesis> {
     });
     let own_shape: Vec<Hypothesis> = own_shape.collect();
     scenes.extend(own_shape);
+    scenes.extend(steps(evidence));
     scenes
 }

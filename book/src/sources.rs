@@ -1,0 +1,72 @@
+//! Source discovery: what a reader wrote, where it can be found.
+
+use std::ffi::OsString;
+use std::fs;
+use std::path::Path;
+
+use check::sources::Sources;
+use check::workspace::workspace;
+use slips::{Chapter, Letters};
+
+/// The files of a crate that `start` made, beside those of the chapter.
+pub(crate) fn of_crate(folder: &Path, chapter: Chapter) -> Sources {
+    let own = files_in(&folder.join("src"), "src/");
+    let theirs = folder_of(chapter).map_or(Vec::new(), |folder| files_in(&folder, "src/"));
+    // What prints the picture is not typed.
+    let typed = theirs.into_iter().filter(|(name, _)| name != "src/main.rs");
+    Sources::new(own, typed.collect())
+}
+
+/// The files of a program of the reader's own, and their language: the one that its command
+/// names, or else those of the folder, unless it has several programs.
+pub(crate) fn of_program(words: &[OsString], folder: &Path) -> (Sources, Option<Letters>) {
+    let named = words.iter().map(|word| folder.join(word));
+    let named: Vec<_> = named.filter(|path| language(path).is_some()).collect();
+    let files = match &named[..] {
+        [] => [files_in(folder, ""), files_in(&folder.join("src"), "src/")].concat(),
+        paths => paths.iter().filter_map(|path| file(path, "")).collect(),
+    };
+    let is_program = |(_, text): &&(String, String)| text.contains(" main(");
+    if files.iter().filter(is_program).count() > 1 {
+        return (Sources::default(), None);
+    }
+    let first = files.first().and_then(|(name, _)| language(name.as_ref()));
+    (Sources::new(files, Vec::new()), first.flatten())
+}
+
+/// Where the sources of our own chapter are.
+fn folder_of(chapter: Chapter) -> Option<std::path::PathBuf> {
+    let folder = format!("chapters/{}_{}/src", chapter as usize, chapter.name());
+    Some(workspace()?.join(folder))
+}
+
+/// No program of these chapters has more files, or a longer one.
+const MOST_FILES: usize = 40;
+const MOST_BYTES: u64 = 1 << 17;
+
+/// The sources in the folder itself, by their names, with `before` before them.
+fn files_in(folder: &Path, before: &str) -> Vec<(String, String)> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut paths: Vec<_> = entries.map(|entry| entry.path()).collect();
+    paths.sort();
+    let sources = paths.iter().filter(|path| language(path).is_some());
+    let files = sources.filter_map(|path| file(path, before));
+    files.take(MOST_FILES).collect()
+}
+
+fn file(path: &Path, before: &str) -> Option<(String, String)> {
+    let is_short = fs::metadata(path).is_ok_and(|it| it.is_file() && it.len() <= MOST_BYTES);
+    let text = fs::read_to_string(path).ok().filter(|_| is_short)?;
+    Some((format!("{before}{}", path.file_name()?.display()), text))
+}
+
+/// The language of a source file, in which a slip can be said if it has a name here; `None`
+/// for any other file.
+fn language(path: &Path) -> Option<Option<Letters>> {
+    match path.extension()?.to_str()? {
+        "rs" => Some(Some(Letters::Rust)),
+        "py" => Some(Some(Letters::Python)),
+        "cc" | "cpp" | "cxx" | "c" | "h" | "hpp" => Some(None),
+        _ => None,
+    }
+}

@@ -1,0 +1,175 @@
+//! Evidence: all that is known of what a reader did, in the same bits as the picture.
+//!
+//! What is known besides the picture costs one who believes an explanation as much as it
+//! surprises them: answers that their program would not give, a line that is right where
+//! it should be wrong, a warning of the compiler about a name that they have no reason to
+//! drop.
+
+use slips::{Letters, Program, Slip, Words};
+
+use crate::explanations::Hypothesis;
+use crate::reading::Reading;
+use crate::scene::Scene;
+use crate::sources::{Line, Said, Sources};
+
+/// How many answers were given, and how many of them a program would not give.
+pub type Unlike<'a> = dyn Fn(&Program) -> (usize, usize) + 'a;
+
+/// What is known besides the picture.
+#[derive(Default)]
+pub struct Known<'a> {
+    /// The letters in which the reader writes; without them, those of the edition.
+    pub letters: Option<Letters>,
+    /// Whether the reader can have made a slip; any, if nothing is known.
+    pub can_be_made: Option<&'a dyn Fn(&Slip) -> bool>,
+    /// What the reader wrote.
+    pub sources: Sources,
+    /// What the reader's functions answered.
+    pub answers: Option<&'a Unlike<'a>>,
+    /// What the compiler warned of, in its words.
+    pub warnings: Vec<String>,
+    /// Whether each step of the chapter has been done before, if steps are judged.
+    pub steps: Vec<bool>,
+}
+
+impl Known<'_> {
+    /// What there is to say of a slip in the scene, in the reader's letters.
+    pub fn words(&self, slip: &Slip, scene: &Scene) -> Words {
+        let letters = self.letters.unwrap_or(Letters::Book(scene.edition));
+        slip.words(letters, scene.chapter)
+    }
+
+    /// Whether the reader can have made the slip, as far as it is known.
+    pub fn can_be_made(&self, slip: &Slip, scene: &Scene) -> bool {
+        self.can_be_made.is_none_or(|can_be| can_be(slip))
+            && self.sources.say(self.words(slip, scene)) != Said::Right
+    }
+
+    /// The reader's line that makes the slip, if it is found.
+    pub fn line_of(&self, slip: &Slip, scene: &Scene) -> Option<Line> {
+        self.sources.line_of(self.words(slip, scene))
+    }
+
+    /// Whether the reader's functions answer as the program would.
+    pub(crate) fn is_answered_by(&self, program: &Program) -> bool {
+        self.answers.is_none_or(|unlike| unlike(program).1 == 0)
+    }
+}
+
+/// All that is known of what a reader did.
+pub(crate) struct Evidence<'a> {
+    /// The scene that the picture is meant to show; the chapter's own instead of a probe
+    /// that is about another width.
+    pub(crate) scene: Scene,
+    /// The picture.
+    pub(crate) reading: &'a Reading,
+    /// Whether it has numbers that are none.
+    pub(crate) has_no_levels: bool,
+    /// What is known besides.
+    pub(crate) known: &'a Known<'a>,
+}
+
+/// An answer that is not explained, out of some hundred, and what it is instead.
+const ANSWER: f64 = 14.0;
+/// Of more answers than one in fifty nobody can say that they are due to rounding.
+const REFUTING: usize = 50;
+/// The line of a slip that is in none of the reader's files may be written in other words,
+/// of which nothing is known.
+const NOT_FOUND: f64 = 4.0;
+/// A line that is as it should be: its copy elsewhere may be wrong, once in thousands.
+const FOUND_RIGHT: f64 = 16.0;
+/// A place that is not as the chapter has it: one line in ten is, in a right program too.
+const TYPED: f64 = 9.0;
+/// A warning comes for another reason.
+const WARNING: f64 = 5.0;
+
+impl<'a> Evidence<'a> {
+    pub(crate) fn new(scene: &Scene, reading: &'a Reading, known: &'a Known<'a>) -> Self {
+        let is_about_another_width = scene
+            .probe
+            .is_some_and(|probe| probe.spheres.is_none() && probe.width != reading.width);
+        Self {
+            scene: match is_about_another_width {
+                true => scene.without_probe(),
+                false => *scene,
+            },
+            reading,
+            has_no_levels: reading.outside().is_some(),
+            known,
+        }
+    }
+
+    /// The slips that the reader can have made in the scene.
+    pub(crate) fn slips(&self, scene: &Scene) -> impl Iterator<Item = &'static Slip> {
+        let can_be_made = self.known.can_be_made;
+        scene
+            .slips()
+            .filter(move |slip| can_be_made.is_none_or(|can_be| can_be(slip)))
+    }
+
+    /// The same hypothesis with what the evidence besides the picture costs.
+    pub(crate) fn weighed(&self, it: Hypothesis) -> Hypothesis {
+        Hypothesis {
+            name: it.name + self.besides(&it),
+            ..it
+        }
+    }
+
+    /// What the evidence besides the picture costs one who believes the hypothesis.
+    pub(crate) fn besides(&self, it: &Hypothesis) -> f64 {
+        self.answers(it) + self.files(it) + self.warnings(it)
+    }
+
+    /// The length of what the reader typed otherwise than the chapter has it, in few places:
+    /// that explains all there is, since all the rest is right.
+    pub(crate) fn typed(&self) -> Option<f64> {
+        let places = self.known.sources.unlike().len();
+        (places > 0).then_some(TYPED * places as f64)
+    }
+
+    /// What the reader's functions answered. Programs don't answer by chance: slips that
+    /// would answer otherwise have not been made.
+    fn answers(&self, it: &Hypothesis) -> f64 {
+        let Some(unlike) = self.known.answers else {
+            return 0.0;
+        };
+        let (asked, unlike) = unlike(&it.scene.without_probe().program(&it.slips));
+        match unlike * REFUTING > asked && !it.slips.is_empty() {
+            true => f64::INFINITY,
+            false => ANSWER * unlike as f64,
+        }
+    }
+
+    /// What the reader wrote.
+    fn files(&self, it: &Hypothesis) -> f64 {
+        let known = self.known;
+        if known.sources.is_empty() {
+            return 0.0;
+        }
+        let is_unlike = !known.sources.unlike().is_empty();
+        let cost = |slip: &&'static Slip| match known.sources.say(known.words(slip, &it.scene)) {
+            Said::Wrong => 0.0,
+            Said::Neither if is_unlike => 0.0,
+            Said::Neither => NOT_FOUND,
+            Said::Right => FOUND_RIGHT,
+        };
+        let is_further = it.scene.step().is_some() && known.sources.is_written();
+        let step = if is_further { FOUND_RIGHT } else { 0.0 };
+        step + it.slips.iter().map(cost).sum::<f64>()
+    }
+
+    /// What the compiler warned of: a name that the wrong line does not use any more.
+    fn warnings(&self, it: &Hypothesis) -> f64 {
+        let is_dropped = |name: &str| {
+            it.slips.iter().any(|slip| {
+                let words = self.known.words(slip, &it.scene);
+                words.right.contains(name) && !words.wrong.contains(name)
+            })
+        };
+        let unexplained = self.known.warnings.iter().filter(|warning| {
+            let mut names = warning.split('`').skip(1).step_by(2);
+            !names.any(is_dropped)
+        });
+        WARNING * unexplained.count() as f64
+    }
+}

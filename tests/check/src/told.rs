@@ -1,0 +1,137 @@
+//! What is told of a picture: labeled rows, the same wherever they are shown.
+
+use std::{fmt, iter};
+
+use slips::{Probe, Slip};
+
+use crate::evidence::Known;
+use crate::scene::Scene;
+use crate::sources::{Line, Unlike};
+use crate::verdict::{Finding, Set};
+use crate::words::names_of;
+
+/// A label and what it is about.
+pub type Row = (&'static str, String);
+
+/// So many mistakes are told that explain all there is.
+const TOLD: usize = 4;
+/// So many warnings of a compiler.
+const WARNINGS: usize = 2;
+
+impl Finding {
+    /// What explains the picture, or else what is to be seen.
+    pub fn rows(&self, known: &Known) -> Vec<Row> {
+        let warnings = known.warnings.iter().take(WARNINGS);
+        let mut rows: Vec<Row> = warnings.map(|it| ("warned", it.clone())).collect();
+        let mistakes = self.mistakes();
+        rows.extend(match &mistakes[..] {
+            [] => self.unexplained(known),
+            [(set, mistake)] => in_full(mistake, &set.scene, known),
+            several => [unlike(known), in_short(several, known)].concat(),
+        });
+        rows
+    }
+
+    /// What tells the mistakes apart, with the command that judges a probe's picture.
+    pub fn how_to_tell(&self, command: impl Fn(Probe) -> String) -> Option<String> {
+        let set = self.sets.first().filter(|set| set.mistakes.len() > 1)?;
+        let Some(telling) = &set.telling else {
+            return Some("look for each: no probe tells them apart".to_owned());
+        };
+        let name = |&n: &usize| names_of(&set.mistakes[n]);
+        let groups = telling.groups.iter();
+        let groups: Vec<String> = groups
+            .map(|group| group.iter().map(name).collect::<Vec<_>>().join(", "))
+            .collect();
+        Some(format!(
+            "the probe {} tells them apart: {}. Change your program to {}; and then {}",
+            telling.probe.name,
+            groups.join(" | "),
+            telling.probe.lines(self.scene.chapter).replace('\n', "; "),
+            command(telling.probe),
+        ))
+    }
+
+    /// All that explain it, with the set that each is of.
+    fn mistakes(&self) -> Vec<(&Set, &[&'static Slip])> {
+        self.sets
+            .iter()
+            .flat_map(|set| set.mistakes.iter().map(move |it| (set, &it[..])))
+            .collect()
+    }
+
+    /// What is not as the chapter has it, and what can be seen.
+    fn unexplained(&self, known: &Known) -> Vec<Row> {
+        let is_near = self.near.is_some();
+        let unlike = unlike(known).into_iter().filter(|_| !is_near);
+        let seen = self.sights.iter().map(|sight| ("seen", sight.clone()));
+        unlike.chain(seen).collect()
+    }
+}
+
+/// The reader's lines that are not as the chapter has them, with the chapter's.
+pub fn unlike(known: &Known) -> Vec<Row> {
+    known
+        .sources
+        .unlike()
+        .into_iter()
+        .flat_map(rows_of)
+        .collect()
+}
+
+fn rows_of(unlike: Unlike) -> Vec<Row> {
+    let Unlike { yours, chapter, .. } = unlike;
+    match unlike.is_missing {
+        true => vec![(
+            "missing",
+            format!("below {}:{}  {chapter}", yours.file, yours.number),
+        )],
+        false => vec![("yours", yours.to_string()), ("the page", chapter)],
+    }
+}
+
+/// Slips that were made together, with the reader's own lines if these are found.
+fn in_full(mistake: &[&'static Slip], scene: &Scene, known: &Known) -> Vec<Row> {
+    // Where the chapter has another line, the mistake is there, in whatever words.
+    let unlike = unlike(known);
+    let is_shown = !unlike.is_empty();
+    let rows = mistake.iter().flat_map(|slip| {
+        let words = known.words(slip, scene);
+        let wrong = match known.line_of(slip, scene) {
+            Some(line) => ("yours", line.to_string()),
+            None => ("probably", words.wrong.into_owned()),
+        };
+        let lines = [wrong, ("should be", words.right.into_owned())];
+        let lines = lines.into_iter().filter(move |_| !is_shown);
+        lines.chain([("why", words.why.to_owned())])
+    });
+    unlike.into_iter().chain(rows).collect()
+}
+
+/// What each says instead of the right line.
+fn in_short(mistakes: &[(&Set, &[&'static Slip])], known: &Known) -> Vec<Row> {
+    let labels = iter::once("probably").chain(iter::repeat("or"));
+    let mut rows: Vec<Row> = labels
+        .zip(mistakes.iter().take(TOLD))
+        .map(|(label, (set, mistake))| {
+            let wrong = mistake.iter();
+            let wrong: Vec<_> = wrong
+                .map(|slip| known.words(slip, &set.scene).wrong)
+                .collect();
+            let wrong = wrong.join("; ");
+            (label, format!("{wrong}  ({})", names_of(mistake)))
+        })
+        .collect();
+    let others = mistakes.iter().skip(TOLD);
+    let others: Vec<String> = others.map(|(_, mistake)| names_of(mistake)).collect();
+    if !others.is_empty() {
+        rows.push(("also", others.join("; ")));
+    }
+    rows
+}
+
+impl fmt::Display for Line {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}  {}", self.file, self.number, self.text)
+    }
+}
