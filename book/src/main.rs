@@ -1,6 +1,7 @@
 //! `cargo rtrace`: the reader's companion.
 
 mod book;
+mod chapter;
 mod check;
 mod done;
 mod draw;

@@ -1,9 +1,10 @@
 //! The reader's own folder: where their crates are.
 
 use std::env;
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use check::names;
+use check::names::{self, companion};
 use check::workspace;
 use slips::Chapter;
 
@@ -19,8 +20,8 @@ pub(crate) const TYPED: [Chapter; 5] = [
 /// The folder of a reader's crates, each of which is named after its chapter.
 pub(crate) struct Mine {
     folder: PathBuf,
-    /// The words that choose it on a command line, if it was chosen.
-    option: String,
+    /// What chooses it on a command line, if it was chosen.
+    chosen: Option<String>,
 }
 
 impl Mine {
@@ -40,9 +41,7 @@ impl Mine {
         };
         Self {
             folder: chosen.map_or_else(usual, |chosen| here.join(chosen)),
-            option: chosen.map_or(String::new(), |chosen| {
-                format!(" --in {:?}", names::spelled(chosen))
-            }),
+            chosen: chosen.map(word),
         }
     }
 
@@ -51,13 +50,36 @@ impl Mine {
         &self.folder
     }
 
-    /// What a command is to be told that is about this folder.
-    pub(crate) fn option(&self) -> &str {
-        &self.option
+    /// The command that makes the crate of `chapter` there.
+    pub(crate) fn start(&self, chapter: Chapter) -> String {
+        self.command("start", chapter, "--into")
+    }
+
+    /// The command that judges it.
+    pub(crate) fn watch(&self, chapter: Chapter) -> String {
+        self.command("watch", chapter, "--in")
+    }
+
+    fn command(&self, what: &str, chapter: Chapter, option: &str) -> String {
+        let command = format!("{} {what} {}", companion(), chapter.name());
+        match &self.chosen {
+            Some(folder) => format!("{command} {option} {folder}"),
+            None => command,
+        }
     }
 
     /// Where the reader's crate of `chapter` is, or would be.
     pub(crate) fn of(&self, chapter: Chapter) -> PathBuf {
         self.folder.join(chapter.name())
+    }
+}
+
+/// A word of a command line, in quotation marks where a shell wants them.
+pub(crate) fn word(word: impl AsRef<OsStr>) -> String {
+    let word = names::spelled(word);
+    let is_plain = |c: char| c.is_alphanumeric() || "-_./=".contains(c);
+    match !word.is_empty() && word.chars().all(is_plain) {
+        true => word,
+        false => format!("{word:?}"),
     }
 }

@@ -10,13 +10,13 @@ use common::engine::output;
 use slips::Chapter;
 use slips::PROBES;
 
-use crate::check::chapter_parser;
+use crate::chapter::OneOf;
 
 /// What `cargo rtrace probes` is told.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// The chapter that you are at
-    #[arg(value_name = "CHAPTER", value_parser = chapter_parser(), default_value = "hittable_list")]
+    #[arg(value_name = "CHAPTER", value_parser = OneOf(&Chapter::OF_THE_BOOK), default_value = "hittable_list")]
     chapter: Chapter,
 }
 

@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 
 use check::names;
 use clap::Args;
-use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
+use clap::builder::{OsStringValueParser, TypedValueParser};
 use common::engine::{output, parse_width};
 use common::rtweekend::Picture;
 use slips::Chapter;
 
+use crate::chapter::OneOf;
 use crate::draw;
 use crate::misuse::{Misuse, misuse};
 use crate::save::{Format, save};
@@ -19,7 +20,7 @@ use crate::terminal::{self, Palette};
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Which picture
-    #[arg(value_name = "CHAPTER", value_parser = stage_parser())]
+    #[arg(value_name = "CHAPTER", value_parser = OneOf(&Chapter::ALL))]
     chapter: Chapter,
 
     /// Width in pixels [default: as in the book]
@@ -101,11 +102,6 @@ fn save_and_say(
         })?;
     }
     Ok(())
-}
-
-fn stage_parser() -> impl TypedValueParser<Value = Chapter> {
-    PossibleValuesParser::new(Chapter::ALL.iter().map(|chapter| chapter.name()))
-        .map(|name| Chapter::find(&name).expect("only names of stages are accepted"))
 }
 
 /// Refuses a picture that does not fit into memory, unless it is to be printed.

@@ -13,7 +13,7 @@ use common::engine::output;
 use slips::Chapter;
 use slips::{self, Edition, Letters, Slip, Unseen};
 
-use crate::check::chapter_parser;
+use crate::chapter::OneOf;
 use crate::misuse::misuse;
 use crate::save::Format;
 
@@ -48,7 +48,7 @@ struct Draw {
     slip: &'static Slip,
 
     /// The chapter [default: the first one whose picture shows the mistake]
-    #[arg(long, value_parser = chapter_parser())]
+    #[arg(long, value_parser = OneOf(&Chapter::OF_THE_BOOK))]
     chapter: Option<Chapter>,
 
     /// Width in pixels [default: as in the book]

@@ -30,7 +30,7 @@ pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, 
             "Is it built, and is its path right? In this folder it is ./NAME.",
         )
     })?;
-    match group.finish(limit, &mut || false) {
+    match group.finish(limit, &mut |_| false) {
         Ok(End::Itself(status, bytes)) if status.success() => Ok(bytes),
         Ok(End::Full(bytes)) => Ok(bytes),
         Ok(End::Itself(status, _)) => Err(failed(
@@ -60,15 +60,15 @@ pub(crate) fn command(words: &[OsString]) -> Command {
     command
 }
 
-/// Runs the program, unless `is_old` says meanwhile that this is no longer wanted. How it
-/// ended, and the last of what it wrote to standard error.
+/// Runs the program, unless `is_old`, which is shown what is printed so far, says that this
+/// is no longer wanted. How it ended, and the last of what it wrote to standard error.
 ///
 /// # Errors
 /// If the program does not start, or can't be read from.
 pub(crate) fn run(
     command: Command,
     limit: Duration,
-    is_old: &mut dyn FnMut() -> bool,
+    is_old: &mut dyn FnMut(&[u8]) -> bool,
 ) -> io::Result<(End, String)> {
     let mut group = Group::start(command, Stdio::piped())?;
     let errors = group.child.stderr.take().map(last_words);
@@ -126,7 +126,11 @@ impl Group {
     }
 
     /// Collects what is printed until the program ends, or has to.
-    fn finish(&mut self, limit: Duration, is_old: &mut dyn FnMut() -> bool) -> io::Result<End> {
+    fn finish(
+        &mut self,
+        limit: Duration,
+        is_old: &mut dyn FnMut(&[u8]) -> bool,
+    ) -> io::Result<End> {
         let start = Instant::now();
         let mut bytes = Vec::new();
         let mut ended = None;
@@ -152,7 +156,7 @@ impl Group {
             if start.elapsed() > limit {
                 return Ok(End::TooSlow);
             }
-            if is_old() {
+            if is_old(&bytes) {
                 return Ok(End::Interrupted);
             }
         }

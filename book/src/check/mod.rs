@@ -28,6 +28,7 @@ use input::Source;
 use judged::Judged;
 pub(crate) use text::Style;
 
+use crate::chapter::OneOf;
 use crate::misuse::complain;
 use crate::{files, sources};
 
@@ -35,7 +36,7 @@ use crate::{files, sources};
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Which picture it should be
-    #[arg(value_name = "CHAPTER", value_parser = chapter_parser())]
+    #[arg(value_name = "CHAPTER", value_parser = OneOf(&Chapter::OF_THE_BOOK))]
     chapter: Chapter,
 
     /// Your picture: a .ppm (P3 or P6) or .png file, or - for standard input
@@ -139,12 +140,6 @@ pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
     seconds
         .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())
         .ok_or("choose a number of seconds, such as 60".to_owned())
-}
-
-/// Takes the name of a chapter.
-pub(crate) fn chapter_parser() -> impl TypedValueParser<Value = Chapter> {
-    PossibleValuesParser::new(Chapter::OF_THE_BOOK.iter().map(|chapter| chapter.name()))
-        .map(|name| Chapter::find(&name).expect("only names of chapters are accepted"))
 }
 
 fn edition_parser() -> impl TypedValueParser<Value = Edition> {

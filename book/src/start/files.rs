@@ -1,5 +1,6 @@
 //! Templates: the files of a new crate.
 
+use std::hash::{BuildHasher, Hasher, RandomState};
 use std::path::Path;
 
 use slips::{Chapter, steps};
@@ -71,11 +72,12 @@ pub(super) const OWN_PRELUDE: [(&str, &str); 4] = [
     ("src/render.rs", include_str!("skeletons/own/render.rs")),
 ];
 
-/// All crates of a reader share what was built once, and in each of them `cargo rtrace`
-/// is what it is in the workspace. The alias is one text, as there, or cargo would not put
-/// the two together; so there is none where a path has a space in it.
+/// All crates of readers, wherever they are, share what was built once, and in each of
+/// them `cargo rtrace` is what it is in the workspace. The alias is one text, as there, or
+/// cargo would not put the two together; so there is none where a path has a space in it.
 pub(super) fn config(workspace: &Path) -> String {
-    let target = "[build]\ntarget-dir = \"../target\"\n".to_owned();
+    let shared = toml_string(&workspace.join("target/mine"));
+    let target = format!("[build]\ntarget-dir = {shared}\n");
     let paths = ["Cargo.toml", "target"].map(|name| workspace.join(name).display().to_string());
     if paths.iter().any(|path| path.contains(char::is_whitespace)) {
         return target;
@@ -126,11 +128,19 @@ pub(super) fn manifest(chapter: Chapter, own: bool, workspace: &Path) -> String 
         true => ("", common.as_str()),
         false => (common.as_str(), ""),
     };
+    // The standard library asks the system for a random number to seed its hash tables.
+    let random = RandomState::new().build_hasher().finish();
     format!(
-        "[package]\nname = \"my_{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\npublish = false\n\n\
+        "[package]\nname = \"my_{name}\"\n\
+         # By this number cargo tells your crates of that name apart: all are built in one place.\n\
+         version = \"0.1.0+{random:016x}\"\nedition = \"2024\"\npublish = false\n\n\
          [dependencies]\n{common}\n[dev-dependencies]\n{common_for_tests}{laws}\n\
          # A workspace of its own: what breaks here breaks nothing else.\n[workspace]\n\n\
-         [profile.dev]\nopt-level = 1\ndebug = \"line-tables-only\"\n"
+         [profile.dev]\nopt-level = 1\ndebug = \"line-tables-only\"\n\n\
+         # What it stands on is built sooner without optimization, and only proptest, which\n\
+         # draws the cases of the laws, would be too slow then.\n\
+         [profile.dev.package.\"*\"]\nopt-level = 0\n\
+         [profile.dev.package.proptest]\nopt-level = 1\n"
     )
 }
 

@@ -8,13 +8,13 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use carry::Written;
-use check::names::{companion, from_here};
+use check::names::from_here;
 use check::workspace::workspace;
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use common::engine::output;
 use slips::{Chapter, steps};
 
+use crate::chapter::OneOf;
 use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;
 use crate::terminal;
@@ -23,7 +23,7 @@ use crate::terminal;
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// The chapter that you are about to type
-    #[arg(value_name = "CHAPTER", value_parser = typed_parser())]
+    #[arg(value_name = "CHAPTER", value_parser = OneOf(&TYPED))]
     chapter: Chapter,
 
     /// Where your crates are to be [default: mine]
@@ -41,17 +41,21 @@ pub(crate) struct Arguments {
 
 /// Makes the crate, and says where it is and what comes next.
 pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let (chapter, name) = (arguments.chapter, arguments.chapter.name());
+    let chapter = arguments.chapter;
     let mine = Mine::find(arguments.into.as_deref());
     refuse_ours(&mine)?;
     let folder = mine.of(chapter);
     if folder.exists() && !arguments.again {
+        let prelude = match Written::read(&folder).has_own_prelude() {
+            true => " --own-prelude",
+            false => "",
+        };
         return Err(misuse(&format!(
             "{} is there already, and nothing is written over it\n\
-             Go on with {companion} watch {name}{option}, or begin once more with {companion} start {name}{option} --again.",
+             Go on with {}, or begin once more with {}{prelude} --again.",
             from_here(&folder),
-            companion = companion(),
-            option = mine.option(),
+            mine.watch(chapter),
+            mine.start(chapter),
         )));
     }
     let before = TYPED.into_iter().rev().filter(|&it| it < chapter);
@@ -118,7 +122,9 @@ impl New {
         ];
         let prelude = files::OWN_PRELUDE.map(|(name, text)| (name, text.to_owned()));
         let prelude = prelude.into_iter().filter(|_| own && !has_own);
-        let files = carried.files.into_iter().chain(texts).chain(prelude);
+        // In the order in which they are typed.
+        carried.files.rotate_left(1);
+        let files = prelude.chain(carried.files).chain(texts);
         let copies = written.map_or(Vec::new(), |Written { folder, files, .. }| {
             let copy = |name: PathBuf| (folder.join(&name), name);
             files.into_iter().map(copy).collect()
@@ -136,11 +142,11 @@ impl New {
     fn write(&self, folder: &Path) -> io::Result<Option<PathBuf>> {
         let mine = folder.parent().expect("a crate is in a folder");
         fs::create_dir_all(mine)?;
-        let partial = tempfile::Builder::new()
-            .prefix(".start-")
-            .tempdir_in(mine)?;
-        // A folder like others, not only for its owner.
-        let new = partial.path().join("new");
+        let new = mine.join(format!(".start-{}", self.chapter.name()));
+        if new.exists() {
+            // It was ended before it had the name.
+            fs::remove_dir_all(&new)?;
+        }
         let place = |name: &Path| {
             let path = new.join(name);
             fs::create_dir_all(path.parent().expect("a file is in a folder"))?;
@@ -161,16 +167,22 @@ impl New {
     }
 
     fn said(&self, mine: &Mine) -> String {
-        let (name, option) = (self.chapter.name(), mine.option());
         let file = mine.of(self.chapter).join("src/lib.rs");
         let mut said = format!("{} is yours.\n{}", from_here(&file), self.carried);
+        let is_to_type = |(_, text): &&(_, String)| text.contains("todo!()");
+        let to_type = self.files.iter().filter(is_to_type).map(|&(name, _)| name);
+        if let [before @ .., last] = &to_type.collect::<Vec<_>>()[..]
+            && !before.is_empty()
+        {
+            said += &format!("Type {}, and then {last}.\n", before.join(", "));
+        }
         for (number, step) in (1..).zip(steps::of(self.chapter)) {
             let line = format!("  step {number}  {}", step.says);
             said += &(terminal::hanging(&line, 10) + "\n");
         }
         said + &format!(
-            "Open it in your editor, and in a terminal: {} watch {name}{option}\n",
-            companion()
+            "Open it in your editor, and in a terminal: {}\n",
+            mine.watch(self.chapter)
         )
     }
 }
@@ -182,9 +194,4 @@ fn put_aside(folder: &Path) -> io::Result<PathBuf> {
     let free = free.expect("there are more numbers than folders");
     fs::rename(folder, &free)?;
     Ok(free)
-}
-
-fn typed_parser() -> impl TypedValueParser<Value = Chapter> {
-    PossibleValuesParser::new(TYPED.map(Chapter::name))
-        .map(|name| Chapter::find(&name).expect("only names of chapters are accepted"))
 }

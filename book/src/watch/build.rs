@@ -8,6 +8,7 @@ use std::{env, iter};
 use serde_json::Value;
 use supports_color::Stream;
 
+use super::progress::Progress;
 use crate::subprocess::{self, End};
 
 /// The programs of a reader's crate.
@@ -34,9 +35,9 @@ pub(super) fn build(
     folder: &Path,
     is_old: &mut dyn FnMut() -> bool,
 ) -> Result<Option<Built>, Problem> {
-    let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let has_test = folder.join("tests/laws.rs").is_file();
     // A test brings its program with it.
-    let what: &[&str] = match folder.join("tests/laws.rs").is_file() {
+    let what: &[&str] = match has_test {
         true => &["test", "--no-run", "--test", "laws"],
         false => &["build"],
     };
@@ -44,17 +45,25 @@ pub(super) fn build(
         Some(_) => "--message-format=json-diagnostic-rendered-ansi",
         None => "--message-format=json",
     };
-    let words: Vec<OsString> = iter::once(cargo)
+    let words: Vec<OsString> = iter::once(cargo())
         .chain(what.iter().chain(&["--quiet", format]).map(OsString::from))
         .collect();
     let mut command = subprocess::command(&words);
     command.current_dir(folder);
-    match subprocess::run(command, LONGEST, is_old) {
+    let mut progress = Progress::new(folder, has_test);
+    let mut is_old = |said: &[u8]| {
+        progress.show(said);
+        is_old()
+    };
+    match subprocess::run(command, LONGEST, &mut is_old) {
         Ok((End::Interrupted, _)) => Ok(None),
         Ok((End::Itself(status, said), errors)) => {
             let messages = messages(&said);
             match status.success() {
                 true => built(&messages).map(Some),
+                false if !folder.join("src/lib.rs").is_file() => {
+                    Err(problem(&[], "src/lib.rs is missing: the chapter itself"))
+                }
                 false => Err(problem(&messages, &errors)),
             }
         }
@@ -66,7 +75,13 @@ pub(super) fn build(
 /// The first build takes a minute, on a slow machine some.
 const LONGEST: Duration = Duration::from_secs(1800);
 
-fn messages(said: &[u8]) -> Vec<Value> {
+/// The program that builds crates.
+pub(super) fn cargo() -> OsString {
+    env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
+}
+
+/// What cargo has printed, message by message.
+pub(super) fn messages(said: &[u8]) -> Vec<Value> {
     let text = String::from_utf8_lossy(said);
     let messages = text.lines().map(serde_json::from_str);
     messages.filter_map(Result::ok).collect()

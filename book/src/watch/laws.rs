@@ -42,7 +42,7 @@ pub(super) fn ask(test: &OsStr, folder: &Path, limit: Duration) -> Asked {
     let mut command = Command::new(test);
     command.arg("--nocapture").current_dir(folder);
     command.env(ANSWERS, &file);
-    let outcome = match subprocess::run(command, limit, &mut || false) {
+    let outcome = match subprocess::run(command, limit, &mut |_| false) {
         Ok((End::Itself(status, _), _)) if status.success() => Outcome::Obeyed,
         Ok((End::Itself(..), errors)) => match report(&errors) {
             Some(lines) => Outcome::Broken(lines),

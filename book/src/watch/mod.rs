@@ -4,26 +4,28 @@ mod build;
 mod changes;
 mod evidence;
 mod laws;
+mod progress;
 mod screen;
 mod verdict;
 
+use std::env;
 use std::error::Error;
 use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant, SystemTime};
-use std::{env, fs};
 
 use check::evidence::Known;
-use check::names::{self, companion, from_here};
+use check::names::{companion, from_here};
 use check::scene::Scene;
 use clap::Args;
 use common::engine::output;
 use slips::{Chapter, Letters, Probe, Program, Slip, steps};
 
-use crate::check::{chapter_parser, probe_parser, seconds};
+use crate::chapter::OneOf;
+use crate::check::{probe_parser, seconds};
 use crate::done::{Done, step_is_done};
-use crate::mine::{Mine, TYPED};
+use crate::mine::{self, Mine, TYPED};
 use crate::misuse::misuse;
 use crate::sources;
 use crate::subprocess::{self, End};
@@ -36,7 +38,7 @@ use verdict::Verdict;
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Which picture it should be
-    #[arg(value_name = "CHAPTER", value_parser = chapter_parser())]
+    #[arg(value_name = "CHAPTER", value_parser = OneOf(&Chapter::OF_THE_BOOK))]
     chapter: Chapter,
 
     /// Your own program, which prints the picture; the current folder is watched
@@ -66,10 +68,6 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     let subject = Subject::of(arguments)?;
     let mut changes = Changes::below(&subject.folder, subject.program.is_empty())?;
     let mut was_stale = false;
-    if subject.is_built_for_the_first_time() {
-        let said = "Building what your crate stands on. The first time, that takes a minute.\n";
-        output::to_stdout(|out| out.write_all(said.as_bytes()))?;
-    }
     loop {
         let start = Instant::now();
         if screen::replaces_the_last() {
@@ -106,8 +104,7 @@ struct Subject {
     folder: PathBuf,
     limit: Duration,
     done: Done,
-    /// The words that choose the folder of a reader's crates, if it was chosen.
-    option: String,
+    mine: Mine,
 }
 
 impl Subject {
@@ -125,17 +122,15 @@ impl Subject {
             }
         };
         if !folder.is_dir() {
-            let (companion, name) = (companion(), chapter.name());
             let make = match TYPED.contains(&chapter) {
-                true => format!(
-                    "Make it with {companion} start {name}{}, or name",
-                    mine.option()
-                ),
+                true => format!("Make it with {}, or name", mine.start(chapter)),
                 false => "Name".to_owned(),
             };
             return Err(misuse(&format!(
-                "there is no {} yet\n{make} your program: {companion} watch {name} -- PROGRAM",
-                from_here(&folder)
+                "there is no {} yet\n{make} your program: {} watch {} -- PROGRAM",
+                from_here(&folder),
+                companion(),
+                chapter.name(),
             )));
         }
         let (program, limit) = (arguments.program.clone(), arguments.timeout);
@@ -145,21 +140,8 @@ impl Subject {
             folder,
             limit,
             done,
-            option: mine.option().to_owned(),
+            mine,
         })
-    }
-
-    fn is_built_for_the_first_time(&self) -> bool {
-        let target = env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
-        let target = target.unwrap_or(self.folder.with_file_name("target"));
-        let has_laws = self.folder.join("tests/laws.rs").is_file();
-        let needed = if has_laws { "liblaws-" } else { "libcommon-" };
-        let mut built = fs::read_dir(target.join("debug/deps"))
-            .into_iter()
-            .flatten()
-            .flatten();
-        let is_built = built.any(|file| file.file_name().to_string_lossy().starts_with(needed));
-        self.program.is_empty() && !is_built
     }
 
     fn title(&self) -> String {
@@ -187,7 +169,7 @@ impl Subject {
         };
         let mut command = subprocess::command(&words);
         command.current_dir(&self.folder);
-        match subprocess::run(command, self.limit, is_old) {
+        match subprocess::run(command, self.limit, &mut |_| is_old()) {
             Ok((End::Interrupted, _)) => Verdict::stale(),
             Ok((End::Itself(status, bytes), _)) if status.success() => {
                 self.of_picture(&bytes, built)
@@ -244,27 +226,25 @@ impl Subject {
 
     /// The command that watches this, or a probe of it.
     fn watch(&self, probe: Option<Probe>) -> String {
-        let probe = probe.map(|probe| format!(" --probe {}", probe.name));
-        let chapter = self.scene.chapter.name();
-        let chosen = probe.unwrap_or_default() + &self.chosen();
-        format!("{} watch {chapter}{chosen}", companion())
+        let chapter = self.scene.chapter;
+        let probe = probe.map_or(String::new(), |probe| format!(" --probe {}", probe.name));
+        match self.program.is_empty() {
+            true => self.mine.watch(chapter) + &probe,
+            false => self.watch_program(chapter, &probe),
+        }
     }
 
     /// The command that goes on with another chapter.
     fn start(&self, chapter: Chapter) -> String {
-        let (verb, name) = match self.program.is_empty() {
-            true => ("start", chapter.name()),
-            false => ("watch", chapter.name()),
-        };
-        format!("{} {verb} {name}{}", companion(), self.chosen())
+        match self.program.is_empty() {
+            true => self.mine.start(chapter),
+            false => self.watch_program(chapter, ""),
+        }
     }
 
-    /// The words of the command line that say what is watched.
-    fn chosen(&self) -> String {
-        let program: Vec<String> = self.program.iter().map(names::spelled).collect();
-        match program.is_empty() {
-            true => self.option.clone(),
-            false => format!(" -- {}", program.join(" ")),
-        }
+    fn watch_program(&self, chapter: Chapter, option: &str) -> String {
+        let program: Vec<String> = self.program.iter().map(mine::word).collect();
+        let (companion, name) = (companion(), chapter.name());
+        format!("{companion} watch {name}{option} -- {}", program.join(" "))
     }
 }

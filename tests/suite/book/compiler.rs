@@ -151,7 +151,6 @@ fn is_typed_as_shown(source: &str, shown: &str) -> bool {
 fn first_error(mine: &Mine, chapter: &str) -> String {
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(["check", "--offline", "--quiet", "--message-format", "json"]);
-    cargo.env("CARGO_TARGET_DIR", Mine::built());
     let output = run(cargo.current_dir(mine.path().join(chapter)));
     let said = text(&output.stdout);
     let messages = said.lines().filter_map(|line| {

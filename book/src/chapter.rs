@@ -1,0 +1,45 @@
+//! A chapter on a command line: its name, its number, or its folder as a shell completes
+//! it.
+
+use std::ffi::OsStr;
+use std::path::Path;
+
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Arg, Command, Error};
+use slips::Chapter;
+
+/// Takes one of these chapters.
+#[derive(Clone)]
+pub(crate) struct OneOf(pub(crate) &'static [Chapter]);
+
+impl TypedValueParser for OneOf {
+    type Value = Chapter;
+
+    fn parse_ref(&self, cmd: &Command, arg: Option<&Arg>, typed: &OsStr) -> Result<Chapter, Error> {
+        if let Some(&chapter) = self.0.iter().find(|&&chapter| is_meant(typed, chapter)) {
+            return Ok(chapter);
+        }
+        // It refuses in clap's words, with the name that is most alike.
+        let name = PossibleValuesParser::new(self.names()).parse_ref(cmd, arg, typed)?;
+        Ok(Chapter::find(&name).expect("only names of chapters are accepted"))
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(self.names().map(PossibleValue::new)))
+    }
+}
+
+impl OneOf {
+    fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
+        self.0.iter().map(|chapter| chapter.name())
+    }
+}
+
+/// Whether it is `normals`, `3`, `chapters/3_normals/` or `mine/normals`.
+fn is_meant(typed: &OsStr, chapter: Chapter) -> bool {
+    let (number, name) = (chapter as usize, chapter.name());
+    let last = Path::new(typed).file_name().unwrap_or_default();
+    [name, &format!("{number}"), &format!("{number}_{name}")]
+        .map(OsStr::new)
+        .contains(&last)
+}
