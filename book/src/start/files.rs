@@ -166,11 +166,13 @@ pub(super) fn test(chapter: Chapter, own: bool) -> String {
         true => include_str!("skeletons/own/laws/prelude.rs"),
         false => "",
     };
-    let test = format!("{test}{prelude}").replace("my_chapter", &format!("my_{}", chapter.name()));
+    let test = format!("{test}{prelude}")
+        .replace("my_chapter", &format!("my_{}", chapter.name()))
+        .replace("MyChapter", &format!("{chapter:?}"));
     match chapter {
         // It only decides whether there is a root.
         Chapter::RedSphere => test
-            .replace("nearer_root", "decision")
+            .replace("trial.nearer_root", "trial.decision")
             .replace("Option<f64>", "bool"),
         _ => test,
     }

@@ -19,6 +19,7 @@ use crate::list::World;
 use crate::nearer_root::Decided;
 use crate::prelude::Asked;
 use crate::question::Question;
+use crate::ray_color::{Looking, Traced};
 use crate::record::{Hit, Recorded};
 
 /// The environment variable that names the file.
@@ -42,6 +43,12 @@ impl Answers {
             Answered::<Asked>::read,
             Answered::<Width>::read,
             Answered::<Pixel>::read,
+            Answered::<Looking>::read,
+            Answered::<Traced<1>>::read,
+            Answered::<Traced<2>>::read,
+            Answered::<Traced<3>>::read,
+            Answered::<Traced<4>>::read,
+            Answered::<Traced<5>>::read,
         ];
         Self {
             kinds: kinds.iter().filter_map(|read| read(text)).collect(),
@@ -129,6 +136,30 @@ impl Answer for Option<f64> {
             [number] => Some(Some(number)),
             _ => None,
         }
+    }
+}
+
+impl Answer for Option<[f64; 2]> {
+    fn numbers(&self) -> Vec<f64> {
+        self.iter().flatten().copied().collect()
+    }
+
+    fn from_numbers(numbers: &[f64]) -> Option<Self> {
+        match *numbers {
+            [] => Some(None),
+            [one, other] => Some(Some([one, other])),
+            _ => None,
+        }
+    }
+}
+
+impl Answer for Vec3 {
+    fn numbers(&self) -> Vec<f64> {
+        self.to_array().to_vec()
+    }
+
+    fn from_numbers(numbers: &[f64]) -> Option<Self> {
+        numbers.try_into().ok().map(Self::from_array)
     }
 }
 

@@ -7,7 +7,7 @@
 //! hundred is the cause. One that fits a single case is not: by chance many do, where a
 //! is 1 or the radius is 0.
 
-use slips::{Edition, Letters, Program, Slip};
+use slips::{Chapter, Letters, Program, Slip};
 
 use crate::question::Question;
 use crate::verdict::Broken;
@@ -15,9 +15,9 @@ use crate::verdict::Broken;
 /// What makes the answers of a function what they are.
 #[derive(Clone, Debug, Default)]
 pub struct Cause {
-    /// Each of these mistakes alone gives all the answers that are explained, and no
-    /// question tells them apart. They are four at most.
-    pub mistakes: Vec<&'static Slip>,
+    /// Each of these mistakes alone, made in that chapter, gives all the answers that are
+    /// explained, and no question tells them apart. They are four at most.
+    pub mistakes: Vec<(&'static Slip, Chapter)>,
     /// How many answers are explained. Without a mistake: how many are right.
     pub explained: usize,
     /// How many there are.
@@ -33,7 +33,7 @@ impl Cause {
             asked,
         } = self;
         let share = format!("{explained} of {asked} answers");
-        let mut lines: Vec<String> = mistakes.iter().map(|slip| in_a_line(slip)).collect();
+        let mut lines: Vec<String> = mistakes.iter().map(in_a_line).collect();
         match lines.len() {
             0 if *explained == 0 && *asked > 0 => {
                 lines.push("no single mistake that is known gives these answers".to_owned());
@@ -54,9 +54,8 @@ impl Cause {
     }
 }
 
-fn in_a_line(slip: &Slip) -> String {
-    let [(_, wrong), (should_be, right), _] =
-        slip.rows(Letters::Book(Edition::V4), slip.chapters[0]);
+fn in_a_line(&(slip, chapter): &(&Slip, Chapter)) -> String {
+    let [(_, wrong), (should_be, right), _] = slip.rows(Letters::Rust, chapter);
     let said = format!("{wrong}; {should_be}: {right}");
     match slip.name {
         "" => said,
@@ -68,11 +67,13 @@ fn in_a_line(slip: &Slip) -> String {
 const NAMED: usize = 4;
 
 /// The cause of the answers that `answer` gives, to `questions` and to the one that was
-/// `found`, and a program that gives them too, if one gives all.
+/// `found`, and a program that gives them too, if one gives all. Mistakes in a `chapter`
+/// are looked for, or in any that has such a function.
 pub(crate) fn of<Q: Question>(
     answer: &dyn Fn(&Q) -> Q::Answer,
     mut questions: Vec<Q>,
     found: &Q,
+    chapter: Option<Chapter>,
 ) -> (Cause, Option<Program>) {
     questions.push(found.clone());
     let answers: Vec<Q::Answer> = questions.iter().map(answer).collect();
@@ -90,7 +91,7 @@ pub(crate) fn of<Q: Question>(
         Some(asked - unexplained)
     };
     let right = fits(&Q::right_program()).unwrap_or(0);
-    let mut fitting: Vec<(usize, &Slip, Program)> = hypotheses::<Q>()
+    let mut fitting: Vec<(usize, &Slip, Program)> = hypotheses::<Q>(chapter)
         .filter_map(|(slip, program)| Some((fits(&program)?, slip, program)))
         .filter(|&(fits, ..)| fits > right)
         .collect();
@@ -98,10 +99,13 @@ pub(crate) fn of<Q: Question>(
     fitting.retain(|&(fits, ..)| Some(fits) == most);
     // Those that are made most often come first.
     fitting.sort_by_key(|(_, slip, _)| std::cmp::Reverse(slip.reports()));
-    let mut mistakes: Vec<&Slip> = Vec::new();
-    for (_, slip, _) in &fitting {
-        if !mistakes.iter().any(|other| std::ptr::eq(*other, *slip)) {
-            mistakes.push(slip);
+    let mut mistakes: Vec<(&Slip, Chapter)> = Vec::new();
+    for (_, slip, program) in &fitting {
+        if !mistakes
+            .iter()
+            .any(|(other, _)| std::ptr::eq(*other, *slip))
+        {
+            mistakes.push((slip, program.chapter));
         }
     }
     mistakes.truncate(NAMED);
@@ -115,10 +119,15 @@ pub(crate) fn of<Q: Question>(
     (cause, first.filter(|_| explained == asked))
 }
 
-/// Each slip that can be made in a function of this kind, as each chapter writes it.
-fn hypotheses<Q: Question>() -> impl Iterator<Item = (&'static Slip, Program)> {
-    slips::all().chain(slips::unnamed()).flat_map(|slip| {
-        let chapters = Q::CHAPTERS.iter();
+/// Each slip that can be made in a function of this kind in Rust, as each chapter writes it.
+fn hypotheses<Q: Question>(
+    chapter: Option<Chapter>,
+) -> impl Iterator<Item = (&'static Slip, Program)> {
+    let in_rust = |slip: &&Slip| slip.can_be_made_in(Letters::Rust);
+    let slips = slips::all().chain(slips::unnamed()).filter(in_rust);
+    slips.flat_map(move |slip| {
+        let asked = move |it: &&Chapter| chapter.is_none_or(|chapter| **it == chapter);
+        let chapters = Q::CHAPTERS.iter().filter(asked);
         let can_be_made = chapters.filter(|chapter| slip.chapters.contains(chapter));
         can_be_made.map(move |&chapter| (slip, slip.program(chapter)))
     })

@@ -19,6 +19,7 @@ mod numbers;
 pub mod oracle;
 pub mod prelude;
 pub mod question;
+pub mod ray_color;
 pub mod record;
 pub mod report;
 pub mod runner;
@@ -30,5 +31,6 @@ pub mod truth;
 pub mod verdict;
 
 pub use intervals::WithInterval;
+pub use slips::Chapter;
 pub use speed_vs_accuracy::Case;
 pub use trial::Trial;

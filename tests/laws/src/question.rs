@@ -88,7 +88,7 @@ pub(crate) fn simplified<Q: Question>(mut question: Q, shows: impl Fn(&Q) -> boo
 
 /// Every chapter that casts rays has vectors, rays and a camera.
 pub(crate) const RAYS: &[Chapter] = Chapter::OF_THE_BOOK.split_at(1).1;
-const LIST: &[Chapter] = &[Chapter::HittableList];
+pub(crate) const LIST: &[Chapter] = &[Chapter::HittableList];
 
 /// Rays and spheres near and far, from inside and behind, with directions of any
 /// length. Rounding decides none of them, except that some are exact tangents.
@@ -469,6 +469,6 @@ fn near(one: Vec3, other: Vec3) -> bool {
     (one - other).length() <= 1e-9 * (one.length() + other.length())
 }
 
-fn code_of(v: Vec3) -> String {
+pub(crate) fn code_of(v: Vec3) -> String {
     format!("Vec3::new({:?}, {:?}, {:?})", v.x, v.y, v.z)
 }

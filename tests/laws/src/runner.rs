@@ -7,23 +7,13 @@ use speed_vs_accuracy::Case;
 
 use crate::causes::Cause;
 use crate::intervals::{NEAREST_IN_RANGE, RangeSolver, WithInterval};
-use crate::list::World;
 use crate::nearer_root::{DECISION, NEARER_ROOT, Solver};
-use crate::prelude::Prelude;
 use crate::question::{Question, simplified};
-use crate::record::{Hit, RECORD, Recorded, Recorder};
+use crate::record::{RECORD, Recorded, Recorder};
 use crate::report::{self, Report};
 use crate::sampling::{cases, chosen_seed, endless};
 use crate::trial::{Outcome, Trial};
 use crate::verdict::Verdict;
-
-/// Puts `decide`, the `hit_sphere` of chapter 2, under every law for a decision.
-///
-/// # Panics
-/// If a law is broken.
-pub fn decision<F: Fn(Point3, f64, &Ray) -> bool + ?Sized>(decide: &F) {
-    succeed(Trial::default().decision(decide));
-}
 
 /// Puts `solve` under every law for a nearer root.
 ///
@@ -57,45 +47,6 @@ pub fn decision<F: Fn(Point3, f64, &Ray) -> bool + ?Sized>(decide: &F) {
 /// ```
 pub fn nearer_root<F: Fn(Point3, f64, &Ray) -> Option<f64> + ?Sized>(solve: &F) {
     succeed(Trial::default().nearer_root(solve));
-}
-
-/// Puts a solver with a range, as in chapter 5, under every law for one, and for a
-/// nearer root.
-///
-/// # Panics
-/// If a law is broken.
-pub fn nearest_in_range<F>(solve: &F)
-where
-    F: Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + ?Sized,
-{
-    succeed(Trial::default().nearest_in_range(solve));
-}
-
-/// Puts what records a hit, its normal and its side, under every law for that.
-///
-/// # Panics
-/// If a law is broken.
-pub fn record<F>(record: &F)
-where
-    F: Fn(Point3, f64, &Ray, f64, f64) -> Option<Hit> + ?Sized,
-{
-    succeed(Trial::default().record(record));
-}
-
-/// Puts what finds the nearest hit of a list under every law for that.
-///
-/// # Panics
-/// If a law is broken.
-pub fn list<F: Fn(&World) -> Option<f64>>(search: &F) {
-    succeed(Trial::default().list(search));
-}
-
-/// Puts a prelude under the laws: each of its functions that is written.
-///
-/// # Panics
-/// If a law is broken.
-pub fn prelude(prelude: &Prelude) {
-    succeed(Trial::default().prelude(&|asked| asked.put_to(prelude)));
 }
 
 /// Panics with the report, if there is one.

@@ -18,6 +18,7 @@ use crate::list::{self, Search, World, worlds};
 use crate::nearer_root::{DECISION, Decided, NEARER_ROOT};
 use crate::prelude::{self, Asked};
 use crate::question::{Question, simplified};
+use crate::ray_color::{self, Looking, Traced};
 use crate::record::{Hit, RECORD, Recorded};
 use crate::report::{self, Report};
 use crate::sampling::{cases, chosen_seed, endless};
@@ -32,6 +33,9 @@ pub type Outcome = Result<(), Box<Report>>;
 pub struct Trial {
     /// On how many questions each law is tried.
     pub cases: u32,
+    /// The chapter of the function: mistakes in it are looked for, or else in all that have
+    /// such a function.
+    pub chapter: Option<Chapter>,
     /// The file to which [answers] are added.
     pub answers: Option<PathBuf>,
 }
@@ -42,6 +46,7 @@ impl Default for Trial {
     fn default() -> Self {
         Self {
             cases: cases(),
+            chapter: None,
             answers: env::var_os(ANSWERS).map(PathBuf::from),
         }
     }
@@ -61,6 +66,14 @@ struct Tried<'a, Q: Question> {
 }
 
 impl Trial {
+    /// The same for a function of that chapter.
+    pub fn of(chapter: Chapter) -> Self {
+        Self {
+            chapter: Some(chapter),
+            ..Self::default()
+        }
+    }
+
     /// A function that only decides whether the line meets the sphere, as in chapter 2.
     pub fn decision<F>(&self, decide: &F) -> Outcome
     where
@@ -131,17 +144,39 @@ impl Trial {
     /// The intersection of a program, as its chapter has one.
     pub fn intersection(&self, program: &Program) -> Outcome {
         let hit = |center, radius, ray: &Ray| program.hit_sphere(center, radius, ray);
+        let trial = self.in_chapter_of(program);
         match program.chapter {
             Chapter::RedSphere => {
-                self.decision(&|center, radius, ray: &Ray| hit(center, radius, ray).is_some())
+                trial.decision(&|center, radius, ray: &Ray| hit(center, radius, ray).is_some())
             }
-            Chapter::Normals | Chapter::HalfBSphere => self.nearer_root(&hit),
+            Chapter::Normals | Chapter::HalfBSphere => trial.nearer_root(&hit),
             Chapter::HittableList => {
-                self.nearest_in_range(&|center, radius, ray: &Ray, t_min, t_max| {
+                trial.nearest_in_range(&|center, radius, ray: &Ray, t_min, t_max| {
                     program.hit(Ball { center, radius }, ray, t_min, t_max)
                 })
             }
             _ => Ok(()),
+        }
+    }
+
+    /// What becomes of a hit in a program, as its chapter has it: the record, the search of a
+    /// list, and the color.
+    pub fn rest(&self, program: &Program) -> Outcome {
+        let trial = self.in_chapter_of(program);
+        if program.chapter == Chapter::HittableList {
+            trial.record(&|center, radius, ray: &Ray, t_min, t_max| {
+                Hit::of(program, Ball { center, radius }, ray, t_min, t_max)
+            })?;
+            trial.list(&|world: &World| world.answer_of(program))?;
+            trial.range(&|_| Some([program.t_min, program.t_max]))?;
+        }
+        trial.ray_color(&|ray: &Ray| program.ray_color(ray))
+    }
+
+    fn in_chapter_of(&self, program: &Program) -> Self {
+        Self {
+            chapter: Some(program.chapter),
+            ..self.clone()
         }
     }
 
@@ -224,6 +259,36 @@ impl Trial {
         .outcome()
     }
 
+    /// The `ray_color` of the chapter, about rays that its camera never casts. Says nothing
+    /// where the picture is wrong already.
+    pub fn ray_color<F: Fn(&Ray) -> Color>(&self, ray_color: &F) -> Outcome {
+        match self.chapter {
+            Some(Chapter::Gradient) => self.traced::<1>(ray_color),
+            Some(Chapter::RedSphere) => self.traced::<2>(ray_color),
+            Some(Chapter::Normals) => self.traced::<3>(ray_color),
+            Some(Chapter::HalfBSphere) => self.traced::<4>(ray_color),
+            Some(Chapter::HittableList) => self.traced::<5>(ray_color),
+            _ => Ok(()),
+        }
+    }
+
+    fn traced<const CHAPTER: usize>(&self, ray_color: &dyn Fn(&Ray) -> Color) -> Outcome {
+        if !Traced::<CHAPTER>::looks_right(ray_color) {
+            return Ok(());
+        }
+        self.small(
+            &|traced: &Traced<CHAPTER>| ray_color(&traced.0),
+            &|traced| ray_color::a_ray_has_its_color_from_anywhere(ray_color, traced),
+        )
+    }
+
+    /// A function that returns the range of `t` for which a ray asks a world, if it does.
+    pub fn range<F: Fn(&Ray) -> Option<[f64; 2]>>(&self, range: &F) -> Outcome {
+        self.small(&|looking: &Looking| range(&looking.0), &|looking| {
+            ray_color::all_that_is_in_front_is_asked_for(range, looking)
+        })
+    }
+
     fn generated<Q: Question>(
         &self,
         strategy: impl Strategy<Value = Q> + 'static,
@@ -257,7 +322,7 @@ impl<Q: Question> Tried<'_, Q> {
             .into_iter()
             .filter(|it| it.is_akin(&found))
             .collect();
-        let (cause, mutant) = causes::of(self.answer, telling, &found);
+        let (cause, mutant) = causes::of(self.answer, telling, &found, self.trial.chapter);
         let simplest = self.simplest(found, law, mutant.as_ref());
         Err(Box::new(Report {
             broken: law(&simplest).expect_err("what is simpler breaks the law as well"),

@@ -160,7 +160,7 @@ pub(crate) mod hittable_list {
 
 /// Fails with the first law that is broken, and says where there is more to see.
 fn assert_lawful(chapter: Chapter, attempt: impl Fn(&Trial) -> Outcome) {
-    if let Err(report) = attempt(&Trial::default()) {
+    if let Err(report) = attempt(&Trial::of(chapter)) {
         panic!(
             "\n\nChapter `{}` breaks a law.\n\n{report}\n\n{}",
             chapter.name(),

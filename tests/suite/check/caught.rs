@@ -6,14 +6,12 @@ use std::sync::LazyLock;
 
 use check::comparison::Comparison;
 use common::rtweekend::*;
-use laws::list::World;
 use laws::nearer_root::Decided;
 use laws::question::Question;
-use laws::record::{Hit, Recorded};
 use laws::report::Report;
 use laws::trial::Outcome as Tried;
 use laws::{Case, Trial, WithInterval};
-use slips::{Ball, Chapter, PROBES, Probe, Program, Slip, Unseen};
+use slips::{Chapter, PROBES, Probe, Program, Slip, Unseen};
 use suite::drawn::shown_in;
 use suite::parallel;
 
@@ -35,7 +33,7 @@ fn a_program_without_a_slip_breaks_no_law() {
         let verdicts = [
             try_rays(&program),
             TRIAL.intersection(&program),
-            ask_records(&program),
+            TRIAL.rest(&program),
         ];
         if let Some(report) = verdicts.into_iter().find_map(Result::err) {
             panic!("{chapter:?} breaks a law:\n{report}");
@@ -67,13 +65,14 @@ pub(crate) static OUTCOMES: LazyLock<Vec<Outcome>> = LazyLock::new(|| {
         let program = slip.program(chapter);
         let rays = try_rays(&program).err();
         let own = try_intersection(&program).err();
-        let records = || try_records(&program).err();
         let exams = exams[chapter as usize].iter();
         Outcome {
             slip,
             chapter,
             verdicts: exams.map(|it| (it.probe, it.judge(program))).collect(),
-            report: rays.or_else(|| own.clone()).or_else(records),
+            report: rays
+                .or_else(|| own.clone())
+                .or_else(|| TRIAL.rest(&program).err()),
             own,
         }
     })
@@ -105,12 +104,15 @@ impl Outcome {
 /// What the laws are tried on: enough to see a mistake, not to prove anything.
 pub(crate) const TRIAL: Trial = Trial {
     cases: 60,
+    chapter: None,
     answers: None,
 };
 
 /// What is said of the first law that the program breaks.
 pub(crate) fn first_report(program: &Program) -> Option<Box<Report>> {
-    let laws = [try_rays, try_intersection, try_records];
+    let laws = [try_rays, try_intersection, |program: &_| {
+        TRIAL.rest(program)
+    }];
     laws.into_iter().find_map(|ask| ask(program).err())
 }
 
@@ -144,25 +146,6 @@ fn answers_rightly<Q: Question<Answer: PartialEq>>(program: &Program) -> bool {
     let right = Program::right(program.chapter);
     let mut questions = Q::telling().into_iter();
     questions.all(|question| question.answer_of(program) == question.answer_of(&right))
-}
-
-/// Puts the record of a hit and the search of a list under their laws, with the same
-/// exception.
-fn try_records(program: &Program) -> Tried {
-    if answers_rightly::<Recorded>(program) && answers_rightly::<World>(program) {
-        return Ok(());
-    }
-    ask_records(program)
-}
-
-fn ask_records(program: &Program) -> Tried {
-    if program.chapter != Chapter::HittableList {
-        return Ok(());
-    }
-    TRIAL.record(&|center, radius, ray: &Ray, t_min, t_max| {
-        Hit::of(program, Ball { center, radius }, ray, t_min, t_max)
-    })?;
-    TRIAL.list(&|world: &World| world.answer_of(program))
 }
 
 /// A picture that is compared: the book's, or a probe's.

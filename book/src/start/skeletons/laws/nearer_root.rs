@@ -1,8 +1,12 @@
-//! Your function, under the laws: `cargo test`
+//! Your functions, under the laws: `cargo test`
 
-use my_chapter::hit_sphere;
+use laws::runner::succeed;
+use laws::{Chapter, Trial};
+use my_chapter::{hit_sphere, ray_color};
 
 #[test]
-fn hit_sphere_obeys_the_laws() {
-    laws::runner::nearer_root(&hit_sphere);
+fn hit_sphere_and_ray_color_obey_the_laws() {
+    let trial = Trial::of(Chapter::MyChapter);
+    succeed(trial.nearer_root(&hit_sphere));
+    succeed(trial.ray_color(&ray_color));
 }

@@ -1,10 +1,18 @@
-//! Your prelude, under the laws: `cargo test`
+//! Your prelude and your function, under the laws: `cargo test`
 
 use common::rtweekend as ours;
 use laws::prelude::Prelude;
-use my_gradient::rtweekend::{Ray, Vec3};
+use laws::runner::succeed;
+use laws::{Chapter, Trial};
+use my_chapter::rtweekend::{Ray, Vec3};
 
 #[test]
-fn prelude_obeys_the_laws() {
-    laws::runner::prelude(&prelude());
+fn prelude_and_ray_color_obey_the_laws() {
+    let trial = Trial::of(Chapter::MyChapter);
+    succeed(trial.prelude(&|asked| asked.put_to(&prelude())));
+    succeed(trial.ray_color(&ray_color));
+}
+
+fn ray_color(ray: &ours::Ray) -> ours::Color {
+    our(my_chapter::ray_color(&own_ray(*ray)))
 }

@@ -1,16 +1,23 @@
-//! Your prelude and your function, under the laws: `cargo test`
+//! Your prelude and your functions, under the laws: `cargo test`
 
 use common::rtweekend as ours;
 use laws::prelude::Prelude;
-use my_chapter::hit_sphere as own_hit_sphere;
+use laws::runner::succeed;
+use laws::{Chapter, Trial};
 use my_chapter::rtweekend::{Ray, Vec3};
 
 #[test]
-fn prelude_and_hit_sphere_obey_the_laws() {
-    laws::runner::prelude(&prelude());
-    laws::runner::nearer_root(&hit_sphere);
+fn prelude_hit_sphere_and_ray_color_obey_the_laws() {
+    let trial = Trial::of(Chapter::MyChapter);
+    succeed(trial.prelude(&|asked| asked.put_to(&prelude())));
+    succeed(trial.nearer_root(&hit_sphere));
+    succeed(trial.ray_color(&ray_color));
 }
 
 fn hit_sphere(center: ours::Point3, radius: f64, ray: &ours::Ray) -> Option<f64> {
-    own_hit_sphere(own(center), radius, &own_ray(*ray))
+    my_chapter::hit_sphere(own(center), radius, &own_ray(*ray))
+}
+
+fn ray_color(ray: &ours::Ray) -> ours::Color {
+    our(my_chapter::ray_color(&own_ray(*ray)))
 }
