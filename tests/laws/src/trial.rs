@@ -217,16 +217,23 @@ impl Trial {
         .outcome()
     }
 
-    /// The functions of a prelude. One that is not written yet is not asked.
+    /// The functions of a prelude, up to the first that is wrong: what follows may be built
+    /// on it. One that is not written yet is not asked.
     pub fn prelude<F: Fn(&Asked) -> Vec<f64>>(&self, prelude: &F) -> Outcome {
         let telling = Asked::telling();
-        let one_of_each = telling.chunk_by(Asked::is_akin).map(|of_one| of_one[0]);
-        let unwritten: Vec<Asked> = one_of_each
-            .filter(|asked| !is_written(|| prelude(asked)))
-            .collect();
-        let answer = |asked: &Asked| {
-            let is_written = !unwritten.iter().any(|other| other.is_akin(asked));
-            is_written.then(|| prelude(asked))
+        let mut asked = Vec::new();
+        for function in telling.chunk_by(Asked::is_akin) {
+            let answer = |it: &Asked| Some(prelude(it));
+            if is_written(|| prelude(&function[0])) {
+                asked.push(function[0]);
+                if !function.iter().all(|it| it.same(&answer(it), &it.right())) {
+                    break;
+                }
+            }
+        }
+        let answer = |it: &Asked| {
+            let is_asked = asked.iter().any(|one| one.is_akin(it));
+            is_asked.then(|| prelude(it))
         };
         self.small(&answer, &|asked| {
             prelude::small_numbers_are_worked_out_by_head(&answer, asked)
