@@ -35,10 +35,7 @@ impl Cause {
         let share = format!("{explained} of {asked} answers");
         let mut lines: Vec<String> = mistakes.iter().map(in_a_line).collect();
         match lines.len() {
-            0 if *explained == 0 && *asked > 0 => {
-                lines.push("no single mistake that is known gives these answers".to_owned());
-            }
-            0 if *asked > 0 => lines.push(format!("{share} are right: what is special here?")),
+            0 if *explained > 0 => lines.push(format!("{share} are right: what is special here?")),
             _ if explained < asked => {
                 lines.push(format!(
                     "and another mistake: {share} are as this one has it"

@@ -1,4 +1,6 @@
-//! Numbers as Rust writes them, and shorter ones near them for shrinking.
+//! Numbers as Rust writes them, or a person, and shorter ones near them for shrinking.
+
+use common::rtweekend::Vec3;
 
 /// A number as Rust has it, which has words for three of them.
 pub(crate) fn code(x: f64) -> String {
@@ -11,6 +13,16 @@ pub(crate) fn code(x: f64) -> String {
     } else {
         format!("{x:?}")
     }
+}
+
+/// A vector as a person writes it.
+pub(crate) fn in_words(v: Vec3) -> String {
+    format!("({}, {}, {})", v.x, v.y, v.z)
+}
+
+/// A color as a person writes it, finer than the levels of a picture.
+pub(crate) fn color_in_words(color: Vec3) -> String {
+    format!("({:.4}, {:.4}, {:.4})", color.x, color.y, color.z)
 }
 
 /// Numbers that take fewer digits to write than `number`, near it or not.

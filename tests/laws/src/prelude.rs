@@ -6,6 +6,7 @@ use std::mem::discriminant;
 use common::rtweekend::*;
 use slips::{Chapter, Program};
 
+use crate::numbers::in_words;
 use crate::question::{Question, RAYS};
 use crate::verdict::{Broken, Verdict};
 
@@ -57,11 +58,11 @@ pub fn small_numbers_are_worked_out_by_head(
         return Ok(());
     }
     let [law, usually, page] = asked.law();
-    let in_words = |answer: Option<Vec<f64>>| words(&answer.unwrap_or_default());
+    let said = |answer: Option<Vec<f64>>| words(&answer.unwrap_or_default());
     Err(Broken {
         law,
-        found: format!("{} is {}", asked.call(words), in_words(found)),
-        allowed: in_words(expected),
+        found: format!("{} is {}", asked.call(words), said(found)),
+        allowed: said(expected),
         usually,
         page,
     })
@@ -268,7 +269,7 @@ fn of_ray(ray: Ray) -> Vec<f64> {
 fn words(numbers: &[f64]) -> String {
     match numbers {
         [number] => format!("{number}"),
-        [x, y, z] => format!("({x}, {y}, {z})"),
+        &[x, y, z] => in_words(Vec3::new(x, y, z)),
         _ => {
             let (origin, direction) = numbers.split_at(3);
             format!("{} + t*{}", words(origin), words(direction))

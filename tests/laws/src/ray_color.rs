@@ -4,6 +4,7 @@
 use common::rtweekend::*;
 use slips::{Chapter, Program};
 
+use crate::numbers::{color_in_words, in_words};
 use crate::question::{LIST, Question, code_of};
 use crate::verdict::{Broken, Verdict};
 
@@ -24,10 +25,12 @@ pub fn a_ray_has_its_color_from_anywhere<const CHAPTER: usize>(
     Err(Broken {
         law: "a ray has the color of what it meets, from wherever it starts",
         found: format!(
-            "{found} for the ray from {} along {}",
-            ray.origin, ray.direction
+            "{} for the ray from {} along {}",
+            color_in_words(found),
+            in_words(ray.origin),
+            in_words(ray.direction)
         ),
-        allowed: expected.to_string(),
+        allowed: color_in_words(expected),
         usually: "the origin of the ray is left out, its direction is made a unit vector while t \
                   counts lengths of it, or what lies behind is not left out",
         page: "chapter 3: what t counts, and which t is in front",
@@ -112,7 +115,7 @@ pub fn all_that_is_in_front_is_asked_for(
     &Looking(ray): &Looking,
 ) -> Verdict {
     let found = range(&ray);
-    if found.is_some_and(|[t_min, t_max]| (0.0..=0.001).contains(&t_min) && t_max >= f64::MAX) {
+    if is_in_front(&found) {
         return Ok(());
     }
     Err(Broken {
@@ -124,6 +127,10 @@ pub fn all_that_is_in_front_is_asked_for(
         usually: "the two are swapped, or t_min is negative",
         page: "chapter 5: anything that a ray can hit",
     })
+}
+
+fn is_in_front(range: &Option<[f64; 2]>) -> bool {
+    range.is_some_and(|[t_min, t_max]| (0.0..=0.001).contains(&t_min) && t_max >= f64::MAX)
 }
 
 impl Question for Looking {
@@ -140,7 +147,7 @@ impl Question for Looking {
     }
 
     fn same(&self, one: &Self::Answer, other: &Self::Answer) -> bool {
-        one == other
+        one == other || is_in_front(one) && is_in_front(other)
     }
 
     fn telling() -> Vec<Self> {

@@ -5,6 +5,7 @@ use slips::{Ball, Program};
 use speed_vs_accuracy::Case;
 
 use crate::nearer_root::U;
+use crate::numbers::in_words;
 use crate::oracle::Exact;
 use crate::verdict::{Broken, Verdict};
 
@@ -90,8 +91,8 @@ pub fn the_point_is_the_one_at_t(case: &Case, _nearer: bool, hit: &Hit) -> Verdi
     }
     Err(Broken {
         law: "the point of a hit is the one at its t",
-        found: format!("{:?} at t = {:?}", hit.point, hit.t),
-        allowed: format!("{expected:?} ± {bound:.1e}"),
+        found: format!("{} at t = {}", in_words(hit.point), hit.t),
+        allowed: format!("{} ± {bound:.1e}", in_words(expected)),
         usually: "it is computed before t is known, or without the origin of the ray",
         page: "chapter 5: anything that a ray can hit",
     })
@@ -127,8 +128,8 @@ pub fn the_normal_lies_along_the_radius(case: &Case, _nearer: bool, hit: &Hit) -
     }
     Err(Broken {
         law: "the normal of a hit lies along the radius to its point",
-        found: format!("{:?}", hit.normal),
-        allowed: format!("{outward:?} ± {bound:.1e}, or the other way"),
+        found: in_words(hit.normal),
+        allowed: format!("{} ± {bound:.1e}, or the other way", in_words(outward)),
         usually: "it is not that of point - center, or set before the point is",
         page: "chapter 3: how long normals are, and why",
     })
@@ -156,7 +157,7 @@ pub fn the_normal_points_against_the_ray(case: &Case, _nearer: bool, hit: &Hit) 
     }
     Err(Broken {
         law: "the normal of a hit points against the ray",
-        found: format!("d·n = {along:?}, with n = {normal:?}"),
+        found: format!("d·n = {along:?}, with n = {}", in_words(normal)),
         allowed: "d·n ≤ 0".to_owned(),
         usually: "the outward normal is not turned where the ray comes from inside; or front and \
                 back are mixed up",

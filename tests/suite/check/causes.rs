@@ -1,5 +1,6 @@
 //! The first report about a function names the mistake that was made in it.
 
+use laws::Trial;
 use laws::causes::Cause;
 use laws::report::Report;
 use slips::{Chapter, Edition, Letters};
@@ -34,6 +35,13 @@ fn a_mistake_without_a_name_is_found_too() {
         }
     }
     assert!(missed.is_empty(), "not found:\n{missed}");
+}
+
+/// A step on the way, for example, which has another color on purpose.
+#[test]
+fn a_color_that_the_picture_shows_is_left_to_it() {
+    let trial = Trial::of(Chapter::Normals);
+    assert!(trial.ray_color(&red_sphere::ray_color).is_ok());
 }
 
 #[test]

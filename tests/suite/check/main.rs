@@ -6,6 +6,7 @@ mod caught;
 mod causes;
 mod named;
 mod pictures;
+mod prelude;
 mod reading;
 mod slips;
 mod spoiled;
