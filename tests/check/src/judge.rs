@@ -27,8 +27,8 @@ const FIRST_LOOK: u32 = 1500;
 const SECOND_LOOK: u32 = 22_500;
 /// How many explanations may win after the first look, and how many are measured: more
 /// than any set of slips that draw the same picture has.
-const FEW: usize = 40;
-const FEWER: usize = 16;
+const FEW: usize = 80;
+const FEWER: usize = 40;
 /// What more than this is left of is worth a search for numbers of the reader's own, for
 /// several rays and curves: some thirty odd pixels. Less is told pixel by pixel anyway.
 const WORTH_A_SEARCH: f64 = 1000.0;

@@ -26,7 +26,7 @@ impl Hit {
     /// What a program records of the nearest hit between `t_min` and `t_max`.
     pub fn of(program: &Program, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Self> {
         let t = program.hit(ball, ray, t_min, t_max)?;
-        let point = (program.at)(program, ray, t);
+        let point = (program.hit_point)(program, ray, t);
         let outward = (program.outward)(program, point, ball);
         Some(Self {
             t,

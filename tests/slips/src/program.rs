@@ -59,8 +59,8 @@ pub struct Program {
     pub viewport_v: fn(f64, f64) -> Vec3,
     /// From the eye to the viewport, along the negative z axis.
     pub focal_length: f64,
-    /// Which part of the two edges lies left of, and above, the axis.
-    pub corner: f64,
+    /// Which part of the upper edge lies left of the axis, and of the left edge above it.
+    pub corner: [f64; 2],
     /// By how much columns and rows are divided to run from 0 to 1, given the
     /// picture's width and height.
     pub divisors: fn(f64, f64) -> [f64; 2],
@@ -110,6 +110,8 @@ pub struct Program {
     pub dot: fn(Vec3, Vec3) -> f64,
     /// The square of a length.
     pub squared: fn(&Program, Vec3) -> f64,
+    /// The quadratic's a, b or h, and c.
+    pub coefficients: fn(&Program, Ball, &Ray) -> [f64; 3],
     /// The quadratic's a from the ray's direction.
     pub a: fn(&Program, Vec3) -> f64,
     /// The quadratic's b or h from d·oc.
@@ -133,8 +135,12 @@ pub struct Program {
     pub divide: fn(f64, f64) -> f64,
     /// What is returned of the two roots.
     pub kept: fn([f64; 2]) -> Option<[f64; 2]>,
+    /// Which of two roots counts, given `t_min` and `t_max`.
+    pub choice: fn(&Program, [f64; 2], f64, f64) -> Option<f64>,
     /// The point at a ray parameter.
     pub at: fn(&Program, &Ray, f64) -> Point3,
+    /// The point that is hit, from the ray parameter.
+    pub hit_point: fn(&Program, &Ray, f64) -> Point3,
     /// The unit normal that points out, from a point on a sphere.
     pub outward: fn(&Program, Point3, Ball) -> Vec3,
     /// The normal that is colored, from the ray's direction and the one that
@@ -187,12 +193,15 @@ impl Program {
         let [pixel_delta_u, pixel_delta_v] =
             (self.pixel_deltas)(self, viewport_u, viewport_v, divisors);
 
-        let part = |edge| match self.edition.divides_the_viewport() {
-            true => (self.over)(edge, 1.0 / self.corner),
-            false => self.corner * edge,
+        let part = |share: f64, edge| match self.edition.divides_the_viewport() {
+            true => (self.over)(edge, 1.0 / share),
+            false => share * edge,
         };
-        let corner =
-            center - Vec3::new(0.0, 0.0, self.focal_length) - part(viewport_u) - part(viewport_v);
+        let [left, above] = self.corner;
+        let corner = center
+            - Vec3::new(0.0, 0.0, self.focal_length)
+            - part(left, viewport_u)
+            - part(above, viewport_v);
         let [right, down] = self.inset;
         let inset = (self.plus)(right * pixel_delta_u, down * pixel_delta_v);
         Camera {
@@ -212,7 +221,7 @@ impl Program {
     pub fn ray_color(&self, ray: &Ray) -> Color {
         match self.search(ray) {
             Some((t, ball)) => {
-                let outward = (self.outward)(self, (self.at)(self, ray, t), ball);
+                let outward = (self.outward)(self, (self.hit_point)(self, ray, t), ball);
                 (self.shade)(self.paint, (self.face)(self, ray.direction, outward))
             }
             None => (self.lerp)(self.sky, (self.blend)(self, ray.direction)),
@@ -286,18 +295,12 @@ impl Program {
     /// The `hit` of a sphere in chapter 5: the first root tried that lies in
     /// the interval, in lengths of `ray.direction`.
     pub fn hit(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
-        let roots = self.roots(ball, ray)?;
-        roots
-            .into_iter()
-            .find(|&t| (self.in_range)(t_min, t, t_max))
+        (self.choice)(self, self.roots(ball, ray)?, t_min, t_max)
     }
 
     /// The two roots that are tried, one after the other.
     fn roots(&self, ball: Ball, ray: &Ray) -> Option<[f64; 2]> {
-        let oc = (self.oc)(ball.center, ray.origin);
-        let a = (self.a)(self, ray.direction);
-        let b = (self.linear)((self.dot)(ray.direction, oc));
-        let c = (self.constant)((self.squared)(self, oc), ball.radius);
+        let [a, b, c] = (self.coefficients)(self, ball, ray);
         let discriminant = (self.discriminant)(a, b, c);
         if !(self.meets)(discriminant) {
             return self.missed.map(|t| [t; 2]);
@@ -319,7 +322,7 @@ const HITTABLE_LIST: Program = Program {
     viewport_u: |width, _| Vec3::new(width, 0.0, 0.0),
     viewport_v: |_, height| Vec3::new(0.0, -height, 0.0),
     focal_length: 1.0,
-    corner: 0.5,
+    corner: [0.5, 0.5],
     divisors: |width, height| [width, height],
     pixel_deltas: |program, u, v, [across, down]| {
         [(program.over)(u, across), (program.over)(v, down)]
@@ -345,6 +348,7 @@ const HITTABLE_LIST: Program = Program {
     oc: |center, origin| center - origin,
     dot: Vec3::dot,
     squared: |_, v| v.length_squared(),
+    coefficients,
     a: |program, direction| (program.squared)(program, direction),
     linear: |d_oc| d_oc,
     constant: |oc_squared, radius| oc_squared - radius * radius,
@@ -356,7 +360,12 @@ const HITTABLE_LIST: Program = Program {
     numerators: |first, sqrtd, _| [first - sqrtd, first + sqrtd],
     divide: |numerator, a| numerator / a,
     kept: Some,
+    choice: |program, roots, t_min, t_max| {
+        let in_range = |&t: &f64| (program.in_range)(t_min, t, t_max);
+        roots.into_iter().find(in_range)
+    },
     at: |program, ray, t| (program.plus)(ray.origin, t * ray.direction),
+    hit_point: |program, ray, t| (program.at)(program, ray, t),
     outward: |program, point, ball| (program.over)(point - ball.center, ball.radius),
     face: |program, direction, outward| {
         if (program.dot)(direction, outward) < 0.0 {
@@ -418,6 +427,15 @@ const BUILD_TEST: Program = Program {
     },
     ..GRADIENT
 };
+
+/// Those of `ball`, each by its own step.
+pub(super) fn coefficients(program: &Program, ball: Ball, ray: &Ray) -> [f64; 3] {
+    let oc = (program.oc)(ball.center, ray.origin);
+    let a = (program.a)(program, ray.direction);
+    let b = (program.linear)((program.dot)(ray.direction, oc));
+    let c = (program.constant)((program.squared)(program, oc), ball.radius);
+    [a, b, c]
+}
 
 fn nearest(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
     let mut found = None;

@@ -60,7 +60,7 @@ fn the_picture_that_shows_most_is_to_be_drawn_next() {
     let counts = told.shown_by.iter().map(|showing| showing.slips.len());
     assert!(counts.is_sorted_by(|more, less| more >= less));
     let next = told.shown_by[0].scene.probe.expect("a probe");
-    assert_eq!(next.name, "behind");
+    assert_eq!(next.name, "far");
     assert!(
         told.advice(&scene(Chapter::HalfBSphere, None))
             .lines()

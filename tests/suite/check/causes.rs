@@ -73,7 +73,7 @@ fn assert_named(report: fn(&Outcome) -> Option<&Report>) {
             None => missed += &format!("{name} in {chapter:?}:\n{report}\n\n"),
         }
         let lines = report.to_string().lines().count();
-        assert!(lines <= 20, "{lines} lines:\n{report}");
+        assert!(lines <= 25, "{lines} lines:\n{report}");
     }
     let all: usize = named.iter().sum();
     println!("of {broken} slips {all} are named, in the first place, second, …: {named:?}");

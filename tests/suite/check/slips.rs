@@ -108,7 +108,7 @@ fn in_rust_a_slip_is_said_as_our_chapters_are_typed() {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let typed = |file: &str| {
         let text = fs::read_to_string(workspace.join(file)).expect("a source");
-        letters_of(&text)
+        tokens_of(&text)
     };
     let mut unlike = String::new();
     for slip in slips::all().filter(|slip| slip.is_in_a_chapter()) {
@@ -119,7 +119,7 @@ fn in_rust_a_slip_is_said_as_our_chapters_are_typed() {
             }
             let typed: String = sources(chapter).map(typed).collect();
             let [has_wrong, has_right] =
-                [&in_rust.wrong, &in_rust.right].map(|line| typed.contains(&letters_of(line)));
+                [&in_rust.wrong, &in_rust.right].map(|line| typed.contains(&tokens_of(line)));
             if has_wrong || !has_right {
                 writeln!(unlike, "{} in {chapter:?}: {in_rust:?}", slip.name)
                     .expect("a string takes it");
@@ -148,11 +148,16 @@ fn sources(chapter: Chapter) -> impl Iterator<Item = &'static str> {
     iter::once("chapters/1_gradient/src/lib.rs").chain(own.iter().copied())
 }
 
-/// What is left if neither spaces nor `let` matter.
-fn letters_of(code: &str) -> String {
-    code.split_whitespace()
-        .filter(|&word| word != "let")
-        .collect()
+/// Each token between spaces, and no `let`.
+fn tokens_of(code: &str) -> String {
+    let is_sign = |c: char| !c.is_alphanumeric() && c != '_';
+    let apart = code.split_inclusive(is_sign).flat_map(|part| {
+        let sign = part.rfind(is_sign).unwrap_or(part.len());
+        let (word, sign) = part.split_at(sign);
+        [word, sign.trim()]
+    });
+    let tokens = apart.filter(|&token| !matches!(token, "" | "let"));
+    tokens.fold(" ".to_owned(), |tokens, token| tokens + token + " ")
 }
 
 /// Wrong programs print numbers that no picture holds, so these are the numbers before a

@@ -90,6 +90,19 @@ pub(super) const SLIPS: &[Slip] = &[
                 program.ramp(camera, row, i.into())
             }
         }),
+    slip("column-twice", BUILD_TEST, THE_CODE)
+        .says(Words {
+            wrong: "g = i / (width - 1)",
+            right: "g = j / (height - 1)",
+            why: "A copied term keeps its letter: green runs to the right as red does, and every \
+                  row is the same.",
+        })
+        .in_rust(
+            BUILD_TEST,
+            "Color::new(f64::from(i) / last, f64::from(i) / last, 0.0)",
+            "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)",
+        )
+        .alters(|p| p.color = |program, camera, i, _| program.ramp(camera, i.into(), i.into())),
     slip("green-upwards", BUILD_TEST, THE_CODE)
         .says(Words {
             wrong: "g = 1 - j / (height - 1)",
@@ -113,6 +126,24 @@ pub(super) const SLIPS: &[Slip] = &[
                 let row = program.edition.row(j, camera.image_height);
                 let turned = f64::from(camera.image_height) - 1.0 - row;
                 program.ramp(camera, i.into(), turned)
+            }
+        }),
+    slip("red-leftwards", BUILD_TEST, THE_CODE)
+        .says(Words {
+            wrong: "r = 1 - i / (width - 1)",
+            right: "r = i / (width - 1)",
+            why: "Columns run to the right, and red grows with them.",
+        })
+        .in_rust(
+            BUILD_TEST,
+            "Color::new(1.0 - f64::from(i) / last, f64::from(j) / last, 0.0)",
+            "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)",
+        )
+        .alters(|p| {
+            p.color = |program, camera, i, j| {
+                let row = program.edition.row(j, camera.image_height);
+                let turned = f64::from(camera.image_width) - 1.0 - f64::from(i);
+                program.ramp(camera, turned, row)
             }
         }),
     slip("quarter-blue", BUILD_TEST, THE_CODE)
@@ -396,6 +427,15 @@ pub(super) const SLIPS: &[Slip] = &[
             "(255.999 * component) as u8",
         )
         .alters(|p| p.level = |component| 255_i32.saturating_mul(component as i32)),
+    slip("color-not-scaled", EVERY, LEVELS)
+        .says(Words {
+            wrong: "int(r)",
+            right: "int(255.999 * r)",
+            why: "A component runs from 0 to 1, a level from 0 to 255. Unscaled, no level is \
+                  above 1, and the picture is black.",
+        })
+        .in_rust(EVERY, "component as u8", "(255.999 * component) as u8")
+        .alters(|p| p.level = |component| component as i32),
     slip("gamma-too-early", EVERY, LEVELS)
         .says(Words {
             wrong: "int(255.999 * sqrt(r))",

@@ -22,6 +22,10 @@ const RANGE_OF_THE_EYE: Place = Place {
     page: "hittable_list#anything-that-a-ray-can-hit",
     source: "chapters/5_hittable_list/src/lib.rs",
 };
+const RECORD: Place = Place {
+    page: RANGE_OF_A_SPHERE.page,
+    source: "chapters/5_hittable_list/src/sphere.rs",
+};
 const FACE: Place = Place {
     page: "hittable_list#outward-or-against-the-ray",
     source: "chapters/5_hittable_list/src/hittable.rs",
@@ -46,6 +50,19 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .reported(&["#671", "#1711"])
         .alters(|p| p.search = last_hit),
+    slip("closest-not-updated", HITTABLE_LIST, SEARCH)
+        .says(Words {
+            wrong: "if (object.hit(…)) rec = temp_rec",
+            right: "closest_so_far = temp_rec.t; rec = temp_rec",
+            why: "closest_so_far stays where it was, so each hit replaces the one before, \
+                  however far it is.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "{ nearest = Some(record);",
+            "closest_so_far = record.t; nearest = Some(record);",
+        )
+        .alters(|p| p.search = last_hit),
     slip("first-hit-wins", HITTABLE_LIST, SEARCH)
         .says(Words {
             wrong: "if (object.hit(…)) return true",
@@ -59,6 +76,23 @@ pub(super) const SLIPS: &[Slip] = &[
             "closest_so_far = record.t; nearest = Some(record)",
         )
         .alters(|p| p.search = first_hit),
+    slip("stops-at-first-miss", HITTABLE_LIST, SEARCH)
+        .says(Words {
+            wrong: "if (!object.hit(…)) return false",
+            right: "an object that is missed is passed over",
+            why: "One object that is missed ends the search, so a ray hits only where it meets \
+                  all of them.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "else { return None",
+            "closest_so_far = record.t; nearest = Some(record); } }",
+        )
+        .in_python(
+            "if not object.hit(…): return False",
+            "an object that is missed is passed over",
+        )
+        .alters(|p| p.search = all_or_none),
     slip("farthest-wins", HITTABLE_LIST, SEARCH)
         .says(Words {
             wrong: "if (rec.t > closest_so_far)",
@@ -71,6 +105,32 @@ pub(super) const SLIPS: &[Slip] = &[
             "object.hit(ray, t_min, closest_so_far)",
         )
         .alters(|p| p.search = farthest_hit),
+    slip("closest-as-t-min", HITTABLE_LIST, SEARCH)
+        .says(Words {
+            wrong: "object.hit(r, closest_so_far, t_max, rec)",
+            right: "object.hit(r, t_min, closest_so_far, rec)",
+            why: "The closest hit so far is where the range ends, not where it begins. It begins \
+                  at infinity here, and nothing is hit.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "object.hit(ray, closest_so_far, t_max)",
+            "object.hit(ray, t_min, closest_so_far)",
+        )
+        .alters(|p| p.search = beyond_the_closest),
+    slip("closest-starts-at-t-min", HITTABLE_LIST, SEARCH)
+        .says(Words {
+            wrong: "closest_so_far = t_min",
+            right: "closest_so_far = t_max",
+            why: "Before anything is hit, all of the range is left. From t_min to t_min there is \
+                  none, and nothing is hit.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "closest_so_far = t_min",
+            "closest_so_far = t_max",
+        )
+        .alters(|p| p.search = |_, _, _| None),
     slip("near-root-only", HITTABLE_LIST, BOTH_ROOTS)
         .says(Words {
             wrong: "root = (h - sqrtd) / a; if (!range.surrounds(root)) return false",
@@ -84,6 +144,38 @@ pub(super) const SLIPS: &[Slip] = &[
             "roots = [(h - sqrtd) / a, (h + sqrtd) / a]",
         )
         .alters(|p| p.numerators = |first, sqrtd, _| [first - sqrtd; 2]),
+    slip("far-root-first", HITTABLE_LIST, BOTH_ROOTS)
+        .says(Words {
+            wrong: "root = (h + sqrtd) / a, and then (h - sqrtd) / a",
+            right: "root = (h - sqrtd) / a, and then (h + sqrtd) / a",
+            why: "The far side of a sphere covers the near one.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "roots = [(h + sqrtd) / a, (h - sqrtd) / a]",
+            "roots = [(h - sqrtd) / a, (h + sqrtd) / a]",
+        )
+        .alters(|p| p.numerators = |first, sqrtd, _| [first + sqrtd, first - sqrtd]),
+    slip("far-root-not-tested", HITTABLE_LIST, BOTH_ROOTS)
+        .says(Words {
+            wrong: "if (!range.surrounds(root)) root = (h + sqrtd) / a",
+            right: "if (!range.surrounds(root)) { root = (h + sqrtd) / a; if \
+                    (!range.surrounds(root)) return false }",
+            why: "The second root has to be in the range as well. If it is taken untested, \
+                  spheres behind the camera are hit.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "t = if t_min < roots[0] && roots[0] < t_max { roots[0] } else { roots[1] }",
+            "t = roots.into_iter().find(|&t| t_min < t && t < t_max)?",
+        )
+        .alters(|p| {
+            p.choice =
+                |program, [near, far], t_min, t_max| match (program.in_range)(t_min, near, t_max) {
+                    true => Some(near),
+                    false => Some(far),
+                }
+        }),
     slip("range-not-tested", HITTABLE_LIST, RANGE_OF_A_SPHERE)
         .says(Words {
             wrong: "root = (h - sqrtd) / a; rec.t = root",
@@ -97,6 +189,55 @@ pub(super) const SLIPS: &[Slip] = &[
             "t = roots.into_iter().find(|&t| t_min < t && t < t_max)?",
         )
         .alters(|p| p.in_range = |_, _, _| true),
+    slip("range-with-or", HITTABLE_LIST, RANGE_OF_A_SPHERE)
+        .says(Words {
+            wrong: "t_min < t || t < t_max",
+            right: "t_min < t && t < t_max",
+            why: "Both ends have to hold. With \"or\" every t does, and hits behind the camera \
+                  beat those in front.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "t_min < t || t < t_max",
+            "t_min < t && t < t_max",
+        )
+        .alters(|p| p.in_range = |t_min, t, t_max| t_min < t || t < t_max),
+    slip("range-reversed", HITTABLE_LIST, RANGE_OF_A_SPHERE)
+        .says(Words {
+            wrong: "t_max < t && t < t_min",
+            right: "t_min < t && t < t_max",
+            why: "The range begins at t_min and ends at t_max. Reversed, nothing is in it.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "t_max < t && t < t_min",
+            "t_min < t && t < t_max",
+        )
+        .alters(|p| p.in_range = |t_min, t, t_max| t_max < t && t < t_min),
+    slip("t-max-ignored", HITTABLE_LIST, RANGE_OF_A_SPHERE)
+        .says(Words {
+            wrong: "t_min < t",
+            right: "t_min < t && t < t_max",
+            why: "What is farther than the closest so far counts too, so the last hit wins.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "|&t| t_min < t)",
+            "|&t| t_min < t && t < t_max)",
+        )
+        .alters(|p| p.in_range = |t_min, t, _| t_min < t),
+    slip("t-min-ignored", HITTABLE_LIST, RANGE_OF_A_SPHERE)
+        .says(Words {
+            wrong: "t < t_max",
+            right: "t_min < t && t < t_max",
+            why: "What lies behind the ray counts too, and beats what is in front.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "|&t| t < t_max",
+            "|&t| t_min < t && t < t_max",
+        )
+        .alters(|p| p.in_range = |_, t, t_max| t < t_max),
     slip("range-behind-allowed", HITTABLE_LIST, RANGE_OF_THE_EYE)
         .says(Words {
             wrong: "world.hit(r, interval(-infinity, infinity), rec)",
@@ -110,6 +251,19 @@ pub(super) const SLIPS: &[Slip] = &[
             "world.hit(ray, 0.0, f64::INFINITY)",
         )
         .alters(|p| p.t_min = f64::NEG_INFINITY),
+    slip("range-swapped", HITTABLE_LIST, RANGE_OF_THE_EYE)
+        .says(Words {
+            wrong: "world.hit(r, interval(infinity, 0), rec)",
+            right: "world.hit(r, interval(0, infinity), rec)",
+            why: "The range begins at 0 and ends at infinity. Swapped, it holds nothing, and \
+                  only the sky is left.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "world.hit(ray, f64::INFINITY, 0.0)",
+            "world.hit(ray, 0.0, f64::INFINITY)",
+        )
+        .alters(|p| [p.t_min, p.t_max] = [p.t_max, p.t_min]),
     slip("range-closed", HITTABLE_LIST, RANGE_OF_A_SPHERE)
         .says(Words {
             wrong: "t_min <= t && t <= t_max",
@@ -124,6 +278,22 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .alters(|p| p.in_range = |t_min, t, t_max| t_min <= t && t <= t_max)
         .only_by_law(HITTABLE_LIST, "A root at an end of the interval is no hit."),
+    slip("t-not-recorded", HITTABLE_LIST, RECORD)
+        .says(Words {
+            wrong: "rec.p = r.at(rec.t), without rec.t = root",
+            right: "rec.t = root; rec.p = r.at(rec.t)",
+            why: "The record says t = 0: its point is the eye itself, and nothing can be nearer, \
+                  so the first object that is hit wins.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "record.point = ray.at(record.t);",
+            "t, point: ray.at(t)",
+        )
+        .alters(|p| {
+            p.search = first_hit_at_zero;
+            p.hit_point = |program, ray, _| (program.at)(program, ray, 0.0);
+        }),
     slip("range-too-early", HITTABLE_LIST, RANGE_OF_THE_EYE)
         .says(Words {
             wrong: "world.hit(r, interval(0.001, infinity), rec)",
@@ -155,6 +325,18 @@ pub(super) const SLIPS: &[Slip] = &[
             "record.set_face_normal(ray, outward_normal)",
         )
         .alters(|p| p.face = |_, _, outward| outward),
+    slip("normal-not-set", HITTABLE_LIST, FACE)
+        .says(Words {
+            wrong: "neither rec.normal nor rec.set_face_normal(…)",
+            right: "rec.set_face_normal(r, outward_normal)",
+            why: "The normal stays (0, 0, 0), which is drawn as gray.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "record.normal = Vec3::ZERO",
+            "record.set_face_normal(ray, outward_normal)",
+        )
+        .alters(|p| p.face = |_, _, _| Vec3::ZERO),
     slip("faces-swapped", HITTABLE_LIST, FACE)
         .says(Words {
             wrong: "normal = front_face ? -outward_normal : outward_normal",
@@ -178,6 +360,24 @@ pub(super) const SLIPS: &[Slip] = &[
                 } else {
                     outward
                 }
+            }
+        }),
+    slip("side-test-reversed", HITTABLE_LIST, FACE)
+        .says(Words {
+            wrong: "front_face = dot(r.direction(), outward_normal) > 0",
+            right: "front_face = dot(r.direction(), outward_normal) < 0",
+            why: "A ray that enters goes against the outward normal. The other way round, every \
+                  normal points along the ray.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "self.front_face = ray.direction.dot(outward_normal) > 0.0",
+            "self.front_face = ray.direction.dot(outward_normal) < 0.0",
+        )
+        .alters(|p| {
+            p.face = |program, direction, outward| match (program.dot)(direction, outward) > 0.0 {
+                true => outward,
+                false => -outward,
             }
         }),
     slip("ground-too-high", HITTABLE_LIST, WORLD)
@@ -205,6 +405,31 @@ pub(super) const SLIPS: &[Slip] = &[
             "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)",
         )
         .alters(|p| p.world = const { &[BALL, Ball::new(0.0, -100.5, -1.0, 100.5)] }),
+    slip("ground-numbers-swapped", HITTABLE_LIST, WORLD)
+        .says(Words {
+            wrong: "sphere((0, -100, -1), 100.5)",
+            right: "sphere((0, -100.5, -1), 100)",
+            why: "The ground reaches up to 0.5, above the eye: it is seen from inside.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "Sphere::new(Point3::new(0.0, -100.0, -1.0), 100.5)",
+            "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)",
+        )
+        .alters(|p| p.world = const { &[BALL, Ball::new(0.0, -100.0, -1.0, 100.5)] }),
+    slip("ground-ten-times-as-large", HITTABLE_LIST, WORLD)
+        .says(Words {
+            wrong: "sphere((0, -100.5, -1), 1000)",
+            right: "sphere((0, -100.5, -1), 100)",
+            why: "The ground reaches up to 899.5 and holds the whole scene: it is seen from \
+                  inside.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "Sphere::new(Point3::new(0.0, -100.5, -1.0), 1000.0)",
+            "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)",
+        )
+        .alters(|p| p.world = const { &[BALL, Ball::new(0.0, -100.5, -1.0, 1000.0)] }),
     slip("ground-above", HITTABLE_LIST, WORLD)
         .says(Words {
             wrong: "sphere((0, 100.5, -1), 100)",
@@ -266,6 +491,21 @@ pub(super) const SLIPS: &[Slip] = &[
              world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)); world }",
         )
         .alters(|p| p.world = &[BALL]),
+    slip("ball-not-added", HITTABLE_LIST, WORLD)
+        .says(Words {
+            wrong: "world.add(sphere((0, -100.5, -1), 100))",
+            right: "world.add(sphere((0, 0, -1), 0.5)) and world.add(sphere((0, -100.5, -1), \
+                    100))",
+            why: "The small sphere is missing: there is only the ground.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "HittableList::default(); world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), \
+             100.0))",
+            "HittableList::default(); world.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5)); \
+             world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0))",
+        )
+        .alters(|p| p.world = const { &[Ball::new(0.0, -100.5, -1.0, 100.0)] }),
 ];
 
 /// All hits in the order of the list, each looked for in the whole interval.
@@ -290,4 +530,32 @@ fn last_hit(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Bal
 
 fn farthest_hit(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
     hits(program, balls, ray).max_by(|(t, _), (other, _)| t.total_cmp(other))
+}
+
+fn all_or_none(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+    let mut found = None;
+    let mut closest_so_far = program.t_max;
+    for ball in balls {
+        let t = program.hit(ball, ray, program.t_min, closest_so_far)?;
+        closest_so_far = t;
+        found = Some((t, ball));
+    }
+    found
+}
+
+fn beyond_the_closest(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+    let mut found = None;
+    let mut closest_so_far = program.t_max;
+    for ball in balls {
+        if let Some(t) = program.hit(ball, ray, closest_so_far, program.t_max) {
+            closest_so_far = t;
+            found = Some((t, ball));
+        }
+    }
+    found
+}
+
+/// Every other hit would have to be nearer than 0.
+fn first_hit_at_zero(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+    first_hit(program, balls, ray).map(|(_, ball)| (0.0, ball))
 }

@@ -29,6 +29,14 @@ const POINT: Place = Place {
     page: "gradient#a-ray-is-a-function",
     source: "common/src/ray.rs",
 };
+const POINT_OF_HIT: Place = Place {
+    page: NORMAL.page,
+    source: "chapters/3_normals/src/lib.rs",
+};
+const POINT_IN_RECORD: Place = Place {
+    page: "hittable_list#anything-that-a-ray-can-hit",
+    source: "chapters/5_hittable_list/src/sphere.rs",
+};
 const SHADE: Place = Place {
     page: "normals#a-color-for-each-direction",
     source: "chapters/3_normals/src/lib.rs",
@@ -68,6 +76,16 @@ pub(super) const SLIPS: &[Slip] = &[
         })
         .made_in(|letters| letters != Letters::Rust)
         .alters(|p| p.search = only_behind),
+    slip("only-behind-found", ONE_SPHERE, ROOT)
+        .says(Words {
+            wrong: "if (t < 0)",
+            right: "if (t > 0)",
+            why: "What is in front of the camera is left out, and behind it there is nothing to \
+                  be seen: only the sky is left.",
+        })
+        .in_rust(ONE_SPHERE, "t < 0.0", "t > 0.0")
+        .made_in(|letters| !matches!(letters, Letters::Book(_)))
+        .alters(|p| p.search = only_found_behind),
     slip("sphere-at-plus-one", LONE_SPHERE, ROOT)
         .says(Words {
             wrong: "center = (0, 0, 1)",
@@ -177,6 +195,44 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .reported(&["#1062", "#525"])
         .alters(|p| p.outward = |_, point, ball| point - ball.center),
+    slip("normal-from-direction", ONE_SPHERE, NORMAL)
+        .says(Words {
+            wrong: "N = unit_vector(r.direction() - center)",
+            right: "N = unit_vector(r.at(t) - center)",
+            why: "The direction ends on the viewport, at t = 1. The point that is hit is at t.",
+        })
+        .in_rust(
+            ONE_SPHERE,
+            "normal = (ray.direction - center).normalize()",
+            "normal = (ray.at(t) - center).normalize()",
+        )
+        .alters(|p| p.hit_point = |_, ray, _| ray.direction),
+    slip("normal-without-center", HITTABLE_LIST, NORMAL_BY_RADIUS)
+        .says(Words {
+            wrong: "outward_normal = p / radius",
+            right: "outward_normal = (p - center) / radius",
+            why: "A normal points away from the center of the sphere, not from the eye.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "outward_normal = record.point * (1.0 / self.radius)",
+            "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
+        )
+        .alters(|p| p.outward = |program, point, ball| (program.over)(point, ball.radius)),
+    slip("center-over-radius", HITTABLE_LIST, NORMAL_BY_RADIUS)
+        .says(Words {
+            wrong: "outward_normal = p - center / radius",
+            right: "outward_normal = (p - center) / radius",
+            why: "Without brackets only the center is divided.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "outward_normal = record.point - self.center * (1.0 / self.radius)",
+            "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
+        )
+        .alters(|p| {
+            p.outward = |program, point, ball| point - (program.over)(ball.center, ball.radius);
+        }),
     slip("normal-times-radius", HITTABLE_LIST, NORMAL_BY_RADIUS)
         .says(Words {
             wrong: "outward_normal = (p - center) * radius",
@@ -234,6 +290,33 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .alters(|p| p.at = |_, ray, t| t * ray.direction)
         .only_by_law(ROOTS, "A ray is at its origin at t = 0."),
+    slip("point-at-one", ROOTS, POINT_OF_HIT)
+        .says(Words {
+            wrong: "r.at(1)",
+            right: "r.at(t)",
+            why: "The point at t = 1 is on the viewport, whatever is hit: the disc is right, its \
+                  colors are those of another surface.",
+        })
+        .in_rust(
+            ONE_SPHERE,
+            "normal = (ray.at(1.0) - center).normalize()",
+            "normal = (ray.at(t) - center).normalize()",
+        )
+        .in_rust(HITTABLE_LIST, "point: ray.at(1.0)", "point: ray.at(t)")
+        .alters(|p| p.hit_point = |program, ray, _| (program.at)(program, ray, 1.0)),
+    slip("point-before-t", HITTABLE_LIST, POINT_IN_RECORD)
+        .says(Words {
+            wrong: "rec.p = r.at(rec.t); rec.t = root",
+            right: "rec.t = root; rec.p = r.at(rec.t)",
+            why: "The point is taken before t is known, at 0: it is the eye itself, and each \
+                  sphere has a single color.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "record.point = ray.at(record.t); record.t = t",
+            "t, point: ray.at(t)",
+        )
+        .alters(|p| p.hit_point = |program, ray, _| (program.at)(program, ray, 0.0)),
     slip("normal-not-mapped", ROOTS, SHADE)
         .says(Words {
             wrong: "color(N.x(), N.y(), N.z())",
@@ -305,6 +388,76 @@ pub(super) const SLIPS: &[Slip] = &[
             "return 0.5 * (record.normal + Vec3::ONE)",
         )
         .alters(|p| p.shade = |_, normal| 0.5 * normal + Vec3::ONE),
+    slip("normal-minus-one", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(N.x() - 1, N.y() - 1, N.z() - 1)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "A component less 1 is never above 0, so the sphere is black.",
+        })
+        .in_rust(
+            ONE_SPHERE,
+            "return 0.5 * (normal - Vec3::ONE)",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return 0.5 * (record.normal - Vec3::ONE)",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
+        .alters(|p| p.shade = |_, normal| 0.5 * (normal - Vec3::ONE)),
+    slip("one-minus-normal", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(1 - N.x(), 1 - N.y(), 1 - N.z())",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "Every color is that of the opposite normal: the sphere looks as from inside.",
+        })
+        .in_rust(
+            ONE_SPHERE,
+            "return 0.5 * (Vec3::ONE - normal)",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return 0.5 * (Vec3::ONE - record.normal)",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
+        .alters(|p| p.shade = |_, normal| 0.5 * (Vec3::ONE - normal)),
+    slip("normal-plus-half", ROOTS, SHADE)
+        .says(Words {
+            wrong: "N + color(0.5, 0.5, 0.5)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "The normal has to be halved as well, so components run from -0.5 to 1.5: too \
+                  dark below, too bright above.",
+        })
+        .in_rust(
+            ONE_SPHERE,
+            "return normal + 0.5 * Vec3::ONE",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return record.normal + 0.5 * Vec3::ONE",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
+        .alters(|p| p.shade = |_, normal| normal + 0.5 * Vec3::ONE),
+    slip("half-minus-normal", ROOTS, SHADE)
+        .says(Words {
+            wrong: "color(0.5, 0.5, 0.5) - N",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "The half belongs to the normal as well, and its sign is turned: components run \
+                  from -0.5 to 1.5.",
+        })
+        .in_rust(
+            ONE_SPHERE,
+            "return 0.5 * Vec3::ONE - normal",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return 0.5 * Vec3::ONE - record.normal",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
+        .alters(|p| p.shade = |_, normal| 0.5 * Vec3::ONE - normal),
     slip("normal-channels-reversed", ROOTS, SHADE)
         .says(Words {
             wrong: "0.5 * color(N.z() + 1, N.y() + 1, N.x() + 1)",
@@ -325,6 +478,48 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .alters(|p| {
             p.shade = |_, normal| 0.5 * (Vec3::new(normal.z, normal.y, normal.x) + Vec3::ONE);
+        }),
+    slip("normal-x-and-y-swapped", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(N.y() + 1, N.x() + 1, N.z() + 1)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "x is red, y is green and z is blue. The sky is right, the sphere's red and \
+                  green have changed places.",
+        })
+        .in_rust(
+            ONE_SPHERE,
+            "return 0.5 * Color::new(normal.y + 1.0, normal.x + 1.0, normal.z + 1.0)",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return 0.5 * Color::new(record.normal.y + 1.0, record.normal.x + 1.0, \
+             record.normal.z + 1.0)",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
+        .alters(|p| {
+            p.shade = |_, normal| 0.5 * (Vec3::new(normal.y, normal.x, normal.z) + Vec3::ONE);
+        }),
+    slip("normal-y-and-z-swapped", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(N.x() + 1, N.z() + 1, N.y() + 1)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "x is red, y is green and z is blue. The sky is right, the sphere's green and \
+                  blue have changed places.",
+        })
+        .in_rust(
+            ONE_SPHERE,
+            "return 0.5 * Color::new(normal.x + 1.0, normal.z + 1.0, normal.y + 1.0)",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return 0.5 * Color::new(record.normal.x + 1.0, record.normal.z + 1.0, \
+             record.normal.y + 1.0)",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
+        .alters(|p| {
+            p.shade = |_, normal| 0.5 * (Vec3::new(normal.x, normal.z, normal.y) + Vec3::ONE);
         }),
     slip("normal-in-gray", ROOTS, SHADE)
         .says(Words {
@@ -363,6 +558,69 @@ pub(super) const SLIPS: &[Slip] = &[
             "return 0.5 * (record.normal + Vec3::ONE)",
         )
         .alters(|p| p.shade = |_, normal| normal.abs()),
+    slip("normal-x-flipped", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(1 - N.x(), N.y() + 1, N.z() + 1)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "The sign of x is turned, so left and right change places in one of the three \
+                  colors.",
+        })
+        .in_rust(
+            ONE_SPHERE,
+            "return 0.5 * Color::new(1.0 - normal.x, normal.y + 1.0, normal.z + 1.0)",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return 0.5 * Color::new(1.0 - record.normal.x, record.normal.y + 1.0, \
+             record.normal.z + 1.0)",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
+        .alters(|p| {
+            p.shade = |_, normal| 0.5 * (Vec3::new(-normal.x, normal.y, normal.z) + Vec3::ONE);
+        }),
+    slip("normal-y-flipped", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(N.x() + 1, 1 - N.y(), N.z() + 1)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "The sign of y is turned, so above and below change places in one of the three \
+                  colors.",
+        })
+        .in_rust(
+            ONE_SPHERE,
+            "return 0.5 * Color::new(normal.x + 1.0, 1.0 - normal.y, normal.z + 1.0)",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return 0.5 * Color::new(record.normal.x + 1.0, 1.0 - record.normal.y, \
+             record.normal.z + 1.0)",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
+        .alters(|p| {
+            p.shade = |_, normal| 0.5 * (Vec3::new(normal.x, -normal.y, normal.z) + Vec3::ONE);
+        }),
+    slip("normal-z-flipped", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(N.x() + 1, N.y() + 1, 1 - N.z())",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "The sign of z is turned, so near and far change places in one of the three \
+                  colors.",
+        })
+        .in_rust(
+            ONE_SPHERE,
+            "return 0.5 * Color::new(normal.x + 1.0, normal.y + 1.0, 1.0 - normal.z)",
+            "return 0.5 * (normal + Vec3::ONE)",
+        )
+        .in_rust(
+            HITTABLE_LIST,
+            "return 0.5 * Color::new(record.normal.x + 1.0, record.normal.y + 1.0, 1.0 - \
+             record.normal.z)",
+            "return 0.5 * (record.normal + Vec3::ONE)",
+        )
+        .alters(|p| {
+            p.shade = |_, normal| 0.5 * (Vec3::new(normal.x, normal.y, -normal.z) + Vec3::ONE);
+        }),
 ];
 
 /// A vector as long as the sphere's radius made one of length 1, in the way of
@@ -379,5 +637,12 @@ fn only_behind(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, 
     let ball = balls.next()?;
     let t = program.hit_sphere(ball.center, ball.radius, ray);
     let t = t.unwrap_or(-1.0);
+    (t < 0.0).then_some((t, ball))
+}
+
+/// A miss has no t.
+fn only_found_behind(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+    let ball = balls.next()?;
+    let t = program.hit_sphere(ball.center, ball.radius, ray)?;
     (t < 0.0).then_some((t, ball))
 }
