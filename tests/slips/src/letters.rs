@@ -19,7 +19,22 @@ pub(super) fn in_python(said: &str) -> String {
     for (cpp, python) in PYTHON {
         said = said.replace(cpp, python);
     }
-    said
+    without_brackets(&said)
+}
+
+/// `if (condition) …` as `if condition: …`
+fn without_brackets(said: &str) -> String {
+    let Some((before, rest)) = said.split_once("if (") else {
+        return said.to_owned();
+    };
+    let mut open = 1;
+    let end = rest.find(|sign| {
+        open += i32::from(sign == '(') - i32::from(sign == ')');
+        open == 0
+    });
+    let (condition, after) = rest.split_at(end.unwrap_or(rest.len()));
+    let after = after.strip_prefix(')').unwrap_or(after);
+    format!("{before}if {condition}:{}", without_brackets(after))
 }
 
 /// What Python says for words of C++, one after the other.
@@ -35,5 +50,6 @@ const PYTHON: &[(&str, &str)] = &[
     ("true", "True"),
     ("false", "False"),
     ("infinity", "math.inf"),
-    ("double(image_", "(image_"),
+    ("double(image_width)", "image_width"),
+    ("double(image_height)", "image_height"),
 ];

@@ -169,6 +169,10 @@ pub(super) const SLIPS: &[Slip] = &[
             "t = if t_min < roots[0] && roots[0] < t_max { roots[0] } else { roots[1] }",
             "t = roots.into_iter().find(|&t| t_min < t && t < t_max)?",
         )
+        .in_python(
+            "if not range.surrounds(root): root = (h + sqrtd) / a",
+            "… and again: if not range.surrounds(root): return False",
+        )
         .alters(|p| {
             p.choice =
                 |program, [near, far], t_min, t_max| match (program.in_range)(t_min, near, t_max) {

@@ -55,6 +55,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "if let Some(t) = hit_sphere(center, 0.5, ray) {",
             "if let Some(t) = hit_sphere(center, 0.5, ray) && t > 0.0 {",
         )
+        .in_python("the normal is colored without t > 0", "if t > 0:")
         .reported(&["#1570"])
         .alters(|p| p.t_min = f64::NEG_INFINITY),
     slip("range-loosened", ONE_SPHERE, RANGE)
@@ -117,6 +118,11 @@ pub(super) const SLIPS: &[Slip] = &[
             "outward_normal = record.point.normalize()",
             "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
         )
+        .in_book(
+            HITTABLE_LIST,
+            "outward_normal = unit_vector(p)",
+            "outward_normal = (p - center) / radius",
+        )
         .alters(|p| p.outward = |program, point, _| (program.unit)(point)),
     slip("center-added", ROOTS, NORMAL)
         .says(Words {
@@ -133,6 +139,11 @@ pub(super) const SLIPS: &[Slip] = &[
             HITTABLE_LIST,
             "outward_normal = (record.point + self.center) * (1.0 / self.radius)",
             "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
+        )
+        .in_book(
+            HITTABLE_LIST,
+            "outward_normal = (p + center) / radius",
+            "outward_normal = (p - center) / radius",
         )
         .alters(|p| {
             p.outward = |program, point, ball| rescaled(program, point + ball.center, ball);
@@ -154,6 +165,11 @@ pub(super) const SLIPS: &[Slip] = &[
             "outward_normal = record.point.normalize() - self.center",
             "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
         )
+        .in_book(
+            HITTABLE_LIST,
+            "outward_normal = unit_vector(p) - center",
+            "outward_normal = (p - center) / radius",
+        )
         .alters(|p| p.outward = |program, point, ball| (program.unit)(point) - ball.center),
     slip("normal-inward", ROOTS, NORMAL)
         .says(Words {
@@ -170,6 +186,11 @@ pub(super) const SLIPS: &[Slip] = &[
             HITTABLE_LIST,
             "outward_normal = (self.center - record.point) * (1.0 / self.radius)",
             "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
+        )
+        .in_book(
+            HITTABLE_LIST,
+            "outward_normal = (center - p) / radius",
+            "outward_normal = (p - center) / radius",
         )
         .alters(|p| p.outward = |program, point, ball| rescaled(program, ball.center - point, ball))
         .only_by_law(
@@ -192,6 +213,11 @@ pub(super) const SLIPS: &[Slip] = &[
             HITTABLE_LIST,
             "outward_normal = record.point - self.center;",
             "outward_normal = (record.point - self.center) * (1.0 / self.radius);",
+        )
+        .in_book(
+            HITTABLE_LIST,
+            "outward_normal = p - center",
+            "outward_normal = (p - center) / radius",
         )
         .reported(&["#1062", "#525"])
         .alters(|p| p.outward = |_, point, ball| point - ball.center),
@@ -303,6 +329,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "normal = (ray.at(t) - center).normalize()",
         )
         .in_rust(HITTABLE_LIST, "point: ray.at(1.0)", "point: ray.at(t)")
+        .in_book(HITTABLE_LIST, "rec.p = r.at(1)", "rec.p = r.at(rec.t)")
         .alters(|p| p.hit_point = |program, ray, _| (program.at)(program, ray, 1.0)),
     slip("point-before-t", HITTABLE_LIST, POINT_IN_RECORD)
         .says(Words {
@@ -334,6 +361,11 @@ pub(super) const SLIPS: &[Slip] = &[
             "return record.normal;",
             "return 0.5 * (record.normal + Vec3::ONE)",
         )
+        .in_book(
+            HITTABLE_LIST,
+            "rec.normal",
+            "0.5 * (rec.normal + color(1, 1, 1))",
+        )
         .alters(|p| p.shade = |_, normal| normal),
     slip("normal-only-halved", ROOTS, SHADE)
         .says(Words {
@@ -350,6 +382,11 @@ pub(super) const SLIPS: &[Slip] = &[
             HITTABLE_LIST,
             "return 0.5 * record.normal;",
             "return 0.5 * (record.normal + Vec3::ONE)",
+        )
+        .in_book(
+            HITTABLE_LIST,
+            "0.5 * rec.normal",
+            "0.5 * (rec.normal + color(1, 1, 1))",
         )
         .alters(|p| p.shade = |_, normal| 0.5 * normal),
     slip("normal-only-shifted", ROOTS, SHADE)
@@ -369,6 +406,11 @@ pub(super) const SLIPS: &[Slip] = &[
             "return record.normal + Vec3::ONE",
             "return 0.5 * (record.normal + Vec3::ONE)",
         )
+        .in_book(
+            HITTABLE_LIST,
+            "rec.normal + color(1, 1, 1)",
+            "0.5 * (rec.normal + color(1, 1, 1))",
+        )
         .alters(|p| p.shade = |_, normal| normal + Vec3::ONE),
     slip("normal-without-brackets", ROOTS, SHADE)
         .says(Words {
@@ -387,6 +429,11 @@ pub(super) const SLIPS: &[Slip] = &[
             "return 0.5 * record.normal + Vec3::ONE",
             "return 0.5 * (record.normal + Vec3::ONE)",
         )
+        .in_book(
+            HITTABLE_LIST,
+            "0.5 * rec.normal + color(1, 1, 1)",
+            "0.5 * (rec.normal + color(1, 1, 1))",
+        )
         .alters(|p| p.shade = |_, normal| 0.5 * normal + Vec3::ONE),
     slip("normal-minus-one", ROOTS, SHADE)
         .says(Words {
@@ -404,6 +451,11 @@ pub(super) const SLIPS: &[Slip] = &[
             "return 0.5 * (record.normal - Vec3::ONE)",
             "return 0.5 * (record.normal + Vec3::ONE)",
         )
+        .in_book(
+            HITTABLE_LIST,
+            "0.5 * (rec.normal - color(1, 1, 1))",
+            "0.5 * (rec.normal + color(1, 1, 1))",
+        )
         .alters(|p| p.shade = |_, normal| 0.5 * (normal - Vec3::ONE)),
     slip("one-minus-normal", ROOTS, SHADE)
         .says(Words {
@@ -420,6 +472,11 @@ pub(super) const SLIPS: &[Slip] = &[
             HITTABLE_LIST,
             "return 0.5 * (Vec3::ONE - record.normal)",
             "return 0.5 * (record.normal + Vec3::ONE)",
+        )
+        .in_book(
+            HITTABLE_LIST,
+            "0.5 * (color(1, 1, 1) - rec.normal)",
+            "0.5 * (rec.normal + color(1, 1, 1))",
         )
         .alters(|p| p.shade = |_, normal| 0.5 * (Vec3::ONE - normal)),
     slip("normal-plus-half", ROOTS, SHADE)
@@ -439,6 +496,11 @@ pub(super) const SLIPS: &[Slip] = &[
             "return record.normal + 0.5 * Vec3::ONE",
             "return 0.5 * (record.normal + Vec3::ONE)",
         )
+        .in_book(
+            HITTABLE_LIST,
+            "rec.normal + color(0.5, 0.5, 0.5)",
+            "0.5 * (rec.normal + color(1, 1, 1))",
+        )
         .alters(|p| p.shade = |_, normal| normal + 0.5 * Vec3::ONE),
     slip("half-minus-normal", ROOTS, SHADE)
         .says(Words {
@@ -456,6 +518,11 @@ pub(super) const SLIPS: &[Slip] = &[
             HITTABLE_LIST,
             "return 0.5 * Vec3::ONE - record.normal",
             "return 0.5 * (record.normal + Vec3::ONE)",
+        )
+        .in_book(
+            HITTABLE_LIST,
+            "color(0.5, 0.5, 0.5) - rec.normal",
+            "0.5 * (rec.normal + color(1, 1, 1))",
         )
         .alters(|p| p.shade = |_, normal| 0.5 * Vec3::ONE - normal),
     slip("normal-channels-reversed", ROOTS, SHADE)
