@@ -136,7 +136,8 @@ pub(super) fn manifest(chapter: Chapter, own: bool, workspace: &Path) -> String 
          version = \"0.1.0+{random:016x}\"\nedition = \"2024\"\npublish = false\n\n\
          [dependencies]\n{common}\n[dev-dependencies]\n{common_for_tests}{laws}\n\
          # A workspace of its own: what breaks here breaks nothing else.\n[workspace]\n\n\
-         [profile.dev]\nopt-level = 1\ndebug = \"line-tables-only\"\n\n\
+         # What a debugger needs takes its time in every build: the setup page says how to ask for it.\n\
+         [profile.dev]\nopt-level = 1\ndebug = false\n\n\
          # What it stands on is built sooner without optimization, and only proptest, which\n\
          # draws the cases of the laws, would be too slow then.\n\
          [profile.dev.package.\"*\"]\nopt-level = 0\n\
