@@ -27,6 +27,19 @@ pub(super) struct Evidence<'a> {
 impl Evidence<'_> {
     /// The verdict on what the program has printed.
     pub(super) fn of_picture(&self, bytes: &[u8]) -> Verdict {
+        let verdict = self.of_picture_alone(bytes);
+        match self.laws {
+            Some(Outcome::BrokenPrelude(report)) => Verdict {
+                cause: law(report),
+                next: "first that: what else is wrong may stand on it".to_owned(),
+                ..verdict
+            },
+            _ => verdict,
+        }
+    }
+
+    /// The verdict where the reader's own prelude is right, or there is none.
+    fn of_picture_alone(&self, bytes: &[u8]) -> Verdict {
         match verdict::check_knowing(self.scene, bytes, 0, self.known) {
             Check::Right(right) => self.of_right_picture(&right),
             Check::Near(finding) => self.of_near_picture(finding),
@@ -61,7 +74,7 @@ impl Evidence<'_> {
             };
         }
         let (can_say, cause) = match self.laws {
-            Some(Outcome::Broken(report)) => {
+            Some(Outcome::Broken(report) | Outcome::BrokenPrelude(report)) => {
                 let unlike = told::unlike(self.known).into_iter();
                 let unlike = unlike.map(|(label, text)| labeled(label, text));
                 ("a law is broken", unlike.chain(law(report)).collect())
@@ -128,7 +141,7 @@ impl Evidence<'_> {
     fn of_step(&self, step: usize, finding: &Finding) -> Verdict {
         let chapter = self.scene.chapter;
         let (steps, number) = (steps::of(chapter), step + 1);
-        if let Some(Outcome::Broken(report)) = self.laws
+        if let Some(Outcome::Broken(report) | Outcome::BrokenPrelude(report)) = self.laws
             && !finding.is_answered
         {
             return Verdict {

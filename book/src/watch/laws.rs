@@ -26,6 +26,8 @@ pub(super) enum Outcome {
     Obeyed,
     /// The first broken one: its report, line by line.
     Broken(Vec<String>),
+    /// The same of the reader's own prelude, on which all else stands.
+    BrokenPrelude(Vec<String>),
     /// The test did not come to an end, or says nothing of a law.
     Unknown(String),
 }
@@ -42,9 +44,11 @@ pub(super) fn ask(test: &OsStr, folder: &Path, limit: Duration) -> Asked {
     let mut command = Command::new(test);
     command.arg("--nocapture").current_dir(folder);
     command.env(ANSWERS, &file);
+    let answers = || Answers::read(&fs::read_to_string(&file).unwrap_or_default());
     let outcome = match subprocess::run(command, limit, &mut |_| false) {
         Ok((End::Itself(status, _), _)) if status.success() => Outcome::Obeyed,
         Ok((End::Itself(..), errors)) => match report(&errors) {
+            Some(lines) if answers().has_wrong_prelude() => Outcome::BrokenPrelude(lines),
             Some(lines) => Outcome::Broken(lines),
             None => Outcome::Unknown(errors),
         },
@@ -52,7 +56,7 @@ pub(super) fn ask(test: &OsStr, folder: &Path, limit: Duration) -> Asked {
         Err(cause) => Outcome::Unknown(cause.to_string()),
     };
     Asked {
-        answers: Answers::read(&fs::read_to_string(file).unwrap_or_default()),
+        answers: answers(),
         outcome,
     }
 }

@@ -60,6 +60,13 @@ impl Answers {
         self.kinds.is_empty()
     }
 
+    /// Whether a function of the prelude is wrong, on which all others may stand.
+    pub fn has_wrong_prelude(&self) -> bool {
+        let right = Asked::right_program();
+        let mut of_prelude = self.kinds.iter().filter(|it| it.name() == Asked::KIND);
+        of_prelude.any(|kind| kind.unlike(&right, 1) > 0)
+    }
+
     /// Of how many answers how many are not those of the program. What its chapter does not
     /// have counts as nothing; and after `most` of them no more are counted.
     pub fn unlike(&self, program: &Program, most: usize) -> (usize, usize) {
@@ -211,6 +218,9 @@ impl Answer for Vec<Hit> {
 
 /// The answers to questions of one kind.
 trait Kind: Debug + Send + Sync {
+    /// What it is called in a file.
+    fn name(&self) -> &'static str;
+
     /// Whether the program's chapter has a function of this kind.
     fn is_in(&self, program: &Program) -> bool;
 
@@ -247,6 +257,10 @@ impl<Q: Question> Answered<Q> {
 }
 
 impl<Q: Question> Kind for Answered<Q> {
+    fn name(&self) -> &'static str {
+        Q::KIND
+    }
+
     fn is_in(&self, program: &Program) -> bool {
         Q::CHAPTERS.contains(&program.chapter)
     }

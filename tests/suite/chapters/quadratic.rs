@@ -3,7 +3,9 @@
 //! The laws and their bounds are in the package `laws`, and so are the rays and
 //! spheres, and the mistakes that a report names.
 
-use ::hittable_list::{Hittable, HittableList, Sphere};
+use std::cell::Cell;
+
+use ::hittable_list::{HitRecord, Hittable, HittableList, Sphere, world};
 use common::rtweekend::*;
 use laws::list::{self, World, worlds};
 use laws::prelude::Prelude;
@@ -19,7 +21,10 @@ pub(crate) mod gradient {
     use super::*;
 
     pub(crate) fn obeys_its_laws() {
-        assert_lawful(Chapter::Gradient, attempt);
+        assert_lawful(Chapter::Gradient, |trial| {
+            attempt(trial)?;
+            trial.ray_color(&::gradient::ray_color)
+        });
     }
 
     /// Every later chapter stands on these small functions.
@@ -54,7 +59,8 @@ pub(crate) mod red_sphere {
 
     pub(crate) fn obeys_its_laws() {
         assert_lawful(Chapter::RedSphere, |trial| {
-            trial.decision(&::red_sphere::hit_sphere)
+            trial.decision(&::red_sphere::hit_sphere)?;
+            trial.ray_color(&::red_sphere::ray_color)
         });
     }
 }
@@ -64,7 +70,8 @@ pub(crate) mod normals {
 
     pub(crate) fn obeys_its_laws() {
         assert_lawful(Chapter::Normals, |trial| {
-            trial.nearer_root(&::normals::hit_sphere)
+            trial.nearer_root(&::normals::hit_sphere)?;
+            trial.ray_color(&::normals::ray_color)
         });
         solves_what_was_once_special(&::normals::hit_sphere);
     }
@@ -75,7 +82,8 @@ pub(crate) mod half_b_sphere {
 
     pub(crate) fn obeys_its_laws() {
         assert_lawful(Chapter::HalfBSphere, |trial| {
-            trial.nearer_root(&::half_b_sphere::hit_sphere)
+            trial.nearer_root(&::half_b_sphere::hit_sphere)?;
+            trial.ray_color(&::half_b_sphere::ray_color)
         });
         solves_what_was_once_special(&::half_b_sphere::hit_sphere);
     }
@@ -89,7 +97,9 @@ pub(crate) mod hittable_list {
             trial.nearest_in_range(&hit)?;
             trial.record(&record)?;
             trial.list(&nearest)?;
-            trial.list(&nested)
+            trial.list(&nested)?;
+            trial.range(&range)?;
+            trial.ray_color(&|ray: &Ray| ::hittable_list::ray_color(ray, &world()))
         });
         a_list_of_one_is_that_one();
         a_nested_list_is_the_flat_list();
@@ -137,6 +147,25 @@ pub(crate) mod hittable_list {
             list.add(Sphere::new(center, radius));
         }
         nearest_of(&list, world)
+    }
+
+    fn range(ray: &Ray) -> Option<[f64; 2]> {
+        let nothing = Nothing::default();
+        ::hittable_list::ray_color(ray, &nothing);
+        nothing.asked.get()
+    }
+
+    /// Is never hit, and keeps the range that it was asked for.
+    #[derive(Default)]
+    struct Nothing {
+        asked: Cell<Option<[f64; 2]>>,
+    }
+
+    impl Hittable for Nothing {
+        fn hit(&self, _ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
+            self.asked.set(Some([t_min, t_max]));
+            None
+        }
     }
 
     /// Each sphere in a list with all that follow it.
