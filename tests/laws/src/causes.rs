@@ -35,13 +35,14 @@ impl Cause {
         let share = format!("{explained} of {asked} answers");
         let mut lines: Vec<String> = mistakes.iter().map(in_a_line).collect();
         match lines.len() {
-            0 if *explained > 0 => lines.push(format!("{share} are right: what is special here?")),
+            0 if *explained == 0 => {}
+            0 => lines.push(format!("{share} are right: what is special here?")),
             _ if explained < asked => {
                 lines.push(format!(
                     "and another mistake: {share} are as this one has it"
                 ));
             }
-            0 | 1 => {}
+            1 => {}
             _ => lines.push("each of these gives the same answer to every question".to_owned()),
         }
         if mistakes.is_empty() {

@@ -15,8 +15,9 @@ pub(crate) fn code(x: f64) -> String {
     }
 }
 
-/// A vector as a person writes it.
+/// A vector as a person writes it, who knows no -0.
 pub(crate) fn in_words(v: Vec3) -> String {
+    let v = v + Vec3::ZERO;
     format!("({}, {}, {})", v.x, v.y, v.z)
 }
 
