@@ -212,20 +212,17 @@ fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
         for chapter in TYPED {
             start_and_type(&mine, chapter, prelude);
         }
-        for (chapter, right, wrong) in [
-            ("red_sphere", "4.0 * a * c", "a * c"),
-            ("normals", "2.0 * a)", "a)"),
-            (
-                "hittable_list",
-                "t = (h + sqrtd) / a;",
-                "t = (h - sqrtd) / a;",
-            ),
-        ] {
+        let of_prelude = ("gradient", "+ self.z * other.z", "");
+        let of_prelude = (!prelude.is_empty()).then_some(of_prelude);
+        for (chapter, right, wrong) in MISTAKES.iter().copied().chain(of_prelude) {
+            let (mistyped, right_source) = mine.source_with(chapter, right);
             mine.edit(chapter, right, wrong);
             let law = mine.path().join(chapter).join("tests/laws.rs");
             let test = |words: &[&str]| {
                 let mut cargo = Command::new(env!("CARGO"));
-                cargo.args(["test", "--quiet"]).args(words);
+                cargo
+                    .args(["test", "--quiet", "--test", "laws"])
+                    .args(words);
                 cargo.env_remove("RUST_BACKTRACE");
                 run(cargo.current_dir(mine.path().join(chapter)))
             };
@@ -241,9 +238,38 @@ fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
                 said.contains("0 passed; 1 failed"),
                 "{chapter}: {pasted}\n{said}"
             );
+            fs::write(&law, source).expect("the test as it was");
+            fs::write(&mistyped, right_source).expect("the chapter as it was");
         }
     }
 }
+
+/// One in each kind of function that is put under laws: the line, and what is typed for it.
+const MISTAKES: &[(&str, &str, &str)] = &[
+    ("red_sphere", "4.0 * a * c", "a * c"),
+    ("normals", "2.0 * a)", "a)"),
+    ("normals", "Some(t) if t > 0.0", "Some(t) if t > -9.0"),
+    (
+        "hittable_list",
+        "t = (h + sqrtd) / a;",
+        "t = (h - sqrtd) / a;",
+    ),
+    (
+        "hittable_list",
+        "point = ray.at(t);",
+        "point = ray.at(1.0);",
+    ),
+    (
+        "hittable_list",
+        "closest = nearest.map_or(t_max, |record| record.t);",
+        "closest = t_max;",
+    ),
+    (
+        "hittable_list",
+        "world.hit(ray, 0.0, f64::INFINITY)",
+        "world.hit(ray, f64::INFINITY, 0.0)",
+    ),
+];
 
 /// Cargo puts the settings of all folders above together.
 #[test]
