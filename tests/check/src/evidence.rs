@@ -101,9 +101,11 @@ impl<'a> Evidence<'a> {
 
     /// The slips that the reader can have made in the scene.
     pub(crate) fn slips(&self, scene: &Scene) -> impl Iterator<Item = &'static Slip> {
-        let can_be_made = self.known.can_be_made;
+        let (chapter, can_be_made) = (scene.chapter, self.known.can_be_made);
+        let unnamed = slips::unnamed().filter(move |slip| slip.chapters.contains(&chapter));
         scene
             .slips()
+            .chain(unnamed)
             .filter(move |slip| can_be_made.is_none_or(|can_be| can_be(slip)))
     }
 
@@ -128,13 +130,14 @@ impl<'a> Evidence<'a> {
     }
 
     /// What the reader's functions answered. Programs don't answer by chance: slips that
-    /// would answer otherwise have not been made.
+    /// would answer otherwise have not been made, and steps not been reached.
     fn answers(&self, it: &Hypothesis) -> f64 {
         let Some(unlike) = self.known.answers else {
             return 0.0;
         };
         let (asked, unlike) = unlike(&it.scene.without_probe().program(&it.slips));
-        match unlike * REFUTING > asked && !it.slips.is_empty() {
+        let is_plain = it.slips.is_empty() && it.scene.step().is_none();
+        match unlike * REFUTING > asked && !is_plain {
             true => f64::INFINITY,
             false => ANSWER * unlike as f64,
         }

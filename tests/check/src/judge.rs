@@ -6,8 +6,8 @@
 use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
-    But, Explanation, Hypothesis, Places, TWO, antialiased, in_colors, on_a_curve, own_spheres,
-    right, single, turned, two,
+    But, Explanation, Hypothesis, Places, TWO, antialiased, in_colors, mutants, on_a_curve,
+    own_spheres, right, single, turned, two,
 };
 use crate::scene::Scene;
 
@@ -33,6 +33,9 @@ const FEWER: usize = 40;
 /// several rays and curves: some thirty odd pixels. Less is told pixel by pixel anyway.
 const WORTH_A_SEARCH: f64 = 1000.0;
 
+/// What is shorter than this has been made: a slip that leaves some odd pixels.
+const WELL_EXPLAINED: f64 = 100.0;
+
 /// How many pixels are looked at where thousands of pairs have to be estimated.
 const GLANCE: u32 = 150;
 /// Beside how many slips several rays are looked for.
@@ -55,6 +58,7 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     }
     let singles = rights.iter().cloned().chain(single(evidence));
     let likeliest = search.add(singles.collect::<Vec<_>>(), Some(&drawn), f64::INFINITY);
+    search.add_mutants(&drawn);
     search.add_changed(&rights, &likeliest);
     search.add_pairs();
     let mut found = search.found;
@@ -145,6 +149,21 @@ impl Search<'_> {
             self.found.extend(it.measured(reading));
         }
         some.into_iter().map(|(_, it)| it).collect()
+    }
+
+    /// Changes that nobody has thought of, where nothing else explains it all.
+    fn add_mutants(&mut self, drawn: &[Pixel]) {
+        let (evidence, reading) = (self.evidence, self.evidence.reading);
+        if self.best().bits() < WELL_EXPLAINED {
+            return;
+        }
+        let places = Places::new(reading, Some(drawn), GLANCE);
+        let most = may_win(self.best().bits());
+        let is_near = |it: &Hypothesis| it.estimated(reading, &places, most).is_some();
+        let near = mutants(evidence).filter(is_near);
+        let weighed = near.map(|it| evidence.weighed(it));
+        let some: Vec<Hypothesis> = weighed.filter(|it| it.name <= most).collect();
+        self.add(some, Some(drawn), f64::INFINITY);
     }
 
     /// What a reader chose, and no mistake.

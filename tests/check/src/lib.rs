@@ -12,6 +12,7 @@ pub mod comparison;
 pub mod evidence;
 pub mod explanations;
 mod judge;
+pub mod mutants;
 pub mod names;
 pub mod png;
 pub mod reading;

@@ -119,7 +119,10 @@ fn in_short(mistakes: &[(&Set, &[&'static Slip])], known: &Known) -> Vec<Row> {
                 .map(|slip| known.words(slip, &set.scene).wrong)
                 .collect();
             let wrong = wrong.join("; ");
-            (label, format!("{wrong}  ({})", names_of(mistake)))
+            match mistake.iter().all(|slip| slip.name.is_empty()) {
+                true => (label, wrong),
+                false => (label, format!("{wrong}  ({})", names_of(mistake))),
+            }
         })
         .collect();
     let others = mistakes.iter().skip(TOLD);

@@ -2,7 +2,7 @@
 
 use common::rtweekend::Color;
 
-use slips::{Ball, Slip};
+use slips::{Ball, Letters, Slip};
 
 use crate::bits::Left;
 use crate::explanations::{But, Conversion, Curve};
@@ -194,8 +194,13 @@ fn about(samples: f64) -> f64 {
     (samples / scale).round().max(1.0) * scale
 }
 
-/// The names of slips that were made together.
-pub fn names_of(mistake: &[&Slip]) -> String {
-    let names: Vec<&str> = mistake.iter().map(|slip| slip.name).collect();
+/// The names of slips that were made together. Of one without a name, what it says in the
+/// chapter's own words.
+pub fn names_of(mistake: &[&'static Slip]) -> String {
+    let name = |slip: &&'static Slip| match slip.name {
+        "" => slip.words(Letters::Rust, slip.chapters[0]).wrong,
+        name => name.into(),
+    };
+    let names: Vec<_> = mistake.iter().map(name).collect();
     names.join(" and ")
 }

@@ -280,7 +280,7 @@ impl Question for Recorded {
 
     fn answer_of(&self, program: &Program) -> Vec<Hit> {
         self.hits(&|center, radius, ray, t_min, t_max| {
-            Hit::of(program, Ball { center, radius }, ray, t_min, t_max)
+            program.record(Ball { center, radius }, ray, t_min, t_max)
         })
     }
 
@@ -330,8 +330,7 @@ impl Question for World {
     fn answer_of(&self, program: &Program) -> Option<f64> {
         let balls = self.spheres.iter();
         let balls = balls.map(|&(center, radius)| Ball { center, radius });
-        let found = program.search_among(balls, &self.ray, self.t_min, self.t_max);
-        found.map(|(t, _)| t)
+        program.search_among(balls, &self.ray, self.t_min, self.t_max)
     }
 
     fn same(&self, one: &Option<f64>, other: &Option<f64>) -> bool {

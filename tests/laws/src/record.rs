@@ -1,7 +1,7 @@
 //! Laws for the record of a hit: its normal, and its side.
 
 use common::rtweekend::*;
-use slips::{Ball, Program};
+
 use speed_vs_accuracy::Case;
 
 use crate::nearer_root::U;
@@ -9,33 +9,7 @@ use crate::numbers::in_words;
 use crate::oracle::Exact;
 use crate::verdict::{Broken, Verdict};
 
-/// A record of a hit, as far as there are laws for it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
-    /// The ray parameter, in lengths of the ray's direction.
-    pub t: f64,
-    /// The point on the sphere.
-    pub point: Point3,
-    /// The normal, which should be a unit vector against the ray.
-    pub normal: Vec3,
-    /// Whether the ray came from outside.
-    pub front_face: bool,
-}
-
-impl Hit {
-    /// What a program records of the nearest hit between `t_min` and `t_max`.
-    pub fn of(program: &Program, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Self> {
-        let t = program.hit(ball, ray, t_min, t_max)?;
-        let point = (program.hit_point)(program, ray, t);
-        let outward = (program.outward)(program, point, ball);
-        Some(Self {
-            t,
-            point,
-            normal: (program.face)(program, ray.direction, outward),
-            front_face: (program.dot)(ray.direction, outward) < 0.0,
-        })
-    }
-}
+pub use slips::Hit;
 
 /// A function from center, radius, ray, `t_min` and `t_max` to the record of the
 /// nearest hit between the two.

@@ -165,7 +165,7 @@ impl Trial {
         let trial = self.in_chapter_of(program);
         if program.chapter == Chapter::HittableList {
             trial.record(&|center, radius, ray: &Ray, t_min, t_max| {
-                Hit::of(program, Ball { center, radius }, ray, t_min, t_max)
+                program.record(Ball { center, radius }, ray, t_min, t_max)
             })?;
             trial.list(&|world: &World| world.answer_of(program))?;
             trial.range(&|_| Some([program.t_min, program.t_max]))?;

@@ -47,5 +47,5 @@ pub use letters::Letters;
 pub use look::{Look, SIGHT_WIDTH, Sight, sights};
 pub use output::Output;
 pub use probes::{PROBES, Probe, find as find_probe};
-pub use program::{Ball, Program};
+pub use program::{Ball, Hit, Interpreted, Program};
 pub use slip::{Slip, Unseen, Words};

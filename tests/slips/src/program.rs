@@ -1,5 +1,7 @@
 //! A chapter as a table of functions, so that one step of it can be replaced.
 
+use std::fmt::Debug;
+
 use common::rtweekend::*;
 
 use crate::chapter::Chapter;
@@ -26,6 +28,34 @@ impl Ball {
 
 /// The sphere of chapters 2 to 4.
 pub(super) const BALL: Ball = Ball::new(0.0, 0.0, -1.0, 0.5);
+
+/// What there is to know about a hit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// The ray parameter, in lengths of the ray's direction.
+    pub t: f64,
+    /// The point on the sphere.
+    pub point: Point3,
+    /// The normal, which should be a unit vector against the ray.
+    pub normal: Vec3,
+    /// Whether the ray came from outside.
+    pub front_face: bool,
+}
+
+/// A chapter that is run from its text, and not from a table of steps.
+pub trait Interpreted: Debug + Send + Sync {
+    /// The chapter's `ray_color`.
+    fn ray_color(&self, ray: &Ray) -> Color;
+
+    /// The `hit_sphere` of chapters 2 to 4; any `t` where it only says yes.
+    fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64>;
+
+    /// The `hit` of a sphere in chapter 5.
+    fn record(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit>;
+
+    /// The `hit` of a list in chapter 5.
+    fn nearest(&self, balls: &[Ball], ray: &Ray, t_min: f64, t_max: f64) -> Option<f64>;
+}
 
 /// Spheres, one after the other from either end.
 pub(super) type Balls<'a> = dyn DoubleEndedIterator<Item = Ball> + 'a;
@@ -156,6 +186,8 @@ pub struct Program {
     pub channels: [usize; 3],
     /// Width and height as the header of the file tells them.
     pub header: fn(u32, u32) -> (u32, u32),
+    /// What runs in place of the steps from a ray to its color.
+    pub code: Option<&'static dyn Interpreted>,
 }
 
 impl Program {
@@ -219,6 +251,9 @@ impl Program {
 
     /// The chapter's `ray_color`.
     pub fn ray_color(&self, ray: &Ray) -> Color {
+        if let Some(code) = self.code {
+            return code.ray_color(ray);
+        }
         match self.search(ray) {
             Some((t, ball)) => {
                 let outward = (self.outward)(self, (self.hit_point)(self, ray, t), ball);
@@ -247,13 +282,33 @@ impl Program {
         ray: &Ray,
         t_min: f64,
         t_max: f64,
-    ) -> Option<(f64, Ball)> {
+    ) -> Option<f64> {
+        if let Some(code) = self.code {
+            let balls: Vec<Ball> = balls.collect();
+            return code.nearest(&balls, ray, t_min, t_max);
+        }
         let program = Self {
             t_min,
             t_max,
             ..*self
         };
-        (self.search)(&program, &mut balls, ray)
+        (self.search)(&program, &mut balls, ray).map(|(t, _)| t)
+    }
+
+    /// The record of a sphere's nearest hit between `t_min` and `t_max`.
+    pub fn record(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
+        if let Some(code) = self.code {
+            return code.record(ball, ray, t_min, t_max);
+        }
+        let t = self.hit(ball, ray, t_min, t_max)?;
+        let point = (self.hit_point)(self, ray, t);
+        let outward = (self.outward)(self, point, ball);
+        Some(Hit {
+            t,
+            point,
+            normal: (self.face)(self, ray.direction, outward),
+            front_face: (self.dot)(ray.direction, outward) < 0.0,
+        })
     }
 
     /// The ray of a program without a slip in it.
@@ -288,6 +343,9 @@ impl Program {
     /// root `t`, in lengths of `ray.direction`. Chapter 2 only tells whether
     /// there is one.
     pub fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
+        if let Some(code) = self.code {
+            return code.hit_sphere(center, radius, ray);
+        }
         self.roots(Ball { center, radius }, ray)
             .map(|[first, _]| first)
     }
@@ -295,6 +353,9 @@ impl Program {
     /// The `hit` of a sphere in chapter 5: the first root tried that lies in
     /// the interval, in lengths of `ray.direction`.
     pub fn hit(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
+        if let Some(code) = self.code {
+            return code.record(ball, ray, t_min, t_max).map(|hit| hit.t);
+        }
         (self.choice)(self, self.roots(ball, ray)?, t_min, t_max)
     }
 
@@ -379,6 +440,7 @@ const HITTABLE_LIST: Program = Program {
     level: |component| (255.999 * component) as i32,
     channels: [0, 1, 2],
     header: |width, height| (width, height),
+    code: None,
 };
 
 const HALF_B_SPHERE: Program = Program {

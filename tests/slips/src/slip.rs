@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::chapter::Chapter;
 use crate::edition::Edition;
 use crate::letters::{Letters, in_python};
-use crate::program::Program;
+use crate::program::{Interpreted, Program};
 
 /// A mistake that readers make, as a change of the program without it.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +30,8 @@ pub struct Slip {
     made_in: fn(Letters) -> bool,
     reported: &'static [&'static str],
     alter: fn(&mut Program),
+    /// What runs in place of the chapter, if it is a text of it with a change.
+    code: Option<&'static dyn Interpreted>,
     /// In which chapters neither picture nor probe shows it, and why.
     unseen: Option<(&'static [Chapter], Unseen)>,
 }
@@ -87,6 +89,7 @@ pub(super) const fn slip(name: &'static str, chapters: &'static [Chapter], place
         made_in: |_| true,
         reported: &[],
         alter: |_| {},
+        code: None,
         unseen: None,
     }
 }
@@ -202,6 +205,22 @@ impl Line {
 }
 
 impl Slip {
+    /// A change in the text of a chapter, which has no name and no page.
+    pub fn interpreted(
+        chapter: Chapter,
+        source: &'static str,
+        words: Words<&'static str>,
+        code: &'static dyn Interpreted,
+    ) -> Self {
+        static CHAPTERS: [Chapter; 7] = Chapter::ALL;
+        let at = chapter as usize;
+        Self {
+            source,
+            code: Some(code),
+            ..unnamed(&CHAPTERS[at..=at]).says(words)
+        }
+    }
+
     /// What there is to say of it to someone who made it in that chapter.
     pub fn words(&self, letters: Letters, chapter: Chapter) -> Words {
         let own = |wanted: Letters| {
@@ -260,6 +279,7 @@ impl Slip {
     /// The same program with this slip in it.
     pub fn put_to(&self, mut program: Program) -> Program {
         (self.alter)(&mut program);
+        program.code = self.code.or(program.code);
         program
     }
 

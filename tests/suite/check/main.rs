@@ -4,6 +4,7 @@ mod answers;
 mod blind_spots;
 mod caught;
 mod causes;
+mod mutants;
 mod named;
 mod pictures;
 mod prelude;

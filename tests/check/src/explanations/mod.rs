@@ -28,7 +28,7 @@ pub use curve::Curve;
 pub(crate) use curve::on_a_curve;
 pub(crate) use places::{Places, spread};
 pub(crate) use right::right;
-pub(crate) use slips::{TWO, single, two};
+pub(crate) use slips::{TWO, mutants, single, two};
 pub(crate) use spheres::own_spheres;
 pub(crate) use turned::turned;
 

@@ -2,6 +2,7 @@
 
 use super::right::{by_editions, shape, steps};
 use super::{Conversion, Evidence, Hypothesis};
+use crate::mutants;
 
 /// One of some hundred slips, where one program in two has one.
 const ONE: f64 = 8.0;
@@ -32,6 +33,24 @@ pub(crate) fn single(evidence: &Evidence) -> Vec<Hypothesis> {
     let all = scenes.into_iter().chain(all);
     let singles = all.flat_map(|right| with_a_slip(evidence, &right, ONE));
     singles.map(|it| evidence.weighed(it)).collect()
+}
+
+/// One change in some hundred places of a chapter, in each of which some ten others could
+/// stand.
+const MUTANT: f64 = 11.0;
+
+/// The chapter's own text with one change that the catalogue doesn't know.
+pub(crate) fn mutants(evidence: &Evidence) -> impl Iterator<Item = Hypothesis> {
+    let scene = evidence.scene;
+    let right = by_editions(evidence, scene, MUTANT).into_iter();
+    let right = right.filter(move |_| scene.probe.is_none()).take(1);
+    right.flat_map(move |right| {
+        let mutants = mutants::of(scene.chapter).iter();
+        mutants.map(move |slip| Hypothesis {
+            slips: vec![slip],
+            ..right.clone()
+        })
+    })
 }
 
 /// The right program with each slip that can be made in it.

@@ -1,0 +1,303 @@
+//! A tree-walking interpreter for our chapters, in the arithmetic of the prelude.
+
+use std::sync::Arc;
+
+use common::rtweekend::*;
+use slips::{Ball, Hit};
+
+use super::syntax::{Function, Node};
+
+/// What a part of a program comes to. An `Option` is the value itself, or a miss.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Value {
+    Unit,
+    Miss,
+    Bool(bool),
+    Number(f64),
+    Vector(Vec3),
+    Ray(Ray),
+    Ball(Ball),
+    Record(Hit),
+    World,
+    Two([f64; 2]),
+}
+
+/// Why nothing follows.
+enum Stop {
+    /// The function has returned.
+    Return(Value),
+    /// No such program compiles.
+    Nonsense,
+}
+
+type Result<T = Value> = std::result::Result<T, Stop>;
+
+/// The functions of a chapter by their names, a method's with its type.
+#[derive(Clone, Debug)]
+pub(super) struct Machine {
+    pub(super) functions: Vec<(&'static str, Arc<Function>)>,
+    pub(super) world: &'static [Ball],
+}
+
+impl Machine {
+    /// Calls the function; `None` if it is no program.
+    pub(super) fn call(&self, name: &str, arguments: &[Value]) -> Option<Value> {
+        self.run(name, arguments, &self.world)
+            .ok()
+            .map(|(value, _)| value)
+    }
+
+    /// The same with a world of other spheres.
+    pub(super) fn call_in(&self, world: &[Ball], name: &str, arguments: &[Value]) -> Option<Value> {
+        self.run(name, arguments, world)
+            .ok()
+            .map(|(value, _)| value)
+    }
+
+    /// What the function returns, and what becomes of its first argument.
+    fn run(&self, name: &str, arguments: &[Value], world: &[Ball]) -> Result<(Value, Value)> {
+        let function = self.functions.iter().find(|(own, _)| *own == name);
+        let (_, function) = function.ok_or(Stop::Nonsense)?;
+        let mut frame = Frame {
+            machine: self,
+            world,
+            slots: vec![Value::Unit; function.slots],
+        };
+        let given = frame.slots.get_mut(..arguments.len());
+        given.ok_or(Stop::Nonsense)?.copy_from_slice(arguments);
+        let value = match frame.value(&function.body) {
+            Ok(value) | Err(Stop::Return(value)) => value,
+            Err(Stop::Nonsense) => return Err(Stop::Nonsense),
+        };
+        Ok((value, frame.slots.first().copied().unwrap_or(Value::Unit)))
+    }
+}
+
+struct Frame<'a> {
+    machine: &'a Machine,
+    world: &'a [Ball],
+    slots: Vec<Value>,
+}
+
+impl Frame<'_> {
+    fn value(&mut self, node: &Node) -> Result {
+        match node {
+            Node::Number(number) => Ok(Value::Number(*number)),
+            Node::Name(name) => constant(name),
+            Node::Variable(slot) => Ok(self.slots[*slot]),
+            Node::Set(slot, value) => {
+                self.slots[*slot] = self.value(value)?;
+                Ok(Value::Unit)
+            }
+            Node::SetField(slot, field, value) => {
+                let value = self.value(value)?;
+                let Value::Record(record) = &mut self.slots[*slot] else {
+                    return Err(Stop::Nonsense);
+                };
+                set(record, field, value)
+            }
+            Node::Field(of, field) => member(self.value(of)?, field),
+            Node::Negated(of) => match self.value(of)? {
+                Value::Number(number) => Ok(Value::Number(-number)),
+                Value::Vector(vector) => Ok(Value::Vector(-vector)),
+                _ => Err(Stop::Nonsense),
+            },
+            Node::Binary(operator, left, right) => {
+                let left = self.value(left)?;
+                match (operator.as_str(), left) {
+                    ("&&", Value::Bool(false)) | ("||", Value::Bool(true)) => Ok(left),
+                    (operator, _) => binary(operator, left, self.value(right)?),
+                }
+            }
+            Node::Call(name, arguments) => {
+                let arguments = self.values(arguments)?;
+                self.called(name, &arguments)
+            }
+            Node::Method(name, of, arguments) => self.method(name, of, arguments),
+            Node::Find(of, slot, condition) => self.find(of, *slot, condition),
+            Node::Several(nodes) => match self.values(nodes)?[..] {
+                [Value::Number(one), Value::Number(other)] => Ok(Value::Two([one, other])),
+                _ => Err(Stop::Nonsense),
+            },
+            Node::Record(fields) => {
+                let mut record = NOTHING;
+                for (field, value) in fields {
+                    let value = self.value(value)?;
+                    set(&mut record, field, value)?;
+                }
+                Ok(Value::Record(record))
+            }
+            Node::Matches(slot, value) => {
+                self.slots[*slot] = self.value(value)?;
+                Ok(Value::Bool(!matches!(self.slots[*slot], Value::Miss)))
+            }
+            Node::If(all, then, other) => self.choice(all, then, other.as_deref()),
+            Node::For(slot, body) => {
+                for ball in self.world {
+                    self.slots[*slot] = Value::Ball(*ball);
+                    self.value(body)?;
+                }
+                Ok(Value::Unit)
+            }
+            Node::Return(value) => Err(Stop::Return(self.value(value)?)),
+            Node::Try(value) => match self.value(value)? {
+                Value::Miss => Err(Stop::Return(Value::Miss)),
+                value => Ok(value),
+            },
+            Node::Block(nodes) => {
+                let mut last = Value::Unit;
+                for node in nodes {
+                    last = self.value(node)?;
+                }
+                Ok(last)
+            }
+        }
+    }
+
+    fn values(&mut self, nodes: &[Node]) -> Result<Vec<Value>> {
+        nodes.iter().map(|node| self.value(node)).collect()
+    }
+
+    fn choice(&mut self, all: &[Node], then: &Node, other: Option<&Node>) -> Result {
+        for condition in all {
+            match self.value(condition)? {
+                Value::Bool(true) => {}
+                Value::Bool(false) => {
+                    return other.map_or(Ok(Value::Unit), |other| self.value(other));
+                }
+                _ => return Err(Stop::Nonsense),
+            }
+        }
+        self.value(then)
+    }
+
+    fn find(&mut self, of: &Node, slot: usize, condition: &Node) -> Result {
+        let Value::Two(numbers) = self.value(of)? else {
+            return Err(Stop::Nonsense);
+        };
+        for number in numbers {
+            self.slots[slot] = Value::Number(number);
+            if let Value::Bool(true) = self.value(condition)? {
+                return Ok(self.slots[slot]);
+            }
+        }
+        Ok(Value::Miss)
+    }
+
+    fn called(&mut self, name: &str, arguments: &[Value]) -> Result {
+        match (name, arguments) {
+            ("Some", [value]) => Ok(*value),
+            ("sky", [Value::Ray(ray)]) => Ok(Value::Vector(sky(ray))),
+            (
+                "Point3::new" | "Color::new" | "Vec3::new",
+                [Value::Number(x), Value::Number(y), Value::Number(z)],
+            ) => Ok(Value::Vector(Vec3::new(*x, *y, *z))),
+            _ => Ok(self.machine.run(name, arguments, self.world)?.0),
+        }
+    }
+
+    fn method(&mut self, name: &str, of: &Node, arguments: &[Node]) -> Result {
+        let object = self.value(of)?;
+        let arguments = self.values(arguments)?;
+        match (name, object, &arguments[..]) {
+            ("sqrt", Value::Number(number), []) => Ok(Value::Number(number.sqrt())),
+            ("abs", Value::Number(number), []) => Ok(Value::Number(number.abs())),
+            ("abs", Value::Vector(vector), []) => Ok(Value::Vector(vector.abs())),
+            ("normalize", Value::Vector(vector), []) => Ok(Value::Vector(vector.normalize())),
+            ("length", Value::Vector(vector), []) => Ok(Value::Number(vector.length())),
+            ("length_squared", Value::Vector(vector), []) => {
+                Ok(Value::Number(vector.length_squared()))
+            }
+            ("dot", Value::Vector(one), [Value::Vector(other)]) => {
+                Ok(Value::Number(one.dot(*other)))
+            }
+            ("at", Value::Ray(ray), [Value::Number(t)]) => Ok(Value::Vector(ray.at(*t))),
+            ("into_iter", object, []) => Ok(object),
+            ("hit", Value::Ball(_), rest) => self.own("Sphere::hit", object, rest),
+            ("hit", Value::World, rest) => self.own("HittableList::hit", object, rest),
+            ("set_face_normal", Value::Record(_), rest) => {
+                let given: Vec<Value> = [&[object], rest].concat();
+                let (_, changed) = self.machine.run("set_face_normal", &given, self.world)?;
+                if let Node::Variable(slot) = of {
+                    self.slots[*slot] = changed;
+                }
+                Ok(Value::Unit)
+            }
+            _ => Err(Stop::Nonsense),
+        }
+    }
+
+    fn own(&mut self, name: &str, object: Value, rest: &[Value]) -> Result {
+        let given: Vec<Value> = [&[object], rest].concat();
+        Ok(self.machine.run(name, &given, self.world)?.0)
+    }
+}
+
+/// What `HitRecord::default` gives.
+const NOTHING: Hit = Hit {
+    t: 0.0,
+    point: Point3::ZERO,
+    normal: Vec3::ZERO,
+    front_face: false,
+};
+
+fn constant(name: &str) -> Result {
+    match name {
+        "None" => Ok(Value::Miss),
+        "false" => Ok(Value::Bool(false)),
+        "true" => Ok(Value::Bool(true)),
+        "f64::INFINITY" => Ok(Value::Number(f64::INFINITY)),
+        "Vec3::ONE" | "Color::ONE" => Ok(Value::Vector(Vec3::ONE)),
+        _ => Err(Stop::Nonsense),
+    }
+}
+
+fn set(record: &mut Hit, field: &str, value: Value) -> Result {
+    match (field, value) {
+        ("t", Value::Number(t)) => record.t = t,
+        ("point", Value::Vector(point)) => record.point = point,
+        ("normal", Value::Vector(normal)) => record.normal = normal,
+        ("front_face", Value::Bool(front_face)) => record.front_face = front_face,
+        _ => return Err(Stop::Nonsense),
+    }
+    Ok(Value::Unit)
+}
+
+fn member(of: Value, field: &str) -> Result {
+    Ok(match (of, field) {
+        (Value::Ray(ray), "origin") => Value::Vector(ray.origin),
+        (Value::Ray(ray), "direction") => Value::Vector(ray.direction),
+        (Value::Vector(vector), "x") => Value::Number(vector.x),
+        (Value::Vector(vector), "y") => Value::Number(vector.y),
+        (Value::Vector(vector), "z") => Value::Number(vector.z),
+        (Value::Ball(ball), "center") => Value::Vector(ball.center),
+        (Value::Ball(ball), "radius") => Value::Number(ball.radius),
+        (Value::Record(record), "t") => Value::Number(record.t),
+        (Value::Record(record), "point") => Value::Vector(record.point),
+        (Value::Record(record), "normal") => Value::Vector(record.normal),
+        (Value::Record(record), "front_face") => Value::Bool(record.front_face),
+        _ => return Err(Stop::Nonsense),
+    })
+}
+
+fn binary(operator: &str, left: Value, right: Value) -> Result {
+    use Value::{Bool, Number, Vector};
+    Ok(match (operator, left, right) {
+        ("+", Number(one), Number(other)) => Number(one + other),
+        ("-", Number(one), Number(other)) => Number(one - other),
+        ("*", Number(one), Number(other)) => Number(one * other),
+        ("/", Number(one), Number(other)) => Number(one / other),
+        ("+", Vector(one), Vector(other)) => Vector(one + other),
+        ("-", Vector(one), Vector(other)) => Vector(one - other),
+        ("*", Vector(one), Vector(other)) => Vector(one * other),
+        ("*", Number(one), Vector(other)) => Vector(one * other),
+        ("*", Vector(one), Number(other)) => Vector(one * other),
+        ("/", Vector(one), Number(other)) => Vector(one / other),
+        ("<", Number(one), Number(other)) => Bool(one < other),
+        (">", Number(one), Number(other)) => Bool(one > other),
+        ("<=", Number(one), Number(other)) => Bool(one <= other),
+        (">=", Number(one), Number(other)) => Bool(one >= other),
+        ("&&" | "||", Bool(_), Bool(other)) => Bool(other),
+        _ => return Err(Stop::Nonsense),
+    })
+}

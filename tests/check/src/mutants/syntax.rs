@@ -1,0 +1,366 @@
+//! A Pratt parser for the Rust that our chapters are written in, and no more.
+
+use std::ops::Range;
+
+/// A word, number or sign, and where it stands.
+#[derive(Clone, Debug)]
+pub(super) struct Token<'a> {
+    pub(super) text: &'a str,
+    pub(super) at: Range<usize>,
+}
+
+/// A function: its name, and a slot for each of its variables.
+#[derive(Debug)]
+pub(super) struct Function {
+    pub(super) slots: usize,
+    pub(super) body: Node,
+}
+
+/// A part of a program, with variables by their slots.
+#[derive(Debug)]
+pub(super) enum Node {
+    Number(f64),
+    /// A name that is no variable: a constant.
+    Name(String),
+    Variable(usize),
+    Set(usize, Box<Node>),
+    SetField(usize, String, Box<Node>),
+    Field(Box<Node>, String),
+    Negated(Box<Node>),
+    Binary(String, Box<Node>, Box<Node>),
+    Call(String, Vec<Node>),
+    /// A method, the slot of what it is called on if that is a variable, and what it is.
+    Method(String, Box<Node>, Vec<Node>),
+    /// The first of some that a closure says yes to.
+    Find(Box<Node>, usize, Box<Node>),
+    Several(Vec<Node>),
+    Record(Vec<(String, Node)>),
+    If(Vec<Node>, Box<Node>, Option<Box<Node>>),
+    /// `let Some(x) = …`, as a condition.
+    Matches(usize, Box<Node>),
+    For(usize, Box<Node>),
+    Return(Box<Node>),
+    Try(Box<Node>),
+    Block(Vec<Node>),
+}
+
+/// The tokens of a source without its comments.
+pub(super) fn tokens(text: &str) -> Vec<Token<'_>> {
+    let mut tokens = Vec::new();
+    let mut at = 0;
+    while let Some(first) = text[at..].chars().next() {
+        let rest = &text[at..];
+        let is_word = |c: char| c.is_alphanumeric() || c == '_';
+        let length = if rest.starts_with("//") {
+            rest.find('\n').unwrap_or(rest.len())
+        } else if first.is_ascii_digit() {
+            let is_range = rest.find("..").unwrap_or(rest.len());
+            let end = rest.find(|c: char| !is_word(c) && c != '.');
+            end.unwrap_or(rest.len()).min(is_range)
+        } else if is_word(first) {
+            rest.find(|c| !is_word(c)).unwrap_or(rest.len())
+        } else {
+            let signs = ["&&", "||", "<=", ">=", "==", "->", "::", ".."];
+            let two = signs.iter().find(|sign| rest.starts_with(**sign));
+            two.map_or(first.len_utf8(), |sign| sign.len())
+        };
+        if !first.is_whitespace() && !rest.starts_with("//") {
+            tokens.push(Token {
+                text: &rest[..length],
+                at: at..at + length,
+            });
+        }
+        at += length;
+    }
+    tokens
+}
+
+/// The function that the text is; `None` if it is none that could be run.
+pub(super) fn function(text: &str) -> Option<Function> {
+    let tokens = tokens(text);
+    let mut parser = Parser {
+        tokens: &tokens,
+        at: 0,
+        scope: Vec::new(),
+        slots: 0,
+    };
+    parser.parameters()?;
+    let body = parser.block()?;
+    Some(Function {
+        slots: parser.slots,
+        body,
+    })
+}
+
+struct Parser<'a> {
+    tokens: &'a [Token<'a>],
+    at: usize,
+    /// The names in reach, each with its slot.
+    scope: Vec<(&'a str, usize)>,
+    slots: usize,
+}
+
+impl<'a> Parser<'a> {
+    fn peek(&self) -> &'a str {
+        self.tokens.get(self.at).map_or("", |token| token.text)
+    }
+
+    fn next(&mut self) -> Option<&'a str> {
+        let token = self.tokens.get(self.at)?;
+        self.at += 1;
+        Some(token.text)
+    }
+
+    fn takes(&mut self, text: &str) -> bool {
+        let is_it = self.peek() == text;
+        self.at += usize::from(is_it);
+        is_it
+    }
+
+    fn expect(&mut self, text: &str) -> Option<()> {
+        self.takes(text).then_some(())
+    }
+
+    fn declare(&mut self, name: &'a str) -> usize {
+        self.scope.push((name, self.slots));
+        self.slots += 1;
+        self.slots - 1
+    }
+
+    /// From `fn` to the body: each parameter gets a slot, `self` the first.
+    fn parameters(&mut self) -> Option<()> {
+        self.expect("fn")?;
+        self.next()?;
+        self.expect("(")?;
+        while !self.takes(")") {
+            while self.takes("&") || self.takes("mut") {}
+            let name = self.next()?;
+            self.declare(name);
+            while !matches!(self.peek(), "," | ")" | "") {
+                self.next();
+            }
+            self.takes(",");
+        }
+        while self.peek() != "{" {
+            self.next()?;
+        }
+        Some(())
+    }
+
+    fn block(&mut self) -> Option<Node> {
+        self.expect("{")?;
+        let outside = self.scope.len();
+        let mut nodes = Vec::new();
+        while !self.takes("}") {
+            nodes.push(self.statement()?);
+        }
+        self.scope.truncate(outside);
+        Some(Node::Block(nodes))
+    }
+
+    fn statement(&mut self) -> Option<Node> {
+        if self.takes("let") {
+            self.takes("mut");
+            let name = self.next()?;
+            self.expect("=")?;
+            let value = self.expression()?;
+            self.expect(";")?;
+            return Some(Node::Set(self.declare(name), Box::new(value)));
+        }
+        if self.takes("return") {
+            let value = self.expression()?;
+            self.takes(";");
+            return Some(Node::Return(Box::new(value)));
+        }
+        if self.takes("for") {
+            let outside = self.scope.len();
+            let name = self.next()?;
+            let slot = self.declare(name);
+            while self.peek() != "{" {
+                self.next()?;
+            }
+            let body = self.block()?;
+            self.scope.truncate(outside);
+            return Some(Node::For(slot, Box::new(body)));
+        }
+        let value = self.expression()?;
+        let node = match self.takes("=") {
+            true => self.assignment(value)?,
+            false => value,
+        };
+        self.takes(";");
+        Some(node)
+    }
+
+    fn assignment(&mut self, place: Node) -> Option<Node> {
+        let value = Box::new(self.expression()?);
+        match place {
+            Node::Variable(slot) => Some(Node::Set(slot, value)),
+            Node::Field(of, field) => match *of {
+                Node::Variable(slot) => Some(Node::SetField(slot, field, value)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    fn expression(&mut self) -> Option<Node> {
+        self.binary(0, true)
+    }
+
+    /// Operators that bind at least as tightly as this.
+    fn binary(&mut self, least: usize, may_be_struct: bool) -> Option<Node> {
+        const LEVELS: [&[&str]; 5] = [
+            &["||"],
+            &["&&"],
+            &["<", ">", "<=", ">=", "=="],
+            &["+", "-"],
+            &["*", "/"],
+        ];
+        let Some(operators) = LEVELS.get(least) else {
+            return self.unary(may_be_struct);
+        };
+        let mut left = self.binary(least + 1, may_be_struct)?;
+        while operators.contains(&self.peek()) {
+            let operator = self.next()?.to_owned();
+            let right = self.binary(least + 1, may_be_struct)?;
+            left = Node::Binary(operator, Box::new(left), Box::new(right));
+        }
+        Some(left)
+    }
+
+    fn unary(&mut self, may_be_struct: bool) -> Option<Node> {
+        if self.takes("-") {
+            return Some(Node::Negated(Box::new(self.unary(may_be_struct)?)));
+        }
+        while self.takes("&") || self.takes("mut") {}
+        let mut node = self.primary(may_be_struct)?;
+        loop {
+            if self.takes("?") {
+                node = Node::Try(Box::new(node));
+            } else if self.takes(".") {
+                node = self.member(node)?;
+            } else {
+                return Some(node);
+            }
+        }
+    }
+
+    /// A field or a method.
+    fn member(&mut self, of: Node) -> Option<Node> {
+        let name = self.next()?.to_owned();
+        if !self.takes("(") {
+            return Some(Node::Field(Box::new(of), name));
+        }
+        if name == "find" {
+            self.expect("|")?;
+            self.takes("&");
+            let variable = self.next()?;
+            let slot = self.declare(variable);
+            self.expect("|")?;
+            let condition = self.expression()?;
+            self.scope.pop();
+            self.expect(")")?;
+            return Some(Node::Find(Box::new(of), slot, Box::new(condition)));
+        }
+        Some(Node::Method(name, Box::new(of), self.several(")")?))
+    }
+
+    fn several(&mut self, end: &str) -> Option<Vec<Node>> {
+        let mut nodes = Vec::new();
+        while !self.takes(end) {
+            nodes.push(self.expression()?);
+            if !self.takes(",") {
+                self.expect(end)?;
+                break;
+            }
+        }
+        Some(nodes)
+    }
+
+    fn primary(&mut self, may_be_struct: bool) -> Option<Node> {
+        let text = self.next()?;
+        match text {
+            "(" => {
+                let node = self.expression()?;
+                self.expect(")")?;
+                Some(node)
+            }
+            "[" => Some(Node::Several(self.several("]")?)),
+            "if" => self.condition(),
+            _ if text.starts_with(|c: char| c.is_ascii_digit()) => {
+                text.parse().ok().map(Node::Number)
+            }
+            _ if text.starts_with(|c: char| c.is_alphabetic() || c == '_') => {
+                self.named(text, may_be_struct)
+            }
+            _ => None,
+        }
+    }
+
+    fn named(&mut self, first: &'a str, may_be_struct: bool) -> Option<Node> {
+        let mut name = first.to_owned();
+        while self.takes("::") {
+            name = format!("{name}::{}", self.next()?);
+        }
+        if self.takes("(") {
+            return Some(Node::Call(name, self.several(")")?));
+        }
+        if name == "HitRecord" && may_be_struct && self.takes("{") {
+            return self.record();
+        }
+        let known = self.scope.iter().rev().find(|(known, _)| *known == name);
+        Some(match known {
+            Some((_, slot)) => Node::Variable(*slot),
+            None => Node::Name(name),
+        })
+    }
+
+    fn record(&mut self) -> Option<Node> {
+        let mut fields = Vec::new();
+        while !self.takes("}") {
+            if self.takes("..") {
+                self.expression()?;
+                continue;
+            }
+            let name = self.next()?;
+            let value = match self.takes(":") {
+                true => self.expression()?,
+                false => self.named(name, false)?,
+            };
+            fields.push((name.to_owned(), value));
+            self.takes(",");
+        }
+        Some(Node::Record(fields))
+    }
+
+    fn condition(&mut self) -> Option<Node> {
+        let outside = self.scope.len();
+        let mut all = Vec::new();
+        loop {
+            all.push(match self.takes("let") {
+                true => {
+                    self.expect("Some")?;
+                    self.expect("(")?;
+                    let name = self.next()?;
+                    self.expect(")")?;
+                    self.expect("=")?;
+                    let value = self.binary(2, false)?;
+                    Node::Matches(self.declare(name), Box::new(value))
+                }
+                false => self.binary(2, false)?,
+            });
+            if !self.takes("&&") {
+                break;
+            }
+        }
+        let then = Box::new(self.block()?);
+        self.scope.truncate(outside);
+        let other = match self.takes("else") {
+            true if self.takes("if") => Some(Box::new(self.condition()?)),
+            true => Some(Box::new(self.block()?)),
+            false => None,
+        };
+        Some(Node::If(all, then, other))
+    }
+}
