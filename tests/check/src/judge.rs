@@ -36,6 +36,9 @@ const WORTH_A_SEARCH: f64 = 1000.0;
 /// What is shorter than this has been made: a slip that leaves some odd pixels.
 const WELL_EXPLAINED: f64 = 100.0;
 
+/// What is shorter than this is a slip whose very line is in the reader's files.
+const CONFIRMED: f64 = 11.0;
+
 /// How many pixels are looked at where thousands of pairs have to be estimated.
 const GLANCE: u32 = 150;
 /// Beside how many slips several rays are looked for.
@@ -154,7 +157,11 @@ impl Search<'_> {
     /// Changes that nobody has thought of, where nothing else explains it all.
     fn add_mutants(&mut self, drawn: &[Pixel]) {
         let (evidence, reading) = (self.evidence, self.evidence.reading);
-        if self.best().bits() < WELL_EXPLAINED {
+        let enough = match evidence.known.sources.is_empty() {
+            true => WELL_EXPLAINED,
+            false => CONFIRMED,
+        };
+        if self.best().bits() < enough {
             return;
         }
         let places = Places::new(reading, Some(drawn), GLANCE);

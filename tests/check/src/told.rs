@@ -103,30 +103,38 @@ fn in_full(mistake: &[&'static Slip], scene: &Scene, known: &Known) -> Vec<Row> 
         };
         let lines = [wrong, ("should be", words.right.into_owned())];
         let lines = lines.into_iter().filter(move |_| !is_shown);
-        lines.chain([("why", words.why.to_owned())])
+        let why = Some(words.why).filter(|why| !why.is_empty());
+        lines.chain(why.map(|why| ("why", why.to_owned())))
     });
     unlike.into_iter().chain(rows).collect()
 }
 
 /// What each says instead of the right line.
 fn in_short(mistakes: &[(&Set, &[&'static Slip])], known: &Known) -> Vec<Row> {
+    let mut said: Vec<(String, String)> = Vec::new();
+    for (set, mistake) in mistakes {
+        let wrong = mistake.iter();
+        let wrong: Vec<_> = wrong
+            .map(|slip| known.words(slip, &set.scene).wrong)
+            .collect();
+        let wrong = wrong.join("; ");
+        if said.iter().all(|(other, _)| *other != wrong) {
+            said.push((wrong, names_of(mistake)));
+        }
+    }
     let labels = iter::once("probably").chain(iter::repeat("or"));
     let mut rows: Vec<Row> = labels
-        .zip(mistakes.iter().take(TOLD))
-        .map(|(label, (set, mistake))| {
-            let wrong = mistake.iter();
-            let wrong: Vec<_> = wrong
-                .map(|slip| known.words(slip, &set.scene).wrong)
-                .collect();
-            let wrong = wrong.join("; ");
-            match mistake.iter().all(|slip| slip.name.is_empty()) {
-                true => (label, wrong),
-                false => (label, format!("{wrong}  ({})", names_of(mistake))),
-            }
+        .zip(said.iter().take(TOLD))
+        .map(|(label, (wrong, names))| match names == wrong {
+            true => (label, wrong.clone()),
+            false => (label, format!("{wrong}  ({names})")),
         })
         .collect();
-    let others = mistakes.iter().skip(TOLD);
-    let others: Vec<String> = others.map(|(_, mistake)| names_of(mistake)).collect();
+    let others: Vec<&str> = said
+        .iter()
+        .skip(TOLD)
+        .map(|(_, names)| names.as_str())
+        .collect();
     if !others.is_empty() {
         rows.push(("also", others.join("; ")));
     }

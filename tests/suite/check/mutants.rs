@@ -1,10 +1,11 @@
 //! The chapters run from their own texts, unchanged and changed.
 
+use check::evidence::Known;
 use check::mutants::unchanged;
 use check::png;
 use check::scene::Scene;
 use check::verdict::check;
-use slips::Chapter;
+use slips::{Chapter, Program};
 
 #[test]
 fn a_chapter_that_is_run_from_its_text_draws_its_picture() {
@@ -21,12 +22,23 @@ fn a_chapter_that_is_run_from_its_text_draws_its_picture() {
 }
 
 #[test]
-fn a_change_that_is_in_no_catalogue_is_named_by_its_line() {
-    let mut program = slips::Program::right(Chapter::Normals);
-    program.shade =
-        |_, normal| 0.5 * (normal.z * common::rtweekend::Vec3::ONE + common::rtweekend::Vec3::ONE);
+fn a_mistake_that_is_in_no_catalogue_is_named_by_its_line() {
+    let program = Program {
+        discriminant: |a, b, c| b * b - 2.0 * a * c,
+        ..Program::right(Chapter::Normals)
+    };
     let scene = Scene::new(Chapter::Normals, None).expect("a chapter");
-    let picture = program.run(100).picture();
-    let answer = check(&scene, &png::encode(&picture), 0);
-    println!("{answer:?}");
+    let picture = png::encode(&program.run(100).picture());
+    let answer = check(&scene, &picture, 0);
+    let rows = answer
+        .finding()
+        .expect("it is wrong")
+        .rows(&Known::default());
+    assert_eq!(
+        rows[..2],
+        [
+            ("probably", "discriminant = b * b - 2.0 * a * c".to_owned()),
+            ("should be", "discriminant = b * b - 4.0 * a * c".to_owned()),
+        ]
+    );
 }

@@ -52,7 +52,7 @@ pub(super) fn of(text: &str) -> Vec<Edit> {
         if names.contains(token.text) && all[n - 1].text != "." {
             edits.extend(names.iter().map(|it| replace(it)));
         }
-        edits.extend(around(text, &all, n));
+        edits.extend(around(text, &all, &names, n));
     }
     edits.extend(swaps(text, &all[body..]));
     edits.extend(dropped_lines(text));
@@ -81,7 +81,7 @@ fn variables<'a>(all: &[Token<'a>]) -> HashSet<&'a str> {
 }
 
 /// What may be missing or too much at a token: a sign, brackets, a call, a factor.
-fn around(text: &str, all: &[Token], n: usize) -> Vec<Change> {
+fn around(text: &str, all: &[Token], names: &HashSet<&str>, n: usize) -> Vec<Change> {
     let token = &all[n];
     let mut changes = Vec::new();
     let begins = |text: &str| text.starts_with(|c: char| c.is_alphanumeric()) || text == "(";
@@ -106,6 +106,23 @@ fn around(text: &str, all: &[Token], n: usize) -> Vec<Change> {
             changes.push((all[n - 1].at.start..whole.end, String::new()));
         }
     }
+    if names.contains(token.text) && before != "." {
+        changes.extend(other_components(token));
+    }
+    if token.text == "normalize" {
+        // The length without its root.
+        let start = (0..n).rfind(|&it| is_operator(all[it].text)).unwrap_or(0) + 1;
+        let own = &text[all[start].at.start..all[n - 2].at.end];
+        let whole = all[start].at.start..all[n + 2].at.end;
+        changes.push((whole, format!("(1.0 / {own}.length_squared()) * {own}")));
+    }
+    if before == "if" && token.text != "let" {
+        let brace = (n..all.len())
+            .find(|&it| all[it].text == "{")
+            .unwrap_or(n + 1);
+        let whole = token.at.start..all[brace - 1].at.end;
+        changes.push((whole.clone(), format!("!({})", &text[whole])));
+    }
     if token.text == "-" && is_operator(before) {
         changes.push((token.at.clone(), String::new()));
     }
@@ -121,10 +138,37 @@ fn around(text: &str, all: &[Token], n: usize) -> Vec<Change> {
     changes
 }
 
+/// A vector whose components have changed: another letter, or another sign.
+fn other_components(token: &Token) -> Vec<Change> {
+    let mut changes = Vec::new();
+    let letters = ["x", "y", "z"];
+    let name = token.text;
+    for x in letters {
+        for y in letters {
+            for z in letters {
+                let vector = format!("Vec3::new({name}.{x}, {name}.{y}, {name}.{z})");
+                changes.push((token.at.clone(), vector));
+            }
+        }
+    }
+    for turned in letters {
+        let signed = letters.map(|it| match it == turned {
+            true => format!("-{name}.{it}"),
+            false => format!("{name}.{it}"),
+        });
+        changes.push((
+            token.at.clone(),
+            format!("Vec3::new({})", signed.join(", ")),
+        ));
+    }
+    changes
+}
+
 /// The last token of the operand that begins at `n`: a name with its members, or brackets.
 fn operand(all: &[Token], n: usize) -> usize {
     let mut end = match all[n].text {
         "(" => closing(all, n),
+        "-" if n + 1 < all.len() => return operand(all, n + 1),
         _ => n,
     };
     while let Some(next) = all.get(end + 1) {
@@ -153,7 +197,7 @@ fn swaps(text: &str, all: &[Token]) -> Vec<Change> {
     let mut changes = Vec::new();
     for n in 1..all.len().saturating_sub(1) {
         let begins = |at: usize| {
-            let first = |c: char| c.is_alphanumeric() || c == '(';
+            let first = |c: char| c.is_alphanumeric() || c == '(' || c == '-';
             all[at].text.starts_with(first)
         };
         if !matches!(

@@ -102,6 +102,10 @@ impl Frame<'_> {
                 Value::Vector(vector) => Ok(Value::Vector(-vector)),
                 _ => Err(Stop::Nonsense),
             },
+            Node::Not(of) => match self.value(of)? {
+                Value::Bool(is_so) => Ok(Value::Bool(!is_so)),
+                _ => Err(Stop::Nonsense),
+            },
             Node::Binary(operator, left, right) => {
                 let left = self.value(left)?;
                 match (operator.as_str(), left) {

@@ -27,6 +27,7 @@ pub(super) enum Node {
     SetField(usize, String, Box<Node>),
     Field(Box<Node>, String),
     Negated(Box<Node>),
+    Not(Box<Node>),
     Binary(String, Box<Node>, Box<Node>),
     Call(String, Vec<Node>),
     /// A method, the slot of what it is called on if that is a variable, and what it is.
@@ -232,6 +233,9 @@ impl<'a> Parser<'a> {
     fn unary(&mut self, may_be_struct: bool) -> Option<Node> {
         if self.takes("-") {
             return Some(Node::Negated(Box::new(self.unary(may_be_struct)?)));
+        }
+        if self.takes("!") {
+            return Some(Node::Not(Box::new(self.unary(may_be_struct)?)));
         }
         while self.takes("&") || self.takes("mut") {}
         let mut node = self.primary(may_be_struct)?;
