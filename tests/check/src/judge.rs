@@ -33,6 +33,10 @@ const FEWER: usize = 40;
 /// several rays and curves: some thirty odd pixels. Less is told pixel by pixel anyway.
 const WORTH_A_SEARCH: f64 = 1000.0;
 
+/// How many pixels are looked at where nothing is known of thousands of changes, and how
+/// many of these are looked at again: more than draw the right picture.
+const PEEK: u32 = 16;
+const MANY: usize = 400;
 /// What is shorter than this has been made: a slip that leaves some odd pixels.
 const WELL_EXPLAINED: f64 = 100.0;
 
@@ -164,12 +168,20 @@ impl Search<'_> {
         if self.best().bits() < enough {
             return;
         }
+        // A single change that is found has to explain most of what is left.
+        let most = self.best().bits() / 4.0;
+        let places = Places::new(reading, Some(drawn), PEEK);
+        let near = mutants(evidence).filter_map(|it| {
+            let length = it.estimated(reading, &places, most)?;
+            Some((length, it))
+        });
+        let mut near: Vec<(f64, Hypothesis)> = near.collect();
+        near.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+        near.truncate(MANY);
+        let weighed = near.into_iter().map(|(_, it)| evidence.weighed(it));
         let places = Places::new(reading, Some(drawn), GLANCE);
-        let most = may_win(self.best().bits());
-        let is_near = |it: &Hypothesis| it.estimated(reading, &places, most).is_some();
-        let near = mutants(evidence).filter(is_near);
-        let weighed = near.map(|it| evidence.weighed(it));
-        let some: Vec<Hypothesis> = weighed.filter(|it| it.name <= most).collect();
+        let some = likeliest(evidence, weighed, &places, most);
+        let some: Vec<Hypothesis> = some.into_iter().map(|(_, it)| it).collect();
         self.add(some, Some(drawn), f64::INFINITY);
     }
 

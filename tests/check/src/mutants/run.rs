@@ -5,7 +5,7 @@ use std::sync::Arc;
 use common::rtweekend::*;
 use slips::{Ball, Hit};
 
-use super::syntax::{Function, Node};
+use super::syntax::{Callee, Function, Member, Node, Sign};
 
 /// What a part of a program comes to. An `Option` is the value itself, or a miss.
 #[derive(Clone, Copy, Debug)]
@@ -94,9 +94,9 @@ impl Frame<'_> {
                 let Value::Record(record) = &mut self.slots[*slot] else {
                     return Err(Stop::Nonsense);
                 };
-                set(record, field, value)
+                set(record, *field, value)
             }
-            Node::Field(of, field) => member(self.value(of)?, field),
+            Node::Field(of, field) => member(self.value(of)?, *field),
             Node::Negated(of) => match self.value(of)? {
                 Value::Number(number) => Ok(Value::Number(-number)),
                 Value::Vector(vector) => Ok(Value::Vector(-vector)),
@@ -108,26 +108,26 @@ impl Frame<'_> {
             },
             Node::Binary(operator, left, right) => {
                 let left = self.value(left)?;
-                match (operator.as_str(), left) {
-                    ("&&", Value::Bool(false)) | ("||", Value::Bool(true)) => Ok(left),
-                    (operator, _) => binary(operator, left, self.value(right)?),
+                match (operator, left) {
+                    (Sign::And, Value::Bool(false)) | (Sign::Or, Value::Bool(true)) => Ok(left),
+                    _ => binary(*operator, left, self.value(right)?),
                 }
             }
             Node::Call(name, arguments) => {
-                let arguments = self.values(arguments)?;
-                self.called(name, &arguments)
+                let given = self.several(arguments)?;
+                self.called(*name, &given[..arguments.len()])
             }
-            Node::Method(name, of, arguments) => self.method(name, of, arguments),
+            Node::Method(name, of, arguments) => self.method(*name, of, arguments),
             Node::Find(of, slot, condition) => self.find(of, *slot, condition),
-            Node::Several(nodes) => match self.values(nodes)?[..] {
-                [Value::Number(one), Value::Number(other)] => Ok(Value::Two([one, other])),
+            Node::Several(nodes) => match self.several(nodes)? {
+                [Value::Number(one), Value::Number(other), ..] => Ok(Value::Two([one, other])),
                 _ => Err(Stop::Nonsense),
             },
             Node::Record(fields) => {
                 let mut record = NOTHING;
                 for (field, value) in fields {
                     let value = self.value(value)?;
-                    set(&mut record, field, value)?;
+                    set(&mut record, *field, value)?;
                 }
                 Ok(Value::Record(record))
             }
@@ -158,8 +158,13 @@ impl Frame<'_> {
         }
     }
 
-    fn values(&mut self, nodes: &[Node]) -> Result<Vec<Value>> {
-        nodes.iter().map(|node| self.value(node)).collect()
+    /// The values of up to four nodes: no function here has more parameters.
+    fn several(&mut self, nodes: &[Node]) -> Result<[Value; 4]> {
+        let mut values = [Value::Unit; 4];
+        for (n, node) in nodes.iter().enumerate() {
+            *values.get_mut(n).ok_or(Stop::Nonsense)? = self.value(node)?;
+        }
+        Ok(values)
     }
 
     fn choice(&mut self, all: &[Node], then: &Node, other: Option<&Node>) -> Result {
@@ -188,39 +193,41 @@ impl Frame<'_> {
         Ok(Value::Miss)
     }
 
-    fn called(&mut self, name: &str, arguments: &[Value]) -> Result {
+    fn called(&mut self, name: Callee, arguments: &[Value]) -> Result {
         match (name, arguments) {
-            ("Some", [value]) => Ok(*value),
-            ("sky", [Value::Ray(ray)]) => Ok(Value::Vector(sky(ray))),
+            (Callee::Some, [value]) => Ok(*value),
+            (Callee::Sky, [Value::Ray(ray)]) => Ok(Value::Vector(sky(ray))),
             (
-                "Point3::new" | "Color::new" | "Vec3::new",
+                Callee::Point | Callee::Color | Callee::Vector,
                 [Value::Number(x), Value::Number(y), Value::Number(z)],
             ) => Ok(Value::Vector(Vec3::new(*x, *y, *z))),
-            _ => Ok(self.machine.run(name, arguments, self.world)?.0),
+            (Callee::HitSphere, _) => Ok(self.machine.run("hit_sphere", arguments, self.world)?.0),
+            _ => Err(Stop::Nonsense),
         }
     }
 
-    fn method(&mut self, name: &str, of: &Node, arguments: &[Node]) -> Result {
+    fn method(&mut self, name: Member, of: &Node, arguments: &[Node]) -> Result {
+        use Value::{Number, Vector};
         let object = self.value(of)?;
-        let arguments = self.values(arguments)?;
-        match (name, object, &arguments[..]) {
-            ("sqrt", Value::Number(number), []) => Ok(Value::Number(number.sqrt())),
-            ("abs", Value::Number(number), []) => Ok(Value::Number(number.abs())),
-            ("abs", Value::Vector(vector), []) => Ok(Value::Vector(vector.abs())),
-            ("normalize", Value::Vector(vector), []) => Ok(Value::Vector(vector.normalize())),
-            ("length", Value::Vector(vector), []) => Ok(Value::Number(vector.length())),
-            ("length_squared", Value::Vector(vector), []) => {
-                Ok(Value::Number(vector.length_squared()))
+        let given = self.several(arguments)?;
+        match (name, object, &given[..arguments.len()]) {
+            (Member::Sqrt, Number(number), []) => Ok(Number(number.sqrt())),
+            (Member::Abs, Number(number), []) => Ok(Number(number.abs())),
+            (Member::Abs, Vector(vector), []) => Ok(Vector(vector.abs())),
+            (Member::Normalize, Vector(vector), []) => Ok(Vector(vector.normalize())),
+            (Member::Length, Vector(vector), []) => Ok(Number(vector.length())),
+            (Member::LengthSquared, Vector(vector), []) => Ok(Number(vector.length_squared())),
+            (Member::Dot, Vector(one), [Vector(other)]) => Ok(Number(one.dot(*other))),
+            (Member::At, Value::Ray(ray), [Number(t)]) => Ok(Vector(ray.at(*t))),
+            (Member::IntoIter, object, []) => Ok(object),
+            (Member::Hit, Value::Ball(_), &[ray, low, high]) => {
+                self.own("Sphere::hit", &[object, ray, low, high])
             }
-            ("dot", Value::Vector(one), [Value::Vector(other)]) => {
-                Ok(Value::Number(one.dot(*other)))
+            (Member::Hit, Value::World, &[ray, low, high]) => {
+                self.own("HittableList::hit", &[object, ray, low, high])
             }
-            ("at", Value::Ray(ray), [Value::Number(t)]) => Ok(Value::Vector(ray.at(*t))),
-            ("into_iter", object, []) => Ok(object),
-            ("hit", Value::Ball(_), rest) => self.own("Sphere::hit", object, rest),
-            ("hit", Value::World, rest) => self.own("HittableList::hit", object, rest),
-            ("set_face_normal", Value::Record(_), rest) => {
-                let given: Vec<Value> = [&[object], rest].concat();
+            (Member::SetFaceNormal, Value::Record(_), &[ray, normal]) => {
+                let given = [object, ray, normal];
                 let (_, changed) = self.machine.run("set_face_normal", &given, self.world)?;
                 if let Node::Variable(slot) = of {
                     self.slots[*slot] = changed;
@@ -231,9 +238,8 @@ impl Frame<'_> {
         }
     }
 
-    fn own(&mut self, name: &str, object: Value, rest: &[Value]) -> Result {
-        let given: Vec<Value> = [&[object], rest].concat();
-        Ok(self.machine.run(name, &given, self.world)?.0)
+    fn own(&mut self, name: &str, given: &[Value]) -> Result {
+        Ok(self.machine.run(name, given, self.world)?.0)
     }
 }
 
@@ -256,52 +262,52 @@ fn constant(name: &str) -> Result {
     }
 }
 
-fn set(record: &mut Hit, field: &str, value: Value) -> Result {
+fn set(record: &mut Hit, field: Member, value: Value) -> Result {
     match (field, value) {
-        ("t", Value::Number(t)) => record.t = t,
-        ("point", Value::Vector(point)) => record.point = point,
-        ("normal", Value::Vector(normal)) => record.normal = normal,
-        ("front_face", Value::Bool(front_face)) => record.front_face = front_face,
+        (Member::T, Value::Number(t)) => record.t = t,
+        (Member::Point, Value::Vector(point)) => record.point = point,
+        (Member::Normal, Value::Vector(normal)) => record.normal = normal,
+        (Member::FrontFace, Value::Bool(front_face)) => record.front_face = front_face,
         _ => return Err(Stop::Nonsense),
     }
     Ok(Value::Unit)
 }
 
-fn member(of: Value, field: &str) -> Result {
+fn member(of: Value, field: Member) -> Result {
     Ok(match (of, field) {
-        (Value::Ray(ray), "origin") => Value::Vector(ray.origin),
-        (Value::Ray(ray), "direction") => Value::Vector(ray.direction),
-        (Value::Vector(vector), "x") => Value::Number(vector.x),
-        (Value::Vector(vector), "y") => Value::Number(vector.y),
-        (Value::Vector(vector), "z") => Value::Number(vector.z),
-        (Value::Ball(ball), "center") => Value::Vector(ball.center),
-        (Value::Ball(ball), "radius") => Value::Number(ball.radius),
-        (Value::Record(record), "t") => Value::Number(record.t),
-        (Value::Record(record), "point") => Value::Vector(record.point),
-        (Value::Record(record), "normal") => Value::Vector(record.normal),
-        (Value::Record(record), "front_face") => Value::Bool(record.front_face),
+        (Value::Ray(ray), Member::Origin) => Value::Vector(ray.origin),
+        (Value::Ray(ray), Member::Direction) => Value::Vector(ray.direction),
+        (Value::Vector(vector), Member::X) => Value::Number(vector.x),
+        (Value::Vector(vector), Member::Y) => Value::Number(vector.y),
+        (Value::Vector(vector), Member::Z) => Value::Number(vector.z),
+        (Value::Ball(ball), Member::Center) => Value::Vector(ball.center),
+        (Value::Ball(ball), Member::Radius) => Value::Number(ball.radius),
+        (Value::Record(record), Member::T) => Value::Number(record.t),
+        (Value::Record(record), Member::Point) => Value::Vector(record.point),
+        (Value::Record(record), Member::Normal) => Value::Vector(record.normal),
+        (Value::Record(record), Member::FrontFace) => Value::Bool(record.front_face),
         _ => return Err(Stop::Nonsense),
     })
 }
 
-fn binary(operator: &str, left: Value, right: Value) -> Result {
+fn binary(operator: Sign, left: Value, right: Value) -> Result {
     use Value::{Bool, Number, Vector};
     Ok(match (operator, left, right) {
-        ("+", Number(one), Number(other)) => Number(one + other),
-        ("-", Number(one), Number(other)) => Number(one - other),
-        ("*", Number(one), Number(other)) => Number(one * other),
-        ("/", Number(one), Number(other)) => Number(one / other),
-        ("+", Vector(one), Vector(other)) => Vector(one + other),
-        ("-", Vector(one), Vector(other)) => Vector(one - other),
-        ("*", Vector(one), Vector(other)) => Vector(one * other),
-        ("*", Number(one), Vector(other)) => Vector(one * other),
-        ("*", Vector(one), Number(other)) => Vector(one * other),
-        ("/", Vector(one), Number(other)) => Vector(one / other),
-        ("<", Number(one), Number(other)) => Bool(one < other),
-        (">", Number(one), Number(other)) => Bool(one > other),
-        ("<=", Number(one), Number(other)) => Bool(one <= other),
-        (">=", Number(one), Number(other)) => Bool(one >= other),
-        ("&&" | "||", Bool(_), Bool(other)) => Bool(other),
+        (Sign::Plus, Number(one), Number(other)) => Number(one + other),
+        (Sign::Minus, Number(one), Number(other)) => Number(one - other),
+        (Sign::Times, Number(one), Number(other)) => Number(one * other),
+        (Sign::Over, Number(one), Number(other)) => Number(one / other),
+        (Sign::Plus, Vector(one), Vector(other)) => Vector(one + other),
+        (Sign::Minus, Vector(one), Vector(other)) => Vector(one - other),
+        (Sign::Times, Vector(one), Vector(other)) => Vector(one * other),
+        (Sign::Times, Number(one), Vector(other)) => Vector(one * other),
+        (Sign::Times, Vector(one), Number(other)) => Vector(one * other),
+        (Sign::Over, Vector(one), Number(other)) => Vector(one / other),
+        (Sign::Less, Number(one), Number(other)) => Bool(one < other),
+        (Sign::Greater, Number(one), Number(other)) => Bool(one > other),
+        (Sign::AtMost, Number(one), Number(other)) => Bool(one <= other),
+        (Sign::AtLeast, Number(one), Number(other)) => Bool(one >= other),
+        (Sign::And | Sign::Or, Bool(_), Bool(other)) => Bool(other),
         _ => return Err(Stop::Nonsense),
     })
 }

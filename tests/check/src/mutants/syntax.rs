@@ -24,18 +24,18 @@ pub(super) enum Node {
     Name(String),
     Variable(usize),
     Set(usize, Box<Node>),
-    SetField(usize, String, Box<Node>),
-    Field(Box<Node>, String),
+    SetField(usize, Member, Box<Node>),
+    Field(Box<Node>, Member),
     Negated(Box<Node>),
     Not(Box<Node>),
-    Binary(String, Box<Node>, Box<Node>),
-    Call(String, Vec<Node>),
+    Binary(Sign, Box<Node>, Box<Node>),
+    Call(Callee, Vec<Node>),
     /// A method, the slot of what it is called on if that is a variable, and what it is.
-    Method(String, Box<Node>, Vec<Node>),
+    Method(Member, Box<Node>, Vec<Node>),
     /// The first of some that a closure says yes to.
     Find(Box<Node>, usize, Box<Node>),
     Several(Vec<Node>),
-    Record(Vec<(String, Node)>),
+    Record(Vec<(Member, Node)>),
     If(Vec<Node>, Box<Node>, Option<Box<Node>>),
     /// `let Some(x) = …`, as a condition.
     Matches(usize, Box<Node>),
@@ -43,6 +43,54 @@ pub(super) enum Node {
     Return(Box<Node>),
     Try(Box<Node>),
     Block(Vec<Node>),
+}
+
+/// Words of the language as values, each by the name that it has in a text.
+macro_rules! words {
+    ($(#[$about:meta])* $kind:ident { $($name:ident = $text:literal,)* }) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub(super) enum $kind {
+            $($name,)*
+        }
+
+        impl $kind {
+            fn of(text: &str) -> Option<Self> {
+                match text {
+                    $($text => Some(Self::$name),)*
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
+words! {
+    /// An operator between two values.
+    Sign {
+        Plus = "+", Minus = "-", Times = "*", Over = "/", Less = "<", Greater = ">",
+        AtMost = "<=", AtLeast = ">=", And = "&&", Or = "||",
+    }
+}
+
+words! {
+    /// A field or a method.
+    Member {
+        Origin = "origin", Direction = "direction", X = "x", Y = "y", Z = "z",
+        Center = "center", Radius = "radius", T = "t", Point = "point", Normal = "normal",
+        FrontFace = "front_face", Objects = "objects", Sqrt = "sqrt", Abs = "abs",
+        Normalize = "normalize", Length = "length", LengthSquared = "length_squared",
+        Dot = "dot", At = "at", IntoIter = "into_iter", Hit = "hit",
+        SetFaceNormal = "set_face_normal",
+    }
+}
+
+words! {
+    /// A function that is called by its name.
+    Callee {
+        Some = "Some", Sky = "sky", Point = "Point3::new", Color = "Color::new",
+        Vector = "Vec3::new", HitSphere = "hit_sphere", Default = "HitRecord::default",
+    }
 }
 
 /// The tokens of a source without its comments.
@@ -223,7 +271,7 @@ impl<'a> Parser<'a> {
         };
         let mut left = self.binary(least + 1, may_be_struct)?;
         while operators.contains(&self.peek()) {
-            let operator = self.next()?.to_owned();
+            let operator = Sign::of(self.next()?)?;
             let right = self.binary(least + 1, may_be_struct)?;
             left = Node::Binary(operator, Box::new(left), Box::new(right));
         }
@@ -252,9 +300,9 @@ impl<'a> Parser<'a> {
 
     /// A field or a method.
     fn member(&mut self, of: Node) -> Option<Node> {
-        let name = self.next()?.to_owned();
+        let name = self.next()?;
         if !self.takes("(") {
-            return Some(Node::Field(Box::new(of), name));
+            return Some(Node::Field(Box::new(of), Member::of(name)?));
         }
         if name == "find" {
             self.expect("|")?;
@@ -267,7 +315,11 @@ impl<'a> Parser<'a> {
             self.expect(")")?;
             return Some(Node::Find(Box::new(of), slot, Box::new(condition)));
         }
-        Some(Node::Method(name, Box::new(of), self.several(")")?))
+        Some(Node::Method(
+            Member::of(name)?,
+            Box::new(of),
+            self.several(")")?,
+        ))
     }
 
     fn several(&mut self, end: &str) -> Option<Vec<Node>> {
@@ -308,7 +360,7 @@ impl<'a> Parser<'a> {
             name = format!("{name}::{}", self.next()?);
         }
         if self.takes("(") {
-            return Some(Node::Call(name, self.several(")")?));
+            return Some(Node::Call(Callee::of(&name)?, self.several(")")?));
         }
         if name == "HitRecord" && may_be_struct && self.takes("{") {
             return self.record();
@@ -332,7 +384,7 @@ impl<'a> Parser<'a> {
                 true => self.expression()?,
                 false => self.named(name, false)?,
             };
-            fields.push((name.to_owned(), value));
+            fields.push((Member::of(name)?, value));
             self.takes(",");
         }
         Some(Node::Record(fields))
