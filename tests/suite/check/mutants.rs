@@ -24,7 +24,7 @@ fn a_chapter_that_is_run_from_its_text_draws_its_picture() {
 #[test]
 fn a_mistake_that_is_in_no_catalogue_is_named_by_its_line() {
     let program = Program {
-        discriminant: |a, b, c| b * b - 2.0 * a * c,
+        discriminant: |a, b, c| b * b - 0.5 * a * c,
         ..Program::right(Chapter::Normals)
     };
     let scene = Scene::new(Chapter::Normals, None).expect("a chapter");
@@ -37,7 +37,7 @@ fn a_mistake_that_is_in_no_catalogue_is_named_by_its_line() {
     assert_eq!(
         rows[..2],
         [
-            ("probably", "discriminant = b * b - 2.0 * a * c".to_owned()),
+            ("probably", "discriminant = b * b - 0.5 * a * c".to_owned()),
             ("should be", "discriminant = b * b - 4.0 * a * c".to_owned()),
         ]
     );

@@ -42,7 +42,7 @@ pub(super) struct Machine {
 impl Machine {
     /// Calls the function; `None` if it is no program.
     pub(super) fn call(&self, name: &str, arguments: &[Value]) -> Option<Value> {
-        self.run(name, arguments, &self.world)
+        self.run(name, arguments, self.world)
             .ok()
             .map(|(value, _)| value)
     }
