@@ -8,7 +8,7 @@ use check::told;
 use check::verdict::{self, Check, Finding, Right};
 use slips::{Chapter, Probe, steps};
 
-use super::laws::{self, Outcome};
+use super::laws::Outcome;
 use super::verdict::{Line, Verdict, labeled, printed, step_says};
 use crate::done::{picture_is_right, step_is_done};
 
@@ -167,12 +167,12 @@ impl Evidence<'_> {
     }
 
     /// Names what can hide from the picture, and the probe that shows most of it: but not
-    /// what the reader can't have done, nor what the laws would have found.
+    /// what the reader can't have done, nor what would answer otherwise.
     fn with_blind_spots(&self, verdict: Verdict, width: u32) -> Verdict {
         let chapter = self.scene.chapter;
         let is_open = |slip: &&slips::Slip| {
             self.known.can_be_made(slip, self.scene)
-                && (self.laws.is_none() || !laws::find(&slip.program(chapter)))
+                && (self.known.answers).is_none_or(|unlike| unlike(&slip.program(chapter)).1 == 0)
         };
         let hidden = BlindSpots::after(self.scene, width);
         let open = hidden.shown_by.into_iter().map(|showing| {

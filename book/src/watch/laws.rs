@@ -6,9 +6,7 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
 
-use ::laws::Trial;
 use ::laws::answers::{ANSWERS, Answers};
-use slips::Program;
 
 use crate::subprocess::{self, End};
 
@@ -59,12 +57,6 @@ pub(super) fn ask(test: &OsStr, folder: &Path, limit: Duration) -> Asked {
         answers: answers(),
         outcome,
     }
-}
-
-/// Whether the laws that the test of a chapter asks would find a mistake in the program.
-pub(super) fn find(program: &Program) -> bool {
-    let trial = Trial::default();
-    trial.intersection(program).is_err() || trial.rest(program).is_err()
 }
 
 /// From the law to the page that tells of it.
