@@ -173,6 +173,8 @@ pub struct Program {
     pub hit_point: fn(&Program, &Ray, f64) -> Point3,
     /// The unit normal that points out, from a point on a sphere.
     pub outward: fn(&Program, Point3, Ball) -> Vec3,
+    /// Whether the ray comes from outside, from its direction and the normal that points out.
+    pub front_face: fn(&Program, Vec3, Vec3) -> bool,
     /// The normal that is colored, from the ray's direction and the one that
     /// points out.
     pub face: fn(&Program, Vec3, Vec3) -> Vec3,
@@ -307,7 +309,7 @@ impl Program {
             t,
             point,
             normal: (self.face)(self, ray.direction, outward),
-            front_face: (self.dot)(ray.direction, outward) < 0.0,
+            front_face: (self.front_face)(self, ray.direction, outward),
         })
     }
 
@@ -428,8 +430,9 @@ const HITTABLE_LIST: Program = Program {
     at: |program, ray, t| (program.plus)(ray.origin, t * ray.direction),
     hit_point: |program, ray, t| (program.at)(program, ray, t),
     outward: |program, point, ball| (program.over)(point - ball.center, ball.radius),
+    front_face: |program, direction, outward| (program.dot)(direction, outward) < 0.0,
     face: |program, direction, outward| {
-        if (program.dot)(direction, outward) < 0.0 {
+        if (program.front_face)(program, direction, outward) {
             outward
         } else {
             -outward

@@ -114,13 +114,15 @@ fn in_rust_a_slip_is_said_as_our_chapters_are_typed() {
     for slip in slips::all().filter(|slip| slip.is_in_a_chapter()) {
         for &chapter in slip.chapters {
             let in_rust = slip.words(Letters::Rust, chapter);
-            if in_rust == slip.words(Letters::Book(Edition::V4), chapter) {
+            // Where both say it alike, it is said in words.
+            if in_rust.right == slip.words(Letters::Book(Edition::V4), chapter).right {
                 continue;
             }
             let typed: String = sources(chapter).map(typed).collect();
-            let [has_wrong, has_right] =
-                [&in_rust.wrong, &in_rust.right].map(|line| typed.contains(&tokens_of(line)));
-            if has_wrong || !has_right {
+            let [wrong, right] = [&in_rust.wrong, &in_rust.right].map(|line| tokens_of(line));
+            // What is forgotten leaves a part of the right line.
+            let rest = typed.replace(&right, " ");
+            if !typed.contains(&right) || rest.contains(&wrong) {
                 writeln!(unlike, "{} in {chapter:?}: {in_rust:?}", slip.name)
                     .expect("a string takes it");
             }

@@ -960,7 +960,7 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The two weights add up to 1. Without the first one, everything is brighter than \
                   white.",
         })
-        .in_rust(RAYS, "; white + a * blue", "; (1.0 - a) * white + a * blue")
+        .in_rust(RAYS, "white + a * blue", "(1.0 - a) * white + a * blue")
         .alters(|p| p.lerp = |[below, above], a| below + a * above),
     slip("white-by-the-same-weight", RAYS, SKY)
         .says(Words {
@@ -1003,11 +1003,7 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "(1 - a) * white + a * blue",
             why: "What white loses, blue has to add. Without it the sky gets dark upwards.",
         })
-        .in_rust(
-            RAYS,
-            "; (1.0 - a) * white }",
-            "; (1.0 - a) * white + a * blue }",
-        )
+        .in_rust(RAYS, "(1.0 - a) * white", "(1.0 - a) * white + a * blue")
         .alters(|p| p.lerp = |[below, _], a| (1.0 - a) * below),
     slip("white-forgotten", RAYS, SKY)
         .says(Words {
@@ -1015,7 +1011,7 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "(1 - a) * white + a * blue",
             why: "What blue leaves, white has to add. Without it the sky is dark below.",
         })
-        .in_rust(RAYS, "; a * blue }", "; (1.0 - a) * white + a * blue }")
+        .in_rust(RAYS, "a * blue", "(1.0 - a) * white + a * blue")
         .alters(|p| p.lerp = |[_, above], a| a * above),
     slip("blue-subtracted", RAYS, SKY)
         .says(Words {

@@ -59,8 +59,8 @@ pub(super) const SLIPS: &[Slip] = &[
         })
         .in_rust(
             HITTABLE_LIST,
-            "{ nearest = Some(record);",
-            "closest_so_far = record.t; nearest = Some(record);",
+            "nearest = Some(record)",
+            "closest_so_far = record.t; nearest = Some(record)",
         )
         .alters(|p| p.search = last_hit),
     slip("first-hit-wins", HITTABLE_LIST, SEARCH)
@@ -86,7 +86,7 @@ pub(super) const SLIPS: &[Slip] = &[
         .in_rust(
             HITTABLE_LIST,
             "else { return None",
-            "closest_so_far = record.t; nearest = Some(record); } }",
+            "an object that is missed is passed over",
         )
         .in_python(
             "if not object.hit(…): return False",
@@ -328,6 +328,26 @@ pub(super) const SLIPS: &[Slip] = &[
             "record.normal = outward_normal",
             "record.set_face_normal(ray, outward_normal)",
         )
+        .alters(|p| {
+            p.front_face = |_, _, _| false;
+            p.face = |_, _, outward| outward;
+        }),
+    slip("normal-not-turned", HITTABLE_LIST, FACE)
+        .says(Words {
+            wrong: "normal = outward_normal",
+            right: "normal = front_face ? outward_normal : -outward_normal",
+            why: "From inside a sphere the normal has to turn against the ray. The book's camera \
+                  is outside of everything.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "self.normal = outward_normal",
+            "if self.front_face { outward_normal } else { -outward_normal }",
+        )
+        .in_python(
+            "normal = outward_normal",
+            "normal = outward_normal if front_face else -outward_normal",
+        )
         .alters(|p| p.face = |_, _, outward| outward),
     slip("normal-not-set", HITTABLE_LIST, FACE)
         .says(Words {
@@ -340,7 +360,10 @@ pub(super) const SLIPS: &[Slip] = &[
             "record.normal = Vec3::ZERO",
             "record.set_face_normal(ray, outward_normal)",
         )
-        .alters(|p| p.face = |_, _, _| Vec3::ZERO),
+        .alters(|p| {
+            p.front_face = |_, _, _| false;
+            p.face = |_, _, _| Vec3::ZERO;
+        }),
     slip("faces-swapped", HITTABLE_LIST, FACE)
         .says(Words {
             wrong: "normal = front_face ? -outward_normal : outward_normal",
@@ -359,7 +382,7 @@ pub(super) const SLIPS: &[Slip] = &[
         .reported(&["#720", "#1729"])
         .alters(|p| {
             p.face = |program, direction, outward| {
-                if (program.dot)(direction, outward) < 0.0 {
+                if (program.front_face)(program, direction, outward) {
                     -outward
                 } else {
                     outward
@@ -379,10 +402,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "self.front_face = ray.direction.dot(outward_normal) < 0.0",
         )
         .alters(|p| {
-            p.face = |program, direction, outward| match (program.dot)(direction, outward) > 0.0 {
-                true => outward,
-                false => -outward,
-            }
+            p.front_face = |program, direction, outward| (program.dot)(direction, outward) > 0.0;
         }),
     slip("ground-too-high", HITTABLE_LIST, WORLD)
         .says(Words {
@@ -456,9 +476,9 @@ pub(super) const SLIPS: &[Slip] = &[
         })
         .in_rust(
             HITTABLE_LIST,
-            "world.add(Sphere::new(Point3::new(0.0, 100.5, -1.0), 100.0))",
-            "world.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5)); \
-             world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)); world }",
+            "world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)); \
+             world.add(Sphere::new(Point3::new(0.0, 100.5, -1.0), 100.0))",
+            "world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0))",
         )
         .alters(|p| {
             p.world = const {

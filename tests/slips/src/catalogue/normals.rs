@@ -299,8 +299,8 @@ pub(super) const SLIPS: &[Slip] = &[
         })
         .in_rust(
             ROOTS,
-            "{ self.origin + t * self.direction.normalize() }",
-            "{ self.origin + t * self.direction }",
+            "self.origin + t * self.direction.normalize()",
+            "self.origin + t * self.direction",
         )
         .alters(|p| p.at = |program, ray, t| ray.origin + t * (program.unit)(ray.direction)),
     slip("point-without-origin", ROOTS, POINT)
@@ -311,8 +311,8 @@ pub(super) const SLIPS: &[Slip] = &[
         })
         .in_rust(
             ROOTS,
-            "{ t * self.direction }",
-            "{ self.origin + t * self.direction }",
+            "t * self.direction",
+            "self.origin + t * self.direction",
         )
         .alters(|p| p.at = |_, ray, t| t * ray.direction)
         .only_by_law(ROOTS, "A ray is at its origin at t = 0."),

@@ -585,8 +585,8 @@ pub(super) const SLIPS: &[Slip] = &[
         })
         .in_rust(
             SPHERES,
-            "{ self.x * other.x + self.y * other.y + self.z * self.z }",
-            "{ self.x * other.x + self.y * other.y + self.z * other.z }",
+            "self.x * other.x + self.y * other.y + self.z * self.z",
+            "self.x * other.x + self.y * other.y + self.z * other.z",
         )
         .reported(&["#1292"])
         .alters(|p| p.dot = |u, v| u.x * v.x + u.y * v.y + u.z * u.z),
@@ -598,8 +598,8 @@ pub(super) const SLIPS: &[Slip] = &[
         })
         .in_rust(
             SPHERES,
-            "{ self.x * other.x + self.y * other.y }",
-            "{ self.x * other.x + self.y * other.y + self.z * other.z }",
+            "self.x * other.x + self.y * other.y",
+            "self.x * other.x + self.y * other.y + self.z * other.z",
         )
         .alters(|p| p.dot = |u, v| u.x * v.x + u.y * v.y),
     slip("stale-boolean", ONE_SPHERE, ROOT)
