@@ -75,6 +75,7 @@ fn but(finding: &Finding, near: &Near) -> Value {
     let but = near.but.iter().map(|but| match but {
         But::Antialiased { samples } => json!({ "name": "antialiased", "samples": samples }),
         But::Curve(curve) => json!({ "name": "curve", "power": curve.power }),
+        But::Degraded(degradation) => json!({ "name": "degraded", "said": degradation.clause() }),
     });
     json!({
         "said": finding.but(),

@@ -124,8 +124,13 @@ pub(crate) fn headline(judged: &Judged, style: Style) -> String {
                 _ => style.red("wrong"),
             };
             let notes = edition(finding.scene.edition);
+            // What happened to the file comes first: what is wrong is so beyond it.
+            let way = finding.degradation;
+            let way = way.map_or(String::new(), |way| {
+                format!("{}, and beyond that ", way.clause())
+            });
             format!(
-                "{source} is {verdict}: {}.\n{notes}",
+                "{source} is {way}{verdict}: {}.\n{notes}",
                 counts(&name, finding)
             )
         }

@@ -20,6 +20,8 @@ pub struct Left {
     pub off: usize,
     /// Pixels that are off by more than one level.
     pub far: usize,
+    /// Whether they are off both ways, neither much more often than the other.
+    pub is_both_ways: bool,
     /// Whether they are so few, or in so small a box, that each is told by itself.
     pub is_one_by_one: bool,
 }
@@ -40,8 +42,14 @@ impl Left {
             bits: one_by_one.min(by_frequency),
             off: odd.places.len(),
             far: odd.far,
+            is_both_ways: odd.is_both_ways(reading, drawn),
             is_one_by_one: one_by_one <= by_frequency,
         }
+    }
+
+    /// Whether levels are off everywhere and both ways, which no program's rounding does.
+    pub(crate) fn is_noise(&self, pixels: usize) -> bool {
+        !self.is_one_by_one && self.is_both_ways && 4 * self.off > pixels
     }
 
     /// Whether nothing is.
@@ -70,6 +78,17 @@ impl Odd {
             }
         }
         odd
+    }
+
+    fn is_both_ways(&self, reading: &Reading, drawn: &[Pixel]) -> bool {
+        let (mut lower, mut higher) = (0, 0);
+        for n in self.places.iter().map(|&n| n as usize) {
+            for (drawn, found) in drawn[n].iter().zip(&reading.pixels[n]) {
+                lower += usize::from(found < drawn);
+                higher += usize::from(found > drawn);
+            }
+        }
+        lower.min(higher) > lower.max(higher) / 3
     }
 
     /// How many, where (anywhere, or in a box), which colors there are, and which of them
@@ -149,7 +168,7 @@ fn by_frequency(reading: &Reading, drawn: &[Pixel]) -> f64 {
         for c in 0..3 {
             let contrast = near.map(|near| near[c].abs_diff(pixel[c]));
             let contrast = contrast.into_iter().max().unwrap_or_default();
-            code.add(c, contrast, difference(pixel[c], found[c]));
+            code.add(c, class(pixel[c], contrast), difference(pixel[c], found[c]));
         }
     }
     code.bits()
@@ -158,7 +177,7 @@ fn by_frequency(reading: &Reading, drawn: &[Pixel]) -> f64 {
 /// Bits of a picture to one who knows nothing of it: each pixel from its neighbors, as
 /// PNG's Paeth filter does it.
 pub(crate) fn alone(reading: &Reading) -> f64 {
-    from_neighbors(reading, |_| true)
+    told(reading, |_| true)
 }
 
 /// The same to one who knows which pixels are those of `drawn`, and of the others nothing.
@@ -166,10 +185,11 @@ pub(crate) fn beside(reading: &Reading, drawn: &[Pixel]) -> f64 {
     let odd = Odd::of(reading, drawn);
     let is_odd: HashSet<u32> = odd.places.iter().copied().collect();
     let is_odd = |n: usize| is_odd.contains(&(n as u32));
-    odd.place(reading) + from_neighbors(reading, is_odd)
+    odd.place(reading) + told(reading, is_odd)
 }
 
-fn from_neighbors(reading: &Reading, is_told: impl Fn(usize) -> bool) -> f64 {
+/// The same of some pixels, beside which the others are known.
+pub(crate) fn told(reading: &Reading, is_told: impl Fn(usize) -> bool) -> f64 {
     let mut code = Frequencies::of_anything();
     let width = reading.width as usize;
     let at = |n: Option<usize>| n.map_or([0; 3], |n| reading.pixels[n]);
@@ -187,21 +207,33 @@ fn from_neighbors(reading: &Reading, is_told: impl Fn(usize) -> bool) -> f64 {
                 .min_by_key(|one| one.abs_diff(sum))
                 .unwrap_or_default();
             let contrast = a.abs_diff(corner).max(b.abs_diff(corner));
-            code.add(c, contrast, found[c].saturating_sub(guess));
+            code.add(c, class(guess, contrast), found[c].saturating_sub(guess));
         }
     }
     code.bits()
 }
 
-/// A table of frequencies for each component and class of contrast.
+/// The class of a level with that contrast around it.
+pub(crate) fn class(level: i16, contrast: u16) -> usize {
+    let digits = (u16::BITS - (contrast / 2).leading_zeros()) as usize;
+    match (digits, level) {
+        (0, 0) => CONTRASTS,
+        (0, 255) => CONTRASTS + 1,
+        _ => digits.min(CONTRASTS - 1),
+    }
+}
+
+/// A table of frequencies for each component and class.
 pub(crate) struct Frequencies {
     counts: Vec<u32>,
     /// What is beyond this is told by itself.
     most: i16,
 }
 
-/// Classes of contrast: by the binary digits of the largest step to a neighbor.
-const CLASSES: usize = 7;
+/// Classes of contrast, and two of levels that can be off one way only.
+const CLASSES: usize = CONTRASTS + 2;
+/// By the binary digits of the largest step to a neighbor.
+const CONTRASTS: usize = 7;
 /// What is off by more levels is no noise and no rounding.
 const NOISE: i16 = 8;
 /// Differences beyond this are rare even in a picture of which nothing is known.
@@ -232,9 +264,8 @@ impl Frequencies {
         self.counts.len() / 3 / CLASSES
     }
 
-    pub(crate) fn add(&mut self, component: usize, contrast: u16, difference: i16) {
-        let digits = (u16::BITS - (contrast / 2).leading_zeros()) as usize;
-        let table = component * CLASSES + digits.min(CLASSES - 1);
+    pub(crate) fn add(&mut self, component: usize, class: usize, difference: i16) {
+        let table = component * CLASSES + class;
         let ends = self.most + 1;
         let value = (difference.clamp(-ends, ends) + ends) as usize;
         let at = table * self.values() + value;

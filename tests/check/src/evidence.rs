@@ -7,7 +7,7 @@
 
 use slips::{Letters, Program, Slip, Words};
 
-use crate::explanations::Hypothesis;
+use crate::explanations::{Degradation, Hypothesis};
 use crate::reading::Reading;
 use crate::scene::Scene;
 use crate::sources::{Line, Said, Sources};
@@ -67,6 +67,8 @@ pub(crate) struct Evidence<'a> {
     pub(crate) has_no_levels: bool,
     /// What is known besides.
     pub(crate) known: &'a Known<'a>,
+    /// What is taken to have happened to the picture on its way, and the bits that tell it.
+    pub(crate) degradation: Option<(Degradation, f64)>,
 }
 
 /// An answer that is not explained, out of some hundred, and what it is instead.
@@ -96,7 +98,32 @@ impl<'a> Evidence<'a> {
             reading,
             has_no_levels: reading.outside().is_some(),
             known,
+            degradation: None,
         }
+    }
+
+    /// The same, if that happened to the picture.
+    pub(crate) fn degraded(&self, degradation: Degradation) -> Self {
+        Self {
+            degradation: Some((degradation, degradation.name(self.reading))),
+            ..*self
+        }
+    }
+
+    /// Width and height of the picture that the program drew.
+    pub(crate) fn size(&self) -> (u32, u32) {
+        let own = (self.reading.width, self.reading.height);
+        let degradation = self.degradation.map(|(degradation, _)| degradation);
+        degradation.map_or(own, |it| it.size(self.reading))
+    }
+
+    /// How high right pictures of that width are, by the editions that will do.
+    pub(crate) fn heights(&self, width: u32) -> Vec<u32> {
+        let scenes = self.scene.by_editions(width, 1);
+        let mut heights: Vec<u32> = scenes.map(|it| it.in_own_shape().height(width)).collect();
+        heights.sort_unstable();
+        heights.dedup();
+        heights
     }
 
     /// The slips that the reader can have made in the scene.

@@ -6,8 +6,8 @@
 use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
-    But, Explanation, Hypothesis, Places, TWO, antialiased, in_colors, mutants, on_a_curve,
-    own_spheres, right, single, turned, two,
+    But, Degradation, Explanation, Hypothesis, Places, TWO, antialiased, degradations, in_colors,
+    mutants, on_a_curve, own_spheres, right, single, turned, two,
 };
 use crate::scene::Scene;
 
@@ -29,6 +29,8 @@ const SECOND_LOOK: u32 = 22_500;
 /// than any set of slips that draw the same picture has.
 const FEW: usize = 80;
 const FEWER: usize = 40;
+/// How many pixels are measured where levels were lost: those of 16 pictures 400 wide.
+const PIXELS: usize = 1_440_000;
 /// What more than this is left of is worth a search for numbers of the reader's own, for
 /// several rays and curves: some thirty odd pixels. Less is told pixel by pixel anyway.
 const WORTH_A_SEARCH: f64 = 1000.0;
@@ -45,6 +47,8 @@ const CONFIRMED: f64 = 11.0;
 
 /// How many pixels are looked at where thousands of pairs have to be estimated.
 const GLANCE: u32 = 150;
+/// With how many programs it is looked for what happened to the file.
+const PROGRAMS: usize = 3;
 /// Beside how many slips several rays are looked for.
 const SLIPS: usize = 4;
 
@@ -65,18 +69,19 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     }
     let singles = rights.iter().cloned().chain(single(evidence));
     let likeliest = search.add(singles.collect::<Vec<_>>(), Some(&drawn), f64::INFINITY);
-    search.add_mutants(&drawn);
-    search.add_changed(&rights, &likeliest);
-    search.add_pairs();
+    search.add_degraded(&rights, &likeliest);
+    let unknown = UNKNOWN
+        + evidence.besides(&nearest)
+        + bits::alone(reading).min(bits::beside(reading, &drawn));
+    if !search.is_degraded(unknown) {
+        search.add_mutants(&drawn);
+        search.add_changed(&rights, &likeliest);
+        search.add_pairs();
+    }
     let mut found = search.found;
     found.sort_by(|one, other| one.bits().total_cmp(&other.bits()));
     simplest_first(&mut found);
-    Judgement {
-        found,
-        unknown: UNKNOWN
-            + evidence.besides(&nearest)
-            + bits::alone(reading).min(bits::beside(reading, &drawn)),
-    }
+    Judgement { found, unknown }
 }
 
 /// Puts first what has the shortest name of all that leave the same noise: lengths of
@@ -123,12 +128,19 @@ struct Search<'a> {
 
 impl Search<'_> {
     fn best(&self) -> &Explanation {
+        self.best_of(|_| true)
+    }
+
+    /// The best if nothing happened to the file.
+    fn best_undegraded(&self) -> &Explanation {
+        self.best_of(|it| it.degradation().is_none())
+    }
+
+    fn best_of(&self, is_meant: impl Fn(&Explanation) -> bool) -> &Explanation {
         let shortest =
             |one: &&Explanation, other: &&Explanation| one.bits().total_cmp(&other.bits());
-        self.found
-            .iter()
-            .min_by(shortest)
-            .expect("the nearest is there")
+        let meant = self.found.iter().filter(|it| is_meant(it));
+        meant.min_by(shortest).expect("the nearest is there")
     }
 
     /// Measures what may win of these; `drawn` is the best that is known. Returns the
@@ -149,8 +161,14 @@ impl Search<'_> {
             &places,
             f64::INFINITY,
         );
-        for (length, it) in some.iter().take(FEWER) {
-            if *length > may_win(self.best().bits()) {
+        // Where levels were lost, estimates tell only which is the likeliest.
+        let is_lossy = |it: &Hypothesis| it.degradation.is_some_and(Degradation::is_lossy);
+        let count = match some.first().is_some_and(|(_, it)| is_lossy(it)) {
+            true => (PIXELS / reading.pixels.len()).clamp(FEWER / 8, FEWER / 2),
+            false => FEWER,
+        };
+        for (length, it) in some.iter().take(count) {
+            if !is_lossy(it) && *length > may_win(self.best().bits()) {
                 break;
             }
             self.found.extend(it.measured(reading));
@@ -183,6 +201,45 @@ impl Search<'_> {
         let some = likeliest(evidence, weighed, &places, most);
         let some: Vec<Hypothesis> = some.into_iter().map(|(_, it)| it).collect();
         self.add(some, Some(drawn), f64::INFINITY);
+    }
+
+    /// Right pictures, and slips', to which something happened between program and file.
+    fn add_degraded(&mut self, rights: &[Hypothesis], likeliest: &[Hypothesis]) {
+        // What right pictures tell of a size or a place is told first, in any shape.
+        let (own, others): (Vec<_>, Vec<_>) = likeliest
+            .iter()
+            .partition(|it| !it.scene.has_another_shape());
+        let tried = own.into_iter().chain(others).take(PROGRAMS);
+        let tried = rights.iter().take(1).chain(tried).map(|it| Hypothesis {
+            scene: it.scene.in_own_shape(),
+            ..it.clone()
+        });
+        let tried: Vec<Hypothesis> = tried.collect();
+        let evidence = self.evidence;
+        let mut found = degradations(evidence, &tried);
+        while self.best().left.bits >= WORTH_A_SEARCH
+            && let Some(degradation) = found.next()
+        {
+            let evidence = evidence.degraded(degradation);
+            let all = right(&evidence).into_iter().chain(single(&evidence));
+            let is_tried = |it: &Hypothesis| tried.iter().any(|tried| tried.is_same_program(it));
+            let (surest, others): (Vec<_>, Vec<_>) = all.partition(is_tried);
+            let surest = surest.iter().filter_map(|it| it.measured(evidence.reading));
+            self.found.extend(surest);
+            let most = match degradation.is_lossy() {
+                true => f64::INFINITY,
+                false => may_win(self.best().bits()),
+            };
+            self.add(others, None, most);
+        }
+    }
+
+    /// Whether something happened to the file, and to think so is so much shorter that
+    /// nothing else is looked for.
+    fn is_degraded(&self, unknown: f64) -> bool {
+        let degraded = self.best();
+        let is_known = degraded.degradation().is_some() && degraded.bits() < unknown;
+        is_known && self.best_undegraded().bits() > 4.0 * degraded.bits()
     }
 
     /// What a reader chose, and no mistake.
@@ -234,7 +291,7 @@ impl Search<'_> {
     /// Two slips explain a lot by chance, so they have to explain most of what is left, in
     /// the edition that was asked for or in the one that comes nearest.
     fn add_pairs(&mut self) {
-        let (evidence, best) = (self.evidence, self.best());
+        let (evidence, best) = (self.evidence, self.best_undegraded());
         // Many pairs draw one color everywhere, which says nothing about any of them.
         if evidence.reading.is_plain() {
             return;
@@ -243,6 +300,7 @@ impl Search<'_> {
             scene: best.scene,
             slips: best.slips.clone(),
             conversion: best.conversion,
+            degradation: None,
             name: best.name,
         };
         let Some(drawn) = best.drawn(evidence.reading) else {

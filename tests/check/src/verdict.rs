@@ -8,7 +8,7 @@ use slips::Slip;
 use crate::bits::Left;
 use crate::comparison::{Comparison, Difference};
 use crate::evidence::{Evidence, Known};
-use crate::explanations::{But, Conversion, Explanation};
+use crate::explanations::{But, Conversion, Degradation, Explanation};
 use crate::judge::{Judgement, is_same, shortest};
 use crate::reading::{self, Cause, Reading};
 use crate::scene::Scene;
@@ -76,6 +76,8 @@ pub struct Finding {
     pub right: Picture,
     /// The reader's, as a viewer shows it.
     pub yours: Picture,
+    /// What happened to yours between the program and the file; to the right one too then.
+    pub degradation: Option<Degradation>,
     /// Where the two differ; `None` if only the shape is wrong, or only numbers
     /// that are no levels.
     pub difference: Option<Difference>,
@@ -212,11 +214,13 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> 
                 scenes,
             },
             (Answer::Of(finding), _) if finding.near.is_some() => Check::Near(*finding),
-            (Answer::Of(finding), None) => Check::Wrong(*finding),
-            (Answer::Of(finding), Some(cause)) => Check::WrongShape {
-                cause,
-                finding: Some(finding),
-            },
+            (Answer::Of(finding), Some(cause)) if finding.degradation.is_none() => {
+                Check::WrongShape {
+                    cause,
+                    finding: Some(finding),
+                }
+            }
+            (Answer::Of(finding), _) => Check::Wrong(*finding),
         },
     }
 }
@@ -249,7 +253,11 @@ impl Finding {
             false => judgement.nearest(&evidence.scene, is_typed),
         };
         let compared = explaining.scene.without_choices();
-        let right = compared.right(reading.width, reading.height);
+        let degradation = explaining.degradation();
+        let right = match degradation {
+            Some(degradation) => degradation.of_picture(&compared, reading),
+            None => compared.right(reading.width, reading.height),
+        };
         let yours = reading.picture();
         let difference = match Comparison::of(&right, &yours) {
             Comparison::Pixels(difference) => Some(difference),
@@ -270,6 +278,7 @@ impl Finding {
             scene: compared,
             right,
             yours,
+            degradation,
             levels: difference
                 .as_ref()
                 .map_or(0, |difference| difference.levels),

@@ -5,7 +5,7 @@ use common::rtweekend::Color;
 use slips::{Ball, Letters, Slip};
 
 use crate::bits::Left;
-use crate::explanations::{But, Conversion, Curve};
+use crate::explanations::{But, Conversion, Curve, Degradation};
 use crate::scene::Chosen;
 use crate::verdict::{Near, Set};
 
@@ -79,6 +79,9 @@ fn left(left: &Left, pixels: usize) -> String {
     let (off, far) = (left.off, left.far);
     match (off, far) {
         (1, _) if left.is_one_by_one => format!("for 1 of {pixels} pixels"),
+        _ if left.is_noise(pixels) => format!(
+            "with noise: {off} of {pixels} pixels are off, {far} of them by more than a level"
+        ),
         (_, 0) => format!(
             "not to the last bit: {off} of {pixels} pixels are a level off, as by another way of rounding"
         ),
@@ -166,6 +169,45 @@ impl But {
                 format!("antialiased, with {count}: that is the next chapter of the book")
             }
             Self::Curve(curve) => curve.clause(),
+            Self::Degraded(degradation) => degradation.clause(),
+        }
+    }
+}
+
+impl Degradation {
+    /// What happened, after a comma.
+    pub fn clause(&self) -> String {
+        match self {
+            Self::Scaled {
+                from: (width, height),
+                ..
+            } => {
+                format!("scaled on its way, from {width} × {height} pixels")
+            }
+            Self::Cropped {
+                from: (width, height),
+                ..
+            } => {
+                format!(
+                    "cropped on its way: of {width} × {height} pixels rows or columns are missing"
+                )
+            }
+            Self::Framed {
+                size: (width, height),
+                corner: (left, above),
+            } => {
+                format!(
+                    "in a frame: it is the {width} × {height} pixels from column {left}, row {above} on"
+                )
+            }
+            Self::Gray(_) => "in gray".to_owned(),
+            Self::Palette { colors } => {
+                format!("in a palette of {colors} colors, as a GIF has it")
+            }
+            Self::Jpeg(quality) => {
+                let percent = quality.percent;
+                format!("through JPEG of a quality about {percent}, which changes levels")
+            }
         }
     }
 }

@@ -2,16 +2,20 @@
 //! file; a right one is right, but for what happened to it.
 
 use std::collections::HashSet;
+use std::fs;
+use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 use check::evidence::Known;
-use check::explanations::But;
+use check::explanations::{But, Degradation};
 use check::png;
 use check::reading::Reading;
 use check::scene::Scene;
 use check::verdict::{Check, Finding, check, judge};
 use common::rtweekend::*;
+use image::imageops::{self, FilterType};
+use image::{Pixel, Rgb, RgbImage};
 use slips::{self, Ball, Chapter, Edition, Program, Slip};
 
 use crate::reading::p6;
@@ -146,6 +150,62 @@ fn a_slip_is_named_beside_what_it_does_not_explain() {
     let found = finding(Chapter::Normals, &several_rays);
     assert_eq!(found.sets[0].mistakes[0][0].name, "far-root");
     assert!(matches!(found.sets[0].but[..], [But::Antialiased { .. }]));
+}
+
+/// What happened to a file is no mistake: a right picture stays right, a slip keeps its
+/// name.
+#[test]
+fn a_picture_is_judged_beyond_what_happened_to_its_file() {
+    let right = scene(Chapter::Normals).program(&[]);
+    let far_root = slip("far-root").program(Chapter::Normals);
+    type Way = fn(&RgbImage) -> RgbImage;
+    let ways: [(&str, Way); 5] = [
+        ("a frame", framed),
+        ("missing rows", |it| {
+            imageops::crop_imm(it, 0, 0, 160, 88).to_image()
+        }),
+        ("nearest", |it| {
+            imageops::resize(it, 320, 180, FilterType::Nearest)
+        }),
+        ("smooth", |it| {
+            imageops::resize(it, 200, 112, FilterType::CatmullRom)
+        }),
+        ("gray", |it| {
+            RgbImage::from_fn(160, 90, |i, j| it.get_pixel(i, j).to_luma().to_rgb())
+        }),
+    ];
+    for (name, way) in ways {
+        for (program, slip) in [(right, None), (far_root, Some("far-root"))] {
+            let picture = program.run(160).picture();
+            let image = RgbImage::from_raw(160, 90, picture.rgb().to_vec()).expect("its size");
+            let image = way(&image);
+            let (width, height) = image.dimensions();
+            let picture = Picture::from_rgb(width, height, image.into_raw()).expect("its size");
+            let finding = finding(Chapter::Normals, &picture);
+            assert!(finding.degradation.is_some(), "{name}, {slip:?}");
+            let first = finding.sets.first().map(|set| set.mistakes[0][0].name);
+            assert_eq!(
+                (first, finding.near.is_some()),
+                (slip, slip.is_none()),
+                "{name}"
+            );
+        }
+    }
+}
+
+/// The picture is one that another program made a JPEG of, in quality 75.
+#[test]
+fn a_slip_is_named_through_jpeg() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("check/far_root_jpeg_75.png");
+    let bytes = fs::read(path).expect("it is committed");
+    let Check::Wrong(finding) = check(&scene(Chapter::Normals), &bytes, 0) else {
+        panic!("it is wrong");
+    };
+    assert_eq!(finding.sets[0].mistakes[0][0].name, "far-root");
+    let Some(Degradation::Jpeg(quality)) = finding.degradation else {
+        panic!("{:?}", finding.degradation);
+    };
+    assert_eq!((quality.percent, quality.has_half_colors), (75, true));
 }
 
 /// As who types another height, and keeps the viewport of the book.
@@ -565,6 +625,16 @@ fn near(chapter: Chapter, picture: &Picture) -> check::verdict::Near {
 
 fn scene(chapter: Chapter) -> Scene {
     Scene::new(chapter, None).expect("every chapter has the book's scene")
+}
+
+/// In a window with a title and a thin border.
+fn framed(picture: &RgbImage) -> RgbImage {
+    let mut window = RgbImage::from_pixel(164, 112, Rgb([60, 63, 70]));
+    for i in (20..60).step_by(3) {
+        window.put_pixel(i, 9, Rgb([220; 3]));
+    }
+    imageops::replace(&mut window, picture, 2, 20);
+    window
 }
 
 /// The picture with some pixels replaced.

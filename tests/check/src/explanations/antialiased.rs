@@ -9,7 +9,7 @@ use common::rtweekend::Camera;
 use ::slips::Program;
 
 use super::{But, Conversion, Curve, Evidence, Explanation, Hypothesis};
-use crate::bits::{Frequencies, Left, Pixel};
+use crate::bits::{Frequencies, Left, Pixel, class};
 
 /// That it was done, and how often.
 const NAME: f64 = 9.0;
@@ -35,7 +35,8 @@ pub(crate) fn antialiased(
     let program = hypothesis.scene.program(&hypothesis.slips);
     let camera = program.camera(reading.width);
     let has_its_size = (camera.image_width, camera.image_height) == (reading.width, reading.height);
-    if hypothesis.conversion != Conversion::Clamped || !has_its_size {
+    let is_degraded = hypothesis.degradation.is_some();
+    if hypothesis.conversion != Conversion::Clamped || !has_its_size || is_degraded {
         return None;
     }
     let mut drawn = hypothesis.drawn(reading)?;
@@ -50,7 +51,7 @@ pub(crate) fn antialiased(
         if contrast[at] <= EDGE {
             for c in 0..3 {
                 let difference = found[c] - drawn[at][c];
-                smooth.add(c, contrast[at] as u16, difference);
+                smooth.add(c, class(drawn[at][c], contrast[at] as u16), difference);
                 off += usize::from(difference.abs() > 2);
             }
             continue;
@@ -84,6 +85,7 @@ pub(crate) fn antialiased(
         bits: smooth.bits() + bits,
         off,
         far: off,
+        is_both_ways: false,
         is_one_by_one: false,
     };
     let samples = samples(&edges);

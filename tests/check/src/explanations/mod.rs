@@ -7,6 +7,7 @@
 mod antialiased;
 mod colors;
 mod curve;
+mod degraded;
 mod places;
 mod right;
 mod slips;
@@ -26,6 +27,8 @@ pub(crate) use antialiased::antialiased;
 pub(crate) use colors::{chosen, in_colors};
 pub use curve::Curve;
 pub(crate) use curve::on_a_curve;
+pub(crate) use degraded::degradations;
+pub use degraded::{Degradation, Filter, Quality};
 pub(crate) use places::{Places, spread};
 pub(crate) use right::right;
 pub(crate) use slips::{TWO, mutants, single, two};
@@ -41,6 +44,8 @@ pub(crate) struct Hypothesis {
     pub(crate) slips: Vec<&'static Slip>,
     /// What becomes of numbers that are no levels.
     pub(crate) conversion: Conversion,
+    /// What happened to the picture on its way.
+    pub(crate) degradation: Option<Degradation>,
     /// Bits of its name.
     pub(crate) name: f64,
 }
@@ -97,6 +102,8 @@ pub enum But {
     },
     /// All levels went through the same curve, as gamma correction does it.
     Curve(Curve),
+    /// Something happened to it between the program and the file.
+    Degraded(Degradation),
 }
 
 impl Explanation {
@@ -104,13 +111,41 @@ impl Explanation {
     pub fn bits(&self) -> f64 {
         self.name + self.left.bits
     }
+
+    /// What happened to the picture on its way, if anything did.
+    pub(crate) fn degradation(&self) -> Option<Degradation> {
+        let degradation = |but: &But| match but {
+            But::Degraded(degradation) => Some(*degradation),
+            _ => None,
+        };
+        self.but.iter().find_map(degradation)
+    }
 }
 
 impl Hypothesis {
+    /// Whether it is the same program, whatever happened to its picture.
+    pub(crate) fn is_same_program(&self, other: &Self) -> bool {
+        let names = |it: &Self| it.slips.iter().map(|slip| slip.name).collect::<Vec<_>>();
+        let place = |it: &Self| {
+            (
+                it.scene.chapter,
+                it.scene.probe,
+                it.scene.edition,
+                it.conversion,
+            )
+        };
+        place(self) == place(other) && names(self) == names(other)
+    }
+
     /// What the program prints, if its picture has the reader's size.
     pub(crate) fn output(&self, reading: &Reading) -> Option<Output> {
+        let own = (reading.width, reading.height);
+        let before = |it: Degradation| it.size(reading);
+        self.of_size(self.degradation.map_or(own, before))
+    }
+
+    fn of_size(&self, size: (u32, u32)) -> Option<Output> {
         let program = self.scene.program(&self.slips);
-        let size = (reading.width, reading.height);
         // A header may swap the two, and then the width that was asked for
         // stands where the height should.
         let mut outputs = [size.0, size.1].map(|asked| program.run(asked)).into_iter();
@@ -119,14 +154,23 @@ impl Hypothesis {
 
     /// Its whole picture.
     pub(crate) fn drawn(&self, reading: &Reading) -> Option<Vec<Pixel>> {
-        let output = self.output(reading)?;
-        Some(self.pixels(&output).collect())
+        let before = self.before(&self.output(reading)?);
+        Some(match self.degradation {
+            Some(degradation) => degradation.of(&before, reading),
+            None => before,
+        })
     }
 
-    fn pixels(&self, output: &Output) -> impl Iterator<Item = Pixel> {
-        let conversion = self.conversion;
+    /// The picture before anything happened to it.
+    fn before(&self, output: &Output) -> Vec<Pixel> {
         let levels = output.pixels();
-        levels.map(move |pixel| pixel.map(|level| conversion.apply(level)))
+        levels
+            .map(|pixel| pixel.map(|level| self.conversion.apply(level)))
+            .collect()
+    }
+
+    fn pixel(&self, output: &Output, n: u32) -> Pixel {
+        output.pixel(n).map(|level| self.conversion.apply(level))
     }
 
     /// How long it is, by all pixels.
@@ -145,7 +189,7 @@ impl Hypothesis {
             scene: self.scene,
             slips: self.slips.clone(),
             conversion: self.conversion,
-            but: Vec::new(),
+            but: self.degradation.map(But::Degraded).into_iter().collect(),
             seen: None,
             name: self.name,
             left: Left::of(reading, drawn),
@@ -158,7 +202,12 @@ impl Hypothesis {
         let output = self.output(reading)?;
         let mut bits = self.name;
         for (n, pixels) in places.iter() {
-            let drawn = output.pixel(n).map(|level| self.conversion.apply(level));
+            let source = |it: Degradation| it.source(n, reading);
+            let Some(source) = self.degradation.map_or(Some(n), source) else {
+                continue;
+            };
+            let drawn = self.pixel(&output, source);
+            let drawn = self.degradation.map_or(drawn, |it| it.color(drawn));
             bits += pixels * estimate(drawn, reading.pixels[n as usize]);
             if bits > most {
                 return None;

@@ -82,18 +82,20 @@ pub(super) fn steps(evidence: &Evidence) -> Vec<Hypothesis> {
 
 /// The scene by each edition that will do.
 pub(super) fn by_editions(evidence: &Evidence, scene: Scene, name: f64) -> Vec<Hypothesis> {
-    let reading = evidence.reading;
+    let (width, height) = evidence.size();
+    let (degradation, degraded) = evidence.degradation.unzip();
     let conversion = match evidence.has_no_levels {
         true => Conversion::Printed,
         false => Conversion::Clamped,
     };
     scene
-        .by_editions(reading.width, reading.height)
+        .by_editions(width, height)
         .map(|scene| Hypothesis {
             scene,
             slips: Vec::new(),
             conversion,
-            name: name + edition(scene.edition) + shape(&scene),
+            degradation,
+            name: degraded.unwrap_or_default() + name + edition(scene.edition) + shape(&scene),
         })
         .collect()
 }

@@ -1,0 +1,225 @@
+//! Degradation models: what happened to a picture between the program and the file.
+//!
+//! A hypothesis is drawn as its program draws it, degraded as the file seems to be, and
+//! compared then. So a right picture stays right, and a wrong one keeps its slip's name.
+
+mod jpeg;
+mod resampled;
+mod traces;
+
+use std::collections::HashMap;
+
+use common::rtweekend::Picture;
+
+use super::Hypothesis;
+use crate::bits::{Pixel, distance, told};
+use crate::evidence::Evidence;
+use crate::reading::Reading;
+use crate::scene::Scene;
+
+pub use jpeg::Quality;
+pub use resampled::Filter;
+
+/// What happened to a picture on its way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Degradation {
+    /// It was enlarged or reduced.
+    Scaled {
+        /// Width and height before.
+        from: (u32, u32),
+        /// How its pixels were mixed.
+        filter: Filter,
+    },
+    /// Rows or columns are missing.
+    Cropped {
+        /// Width and height before.
+        from: (u32, u32),
+        /// Columns that are missing on the left, rows above.
+        corner: (u32, u32),
+    },
+    /// It is only a part of the file's picture: the rest is a window or a border.
+    Framed {
+        /// Its own width and height.
+        size: (u32, u32),
+        /// The column and row where it begins.
+        corner: (u32, u32),
+    },
+    /// Red, green and blue of each pixel were mixed with these weights.
+    Gray([f64; 3]),
+    /// Each pixel has the nearest of some colors, as in a GIF.
+    Palette {
+        /// How many there are.
+        colors: usize,
+    },
+    /// It was compressed with loss.
+    Jpeg(Quality),
+}
+
+/// That a file was changed on its way: one in some hundred, as many as have one slip.
+const NAME: f64 = 8.0;
+/// Bits of a size or a place, where some thirty are looked for.
+const SIZE: f64 = 5.0;
+/// One of a hundred qualities, and one of two ways to halve colors.
+const QUALITY: f64 = 8.0;
+/// A picture of fewer pixels across tells nothing of its way.
+const SMALLEST: u32 = 16;
+/// Bits of a color of a palette.
+const COLOR: f64 = 24.0;
+
+/// Finds what happened to a picture, if that did: by its pixels alone, or by what brings
+/// one of the likeliest programs nearest to it.
+type Search = fn(&Evidence, &[Hypothesis]) -> Option<Degradation>;
+
+/// The surest first.
+const SEARCHES: [Search; 8] = [
+    |evidence, _| traces::gray(evidence.reading, traces::REC_601),
+    |evidence, _| traces::gray(evidence.reading, traces::REC_709),
+    |evidence, _| traces::gray(evidence.reading, [1.0 / 3.0; 3]),
+    |evidence, _| traces::framed(evidence),
+    resampled::cropped,
+    resampled::scaled,
+    |evidence, _| traces::palette(evidence.reading),
+    |evidence, likeliest| jpeg::compressed(evidence.reading, likeliest),
+];
+
+/// Degradations that the picture may have gone through, each looked for when it is asked
+/// for.
+pub(crate) fn degradations<'a>(
+    evidence: &'a Evidence,
+    likeliest: &'a [Hypothesis],
+) -> impl Iterator<Item = Degradation> + 'a {
+    let reading = evidence.reading;
+    // A program's own output goes through nothing.
+    let has_a_way = evidence.known.sources.is_empty();
+    let is_large = reading.width.min(reading.height) >= SMALLEST;
+    let is_told = has_a_way && is_large && !evidence.has_no_levels && !reading.is_plain();
+    let searches = SEARCHES.iter().filter(move |_| is_told);
+    searches.filter_map(|search| search(evidence, likeliest))
+}
+
+impl Degradation {
+    /// Width and height before.
+    pub(crate) fn size(self, reading: &Reading) -> (u32, u32) {
+        match self {
+            Self::Scaled { from, .. } | Self::Cropped { from, .. } => from,
+            Self::Framed { size, .. } => size,
+            Self::Gray(_) | Self::Palette { .. } | Self::Jpeg(_) => (reading.width, reading.height),
+        }
+    }
+
+    /// Whether pixels became others, so that single ones tell little.
+    pub(crate) fn is_lossy(self) -> bool {
+        match self {
+            Self::Scaled { .. } | Self::Palette { .. } | Self::Jpeg(_) => true,
+            Self::Cropped { .. } | Self::Framed { .. } | Self::Gray(_) => false,
+        }
+    }
+
+    /// Bits that tell it.
+    pub(crate) fn name(self, reading: &Reading) -> f64 {
+        NAME + match self {
+            Self::Scaled { .. } => SIZE + 2.0,
+            Self::Cropped { .. } => 3.0 * SIZE,
+            Self::Framed { .. } => {
+                let is_outside = |n: usize| self.source(n as u32, reading).is_none();
+                4.0 * f64::from(reading.width).log2() + told(reading, is_outside)
+            }
+            Self::Gray(_) => 2.0,
+            Self::Palette { colors } => COLOR * colors as f64,
+            Self::Jpeg(_) => QUALITY,
+        }
+    }
+
+    /// The pixel before that tells most of the nth one; `None` in a frame.
+    pub(crate) fn source(self, n: u32, reading: &Reading) -> Option<u32> {
+        let (i, j) = (n % reading.width, n / reading.width);
+        match self {
+            Self::Scaled {
+                from: (width, height),
+                ..
+            } => {
+                let nearest =
+                    |at: u32, before: u32, after: u32| (2 * at + 1) * before / (2 * after);
+                let row = nearest(j, height, reading.height);
+                Some(row * width + nearest(i, width, reading.width))
+            }
+            Self::Cropped {
+                from: (width, _),
+                corner: (left, above),
+            } => Some((j + above) * width + i + left),
+            Self::Framed {
+                size: (width, height),
+                corner: (left, above),
+            } => {
+                let (i, j) = (i.checked_sub(left)?, j.checked_sub(above)?);
+                (i < width && j < height).then_some(j * width + i)
+            }
+            Self::Gray(_) | Self::Palette { .. } | Self::Jpeg(_) => Some(n),
+        }
+    }
+
+    /// About what becomes of a pixel.
+    pub(crate) fn color(self, pixel: Pixel) -> Pixel {
+        let Self::Gray(weights) = self else {
+            return pixel;
+        };
+        let weighted = weights
+            .iter()
+            .zip(pixel)
+            .map(|(weight, level)| weight * f64::from(level));
+        [(weighted.sum::<f64>() + 0.5) as i16; 3]
+    }
+
+    /// What becomes of the right picture of a scene.
+    pub(crate) fn of_picture(self, scene: &Scene, reading: &Reading) -> Picture {
+        let (width, height) = self.size(reading);
+        let drawn = Reading::of(&scene.right(width, height)).pixels;
+        let degraded = Reading {
+            pixels: self.of(&drawn, reading),
+            ..*reading
+        };
+        degraded.picture()
+    }
+
+    /// What becomes of a whole picture.
+    pub(crate) fn of(self, drawn: &[Pixel], reading: &Reading) -> Vec<Pixel> {
+        match self {
+            Self::Scaled { from, filter } => resampled::resized(drawn, from, reading, filter),
+            Self::Jpeg(quality) => jpeg::through(drawn, reading.width, quality),
+            Self::Palette { .. } => in_palette(drawn, reading),
+            _ => (0..)
+                .zip(&reading.pixels)
+                .map(|(n, found)| {
+                    let source = self.source(n, reading);
+                    source.map_or(*found, |source| self.color(drawn[source as usize]))
+                })
+                .collect(),
+        }
+    }
+}
+
+/// Each pixel in the nearest color that the file has.
+fn in_palette(drawn: &[Pixel], reading: &Reading) -> Vec<Pixel> {
+    let palette = traces::colors(reading);
+    let mut known: HashMap<Pixel, Pixel> = HashMap::new();
+    let nearest = |pixel: Pixel| {
+        let off = |color: &&Pixel| {
+            let off = [0, 1, 2].map(|c| i32::from(color[c] - pixel[c]));
+            off.map(|off| off * off).iter().sum::<i32>()
+        };
+        *palette
+            .iter()
+            .min_by_key(off)
+            .expect("a picture has a color")
+    };
+    let mut nearest = |pixel: Pixel| *known.entry(pixel).or_insert_with(|| nearest(pixel));
+    drawn.iter().map(|&pixel| nearest(pixel)).collect()
+}
+
+/// A pixel this far off may be another color for any reason.
+const FAR: u32 = 24;
+
+/// How far a pixel is off, up to that.
+fn off(drawn: Pixel, found: Pixel) -> u32 {
+    u32::from(distance(drawn, found)).min(FAR)
+}

@@ -1,0 +1,221 @@
+//! Resampling: pictures that a viewer scaled, or that lost some rows or columns.
+
+use image::imageops::{self, FilterType};
+use image::{Rgb, RgbImage};
+
+use ::slips::Output;
+
+use super::{Degradation, FAR, Hypothesis, off};
+use crate::bits::{Left, Pixel};
+use crate::evidence::Evidence;
+use crate::explanations::spread;
+use crate::reading::Reading;
+
+/// How pixels are mixed into one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Filter {
+    /// The nearest one alone.
+    Nearest,
+    /// All that lie in its square, in equal parts.
+    Box,
+    /// The nearest two each way, as linear interpolation has it.
+    Triangle,
+    /// The nearest four each way.
+    Cubic,
+    /// The nearest six each way.
+    Lanczos,
+}
+
+const FILTERS: [Filter; 5] = [
+    Filter::Nearest,
+    Filter::Box,
+    Filter::Triangle,
+    Filter::Cubic,
+    Filter::Lanczos,
+];
+
+/// What viewers and screens scale by.
+const FACTORS: [f64; 13] = [
+    0.25,
+    1.0 / 3.0,
+    0.5,
+    2.0 / 3.0,
+    0.75,
+    0.8,
+    1.25,
+    4.0 / 3.0,
+    1.5,
+    1.75,
+    2.0,
+    3.0,
+    4.0,
+];
+/// Widths that people draw.
+const WIDTHS: [u32; 9] = [200, 256, 400, 600, 640, 800, 1000, 1200, 1920];
+/// How many rows and columns may be missing each way.
+const MISSING: u32 = 12;
+/// How many pixels choose the scale or the place.
+const LOOK: u32 = 600;
+
+/// The scale and filter with which a program comes nearest, if that is any nearer.
+pub(super) fn scaled(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<Degradation> {
+    let reading = evidence.reading;
+    let by_factor = FACTORS.map(|factor| (f64::from(reading.width) / factor).round() as u32);
+    let mut sizes: Vec<(u32, u32)> = Vec::new();
+    for width in by_factor.into_iter().chain(WIDTHS) {
+        let factor = f64::from(reading.width) / f64::from(width);
+        let is_as_high =
+            |height: &u32| (f64::from(*height) * factor - f64::from(reading.height)).abs() <= 1.0;
+        let heights = evidence.heights(width).into_iter().filter(is_as_high);
+        sizes.extend(heights.map(|height| (width, height)));
+    }
+    sizes.retain(|&size| size != (reading.width, reading.height));
+    let places = sharp_places(reading);
+    let tried = likeliest
+        .iter()
+        .flat_map(|it| sizes.iter().map(move |&from| (it, from)));
+    let tried = tried.filter_map(|(it, from)| {
+        let output = it.of_size(from)?;
+        let nearest = Degradation::Scaled {
+            from,
+            filter: Filter::Nearest,
+        };
+        let nearest = |n: u32| it.pixel(&output, nearest.source(n, reading).unwrap_or_default());
+        let between = |n: u32| between(&output, from, n, reading, it);
+        let off = |pixel: &dyn Fn(u32) -> Pixel| -> u32 {
+            let off = |&n: &u32| off(pixel(n), reading.pixels[n as usize]);
+            places.iter().map(off).sum()
+        };
+        Some((off(&nearest).min(off(&between)), it, from))
+    });
+    let least = as_it_is(reading, &places, likeliest);
+    let (_, nearest, from) = tried
+        .min_by_key(|(off, ..)| *off)
+        .filter(|(off, ..)| 5 * off < 4 * least)?;
+    let before = nearest.before(&nearest.of_size(from)?);
+    let left = |filter: Filter| Left::of(reading, &resized(&before, from, reading, filter)).bits;
+    let filters = FILTERS.map(|filter| (left(filter), filter));
+    let (_, filter) = filters
+        .into_iter()
+        .min_by(|one, other| one.0.total_cmp(&other.0))?;
+    Some(Degradation::Scaled { from, filter })
+}
+
+/// The place in a slightly larger picture at which a program comes nearest.
+pub(super) fn cropped(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<Degradation> {
+    let reading = evidence.reading;
+    let (width, height) = (reading.width, reading.height);
+    let places = sharp_places(reading);
+    let mut best = None;
+    for it in likeliest.iter() {
+        for wide in width..=width + MISSING {
+            for high in evidence.heights(wide) {
+                let from = (wide, high);
+                let is_larger =
+                    from != (width, height) && (height..=height + MISSING).contains(&high);
+                let Some(output) = it.of_size(from).filter(|_| is_larger) else {
+                    continue;
+                };
+                for corner in corners(wide - width, high - height) {
+                    let cropped = Degradation::Cropped { from, corner };
+                    let mut sum = 0;
+                    for &n in &places {
+                        let source = cropped.source(n, reading).unwrap_or_default();
+                        sum += off(it.pixel(&output, source), reading.pixels[n as usize]);
+                        if best.is_some_and(|(least, _)| sum >= least) {
+                            break;
+                        }
+                    }
+                    if best.is_none_or(|(least, _)| sum < least) {
+                        best = Some((sum, cropped));
+                    }
+                }
+            }
+        }
+    }
+    let least = as_it_is(reading, &places, likeliest);
+    best.filter(|(off, _)| 5 * off < 4 * least)
+        .map(|(_, cropped)| cropped)
+}
+
+/// How far the nearest program is off if nothing happened to its picture.
+fn as_it_is(reading: &Reading, places: &[u32], likeliest: &[Hypothesis]) -> u32 {
+    let off = |it: &Hypothesis| {
+        let output = it.output(reading)?;
+        let off = places
+            .iter()
+            .map(|&n| off(it.pixel(&output, n), reading.pixels[n as usize]));
+        Some(off.sum::<u32>())
+    };
+    likeliest.iter().filter_map(off).min().unwrap_or(LOOK * FAR)
+}
+
+fn corners(columns: u32, rows: u32) -> impl Iterator<Item = (u32, u32)> {
+    (0..=columns).flat_map(move |left| (0..=rows).map(move |above| (left, above)))
+}
+
+/// Pixels to look at, half of them at edges, where scale and place are to be seen.
+fn sharp_places(reading: &Reading) -> Vec<u32> {
+    const SHARP: u32 = 16;
+    let all = reading.pixels.len() as u32;
+    let is_sharp = |n: &u32| {
+        let [one, other] = [*n, n + 1].map(|n| reading.pixels[n as usize]);
+        off(one, other) >= SHARP
+    };
+    let sharp: Vec<u32> = (0..all - 1).filter(is_sharp).collect();
+    let sharp = spread(LOOK / 2, sharp.len() as u32).map(|n| sharp[n as usize]);
+    sharp.chain(spread(LOOK / 2, all)).collect()
+}
+
+/// The nth pixel of the file, in a straight line between those of the program.
+fn between(
+    output: &Output,
+    (width, height): (u32, u32),
+    n: u32,
+    reading: &Reading,
+    it: &Hypothesis,
+) -> Pixel {
+    let at = |n: u32, before: u32, after: u32| {
+        let at = (f64::from(n) + 0.5) * f64::from(before) / f64::from(after) - 0.5;
+        let at = at.clamp(0.0, f64::from(before - 1));
+        (at as u32, (at as u32 + 1).min(before - 1), at.fract())
+    };
+    let (left, right, x) = at(n % reading.width, width, reading.width);
+    let (above, below, y) = at(n / reading.width, height, reading.height);
+    let corners = [(left, above), (right, above), (left, below), (right, below)];
+    let corners = corners.map(|(i, j)| it.pixel(output, j * width + i));
+    let weights = [(1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y];
+    [0, 1, 2].map(|c| {
+        let parts = weights.iter().zip(&corners);
+        let level: f64 = parts
+            .map(|(weight, corner)| weight * f64::from(corner[c]))
+            .sum();
+        (level + 0.5) as i16
+    })
+}
+
+/// A picture in the file's size.
+pub(super) fn resized(
+    drawn: &[Pixel],
+    (width, height): (u32, u32),
+    reading: &Reading,
+    filter: Filter,
+) -> Vec<Pixel> {
+    let level = |level: i16| level.clamp(0, 255) as u8;
+    let before = RgbImage::from_fn(width, height, |i, j| {
+        Rgb(drawn[(j * width + i) as usize].map(level))
+    });
+    let (width, height) = (reading.width, reading.height);
+    let filter = match filter {
+        Filter::Box => None,
+        Filter::Nearest => Some(FilterType::Nearest),
+        Filter::Triangle => Some(FilterType::Triangle),
+        Filter::Cubic => Some(FilterType::CatmullRom),
+        Filter::Lanczos => Some(FilterType::Lanczos3),
+    };
+    let after = match filter {
+        None => imageops::thumbnail(&before, width, height),
+        Some(filter) => imageops::resize(&before, width, height, filter),
+    };
+    after.pixels().map(|pixel| pixel.0.map(i16::from)).collect()
+}
