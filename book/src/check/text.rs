@@ -5,6 +5,7 @@ use std::path::Path;
 
 use check::names::{self, companion};
 use check::scene::Scene;
+use check::told;
 use check::verdict::{Check, Finding, Near};
 use check::{names_of, workspace};
 use slips::{Edition, Letters, Slip};
@@ -61,6 +62,11 @@ impl Style {
 /// The whole result.
 pub(crate) fn text(judged: &Judged, report: Option<&Path>, style: Style) -> String {
     let mut text = headline(judged, style);
+    if let Check::Right(right) = &judged.check {
+        for (label, said) in told::suspected(&right.scene, &judged.known) {
+            text += &format!("    {} {said}\n", style.dim(&format!("{label:<9}")));
+        }
+    }
     if let Some(blind_spots) = &judged.blind_spots {
         write!(text, "\n{}", blind_spots.advice(&judged.scene)).expect("a string takes it");
     }

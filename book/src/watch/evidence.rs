@@ -85,9 +85,13 @@ impl Evidence<'_> {
                     "Right{}: all {width} × {height} pixels, to the last bit.",
                     scene.edition.said()
                 );
+                let suspected = told::suspected(scene, self.known).into_iter();
                 let verdict = Verdict {
                     is_right: true,
                     headline,
+                    cause: suspected
+                        .map(|(label, text)| labeled(label, text))
+                        .collect(),
                     next: self.next_chapter(),
                     done: vec![match self.scene.probe {
                         Some(probe) => format!("{}, probe {}: right", chapter.name(), probe.name),
@@ -128,9 +132,20 @@ impl Evidence<'_> {
             ..Verdict::default()
         };
         let is_exact = finding.near.as_ref().is_some_and(|near| near.is_exact());
-        let verdict = match finding.scene.step().filter(|_| is_exact) {
-            Some(step) => self.of_step(step, &finding),
-            None => verdict,
+        let verdict = match (finding.scene.step().filter(|_| is_exact), self.laws) {
+            (Some(step), _) => self.of_step(step, &finding),
+            (None, Some(Outcome::Broken(report))) if !finding.is_answered => Verdict {
+                headline: "A law is broken.".to_owned(),
+                cause: [
+                    vec![labeled("seen", format!("right, but {}", finding.but()))],
+                    law(report),
+                ]
+                .into_iter()
+                .flatten()
+                .collect(),
+                ..Verdict::default()
+            },
+            (None, _) => verdict,
         };
         Verdict {
             pictures: Some((finding.yours, finding.right)),
@@ -188,11 +203,12 @@ impl Evidence<'_> {
         let command = showing.scene.probe.map_or(String::new(), |probe| {
             format!("; and then {}", (self.watch)(Some(probe)))
         });
+        let hidden = [
+            labeled("can hide", names.join(", ")),
+            labeled("to see it", change + &command),
+        ];
         Verdict {
-            cause: vec![
-                labeled("can hide", names.join(", ")),
-                labeled("to see it", change + &command),
-            ],
+            cause: verdict.cause.into_iter().chain(hidden).collect(),
             ..verdict
         }
     }

@@ -5,7 +5,7 @@
 //! it should be wrong, a warning of the compiler about a name that they have no reason to
 //! drop.
 
-use slips::{Letters, Program, Slip, Words};
+use slips::{Letters, Program, Slip, Unseen, Words};
 
 use crate::explanations::{Degradation, Hypothesis};
 use crate::reading::Reading;
@@ -43,6 +43,18 @@ impl Known<'_> {
     pub fn can_be_made(&self, slip: &Slip, scene: &Scene) -> bool {
         self.can_be_made.is_none_or(|can_be| can_be(slip))
             && self.sources.say(self.words(slip, scene)) != Said::Right
+    }
+
+    /// Slips whose wrong line is in the reader's files, where no picture of the scene shows
+    /// them.
+    pub fn suspected(&self, scene: &Scene) -> Vec<&'static Slip> {
+        let is_meant = |slip: &&'static Slip| {
+            let is_equivalent =
+                matches!(slip.unseen_in(scene.chapter), Some(Unseen::Equivalent(_)));
+            !is_equivalent && self.can_be_made(slip, scene)
+        };
+        let is_there = |slip: &&Slip| self.sources.say(self.words(slip, scene)) == Said::Wrong;
+        scene.slips().filter(is_meant).filter(is_there).collect()
     }
 
     /// The reader's line that makes the slip, if it is found.

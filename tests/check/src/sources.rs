@@ -142,6 +142,9 @@ impl Sources {
     }
 }
 
+/// Signs before and after a part of a formula.
+const GOES_ON: [&str; 10] = ["+", "-", "*", "/", "<", ">", ".", "and", "&", "|"];
+
 /// More differences than this are another way to write it.
 const FEW: usize = 3;
 
@@ -171,7 +174,15 @@ impl File {
                 .zip(part)
                 .all(|(one, other)| one.text == other.text)
         };
-        let at = self.tokens.windows(part.len()).position(same)?;
+        // A part of a longer formula is another one.
+        let goes_on = |n: Option<usize>| {
+            let token = n.and_then(|n| self.tokens.get(n));
+            token.is_some_and(|it| GOES_ON.contains(&it.text.as_str()))
+        };
+        let is_whole = |n: &usize| !goes_on(n.checked_sub(1)) && !goes_on(Some(n + part.len()));
+        let places = self.tokens.windows(part.len()).enumerate();
+        let mut found = places.filter(|(_, tokens)| same(tokens)).map(|(n, _)| n);
+        let at = found.find(is_whole)?;
         Some(self.line(self.tokens[at].line))
     }
 

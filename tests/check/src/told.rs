@@ -69,6 +69,14 @@ impl Finding {
     }
 }
 
+/// Of a right picture: lines that look like a mistake which no such picture shows.
+pub fn suspected(scene: &Scene, known: &Known) -> Vec<Row> {
+    let suspected = known.suspected(scene).into_iter().take(1);
+    suspected
+        .flat_map(|slip| in_full(&[slip], scene, known))
+        .collect()
+}
+
 /// The reader's lines that are not as the chapter has them, with the chapter's.
 pub fn unlike(known: &Known) -> Vec<Row> {
     known
