@@ -12,6 +12,8 @@ use slips::Words;
 pub struct Sources {
     yours: Vec<File>,
     chapter: Vec<File>,
+    /// Where the reader's functions are not the chapter's of the same names.
+    unlike: Vec<Unlike>,
 }
 
 /// A line that somebody typed.
@@ -69,10 +71,13 @@ impl Sources {
             let files = files.into_iter();
             files.map(|(name, text)| File::new(name, &text)).collect()
         };
-        Self {
+        let mut sources = Self {
             yours: files(yours),
             chapter: files(chapter),
-        }
+            unlike: Vec::new(),
+        };
+        sources.unlike = sources.pairs().flat_map(|pair| pair.unlike()).collect();
+        sources
     }
 
     /// Whether they are those of the chapter and no other program.
@@ -112,18 +117,16 @@ impl Sources {
 
     /// The places where the reader's functions are not the chapter's of the same names; none
     /// where these are more than [`FEW`], since then they are written in other words.
-    pub fn unlike(&self) -> Vec<Unlike> {
-        let all: Vec<Unlike> = self.pairs().flat_map(|pair| pair.unlike()).collect();
-        match all.len() <= FEW {
-            true => all,
-            false => Vec::new(),
+    pub fn unlike(&self) -> &[Unlike] {
+        match self.unlike.len() <= FEW {
+            true => &self.unlike,
+            false => &[],
         }
     }
 
     /// Whether all that the chapter has is there, line by line, right or wrong.
     pub(crate) fn is_written(&self) -> bool {
-        let has_all = |pair: Pair| pair.unlike().iter().all(|it| !it.is_missing);
-        !self.chapter.is_empty() && self.pairs().all(has_all)
+        !self.chapter.is_empty() && self.unlike.iter().all(|it| !it.is_missing)
     }
 
     /// Functions that have the same name in files of the same name.

@@ -71,7 +71,7 @@ impl Finding {
 
 /// Of a right picture: lines that look like a mistake which no such picture shows.
 pub fn suspected(scene: &Scene, known: &Known) -> Vec<Row> {
-    let suspected = known.suspected(scene).into_iter().take(1);
+    let suspected = known.suspected(scene).into_iter().take(2);
     suspected
         .flat_map(|slip| in_full(&[slip], scene, known))
         .collect()
@@ -79,22 +79,17 @@ pub fn suspected(scene: &Scene, known: &Known) -> Vec<Row> {
 
 /// The reader's lines that are not as the chapter has them, with the chapter's.
 pub fn unlike(known: &Known) -> Vec<Row> {
-    known
-        .sources
-        .unlike()
-        .into_iter()
-        .flat_map(rows_of)
-        .collect()
+    known.sources.unlike().iter().flat_map(rows_of).collect()
 }
 
-fn rows_of(unlike: Unlike) -> Vec<Row> {
+fn rows_of(unlike: &Unlike) -> Vec<Row> {
     let Unlike { yours, chapter, .. } = unlike;
     match unlike.is_missing {
         true => vec![(
             "missing",
             format!("below {}:{}  {chapter}", yours.file, yours.number),
         )],
-        false => vec![("yours", yours.to_string()), ("the page", chapter)],
+        false => vec![("yours", yours.to_string()), ("the page", chapter.clone())],
     }
 }
 

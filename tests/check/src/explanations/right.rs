@@ -52,7 +52,9 @@ pub(crate) fn right(evidence: &Evidence) -> Vec<Hypothesis> {
         .map(|chapter| (own.of_chapter(chapter), ANOTHER_CHAPTER));
     // A reader who types the chapter has no other picture at hand.
     let is_typing = evidence.known.sources.are_of_the_chapter();
-    let others = scenes.chain(chapters).filter(|_| !is_typing);
+    // One color everywhere is the picture of many things.
+    let is_another = !is_typing && !evidence.reading.is_plain();
+    let others = scenes.chain(chapters).filter(|_| is_another);
     let others = others.flat_map(|(scene, name)| {
         let by_editions = by_editions(evidence, scene, name);
         by_editions
