@@ -165,18 +165,20 @@ impl Evidence<'_> {
                 ..Verdict::default()
             };
         }
-        let or = finding.rows(self.known).into_iter();
+        let or = self.rows(finding);
+        let (is_alone, all) = (or.is_empty(), steps.len());
         Verdict {
-            headline: match self.known.steps[step] {
-                true => format!(
-                    "This is what step {number} of {} shows, again.",
-                    steps.len()
-                ),
-                false => format!("Step {number} of {} is right.", steps.len()),
+            headline: match (self.known.steps[step], is_alone) {
+                (true, _) => format!("This is what step {number} of {all} shows, again."),
+                (false, true) => format!("Step {number} of {all} is right."),
+                (false, false) => format!("This is what step {number} of {all} shows."),
             },
-            cause: or.map(|(label, text)| labeled(label, text)).collect(),
+            cause: or,
             next: step_says(number, &steps[number]),
-            done: vec![step_is_done(chapter, number)],
+            done: is_alone
+                .then(|| step_is_done(chapter, number))
+                .into_iter()
+                .collect(),
             ..Verdict::default()
         }
     }

@@ -181,11 +181,19 @@ impl<'a> Evidence<'a> {
         let Some(unlike) = self.known.answers else {
             return 0.0;
         };
-        let (asked, unlike) = unlike(&it.scene.without_probe().program(&it.slips));
+        let (asked, unlike) = unlike(&it.scene.unchanged().program(&it.slips));
         let is_plain = it.slips.is_empty() && it.scene.step().is_none();
         match unlike * REFUTING > asked && !is_plain {
             true => f64::INFINITY,
             false => ANSWER * unlike as f64,
+        }
+    }
+
+    /// What a line costs that is not found in the reader's files, if there are any.
+    pub(crate) fn unfound(&self) -> f64 {
+        match self.known.sources.is_empty() {
+            true => 0.0,
+            false => NOT_FOUND,
         }
     }
 

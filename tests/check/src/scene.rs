@@ -83,6 +83,14 @@ impl Scene {
         self.of_chapter(self.chapter)
     }
 
+    /// The same step of the same scene, before a probe's change.
+    pub(crate) fn unchanged(self) -> Self {
+        Self {
+            probe: None,
+            ..self
+        }
+    }
+
     /// The same picture drawn with the whole of b in place of its half, or the other way
     /// round, if it is that of one sphere with its normals.
     pub(crate) fn with_the_other_formula(self) -> Option<Self> {

@@ -98,6 +98,8 @@ impl Sources {
         };
         match (longest(&words.wrong), longest(&words.right)) {
             (None, None) => Said::Neither,
+            // A line is wrong only in the place of one that could be found.
+            _ if alternatives(&words.right).next().is_none() => Said::Neither,
             (wrong, right) if wrong > right => Said::Wrong,
             _ => Said::Right,
         }
@@ -151,11 +153,12 @@ const GOES_ON: [&str; 10] = ["+", "-", "*", "/", "<", ">", ".", "and", "&", "|"]
 /// More differences than this are another way to write it.
 const FEW: usize = 3;
 
-/// Snippets of the catalogue: `one, or another`, each of which may be `part; part`. Parts in
+/// Snippets of the catalogue: `one, or another`, each of which may be `part; part`. One in
 /// which something is left out can't be looked for.
 fn alternatives(snippets: &str) -> impl Iterator<Item = Vec<Vec<Token>>> {
-    snippets.split(", or ").map(|snippet| {
-        let parts = snippet.split("; ").filter(|part| !part.contains('…'));
+    let whole = snippets.split(", or ").filter(|it| !it.contains('…'));
+    whole.map(|snippet| {
+        let parts = snippet.split("; ");
         parts.map(tokens).filter(|part| part.len() > 2).collect()
     })
 }

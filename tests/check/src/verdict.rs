@@ -294,7 +294,7 @@ impl Finding {
             },
             sights,
             is_typed,
-            is_answered: known.is_answered_by(&best.scene.without_probe().program(&best.slips)),
+            is_answered: known.is_answered_by(&best.scene.unchanged().program(&best.slips)),
             lead: judgement.lead(),
             others: others.filter(is_a_probe).collect(),
         }))

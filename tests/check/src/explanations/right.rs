@@ -2,14 +2,17 @@
 
 use ::slips::{Chapter, Edition, PROBES};
 
+use super::slips::ONE;
 use super::{Conversion, Evidence, Hypothesis};
 use crate::scene::Scene;
 
 /// Most pictures are right, by the edition that the reader was led to by these pages.
 const ITSELF: f64 = 1.0;
-/// A step on the way, where steps are judged; and one that has been done before.
+/// A step on the way, in a crate that leads from step to step; one that has been done
+/// before. One of a program that may be written in any order is as likely as a slip.
 const STEP: f64 = 2.0;
 const STEP_AGAIN: f64 = 6.0;
+const STEP_ELSEWHERE: f64 = ONE;
 /// The chapter's own scene where a probe was asked for: the change was forgotten.
 const FORGOTTEN: f64 = 4.0;
 /// The scene of a probe: the change is still there. More than a slip, which is told with
@@ -74,7 +77,12 @@ pub(super) fn steps(evidence: &Evidence) -> Vec<Hypothesis> {
     let own = evidence.scene;
     let (_, before) = evidence.known.steps.split_last().unwrap_or((&true, &[]));
     let step = |(n, &is_done): (usize, &bool)| {
-        let name = if is_done { STEP_AGAIN } else { STEP };
+        let is_led = evidence.known.sources.are_of_the_chapter();
+        let name = match is_done {
+            _ if !is_led => STEP_ELSEWHERE + evidence.unfound(),
+            true => STEP_AGAIN,
+            false => STEP,
+        };
         by_editions(evidence, own.at_step(n), name)
             .into_iter()
             .next()

@@ -5,7 +5,7 @@ use super::{Conversion, Evidence, Hypothesis};
 use crate::mutants;
 
 /// One of some hundred slips, where one program in two has one.
-const ONE: f64 = 8.0;
+pub(super) const ONE: f64 = 8.0;
 /// Two slips are twice as much, and a little more: whoever made one looks for it.
 pub(crate) const TWO: f64 = 18.0;
 /// The formula of the neighboring chapter in its place.
