@@ -52,7 +52,10 @@ pub(crate) fn right(evidence: &Evidence) -> Vec<Hypothesis> {
     let chapters = Chapter::OF_THE_BOOK
         .into_iter()
         .filter(|&chapter| chapter != own.chapter)
-        .map(|chapter| (own.of_chapter(chapter), ANOTHER_CHAPTER));
+        .map(|chapter| {
+            let name = ANOTHER_CHAPTER + evidence.unfound();
+            (own.of_chapter(chapter), name)
+        });
     // A reader who types the chapter has no other picture at hand.
     let is_typing = evidence.known.sources.are_of_the_chapter();
     // One color everywhere is the picture of many things.
