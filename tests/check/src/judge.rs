@@ -29,8 +29,8 @@ const SECOND_LOOK: u32 = 22_500;
 /// than any set of slips that draw the same picture has.
 const FEW: usize = 80;
 const FEWER: usize = 40;
-/// How many pixels are measured where levels were lost: those of 16 pictures 400 wide.
-const PIXELS: usize = 1_440_000;
+/// How many pixels are measured where levels were lost: those of 6 pictures 400 wide.
+const PIXELS: usize = 540_000;
 /// What more than this is left of is worth a search for numbers of the reader's own, for
 /// several rays and curves: some thirty odd pixels. Less is told pixel by pixel anyway.
 const WORTH_A_SEARCH: f64 = 1000.0;
