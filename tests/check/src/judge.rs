@@ -25,10 +25,10 @@ const UNKNOWN: f64 = 10.0;
 const FIRST_LOOK: u32 = 1500;
 /// How many at those that may win: all of a picture 200 pixels wide.
 const SECOND_LOOK: u32 = 22_500;
-/// How many explanations may win after the first look, and how many are measured: more
-/// than any set of slips that draw the same picture has.
+/// How many explanations may win after the first look, more than any set of slips that
+/// draw the same picture has; and how many pictures beside the first one's are measured.
 const FEW: usize = 80;
-const FEWER: usize = 40;
+const FEWER: usize = 16;
 /// How many pixels are measured where levels were lost: those of 6 pictures 400 wide.
 const PIXELS: usize = 540_000;
 /// What more than this is left of is worth a search for numbers of the reader's own, for
@@ -164,14 +164,20 @@ impl Search<'_> {
         // Where levels were lost, estimates tell only which is the likeliest.
         let is_lossy = |it: &Hypothesis| it.degradation.is_some_and(Degradation::is_lossy);
         let count = match some.first().is_some_and(|(_, it)| is_lossy(it)) {
-            true => (PIXELS / reading.pixels.len()).clamp(FEWER / 8, FEWER / 2),
-            false => FEWER,
+            true => (PIXELS / reading.pixels.len()).clamp(FEWER / 3, FEWER),
+            false => FEW,
         };
-        for (length, it) in some.iter().take(count) {
-            if !is_lossy(it) && *length > may_win(self.best().bits()) {
+        let left = |(length, it): &(f64, Hypothesis)| length - it.name;
+        let least = some.first().map_or(0.0, left);
+        let mut others = 0;
+        for it in some.iter().take(count) {
+            // Who draws the same leaves the same, but for roundings.
+            others += usize::from((left(it) - least).abs() > 1e-6);
+            let may_win = others < FEWER && it.0 <= may_win(self.best().bits());
+            if !may_win && !is_lossy(&it.1) {
                 break;
             }
-            self.found.extend(it.measured(reading));
+            self.found.extend(it.1.measured(reading));
         }
         some.into_iter().map(|(_, it)| it).collect()
     }
