@@ -43,8 +43,7 @@ impl Known<'_> {
 
     /// Whether the reader can have made the slip, as far as it is known.
     pub fn can_be_made(&self, slip: &Slip, scene: &Scene) -> bool {
-        self.can_be_made.is_none_or(|can_be| can_be(slip))
-            && self.sources.say(self.words(slip, scene)) != Said::Right
+        self.can_be_made.is_none_or(|can_be| can_be(slip)) && self.said(slip, scene) != Said::Right
     }
 
     /// Slips whose wrong line is in the reader's files, where no picture of the scene shows
@@ -55,11 +54,25 @@ impl Known<'_> {
                 matches!(slip.unseen_in(scene.chapter), Some(Unseen::Equivalent(_)));
             !is_equivalent && self.can_be_made(slip, scene)
         };
-        let is_there = |slip: &&Slip| self.sources.say(self.words(slip, scene)) == Said::Wrong;
+        // Where the functions were asked, more is known than a line.
+        if self.answers.is_some() {
+            return Vec::new();
+        }
+        let is_there = |slip: &&Slip| self.said(slip, scene) == Said::Wrong;
         let found = scene.slips().filter(is_meant).filter(is_there);
         let mut found: Vec<_> = found.collect();
         found.sort_by_key(|slip| Reverse(slip.reports()));
         found
+    }
+
+    /// What the reader's files say of the slip. A line that an older edition has is wrong in
+    /// a mixture only, which no single line tells.
+    pub(crate) fn said(&self, slip: &Slip, scene: &Scene) -> Said {
+        let is_mixture = slip.is_of_another_edition() && self.letters != Some(Letters::Rust);
+        match self.sources.say(&self.words(slip, scene)) {
+            Said::Wrong if is_mixture => Said::Neither,
+            said => said,
+        }
     }
 
     /// The reader's line that makes the slip, if it is found.
@@ -95,6 +108,8 @@ const REFUTING: usize = 50;
 /// The line of a slip that is in none of the reader's files may be written in other words,
 /// of which nothing is known.
 const NOT_FOUND: f64 = 4.0;
+/// The same where a line is known that is not the chapter's.
+const ELSEWHERE: f64 = 2.0;
 /// A line that is as it should be: its copy elsewhere may be wrong, once in thousands.
 const FOUND_RIGHT: f64 = 16.0;
 /// A place that is not as the chapter has it: one line in ten is, in a right program too.
@@ -172,7 +187,10 @@ impl<'a> Evidence<'a> {
     /// that explains all there is, since all the rest is right.
     pub(crate) fn typed(&self) -> Option<f64> {
         let places = self.known.sources.unlike().len();
-        (places > 0).then_some(TYPED * places as f64)
+        // An own prelude may have the mistake, unless a function of the chapter answers wrongly.
+        let right = self.scene.unchanged().program(&[]);
+        let is_here = !self.known.sources.have_a_prelude() || !self.known.is_answered_by(&right);
+        (places > 0 && is_here).then_some(TYPED * places as f64)
     }
 
     /// What the reader's functions answered. Programs don't answer by chance: slips that
@@ -204,9 +222,9 @@ impl<'a> Evidence<'a> {
             return 0.0;
         }
         let is_unlike = !known.sources.unlike().is_empty();
-        let cost = |slip: &&'static Slip| match known.sources.say(known.words(slip, &it.scene)) {
+        let cost = |slip: &&'static Slip| match known.said(slip, &it.scene) {
             Said::Wrong => 0.0,
-            Said::Neither if is_unlike => 0.0,
+            Said::Neither if is_unlike => ELSEWHERE,
             Said::Neither => NOT_FOUND,
             Said::Right => FOUND_RIGHT,
         };
@@ -226,7 +244,7 @@ impl<'a> Evidence<'a> {
         };
         let is_beyond = |slip: &'static Slip| {
             slip.is_in_a_chapter()
-                && self.known.sources.say(self.known.words(slip, step)) != Said::Neither
+                && self.known.said(slip, step) != Said::Neither
                 && matters(&step.whole(), slip)
                 && !matters(step, slip)
         };
@@ -241,7 +259,8 @@ impl<'a> Evidence<'a> {
                 words.right.contains(name) && !words.wrong.contains(name)
             })
         };
-        let unexplained = self.known.warnings.iter().filter(|warning| {
+        let about_names = self.known.warnings.iter().filter(|it| it.contains('`'));
+        let unexplained = about_names.filter(|warning| {
             let mut names = warning.split('`').skip(1).step_by(2);
             !names.any(is_dropped)
         });

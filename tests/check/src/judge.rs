@@ -250,7 +250,10 @@ impl Search<'_> {
 
     /// What a reader chose, and no mistake.
     fn add_changed(&mut self, rights: &[Hypothesis], wrong: &[Hypothesis]) {
-        if self.best().left.bits < WORTH_A_SEARCH {
+        // In a crate that our prelude paints, nothing is chosen that is not in the lines.
+        let sources = &self.evidence.known.sources;
+        let is_painted = sources.are_of_the_chapter() && !sources.have_a_prelude();
+        if self.best().left.bits < WORTH_A_SEARCH || is_painted {
             return;
         }
         let (evidence, reading) = (self.evidence, self.evidence.reading);

@@ -85,21 +85,26 @@ impl Sources {
         !self.chapter.is_empty()
     }
 
+    /// Whether the prelude is the reader's own, too.
+    pub(crate) fn have_a_prelude(&self) -> bool {
+        self.yours.iter().any(|it| it.name == "src/rtweekend.rs")
+    }
+
     /// Whether nothing is known of them.
     pub(crate) fn is_empty(&self) -> bool {
         self.yours.is_empty()
     }
 
     /// What they say of a slip: of a snippet in another one the longer counts.
-    pub(crate) fn say(&self, words: Words) -> Said {
+    pub(crate) fn say(&self, words: &Words) -> Said {
         let longest = |snippets: &str| {
             let found = alternatives(snippets).filter(|it| self.has_all(it));
             found.map(|it| it.iter().map(Vec::len).sum::<usize>()).max()
         };
         match (longest(&words.wrong), longest(&words.right)) {
             (None, None) => Said::Neither,
-            // A line is wrong only in the place of one that could be found.
-            _ if alternatives(&words.right).next().is_none() => Said::Neither,
+            // A line is wrong only in the place of one that could be found, and is no part of it.
+            (Some(_), None) if !is_told_apart(words) => Said::Neither,
             (wrong, right) if wrong > right => Said::Wrong,
             _ => Said::Right,
         }
@@ -161,6 +166,16 @@ fn alternatives(snippets: &str) -> impl Iterator<Item = Vec<Vec<Token>>> {
         let parts = snippet.split("; ");
         parts.map(tokens).filter(|part| part.len() > 2).collect()
     })
+}
+
+/// Whether the right line can be looked for, and does not have the wrong one in it.
+fn is_told_apart(words: &Words) -> bool {
+    let joined = |text: &str| {
+        let tokens = tokens(text).into_iter().map(|token| token.text);
+        tokens.collect::<Vec<_>>().join(" ")
+    };
+    let is_searched = alternatives(&words.right).next().is_some();
+    is_searched && !joined(&words.right).contains(&joined(&words.wrong))
 }
 
 impl File {
@@ -289,7 +304,12 @@ impl<'a> Pair<'a> {
             false => line(self.own, gap.own.start),
         };
         let theirs = line(self.theirs, gap.theirs.start);
-        let statement = gap.theirs.len() >= STATEMENT && gap.own.is_empty();
+        let on_line = self
+            .theirs
+            .iter()
+            .filter(|token| token.line == theirs)
+            .count();
+        let statement = gap.own.is_empty() && gap.theirs.len() >= on_line;
         Unlike {
             yours: self.yours.line(own),
             chapter: self.chapter.line(theirs).text,
@@ -297,9 +317,6 @@ impl<'a> Pair<'a> {
         }
     }
 }
-
-/// So many tokens in a row that are not there at all are a statement not yet written.
-const STATEMENT: usize = 6;
 
 /// A stretch of tokens that is not the same in two sequences.
 struct Gap {

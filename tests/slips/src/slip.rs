@@ -261,6 +261,12 @@ impl Slip {
         (self.made_in)(letters)
     }
 
+    /// Whether it is a line of another edition in a program of this one.
+    pub fn is_of_another_edition(&self) -> bool {
+        self.before_4
+            .is_some_and(|before| before.right == self.words.wrong)
+    }
+
     /// How many people have reported that they made it.
     pub fn reports(&self) -> usize {
         self.reported.len()

@@ -46,7 +46,7 @@ pub(crate) fn right(evidence: &Evidence) -> Vec<Hypothesis> {
     let probes = PROBES.iter().filter(|probe| probe.spheres.is_some());
     let scenes = [(None, FORGOTTEN)]
         .into_iter()
-        .chain(probes.map(|&probe| (Some(probe), STILL_THERE)))
+        .chain(probes.map(|&probe| (Some(probe), STILL_THERE + evidence.unfound())))
         .filter(|(probe, _)| *probe != own.probe)
         .filter_map(|(probe, name)| Some((Scene::new(own.chapter, probe)?, name)));
     let chapters = Chapter::OF_THE_BOOK

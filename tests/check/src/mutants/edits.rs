@@ -116,6 +116,15 @@ fn around(text: &str, all: &[Token], names: &HashSet<&str>, n: usize) -> Vec<Cha
         let whole = all[start].at.start..all[n + 2].at.end;
         changes.push((whole, format!("(1.0 / {own}.length_squared()) * {own}")));
     }
+    if token.text == "ONE" {
+        let one = all[n - 2].at.start..token.at.end;
+        for parts in ["0.0, 1.0, 1.0", "1.0, 0.0, 1.0", "1.0, 1.0, 0.0"] {
+            changes.push((one.clone(), format!("Vec3::new({parts})")));
+        }
+    }
+    if token.text == "new" && all.get(n + 1).is_some_and(|it| it.text == "(") {
+        changes.extend(other_orders(text, all, n + 2));
+    }
     if before == "if" && token.text != "let" {
         let brace = (n..all.len())
             .find(|&it| all[it].text == "{")
@@ -136,6 +145,22 @@ fn around(text: &str, all: &[Token], names: &HashSet<&str>, n: usize) -> Vec<Cha
         changes.push((token.at.start..all[n + 3].at.end, String::new()));
     }
     changes
+}
+
+/// Three arguments in each other order.
+fn other_orders(text: &str, all: &[Token], first: usize) -> Vec<Change> {
+    let second = operand(all, first) + 2;
+    let third = operand(all, second.min(all.len() - 1)) + 2;
+    if third >= all.len() {
+        return Vec::new();
+    }
+    let [x, y, z] =
+        [first, second, third].map(|n| &text[all[n].at.start..all[operand(all, n)].at.end]);
+    let whole = all[first].at.start..all[operand(all, third)].at.end;
+    [[x, z, y], [y, x, z], [y, z, x], [z, x, y], [z, y, x]]
+        .into_iter()
+        .map(|parts| (whole.clone(), parts.join(", ")))
+        .collect()
 }
 
 /// A vector whose components have changed: another letter, or another sign.
