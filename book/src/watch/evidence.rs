@@ -75,7 +75,7 @@ impl Evidence<'_> {
         }
         let (can_say, cause) = match self.laws {
             Some(Outcome::Broken(report) | Outcome::BrokenPrelude(report)) => {
-                let unlike = told::unlike(self.known).into_iter();
+                let unlike = told::unlike(self.scene, self.known).into_iter();
                 let unlike = unlike.map(|(label, text)| labeled(label, text));
                 ("a law is broken", unlike.chain(law(report)).collect())
             }

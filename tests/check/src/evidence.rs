@@ -12,10 +12,10 @@ use slips::{Letters, Program, Slip, Unseen, Words};
 use crate::explanations::{Degradation, Hypothesis, spread};
 use crate::reading::Reading;
 use crate::scene::Scene;
-use crate::sources::{Line, Said, Sources};
+use crate::sources::{Line, Said, Sources, Unlike};
 
 /// How many answers were given, and how many of them a program would not give.
-pub type Unlike<'a> = dyn Fn(&Program) -> (usize, usize) + 'a;
+pub type Asked<'a> = dyn Fn(&Program) -> (usize, usize) + 'a;
 
 /// What is known besides the picture.
 #[derive(Default)]
@@ -27,7 +27,7 @@ pub struct Known<'a> {
     /// What the reader wrote.
     pub sources: Sources,
     /// What the reader's functions answered.
-    pub answers: Option<&'a Unlike<'a>>,
+    pub answers: Option<&'a Asked<'a>>,
     /// What the compiler warned of, in its words.
     pub warnings: Vec<String>,
     /// Whether each step of the chapter has been done before, if steps are judged.
@@ -63,6 +63,16 @@ impl Known<'_> {
         let mut found: Vec<_> = found.collect();
         found.sort_by_key(|slip| Reverse(slip.reports()));
         found
+    }
+
+    /// The few places that are not as the chapter has them, if one of them may have the
+    /// mistake: an own prelude may have it too, unless a function answers wrongly.
+    pub(crate) fn unlike(&self, scene: &Scene) -> &[Unlike] {
+        let is_right = || self.is_answered_by(&scene.unchanged().program(&[]));
+        match self.sources.have_a_prelude() && is_right() {
+            true => &[],
+            false => self.sources.unlike(),
+        }
     }
 
     /// What the reader's files say of the slip. A line that an older edition has is wrong in
@@ -186,11 +196,8 @@ impl<'a> Evidence<'a> {
     /// The length of what the reader typed otherwise than the chapter has it, in few places:
     /// that explains all there is, since all the rest is right.
     pub(crate) fn typed(&self) -> Option<f64> {
-        let places = self.known.sources.unlike().len();
-        // An own prelude may have the mistake, unless a function of the chapter answers wrongly.
-        let right = self.scene.unchanged().program(&[]);
-        let is_here = !self.known.sources.have_a_prelude() || !self.known.is_answered_by(&right);
-        (places > 0 && is_here).then_some(TYPED * places as f64)
+        let places = self.known.unlike(&self.scene).len();
+        (places > 0).then_some(TYPED * places as f64)
     }
 
     /// What the reader's functions answered. Programs don't answer by chance: slips that
@@ -221,7 +228,7 @@ impl<'a> Evidence<'a> {
         if known.sources.is_empty() {
             return 0.0;
         }
-        let is_unlike = !known.sources.unlike().is_empty();
+        let is_unlike = !known.unlike(&self.scene).is_empty();
         let cost = |slip: &&'static Slip| match known.said(slip, &it.scene) {
             Said::Wrong => 0.0,
             Said::Neither if is_unlike => ELSEWHERE,

@@ -98,8 +98,8 @@ impl Sources {
     /// What they say of a slip: of a snippet in another one the longer counts.
     pub(crate) fn say(&self, words: &Words) -> Said {
         let longest = |snippets: &str| {
-            let found = alternatives(snippets).filter(|it| self.has_all(it));
-            found.map(|it| it.iter().map(Vec::len).sum::<usize>()).max()
+            let found = alternatives(snippets).filter(|it| self.find(it).is_some());
+            found.map(|it| it.len()).max()
         };
         match (longest(&words.wrong), longest(&words.right)) {
             (None, None) => Said::Neither,
@@ -112,14 +112,11 @@ impl Sources {
 
     /// The reader's line that makes the slip, if it is found.
     pub(crate) fn line_of(&self, words: Words) -> Option<Line> {
-        let mut snippets = alternatives(&words.wrong);
-        let found = snippets.find(|it| self.has_all(it))?;
-        self.yours.iter().find_map(|file| file.find(found.first()?))
+        alternatives(&words.wrong).find_map(|it| self.find(&it))
     }
 
-    fn has_all(&self, parts: &[Vec<Token>]) -> bool {
-        let has = |part: &Vec<Token>| self.yours.iter().any(|file| file.find(part).is_some());
-        !parts.is_empty() && parts.iter().all(has)
+    fn find(&self, snippet: &[Token]) -> Option<Line> {
+        self.yours.iter().find_map(|file| file.find(snippet))
     }
 
     /// The places where the reader's functions are not the chapter's of the same names; none
@@ -158,14 +155,11 @@ const GOES_ON: [&str; 10] = ["+", "-", "*", "/", "<", ">", ".", "and", "&", "|"]
 /// More differences than this are another way to write it.
 const FEW: usize = 3;
 
-/// Snippets of the catalogue: `one, or another`, each of which may be `part; part`. One in
-/// which something is left out can't be looked for.
-fn alternatives(snippets: &str) -> impl Iterator<Item = Vec<Vec<Token>>> {
+/// Snippets of the catalogue: `one, or another`. One in which something is left out can't
+/// be looked for.
+fn alternatives(snippets: &str) -> impl Iterator<Item = Vec<Token>> {
     let whole = snippets.split(", or ").filter(|it| !it.contains('…'));
-    whole.map(|snippet| {
-        let parts = snippet.split("; ");
-        parts.map(tokens).filter(|part| part.len() > 2).collect()
-    })
+    whole.map(tokens).filter(|snippet| snippet.len() > 2)
 }
 
 /// Whether the right line can be looked for, and does not have the wrong one in it.
@@ -188,7 +182,7 @@ impl File {
     }
 
     /// The line on which these tokens begin.
-    fn find(&self, part: &Vec<Token>) -> Option<Line> {
+    fn find(&self, part: &[Token]) -> Option<Line> {
         let same = |tokens: &[Token]| {
             tokens
                 .iter()

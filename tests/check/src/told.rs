@@ -27,7 +27,7 @@ impl Finding {
         rows.extend(match &mistakes[..] {
             [] => self.unexplained(known),
             [(set, mistake)] => in_full(mistake, &set.scene, known),
-            several => [unlike(known), in_short(several, known)].concat(),
+            several => [unlike(&self.scene, known), in_short(several, known)].concat(),
         });
         rows
     }
@@ -63,7 +63,8 @@ impl Finding {
     /// What is not as the chapter has it, and what can be seen.
     fn unexplained(&self, known: &Known) -> Vec<Row> {
         let is_near = self.near.is_some();
-        let unlike = unlike(known).into_iter().filter(|_| !is_near);
+        let unlike = unlike(&self.scene, known).into_iter();
+        let unlike = unlike.filter(|_| !is_near);
         let seen = self.sights.iter().map(|sight| ("seen", sight.clone()));
         unlike.chain(seen).collect()
     }
@@ -78,8 +79,8 @@ pub fn suspected(scene: &Scene, known: &Known) -> Vec<Row> {
 }
 
 /// The reader's lines that are not as the chapter has them, with the chapter's.
-pub fn unlike(known: &Known) -> Vec<Row> {
-    known.sources.unlike().iter().flat_map(rows_of).collect()
+pub fn unlike(scene: &Scene, known: &Known) -> Vec<Row> {
+    known.unlike(scene).iter().flat_map(rows_of).collect()
 }
 
 fn rows_of(unlike: &Unlike) -> Vec<Row> {
@@ -96,7 +97,7 @@ fn rows_of(unlike: &Unlike) -> Vec<Row> {
 /// Slips that were made together, with the reader's own lines if these are found.
 fn in_full(mistake: &[&'static Slip], scene: &Scene, known: &Known) -> Vec<Row> {
     // Where the chapter has another line, the mistake is there, in whatever words.
-    let unlike = unlike(known);
+    let unlike = unlike(scene, known);
     let is_shown = !unlike.is_empty();
     let rows = mistake.iter().flat_map(|slip| {
         let words = known.words(slip, scene);
