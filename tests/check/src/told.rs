@@ -13,8 +13,9 @@ use crate::words::names_of;
 /// A label and what it is about.
 pub type Row = (&'static str, String);
 
-/// So many mistakes are told that explain all there is.
-const TOLD: usize = 4;
+/// So many mistakes are told that explain all there is. What more of them draw is the
+/// picture of many things, some of which nobody knows.
+pub(crate) const TOLD: usize = 4;
 /// So many warnings of a compiler.
 const WARNINGS: usize = 2;
 
@@ -29,7 +30,11 @@ impl Finding {
             [(set, mistake)] => in_full(mistake, &set.scene, known),
             several => [unlike(&self.scene, known), in_short(several, known)].concat(),
         });
-        rows
+        // Where much else may be the cause, what is seen is surer than any of it.
+        let sights = self.sights.iter().filter(|_| !mistakes.is_empty());
+        let mut seen = sights.map(|sight| ("seen", sight.clone()));
+        let (first, last) = (seen.next(), seen.next_back());
+        first.into_iter().chain(rows).chain(last).collect()
     }
 
     /// What tells the mistakes apart, with the command that judges a probe's picture.
@@ -99,11 +104,17 @@ fn in_full(mistake: &[&'static Slip], scene: &Scene, known: &Known) -> Vec<Row> 
     // Where the chapter has another line, the mistake is there, in whatever words.
     let unlike = unlike(scene, known);
     let is_shown = !unlike.is_empty();
+    // Many pairs draw much by chance.
+    let label = if mistake.len() > 1 {
+        "perhaps"
+    } else {
+        "probably"
+    };
     let rows = mistake.iter().flat_map(|slip| {
         let words = known.words(slip, scene);
         let wrong = match known.line_of(slip, scene) {
             Some(line) => ("yours", line.to_string()),
-            None => ("probably", words.wrong.into_owned()),
+            None => (label, words.wrong.into_owned()),
         };
         let lines = [wrong, ("should be", words.right.into_owned())];
         let lines = lines.into_iter().filter(move |_| !is_shown);
@@ -126,7 +137,12 @@ fn in_short(mistakes: &[(&Set, &[&'static Slip])], known: &Known) -> Vec<Row> {
             said.push((wrong, names_of(mistake)));
         }
     }
-    let labels = iter::once("probably").chain(iter::repeat("or"));
+    let first = if said.len() > TOLD {
+        "perhaps"
+    } else {
+        "probably"
+    };
+    let labels = iter::once(first).chain(iter::repeat("or"));
     let mut rows: Vec<Row> = labels
         .zip(said.iter().take(TOLD))
         .map(|(label, (wrong, names))| match names == wrong {

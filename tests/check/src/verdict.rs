@@ -13,6 +13,7 @@ use crate::judge::{Judgement, is_same, shortest};
 use crate::reading::{self, Cause, Reading};
 use crate::scene::Scene;
 use crate::telling::{self, Telling};
+use crate::told::TOLD;
 use crate::{causes, seen};
 
 /// What there is to say about a picture.
@@ -263,11 +264,17 @@ impl Finding {
             Comparison::Pixels(difference) => Some(difference),
             _ => None,
         };
+        let sets = match is_known {
+            true => sets(&judgement),
+            false => Vec::new(),
+        };
+        let explaining: usize = sets.iter().map(|set| set.mistakes.len()).sum();
+        let is_vague = best.slips.len() > 1 || explaining > TOLD || reading.is_plain();
         let sights = match (is_known, &best.seen) {
             (true, Some(seen)) => vec![seen.clone()],
-            (true, None) => Vec::new(),
+            (true, None) if !is_vague => Vec::new(),
             (false, _) if is_typed => Vec::new(),
-            (false, _) => seen::sights(&compared, reading),
+            (_, _) => seen::sights(&compared, reading),
         };
         let others = judgement.scenes_like(best).into_iter();
         let is_a_probe = |it: &Scene| {
@@ -288,10 +295,7 @@ impl Finding {
                 but: best.but.clone(),
                 left: best.left,
             }),
-            sets: match is_known {
-                true => sets(&judgement),
-                false => Vec::new(),
-            },
+            sets,
             sights,
             is_typed,
             is_answered: known.is_answered_by(&best.scene.unchanged().program(&best.slips)),
