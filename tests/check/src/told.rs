@@ -25,12 +25,16 @@ impl Finding {
         let warnings = known.warnings.iter().take(WARNINGS);
         let mut rows: Vec<Row> = warnings.map(|it| ("warned", it.clone())).collect();
         let mistakes = self.mistakes();
+        // Where much else may be the cause, what is seen is surer than any of it.
+        let label = match self.sights.is_empty() {
+            true => "probably",
+            false => "perhaps",
+        };
         rows.extend(match &mistakes[..] {
             [] => self.unexplained(known),
-            [(set, mistake)] => in_full(mistake, &set.scene, known),
-            several => [unlike(&self.scene, known), in_short(several, known)].concat(),
+            [(set, mistake)] => in_full(mistake, label, &set.scene, known),
+            several => [unlike(&self.scene, known), in_short(several, label, known)].concat(),
         });
-        // Where much else may be the cause, what is seen is surer than any of it.
         let sights = self.sights.iter().filter(|_| !mistakes.is_empty());
         let mut seen = sights.map(|sight| ("seen", sight.clone()));
         let (first, last) = (seen.next(), seen.next_back());
@@ -79,7 +83,7 @@ impl Finding {
 pub fn suspected(scene: &Scene, known: &Known) -> Vec<Row> {
     let suspected = known.suspected(scene).into_iter().take(2);
     suspected
-        .flat_map(|slip| in_full(&[slip], scene, known))
+        .flat_map(|slip| in_full(&[slip], "probably", scene, known))
         .collect()
 }
 
@@ -100,16 +104,15 @@ fn rows_of(unlike: &Unlike) -> Vec<Row> {
 }
 
 /// Slips that were made together, with the reader's own lines if these are found.
-fn in_full(mistake: &[&'static Slip], scene: &Scene, known: &Known) -> Vec<Row> {
+fn in_full(
+    mistake: &[&'static Slip],
+    label: &'static str,
+    scene: &Scene,
+    known: &Known,
+) -> Vec<Row> {
     // Where the chapter has another line, the mistake is there, in whatever words.
     let unlike = unlike(scene, known);
     let is_shown = !unlike.is_empty();
-    // Many pairs draw much by chance.
-    let label = if mistake.len() > 1 {
-        "perhaps"
-    } else {
-        "probably"
-    };
     let rows = mistake.iter().flat_map(|slip| {
         let words = known.words(slip, scene);
         let wrong = match known.line_of(slip, scene) {
@@ -125,7 +128,7 @@ fn in_full(mistake: &[&'static Slip], scene: &Scene, known: &Known) -> Vec<Row> 
 }
 
 /// What each says instead of the right line.
-fn in_short(mistakes: &[(&Set, &[&'static Slip])], known: &Known) -> Vec<Row> {
+fn in_short(mistakes: &[(&Set, &[&'static Slip])], label: &'static str, known: &Known) -> Vec<Row> {
     let mut said: Vec<(String, String)> = Vec::new();
     for (set, mistake) in mistakes {
         let wrong = mistake.iter();
@@ -137,12 +140,7 @@ fn in_short(mistakes: &[(&Set, &[&'static Slip])], known: &Known) -> Vec<Row> {
             said.push((wrong, names_of(mistake)));
         }
     }
-    let first = if said.len() > TOLD {
-        "perhaps"
-    } else {
-        "probably"
-    };
-    let labels = iter::once(first).chain(iter::repeat("or"));
+    let labels = iter::once(label).chain(iter::repeat("or"));
     let mut rows: Vec<Row> = labels
         .zip(said.iter().take(TOLD))
         .map(|(label, (wrong, names))| match names == wrong {
