@@ -9,7 +9,7 @@ use std::cmp::Reverse;
 
 use slips::{Letters, Program, Slip, Unseen, Words};
 
-use crate::explanations::{Degradation, Hypothesis, spread};
+use crate::explanations::{Degradation, Hypothesis};
 use crate::reading::Reading;
 use crate::scene::Scene;
 use crate::sources::{Line, Said, Sources, Unlike};
@@ -124,8 +124,6 @@ const ELSEWHERE: f64 = 2.0;
 const FOUND_RIGHT: f64 = 16.0;
 /// A place that is not as the chapter has it: one line in ten is, in a right program too.
 const TYPED: f64 = 9.0;
-/// So many pixels tell whether a line matters.
-const PIXELS: u32 = 64;
 /// A warning comes for another reason.
 const WARNING: f64 = 5.0;
 
@@ -235,27 +233,9 @@ impl<'a> Evidence<'a> {
             Said::Neither => NOT_FOUND,
             Said::Right => FOUND_RIGHT,
         };
-        let is_further = it.scene.step().is_some()
-            && (known.sources.is_written() || self.goes_beyond(&it.scene));
+        let is_further = it.scene.step().is_some() && known.sources.is_written();
         let step = if is_further { FOUND_RIGHT } else { 0.0 };
         step + it.slips.iter().map(cost).sum::<f64>()
-    }
-
-    /// Whether the reader's files have a line, right or wrong, that the whole chapter needs
-    /// and this step of it does not.
-    fn goes_beyond(&self, step: &Scene) -> bool {
-        let (width, height) = (self.reading.width, self.reading.height);
-        let matters = |scene: &Scene, slip| {
-            let [right, wrong] = [&[][..], &[slip]].map(|slips| scene.program(slips).run(width));
-            spread(PIXELS, width * height).any(|n| right.pixel(n) != wrong.pixel(n))
-        };
-        let is_beyond = |slip: &'static Slip| {
-            slip.is_in_a_chapter()
-                && self.known.said(slip, step) != Said::Neither
-                && matters(&step.whole(), slip)
-                && !matters(step, slip)
-        };
-        !self.known.sources.is_empty() && step.slips().any(is_beyond)
     }
 
     /// What the compiler warned of: a name that the wrong line does not use any more.

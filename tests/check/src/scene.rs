@@ -126,11 +126,6 @@ impl Scene {
         }
     }
 
-    /// The same scene after the last step.
-    pub(crate) fn whole(self) -> Self {
-        Self { step: None, ..self }
-    }
-
     /// The step that it shows, counted from 0, if it is not the chapter's last.
     pub fn step(&self) -> Option<usize> {
         self.step

@@ -34,8 +34,10 @@ pub struct Unlike {
     pub yours: Line,
     /// What the chapter has there: nothing, if there is something too much.
     pub chapter: String,
-    /// Whether the chapter has something there that the reader has not.
+    /// Whether the chapter has a line there that the reader has not.
     pub is_missing: bool,
+    /// How many tokens more the chapter has there.
+    more: isize,
 }
 
 /// What a reader's files say of a slip.
@@ -130,7 +132,8 @@ impl Sources {
 
     /// Whether all that the chapter has is there, line by line, right or wrong.
     pub(crate) fn is_written(&self) -> bool {
-        !self.chapter.is_empty() && self.unlike.iter().all(|it| !it.is_missing)
+        let more: isize = self.unlike.iter().map(|it| it.more).sum();
+        !self.chapter.is_empty() && more < STATEMENT
     }
 
     /// Functions that have the same name in files of the same name.
@@ -149,6 +152,8 @@ impl Sources {
     }
 }
 
+/// So many tokens are a statement.
+const STATEMENT: isize = 6;
 /// Signs before and after a part of a formula.
 const GOES_ON: [&str; 10] = ["+", "-", "*", "/", "<", ">", ".", "and", "&", "|"];
 
@@ -260,7 +265,10 @@ impl<'a> Pair<'a> {
         for gap in gaps.iter().filter(|gap| !renamed(gap)) {
             let found = self.told(gap);
             match unlike.last_mut().filter(|last| last.yours == found.yours) {
-                Some(last) if last.chapter == found.chapter => last.is_missing |= found.is_missing,
+                Some(last) if last.chapter == found.chapter => {
+                    last.is_missing |= found.is_missing;
+                    last.more += found.more;
+                }
                 _ => unlike.push(found),
             }
         }
@@ -298,18 +306,26 @@ impl<'a> Pair<'a> {
             false => line(self.own, gap.own.start),
         };
         let theirs = line(self.theirs, gap.theirs.start);
-        let on_line = self
-            .theirs
-            .iter()
-            .filter(|token| token.line == theirs)
-            .count();
-        let statement = gap.own.is_empty() && gap.theirs.len() >= on_line;
+        let is_missing = whole_lines(self.theirs, &gap.theirs) > whole_lines(self.own, &gap.own);
         Unlike {
             yours: self.yours.line(own),
             chapter: self.chapter.line(theirs).text,
-            is_missing: statement,
+            is_missing,
+            more: gap.theirs.len() as isize - gap.own.len() as isize,
         }
     }
+}
+
+/// How many lines have all their tokens in the stretch.
+fn whole_lines(tokens: &[Token], stretch: &Range<usize>) -> usize {
+    let is_whole = |part: &&[Token]| {
+        let line = part[0].line;
+        let first = tokens.partition_point(|token| token.line < line);
+        let after = tokens.partition_point(|token| token.line <= line);
+        stretch.start <= first && after <= stretch.end
+    };
+    let lines = tokens[stretch.clone()].chunk_by(|one, other| one.line == other.line);
+    lines.filter(is_whole).count()
 }
 
 /// A stretch of tokens that is not the same in two sequences.

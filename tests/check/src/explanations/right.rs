@@ -59,7 +59,8 @@ pub(crate) fn right(evidence: &Evidence) -> Vec<Hypothesis> {
     // A reader who types the chapter has no other picture at hand.
     let is_typing = evidence.known.sources.are_of_the_chapter();
     // One color everywhere is the picture of many things.
-    let is_another = !is_typing && !evidence.reading.is_plain();
+    let sources = &evidence.known.sources;
+    let is_another = !is_typing && (sources.is_empty() || !evidence.reading.is_plain());
     let others = scenes.chain(chapters).filter(|_| is_another);
     let others = others.flat_map(|(scene, name)| {
         let by_editions = by_editions(evidence, scene, name);
