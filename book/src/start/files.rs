@@ -137,12 +137,7 @@ pub(super) fn manifest(chapter: Chapter, own: bool, workspace: &Path) -> String 
          [dependencies]\n{common}\n[dev-dependencies]\n{common_for_tests}{laws}\n\
          # A workspace of its own: what breaks here breaks nothing else.\n[workspace]\n\n\
          # What a debugger needs takes its time in every build: the setup page says how to ask for it.\n\
-         [profile.dev]\nopt-level = 1\ndebug = false\n\n\
-         # What it stands on is built sooner without optimization, and only what asks thousands\n\
-         # of questions after each save would be too slow then.\n\
-         [profile.dev.package.\"*\"]\nopt-level = 0\n\
-         [profile.dev.package.laws]\nopt-level = 1\n\
-         [profile.dev.package.proptest]\nopt-level = 1\n"
+         [profile.dev]\nopt-level = 1\ndebug = false\n"
     )
 }
 
