@@ -21,6 +21,14 @@ label.style.display = "none";
 
 document.getElementById("mdbook-menu-bar").role = "banner";
 
+// The arrows turn the page, unless something has the keyboard: what scrolls, what a figure
+// has, or a button that was pressed. mdBook listens at the document, behind the body.
+document.body.addEventListener("keydown", (event) => {
+    if (/^Arrow(Left|Right)$/.test(event.key) && event.target !== document.body) {
+        event.stopPropagation();
+    }
+});
+
 // A table that is too wide for the page is restacked: a row becomes a block, in which
 // each field has its label (see book.css).
 for (const table of document.querySelectorAll("main table")) {
