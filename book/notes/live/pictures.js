@@ -26,9 +26,15 @@ class LivePicture {
         this.painted = null;
 
         figure.addEventListener("input", () => this.show());
+        // What was taken is in the field when the reader leaves it.
+        this.width.addEventListener("change", () => { this.width.value = this.taken(); });
         figure.addEventListener("click", ({ target }) => {
             if (target.dataset.action === "reset") {
                 this.ask(this.width.defaultValue, "");
+            } else if (target.dataset.action === "more") {
+                this.slip.querySelectorAll("optgroup").forEach((it) => { it.hidden = false; });
+                target.remove();
+                this.slip.focus();
             }
         });
         figure.classList.add("alive");
@@ -50,17 +56,21 @@ class LivePicture {
         this.show();
     }
 
+    // The width, within its limits. An empty field, or no number in a link, is as good as none.
+    taken() {
+        const asked = Math.trunc(this.width.value || this.width.defaultValue);
+        return Math.min(Math.max(asked, this.width.min), this.width.max);
+    }
+
     async show() {
         const turn = ++this.turn;
-        // An empty field, or no number in a link, is as good as none.
-        const asked = Math.trunc(this.width.value || this.width.defaultValue);
-        const width = Math.min(Math.max(asked, this.width.min), this.width.max);
+        const width = this.taken();
         const slip = Number(this.slip.selectedOptions[0].dataset.slip);
         this.sentence.ariaBusy = "true";
         this.figure.querySelector(".this-case").href =
             `?${this.figure.id}=${width},${this.slip.value}#${this.figure.id}`;
         this.wrong.hidden = slip < 0;
-        this.wrong.ariaLabel = `What this draws: ${this.slip.selectedOptions[0].text}`;
+        this.wrong.ariaLabel = `What this draws: ${this.slip.selectedOptions[0].label}`;
 
         for (const canvas of [this.right, this.wrong]) {
             canvas.classList.toggle("pixels", width < this.width.defaultValue);

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use figures::escape;
 use live::picture::{self, LivePicture, PICTURES, WIDEST};
-use slips::{Chapter, Edition, Letters, Slip};
+use slips::{Chapter, Slip};
 
 use crate::directive::named;
 
@@ -24,7 +24,8 @@ pub(crate) fn picture(notes: &Path, chapter: &str, image: &str) -> Result<String
          <canvas role=\"img\" hidden></canvas></div>\
          <div class=\"controls\">\
          <label>Break it <select>{slips}</select></label>\
-         <label>Width <input type=\"number\" min=\"1\" max=\"{WIDEST}\" value=\"{width}\"></label>\
+         <button type=\"button\" data-action=\"more\">More</button>\
+         <label>Width, 1 to {WIDEST} <input type=\"number\" min=\"1\" max=\"{WIDEST}\" value=\"{width}\"></label>\
          <button type=\"button\" data-action=\"reset\">Reset</button>\
          <a class=\"this-case\">Link to this case</a></div>\
          <p class=\"sentence\" role=\"status\">{sentence}</p></figure>",
@@ -42,43 +43,48 @@ fn alternative(image: &str) -> Result<String, String> {
     Ok(escape(text))
 }
 
-/// The slips that can be made in the chapter, by what their lines say, under the titles of
-/// the pages that have them right: its own page first.
+/// The slips that can be made in the chapter, by their names: at once those of its own page
+/// and source, and behind "More" the others, under the titles of the pages that have them
+/// right. As labels, the search does not know them.
 fn choices(notes: &Path, live: &LivePicture) -> Result<String, String> {
     let mut html = "<option value=\"\" data-slip=\"-1\">nothing: it is right</option>".to_owned();
     for (page, slips) in by_page(live.chapter) {
-        let _ = write!(
-            html,
-            "<optgroup label=\"{}\">",
-            escape(&title(&notes.join(format!("{page}.md")))?)
-        );
-        for (place, slip) in slips {
-            let words = slip.words(Letters::Book(Edition::V4), live.chapter);
-            let (name, wrong) = (slip.name, escape(&words.wrong));
+        let options: String = slips.into_iter().map(option).collect();
+        if page == live.chapter.name() {
+            html += &options;
+        } else {
+            let title = escape(&title(&notes.join(format!("{page}.md")))?);
             let _ = write!(
                 html,
-                "<option value=\"{name}\" data-slip=\"{place}\">{wrong}</option>"
+                "<optgroup label=\"{title}\" hidden>{options}</optgroup>"
             );
         }
-        html += "</optgroup>";
     }
     Ok(html)
 }
 
-/// The slips of a chapter with their places in the catalogue.
+fn option((place, slip): (usize, &Slip)) -> String {
+    let (name, words) = (slip.name, slip.name.replace('-', " "));
+    format!("<option value=\"{name}\" data-slip=\"{place}\" label=\"{words}\"></option>")
+}
+
+/// The slips of a chapter with their places in the catalogue. Its own are under its name.
 fn by_page(chapter: Chapter) -> Vec<(&'static str, Vec<(usize, &'static Slip)>)> {
-    let mut pages: Vec<(&str, Vec<_>)> = Vec::new();
+    let mut pages: Vec<(&str, Vec<_>)> = vec![(chapter.name(), Vec::new())];
     for (place, slip) in slips::all().enumerate() {
         if !slip.chapters.contains(&chapter) {
             continue;
         }
-        let page = slip.page_and_heading().0;
+        let page = match slip.page_and_heading().0 {
+            "setup" if chapter == Chapter::BuildTest => chapter.name(),
+            _ if slip.source.contains(&format!("_{}/", chapter.name())) => chapter.name(),
+            page => page,
+        };
         match pages.iter_mut().find(|(other, _)| *other == page) {
             Some((_, slips)) => slips.push((place, slip)),
             None => pages.push((page, vec![(place, slip)])),
         }
     }
-    pages.sort_by_key(|(page, _)| *page != chapter.name());
     pages
 }
 
