@@ -53,8 +53,8 @@ pub(crate) fn listing(
     let file = path.trim_start_matches("../");
     let source =
         fs::read_to_string(folder.join(path)).map_err(|cause| format!("{file}: {cause}"))?;
-    let (beside, listing) = match items {
-        "" => (String::new(), source),
+    let (name, beside, listing) = match items {
+        "" => (file.to_owned(), String::new(), source),
         items => {
             let named = named_items(&source).map_err(|cause| format!("{file}: {cause}"))?;
             let found: Result<Vec<&Named>, String> = names(items)
@@ -68,13 +68,55 @@ pub(crate) fn listing(
                 .unwrap_or(&found[0]);
             let beside = listed.beside(file, main);
             listed.add(file, &found);
-            (beside, excerpt(&source, &found))
+            (main.names[0].clone(), beside, excerpt(&source, &found))
         }
     };
+    // A heading with the names that are given here, so that the search leads from them to it.
+    let names = given_names(&listing).join(" ");
+    let id: String = name
+        .chars()
+        .map(|it| if it.is_alphanumeric() { it } else { '-' })
+        .collect();
     Ok(format!(
-        "<div class=\"listing\"><p class=\"source\"><span class=\"file\">{file}</span>{beside}</p>\n\n````rust\n{}\n````\n\n</div>\n",
+        "<div class=\"listing\"><h3 class=\"source\" id=\"listing-{id}\"><span class=\"file\">{file}</span>{}{beside}\
+         <span hidden> {names}</span></h3>\n\n````rust\n{}\n````\n\n</div>\n",
+        whose(file),
         listing.trim_end()
     ))
+}
+
+/// Where a reader types the listing of this file; or that it is there to be read.
+fn whose(file: &str) -> String {
+    let folders: Vec<&str> = file.splitn(3, '/').collect();
+    match folders[..] {
+        ["common", ..] => ", to be read".to_owned(),
+        ["chapters", "6_speed_vs_accuracy", _] => String::new(),
+        ["chapters", _, yours] => format!(", to be typed into <b>{yours}</b>"),
+        _ => String::new(),
+    }
+}
+
+/// The names of functions, types, fields and variables that begin in this code.
+fn given_names(code: &str) -> Vec<&str> {
+    let begins = [
+        "let mut ", "let ", "fn ", "struct ", "trait ", "const ", "type ",
+    ];
+    let given = |line: &'_ str| -> Option<usize> {
+        let is_public = line.starts_with("pub ");
+        let item = line.strip_prefix("pub ").unwrap_or(line);
+        let start = begins.iter().find(|it| item.starts_with(**it));
+        let skipped = start.map_or(0, |it| it.len());
+        (start.is_some() || is_public).then_some(line.len() - item.len() + skipped)
+    };
+    let lines = code.lines().map(str::trim_start);
+    let names = lines.filter_map(|line| given(line).map(|at| &line[at..]));
+    names
+        .map(|name| {
+            name.split(|it: char| !it.is_alphanumeric() && it != '_')
+                .next()
+                .unwrap_or("")
+        })
+        .collect()
 }
 
 fn escaped(text: &str) -> String {
