@@ -19,10 +19,10 @@ pub(crate) const FIGURE: Figure = Figure {
     description: "A ray starts at Q and goes through a sphere with center C. Where it goes in and \
         where it comes out a circle is drawn, t1 and t2. Below is an axis of t with the same two \
         circles on it, both to the right of 0. To the left of 0 the axis is shaded: that is behind \
-        the eye. Below the axis are a, b, c and D as numbers, and that the line passes the center \
-        at a distance s that is less than r.",
+        the eye. Below the axis are a, b, c and the discriminant as numbers, and that the line passes the \
+        center at a distance l that is less than r.",
     caption: "Each root is a place on the line and a number on the axis. What is behind the eye has \
-        a negative *t*. The line passes the center at the distance *s*.",
+        a negative *t*. The line passes the center at the distance *l*.",
     draw: || LIVE.on_page(),
 };
 
@@ -71,7 +71,7 @@ const SLIPS: [&str; 3] = ["b-sign", "plus-b", "radius-not-squared"];
 const CHOICES: &[&str] = &[
     "as it should be",
     "b = 2 d · (C − Q)",
-    "t = (b − √D) / 2a",
+    "t = (b − √(b² − 4ac)) / 2a",
     "c = (C − Q)² − r",
 ];
 
@@ -186,7 +186,7 @@ fn answer(parameters: &Parameters) -> Answer {
         drawing: draw(shown),
         sentence,
         handles: handles.map(|it| PLANE.point(it)).into(),
-        says: vec![("roots", roots_in_words(&shown.roots()))],
+        says: vec![("roots", roots_in_words(&right.roots()))],
     }
 }
 
@@ -195,23 +195,23 @@ fn sentence(right: &Scene) -> String {
     let roots = right.roots();
     let at = listed(&roots);
     match roots[..] {
-        [] => "*D* is negative: the line passes the center farther away than *r*. There is no root, and the \
+        [] => "The discriminant is negative: the line passes the center farther away than *r*. There is no root, and the \
             ray misses.".to_owned(),
         [only] if only < 0.0 => {
-            format!("*D* is 0: the line only touches, behind the eye: {at}. The ray misses.")
+            format!("The discriminant is 0: the line only touches, behind the eye: {at}. The ray misses.")
         }
-        [_] => format!("*D* is 0: the line only touches. Its one root is {at}."),
+        [_] => format!("The discriminant is 0: the line only touches. Its one root is {at}."),
         [one, other] if near(one, 0.0) || near(other, 0.0) => {
             format!("The eye is on the sphere, where *t* is 0. The roots are {at}.")
         }
         [nearer, _] if nearer > 0.0 => {
-            format!("*D* is positive, and both roots are ahead: {at}. The eye sees the first.")
+            format!("The discriminant is positive, and both roots are ahead: {at}. The eye sees the first.")
         }
         [_, farther] if farther > 0.0 => {
             format!("One root is behind the eye and one ahead: {at}. The eye is inside.")
         }
         _ => format!(
-            "*D* is positive, but both roots are behind the eye: {at}. The line meets the sphere, the ray does not."
+            "The discriminant is positive, but both roots are behind the eye: {at}. The line meets the sphere, the ray does not."
         ),
     }
 }
@@ -222,7 +222,11 @@ fn sentence_on(wrong: &Scene, right: &Scene) -> String {
     let is_right = |t: &f64| true_ones.iter().any(|it| near(*it, *t));
     let off: Vec<f64> = found.iter().copied().filter(|t| !is_right(t)).collect();
     if off.is_empty() && found.len() == true_ones.len() {
-        return "Here the slip does no harm: the roots are the right ones. Change something, the radius too.".to_owned();
+        let no_harm = match found[..] {
+            [] => "there is no root, as there should be none",
+            _ => "the roots are the right ones",
+        };
+        return format!("Here the slip does no harm: {no_harm}. Change something, the radius too.");
     }
     let should = match true_ones[..] {
         [] => "There should be no root".to_owned(),
@@ -342,7 +346,7 @@ fn draw_scene(svg: &mut Svg, scene: &Scene) {
     let beside = middle + DVec2::new(16.0, -6.0);
     svg.label("sphere", beside, Anchor::Start, "**C**");
     let half = 0.5 * (middle + foot) + DVec2::new(8.0, 5.0);
-    svg.label("sphere", half, Anchor::Start, "*s*");
+    svg.label("sphere", half, Anchor::Start, "*l*");
 }
 
 fn draw_axis(svg: &mut Svg, roots: &[f64]) {
@@ -374,7 +378,7 @@ fn draw_axis(svg: &mut Svg, roots: &[f64]) {
 
 fn draw_numbers(svg: &mut Svg, scene: &Scene) {
     let [a, b, c] = scene.coefficients().map(spoken);
-    let [discriminant, s, r] = [scene.discriminant(), scene.passing(), scene.radius].map(spoken);
+    let [discriminant, l, r] = [scene.discriminant(), scene.passing(), scene.radius].map(spoken);
     let relation = match scene.passing().total_cmp(&scene.radius) {
         std::cmp::Ordering::Less => '<',
         std::cmp::Ordering::Equal => '=',
@@ -384,8 +388,8 @@ fn draw_numbers(svg: &mut Svg, scene: &Scene) {
         (14.0, 302.0, format!("*a* = {a}")),
         (14.0, 322.0, format!("*b* = {b}")),
         (14.0, 342.0, format!("*c* = {c}")),
-        (150.0, 302.0, format!("*D* = *b*² − 4*ac* = {discriminant}")),
-        (150.0, 322.0, format!("*s* = {s} {relation} *r* = {r}")),
+        (150.0, 302.0, format!("*b*² − 4*ac* = {discriminant}")),
+        (150.0, 322.0, format!("*l* = {l} {relation} *r* = {r}")),
     ];
     for (x, y, words) in lines {
         svg.label("ink", DVec2::new(x, y), Anchor::Start, &words);

@@ -202,8 +202,8 @@ fn answer(parameters: &Parameters) -> Answer {
         Some(parameters.scene(Search::Slipped(program, goes_on)))
     });
     let shown = slipped.as_ref().unwrap_or(&right);
-    let held: Vec<String> = (0..=shown.turns)
-        .map(|turns| shown.held_after(turns))
+    let held: Vec<String> = (0..=right.turns)
+        .map(|turns| right.held_after(turns))
         .map(|held| in_digits(held.map_or(f64::INFINITY, |(t, _)| t)))
         .collect();
     let [one, two, three] = shown.spheres.map(|sphere| sphere.center);

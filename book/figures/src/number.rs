@@ -62,7 +62,8 @@ pub(crate) fn number(value: f64) -> String {
     if short == "-0" { "0" } else { short }.to_owned()
 }
 
-/// A number as a reader writes it: two decimals at most and a real minus.
+/// A number as a reader writes it: two decimals at most, a half rounded up as at school, and
+/// a real minus.
 pub fn spoken(value: f64) -> String {
-    number(value).replace('-', "−")
+    number((100.0 * value).round() / 100.0).replace('-', "−")
 }

@@ -11,14 +11,14 @@ use crate::svg::Anchor;
 /// The words of this figure.
 pub(crate) const FIGURE: Figure = Figure {
     name: "passing",
-    title: "The distance s at which a line passes the center",
+    title: "The distance l at which a line passes the center",
     description: "A line starts at Q and goes through a sphere with center C. A dashed line of \
-        length s leads from C to the nearest point of the line, at a right angle. From C to the \
+        length l leads from C to the nearest point of the line, at a right angle. From C to the \
         point where the line enters the sphere it is r, and from there to the nearest point the \
-        square root of r² − s².",
-    caption: "Two triangles with a right angle at *t* = *h*/*a*. The large one, with **Q**, gives *s*. \
-        The small one, with the point where the line goes in, gives √(*r*² − *s*²), half of the way \
-        inside the sphere. The discriminant is the square of that, times 4a.",
+        square root of r² − l².",
+    caption: "Two triangles with a right angle at *t* = *h*/*a*. The large one, with **Q**, gives *l*. \
+        The small one, with the point where the line goes in, gives √(*r*² − *l*²), half of the way \
+        inside the sphere. The discriminant is the square of that, times 4*a*.",
     draw,
 };
 
@@ -51,14 +51,14 @@ fn draw() -> String {
         let beside = DVec2::new(12.0, 12.0);
         svg.label("sphere", middle(c, entry) + beside, Anchor::Start, "*r*");
         let below = foot + DVec2::new(2.0, 20.0);
-        svg.label("ink", below, Anchor::End, "√(*r*² − *s*²)");
+        svg.label("ink", below, Anchor::End, "√(*r*² − *l*²)");
     }
     svg.circle("sphere solid", c, 4.5);
     svg.circle("ray solid", q, 4.5);
     svg.label("ink", q + DVec2::new(0.0, 24.0), Anchor::Middle, "**Q**");
     svg.label("sphere", c + DVec2::new(8.0, -8.0), Anchor::Start, "**C**");
     let beside = middle(c, foot) + DVec2::new(8.0, 5.0);
-    svg.label("ink", beside, Anchor::Start, "*s*");
+    svg.label("ink", beside, Anchor::Start, "*l*");
     let above = middle(q, c) + DVec2::new(-8.0, -8.0);
     svg.label("sphere", above, Anchor::End, "**C** − **Q**");
     svg.finish()

@@ -1,4 +1,4 @@
-//! Figure 2 of the notes: P(t) = A + t·b. A, the tip of b, and P along the line move.
+//! Figure 2 of the notes: P(t) = Q + t·d. Q, the tip of d, and P along the line move.
 
 use common::rtweekend::*;
 use glam::DVec2;
@@ -13,35 +13,35 @@ use crate::svg::{Anchor, Svg};
 pub(crate) const FIGURE: Figure = Figure {
     name: "ray",
     title: "Points on a ray",
-    description: "A straight line rises to the right. It passes through a point A, where t is 0. \
-        An arrow b leads from A to the point where t is 1. Equal steps further on t is 2, where the \
-        point P is, and 3. On the other side of A the line is dashed, and t is negative. It says \
-        that P is A plus twice b, and how far from A that is.",
-    caption: "**P**(*t*) = **A** + *t* **b**. Each *t* is a place on the line: from one whole number to the next it \
-        is one arrow **b**. Behind **A**, *t* is negative.",
+    description: "A straight line rises to the right. It passes through a point Q, where t is 0. \
+        An arrow d leads from Q to the point where t is 1. Equal steps further on t is 2, where the \
+        point P is, and 3. On the other side of Q the line is dashed, and t is negative. It says \
+        that P is Q plus twice d, and how far from Q that is.",
+    caption: "**P**(*t*) = **Q** + *t* **d**. Each *t* is a place on the line: from one whole number to the next it \
+        is one arrow **d**. Behind **Q**, *t* is negative.",
     draw: || LIVE.on_page(),
 };
 
 parameters! {
-    a_x: Number::new("A, to the right", -2.0, 4.0, 0.0),
-    a_y: Number::new("A, upwards", -0.75, 2.5, 0.0),
-    b_x: Number::new("b, to the right", -4.0, 4.0, 1.0),
-    b_y: Number::new("b, upwards", -2.5, 2.5, 0.5),
+    q_x: Number::new("Q, to the right", -2.0, 4.0, 0.0),
+    q_y: Number::new("Q, upwards", -0.75, 2.5, 0.0),
+    d_x: Number::new("d, to the right", -4.0, 4.0, 1.0),
+    d_y: Number::new("d, upwards", -2.5, 2.5, 0.5),
     t: Number::new("t", -2.0, 4.0, 2.0),
 }
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
-    question: "What becomes of *t* if **b** is twice as long, and **P** stays? Drag the tip of **b**, then \
+    question: "What becomes of *t* if **d** is twice as long, and **P** stays? Drag the tip of **d**, then \
         **P** back to where it was.",
     handles: &[
-        Handle::new(&["a_x", "a_y"], |it, to| {
-            [it.a_x, it.a_y, _] = PLANE.place(to).to_array();
+        Handle::new(&["q_x", "q_y"], |it, to| {
+            [it.q_x, it.q_y, _] = PLANE.place(to).to_array();
         }),
-        Handle::new(&["b_x", "b_y"], |it, to| {
+        Handle::new(&["d_x", "d_y"], |it, to| {
             let way = PLANE.place(to) - it.ray().origin;
-            [it.b_x, it.b_y, _] = way.to_array();
+            [it.d_x, it.d_y, _] = way.to_array();
         }),
         Handle::new(&["t"], |it, to| {
             let ray = it.ray();
@@ -50,9 +50,9 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         }),
     ],
     actions: &[
-        Action::new("Double b, keep P", |it| it.stretch(2.0)),
-        Action::new("Halve b, keep P", |it| it.stretch(0.5)),
-        Action::new("P behind A", |it| it.t = -1.0),
+        Action::new("Double d, keep P", |it| it.stretch(2.0)),
+        Action::new("Halve d, keep P", |it| it.stretch(0.5)),
+        Action::new("P behind Q", |it| it.t = -1.0),
     ],
     answer,
 };
@@ -60,18 +60,18 @@ pub(crate) static LIVE: Live<Parameters> = Live {
 impl Parameters {
     fn ray(&self) -> Ray {
         Ray::new(
-            Point3::new(self.a_x, self.a_y, 0.0),
-            Vec3::new(self.b_x, self.b_y, 0.0),
+            Point3::new(self.q_x, self.q_y, 0.0),
+            Vec3::new(self.d_x, self.d_y, 0.0),
         )
     }
 
-    /// Makes b longer or shorter by a `factor`, where there is room, and leaves P in its place.
+    /// Makes d longer or shorter by a `factor`, where there is room, and leaves P in its place.
     fn stretch(&mut self, factor: f64) {
         let mut numbers = [
-            self.a_x,
-            self.a_y,
-            self.b_x * factor,
-            self.b_y * factor,
+            self.q_x,
+            self.q_y,
+            self.d_x * factor,
+            self.d_y * factor,
             self.t / factor,
         ];
         let stretched = numbers;
@@ -96,12 +96,12 @@ fn answer(parameters: &Parameters) -> Answer {
         drawing: draw(&ray, t),
         sentence: match side {
             _ if length == 0.0 => {
-                "**b** has no length, so **P** is **A**, whatever *t* is.".to_owned()
+                "**d** has no length, so **P** is **Q**, whatever *t* is.".to_owned()
             }
-            "" => "At *t* = 0 the place is **A** itself, however long **b** is.".to_owned(),
+            "" => "At *t* = 0 the place is **Q** itself, however long **d** is.".to_owned(),
             _ => format!(
-                "*t* = {t_said} says: from **A** go {t_said} times the arrow **b**, which is {length_said} \
-                 long. So **P** is {distance}{side} **A**."
+                "*t* = {t_said} says: from **Q** go {t_said} times the arrow **d**, which is {length_said} \
+                 long. So **P** is {distance}{side} **Q**."
             ),
         },
         handles: [ray.origin, ray.at(1.0), ray.at(t)]
@@ -136,8 +136,8 @@ fn draw(ray: &Ray, t: f64) -> Svg {
     }
     svg.arrow("ray bold", at(0.0), at(1.0));
     let beside = aside(ray) + DVec2::new(0.0, 5.0);
-    svg.label("ray", at(0.5) + beside, Anchor::Middle, "**b**");
-    svg.label("ink", at(0.0) + beside, Anchor::Middle, "**A**");
+    svg.label("ray", at(0.5) + beside, Anchor::Middle, "**d**");
+    svg.label("ink", at(0.0) + beside, Anchor::Middle, "**Q**");
     svg.circle("ink hollow", at(t), 6.0);
     svg.label("ink", at(t) + beside, Anchor::Middle, "**P**");
     for (line, words) in (0..).zip(formulas(ray, t)) {
@@ -183,7 +183,7 @@ fn formulas(ray: &Ray, t: f64) -> [String; 2] {
     let length = ray.direction.length();
     let [t, distance, length] = [t, t * length, length].map(spoken);
     [
-        format!("**P**({t}) = **A** + {t} **b**"),
-        format!("from **A**: *t* · |**b**| = {t} · {length} = {distance}"),
+        format!("**P**({t}) = **Q** + {t} **d**"),
+        format!("from **Q**: *t* · |**d**| = {t} · {length} = {distance}"),
     ]
 }

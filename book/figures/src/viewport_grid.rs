@@ -15,13 +15,13 @@ use crate::svg::{Anchor, Svg};
 pub(crate) const FIGURE: Figure = Figure {
     name: "viewport_grid",
     title: "The viewport and its grid of pixels",
-    description: "A rectangle of eight by four squares, each with a point in its center. Q is the \
-        upper left corner of the rectangle. The vector V u runs from Q along the whole upper edge, \
+    description: "A rectangle of eight by four squares, each with a point in its center. V 0 is the \
+        upper left corner of the rectangle. The vector V u runs from there along the whole upper edge, \
         V v along the whole left edge, downwards. The point in the first square is P 0,0. From \
         there Δu leads to the point on its right, Δv to the point below. Another square is \
         marked, with the point P 5,2 in its center.",
-    caption: "The pixels of a picture on its viewport. **Q** is a corner of the viewport, and the first \
-        **P** the center of a pixel: half a step right and half a step down from **Q**. Rows run \
+    caption: "The pixels of a picture on its viewport. The first **P** is the \
+        center of a pixel: half a step right and half a step down from the corner. Rows run \
         downwards, where *y* runs up, so Δ**v** points along −*y*.",
     draw: || LIVE.on_page(),
 };
@@ -67,7 +67,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
 
 /// The name of the slip in the catalogue.
 const SLIP: &str = "grid-not-inset";
-const CHOICES: &[&str] = &["half a pixel in", "at the corner Q"];
+const CHOICES: &[&str] = &["half a pixel in", "at the corner"];
 
 impl Parameters {
     /// The camera of the chapter.
@@ -135,13 +135,14 @@ fn height(width: u32) -> String {
 }
 
 fn because(width: u32) -> String {
-    let quotient = f64::from(width) / (16.0 / 9.0);
+    // In sixteenths, so that no digit is cut.
+    let quotient = f64::from(9 * width) / 16.0;
     let end = match quotient {
         ..1.0 => " would leave none",
         _ if quotient.fract() == 0.0 => ", and nothing is cut",
         _ => " is cut",
     };
-    format!("{width} / (16/9) = {}{end}", spoken(quotient))
+    format!("{width} / (16/9) = {quotient}{end}")
 }
 
 fn rows(width: u32) -> String {
@@ -164,8 +165,12 @@ impl Grid {
     fn plane(&self) -> Plane {
         let [u, v] = self.viewport();
         let scale = (ROOM.x / u.x).min(ROOM.y / -v.y);
-        let q = self.q();
-        Plane::new(CORNER.x - scale * q.x, CORNER.y + scale * q.y, scale)
+        let corner = self.corner();
+        Plane::new(
+            CORNER.x - scale * corner.x,
+            CORNER.y + scale * corner.y,
+            scale,
+        )
     }
 
     /// The viewport's upper edge from left to right, and its left edge downwards.
@@ -178,7 +183,7 @@ impl Grid {
     }
 
     /// The upper left corner of the viewport, by the formula of the page.
-    fn q(&self) -> Point3 {
+    fn corner(&self) -> Point3 {
         let [u, v] = self.viewport();
         self.camera.center - Vec3::Z - 0.5 * u - 0.5 * v
     }
@@ -229,14 +234,14 @@ fn draw_grid(svg: &mut Svg, grid: &Grid, plane: &Plane) {
     svg.dots("faint", points, (step.x / 3.0).min(5.0));
 }
 
-/// The two edges from Q.
+/// The two edges from the corner.
 fn draw_viewport(svg: &mut Svg, grid: &Grid, plane: &Plane) {
     let [u, v] = grid.viewport().map(|edge| plane.vector(edge));
     svg.arrow("viewport bold", CORNER, CORNER + u);
     svg.arrow("viewport bold", CORNER, CORNER + v);
     svg.circle("viewport solid", CORNER, 5.0);
-    let by_q = CORNER + DVec2::new(-8.0, -9.0);
-    svg.label("viewport", by_q, Anchor::End, "**Q**");
+    let beside = CORNER + DVec2::new(-8.0, -9.0);
+    svg.label("viewport", beside, Anchor::End, "**V**_{0}");
     let above = CORNER + 0.5 * u + DVec2::new(0.0, -10.0);
     svg.label("viewport", above, Anchor::Middle, "**V**_{u}");
     // Far below the first row, where its P is.
@@ -304,7 +309,7 @@ fn draw_numbers(svg: &mut Svg, grid: &Grid) {
         ("viewport", "**V**_{v}", v),
         ("ray", "Δ**u**", camera.pixel_delta_u),
         ("ray", "Δ**v**", camera.pixel_delta_v),
-        ("viewport", "**Q**", grid.q()),
+        ("viewport", "**V**_{0}", grid.corner()),
         ("ink", "**P**_{0,0}", grid.place([0, 0])),
         ("ink", &pixel, grid.place(grid.pixel)),
     ];

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::code::Listed;
-use crate::{changes, code, controls, figure, measured, picture, slip, step};
+use crate::{changes, code, controls, figure, measured, picture, slip, step, time};
 
 /// What stands in a page in place of a directive or a formula.
 pub(crate) enum Woven {
@@ -30,6 +30,7 @@ pub(crate) enum Woven {
 /// | `{{slips LOOK}}` | all slips that look like that |
 /// | `{{step CHAPTER NUMBER}}` | the picture after this step on the way to the chapter |
 /// | `{{snapshot PATH}}` | the Markdown in a snapshot |
+/// | `{{time CHAPTER}}` | how long its page is to read, and its program to type |
 /// | `{{value FILE KEY}}` | a number that was measured |
 pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<Woven, String> {
     let (name, rest) = split(text.trim());
@@ -60,13 +61,14 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
             step::step(chapter, number).map(Woven::Block)
         }
         "snapshot" => snapshot(&folder.join(rest)).map(Woven::Block),
+        "time" => time::time(folder, rest).map(Woven::Inline),
         "value" => {
             let (file, key) = split(rest);
             measured::value(&folder.join(file), key).map(Woven::Inline)
         }
         _ => Err(format!(
             "there is no directive `{name}`: choose code, figure, live, chart, changes, editions, \
-             picture, slip, slips, step, snapshot or value"
+             picture, slip, slips, step, snapshot, time or value"
         )),
     }
 }

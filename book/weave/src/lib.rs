@@ -17,6 +17,7 @@ mod page;
 mod picture;
 mod slip;
 mod step;
+mod time;
 mod warnings;
 
 use std::error::Error;

@@ -6,6 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use scraper::ElementRef;
 use slips::Chapter;
 
 use crate::book::{self, folder_of, page_of, text_of};
@@ -32,6 +33,39 @@ fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
             output.stdout == p3(&chapter.picture(chapter.book_width())),
             "typed from {}, the program draws something else",
             page_of(chapter)
+        );
+    }
+}
+
+/// Chapter 5 has several files: whoever types them may stop after each listing.
+#[test]
+#[ignore = "builds what the pages list"]
+fn chapter_5_compiles_after_each_listing_of_its_page() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("listing_by_listing");
+    let chapter = folder_of(Chapter::HittableList);
+    let own = |(file, _): &(PathBuf, String)| file.starts_with(chapter.join("src"));
+    let (listings, others): (Vec<_>, Vec<_>) = listed().into_iter().partition(own);
+    write_manifest(&folder);
+    for (file, text) in given().into_iter().chain(others) {
+        write_if_changed(&folder.join(file), &text);
+    }
+    let mut typed: BTreeMap<_, _> = listings
+        .into_iter()
+        .map(|(file, _)| (file, String::new()))
+        .collect();
+    for (file, code) in listings_of(Chapter::HittableList).into_iter().filter(own) {
+        add(&mut typed, file.clone(), &code);
+        for (file, text) in &typed {
+            write_if_changed(&folder.join(file), text);
+        }
+        let mut cargo = Command::new(env!("CARGO"));
+        cargo.args(["check", "--offline", "--package", "hittable_list", "--lib"]);
+        let output = run(cargo.current_dir(&folder));
+        let said = text(&output.stderr);
+        assert!(
+            output.status.success(),
+            "after\n{code}\nof {}:\n{said}",
+            file.display()
         );
     }
 }
@@ -82,24 +116,9 @@ fn named(line: &str) -> Option<&str> {
 /// exercises are a test of their chapter.
 fn listed() -> BTreeMap<PathBuf, String> {
     let mut typed: BTreeMap<PathBuf, String> = BTreeMap::new();
-    let pages = book::pages();
     for chapter in Chapter::OF_THE_BOOK {
-        let page = pages.iter().find(|page| page.name == page_of(chapter));
-        for listing in page.expect("a chapter has a page").all(".listing") {
-            let part = |part: &str| {
-                let part = listing.select(&book::select(part)).next();
-                text_of(part.expect("a listing has its file and its code"))
-            };
-            let (file, code) = (part(".file"), part("code"));
-            let file = match file.starts_with("tests/suite/book/exercises/") {
-                true => folder_of(chapter).join("tests/exercises.rs"),
-                false => PathBuf::from(file),
-            };
-            let text = typed.entry(file).or_default();
-            if !text.is_empty() {
-                text.push('\n');
-            }
-            *text += &code;
+        for (file, code) in listings_of(chapter) {
+            add(&mut typed, file, &code);
         }
     }
     for chapter in &Chapter::OF_THE_BOOK[1..] {
@@ -110,6 +129,35 @@ fn listed() -> BTreeMap<PathBuf, String> {
         typed.insert(folder_of(*chapter).join("src/main.rs"), main);
     }
     typed
+}
+
+/// What a page lists, in its order: the file of each listing, and its text.
+fn listings_of(chapter: Chapter) -> Vec<(PathBuf, String)> {
+    let pages = book::pages();
+    let page = pages.iter().find(|page| page.name == page_of(chapter));
+    let listings = page.expect("a chapter has a page").all(".listing");
+    let listing = |listing: ElementRef| {
+        let part = |part: &str| {
+            let part = listing.select(&book::select(part)).next();
+            text_of(part.expect("a listing has its file and its code"))
+        };
+        let file = part(".file");
+        let file = match file.starts_with("tests/suite/book/exercises/") {
+            true => folder_of(chapter).join("tests/exercises.rs"),
+            false => PathBuf::from(file),
+        };
+        (file, part("code"))
+    };
+    listings.into_iter().map(listing).collect()
+}
+
+/// Types a listing below what is in its file already.
+fn add(typed: &mut BTreeMap<PathBuf, String>, file: PathBuf, code: &str) {
+    let text = typed.entry(file).or_default();
+    if !text.is_empty() {
+        text.push('\n');
+    }
+    *text += code;
 }
 
 /// What nobody types: the engine, and what cargo is told.

@@ -11,7 +11,7 @@ const SEARCH: Place = Place {
     source: "chapters/5_hittable_list/src/hittable_list.rs",
 };
 const BOTH_ROOTS: Place = Place {
-    page: "hittable_list#the-nearest-one",
+    page: "hittable_list#a-sphere-from-both-sides",
     source: "chapters/5_hittable_list/src/sphere.rs",
 };
 const RANGE_OF_A_SPHERE: Place = Place {

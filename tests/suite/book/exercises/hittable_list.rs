@@ -193,3 +193,38 @@ fn a_ray_along_a_plane_misses_it_and_one_from_below_comes_from_inside() {
     assert_eq!((record.t, record.front_face), (1.5, false));
     assert_eq!(record.normal, -Vec3::Y);
 }
+
+/// The picture of the chapter, each pixel the mean of 4 × 4 rays.
+fn smooth(width: u32) -> Picture {
+    let (camera, world) = (Camera::new(width), world());
+    let (columns, rows) = (camera.image_width, camera.image_height);
+    Picture::paint(columns, rows, move |i, j| {
+        let mut sum = Color::ZERO;
+        for n in 0..16 {
+            // Off the center by 1/8 or 3/8 of a pixel, to either side.
+            let across = (f64::from(n % 4) - 1.5) / 4.0;
+            let down = (f64::from(n / 4) - 1.5) / 4.0;
+            let center = camera.ray(i, j);
+            let off = across * camera.pixel_delta_u + down * camera.pixel_delta_v;
+            let ray = Ray::new(center.origin, center.direction + off);
+            sum += ray_color(&ray, &world);
+        }
+        sum / 16.0
+    })
+}
+
+/// Between two neighbors the color never jumps as far as it does where a pixel is one ray.
+#[test]
+fn sixteen_rays_a_pixel_smooth_the_outline_of_the_ball() {
+    let jump = |picture: Picture| {
+        let rows = picture.rgb().chunks(3 * 400).map(<[u8]>::to_vec);
+        let steps = rows.flat_map(|row| {
+            let neighbors = row[..1197].iter().zip(row[3..].to_vec());
+            neighbors
+                .map(|(one, other)| one.abs_diff(other))
+                .collect::<Vec<_>>()
+        });
+        steps.max().expect("a picture has pixels")
+    };
+    assert!(jump(smooth(400)) < jump(hittable_list::picture(400)));
+}
