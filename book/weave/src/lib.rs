@@ -17,6 +17,7 @@ mod page;
 mod picture;
 mod slip;
 mod step;
+mod symbols;
 mod time;
 mod warnings;
 
@@ -30,6 +31,7 @@ use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 
 use maths::Maths;
 use page::Page;
+use symbols::Symbols;
 
 /// Weaves the book in the folder `source`, which has a book.toml, into the empty `folder`.
 ///
@@ -62,7 +64,7 @@ impl Preprocessor for Weaver {
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Done<Book> {
         let notes = context.root.join(&context.config.book.src);
-        let mut maths = Maths::new();
+        let mut maths = Maths::new(Symbols::read(&notes));
         let mut problems = Vec::new();
         book.for_each_mut(|item| {
             if let BookItem::Chapter(chapter) = item

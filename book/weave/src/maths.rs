@@ -1,33 +1,46 @@
 //! Formulas: LaTeX becomes MathML, which browsers draw without any help.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
 use crate::breaks::with_breaks;
+use crate::symbols::Symbols;
 
 /// The formulas of the book, and the numbers that are taken.
 pub(crate) struct Maths {
     converter: LatexToMathML,
     /// Where the equation of each number stands.
     numbered: HashMap<String, String>,
+    symbols: Symbols,
 }
 
 impl Maths {
     /// Maths without macros, and no equation numbered yet.
-    pub(crate) fn new() -> Self {
+    pub(crate) fn new(symbols: Symbols) -> Self {
         let converter = LatexToMathML::new(MathCoreConfig::default())
             .expect("without macros there is none that can be wrong");
         Self {
             converter,
             numbered: HashMap::new(),
+            symbols,
         }
     }
 
-    /// A formula inside a line, which does not part from the `punctuation` behind it.
-    pub(crate) fn inline(&self, latex: &str, punctuation: &str) -> Result<String, String> {
+    /// A formula inside a line, which does not part from the `punctuation` behind it. A symbol
+    /// that is not among those `met` is explained; nothing is, where there are none to be met.
+    pub(crate) fn inline(
+        &self,
+        latex: &str,
+        punctuation: &str,
+        met: Option<&mut HashSet<String>>,
+    ) -> Result<String, String> {
         let mathml = self.convert(latex, MathDisplay::Inline)?;
         let mathml = untouched_by_markdown(&mathml);
+        let mathml = match met {
+            Some(met) => self.symbols.explained(latex, mathml, met),
+            None => mathml,
+        };
         Ok(match punctuation {
             "" => mathml,
             _ => format!("<span class=\"whole\">{mathml}{punctuation}</span>"),

@@ -1,5 +1,6 @@
 //! One page: where its formulas and directives are, and what becomes of them.
 
+use std::collections::HashSet;
 use std::env;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -68,6 +69,9 @@ impl<'a> Page<'a> {
         let mut pieces = Vec::new();
         let mut opaque: Vec<Range<usize>> = Vec::new();
         let mut in_table = false;
+        // In a heading or a link there is no room for another link.
+        let mut linked = 0;
+        let mut met = HashSet::new();
         for (event, range) in parser(self.text).into_offset_iter() {
             match event {
                 Event::InlineMath(formula) if in_table => {
@@ -75,7 +79,8 @@ impl<'a> Page<'a> {
                 }
                 Event::InlineMath(formula) => {
                     let end = self.end_of_punctuation(range.end);
-                    let woven = maths.inline(&formula, &self.text[range.end..end]);
+                    let met = (linked == 0).then_some(&mut met);
+                    let woven = maths.inline(&formula, &self.text[range.end..end], met);
                     pieces.push((range.start..end, woven.map(Woven::Inline)));
                 }
                 Event::DisplayMath(formula) => {
@@ -83,6 +88,14 @@ impl<'a> Page<'a> {
                     pieces.push((range.clone(), equation.map(Woven::Block)));
                 }
                 Event::Start(Tag::CodeBlock(_)) | Event::Code(_) => {}
+                Event::Start(Tag::Heading { .. } | Tag::Link { .. }) => {
+                    linked += 1;
+                    continue;
+                }
+                Event::End(TagEnd::Heading(_) | TagEnd::Link) => {
+                    linked -= 1;
+                    continue;
+                }
                 Event::Start(Tag::TableCell) => {
                     in_table = true;
                     continue;
