@@ -1,99 +1,214 @@
-//! Figure 3 of the notes: the frame of the camera.
+//! Figure 3 of the notes, turned by the reader: the eye, the viewport, and the rays of a row
+//! of pixels, in perspective.
 
 use common::rtweekend::*;
 use glam::DVec2;
+use normals::hit_sphere;
 
 use crate::figure::Figure;
+use crate::live::{Action, Answer, Handle, Live, Number, parameters};
 use crate::number::spoken;
 use crate::svg::{Anchor, Svg};
 
 /// The words of this figure.
 pub(crate) const FIGURE: Figure = Figure {
     name: "camera_frame",
-    title: "The camera and its right-handed frame",
-    description: "Seen from the side. From the eye at the origin three axes start: y up, z to \
-        the left, and x towards whoever looks at the drawing. The viewport stands upright at the \
-        right, across the negative z axis. A dashed line of length 1 joins the eye to its center, and four lines join the \
-        eye to its corners.",
-    caption: "Seen from the side: the eye is the origin of a right-handed frame. For whoever looks \
-        through the camera, *x* points to the right, *y* up, and *z* back from where it looks. So it \
-        looks along −*z*, through a viewport that is one focal length away.",
-    draw,
+    title: "The eye, the viewport, and the rays of a row",
+    description: "Seen from the right, from behind and a little from above. From the eye at the \
+        origin three axes start: x to the right, y up, and z back. The viewport, a rectangle of \
+        16 by 9 pixels, stands upright ahead of the eye, across the negative z axis. A ray goes \
+        from the eye through the middle of each pixel of one row, and on. In the middle of the \
+        viewport is the sphere of chapter 2, at which six of the rays end.",
+    caption: "The eye is the origin of a right-handed frame, and looks along −*z* through a viewport that \
+        is one focal length away. A ray goes through the middle of each pixel; here is a row of \
+        them, and the sphere that chapter 2 will put there.",
+    draw: || LIVE.on_page(),
 };
 
-/// Draws the frame and the viewport.
-fn draw() -> String {
+parameters! {
+    turn: Number::whole("Turn, in degrees", -180.0, 180.0, 60.0),
+    tilt: Number::whole("Tilt, in degrees", -90.0, 90.0, 20.0),
+    row: Number {
+        downwards: true,
+        ..Number::whole("Row j", 0.0, 8.0, 4.0)
+    },
+}
+
+/// The figure, as a reader turns it.
+pub(crate) static LIVE: Live<Parameters> = Live {
+    figure: FIGURE,
+    question: "In which rows do rays meet the sphere? And what do all rays have in common? Turn the scene, \
+        and choose the row.",
+    solution: "In the rows 2 to 6. All rays start in the eye. So they spread, and what is far away takes \
+        fewer of them: it looks small.",
+    handles: &[Handle::new(&["turn", "tilt"], |it, to| {
+        let way = (to - KNOB) / KNOB_ROOM;
+        [it.turn, it.tilt] = [180.0 * way.x, -90.0 * way.y];
+    })],
+    actions: &[
+        Action::new("From behind", |it| it.look(0.0, 0.0)),
+        Action::new("From the side", |it| it.look(90.0, 0.0)),
+        Action::new("From above", |it| it.look(0.0, 90.0)),
+    ],
+    answer,
+};
+
+impl Parameters {
+    /// Looks at the scene from that side.
+    fn look(&mut self, turn: f64, tilt: f64) {
+        [self.turn, self.tilt] = [turn, tilt];
+    }
+}
+
+/// The sphere of chapter 2.
+const CENTER: Point3 = Point3::new(0.0, 0.0, -1.0);
+const RADIUS: f64 = 0.5;
+
+fn answer(parameters: &Parameters) -> Answer {
     let camera = Camera::with_size(16, 9);
-    let mut svg = FIGURE.sheet(400.0, 320.0);
-    let corners = corners(&camera);
-    let middle = 0.5 * (corners[0] + corners[2]);
-    let on_sheet = corners.map(project);
-
-    for corner in on_sheet {
-        svg.line("ray thin", project(camera.center), corner);
-    }
-    let mut outline = on_sheet.to_vec();
-    outline.push(on_sheet[0]);
-    svg.path("viewport area", &outline);
-    svg.line("ink dashed", project(camera.center), project(middle));
-    svg.circle("viewport solid", project(middle), 3.0);
-    axes(&mut svg, camera.center);
-
-    let size = corners[2] - corners[0];
-    let beside = 0.5 * (on_sheet[1] + on_sheet[2]) + DVec2::new(10.0, -3.0);
-    svg.label("viewport", beside, Anchor::Start, "viewport");
-    let words = format!("{} × {}", spoken(size.x), spoken(-size.y));
-    svg.label(
-        "viewport",
-        beside + DVec2::new(0.0, 20.0),
-        Anchor::Start,
-        &words,
-    );
-    let above = 0.5 * (project(camera.center) + project(middle)) - DVec2::new(0.0, 8.0);
-    let words = spoken(camera.center.distance(middle));
-    svg.label("ink", above, Anchor::Middle, &words);
-    svg.finish()
-}
-
-fn axes(svg: &mut Svg, eye: Point3) {
-    for (axis, length, name, aside) in [
-        (Vec3::X, 1.1, "*x*", DVec2::new(12.0, 12.0)),
-        (Vec3::Y, 0.9, "*y*", DVec2::new(-13.0, 4.0)),
-        (Vec3::Z, 0.8, "*z*", DVec2::new(-11.0, 8.0)),
-    ] {
-        let tip = project(eye + length * axis);
-        svg.arrow("ink line", project(eye), tip);
-        svg.label("ink", tip + aside, Anchor::Middle, name);
-    }
-    svg.circle("ink solid", project(eye), 5.0);
-    let below = project(eye) + DVec2::new(-2.0, 34.0);
-    svg.label("ink", below, Anchor::End, "eye (0, 0, 0)");
-}
-
-/// The corners of the viewport, clockwise from the upper left: half a pixel
-/// outside the centers of the outermost pixels.
-fn corners(camera: &Camera) -> [Point3; 4] {
-    let corner = |i: u32, j: u32| {
-        camera.pixel00
-            + (f64::from(i) - 0.5) * camera.pixel_delta_u
-            + (f64::from(j) - 0.5) * camera.pixel_delta_v
+    let row = parameters.row as u32;
+    let rays = (0..camera.image_width).map(|i| camera.ray(i, row));
+    let rays: Vec<(Ray, Option<f64>)> = rays
+        .map(|ray| (ray, hit_sphere(CENTER, RADIUS, &ray)))
+        .collect();
+    let meet = rays.iter().filter(|(_, t)| t.is_some()).count();
+    let height = spoken(rays[0].0.direction.y);
+    let meet = match meet {
+        0 => "none of its rays meets the sphere".to_owned(),
+        _ => format!("{meet} of its {} rays meet the sphere", rays.len()),
     };
-    let (width, height) = (camera.image_width, camera.image_height);
-    [
-        corner(0, 0),
-        corner(width, 0),
-        corner(width, height),
-        corner(0, height),
-    ]
+    Answer {
+        drawing: draw(&View::new(parameters), &camera, row, &rays),
+        sentence: format!("Row {row}, at *y* = {height}: {meet}."),
+        handles: vec![knob(parameters)],
+        says: vec![],
+    }
 }
 
-/// Takes a point of space to the sheet, as seen from the right of the eye and a
-/// little from above.
-fn project(point: Point3) -> DVec2 {
-    let (sin_turn, cos_turn) = 65_f64.to_radians().sin_cos();
-    let (sin_tilt, cos_tilt) = 10_f64.to_radians().sin_cos();
-    let right = point.x * cos_turn - point.z * sin_turn;
-    let nearer = point.x * sin_turn + point.z * cos_turn;
-    let up = point.y * cos_tilt - nearer * sin_tilt;
-    DVec2::new(128.0, 172.0) + 110.0 * DVec2::new(right, -up)
+/// Where the scene is looked at from.
+struct View {
+    right: Vec3,
+    up: Vec3,
+    /// From the scene towards whoever looks.
+    back: Vec3,
+}
+
+impl View {
+    /// From behind the eye, turned to the right and tilted upwards.
+    fn new(parameters: &Parameters) -> Self {
+        let (sin_turn, cos_turn) = parameters.turn.to_radians().sin_cos();
+        let (sin_tilt, cos_tilt) = parameters.tilt.to_radians().sin_cos();
+        let right = Vec3::new(cos_turn, 0.0, -sin_turn);
+        let back = Vec3::new(sin_turn * cos_tilt, sin_tilt, cos_turn * cos_tilt);
+        let up = back.cross(right);
+        Self { right, up, back }
+    }
+
+    /// Whoever looks.
+    fn place(&self) -> Point3 {
+        PIVOT + DISTANCE * self.back
+    }
+
+    /// A point of the scene on the sheet, in perspective.
+    fn point(&self, point: Point3) -> DVec2 {
+        let way = point - PIVOT;
+        let scale = ZOOM / (DISTANCE - way.dot(self.back));
+        MIDDLE + scale * DVec2::new(way.dot(self.right), -way.dot(self.up))
+    }
+
+    /// A circle of the scene, around a unit normal.
+    fn circle(&self, center: Point3, radius: f64, normal: Vec3) -> [DVec2; 49] {
+        let (one, other) = normal.any_orthonormal_pair();
+        std::array::from_fn(|n| {
+            let (sin, cos) = (std::f64::consts::TAU * n as f64 / 48.0).sin_cos();
+            self.point(center + radius * (cos * one + sin * other))
+        })
+    }
+}
+
+/// What the scene turns around, and how far away it is looked at from.
+const PIVOT: Point3 = Point3::new(0.0, 0.0, -0.7);
+const DISTANCE: f64 = 7.0;
+
+/// Where the pivot is on the sheet, and how large what is 1 unit away.
+const MIDDLE: DVec2 = DVec2::new(200.0, 140.0);
+const ZOOM: f64 = 620.0;
+
+/// Where the knob is that turns the scene, and how far it can be moved.
+const KNOB: DVec2 = DVec2::new(200.0, 302.0);
+const KNOB_ROOM: DVec2 = DVec2::new(150.0, 26.0);
+
+fn knob(&Parameters { turn, tilt, .. }: &Parameters) -> DVec2 {
+    KNOB + KNOB_ROOM * DVec2::new(turn / 180.0, -tilt / 90.0)
+}
+
+/// How far a ray is drawn that meets nothing.
+const FAR: f64 = 1.4;
+
+fn draw(view: &View, camera: &Camera, row: u32, rays: &[(Ray, Option<f64>)]) -> Svg {
+    let mut svg = FIGURE.sheet(400.0, 336.0);
+    draw_viewport(&mut svg, view, camera, row);
+    draw_sphere(&mut svg, view);
+    for (ray, t) in rays {
+        let end = view.point(ray.at(t.unwrap_or(FAR)));
+        svg.line("ray thin", view.point(ray.origin), end);
+        if t.is_some() {
+            svg.circle("ray solid", end, 2.5);
+        }
+    }
+    draw_axes(&mut svg, view, camera.center);
+    draw_knob(&mut svg);
+    svg
+}
+
+/// The pixels, those of the row filled.
+fn draw_viewport(svg: &mut Svg, view: &View, camera: &Camera, row: u32) {
+    let (width, height) = (camera.image_width, camera.image_height);
+    let corner = |i: u32, j: u32| {
+        let across = (f64::from(i) - 0.5) * camera.pixel_delta_u;
+        view.point(camera.pixel00 + across + (f64::from(j) - 0.5) * camera.pixel_delta_v)
+    };
+    let strip = |j: u32, end: u32| {
+        [(0, j), (width, j), (width, end), (0, end), (0, j)].map(|(i, j)| corner(i, j))
+    };
+    svg.path("viewport area", &strip(0, height));
+    svg.path("viewport wash", &strip(row, row + 1));
+    for i in 1..width {
+        svg.line("grid thin", corner(i, 0), corner(i, height));
+    }
+    for j in 1..height {
+        svg.line("grid thin", corner(0, j), corner(width, j));
+    }
+}
+
+/// Its outline, where the lines of sight touch it, and its equator.
+fn draw_sphere(svg: &mut Svg, view: &View) {
+    let way = view.place() - CENTER;
+    let distance = way.length();
+    let towards = way * (1.0 / distance);
+    let nearer = RADIUS * RADIUS / distance;
+    let radius = (RADIUS * RADIUS - nearer * nearer).sqrt();
+    let outline = view.circle(CENTER + nearer * towards, radius, towards);
+    svg.path("sphere area", &outline);
+    svg.path("sphere thin", &view.circle(CENTER, RADIUS, Vec3::Y));
+}
+
+fn draw_axes(svg: &mut Svg, view: &View, eye: Point3) {
+    for (axis, name) in [(Vec3::X, "*x*"), (Vec3::Y, "*y*"), (Vec3::Z, "*z*")] {
+        svg.arrow("ink line", view.point(eye), view.point(eye + 0.7 * axis));
+        let beyond = view.point(eye + 0.85 * axis) + DVec2::new(0.0, 5.0);
+        svg.label("ink", beyond, Anchor::Middle, name);
+    }
+    svg.circle("ink solid", view.point(eye), 5.0);
+    let below = view.point(eye) + DVec2::new(0.0, 24.0);
+    svg.label("ink", below, Anchor::Middle, "eye");
+}
+
+/// What the knob slides on.
+fn draw_knob(svg: &mut Svg) {
+    let [across, up] = [DVec2::new(KNOB_ROOM.x, 0.0), DVec2::new(0.0, KNOB_ROOM.y)];
+    svg.line("faint thin", KNOB - across, KNOB + across);
+    svg.line("faint thin", KNOB - up, KNOB + up);
+    let beside = KNOB + across + DVec2::new(0.0, 20.0);
+    svg.small_label("faint", beside, Anchor::End, "drag to turn");
 }

@@ -47,6 +47,8 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
     question: "From which distance on is *D* nothing but rounding? Drag the star away, along the axis, \
         and choose a pixel in either picture.",
+    solution: "From about 10⁸ radii on: the square of the distance then has no digit left for that of the \
+        radius.",
     handles: &[
         Handle::new(&["exponent"], |it, to| it.exponent = exponent_at(to)),
         Handle::new(&["right", "up"], |it, to| {

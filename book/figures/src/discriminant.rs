@@ -11,6 +11,7 @@ use crate::live::{Action, Answer, Handle, Live, Number, parameters};
 use crate::number::spoken;
 use crate::plane::Plane;
 use crate::svg::{Anchor, Svg};
+use crate::traced::red_sphere_lines;
 
 /// The words of this figure.
 pub(crate) const FIGURE: Figure = Figure {
@@ -33,7 +34,7 @@ parameters! {
     d_y: Number::new("d, upwards", -2.0, 2.0, 0.0),
     c_x: Number::new("C, to the right", 0.5, 4.8, 3.0),
     c_y: Number::new("C, upwards", -0.6, 0.8, 0.6),
-    radius: Number::new("radius", 0.2, 1.2, 1.2),
+    radius: Number::new("radius", 0.2, 1.3, 1.2),
     formula: Number::choice("The formula", CHOICES),
 }
 
@@ -42,6 +43,8 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
     question: "Where does the first root go when the eye enters the sphere? Drag **Q** into it, and \
         out at the other side.",
+    solution: "It falls, is 0 on the surface, and negative inside: that root is behind the eye then. At the \
+        other side the second one goes the same way, and both are negative.",
     handles: &[
         Handle::new(&["c_x", "c_y"], |it, to| {
             [it.c_x, it.c_y, _] = PLANE.place(to).to_array();
@@ -181,12 +184,13 @@ fn answer(parameters: &Parameters) -> Answer {
     };
     let shown = slipped.as_ref().unwrap_or(&right);
     let below = right.center - Vec3::new(0.0, right.radius, 0.0);
+    let lines = red_sphere_lines(right.center, right.radius, &right.ray);
     let handles = [right.center, below, right.ray.at(1.0), right.ray.origin];
     Answer {
         drawing: draw(shown),
         sentence,
         handles: handles.map(|it| PLANE.point(it)).into(),
-        says: vec![("roots", roots_in_words(&right.roots()))],
+        says: [vec![("roots", roots_in_words(&right.roots()))], lines].concat(),
     }
 }
 

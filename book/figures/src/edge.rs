@@ -70,6 +70,8 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
     question: "How close must you look before the edge frays? Begin with the whole ball, zoom in, and then \
         choose a cell that is marked. Who is wrong there?",
+    solution: "Until a step from cell to cell changes *D* by less than rounding does. The method at the left is \
+        wrong then. At the right integers decide, which do not round.",
     handles: &[
         Handle::new(&["doublings"], |it, to| it.doublings = doublings_at(to)),
         Handle::new(&["right", "up"], |it, to| {

@@ -4,12 +4,14 @@
 use common::rtweekend::*;
 use glam::DVec2;
 use hittable_list::{HitRecord, Hittable, Sphere};
+use slips::Ball;
 
 use crate::figure::Figure;
 use crate::live::{Action, Answer, Handle, Live, Number, parameters};
 use crate::number::{printed, spoken};
 use crate::plane::Plane;
 use crate::svg::{Anchor, Svg};
+use crate::traced::sphere_lines;
 
 /// The words of this figure.
 pub(crate) const FIGURE: Figure = Figure {
@@ -34,6 +36,8 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
     question: "When does the normal at the right turn round? Drag the origin of the lower ray out of \
         the sphere, and then to where the ray only grazes it.",
+    solution: "When the ray comes from inside: the outward normal and the ray then point the same way. A graze \
+        counts as inside, since its product is 0 and not less.",
     handles: &[
         Handle::new(&["x", "y"], |it, to| {
             [it.x, it.y, _] = PLANES[0].place(to).to_array();
@@ -88,7 +92,7 @@ fn answer(&Parameters { x, y }: &Parameters) -> Answer {
         drawing: draw(&ray),
         sentence,
         handles: PLANES.map(|plane| plane.point(ray.origin)).into(),
-        says: vec![],
+        says: sphere_lines(&Ball::new(0.0, 0.0, 0.0, 1.0), &ray),
     }
 }
 

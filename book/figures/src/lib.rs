@@ -31,6 +31,7 @@ mod sphere_test;
 mod style;
 mod svg;
 pub mod table;
+mod traced;
 mod unit_sky;
 mod viewport_grid;
 
@@ -69,9 +70,12 @@ pub fn find(name: &str) -> Option<&'static Figure> {
 /// The figures that a reader can move, in reading order. A page names them by their place.
 pub static LIVE_FIGURES: &[&dyn Movable] = &[
     &ray::LIVE,
+    &camera_frame::LIVE,
     &viewport_grid::LIVE,
     &discriminant::LIVE,
+    &normal::LIVE,
     &normal_colors::LIVE,
+    &projection::LIVE,
     &nearest::LIVE,
     &face_normal::LIVE,
     &digits::LIVE,

@@ -86,6 +86,8 @@ pub(crate) struct Live<P: 'static> {
     pub(crate) figure: Figure,
     /// What a reader is to find out; `*t*` is a number, `**P**` a vector.
     pub(crate) question: &'static str,
+    /// What a reader finds out: closed on the page, until it is asked for.
+    pub(crate) solution: &'static str,
     /// Where on the drawing it can be grasped. Of two in the same place the later one is.
     pub(crate) handles: &'static [Handle<P>],
     /// What a button does.
@@ -141,8 +143,14 @@ pub trait Movable: Sync {
     /// How pages name the figure.
     fn name(&self) -> &'static str;
 
+    /// What it shows, in a few words.
+    fn title(&self) -> &'static str;
+
     /// What a reader is to find out.
     fn question(&self) -> &'static str;
+
+    /// What a reader finds out.
+    fn solution(&self) -> &'static str;
 
     /// What can be changed.
     fn numbers(&self) -> &'static [Number];
@@ -208,8 +216,16 @@ impl<P: Parameters> Movable for Live<P> {
         self.figure.name
     }
 
+    fn title(&self) -> &'static str {
+        self.figure.title
+    }
+
     fn question(&self) -> &'static str {
         self.question
+    }
+
+    fn solution(&self) -> &'static str {
+        self.solution
     }
 
     fn numbers(&self) -> &'static [Number] {

@@ -32,7 +32,9 @@ parameters! {
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
-    question: "Where on the ball is there most red and least green? Guess, and drag point 1 there.",
+    question: "Where on the ball is red strongest? And where is green weakest? Guess, and drag point 1 there.",
+    solution: "Red at the right edge, where *x* is greatest; green at the lowest place that is seen, where *y* \
+        is least.",
     handles: &[Handle::new(&["x", "y"], |it, to| *it = on_viewport(to))],
     actions: &[
         Action::new("Near the top", |it| *it = Parameters { x: 0.0, y: 0.55 }),

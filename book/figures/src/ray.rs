@@ -35,6 +35,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
     question: "What becomes of *t* if **d** is twice as long, and **P** stays? Drag the tip of **d**, then \
         **P** back to where it was.",
+    solution: "*t* is halved: half as many arrows, each twice as long, lead to the same place.",
     handles: &[
         Handle::new(&["q_x", "q_y"], |it, to| {
             [it.q_x, it.q_y, _] = PLANE.place(to).to_array();

@@ -45,6 +45,8 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
     question: "At which widths does the picture gain a row? And where does the ray of the marked \
         pixel go, if the half pixel is forgotten?",
+    solution: "At 4, 6, 8, 9, 11 and so on: wherever 9/16 of the width passes a whole number. Without the half \
+        pixel it goes to the upper left corner of its pixel.",
     handles: &[Handle::new(&["i", "j"], |it, to| {
         let Camera {
             pixel00,

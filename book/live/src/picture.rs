@@ -25,12 +25,12 @@ pub static PICTURES: &[LivePicture] = &[
     LivePicture {
         chapter: Chapter::BuildTest,
         picture: build_test::picture,
-        question: "Which mistake turns the picture upside down, and which can no eye see?",
+        question: "Which mistake turns the picture upside down, and which one is invisible?",
     },
     LivePicture {
         chapter: Chapter::Gradient,
         picture: gradient::picture,
-        question: "Which forgotten word gives each row of the sky a single color?",
+        question: "Leave out one function call, and each row has a single color. Which?",
     },
     LivePicture {
         chapter: Chapter::RedSphere,
@@ -45,7 +45,7 @@ pub static PICTURES: &[LivePicture] = &[
     LivePicture {
         chapter: Chapter::HalfBSphere,
         picture: half_b_sphere::picture,
-        question: "What is to be seen if the 2 and the 4 of chapter 3 are left where they were?",
+        question: "What do you see if you use h but keep the 2 and the 4 of chapter 3?",
     },
     LivePicture {
         chapter: Chapter::HittableList,
@@ -122,8 +122,8 @@ pub fn verdict(live: &LivePicture, slip: Option<&Slip>, width: u32, different: u
     let wrong_size = slip.program(live.chapter).run(width).size();
     let Words { wrong, right, why } = slip.words(Letters::Book(Edition::V4), live.chapter);
     format!(
-        "<code>{}</code> should be <code>{}</code>. {} {} <a href=\"{}\">How it is right</a>, and \
-         <a href=\"caught.html#{name}\">what catches it</a>.",
+        "<code>{}</code> should be <code>{}</code>. {} {} <a href=\"{}\">The right line</a>, and \
+         <a href=\"caught.html#{name}\">the test that catches the wrong one</a>.",
         escape(&wrong),
         escape(&right),
         escape(why),

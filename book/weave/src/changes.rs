@@ -30,7 +30,9 @@ pub(crate) fn changes(folder: &Path, name: &str) -> Result<String, String> {
         true => panels,
         false => format!("<div class=\"changes\">{panels}</div>\n\n"),
     };
-    Ok(format!("{panels}{picture}\n\n{code}"))
+    Ok(format!(
+        "{panels}{picture}\n\n<details><summary>The code, line by line</summary>\n\n{code}\n\n</details>"
+    ))
 }
 
 fn panel(title: &str, file: &str, alt: &str) -> String {

@@ -8,6 +8,8 @@ use proc_macro2::{LineColumn, Span};
 use syn::spanned::Spanned;
 use syn::{ImplItem, Item, TraitItem};
 
+use crate::controls;
+
 /// What a page has listed so far, so that a listing can say what it stands beside: the
 /// file, the lines, and what to look for there.
 #[derive(Default)]
@@ -42,12 +44,13 @@ impl Listed {
 /// The items are separated by commas. A function, type, trait or constant goes by its
 /// name, an import by its line, an impl block by its header, a method by either of them,
 /// `::` and its name. Doc comments and attributes belong to an item, and a method is
-/// shown inside its block.
+/// shown inside its block. Beside each line stands its value for the ray of the `figure`.
 pub(crate) fn listing(
     folder: &Path,
     path: &str,
     items: &str,
     listed: &mut Listed,
+    figure: Option<&str>,
 ) -> Result<String, String> {
     // The pages are in book/notes, so without `../../` it is as seen from the workspace.
     let file = path.trim_start_matches("../");
@@ -77,11 +80,41 @@ pub(crate) fn listing(
         .chars()
         .map(|it| if it.is_alphanumeric() { it } else { '-' })
         .collect();
+    let values = figure.map_or(Ok(String::new()), |figure| values(figure, &listing))?;
     Ok(format!(
         "<div class=\"listing\"><h3 class=\"source\" id=\"listing-{id}\"><span class=\"file\">{file}</span>{}{beside}\
-         <span hidden> {names}</span></h3>\n\n````rust\n{}\n````\n\n</div>\n",
+         <span hidden> {names}</span></h3>\n\n````rust\n{}\n````\n\n{values}</div>\n",
         whose(file),
         listing.trim_end()
+    ))
+}
+
+/// A line of values for each line of the code: what a name comes to that the figure tells, and
+/// the result in the last line.
+fn values(figure: &str, code: &str) -> Result<String, String> {
+    let says = controls::says(figure)?;
+    let lines: Vec<&str> = code.lines().map(str::trim).collect();
+    let last = lines.iter().rposition(|line| !["", "}"].contains(line));
+    let value = |(n, line): (usize, &str)| {
+        let name = match line {
+            _ if Some(n) == last => "result",
+            "return None;" => "none",
+            it if it.ends_with(';') => it.strip_prefix("let ")?.split(' ').next()?,
+            _ => return None,
+        };
+        let (name, value) = says.iter().find(|(of, _)| *of == name)?;
+        let told = controls::told(figure, name, value);
+        Some(match *name {
+            "none" | "result" => told,
+            name => format!("{name} = {told}"),
+        })
+    };
+    let rows = lines.iter().copied().enumerate();
+    let rows: String = rows
+        .map(|row| format!("<span>{}</span>", value(row).unwrap_or_default()))
+        .collect();
+    Ok(format!(
+        "<div class=\"values\" role=\"group\" aria-label=\"For the ray of the figure\">{rows}</div>\n\n"
     ))
 }
 

@@ -5,25 +5,28 @@
 
 use std::fmt::Write;
 
-use figures::{LIVE_FIGURES, Movable, Number, html};
+use figures::{LIVE_FIGURES, Movable, Number, escape, html};
 
 use crate::directive::named;
 
-/// The figure `live`: its question, its `drawing` under handles, what is to be seen, buttons
-/// and the caption.
+/// The figure `live`: its question, its `drawing` under handles, what is to be seen, buttons,
+/// the answer, closed, and the caption.
 pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String {
     let place = LIVE_FIGURES.iter().position(|it| it.name() == live.name());
     let answer = live.answer(&live.defaults());
     format!(
-        "<figure id=\"{name}\" class=\"live\" data-figure=\"{place}\">\
+        "<figure id=\"{name}\" class=\"live\" role=\"group\" aria-label=\"{title}\" data-figure=\"{place}\">\
          <p class=\"question\">{question}</p>\
          <div class=\"stage\">{drawing}{handles}</div>\
          <p class=\"sentence\" role=\"status\">{sentence}</p>\
          <div class=\"controls\">{inputs}{buttons}</div>\
+         <details class=\"answer\"><summary>Answer</summary>{solution}</details>\
          <figcaption>{caption}</figcaption></figure>",
         name = live.name(),
         place = place.unwrap_or_default(),
+        title = escape(live.title()),
         question = html(live.question()),
+        solution = html(live.solution()),
         handles = handles(live),
         sentence = html(&answer.sentence),
         inputs = inputs(live),
@@ -33,13 +36,20 @@ pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String
 
 /// A number that the live figure of that name tells: at first as it is on the page.
 pub(crate) fn number(figure: &str, name: &str) -> Result<String, String> {
-    let live = named("live figure", figure, LIVE_FIGURES, |live| live.name())?;
-    let says = live.answer(&live.defaults()).says;
     let kind = format!("number of {figure}");
-    let (_, value) = named(&kind, name, says, |(name, _)| name)?;
-    Ok(format!(
-        "<span class=\"told\" data-told=\"{figure} {name}\">{value}</span>"
-    ))
+    let (_, value) = named(&kind, name, says(figure)?, |(name, _)| name)?;
+    Ok(told(figure, name, &value))
+}
+
+/// What the live figure of that name tells at first.
+pub(crate) fn says(figure: &str) -> Result<Vec<(&'static str, String)>, String> {
+    let live = named("live figure", figure, LIVE_FIGURES, |live| live.name())?;
+    Ok(live.answer(&live.defaults()).says)
+}
+
+/// What is told, where the script puts what is told later.
+pub(crate) fn told(figure: &str, name: &str, value: &str) -> String {
+    format!("<span class=\"told\" data-told=\"{figure} {name}\">{value}</span>")
 }
 
 /// Each handle holds a slider for each number that it changes: for the keyboard, and for

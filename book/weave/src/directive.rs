@@ -20,6 +20,7 @@ pub(crate) enum Woven {
 /// |---|---|
 /// | `{{code PATH}}` | the whole source file |
 /// | `{{code PATH ITEM, ITEM}}` | these items of it, and beside which of those listed before they stand |
+/// | `{{traced FIGURE PATH ITEMS}}` | the same, and beside each line its value for the ray of the figure |
 /// | `{{figure NAME}}` | the figure, drawn now, with its caption; handles, if it is live |
 /// | `{{live FIGURE NAME}}` | a number that this live figure tells, and follows it |
 /// | `{{chart NAME}}` | the chart, and a table of its numbers |
@@ -37,7 +38,12 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
     match name {
         "code" => {
             let (path, items) = split(rest);
-            code::listing(folder, path, items, listed).map(Woven::Block)
+            code::listing(folder, path, items, listed, None).map(Woven::Block)
+        }
+        "traced" => {
+            let (figure, rest) = split(rest);
+            let (path, items) = split(rest);
+            code::listing(folder, path, items, listed, Some(figure)).map(Woven::Block)
         }
         "figure" => figure::figure(rest).map(Woven::Block),
         "live" => {
@@ -67,8 +73,8 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
             measured::value(&folder.join(file), key).map(Woven::Inline)
         }
         _ => Err(format!(
-            "there is no directive `{name}`: choose code, figure, live, chart, changes, editions, \
-             picture, slip, slips, step, snapshot, time or value"
+            "there is no directive `{name}`: choose code, traced, figure, live, chart, changes, \
+             editions, picture, slip, slips, step, snapshot, time or value"
         )),
     }
 }

@@ -41,7 +41,7 @@ fn words(text: &str) -> usize {
             Event::Start(Tag::CodeBlock(_)) => is_code = true,
             Event::End(TagEnd::CodeBlock) => is_code = false,
             Event::Text(text) if closed == 0 && !is_code => {
-                words += text.split_whitespace().count()
+                words += text.split_whitespace().count();
             }
             _ => {}
         }

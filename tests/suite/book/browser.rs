@@ -86,6 +86,45 @@ fn choose(theme: &str, browser: &mut Browser) {
     browser.evaluate(NEXT_FRAME);
 }
 
+/// Names of the code lead to a listing that gives them, and what is typed for a symbol to the
+/// page of symbols.
+#[test]
+#[ignore = "drives browsers"]
+fn the_first_that_the_search_finds_is_the_listing_of_a_name() {
+    each_browser(|browser| {
+        for (words, place) in [
+            ("hit_sphere", "listing-hit-sphere"),
+            ("viewport_u", "gradient.html#listing-impl-Camera"),
+            ("focal_length", "gradient.html#listing-impl-Camera"),
+            ("pixel_delta_u", "gradient.html#listing-Camera"),
+            ("set_face_normal", "listing-HitRecord"),
+            ("P(t)", "symbols.html#a-ray"),
+            ("discriminant", "red_sphere.html#what-the-discriminant-says"),
+        ] {
+            let behind = format!("?search={}", words.replace('(', "%28").replace(')', "%29"));
+            browser.open(&woven().join("introduction.html"), &behind);
+            let first = browser.evaluate(FIRST_FOUND);
+            let first = first.as_str().expect("an address");
+            // Behind it stands which words are to be marked.
+            let first = first
+                .split_once('?')
+                .map_or(first.to_owned(), |(page, rest)| {
+                    format!("{page}#{}", rest.split_once('#').map_or("", |(_, it)| it))
+                });
+            assert!(first.contains(place), "{words} leads to {first}");
+        }
+    });
+}
+
+/// The address of the first result of a search, once there is one.
+const FIRST_FOUND: &str = "new Promise((done) => {
+    const look = () => {
+        const found = document.querySelector('#mdbook-searchresults a');
+        found ? done(found.getAttribute('href')) : setTimeout(look, 20);
+    };
+    look();
+})";
+
 /// Only in Chromium: a Firefox that nobody looks at shows no focus.
 #[test]
 #[ignore = "drives a browser"]

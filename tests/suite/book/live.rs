@@ -5,8 +5,8 @@
 use std::fmt::Write;
 
 use ::live::picture::{self, PICTURES, Painting};
-use common::rtweekend::Picture;
-use figures::{LIVE_FIGURES, Movable, Number};
+use common::rtweekend::*;
+use figures::{LIVE_FIGURES, Movable, Number, number::spoken};
 use glam::DVec2;
 use insta::assert_snapshot;
 use slips::{Chapter, Slip};
@@ -71,6 +71,43 @@ fn a_live_figure_has_an_answer_to_everything() {
             roxmltree::Document::parse(&answer.drawing.finish()).expect("an SVG");
             assert_eq!(answer.handles.len(), live.handles().len());
             assert!(answer.sentence.ends_with(['.', '!']), "{}", answer.sentence);
+        }
+    }
+}
+
+/// What stands beside the last line of a listing is what the chapter itself answers.
+#[test]
+fn the_values_beside_a_listing_end_with_the_chapters_own_answer() {
+    let said = |t: Option<f64>| t.map_or(String::new(), |t| format!("Some({})", spoken(t)));
+    for (name, hit_sphere) in [
+        ("normal", normals::hit_sphere as fn(_, _, &_) -> _),
+        ("projection", half_b_sphere::hit_sphere),
+    ] {
+        let live = figures::find_live(name).expect("a live figure");
+        for numbers in questions(live, 60) {
+            let (center, radius, ray) = match (name, &numbers[..]) {
+                ("normal", &[q_x, q_y, d_x, d_y]) => (
+                    Point3::ZERO,
+                    1.6,
+                    Ray::new(Point3::new(q_x, q_y, 0.0), Vec3::new(d_x, d_y, 0.0)),
+                ),
+                (_, &[c_x, c_y, length]) => (
+                    Point3::new(c_x, c_y, 0.0),
+                    1.0,
+                    Ray::new(Point3::ZERO, length * Vec3::X),
+                ),
+                _ => unreachable!("their numbers"),
+            };
+            let says = live.answer(&numbers).says;
+            let result = says
+                .iter()
+                .find(|(of, _)| *of == "result")
+                .map(|(_, it)| it);
+            assert_eq!(
+                result,
+                Some(&said(hit_sphere(center, radius, &ray))),
+                "{name} {numbers:?}"
+            );
         }
     }
 }

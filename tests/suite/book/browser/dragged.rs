@@ -11,11 +11,14 @@ use crate::book::woven;
 use crate::live::questions;
 
 /// The live figures, and the pages that show them.
-const PAGES: [(&str, &str); 8] = [
+const PAGES: [(&str, &str); 11] = [
     ("gradient.html", "ray"),
+    ("gradient.html", "camera_frame"),
     ("gradient.html", "viewport_grid"),
     ("red_sphere.html", "discriminant"),
+    ("normals.html", "normal"),
     ("normals.html", "normal_colors"),
+    ("half_b_sphere.html", "projection"),
     ("hittable_list.html", "nearest"),
     ("hittable_list.html", "face_normal"),
     ("speed_vs_accuracy.html", "digits"),
@@ -85,6 +88,37 @@ fn arrows_move_a_handle_and_shift_makes_ten_of_a_step() {
         browser.evaluate("document.querySelector('#viewport_grid .handle input').focus()");
         browser.press(&[up]);
         assert_shows(browser, grid, &[8.0, 5.0, 1.0, 0.0]);
+    });
+}
+
+#[test]
+#[ignore = "drives browsers"]
+fn an_arrow_turns_the_page_only_where_nothing_has_the_keyboard() {
+    let right = '\u{e014}';
+    each_browser(|browser| {
+        browser.set_width(360);
+        browser.open(&woven().join("normals.html"), "#the-code");
+        for has_it in [
+            ".listing pre > code[tabindex]",
+            "#normal [data-action]",
+            "details summary",
+        ] {
+            browser.evaluate(&format!(
+                "{ALIVE}.then(() => document.querySelector('{has_it}').focus())"
+            ));
+            browser.press(&[right]);
+            let stays = browser.evaluate("location.pathname.endsWith('normals.html')");
+            assert_eq!(stays, true, "{has_it} in {}", browser.name);
+        }
+        browser.evaluate("document.activeElement.blur()");
+        browser.press(&[right]);
+        let turned = "new Promise((done) => setTimeout(() => done(location.pathname), 500))";
+        let page = browser.evaluate(turned);
+        assert!(
+            page.as_str()
+                .is_some_and(|it| it.ends_with("half_b_sphere.html")),
+            "{page}"
+        );
     });
 }
 
