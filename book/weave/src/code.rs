@@ -106,7 +106,7 @@ fn values(figure: &str, code: &str) -> Result<String, String> {
         let told = controls::told(figure, name, value);
         Some(match *name {
             "none" | "result" => told,
-            name => format!("{name} = {told}"),
+            name => format!("<span class=\"of\">{name} = </span>{told}"),
         })
     };
     let rows = lines.iter().copied().enumerate();

@@ -18,8 +18,8 @@ pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String
         "<figure id=\"{name}\" class=\"live\" role=\"group\" aria-label=\"{title}\" data-figure=\"{place}\">\
          <p class=\"question\">{question}</p>\
          <div class=\"stage\">{drawing}{handles}</div>\
-         <p class=\"sentence\" role=\"status\">{sentence}</p>\
          <div class=\"controls\">{inputs}{buttons}</div>\
+         <p class=\"sentence\" role=\"status\">{sentence}</p>\
          <details class=\"answer\"><summary>Answer</summary>{solution}</details>\
          <figcaption>{caption}</figcaption></figure>",
         name = live.name(),

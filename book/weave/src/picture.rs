@@ -19,15 +19,15 @@ pub(crate) fn picture(notes: &Path, chapter: &str, image: &str) -> Result<String
     let width = live.chapter.book_width();
     Ok(format!(
         "<figure id=\"picture\" class=\"live\" data-picture=\"{place}\">\
-         <p class=\"question\">{question}</p>\n\n{image}\n\n\
-         <div class=\"canvases\" style=\"--width: {width}px\"><canvas role=\"img\" aria-label=\"{shown}\"></canvas>\
-         <canvas role=\"img\" hidden></canvas></div>\
+         <p class=\"question\">{question}</p>\
          <div class=\"controls\">\
          <label>Break it <select>{slips}</select></label>\
          <button type=\"button\" data-action=\"more\">More</button>\
          <label>Width, 1 to {WIDEST} <input type=\"number\" min=\"1\" max=\"{WIDEST}\" value=\"{width}\"></label>\
          <button type=\"button\" data-action=\"reset\">Reset</button>\
-         <a class=\"this-case\">Link to this case</a></div>\
+         <a class=\"this-case\">Link to this case</a></div>\n\n{image}\n\n\
+         <div class=\"canvases\" style=\"--width: {width}px\"><canvas role=\"img\" aria-label=\"{shown}\"></canvas>\
+         <canvas role=\"img\" hidden></canvas></div>\
          <p class=\"sentence\" role=\"status\">{sentence}</p></figure>",
         shown = alternative(image)?,
         question = live.question,

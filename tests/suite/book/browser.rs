@@ -97,7 +97,7 @@ fn the_first_that_the_search_finds_is_the_listing_of_a_name() {
             ("viewport_u", "gradient.html#listing-impl-Camera"),
             ("focal_length", "gradient.html#listing-impl-Camera"),
             ("pixel_delta_u", "gradient.html#listing-Camera"),
-            ("set_face_normal", "listing-HitRecord"),
+            ("set_face_normal", "listing-impl-HitRecord"),
             ("P(t)", "symbols.html#a-ray"),
             ("discriminant", "red_sphere.html#what-the-discriminant-says"),
         ] {
@@ -162,7 +162,8 @@ fn on_paper_every_answer_is_open_and_nothing_is_torn_but_what_is_long() {
         // As wide as a sheet between its margins.
         browser.set_width(670);
         browser.open(&woven().join("normals.html"), "");
-        let height = "document.querySelector('details.answer').getBoundingClientRect().height";
+        let height =
+            "document.querySelector('#exercises ~ details.answer').getBoundingClientRect().height";
         let closed = browser.evaluate(height).as_f64();
         browser.set_media("print", "light");
         let open = browser.evaluate(height).as_f64();

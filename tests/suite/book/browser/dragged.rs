@@ -110,15 +110,10 @@ fn an_arrow_turns_the_page_only_where_nothing_has_the_keyboard() {
             let stays = browser.evaluate("location.pathname.endsWith('normals.html')");
             assert_eq!(stays, true, "{has_it} in {}", browser.name);
         }
-        browser.evaluate("document.activeElement.blur()");
-        browser.press(&[right]);
-        let turned = "new Promise((done) => setTimeout(() => done(location.pathname), 500))";
-        let page = browser.evaluate(turned);
-        assert!(
-            page.as_str()
-                .is_some_and(|it| it.ends_with("half_b_sphere.html")),
-            "{page}"
-        );
+        // mdBook takes the key, and leaves; so this is the last question to the page.
+        let is_taken = "(document.activeElement.blur(), !document.body.dispatchEvent(
+            new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true, cancelable: true })))";
+        assert_eq!(browser.evaluate(is_taken), true, "{}", browser.name);
     });
 }
 
