@@ -74,7 +74,8 @@ pub(crate) fn listing(
             (main.names[0].clone(), beside, excerpt(&source, &found))
         }
     };
-    // A heading with the names that are given here, so that the search leads from them to it.
+    // A heading with the names that are given here, so that the search leads from them to it;
+    // but not in the outline of the page.
     let names = given_names(&listing).join(" ");
     let id: String = name
         .chars()
@@ -82,7 +83,7 @@ pub(crate) fn listing(
         .collect();
     let values = figure.map_or(Ok(String::new()), |figure| values(figure, &listing))?;
     Ok(format!(
-        "<div class=\"listing\"><h3 class=\"source\" id=\"listing-{id}\"><span class=\"file\">{file}</span>{}{beside}\
+        "<div class=\"listing\"><h3 class=\"source\" role=\"presentation\" id=\"listing-{id}\"><span class=\"file\">{file}</span>{}{beside}\
          <span hidden> {names}</span></h3>\n\n````rust\n{}\n````\n\n{values}</div>\n",
         whose(file),
         listing.trim_end()
@@ -122,7 +123,7 @@ fn values(figure: &str, code: &str) -> Result<String, String> {
 fn whose(file: &str) -> String {
     let folders: Vec<&str> = file.splitn(3, '/').collect();
     match folders[..] {
-        ["common", ..] => ", to be read".to_owned(),
+        ["common", ..] | ["chapters", "0_build_test", _] => ", to be read".to_owned(),
         ["chapters", "6_speed_vs_accuracy", _] => String::new(),
         ["chapters", _, yours] => format!(", to be typed into <b>{yours}</b>"),
         _ => String::new(),

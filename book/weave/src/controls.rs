@@ -15,7 +15,7 @@ pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String
     let place = LIVE_FIGURES.iter().position(|it| it.name() == live.name());
     let answer = live.answer(&live.defaults());
     format!(
-        "<figure id=\"{name}\" class=\"live\" role=\"group\" aria-label=\"{title}\" data-figure=\"{place}\">\
+        "<figure id=\"{name}\" class=\"live\" aria-label=\"{title}\" data-figure=\"{place}\">\
          <p class=\"question\">{question}</p>\
          <div class=\"stage\">{drawing}{handles}</div>\
          <div class=\"controls\">{inputs}{buttons}</div>\

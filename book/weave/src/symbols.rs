@@ -9,15 +9,9 @@ use figures::escape;
 /// The page that has all symbols.
 const PAGE: &str = "symbols.md";
 
-/// The symbols of the book, as the tables of their page have them.
+/// What each symbol of the book means, as the tables of their page have it.
 #[derive(Default)]
-pub(crate) struct Symbols(HashMap<String, Symbol>);
-
-struct Symbol {
-    /// How it is typed on a keyboard.
-    typed: String,
-    meaning: String,
-}
+pub(crate) struct Symbols(HashMap<String, String>);
 
 impl Symbols {
     /// Those of the page in the folder `notes`; none, if there is no such page.
@@ -34,30 +28,27 @@ impl Symbols {
         mathml: String,
         met: &mut HashSet<String>,
     ) -> String {
-        let Some(Symbol { typed, meaning }) = self.0.get(formula) else {
+        let Some(meaning) = self.0.get(formula) else {
             return mathml;
         };
         if !met.insert(formula.to_owned()) {
             return mathml;
         }
-        let meaning = escape(meaning);
         format!(
-            "<a class=\"symbol\" href=\"symbols.html\" aria-label=\"{typed}: {meaning}\" \
-             data-meaning=\"{meaning}\">{mathml}</a>"
+            "<a class=\"symbol\" href=\"symbols.html\" title=\"{}\">{mathml}</a>",
+            escape(meaning)
         )
     }
 }
 
-/// The symbols of a row `| $t$ | t | the ray parameter | …`.
-fn row(line: &str) -> Vec<(String, Symbol)> {
+/// The symbols of a row `| $t$ | t | the ray parameter | …`, and what they mean.
+fn row(line: &str) -> Vec<(String, String)> {
     let cells: Vec<&str> = line.split('|').map(str::trim).collect();
-    let ["", symbols, typed, meaning, ..] = cells[..] else {
+    let ["", symbols, _, meaning, ..] = cells[..] else {
         return Vec::new();
     };
     let symbols = symbols.split('$').skip(1).step_by(2);
-    let symbol = |(formula, typed): (&str, &str)| {
-        let (typed, meaning) = (typed.to_owned(), meaning.replace('$', ""));
-        (formula.to_owned(), Symbol { typed, meaning })
-    };
-    symbols.zip(typed.split(", ")).map(symbol).collect()
+    symbols
+        .map(|it| (it.to_owned(), meaning.to_owned()))
+        .collect()
 }

@@ -201,6 +201,34 @@ fn no_measured_number_is_typed_into_a_page() {
     }
 }
 
+/// So that a reader can look up what a letter means: each has one meaning.
+#[test]
+fn each_letter_of_the_lesson_is_on_the_page_of_symbols() {
+    let page = |name: &str| fs::read_to_string(Path::new(NOTES).join(name)).expect("a page");
+    let explained = page("symbols.md");
+    let explained: BTreeSet<&str> = formulas(&explained).collect();
+    for chapter in Chapter::OF_THE_BOOK {
+        let name = page_of(chapter).replace(".html", ".md");
+        for formula in formulas(&page(&name)) {
+            let letter = formula
+                .trim_start_matches("\\mathbf")
+                .trim_matches(['{', '}']);
+            assert!(
+                letter.chars().count() > 1
+                    || letter.parse::<u8>().is_ok()
+                    || explained.contains(formula),
+                "{name}: nobody says what {formula} is"
+            );
+        }
+    }
+}
+
+/// The formulas inside the lines of a page.
+fn formulas(text: &str) -> impl Iterator<Item = &str> {
+    let lines = text.split("$$").step_by(2);
+    lines.flat_map(|text| text.split('$').skip(1).step_by(2))
+}
+
 #[test]
 fn no_page_names_a_folder_of_this_machine() {
     let here = fs::canonicalize(WORKSPACE).expect("the workspace");
