@@ -10,6 +10,7 @@ use crate::figure::Figure;
 use crate::live::{Action, Answer, Handle, Live, Number, parameters};
 use crate::number::spoken;
 use crate::plane::Plane;
+use crate::roots::roots;
 use crate::svg::{Anchor, Svg};
 use crate::traced::red_sphere_lines;
 
@@ -121,18 +122,12 @@ struct Scene {
 }
 
 impl Scene {
-    /// All t that are found: the farther one is the nearer one of the ray turned
-    /// round.
+    /// All t that are found.
     fn roots(&self) -> Vec<f64> {
-        let nearer = |ray| match &self.slipped {
-            Some(program) => program.hit_sphere(self.center, self.radius, &ray),
-            None => hit_sphere(self.center, self.radius, &ray),
-        };
-        let turned = Ray::new(self.ray.origin, -self.ray.direction);
-        let farther = nearer(turned).map(|t| -t);
-        let mut roots: Vec<f64> = nearer(self.ray).into_iter().chain(farther).collect();
-        roots.dedup();
-        roots
+        roots(&self.ray, |ray| match &self.slipped {
+            Some(program) => program.hit_sphere(self.center, self.radius, ray),
+            None => hit_sphere(self.center, self.radius, ray),
+        })
     }
 
     /// The a, b and c of the quadratic equation.

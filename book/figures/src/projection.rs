@@ -9,6 +9,7 @@ use crate::figure::Figure;
 use crate::live::{Action, Answer, Handle, Live, Number, parameters};
 use crate::number::spoken;
 use crate::plane::Plane;
+use crate::roots::roots;
 use crate::svg::{Anchor, Svg};
 use crate::traced::half_b_lines;
 
@@ -62,7 +63,7 @@ const PLANE: Plane = Plane::new(62.0, 170.0, 78.0);
 fn answer(parameters: &Parameters) -> Answer {
     let center = Point3::new(parameters.c_x, parameters.c_y, 0.0);
     let ray = Ray::new(Point3::ZERO, parameters.length * Vec3::X);
-    let roots = roots(center, &ray);
+    let roots = roots(&ray, |ray| hit_sphere(center, RADIUS, ray));
     let h = ray.direction.dot(center);
     let sentence = match roots[..] {
         [nearer, farther] => format!(
@@ -80,16 +81,6 @@ fn answer(parameters: &Parameters) -> Answer {
         handles: [center, ray.at(1.0)].map(|it| PLANE.point(it)).into(),
         says: half_b_lines(center, RADIUS, &ray),
     }
-}
-
-/// All roots: the farther one is the nearer one of the ray turned round.
-fn roots(center: Point3, ray: &Ray) -> Vec<f64> {
-    let turned = Ray::new(ray.origin, -ray.direction);
-    let nearer = hit_sphere(center, RADIUS, ray);
-    let farther = hit_sphere(center, RADIUS, &turned).map(|t| -t);
-    let mut roots: Vec<f64> = nearer.into_iter().chain(farther).collect();
-    roots.dedup();
-    roots
 }
 
 /// Draws the triangle of Q, C and the point of the ray that is nearest to C.

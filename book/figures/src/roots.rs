@@ -32,7 +32,7 @@ fn draw() -> String {
     svg.circle("sphere area", plane.point(CENTER), plane.scale * RADIUS);
     for y in [1.65, 1.0, 0.0] {
         let ray = Ray::new(Point3::new(0.0, y, 0.0), Vec3::X);
-        let roots = roots(CENTER, RADIUS, &ray);
+        let roots = roots(&ray, |ray| hit_sphere(CENTER, RADIUS, ray));
         svg.circle("ray solid", plane.point(ray.origin), 3.5);
         svg.arrow(
             "ray line",
@@ -72,13 +72,12 @@ fn draw() -> String {
     svg.finish()
 }
 
-/// All t at which the line of `ray` meets the sphere: the farther one is the
-/// nearer one of the ray turned round.
-pub(crate) fn roots(center: Point3, radius: f64, ray: &Ray) -> Vec<f64> {
+/// All t at which the line of `ray` meets what `nearer` finds: the farther one is the nearer
+/// one of the ray turned round.
+pub(crate) fn roots(ray: &Ray, nearer: impl Fn(&Ray) -> Option<f64>) -> Vec<f64> {
     let turned = Ray::new(ray.origin, -ray.direction);
-    let nearer = hit_sphere(center, radius, ray);
-    let farther = hit_sphere(center, radius, &turned).map(|t| -t);
-    let mut roots: Vec<f64> = nearer.into_iter().chain(farther).collect();
+    let farther = nearer(&turned).map(|t| -t);
+    let mut roots: Vec<f64> = nearer(ray).into_iter().chain(farther).collect();
     roots.dedup();
     roots
 }
