@@ -76,16 +76,19 @@ pub(crate) fn listing(
     };
     // A heading with the names that are given here, so that the search leads from them to it;
     // but not in the outline of the page.
-    let names = given_names(&listing).join(" ");
+    let whose = whose(file);
+    let names = listing
+        .lines()
+        .filter_map(|line| given_name(line, !whose.is_empty()));
+    let names = names.collect::<Vec<_>>().join(" ");
     let id: String = name
         .chars()
         .map(|it| if it.is_alphanumeric() { it } else { '-' })
         .collect();
     let values = figure.map_or(Ok(String::new()), |figure| values(figure, &listing))?;
     Ok(format!(
-        "<div class=\"listing\"><h3 class=\"source\" role=\"presentation\" id=\"listing-{id}\"><span class=\"file\">{file}</span>{}{beside}\
+        "<div class=\"listing\"><h3 class=\"source\" role=\"presentation\" id=\"listing-{id}\"><span class=\"file\">{file}</span>{whose}{beside}\
          <span hidden> {names}</span></h3>\n\n````rust\n{}\n````\n\n{values}</div>\n",
-        whose(file),
         listing.trim_end()
     ))
 }
@@ -130,27 +133,20 @@ fn whose(file: &str) -> String {
     }
 }
 
-/// The names of functions, types, fields and variables that begin in this code.
-fn given_names(code: &str) -> Vec<&str> {
-    let begins = [
-        "let mut ", "let ", "fn ", "struct ", "trait ", "const ", "type ",
-    ];
-    let given = |line: &'_ str| -> Option<usize> {
-        let is_public = line.starts_with("pub ");
-        let item = line.strip_prefix("pub ").unwrap_or(line);
-        let start = begins.iter().find(|it| item.starts_with(**it));
-        let skipped = start.map_or(0, |it| it.len());
-        (start.is_some() || is_public).then_some(line.len() - item.len() + skipped)
+/// The name of the item that begins in this line of code; in the lesson, which readers type
+/// or read, also that of a field or a variable.
+fn given_name(line: &str, is_lesson: bool) -> Option<&str> {
+    let line = line.trim_start();
+    let public = line.strip_prefix("pub ");
+    let begins = |words: &[&str]| {
+        let line = public.unwrap_or(line);
+        words.iter().find_map(|it| line.strip_prefix(it))
     };
-    let lines = code.lines().map(str::trim_start);
-    let names = lines.filter_map(|line| given(line).map(|at| &line[at..]));
-    names
-        .map(|name| {
-            name.split(|it: char| !it.is_alphanumeric() && it != '_')
-                .next()
-                .unwrap_or("")
-        })
-        .collect()
+    let item = begins(&["fn ", "struct ", "trait ", "const ", "type "]);
+    let inner = begins(&["let mut ", "let "]).or(public);
+    let name = item.or(inner.filter(|_| is_lesson))?;
+    name.split(|it: char| !it.is_alphanumeric() && it != '_')
+        .next()
 }
 
 fn escaped(text: &str) -> String {
