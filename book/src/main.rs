@@ -82,7 +82,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            misuse::complain(&format!("rtrace: {error}"));
+            misuse::fail(&format!("rtrace: {error}"));
             misuse::exit_code(&*error)
         }
     }

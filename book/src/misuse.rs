@@ -2,12 +2,13 @@
 //! command line from a failure.
 
 use std::error::Error;
-use std::fmt;
 use std::io::{self, Write};
 use std::process::{ExitCode, exit};
+use std::{env, fmt};
 
 use check::names;
 use clap::Parser;
+use serde_json::json;
 
 /// What the command line says. Who asks for help is helped, and who can't be
 /// understood is told why; that ends the program.
@@ -17,9 +18,19 @@ pub(crate) fn command_line<Cli: Parser>() -> Cli {
             error.exit();
         }
         // It repeats what was typed.
-        complain(&error.to_string());
+        fail(&error.to_string());
         exit(error.exit_code())
     })
+}
+
+/// Says why there is no answer; to programs that have asked for JSON, in JSON as well.
+pub(crate) fn fail(why: &str) {
+    complain(why);
+    let mut words = env::args_os().take_while(|word| word != "--");
+    if words.any(|word| word == "--json") {
+        // It was told already, if this can't be written.
+        let _ = writeln!(io::stdout(), "{:#}", json!({ "error": why }));
+    }
 }
 
 /// Says on standard error what went wrong. What the terminal would obey in it, from

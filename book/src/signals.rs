@@ -6,7 +6,7 @@ use std::io;
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM};
 use signal_hook::{flag, low_level};
 
 /// While this exists, a signal is only noted. When it goes, we end as the signal would
@@ -53,7 +53,7 @@ static NOTED: AtomicUsize = AtomicUsize::new(0);
 
 /// Catches the signals, once: whether that went well.
 static CAUGHT: LazyLock<bool> = LazyLock::new(|| {
-    let caught = [SIGHUP, SIGINT, SIGTERM].map(|signal| {
+    let caught = [SIGHUP, SIGINT, SIGQUIT, SIGTERM].map(|signal| {
         flag::register_conditional_default(signal, &AT_ONCE)
             .and_then(|_| flag::register_usize(signal, &NOTED, signal as usize))
     });

@@ -5,7 +5,7 @@
 //! reach the group, so we end it first.
 
 use std::ffi::OsString;
-use std::io::{self, IsTerminal, Read};
+use std::io::{self, IsTerminal, PipeReader, Read};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::thread;
@@ -70,12 +70,12 @@ pub(crate) fn run(
     limit: Duration,
     is_old: &mut dyn FnMut(&[u8]) -> bool,
 ) -> io::Result<(End, String)> {
-    let mut group = Group::start(command, Stdio::piped())?;
-    let errors = group.child.stderr.take().map(last_words);
+    let (errors, its_end) = io::pipe()?;
+    let errors = last_words(errors)?;
+    let mut group = Group::start(command, its_end.into())?;
     let end = group.finish(limit, is_old)?;
     drop(group);
-    let errors = errors.and_then(|errors| errors.recv_timeout(10 * TICK).ok());
-    Ok((end, errors.unwrap_or_default()))
+    Ok((end, errors.recv_timeout(10 * TICK).unwrap_or_default()))
 }
 
 /// How a program came to its end.
@@ -107,18 +107,18 @@ impl Group {
     fn start(mut command: Command, errors: Stdio) -> io::Result<Self> {
         #[cfg(unix)]
         let deferral = signals::Deferral::begin();
-        command.stdout(Stdio::piped()).stderr(errors);
+        // Where no thread can be started to read, nothing is started that prints.
+        let (output, its_end) = io::pipe()?;
+        let printed = pieces(output)?;
+        command.stdout(its_end).stderr(errors);
         // A group in the background is stopped when it reads from the terminal.
         if io::stdin().is_terminal() {
             command.stdin(Stdio::null());
         }
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
-        let mut child = command.spawn()?;
-        let stdout = child.stdout.take();
-        let printed = stdout.map(pieces).ok_or(io::ErrorKind::BrokenPipe)?;
         Ok(Self {
-            child,
+            child: command.spawn()?,
             printed,
             #[cfg(unix)]
             _until_it_has_ended: deferral,
@@ -183,9 +183,9 @@ impl Drop for Group {
 }
 
 /// Reads on a thread of its own: a read can't be told to give up.
-fn pieces(mut output: impl Read + Send + 'static) -> Receiver<io::Result<Vec<u8>>> {
+fn pieces(mut output: PipeReader) -> io::Result<Receiver<io::Result<Vec<u8>>>> {
     let (full, printed) = sync_channel(16);
-    thread::spawn(move || {
+    let read = move || {
         loop {
             let mut piece = vec![0; 1 << 16];
             let read = output.read(&mut piece);
@@ -198,15 +198,16 @@ fn pieces(mut output: impl Read + Send + 'static) -> Receiver<io::Result<Vec<u8>
                 return;
             }
         }
-    });
-    printed
+    };
+    thread::Builder::new().spawn(read)?;
+    Ok(printed)
 }
 
 /// Reads to the end on a thread of its own, and keeps the last of it.
-fn last_words(mut errors: impl Read + Send + 'static) -> Receiver<String> {
+fn last_words(mut errors: PipeReader) -> io::Result<Receiver<String>> {
     const KEPT: usize = 1 << 14;
     let (done, words) = sync_channel(1);
-    thread::spawn(move || {
+    let read = move || {
         let mut kept = Vec::new();
         let mut piece = vec![0; KEPT];
         while let Ok(length @ 1..) = errors.read(&mut piece) {
@@ -214,6 +215,7 @@ fn last_words(mut errors: impl Read + Send + 'static) -> Receiver<String> {
             kept.drain(..kept.len().saturating_sub(KEPT));
         }
         let _ = done.send(String::from_utf8_lossy(&kept).into_owned());
-    });
-    words
+    };
+    thread::Builder::new().spawn(read)?;
+    Ok(words)
 }

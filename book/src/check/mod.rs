@@ -29,7 +29,7 @@ use judged::Judged;
 pub(crate) use text::Style;
 
 use crate::chapter::OneOf;
-use crate::misuse::complain;
+use crate::misuse::{complain, fail};
 use crate::{files, sources};
 
 /// What `cargo rtrace check` is told.
@@ -78,7 +78,7 @@ pub(crate) fn check(arguments: &Arguments) -> ExitCode {
     match try_check(arguments) {
         Ok(code) => ExitCode::from(code),
         Err(error) => {
-            complain(&format!("rtrace: {error}"));
+            fail(&format!("rtrace: {error}"));
             ExitCode::from(2)
         }
     }
@@ -122,17 +122,25 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         },
     };
     let judged = Judged::new(scene, source, known, check);
-    let report = match &arguments.report {
-        Some(folder) => Some(page::write(folder, &judged)?),
-        None => None,
-    };
+    let report = arguments.report.as_ref();
+    let report = report
+        .map(|folder| page::write(folder, &judged))
+        .transpose();
+    let page = report.as_ref().ok().and_then(Option::as_deref);
     let said = if arguments.json {
-        json::json(&judged, report.as_deref())
+        json::json(&judged, page)
     } else {
-        text::text(&judged, report.as_deref(), Style::of_stdout())
+        text::text(&judged, page, Style::of_stdout())
     };
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
-    Ok(judged.check.exit_code())
+    match report {
+        Ok(_) => Ok(judged.check.exit_code()),
+        // The picture is judged all the same.
+        Err(error) => {
+            complain(&format!("rtrace: {error}"));
+            Ok(2)
+        }
+    }
 }
 
 pub(crate) fn seconds(text: &str) -> Result<Duration, String> {

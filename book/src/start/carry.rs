@@ -5,11 +5,11 @@
 //! another name, and `// show NAME` puts it there as a comment, to be looked at. What no
 //! skeleton knows, such as a function that the reader added, goes to the end.
 
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::{fs, io, thread};
 
-use syn::Item;
 use syn::spanned::Spanned;
+use syn::{File, Item};
 
 /// The crate that a reader wrote for a chapter.
 pub(super) struct Written {
@@ -23,12 +23,12 @@ pub(super) struct Written {
 
 impl Written {
     pub(super) fn read(folder: &Path) -> Self {
-        let text = fs::read_to_string(folder.join("src/lib.rs"));
+        let text = read_file(&folder.join("src/lib.rs"));
         let items = text.map_err(|cause| format!("src/lib.rs: {cause}"));
         let chapter = folder.file_name().unwrap_or_default();
         Self {
             chapter: chapter.to_string_lossy().into_owned(),
-            items: items.and_then(|text| items_of(&text)),
+            items: items.and_then(|text| on_a_stack_for(&text)),
             folder: folder.to_owned(),
             files: other_files(folder, Path::new("src")),
         }
@@ -136,14 +136,40 @@ fn defined(skeleton: &str) -> Vec<String> {
     items.into_iter().map(|(name, _)| name).collect()
 }
 
-/// Each item of the source that has a name, with all its lines.
+/// The text of a plain file: whoever opens a pipe waits for its other end, and a link may
+/// lead to a file that does not end.
+fn read_file(path: &Path) -> io::Result<String> {
+    match path.symlink_metadata()?.is_file() {
+        true => Ok(fs::read_to_string(path)?.replace("\r\n", "\n")),
+        false => Err(io::Error::other("it is no file")),
+    }
+}
+
+/// The items of a source that may be nested as deep as it has letters, and is parsed by
+/// recursion.
+fn on_a_stack_for(source: &str) -> Result<Vec<(String, String)>, String> {
+    // What a letter may take: 50,000 references of a type, without optimization, took half.
+    const FRAMES: usize = 1 << 16;
+    let stack = thread::Builder::new().stack_size((1 << 21) + FRAMES * source.len());
+    thread::scope(|scope| {
+        let parsed = stack.spawn_scoped(scope, || items_of(source));
+        let parsed = parsed.map_err(|cause| format!("it is too long: {cause}"))?;
+        parsed.join().expect("it fits on the stack")
+    })
+}
+
+/// Each item of the source that has a name, with all that is written behind it.
 fn items_of(source: &str) -> Result<Vec<(String, String)>, String> {
-    let file = syn::parse_file(source)
+    let file: File = syn::parse_str(source)
         .map_err(|cause| format!("line {}: {cause}", cause.span().start().line))?;
-    let lines: Vec<&str> = source.lines().collect();
     let text = |item: &Item| {
-        let span = item.span();
-        lines[span.start().line - 1..span.end().line].join("\n")
+        let item = item.span().byte_range();
+        let rest = source[item.end..].lines().next().unwrap_or_default();
+        let comment = match rest.trim_start().starts_with("//") {
+            true => rest,
+            false => "",
+        };
+        source[item].to_owned() + comment
     };
     let named = |item: &Item| Some((name(item, source)?, text(item)));
     Ok(file.items.iter().filter_map(named).collect())
@@ -171,7 +197,11 @@ fn name(item: &Item, source: &str) -> Option<String> {
 /// The files below a folder of the crate, however deep, but for the chapter itself and
 /// what an editor or a system hides there. A link is left where it is.
 fn other_files(folder: &Path, below: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder.join(below)).into_iter().flatten();
+    let here = folder.join(below);
+    let entries = fs::read_dir(&here)
+        .into_iter()
+        .filter(|_| !here.is_symlink());
+    let entries = entries.flatten();
     let shown = entries
         .flatten()
         .filter(|entry| !entry.file_name().to_string_lossy().starts_with('.'));

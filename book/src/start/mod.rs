@@ -2,7 +2,9 @@
 
 mod carry;
 mod files;
+mod swap;
 
+use std::collections::BTreeSet;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -13,11 +15,13 @@ use check::workspace::workspace;
 use clap::Args;
 use common::engine::output;
 use slips::{Chapter, steps};
+use swap::Place;
 
 use crate::chapter::OneOf;
 use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;
 use crate::terminal;
+pub(crate) use files::renew_config;
 
 /// What `cargo rtrace start` is told.
 #[derive(Args)]
@@ -45,6 +49,14 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mine = Mine::find(arguments.into.as_deref());
     refuse_ours(&mine)?;
     let folder = mine.of(chapter);
+    let failed = |cause: io::Error| {
+        format!(
+            "cannot write {}: {cause}\nName a folder that you may write to: {} --into FOLDER",
+            from_here(&folder),
+            Mine::find(None).start(chapter),
+        )
+    };
+    let place = Place::of(&folder).map_err(failed)?;
     if folder.exists() && !arguments.again {
         let prelude = match Written::read(&folder).has_own_prelude() {
             true => " --own-prelude",
@@ -60,13 +72,16 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let before = TYPED.into_iter().rev().filter(|&it| it < chapter);
     let before = before.map(|it| mine.of(it)).find(|it| it.is_dir());
-    let new = New::compose(arguments, before.as_deref())?;
-    let kept = new
-        .write(&folder)
-        .map_err(|cause| format!("cannot write {}: {cause}", from_here(&folder)))?;
-    let kept = kept.map_or(String::new(), |kept| {
-        format!("What you had is in {}.\n", from_here(&kept))
-    });
+    let new = New::compose(arguments, before.as_deref(), &folder)?;
+    new.write(&place.new_folder(), &folder)
+        .and_then(|()| place.take())
+        .map_err(failed)?;
+    let kept: Vec<String> = place.kept().values().map(|it| from_here(it)).collect();
+    let kept = match kept.is_empty() {
+        true => String::new(),
+        false => format!("What you had before is in {}.\n", kept.join(", ")),
+    };
+    drop(place);
     let said = kept + &new.said(&mine);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
@@ -74,9 +89,21 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 /// Whatever is in our folders belongs to our workspace, and it would take the crate for
 /// one of its own.
 fn refuse_ours(mine: &Mine) -> Result<(), Box<dyn Error>> {
-    let ours = ["common", "chapters", "book", "tests"];
-    let below = workspace().and_then(|it| mine.folder().strip_prefix(it).ok());
-    match below.is_some_and(|below| ours.iter().any(|name| below.starts_with(name))) {
+    let ours = [".git", "common", "chapters", "book", "tests"];
+    // A link may lead there.
+    let mut above = mine.folder().ancestors();
+    let real = above.find_map(|it| fs::canonicalize(it).ok());
+    let is_in = |real: &Path, folder: &Path| {
+        fs::canonicalize(folder).is_ok_and(|folder| real.starts_with(folder))
+    };
+    let is_ours = |workspace: &Path| {
+        let is_in = |name| {
+            real.as_deref()
+                .is_some_and(|it| is_in(it, &workspace.join(name)))
+        };
+        ours.into_iter().any(is_in)
+    };
+    match workspace().is_some_and(is_ours) {
         true => Err(misuse(
             "that folder belongs to this workspace: choose one of your own, such as mine",
         )),
@@ -93,10 +120,16 @@ struct New {
     files: Vec<(&'static str, String)>,
     /// What was carried over from the chapter before, or why nothing was.
     carried: String,
+    /// The crate of that chapter, if there is one.
+    before: Option<PathBuf>,
 }
 
 impl New {
-    fn compose(arguments: &Arguments, before: Option<&Path>) -> Result<Self, Box<dyn Error>> {
+    fn compose(
+        arguments: &Arguments,
+        before: Option<&Path>,
+        folder: &Path,
+    ) -> Result<Self, Box<dyn Error>> {
         let chapter = arguments.chapter;
         let workspace = workspace().ok_or(
             "your crate would use the prelude and the laws of the workspace that this program \
@@ -111,14 +144,15 @@ impl New {
         if own && written.is_none() && chapter > Chapter::Gradient {
             *lib += include_str!("skeletons/own/sky.rs");
         }
+        let ours = files::from_crate(folder, workspace);
         let lock = fs::read_to_string(workspace.join("Cargo.lock"));
         let texts = [
             ("src/main.rs", files::main(chapter, own)),
             ("tests/laws.rs", files::test(chapter, own)),
-            ("Cargo.toml", files::manifest(chapter, own, workspace)),
+            ("Cargo.toml", files::manifest(chapter, own, &ours)),
             // The same versions as ours: they have been downloaded.
             ("Cargo.lock", lock.unwrap_or_default()),
-            (".cargo/config.toml", files::config(workspace)),
+            (".cargo/config.toml", files::config(&ours, workspace)),
         ];
         let prelude = files::OWN_PRELUDE.map(|(name, text)| (name, text.to_owned()));
         let prelude = prelude.into_iter().filter(|_| own && !has_own);
@@ -134,19 +168,12 @@ impl New {
             copies,
             files: files.filter(|(_, text)| !text.is_empty()).collect(),
             carried: carried.said,
+            before: before.map(Path::to_owned),
         })
     }
 
-    /// Writes all files, or none: into a folder beside it, which then gets the name. Where
-    /// the folder is, if it had the name before.
-    fn write(&self, folder: &Path) -> io::Result<Option<PathBuf>> {
-        let mine = folder.parent().expect("a crate is in a folder");
-        fs::create_dir_all(mine)?;
-        let new = mine.join(format!(".start-{}", self.chapter.name()));
-        if new.exists() {
-            // It was ended before it had the name.
-            fs::remove_dir_all(&new)?;
-        }
+    /// Writes all files into the folder `new`, which is to take the place of `old`.
+    fn write(&self, new: &Path, old: &Path) -> io::Result<()> {
         let place = |name: &Path| {
             let path = new.join(name);
             fs::create_dir_all(path.parent().expect("a file is in a folder"))?;
@@ -158,12 +185,20 @@ impl New {
         for (name, text) in &self.files {
             fs::write(place(name.as_ref())?, text)?;
         }
-        let kept = folder.exists().then(|| put_aside(folder)).transpose()?;
-        let named = fs::rename(new, folder);
-        if let (Err(_), Some(kept)) = (&named, &kept) {
-            fs::rename(kept, folder)?;
+        let copied = self.copies.iter().map(|(_, name)| name.as_path());
+        let written = self.files.iter().map(|(name, _)| Path::new(name));
+        let names = copied.chain(written.clone());
+        let with_folders: BTreeSet<&Path> = names.flat_map(Path::ancestors).collect();
+        for before in self.before.iter().map(PathBuf::as_path).chain([old]) {
+            for name in &with_folders {
+                swap::close_like(&before.join(name), &new.join(name))?;
+            }
+            // Whatever is carried over was in this one.
+            for name in written.clone().filter(|name| name.starts_with("src")) {
+                swap::close_like(&before.join("src/lib.rs"), &new.join(name))?;
+            }
         }
-        named.map(|()| kept)
+        Ok(())
     }
 
     fn said(&self, mine: &Mine) -> String {
@@ -185,13 +220,4 @@ impl New {
             mine.watch(self.chapter)
         )
     }
-}
-
-/// Renames the folder to the first name beside it that is free.
-fn put_aside(folder: &Path) -> io::Result<PathBuf> {
-    let name = |n: u32| folder.with_extension(n.to_string());
-    let free = (1..).map(name).find(|path| !path.exists());
-    let free = free.expect("there are more numbers than folders");
-    fs::rename(folder, &free)?;
-    Ok(free)
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 use std::time::Duration;
 use std::{env, iter};
 
+use check::names;
 use serde_json::Value;
 use supports_color::Stream;
 
@@ -125,8 +126,11 @@ fn problem(messages: &[Value], said: &str) -> Problem {
         // The last one of each program only counts the others.
         .filter(|rendered| !rendered.contains("aborting due to"))
         .collect();
+    // The compiler takes out of its messages what a terminal would obey; a script doesn't.
+    let said: Vec<_> = said.lines().map(names::visible).collect();
+    let said = said.join("\n");
     Problem {
-        first: errors.first().unwrap_or(&said).trim_end().to_owned(),
+        first: errors.first().unwrap_or(&&*said).trim_end().to_owned(),
         more: errors.len().saturating_sub(1),
     }
 }

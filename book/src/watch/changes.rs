@@ -13,7 +13,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant, SystemTime};
 
 use notify::event::{EventKind, ModifyKind};
-use notify::{Config, Event, PollWatcher, RecursiveMode, Watcher};
+use notify::{Config, Event, PollWatcher, RecommendedWatcher, RecursiveMode, Watcher};
 
 use crate::done::DONE;
 
@@ -31,8 +31,8 @@ pub(super) struct Changes {
     are_all_typed: bool,
     /// Files that have changed while no program ran: the reader's too.
     typed: HashSet<PathBuf>,
-    /// In how many runs, one after the other, another file has changed.
-    written: HashMap<PathBuf, u32>,
+    /// In how many runs, one after the other, other files have changed.
+    restless: u32,
     /// Ends the notification when it is dropped.
     _watcher: Box<dyn Watcher>,
 }
@@ -45,7 +45,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// How often to see whether the folder is still there.
 const LOOK: Duration = Duration::from_millis(500);
 
-/// A file that changes in every one of so many runs is written by the program.
+/// What changes in every one of so many runs is written by the program.
 const OFTEN: u32 = 3;
 
 /// So much of a file is looked at: more than any source has.
@@ -54,8 +54,11 @@ const MOST: u64 = 1 << 24;
 impl Changes {
     pub(super) fn below(folder: &Path, are_all_typed: bool) -> notify::Result<Self> {
         let (sender, events) = channel();
-        let config = Config::default().with_poll_interval(LOOK);
-        let mut watcher: Box<dyn Watcher> = Box::new(notify::recommended_watcher(sender.clone())?);
+        // A link may lead to all that there is.
+        let config = Config::default().with_follow_symlinks(false);
+        let config = config.with_poll_interval(LOOK);
+        let mut watcher: Box<dyn Watcher> =
+            Box::new(RecommendedWatcher::new(sender.clone(), config)?);
         // Where the system has no more watches to give, looking now and then will do.
         if watcher.watch(folder, RecursiveMode::Recursive).is_err() {
             watcher = Box::new(PollWatcher::new(sender, config)?);
@@ -69,7 +72,7 @@ impl Changes {
             held: HashMap::new(),
             are_all_typed,
             typed: HashSet::new(),
-            written: HashMap::new(),
+            restless: 0,
             _watcher: watcher,
         })
     }
@@ -93,14 +96,14 @@ impl Changes {
         self.settle();
         let (later, during): (HashSet<PathBuf>, HashSet<PathBuf>) =
             self.news().partition(|path| is_from_after(path, end));
-        self.written.retain(|path, _| during.contains(path));
-        let mut again = !later.is_empty();
+        self.restless = match during.is_empty() {
+            true => 0,
+            false => self.restless + 1,
+        };
+        let is_typed = |path: &PathBuf| self.typed.contains(path);
+        let mut again = !later.is_empty() || during.iter().any(is_typed);
+        again |= (1..OFTEN).contains(&self.restless);
         self.typed.extend(later);
-        for path in during {
-            let runs = self.written.entry(path.clone()).or_default();
-            *runs += 1;
-            again |= self.typed.contains(&path) || *runs < OFTEN;
-        }
         while !again {
             if !self.folder.is_dir() {
                 return Ok(false);

@@ -28,6 +28,7 @@ use crate::done::{Done, step_is_done};
 use crate::mine::{self, Mine, TYPED};
 use crate::misuse::misuse;
 use crate::sources;
+use crate::start::renew_config;
 use crate::subprocess::{self, End};
 use build::Built;
 use changes::Changes;
@@ -134,6 +135,9 @@ impl Subject {
             )));
         }
         let (program, limit) = (arguments.program.clone(), arguments.timeout);
+        if program.is_empty() {
+            renew_config(&folder)?;
+        }
         Ok(Self {
             scene,
             program,

@@ -20,7 +20,8 @@ const PICTURE: (u32, u32) = (32, 9);
 pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], took: Duration) -> String {
     let mut lines = vec![head(title, took)];
     lines.extend(pictures(verdict));
-    let headline = textwrap::wrap(&verdict.headline, terminal::text_width());
+    let headline = names::visible(&verdict.headline);
+    let headline = textwrap::wrap(&headline, terminal::text_width());
     lines.extend(headline.iter().map(|line| colored(line, verdict)));
     let next = match verdict.next.as_str() {
         "" => Vec::new(),
@@ -41,7 +42,8 @@ pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], took: Dur
 
 /// Whether each screen takes the place of the one before: on a terminal that can.
 pub(super) fn replaces_the_last() -> bool {
-    stdout().is_terminal() && env::var_os("TERM").is_some_and(|term| term != "dumb")
+    stdout().is_terminal()
+        && env::var_os("TERM").is_some_and(|term| term != "dumb" && !term.is_empty())
 }
 
 /// What is judged, and how long that took.

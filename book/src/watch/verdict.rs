@@ -73,7 +73,7 @@ impl Verdict {
     pub(super) fn not_started(program: &OsStr, cause: &io::Error) -> Self {
         let name = program.to_string_lossy();
         Self {
-            headline: format!("{} does not start: {cause}.", names::visible(&name)),
+            headline: format!("{name} does not start: {cause}."),
             next: "is it built, and is its path right? In this folder it is ./NAME".to_owned(),
             ..Self::default()
         }
@@ -118,9 +118,9 @@ pub(super) fn printed(text: &str) -> Vec<Line> {
 
 /// Where a panic says that nothing has been written yet.
 fn not_written_yet(errors: &str) -> Option<&str> {
-    let (before, _) = errors.split_once("not yet implemented")?;
-    let (_, place) = before.trim_end().rsplit_once("panicked at ")?;
-    Some(place.trim_end_matches(':'))
+    let (before, _) = errors.split_once(":\nnot yet implemented")?;
+    let (_, place) = before.lines().next_back()?.split_once("panicked at ")?;
+    Some(place)
 }
 
 fn first_step(chapter: Chapter) -> String {

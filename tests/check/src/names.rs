@@ -19,10 +19,10 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     text.chars().map(spell).collect()
 }
 
-/// The marks of Unicode by which a text runs from right to left, or back.
-const TURNS: [char; 9] = [
-    '\u{202a}', '\u{202b}', '\u{202c}', '\u{202d}', '\u{202e}', '\u{2066}', '\u{2067}', '\u{2068}',
-    '\u{2069}',
+/// The marks of Unicode by which a text runs from right to left, or back, or breaks a line.
+const TURNS: [char; 14] = [
+    '\u{061c}', '\u{200e}', '\u{200f}', '\u{2028}', '\u{2029}', '\u{202a}', '\u{202b}', '\u{202c}',
+    '\u{202d}', '\u{202e}', '\u{2066}', '\u{2067}', '\u{2068}', '\u{2069}',
 ];
 
 /// The name of a file, or another word of a command line, as a message shows it.

@@ -45,7 +45,7 @@ fn messages_use_the_name_that_it_was_called_by() {
     }
 }
 
-/// A clone that was moved, and programs that were built in it before.
+/// A clone that was moved, and programs that were built before.
 #[test]
 fn the_workspace_is_the_one_that_the_reader_is_in() {
     let home = Home::new();
@@ -59,15 +59,17 @@ fn the_workspace_is_the_one_that_the_reader_is_in() {
     let mut start = home.rtrace();
     start.args(["start", "gradient"]);
     assert_success(&run(start.current_dir(home.0.path().join("clone/book"))));
-    let made = fs::read_to_string(home.0.path().join("clone/mine/gradient/Cargo.toml"));
-    let made = made.expect("the crate is in the clone");
-    let common = home
-        .0
-        .path()
-        .canonicalize()
-        .expect("it is there")
-        .join("clone/common");
-    assert!(made.contains(&format!("{common:?}")), "{made}");
+    fs::rename(home.0.path().join("clone"), home.0.path().join("moved")).expect("it is moved");
+    let made = home.0.path().join("moved/mine/gradient");
+    let manifest = fs::read_to_string(made.join("Cargo.toml")).expect("the crate moves with it");
+    let (_, path) = manifest.split_once("common = { path = \"").expect("a path");
+    let (path, _) = path.split_once('"').expect("its end");
+    assert!(made.join(path).join("Cargo.toml").is_file(), "{path}");
+    let mut watch = home.rtrace();
+    watch.args(["watch", "gradient", "--once"]);
+    run(watch.current_dir(&made));
+    let settings = fs::read_to_string(made.join(".cargo/config.toml")).expect("the settings");
+    assert!(settings.contains("/moved/Cargo.toml"), "{settings}");
 }
 
 #[test]

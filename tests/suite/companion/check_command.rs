@@ -264,6 +264,13 @@ fn programs_get_the_same_as_json() {
         said.contains("\"verdict\": \"not-a-picture\"") && said.contains("\"name\": \"empty\""),
         "{said}"
     );
+    // Where there is no answer, the reason.
+    let output = run(&mut check_in(
+        &folder,
+        &["gradient", "-", "--probe", "behind", "--json"],
+    ));
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("an object");
+    assert!(json["error"].is_string(), "{json}");
 }
 
 #[test]

@@ -56,7 +56,7 @@ fn the_companion_explains_itself_when_asked_and_when_misunderstood() {
 #[test]
 fn names_are_shown_and_not_obeyed() {
     let here = TempDir::new().expect("a folder");
-    let odd = "\u{1b}[31m\u{9b}\u{202e}é";
+    let odd = "\u{1b}[31m\u{9b}\u{202e}\u{200f}é";
     let [png, ppm, below] = ["odd.png", "odd.ppm", "/a.ppm"].map(|end| format!("{odd}{end}"));
     let mut commands = [
         &["gradient", &below][..],
@@ -77,7 +77,10 @@ fn names_are_shown_and_not_obeyed() {
         command
     });
     let said = transcript(&mut commands);
-    assert!(!said.contains(['\u{1b}', '\u{9b}', '\u{202e}']), "{said:?}");
+    assert!(
+        !said.contains(['\u{1b}', '\u{9b}', '\u{202e}', '\u{200f}']),
+        "{said:?}"
+    );
     assert_snapshot!(said);
 }
 

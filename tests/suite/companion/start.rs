@@ -152,6 +152,47 @@ fn what_cannot_be_read_is_not_carried_over_and_that_is_said() {
     assert_eq!(left, expected, "and nothing beside");
 }
 
+/// Modes and links, and two items on a line.
+#[cfg(unix)]
+#[test]
+fn what_is_private_stays_private_and_what_is_no_file_stays_where_it_is() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+
+    let mine = Mine::empty();
+    assert_success(&run(&mut mine.start("gradient", &[])));
+    let lib = mine.lib("gradient");
+    let source = fs::read_to_string(&lib).expect("the chapter");
+    let deep = format!("fn deep() {{ {}1{} }}", "(".repeat(3000), ")".repeat(3000));
+    fs::write(
+        &lib,
+        format!("{source}\nfn one() {{}} fn two() {{}} // both\n{deep}\n"),
+    )
+    .expect("it is typed");
+    symlink(".", lib.with_file_name("itself")).expect("a link");
+    let pipe = Command::new("mkfifo")
+        .arg(lib.with_file_name("pipe"))
+        .status();
+    assert!(pipe.expect("mkfifo starts").success());
+    let modes = |chapter: &str| {
+        let lib = mine.lib(chapter);
+        let modes = [mine.path().join(chapter), lib].map(|it| fs::metadata(it).expect("it"));
+        modes.map(|it| it.permissions().mode() & 0o777)
+    };
+    for (path, mode) in [(lib.clone(), 0o600), (mine.path().join("gradient"), 0o700)] {
+        fs::set_permissions(path, fs::Permissions::from_mode(mode)).expect("its mode is set");
+    }
+    for (chapter, again) in [("red_sphere", &[][..]), ("gradient", &["--again"])] {
+        assert_success(&run(&mut mine.start(chapter, again)));
+        assert_eq!(modes(chapter), [0o700, 0o600], "{chapter}");
+    }
+    let carried = fs::read_to_string(mine.lib("red_sphere")).expect("the chapter");
+    for item in ["fn one() {}", "fn two() {} // both", "fn deep()"] {
+        assert_eq!(carried.matches(item).count(), 1, "{item} in\n{carried}");
+    }
+    let names = names_in(mine.lib("red_sphere").parent().expect("src"));
+    assert_eq!(names, ["lib.rs", "main.rs"]);
+}
+
 #[test]
 fn from_anywhere_below_the_same_crates_are_meant() {
     let mine = Mine::empty();

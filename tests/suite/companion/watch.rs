@@ -118,13 +118,13 @@ fn a_program_in_any_language_is_watched_with_its_folder() {
     thread::sleep(Duration::from_millis(400));
     save(
         "time.sleep(600)",
-        "open('own.ppm', 'w').write(str(time.time()))",
+        "open(str(time.time()), 'w').write('own')",
     );
     desk.see("Wrong:");
     // A program that writes a new file on every run is not judged for ever.
     desk.see_no_more();
     save(
-        "'own.ppm', 'w').write(str(time.time()))",
+        "str(time.time()), 'w').write('own')",
         "'part', 'w')\nimport os; os.rename('part', 'own')",
     );
     desk.see("Wrong:");
@@ -166,6 +166,8 @@ fn what_cannot_be_watched_is_said() {
             "did not end within 300ms",
         ),
         (&["--", "echo", "hello"], "no picture"),
+        // The terminal shows it, and does not obey.
+        (&["--", "sh", "-c", BELL], "todo!() at \\u{7}."),
     ] {
         let mut watch = program_with("rtrace", &["watch", "gradient", "--once"]);
         let output = run(watch.args(words).current_dir(here.path()));
@@ -174,6 +176,8 @@ fn what_cannot_be_watched_is_said() {
         assert!(said.contains(problem), "{said}");
     }
 }
+
+const BELL: &str = r"printf 'panicked at \007:\nnot yet implemented' >&2; exit 101";
 
 /// Somebody at a terminal, before whom the program runs.
 struct Desk {
