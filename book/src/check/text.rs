@@ -8,7 +8,7 @@ use check::scene::Scene;
 use check::told;
 use check::verdict::{Check, Finding, Near};
 use check::{names_of, workspace};
-use slips::{Edition, Letters, Slip};
+use slips::{Chapter, Edition, Letters, Slip};
 use supports_color::Stream;
 
 use super::judged::Judged;
@@ -108,19 +108,18 @@ pub(crate) fn headline(judged: &Judged, style: Style) -> String {
                 true => " in this shape, which is not the book's",
                 false => "",
             };
-            let by = right.scene.edition.said();
-            let notes = given_by(&right.shape_given_by) + &edition(right.scene.edition);
+            let by = Edition::said(&right.editions);
+            let notes = given_by(&right.shape_given_by) + &edition(&right.scene);
             format!(
                 "{source} is {}{by}{shape}: {how}.\n{notes}",
                 style.green("right")
             )
         }
         Check::Near(finding) => {
-            let by = finding.scene.edition;
-            let (right, notes) = (style.green("right"), edition(by));
+            let (right, notes) = (style.green("right"), edition(&finding.scene));
             format!(
                 "{source} is {right}{}, but {}.\n{notes}",
-                by.said(),
+                Edition::said(&finding.editions),
                 finding.but()
             )
         }
@@ -129,7 +128,7 @@ pub(crate) fn headline(judged: &Judged, style: Style) -> String {
                 0 | 1 => style.red("right within one level, but not to the last bit"),
                 _ => style.red("wrong"),
             };
-            let notes = edition(finding.scene.edition);
+            let notes = edition(&finding.scene);
             // What happened to the file comes first: what is wrong is so beyond it.
             let way = finding.degradation;
             let way = way.map_or(String::new(), |way| {
@@ -178,13 +177,17 @@ fn given_by(slips: &[&Slip]) -> String {
     }
 }
 
-/// What an edition has otherwise than the one that this workspace follows.
-fn edition(edition: Edition) -> String {
-    match edition {
+/// What the edition of a scene has otherwise than the one that this workspace follows.
+fn edition(scene: &Scene) -> String {
+    let [with_rays, build_test] = scene.edition.differs_by();
+    let differs = match scene.chapter {
+        Chapter::BuildTest => build_test,
+        _ => with_rays,
+    };
+    match scene.edition {
         Edition::V4 => String::new(),
-        older => format!(
-            "What it has otherwise than version 4, which this workspace follows: {}.\n--edition 4 insists on that.\n",
-            older.differs_by()
+        _ => format!(
+            "What it has otherwise than version 4, which this workspace follows: {differs}.\nTo be judged by version 4 alone: --edition 4.\n"
         ),
     }
 }
@@ -206,7 +209,7 @@ fn counts(name: &str, finding: &Finding) -> String {
     let share = 100.0 * count as f64 / total as f64;
     format!(
         "{count} of {total} pixels ({share:.1} %) are not those of {name} at {width} × {height}{}",
-        finding.scene.edition.said()
+        Edition::said(&finding.editions)
     )
 }
 

@@ -6,7 +6,7 @@ use check::reading::Cause;
 use check::scene::Scene;
 use check::told;
 use check::verdict::{self, Check, Finding, Right};
-use slips::{Chapter, Probe, steps};
+use slips::{Chapter, Edition, Probe, steps};
 
 use super::laws::Outcome;
 use super::verdict::{Line, Verdict, labeled, printed, step_says};
@@ -83,7 +83,7 @@ impl Evidence<'_> {
             Some(Outcome::Obeyed) | None => {
                 let headline = format!(
                     "Right{}: all {width} × {height} pixels, to the last bit.",
-                    scene.edition.said()
+                    Edition::said(&[scene.edition])
                 );
                 let suspected = told::suspected(scene, self.known).into_iter();
                 let verdict = Verdict {

@@ -46,7 +46,7 @@ pub(crate) fn editions() -> String {
         .map(|edition| {
             let differs = match edition {
                 Edition::V4 => String::new(),
-                older => format!(": {}", older.differs_by()),
+                older => format!(": {}", older.differs_by().join("; in the build test ")),
             };
             format!(
                 "<figure class=\"edition\">{}<figcaption><b>{edition}</b>{differs}</figcaption></figure>\n\n",

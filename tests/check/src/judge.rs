@@ -10,6 +10,7 @@ use crate::explanations::{
     mutants, on_a_curve, own_spheres, right, single, turned, two,
 };
 use crate::scene::Scene;
+use ::slips::Edition;
 
 /// What was found.
 pub(crate) struct Judgement {
@@ -50,7 +51,7 @@ const GLANCE: u32 = 150;
 /// With how many programs it is looked for what happened to the file.
 const PROGRAMS: usize = 3;
 /// Beside how many slips several rays are looked for.
-const SLIPS: usize = 4;
+const SLIPS: usize = 8;
 
 /// Finds the shortest explanations of the evidence.
 pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
@@ -74,9 +75,11 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
         + evidence.besides(&nearest)
         + bits::alone(reading).min(bits::beside(reading, &drawn));
     if !search.is_degraded(unknown) {
-        search.add_mutants(&drawn);
         search.add_changed(&rights, &likeliest);
-        search.add_pairs();
+        if !search.is_antialiased(unknown) {
+            search.add_mutants(&drawn);
+            search.add_pairs();
+        }
     }
     let mut found = search.found;
     found.sort_by(|one, other| one.bits().total_cmp(&other.bits()));
@@ -243,9 +246,20 @@ impl Search<'_> {
     /// Whether something happened to the file, and to think so is so much shorter that
     /// nothing else is looked for.
     fn is_degraded(&self, unknown: f64) -> bool {
-        let degraded = self.best();
-        let is_known = degraded.degradation().is_some() && degraded.bits() < unknown;
-        is_known && self.best_undegraded().bits() > 4.0 * degraded.bits()
+        self.is_shorter(unknown, 4.0, |it| it.degradation().is_some())
+    }
+
+    /// The same of several rays a pixel that lie where they should.
+    fn is_antialiased(&self, unknown: f64) -> bool {
+        self.is_shorter(unknown, 1.2, |it| {
+            it.seen.is_none() && matches!(it.but.first(), Some(But::Antialiased { .. }))
+        })
+    }
+
+    fn is_shorter(&self, unknown: f64, times: f64, is_meant: fn(&Explanation) -> bool) -> bool {
+        let best = self.best();
+        let others = self.best_of(|it| !is_meant(it));
+        is_meant(best) && best.bits() < unknown && others.bits() > times * best.bits()
     }
 
     /// What a reader chose, and no mistake.
@@ -274,6 +288,19 @@ impl Search<'_> {
                     .take(1),
             );
         }
+        let Some(drawn) = nearest.first().and_then(|it| it.drawn(reading)) else {
+            return;
+        };
+        let slips = wrong.iter().filter(|it| !it.slips.is_empty()).take(SLIPS);
+        // Without a fraction of a level, single precision is no edition of its own.
+        let rights_own = rights.iter().filter(is_own);
+        let rights_own = rights_own.filter(|it| it.scene.edition != Edition::V1);
+        let others = nearest.iter().filter(|it| !is_own(it));
+        let plain = rights_own.chain(others).chain(slips).map(|it| (it, None));
+        self.found.extend(antialiased(evidence, &drawn, plain));
+        if self.is_antialiased(f64::INFINITY) {
+            return;
+        }
         let mut own = Vec::new();
         for right in &nearest {
             let Some(drawn) = right.drawn(reading) else {
@@ -282,18 +309,22 @@ impl Search<'_> {
             self.found.extend(turned(evidence, right, &drawn));
             let curved = on_a_curve(evidence, right, &drawn);
             if let Some(But::Curve(curve)) = curved.as_ref().and_then(|it| it.but.first()) {
-                self.found.extend(antialiased(evidence, right, Some(curve)));
+                let curved = [(right, Some(curve))].into_iter();
+                self.found.extend(antialiased(evidence, &drawn, curved));
             }
             self.found.extend(curved);
             let colored = in_colors(evidence, right);
-            let scenes = own_spheres(evidence, colored.as_ref().unwrap_or(right));
-            own.extend(colored.into_iter().chain(scenes));
+            // Another scale looks like other colors of the sky, and the other way round.
+            let some = [Some(right), colored.as_ref()].into_iter().flatten();
+            own.extend(some.flat_map(|it| own_spheres(evidence, it)));
+            own.extend(colored);
         }
         let chosen = self.add(own, None, f64::INFINITY);
-        let slips = wrong.iter().filter(|it| !it.slips.is_empty());
-        let chosen = chosen.iter().take(1);
-        for it in nearest.iter().chain(chosen).chain(slips.take(SLIPS)) {
-            self.found.extend(antialiased(evidence, it, None));
+        if let Some(chosen) = chosen.first()
+            && let Some(drawn) = chosen.drawn(reading)
+        {
+            let chosen = [(chosen, None)].into_iter();
+            self.found.extend(antialiased(evidence, &drawn, chosen));
         }
     }
 

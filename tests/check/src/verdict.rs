@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 
 use common::rtweekend::Picture;
-use slips::Slip;
+use slips::{Edition, Slip};
 
 use crate::bits::Left;
 use crate::comparison::{Comparison, Difference};
@@ -52,8 +52,10 @@ pub enum Check {
 /// A right picture.
 #[derive(Clone, Debug)]
 pub struct Right {
-    /// The scene, by the edition of the book that draws this picture.
+    /// The scene, by the latest edition of the book that draws this picture.
     pub scene: Scene,
+    /// All editions that do.
+    pub editions: Vec<Edition>,
     /// Pixels in a row.
     pub width: u32,
     /// Number of rows.
@@ -73,6 +75,8 @@ pub struct Right {
 pub struct Finding {
     /// The scene that it shows, by the edition that explains most.
     pub scene: Scene,
+    /// All editions that explain as much.
+    pub editions: Vec<Edition>,
     /// The right picture of that scene in the same size.
     pub right: Picture,
     /// The reader's, as a viewer shows it.
@@ -264,12 +268,14 @@ impl Finding {
             Comparison::Pixels(difference) => Some(difference),
             _ => None,
         };
-        let sets = match is_known {
+        // Noise at edges tells no slip from what is right.
+        let is_noisy = is_right && !best.left.is_one_by_one;
+        let sets = match is_known && !is_noisy {
             true => sets(&judgement),
             false => Vec::new(),
         };
-        let explaining: usize = sets.iter().map(|set| set.mistakes.len()).sum();
-        let is_vague = best.slips.len() > 1 || explaining > TOLD || reading.is_plain();
+        let told: usize = sets.iter().map(|set| set.mistakes.len()).sum();
+        let is_vague = best.slips.len() > 1 || told > TOLD || reading.is_plain();
         let sights = match (is_known, &best.seen) {
             (true, Some(seen)) => vec![seen.clone()],
             (true, None) if !is_vague => Vec::new(),
@@ -283,6 +289,7 @@ impl Finding {
         };
         Answer::Of(Box::new(Self {
             scene: compared,
+            editions: judgement.editions_like(explaining),
             right,
             yours,
             degradation,
@@ -344,6 +351,17 @@ impl Judgement {
             }
         }
         scenes
+    }
+
+    /// The editions in which the same explanation draws the same picture.
+    fn editions_like(&self, explaining: &Explanation) -> Vec<Edition> {
+        let is_like = |it: &&Explanation| {
+            it.mark == explaining.mark
+                && is_same(&it.scene, &explaining.scene)
+                && are_same(&it.slips, &explaining.slips)
+        };
+        let like = self.found.iter().filter(is_like);
+        like.map(|it| it.scene.edition).collect()
     }
 
     /// How many bits the shortest is shorter than any that tells another picture.
@@ -410,26 +428,29 @@ impl Right {
     /// The first edition that draws the picture to the last bit, or else the first that
     /// draws it within the tolerance.
     fn of(scene: &Scene, reading: &Reading, tolerance: u8) -> Option<Self> {
+        let (width, height) = (reading.width, reading.height);
         let within = |tolerance| {
-            let (width, height) = (reading.width, reading.height);
-            scene
-                .by_editions(width, height)
-                .filter(|scene| scene.may_be_shown_by(reading, tolerance))
-                .find_map(|scene| {
-                    let (off, levels) =
-                        match Comparison::of(&scene.right(width, height), &reading.picture()) {
-                            Comparison::Pixels(difference) => (difference.count, difference.levels),
-                            _ => (0, 0),
-                        };
-                    (levels <= tolerance).then_some(Self {
-                        scene,
-                        width,
-                        height,
-                        off,
-                        levels,
-                        shape_given_by: Vec::new(),
-                    })
-                })
+            let scenes = scene.by_editions(width, height);
+            let off = |scene: Scene| {
+                let is_near = scene.may_be_shown_by(reading, tolerance);
+                let right = is_near.then(|| scene.right(width, height))?;
+                let (off, levels) = match Comparison::of(&right, &reading.picture()) {
+                    Comparison::Pixels(difference) => (difference.count, difference.levels),
+                    _ => (0, 0),
+                };
+                (levels <= tolerance).then_some((scene, off, levels))
+            };
+            let near: Vec<_> = scenes.filter_map(off).collect();
+            let &(scene, off, levels) = near.first()?;
+            Some(Self {
+                scene,
+                editions: near.iter().map(|(scene, ..)| scene.edition).collect(),
+                width,
+                height,
+                off,
+                levels,
+                shape_given_by: Vec::new(),
+            })
         };
         within(0).or_else(|| within(tolerance))
     }

@@ -121,8 +121,9 @@ impl Chosen {
         let ground = ground.map(|ground| format!("a ground {}", ball(ground)));
         let zoom = self.viewport_height.map(|height| {
             format!(
-                "a viewport {} high, or another focal length",
-                rounded(height)
+                "a viewport {} high one unit away, or a focal length of {} and one 2 high",
+                rounded(height),
+                rounded(2.0 / height)
             )
         });
         let all: Vec<String> = [sphere, ground, zoom].into_iter().flatten().collect();

@@ -48,31 +48,82 @@ impl Edition {
         }
     }
 
-    /// What it has otherwise than version 4.
-    pub fn differs_by(self) -> &'static str {
+    /// What it has otherwise than version 4: in chapters with rays, and in the build test.
+    pub fn differs_by(self) -> [&'static str; 2] {
         match self {
-            Self::V1 | Self::V1InDouble => {
-                "200 × 100 pixels, a viewport of 4 × 2, u = i / nx, rows from below, int(255.99 * r); blue 0.2 in the build test"
-            }
-            Self::V3_0 => {
-                "200 × 100 pixels, a viewport of 4 × 2, u = i / image_width, rows from below; blue 0.2 in the build test"
-            }
-            Self::V3_1_0 => {
-                "u = i / (image_width - 1), rows from below, a viewport of 4 × 2.25 and for the list one of 4 × 2; blue 0.25 in the build test"
-            }
-            Self::V3 => {
-                "u = i / (image_width - 1), rows from below, viewport_width = aspect_ratio * viewport_height; blue 0.25 in the build test"
-            }
-            Self::V4 => "nothing",
+            Self::V1 | Self::V1InDouble => [
+                "200 × 100 pixels, a viewport of 4 × 2, u = i / nx, rows from below, int(255.99 * r)",
+                "200 × 100 pixels, r = i / nx, rows from below, int(255.99 * r), blue 0.2",
+            ],
+            Self::V3_0 => [
+                "200 × 100 pixels, a viewport of 4 × 2, u = i / image_width, rows from below",
+                "200 × 100 pixels, r = i / image_width, rows from below, blue 0.2",
+            ],
+            Self::V3_1_0 => [
+                "u = i / (image_width - 1), rows from below, a viewport of 4 × 2.25 and for the list one of 4 × 2",
+                "rows from below, blue 0.25",
+            ],
+            Self::V3 => [
+                "u = i / (image_width - 1), rows from below, viewport_width = aspect_ratio * viewport_height",
+                "rows from below, blue 0.25",
+            ],
+            Self::V4 => ["nothing"; 2],
         }
     }
 
-    /// After "right" or "wrong": which edition it is judged by, if it is not the one
-    /// that this workspace follows.
-    pub fn said(self) -> String {
+    /// After "right" or "wrong": which editions it is judged by, if the one that this
+    /// workspace follows is not among them.
+    pub fn said(editions: &[Self]) -> String {
+        match editions.contains(&Self::V4) {
+            true => String::new(),
+            false => format!(" by {}", Self::together(editions)),
+        }
+    }
+
+    /// Editions that draw the same, by their numbers and the years from the first to the
+    /// last.
+    fn together(editions: &[Self]) -> String {
+        let mut editions = editions.to_vec();
+        editions.sort();
+        let (Some(first), Some(last)) = (editions.first(), editions.last()) else {
+            return String::new();
+        };
+        if first == last {
+            return first.to_string();
+        }
+        let ([from, _], [_, to]) = (first.years(), last.years());
+        let mut numbers: Vec<&str> = editions
+            .iter()
+            .flat_map(|it| it.numbers())
+            .copied()
+            .collect();
+        // Version 1 in both precisions has the same numbers.
+        numbers.sort_unstable();
+        numbers.dedup();
+        let last = numbers.pop().unwrap_or_default();
+        format!(
+            "version {} or {last} of the book ({from} to {to})",
+            numbers.join(", ")
+        )
+    }
+
+    fn numbers(self) -> &'static [&'static str] {
         match self {
-            Self::V4 => String::new(),
-            older => format!(" by {older}"),
+            Self::V1 | Self::V1InDouble => &["1", "2"],
+            Self::V3_0 => &["3.0"],
+            Self::V3_1_0 => &["3.1.0"],
+            Self::V3 => &["3"],
+            Self::V4 => &["4"],
+        }
+    }
+
+    fn years(self) -> [&'static str; 2] {
+        match self {
+            Self::V1 | Self::V1InDouble => ["2016", "2019"],
+            Self::V3_0 => ["March 2020"; 2],
+            Self::V3_1_0 => ["May 2020"; 2],
+            Self::V3 => ["2020", "2023"],
+            Self::V4 => ["2023", "today"],
         }
     }
 

@@ -146,7 +146,7 @@ fn a_slip_is_named_beside_what_it_does_not_explain() {
     assert_eq!(found.sets[0].mistakes[0][0].name, "far-root");
     assert_eq!(found.sets[0].left.far, 0);
 
-    let several_rays = with_rays(&slip("far-root").program(Chapter::Normals), 10);
+    let several_rays = with_rays(&slip("far-root").program(Chapter::Normals), 10, 0.0);
     let found = finding(Chapter::Normals, &several_rays);
     assert_eq!(found.sets[0].mistakes[0][0].name, "far-root");
     assert!(matches!(found.sets[0].but[..], [But::Antialiased { .. }]));
@@ -383,7 +383,7 @@ fn colors_and_scale_of_ones_own_are_no_mistake() {
 fn several_rays_a_pixel_are_the_next_chapter_and_no_mistake() {
     for chapter in [Chapter::RedSphere, Chapter::Normals, Chapter::HittableList] {
         for count in [10, 50] {
-            let near = near(chapter, &with_rays(&Program::right(chapter), count));
+            let near = near(chapter, &with_rays(&Program::right(chapter), count, 0.0));
             let [
                 But::Antialiased {
                     samples: Some(told),
@@ -398,6 +398,34 @@ fn several_rays_a_pixel_are_the_next_chapter_and_no_mistake() {
             );
             assert_eq!(near.scene.edition, Edition::V4);
         }
+    }
+}
+
+#[test]
+fn several_rays_beside_the_pixel_are_a_mistake() {
+    for chapter in [Chapter::RedSphere, Chapter::Normals, Chapter::HittableList] {
+        let corner = slip("grid-not-inset").program(chapter);
+        let named = names(&finding(chapter, &with_rays(&corner, 10, 0.0)));
+        assert!(named[0].contains(&"grid-not-inset".to_owned()), "{named:?}");
+        let lower = finding(chapter, &with_rays(&Program::right(chapter), 10, 0.5));
+        assert!(lower.near.is_none(), "{chapter:?}: {}", lower.but());
+        let said = lower.sights.join(" ");
+        assert!(
+            said.contains("half a pixel too far down"),
+            "{chapter:?}: {said}"
+        );
+    }
+}
+
+#[test]
+fn one_ray_anywhere_in_a_pixel_is_no_mistake() {
+    for chapter in [Chapter::Normals, Chapter::HittableList] {
+        let near = near(chapter, &with_rays(&Program::right(chapter), 1, 0.0));
+        assert!(
+            matches!(near.but[..], [But::Antialiased { samples: Some(told) }] if told < 1.5),
+            "{chapter:?}: {:?}",
+            near.but
+        );
     }
 }
 
@@ -676,14 +704,15 @@ fn with_noise(picture: &Picture) -> Picture {
     Picture::from_rgb(picture.width(), picture.height(), rgb).expect("the same size")
 }
 
-/// A picture 200 pixels wide, each of which is the mean of so many rays anywhere in it.
-fn with_rays(program: &Program, count: usize) -> Picture {
+/// A picture 200 pixels wide, each of which is the mean of so many rays anywhere in it, or
+/// in a square that much lower.
+fn with_rays(program: &Program, count: usize, lower: f64) -> Picture {
     let camera = program.camera(200);
     let mut random = Random(7);
     let mut anywhere = || random.below(1 << 20) as f64 / f64::from(1 << 20) - 0.5;
     let mut mean = |i: u32, j: u32| {
         let mut ray = || {
-            let (x, y) = (f64::from(i) + anywhere(), f64::from(j) + anywhere());
+            let (x, y) = (f64::from(i) + anywhere(), f64::from(j) + lower + anywhere());
             let point = camera.pixel00 + x * camera.pixel_delta_u + y * camera.pixel_delta_v;
             program.ray_color(&Ray::new(camera.center, point - camera.center))
         };

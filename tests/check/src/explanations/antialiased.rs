@@ -2,21 +2,33 @@
 //!
 //! Inside a surface that changes nothing. At an edge a pixel is a mixture of what is on
 //! both sides: a normal distribution around the mean of very many rays, whose variance
-//! falls with their number. The number that makes the picture shortest to tell is told.
+//! falls with their number. So the mean position of the edges tells where the rays of a
+//! pixel lie, and how far pixels are from it, how many they are.
 
 use common::rtweekend::Camera;
 
-use ::slips::Program;
+use ::slips::{Edition, Program};
 
-use super::{But, Conversion, Curve, Evidence, Explanation, Hypothesis};
-use crate::bits::{Frequencies, Left, Pixel, class};
+use super::{But, Conversion, Curve, Evidence, Explanation, Hypothesis, spread};
+use crate::bits::{Frequencies, Left, Pixel, class, distance};
+use crate::reading::Reading;
 
 /// That it was done, and how often.
 const NAME: f64 = 9.0;
+/// That the rays lie elsewhere: one of some forty places, and less likely than a slip.
+const ELSEWHERE: f64 = 12.0;
 /// Components that differ by more within a pixel and its neighbors make an edge.
 const EDGE: i16 = 16;
-/// How finely a pixel is divided to know what very many rays would see: 6 by 6.
-const FINE: u32 = 6;
+/// How far neighbors are: an edge may lie a pixel beside where it should.
+const NEAR: usize = 2;
+/// How finely a pixel is divided to know what very many rays would see.
+const FINE: usize = 6;
+/// How many parts there are each way: a pixel, and a pixel on either side.
+const PARTS: usize = 3 * FINE;
+/// How many pixels at edges, and how many others, choose what is measured.
+const LOOK: u32 = 100;
+/// How many programs are measured.
+const MEASURED: usize = 3;
 /// The variance that cutting off the fraction of a level adds, and that 36 rays are not
 /// very many.
 const ROUNDING: f64 = 0.3;
@@ -25,86 +37,386 @@ const ANYTHING: f64 = 0.03;
 /// Components at edges that are enough to count rays.
 const ENOUGH: usize = 60;
 
-/// The program's picture with several rays a pixel, perhaps on a curve.
-pub(crate) fn antialiased(
+/// Where the rays of a pixel lie: a rectangle, in parts of the pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Rectangle {
+    /// Its middle, in halves of a pixel from where it should be, along the two edges of
+    /// the viewport.
+    middle: [i8; 2],
+    /// Its width and height in pixels.
+    size: [u8; 2],
+}
+
+/// As the next chapter of the book has it.
+const WHOLE_PIXEL: Rectangle = Rectangle {
+    middle: [0, 0],
+    size: [1, 1],
+};
+
+impl Rectangle {
+    /// Those that are looked for: a pixel anywhere near, a line across or up, four pixels.
+    fn all() -> impl Iterator<Item = Self> {
+        let places = (-2..=2).flat_map(|x| (-2..=2).map(move |y| [x, y]));
+        let pixels = places.map(|middle| (middle, [1, 1]));
+        let near = || (-1..=1).flat_map(|x| (-1..=1).map(move |y| [x, y]));
+        let across = near().map(|middle| (middle, [1, 0]));
+        let up = near().map(|middle| (middle, [0, 1]));
+        let all = pixels.chain(across).chain(up).chain([([0, 0], [2, 2])]);
+        all.map(|(middle, size)| Self { middle, size })
+    }
+
+    /// Its first part along an edge, and the one after its last: a line is two parts thick.
+    fn parts(self, along: usize) -> (usize, usize) {
+        let twice = PARTS as i32 + FINE as i32 * i32::from(self.middle[along]);
+        let half = match self.size[along] {
+            0 => 1,
+            size => i32::from(size) * FINE as i32 / 2,
+        };
+        ((twice / 2 - half) as usize, (twice / 2 + half) as usize)
+    }
+
+    fn name(self) -> f64 {
+        if self == WHOLE_PIXEL { 0.0 } else { ELSEWHERE }
+    }
+
+    /// Where the rays lie, if that is not where they should.
+    fn said(self, counts_from_below: bool) -> Option<String> {
+        let [x, y] = self.middle.map(f64::from);
+        let away = |by: f64, there: &str, back: &str| {
+            let there = if by > 0.0 { there } else { back };
+            let by = if by.abs() < 1.5 {
+                "half a pixel"
+            } else {
+                "a pixel"
+            };
+            format!("{by} too far {there}")
+        };
+        let (up, down) = if counts_from_below {
+            ("up", "down")
+        } else {
+            ("down", "up")
+        };
+        let ways = [(x, "to the right", "to the left"), (y, up, down)];
+        let away: Vec<String> = ways
+            .into_iter()
+            .filter(|(by, ..)| *by != 0.0)
+            .map(|(by, there, back)| away(by, there, back))
+            .collect();
+        let spread = match self.size {
+            [1, 1] => "anywhere in a square as large as a pixel",
+            [_, 0] => "beside each other, all at one height",
+            [0, _] => "above each other, all in one column",
+            _ => "anywhere in a square of two by two pixels",
+        };
+        let place = match away.is_empty() {
+            true => String::new(),
+            false => format!(", {}", away.join(" and ")),
+        };
+        (self != WHOLE_PIXEL).then(|| {
+            format!("Each pixel is the mean of several rays, {spread}{place}: they should be anywhere in the pixel.")
+        })
+    }
+}
+
+/// The likeliest of these programs, perhaps on a curve, with several rays a pixel. Where
+/// `drawn`, the picture of one of them, has its edges, all have them nearly.
+pub(crate) fn antialiased<'a>(
     evidence: &Evidence,
-    hypothesis: &Hypothesis,
-    curve: Option<&Curve>,
-) -> Option<Explanation> {
+    drawn: &[Pixel],
+    all: impl Iterator<Item = (&'a Hypothesis, Option<&'a Curve>)>,
+) -> Vec<Explanation> {
     let reading = evidence.reading;
-    let program = hypothesis.scene.program(&hypothesis.slips);
-    let camera = program.camera(reading.width);
-    let has_its_size = (camera.image_width, camera.image_height) == (reading.width, reading.height);
-    let is_degraded = hypothesis.degradation.is_some();
-    if hypothesis.conversion != Conversion::Clamped || !has_its_size || is_degraded {
-        return None;
+    let contrast: Vec<i16> = contrast(drawn, reading.width as usize);
+    let (edges, smooth): (Vec<u32>, Vec<u32>) =
+        (0..drawn.len() as u32).partition(|&n| contrast[n as usize] > EDGE);
+    if edges.is_empty() {
+        return Vec::new();
     }
-    let mut drawn = hypothesis.drawn(reading)?;
-    let contrast: Vec<i16> = contrast(&drawn, reading.width as usize);
-    if let Some(curve) = curve {
-        drawn = drawn.iter().map(|pixel| curve.of_pixel(*pixel)).collect();
+    let near = all.filter_map(|(it, curve)| {
+        let program = it.scene.program(&it.slips);
+        let rays = Rays::of(it, &program, reading, curve)?;
+        let found = rays.are_like(&smooth).then(|| rays.rectangle(&edges))?;
+        // Who makes a slip puts the rays where they should be.
+        let whole = found.iter().find(|(_, it)| *it == WHOLE_PIXEL)?.1;
+        let pixel = found.iter().find(|(_, it)| it.size == [1, 1])?.1;
+        let mut rectangles = match it.slips.is_empty() {
+            true => vec![whole, pixel, found[0].1],
+            false => vec![whole],
+        };
+        rectangles.dedup();
+        let least = found.iter().find(|(_, it)| rectangles.contains(it))?.0;
+        Some((least + it.name, rectangles, it, curve))
+    });
+    let mut near: Vec<_> = near.collect();
+    near.sort_by(|(one, ..), (other, ..)| one.total_cmp(other));
+    let mut explained = Vec::new();
+    for (_, rectangles, it, curve) in near.into_iter().take(MEASURED) {
+        let program = it.scene.program(&it.slips);
+        let Some(rays) = Rays::of(it, &program, reading, curve) else {
+            continue;
+        };
+        for rectangle in rectangles {
+            let drawn = rays.through_the_middle(rectangle);
+            let mut explanation = it.explaining(reading, &drawn);
+            explanation.name += NAME + rectangle.name() + curve.map_or(0.0, Curve::name);
+            explanation.left = rays.left(&drawn, &contrast, &smooth);
+            let (bits, samples) = rays.at_edges(&edges, rectangle);
+            explanation.left.bits += bits;
+            explanation.but = vec![But::Antialiased { samples }];
+            explanation.but.extend(curve.cloned().map(But::Curve));
+            explanation.seen = rectangle.said(program.edition.counts_from_below());
+            explained.push(explanation);
+        }
     }
-    let parts = parts(&program, &camera);
-    let (mut smooth, mut edges, mut off) = (Frequencies::of_noise(), Vec::new(), 0);
-    for (n, found) in (0..).zip(&reading.pixels) {
-        let at = n as usize;
-        if contrast[at] <= EDGE {
-            for c in 0..3 {
-                let difference = found[c] - drawn[at][c];
-                smooth.add(c, class(drawn[at][c], contrast[at] as u16), difference);
+    explained
+}
+
+/// What rays in parts of a pixel see.
+struct Rays<'a> {
+    program: &'a Program,
+    camera: Camera,
+    reading: &'a Reading,
+    level: fn(f64) -> i32,
+    curve: Option<&'a Curve>,
+}
+
+/// How the next chapter of the book scales a mean, since version 3.0.
+const WITH_SAMPLES: fn(f64) -> i32 = |mean| (256.0 * mean.clamp(0.0, 0.999)) as i32;
+
+/// Sums of components and of their squares, of all parts before one each way: a summed
+/// area table (Crow, 1984).
+type Sums = Vec<[[f64; 2]; 3]>;
+
+impl<'a> Rays<'a> {
+    /// Those of a program whose picture has the reader's size.
+    fn of(
+        it: &Hypothesis,
+        program: &'a Program,
+        reading: &'a Reading,
+        curve: Option<&'a Curve>,
+    ) -> Option<Self> {
+        let camera = program.camera(reading.width);
+        let has_its_size =
+            (camera.image_width, camera.image_height) == (reading.width, reading.height);
+        let own = it.scene.program(&[]).level;
+        let is_same = |n: u8| own(f64::from(n) / 255.0) == (program.level)(f64::from(n) / 255.0);
+        let has_samples = program.edition >= Edition::V3_0 && (0..=255).all(is_same);
+        (it.conversion == Conversion::Clamped && has_its_size).then_some(Self {
+            program,
+            camera,
+            reading,
+            level: if has_samples {
+                WITH_SAMPLES
+            } else {
+                program.level
+            },
+            curve,
+        })
+    }
+
+    /// Whether most pixels away from edges are nearly those of the picture: nothing else is
+    /// worth many rays.
+    fn are_like(&self, smooth: &[u32]) -> bool {
+        let places = spread(LOOK, smooth.len() as u32).map(|at| smooth[at as usize]);
+        let camera = self.middle(WHOLE_PIXEL);
+        let is_far =
+            |n: &u32| distance(self.pixel(*n, &camera), self.reading.pixels[*n as usize]) > 3;
+        4 * places.filter(is_far).count() <= smooth.len().min(LOOK as usize)
+    }
+
+    /// What the picture leaves away from edges.
+    fn left(&self, drawn: &[Pixel], contrast: &[i16], smooth: &[u32]) -> Left {
+        let (mut code, mut off) = (Frequencies::of_noise(), 0);
+        for at in smooth.iter().map(|&n| n as usize) {
+            let pairs = drawn[at].into_iter().zip(self.reading.pixels[at]);
+            for (c, (drawn, found)) in pairs.enumerate() {
+                let difference = found - drawn;
+                code.add(c, class(drawn, contrast[at] as u16), difference);
                 off += usize::from(difference.abs() > 2);
             }
-            continue;
         }
-        let (i, j) = (program.order)(n, camera.image_width, camera.image_height);
-        let colors = parts
-            .iter()
-            .map(|camera| (program.color)(&program, camera, i, j).to_array());
-        let colors: Vec<[f64; 3]> = colors.collect();
-        for c in 0..3 {
-            let levels = colors
-                .iter()
-                .map(|color| 255.999 * color[program.channels[c]].clamp(0.0, 1.0));
-            let (mut mean, mut deviation) = mean_and_deviation(levels);
-            if let Some(curve) = curve {
-                deviation = (curve.at(mean + deviation) - curve.at(mean - deviation)).abs() / 2.0;
-                mean = curve.at(mean);
+        Left {
+            bits: code.bits(),
+            off,
+            far: off,
+            is_both_ways: false,
+            is_one_by_one: false,
+        }
+    }
+
+    fn middle(&self, rectangle: Rectangle) -> Camera {
+        let [x, y] = rectangle
+            .middle
+            .map(|half| (PARTS as f64 + f64::from(half) * FINE as f64) / 2.0);
+        self.moved(x, y)
+    }
+
+    fn pixel(&self, n: u32, camera: &Camera) -> Pixel {
+        let color = self.color(n, camera);
+        let pixel = color.map(|component| (self.level)(component).clamp(0, 255) as i16);
+        self.curve.map_or(pixel, |curve| curve.of_pixel(pixel))
+    }
+
+    /// The picture with one ray through the middle of each rectangle.
+    fn through_the_middle(&self, rectangle: Rectangle) -> Vec<Pixel> {
+        let camera = self.middle(rectangle);
+        let all = 0..self.reading.pixels.len() as u32;
+        all.map(|n| self.pixel(n, &camera)).collect()
+    }
+
+    /// Bits of the pixels at edges, and about how many rays they are the means of.
+    fn at_edges(&self, edges: &[u32], rectangle: Rectangle) -> (f64, Option<f64>) {
+        let ((left, right), (first, last)) = (rectangle.parts(0), rectangle.parts(1));
+        let parts = (first..last).flat_map(|y| (left..right).map(move |x| (x, y)));
+        let cameras: Vec<Camera> = parts
+            .map(|(x, y)| self.moved(x as f64 + 0.5, y as f64 + 0.5))
+            .collect();
+        let (mut beside, mut one) = (Vec::new(), 0.0);
+        for &n in edges {
+            let colors: Vec<[f64; 3]> = cameras.iter().map(|it| self.color(n, it)).collect();
+            one += self.by_one(n, &colors);
+            beside.extend(self.beside(n, &means(&colors)));
+        }
+        let bits = (0..=10)
+            .map(|twice| by_samples(&beside, f64::from(twice).exp2()))
+            .fold(f64::INFINITY, f64::min);
+        match one < bits {
+            true => (one, Some(1.0)),
+            false => (bits, samples(&beside)),
+        }
+    }
+
+    /// Bits of a pixel that one of these rays may have seen, or one nearby.
+    fn by_one(&self, n: u32, colors: &[[f64; 3]]) -> f64 {
+        let found = self.reading.pixels[n as usize];
+        let likely = |color: &[f64; 3]| {
+            let levels = color.map(|component| (self.level)(component) as i16);
+            let levels = self.curve.map_or(levels, |curve| curve.of_pixel(levels));
+            match distance(levels, found) {
+                0 => 0.5,
+                1..=4 => 0.5 / 9_f64.powi(3),
+                _ => 0.0,
             }
-            edges.push((f64::from(found[c]) + 0.5 - mean, deviation * deviation));
+        };
+        let seen = colors.iter().map(likely).sum::<f64>() / colors.len() as f64;
+        -((1.0 - ANYTHING) * seen + ANYTHING / 256_f64.powi(3)).log2()
+    }
+
+    /// Where the rays of a pixel may lie, the likeliest first, by some pixels at edges.
+    fn rectangle(&self, edges: &[u32]) -> Vec<(f64, Rectangle)> {
+        let some = spread(LOOK, edges.len() as u32).map(|at| edges[at as usize]);
+        let parts = (0..PARTS * PARTS).map(|n| ((n % PARTS) as f64, (n / PARTS) as f64));
+        let cameras: Vec<Camera> = parts.map(|(x, y)| self.moved(x + 0.5, y + 0.5)).collect();
+        let some: Vec<(u32, Sums)> = some.map(|n| (n, self.sums(n, &cameras))).collect();
+        let bits = |rectangle: &Rectangle| {
+            let beside: Vec<(f64, f64)> = some
+                .iter()
+                .flat_map(|(n, sums)| self.beside(*n, &in_sums(sums, *rectangle)))
+                .collect();
+            let counts = [1.0, 4.0, 16.0, 64.0, 256.0];
+            let bits = counts.map(|count| by_samples(&beside, count));
+            rectangle.name() + bits.into_iter().fold(f64::INFINITY, f64::min)
+        };
+        let mut all: Vec<_> = Rectangle::all().map(|it| (bits(&it), it)).collect();
+        all.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+        all
+    }
+
+    /// The colors in all parts of a pixel and around it.
+    fn sums(&self, n: u32, cameras: &[Camera]) -> Sums {
+        let mut sums = vec![[[0.0; 2]; 3]; (PARTS + 1) * (PARTS + 1)];
+        for y in 0..PARTS {
+            let mut row = [[0.0; 2]; 3];
+            for x in 0..PARTS {
+                let color = self.color(n, &cameras[y * PARTS + x]);
+                let at = (y + 1) * (PARTS + 1) + x + 1;
+                for c in 0..3 {
+                    row[c][0] += color[c];
+                    row[c][1] += color[c] * color[c];
+                    for sum in 0..2 {
+                        sums[at][c][sum] = sums[at - PARTS - 1][c][sum] + row[c][sum];
+                    }
+                }
+            }
+        }
+        sums
+    }
+
+    /// The camera whose rays go through that place, in parts from the first one on.
+    fn moved(&self, x: f64, y: f64) -> Camera {
+        let camera = self.camera;
+        let (width, height) = (camera.image_width, camera.image_height);
+        // Editions before version 4 begin at a pixel's corner, and a column is there a part
+        // of the whole edge.
+        let ([across, down], middle) = match self.program.edition.counts_from_below() {
+            true => ((self.program.divisors)(width.into(), height.into()), FINE),
+            false => ([1.0, 1.0], PARTS / 2),
+        };
+        let [x, y] = [x, y].map(|at| (at - middle as f64) / FINE as f64);
+        Camera {
+            pixel00: camera.pixel00
+                + x / across * camera.pixel_delta_u
+                + y / down * camera.pixel_delta_v,
+            ..camera
         }
     }
-    if edges.is_empty() {
-        return None;
+
+    /// The components that a pixel's ray sees.
+    fn color(&self, n: u32, camera: &Camera) -> [f64; 3] {
+        let (program, width, height) = (self.program, camera.image_width, camera.image_height);
+        let (i, j) = (program.order)(n, width, height);
+        let color = (program.color)(program, camera, i, j).to_array();
+        program.channels.map(|c| color[c].clamp(0.0, 1.0))
     }
-    let bits = (0..=20)
-        .map(|half| by_samples(&edges, f64::from(half).exp2().sqrt()))
-        .fold(f64::INFINITY, f64::min);
-    let mut explanation = hypothesis.explaining(reading, &drawn);
-    explanation.name += NAME + curve.map_or(0.0, Curve::name);
-    explanation.left = Left {
-        bits: smooth.bits() + bits,
-        off,
-        far: off,
-        is_both_ways: false,
-        is_one_by_one: false,
-    };
-    let samples = samples(&edges);
-    explanation.but = vec![But::Antialiased { samples }];
-    explanation.but.extend(curve.cloned().map(But::Curve));
-    Some(explanation)
+
+    /// How far each component of a pixel is from the mean, and the variance of one ray,
+    /// from the means of components and of their squares.
+    fn beside(&self, n: u32, means: &[[f64; 2]; 3]) -> [(f64, f64); 3] {
+        let found = self.reading.pixels[n as usize];
+        [0, 1, 2].map(|c| {
+            let [mean, squares] = means[c];
+            let mut deviation = 255.999 * (squares - mean * mean).max(0.0).sqrt();
+            let mut mean = f64::from((self.level)(mean));
+            if let Some(curve) = self.curve {
+                deviation = (curve.at(mean + deviation) - curve.at(mean - deviation)).abs() / 2.0;
+                mean = curve.at(mean + 0.5) - 0.5;
+            }
+            (f64::from(found[c]) - mean, deviation * deviation)
+        })
+    }
+}
+
+/// The means of components and of their squares.
+fn means(colors: &[[f64; 3]]) -> [[f64; 2]; 3] {
+    let count = colors.len() as f64;
+    [0, 1, 2].map(|c| {
+        let sum: f64 = colors.iter().map(|color| color[c]).sum();
+        let squares: f64 = colors.iter().map(|color| color[c] * color[c]).sum();
+        [sum / count, squares / count]
+    })
+}
+
+/// The same in a rectangle.
+fn in_sums(sums: &Sums, rectangle: Rectangle) -> [[f64; 2]; 3] {
+    let ((left, right), (first, last)) = (rectangle.parts(0), rectangle.parts(1));
+    let count = ((right - left) * (last - first)) as f64;
+    let at = |x: usize, y: usize| &sums[y * (PARTS + 1) + x];
+    let [a, b, c, d] = [
+        at(right, last),
+        at(left, last),
+        at(right, first),
+        at(left, first),
+    ];
+    [0, 1, 2].map(|n| [0, 1].map(|m| (a[n][m] - b[n][m] - c[n][m] + d[n][m]) / count))
 }
 
 /// The largest step in a component among each pixel and its neighbors.
 fn contrast(drawn: &[Pixel], width: usize) -> Vec<i16> {
     let near = |n: usize| {
-        let columns = n % width..(n % width + 3).min(width + 1);
-        columns.flat_map(move |column| {
-            let row = n / width;
-            (row..row + 3).filter_map(move |row| {
-                let (column, row) = (column.checked_sub(1)?, row.checked_sub(1)?);
-                Some(row * width + column)
-            })
-        })
+        let (column, row) = (n % width, n / width);
+        let columns = column.saturating_sub(NEAR)..(column + NEAR + 1).min(width);
+        let rows = row.saturating_sub(NEAR)..=row + NEAR;
+        rows.flat_map(move |row| columns.clone().map(move |column| row * width + column))
     };
     let step = |n: usize| {
         let (mut low, mut high) = (drawn[n], drawn[n]);
@@ -142,38 +454,4 @@ fn samples(edges: &[(f64, f64)]) -> Option<f64> {
         count += 1;
     }
     (count >= ENOUGH).then(|| of_one / of_mean.max(of_one / 1000.0))
-}
-
-/// The camera moved to parts of a pixel, evenly spread.
-fn parts(program: &Program, camera: &Camera) -> Vec<Camera> {
-    let [width, height] = [camera.image_width, camera.image_height].map(f64::from);
-    let [across, down] = (program.divisors)(width, height);
-    // Editions before version 4 begin at a pixel's corner, and a column is there a part
-    // of the whole edge.
-    let (pixel_u, pixel_v, middle) = match program.edition.counts_from_below() {
-        true => (
-            camera.pixel_delta_u / across,
-            camera.pixel_delta_v / down,
-            0.0,
-        ),
-        false => (camera.pixel_delta_u, camera.pixel_delta_v, 0.5),
-    };
-    let step = |n: u32| (f64::from(n) + 0.5) / f64::from(FINE) - middle;
-    let steps = (0..FINE * FINE).map(|n| (step(n % FINE), step(n / FINE)));
-    let moved = |(x, y): (f64, f64)| Camera {
-        pixel00: camera.pixel00 + x * pixel_u + y * pixel_v,
-        ..*camera
-    };
-    steps.map(moved).collect()
-}
-
-fn mean_and_deviation(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    let (mut count, mut sum, mut squares) = (0.0, 0.0, 0.0);
-    for value in values {
-        count += 1.0;
-        sum += value;
-        squares += value * value;
-    }
-    let mean = sum / count;
-    (mean, (squares / count - mean * mean).max(0.0).sqrt())
 }

@@ -16,6 +16,9 @@ const ROUNDING: f64 = 1.5;
 /// The share of pixels that have to follow the colors: the others may be edges.
 const MOST: f64 = 0.97;
 
+/// Components that people type: some forget where they end.
+const BEYOND: std::ops::RangeInclusive<f64> = -1.0..=3.0;
+
 /// That there are colors of the reader's own, beside their numbers.
 const NAME: f64 = 6.0;
 
@@ -135,6 +138,11 @@ fn component(level: i16) -> f64 {
 /// levels are components times 255.999 without their fraction, which is half a level on
 /// the average.
 fn line(mut points: Vec<(f64, f64)>) -> Option<[f64; 2]> {
+    let is_clipped = |point: &(f64, f64)| point.1 <= 0.0 || point.1 >= 255.0;
+    // A component beyond 1 ends at 255, and the line is seen where it does not.
+    if 4 * points.iter().filter(|point| !is_clipped(point)).count() > points.len() {
+        points.retain(|point| !is_clipped(point));
+    }
     let all = points.len();
     // What does not lie on the line is left out, and the line drawn again.
     for _ in 0..4 {
@@ -143,10 +151,7 @@ fn line(mut points: Vec<(f64, f64)>) -> Option<[f64; 2]> {
         let near = points.iter().filter(|point| off(point) <= ROUNDING).count();
         if near as f64 >= MOST * all as f64 {
             let ends = [start, start + slope].map(|level| simplest(level + 0.5, 0.5));
-            return ends
-                .iter()
-                .all(|end| (-0.002..=1.002).contains(end))
-                .then_some(ends);
+            return ends.iter().all(|end| BEYOND.contains(end)).then_some(ends);
         }
         let mut offs: Vec<f64> = points.iter().map(off).collect();
         offs.sort_by(f64::total_cmp);

@@ -167,8 +167,15 @@ impl<'a> Fit<'a> {
             .min_by_key(|&start| self.off(&with([start])))
             .unwrap_or(2.0);
         let [height] = self.searched([start], [start / 8.0], with);
-        let all = GRIDS.map(|grid| [to_grid(height, grid)]).into_iter();
-        all.filter(|[height]| *height > 0.0).map(with).collect()
+        // Who types a width, or a focal length, has a height with many digits.
+        let ratio = f64::from(self.reading.width) / f64::from(self.reading.height);
+        let all = GRIDS.into_iter().flat_map(|grid| {
+            let (width, focal_length) =
+                (to_grid(height * ratio, grid), to_grid(2.0 / height, grid));
+            [to_grid(height, grid), width / ratio, 2.0 / focal_length]
+        });
+        let is_some = |height: &f64| *height > 0.0 && height.is_finite();
+        all.filter(is_some).map(|height| with([height])).collect()
     }
 
     /// Moves numbers by smaller and smaller steps while that brings the picture nearer.

@@ -41,6 +41,12 @@ fn pixels(image: DynamicImage) -> Result<Vec<[i16; 3]>, Cause> {
         DynamicImage::ImageRgb8(image) => {
             Ok(image.pixels().map(|pixel| pixel.0.map(i16::from)).collect())
         }
+        // The upper byte is the level, both where 8 bits became 16 and where a component
+        // was scaled by 65535.999.
+        DynamicImage::ImageRgb16(image) => Ok(image
+            .pixels()
+            .map(|pixel| pixel.0.map(|level| i16::from((level >> 8) as u8)))
+            .collect()),
         DynamicImage::ImageLuma8(image) => {
             Ok(image.pixels().map(|pixel| [pixel.0[0].into(); 3]).collect())
         }

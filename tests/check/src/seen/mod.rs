@@ -61,6 +61,21 @@ impl View<'_> {
         ))
     }
 
+    /// Whether all that differs fills a box that is small beside the picture.
+    fn is_in_a_box(&self) -> bool {
+        let width = self.reading.width;
+        let length = |all: &[u32]| {
+            let [low, high] = [all.iter().min(), all.iter().max()].map(|n| n.copied().unwrap_or(0));
+            (high - low + 1) as usize
+        };
+        let columns: Vec<u32> = self.wrong.iter().map(|n| n % width).collect();
+        let rows: Vec<u32> = self.wrong.iter().map(|n| n / width).collect();
+        // Of places that were looked at, half of those in the box.
+        let boxed = length(&columns) * length(&rows) * self.places.len();
+        let all = self.reading.pixels.len();
+        4 * boxed < all * self.places.len() && 2 * self.wrong.len() * all > boxed
+    }
+
     /// On the spheres, in the sky, or along the rim.
     fn where_it_differs(&self) -> Option<String> {
         let (spheres, sky): (Vec<u32>, Vec<u32>) =
@@ -68,6 +83,10 @@ impl View<'_> {
         let share = self.wrong.len() as f64 / self.places.len() as f64;
         match (spheres.len(), sky.len()) {
             _ if self.scene.chapter.room() == Room::None => None,
+            (0, _) if self.is_in_a_box() => Some(
+                "All that is wrong lies in one place in the sky: is there another sphere?"
+                    .to_owned(),
+            ),
             (_, 0) => Some("Only what is hit is wrong; the sky is right.".to_owned()),
             (0, _) => Some("Only the sky is wrong; what is hit is right.".to_owned()),
             _ if share < 0.03 && self.wrong.iter().all(|&n| self.is_at_rim(n)) => {
