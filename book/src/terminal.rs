@@ -23,6 +23,11 @@ impl Palette {
     /// has colors, and if the reader wants them.
     pub(crate) fn of_stdout() -> Option<Self> {
         let level = supports_color::on(Stream::Stdout)?;
+        // A console of Windows reads escapes only if asked to, and then it has all colors.
+        #[cfg(windows)]
+        if let Some(reads_escapes) = anstyle_query::windows::enable_ansi_colors() {
+            return reads_escapes.then_some(Self::All);
+        }
         Some(if level.has_16m {
             Self::All
         } else if level.has_256 {

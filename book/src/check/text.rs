@@ -9,10 +9,10 @@ use check::told;
 use check::verdict::{Check, Finding, Near};
 use check::{names_of, workspace};
 use slips::{Chapter, Edition, Letters, Slip};
-use supports_color::Stream;
 
 use super::judged::Judged;
 use super::map;
+use crate::terminal::Palette;
 
 /// Bold and color, or neither.
 #[derive(Clone, Copy)]
@@ -25,7 +25,7 @@ impl Style {
     /// does not want it.
     pub(crate) fn of_stdout() -> Self {
         Self {
-            colored: supports_color::on(Stream::Stdout).is_some(),
+            colored: Palette::of_stdout().is_some(),
         }
     }
 

@@ -7,10 +7,10 @@ use std::{env, iter};
 
 use check::names;
 use serde_json::Value;
-use supports_color::Stream;
 
 use super::progress::Progress;
 use crate::subprocess::{self, End};
+use crate::terminal::Palette;
 
 /// The programs of a reader's crate.
 pub(super) struct Built {
@@ -42,7 +42,7 @@ pub(super) fn build(
         true => &["test", "--no-run", "--test", "laws"],
         false => &["build"],
     };
-    let format = match supports_color::on(Stream::Stdout) {
+    let format = match Palette::of_stdout() {
         Some(_) => "--message-format=json-diagnostic-rendered-ansi",
         None => "--message-format=json",
     };
