@@ -1,4 +1,4 @@
-"""Makes fonts/notes-math.woff2 from Latin Modern Math.
+"""Makes notes/fonts/notes-math.woff2 from Latin Modern Math.
 
     pip install fonttools==4.68.0 brotli==1.2.1
     cargo info pulldown-latex@0.8.0   # downloads the package, which holds the font
@@ -49,7 +49,7 @@ def main(source):
     top = font["CFF "].cff
     top.fontNames = [FAMILY.replace(" ", "")]
     top.topDictIndex[0].FamilyName = top.topDictIndex[0].FullName = FAMILY
-    subset.save_font(font, str(Path(__file__).parent / "fonts" / "notes-math.woff2"), options)
+    subset.save_font(font, str(Path(__file__).parents[1] / "notes" / "fonts" / "notes-math.woff2"), options)
 
 
 if __name__ == "__main__":
