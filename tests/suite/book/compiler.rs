@@ -11,7 +11,7 @@ use serde_json::Value;
 use slips::Chapter;
 
 use crate::book::{WORKSPACE, folder_of};
-use suite::command::{assert_success, run, text};
+use suite::command::{assert_success, cargo, run, text};
 use suite::drawn::shown_in;
 use suite::left_out::left_out;
 use suite::mine::Mine;
@@ -149,7 +149,7 @@ fn is_typed_as_shown(source: &str, shown: &str) -> bool {
 
 /// What cargo prints of the first error in the crate of that chapter.
 fn first_error(mine: &Mine, chapter: &str) -> String {
-    let mut cargo = Command::new(env!("CARGO"));
+    let mut cargo = cargo();
     cargo.args(["check", "--offline", "--quiet", "--message-format", "json"]);
     let output = run(cargo.current_dir(mine.path().join(chapter)));
     let said = text(&output.stdout);

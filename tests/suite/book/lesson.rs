@@ -14,7 +14,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use slips::Chapter;
 
 use crate::book::{self, page_of, text_of};
-use suite::command::files;
+use suite::command::{cargo, files};
 use suite::drawn::p3;
 
 /// What a page lists though its picture does without: the page, the function, and why.
@@ -228,7 +228,7 @@ pub(crate) fn write_manifest(copy: &Path) {
 
 /// Builds the programs in a folder of their own, and as quickly as can be.
 fn build(copy: &Path) -> PathBuf {
-    let mut command = Command::new(env!("CARGO"));
+    let mut command = cargo();
     command.args(["build", "--offline"]).current_dir(copy);
     command.env("CARGO_TARGET_DIR", copy.join("target"));
     command.env("CARGO_PROFILE_DEV_OPT_LEVEL", "0");

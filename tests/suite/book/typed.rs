@@ -12,7 +12,7 @@ use slips::Chapter;
 use crate::book::{self, folder_of, page_of, text_of};
 use crate::lesson::{write_if_changed, write_manifest};
 use suite::command::files;
-use suite::command::{assert_success, run, text};
+use suite::command::{assert_success, cargo, run, text};
 use suite::drawn::p3;
 use suite::mine::Mine;
 
@@ -58,7 +58,7 @@ fn chapter_5_compiles_after_each_listing_of_its_page() {
         for (file, text) in &typed {
             write_if_changed(&folder.join(file), text);
         }
-        let mut cargo = Command::new(env!("CARGO"));
+        let mut cargo = cargo();
         cargo.args(["check", "--offline", "--package", "hittable_list", "--lib"]);
         let output = run(cargo.current_dir(&folder));
         let said = text(&output.stderr);
@@ -207,7 +207,7 @@ fn assert_nothing_is_left_out(typed: &BTreeMap<PathBuf, String>) {
 /// Builds the programs, and asks the answers to the exercises what they promise.
 fn build(folder: &Path) -> PathBuf {
     let target = folder.join("target");
-    let mut cargo = Command::new(env!("CARGO"));
+    let mut cargo = cargo();
     cargo.args(["test", "--offline", "--test", "exercises"]);
     cargo
         .env("CARGO_TARGET_DIR", &target)

@@ -7,7 +7,7 @@ use std::{env, fs};
 
 use insta::assert_snapshot;
 use slips::Chapter;
-use suite::command::{assert_success, path_of, run, text, transcript};
+use suite::command::{assert_success, cargo, path_of, run, text, transcript};
 use suite::drawn::p3;
 use tempfile::TempDir;
 
@@ -112,7 +112,7 @@ impl Home {
         let path = env::var_os("PATH").unwrap_or_default();
         let folders = [self.0.path().to_owned()].into_iter();
         let path = env::join_paths(folders.chain(env::split_paths(&path)));
-        let mut command = self.command(Path::new(env!("CARGO")));
+        let mut command = self.command(Path::new(cargo().get_program()));
         command.arg("rtrace").env("PATH", path.expect("a PATH"));
         command
     }

@@ -7,7 +7,7 @@ use std::process::Command;
 use common::rtweekend::Picture;
 use insta::assert_snapshot;
 use suite::command::{
-    assert_refused, assert_success, files, names_in, program_with, run, text, transcript,
+    assert_refused, assert_success, cargo, files, names_in, program_with, run, text, transcript,
 };
 use suite::drawn::p3;
 use suite::mine::Mine;
@@ -260,7 +260,7 @@ fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
             mine.edit(chapter, right, wrong);
             let law = mine.path().join(chapter).join("tests/laws.rs");
             let test = |words: &[&str]| {
-                let mut cargo = Command::new(env!("CARGO"));
+                let mut cargo = cargo();
                 cargo
                     .args(["test", "--quiet", "--test", "laws"])
                     .args(words);
@@ -319,7 +319,7 @@ fn in_a_crate_inside_the_workspace_cargo_rtrace_is_the_same() {
     let mine = TempDir::new_in(env!("CARGO_TARGET_TMPDIR")).expect("a folder");
     let into = mine.path().to_str().expect("a name in UTF-8");
     assert_success(&run(&mut Mine::empty().start("normals", &["--into", into])));
-    let mut cargo = Command::new(env!("CARGO"));
+    let mut cargo = cargo();
     cargo.args(["rtrace", "slips", "minus-h"]);
     let said = run(cargo.current_dir(mine.path().join("normals/src")));
     assert!(

@@ -1,0 +1,7 @@
+/* The one function that Rust's library takes from bcryptprimitives.dll, which Wine 8 lacks. */
+#include <windows.h>
+#include <ntsecapi.h>
+
+__declspec(dllexport) BOOL WINAPI ProcessPrng(PBYTE bytes, SIZE_T count) {
+    return RtlGenRandom(bytes, count);
+}

@@ -1,0 +1,57 @@
+/* A cargo for programs under Wine: the cargo of the system below, which compiles for
+ * Windows. The paths before "--" are those of a Windows program, and are told in the other
+ * way; what follows is for the program that cargo runs. */
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <windows.h>
+
+/* Z: is the root of the system below. */
+static char *told_below(char *word)
+{
+    if (word[0] != 'Z' || word[1] != ':') return word;
+    for (char *letter = word; *letter; letter++)
+        if (*letter == '\\') *letter = '/';
+    return word + 2;
+}
+
+/* What is written below does not reach a handle of Windows by itself. */
+static void hand_on(struct pollfd *from, DWORD to)
+{
+    char piece[65536];
+    DWORD written;
+    if (!from->revents) return;
+    ssize_t length = read(from->fd, piece, sizeof piece);
+    if (length <= 0 || !WriteFile(GetStdHandle(to), piece, length, &written, NULL)) from->fd = -1;
+}
+
+int main(int count, char **words)
+{
+    int output[2], errors[2], status;
+    words[0] = getenv("CARGO_BELOW");
+    for (int i = 1; i < count && strcmp(words[i], "--"); i++) words[i] = told_below(words[i]);
+    if (!words[0] || pipe(output) || pipe(errors)) return 2;
+    pid_t child = fork();
+    if (child == 0) {
+        dup2(output[1], 1);
+        dup2(errors[1], 2);
+        close(output[0]);
+        close(errors[0]);
+        execv(words[0], words);
+        perror(words[0]);
+        _exit(127);
+    }
+    close(output[1]);
+    close(errors[1]);
+    struct pollfd open[] = {{output[0], POLLIN}, {errors[0], POLLIN}};
+    while (open[0].fd >= 0 || open[1].fd >= 0) {
+        poll(open, 2, -1);
+        hand_on(&open[0], STD_OUTPUT_HANDLE);
+        hand_on(&open[1], STD_ERROR_HANDLE);
+    }
+    if (child < 0 || waitpid(child, &status, 0) < 0 || !WIFEXITED(status)) return 1;
+    return WEXITSTATUS(status);
+}
