@@ -47,18 +47,12 @@ parameters! {
             METHODS[0].name,
             METHODS[1].name,
             METHODS[2].name,
-            METHODS[3].name,
         ],
     ),
 }
 
 /// The choices of a method.
-const METHODS: [Method; 4] = [
-    Method::HALF_B,
-    Method::KAHAN_Q,
-    Method::CROSS_Q,
-    Method::DOUBLE_DOUBLE,
-];
+const METHODS: [Method; 3] = [Method::HALF_B, Method::CROSS_Q, Method::DOUBLE_DOUBLE];
 
 /// A place on a map, in cells from its middle.
 const fn in_cells(name: &'static str, default: f64) -> Number {

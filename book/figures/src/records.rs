@@ -197,7 +197,7 @@ impl Record for WrongPixels {
     const FILE: &str = "measured/scenes.snap.csv";
 }
 
-/// The method that takes the fewest nanoseconds of those that draw a scene without
+/// The method that takes the fewest instructions of those that draw a scene without
 /// a wrong pixel: what follows from [`WrongPixels`] and [`Timing`].
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Least {
@@ -208,9 +208,9 @@ pub struct Least {
     pub precision: Precision,
     /// The name of the method, if there is one.
     pub method: Option<String>,
-    /// Its median on the book's camera rays.
-    #[serde(serialize_with = "decimals::<2, _, _>")]
-    pub book_ns: Option<f64>,
+    /// How many it takes for one of the book's camera rays.
+    #[serde(serialize_with = "decimals::<0, _, _>")]
+    pub instructions: Option<f64>,
 }
 
 impl Record for Least {
@@ -224,8 +224,11 @@ pub struct Timing {
     ///
     /// | `what` | `name` | |
     /// |---|---|---|
-    /// | `method` | a method | one ray against one sphere, one after the other |
-    /// | `leaving` | a way to leave | where one ray starts that leaves a sphere |
+    /// | `method` | a method | one ray against one sphere: the throughput |
+    /// | `chain` | a method | the same where each ray waits for the answer before it: the latency |
+    /// | `record` | `half_b` | chapter 5's own function, with its record of the hit |
+    /// | `ray` | `nothing` | the ray is made, and nothing is asked |
+    /// | `leaving` | a way to leave | where one ray starts that leaves a sphere, and whether it meets it |
     /// | `nearest` | `half_b`, `certified_nearest` | which of `n` spheres is first, by a loop over the method and for certain |
     pub what: String,
     /// A method, or a way to leave.
@@ -233,25 +236,24 @@ pub struct Timing {
     /// What numbers it computes with.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
-    /// A regime, or `all_hits`: the rays of `book` that hit. For `nearest` also
-    /// `many`: 64 spheres at random.
+    /// A regime, or `all_hits`: the rays of `book` that hit; `_shuffled` if they are not in
+    /// the picture's order. For `nearest` also `many`: 64 spheres at random.
     #[serde(rename = "where")]
     pub place: String,
     /// How many at a time: rays, or spheres.
     pub n: usize,
-    /// Nanoseconds: half of the rounds took less, half more.
-    #[serde(serialize_with = "decimals::<3, _, _>")]
+    /// Nanoseconds: half of the rounds took less, half more. It has the digits on which
+    /// half of the rounds agree, as `ratio` has.
     pub median_ns: f64,
     /// Nanoseconds in the quickest round.
-    #[serde(serialize_with = "decimals::<3, _, _>")]
-    pub least_ns: f64,
-    /// Nanoseconds in the slowest round.
-    #[serde(serialize_with = "decimals::<3, _, _>")]
-    pub greatest_ns: f64,
-    /// The median, over rounds, of the time divided by that of `half_b` one by one
-    /// on the same rays in the same round.
     #[serde(serialize_with = "decimals::<2, _, _>")]
+    pub least_ns: f64,
+    /// The median, over rounds, of the time divided by that of the first of its group in
+    /// the same round: `half_b` on the same rays, or the way to leave `at_once`.
     pub ratio: f64,
+    /// Instructions, as valgrind counts them. Only of `book` and `all_hits`.
+    #[serde(serialize_with = "decimals::<0, _, _>")]
+    pub instructions: Option<f64>,
 }
 
 impl Record for Timing {

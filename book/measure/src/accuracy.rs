@@ -57,11 +57,6 @@ pub fn sweeps(cases: usize, seed: u64) -> Table<Level> {
     rows.into()
 }
 
-/// Whether there is a root with t > 0.
-pub fn has_root(case: &Case) -> bool {
-    truth(case, Precision::Double).is_some()
-}
-
 fn is_the_book(regime: &Regime) -> bool {
     regime.name == Regime::BOOK.name
 }

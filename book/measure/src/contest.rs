@@ -23,8 +23,6 @@ pub struct Runner {
     pub work: usize,
     /// Does it all once.
     pub run: Box<dyn FnMut()>,
-    /// Whether it becomes a row, or is only there to be compared with.
-    pub is_wanted: bool,
 }
 
 /// How long to take.
@@ -63,16 +61,11 @@ impl Runner {
             n,
             median_ns: f64::NAN,
             least_ns: f64::NAN,
-            greatest_ns: f64::NAN,
             ratio: f64::NAN,
+            instructions: None,
         };
         let run = Box::new(run);
-        Self {
-            row,
-            work,
-            run,
-            is_wanted: true,
-        }
+        Self { row, work, run }
     }
 
     /// Nanoseconds for one test, from so many runs.
@@ -132,29 +125,23 @@ fn take_times(mut group: Group, effort: &Effort, progress: &Progress) -> Vec<Tim
     let times = group.times(effort, || progress.step());
     let first = times[0].clone();
     let rows = group.0.into_iter().zip(times);
-    rows.filter(|(runner, _)| runner.is_wanted)
-        .map(|(runner, times)| filled_in(runner.row, times, &first))
+    rows.map(|(runner, times)| filled_in(runner.row, times, &first))
         .collect()
 }
 
 fn filled_in(row: Timing, times: Vec<f64>, first: &[f64]) -> Timing {
-    let ratio = ratio(&times, first);
-    let Spread {
-        median: median_ns,
-        least: least_ns,
-        greatest: greatest_ns,
-    } = Spread::of(times);
+    let ratio = ratio(&times, first).agreed();
+    let times = Spread::of(times);
     Timing {
-        median_ns,
-        least_ns,
-        greatest_ns,
+        median_ns: times.agreed(),
+        least_ns: times.least,
         ratio,
         ..row
     }
 }
 
-/// How many times as long as the `other` it took in the same round: the median.
-pub fn ratio(times: &[f64], other: &[f64]) -> f64 {
+/// How many times as long as the `other` it took in the same round.
+pub fn ratio(times: &[f64], other: &[f64]) -> Spread {
     let ratios = times.iter().zip(other).map(|(time, other)| time / other);
-    Spread::of(ratios.collect()).median
+    Spread::of(ratios.collect())
 }

@@ -1,15 +1,16 @@
-//! Latency: what one question after the other takes by each method, here and now.
+//! Throughput and latency: what a question takes by each method, here and now.
 //!
-//! Each method is compiled into a loop of its own, as a renderer would have it. The
-//! loop hides each question from the compiler, which therefore cannot take several at
-//! once.
+//! Each method is compiled into a loop of its own, as a renderer would have it: the loop
+//! makes a ray, asks, and has a t. The processor works at several questions at once, as
+//! long as none needs the answer to another: that is their *throughput*. In a *chain*
+//! each ray starts where the answer before it says, as a path does that bounces: the
+//! time from one answer to the next is the *latency*.
 
 use std::hint::black_box;
 
 use common::rtweekend::*;
-use speed_vs_accuracy::{
-    Case, Eye, METHODS, Method, Precision, Scene, SingleRay, T_MIN_OF_SHADOWS,
-};
+use glam::Vec3 as SingleVec3;
+use speed_vs_accuracy::{Case, Eye, METHODS, Method, Scene, SingleRay, T_MIN_OF_SHADOWS};
 
 use crate::contest::{Effort, Group, Runner};
 
@@ -17,27 +18,189 @@ use crate::contest::{Effort, Group, Runner};
 /// `scene`: as many as there are rounds. Each `round` is told when it is over.
 pub fn times(scene: &Scene, effort: &Effort, round: impl Fn()) -> Vec<(Method, Vec<f64>)> {
     let asked = questions(scene);
-    let mut methods: Vec<Method> = METHODS.to_vec();
-    methods.sort_by_key(|method| method.name != Method::REFERENCE.name);
-    let runner = |method: &Method| {
-        let key = ["method", method.name, &scene.name];
-        let count = asked.len();
-        Runner::new(key, method.precision(), count, count, run(method, &asked))
-    };
-    let mut group = Group(methods.iter().map(runner).collect());
-    let times = group.times(effort, round);
-    methods.into_iter().zip(times).collect()
+    let mut group = group("method", &scene.name, &of_cases(&asked, &asked));
+    METHODS
+        .iter()
+        .copied()
+        .zip(group.times(effort, round))
+        .collect()
 }
 
-/// So many cases fit into the fastest cache, as in the benchmark.
-const CASES: usize = 256;
+/// All methods, the reference first, in a `chain` or as a `method` alone: all are asked
+/// the same questions.
+pub fn group<D, S>(what: &str, place: &str, asked: &Questions<D, S>) -> Group
+where
+    D: Fn(usize) -> Double + Clone + 'static,
+    S: Fn(usize) -> Single + Clone + 'static,
+{
+    let runner = |method: &Method| {
+        let key = [what, method.name, place];
+        let run = run(method, asked, what == "chain");
+        Runner::new(key, method.precision(), asked.count, asked.count, run)
+    };
+    Group(METHODS.iter().map(runner).collect())
+}
 
-/// A ray and a sphere, and where the range of t begins.
-pub type Question = (Case, f64);
+/// Questions that a loop makes, by their number, from 0.
+pub struct Questions<D, S> {
+    count: usize,
+    double: D,
+    single: S,
+}
+
+/// A center and a radius, a ray, and where the range of t begins.
+pub type Double = ((Point3, f64), Ray, f64);
+
+/// The same in `f32`.
+pub type Single = ((SingleVec3, f32), SingleRay, f32);
+
+/// Questions that lie ready in memory: those of methods in `f64`, and as many for methods
+/// in `f32`.
+pub fn of_cases(
+    double: &[(Case, f64)],
+    single: &[(Case, f64)],
+) -> Questions<impl Fn(usize) -> Double + Clone + use<>, impl Fn(usize) -> Single + Clone + use<>> {
+    let in_single = |(case, t_min): &(Case, f64)| {
+        let sphere = (case.center.as_vec3(), case.radius as f32);
+        (sphere, case.single_ray(), *t_min as f32)
+    };
+    let single: Vec<Single> = single.iter().map(in_single).collect();
+    let in_double = |(case, t_min): &(Case, f64)| ((case.center, case.radius), case.ray, *t_min);
+    let double: Vec<Double> = double.iter().map(in_double).collect();
+    Questions {
+        count: double.len(),
+        double: move |n: usize| double[n],
+        single: move |n: usize| single[n],
+    }
+}
+
+/// Columns and rows of a picture, and spheres: their rays are made when they are asked for.
+pub fn of_pixels(
+    camera: Camera,
+    asked: Vec<([u32; 2], (Point3, f64))>,
+) -> Questions<impl Fn(usize) -> Double + Clone, impl Fn(usize) -> Single + Clone> {
+    let [first, right, below] = [(0, 0), (1, 0), (0, 1)].map(|(i, j)| camera.ray(i, j).direction);
+    let first_single = first.as_vec3();
+    let [right, below] = [right, below].map(|next| (next - first).as_vec3());
+    let in_single = |([i, j], (center, radius)): &([u32; 2], (Point3, f64))| {
+        ([*i, *j], (center.as_vec3(), *radius as f32))
+    };
+    let in_single: Vec<_> = asked.iter().map(in_single).collect();
+    Questions {
+        count: asked.len(),
+        double: move |n: usize| {
+            let ([i, j], sphere) = asked[n];
+            (sphere, camera.ray(i, j), 0.0)
+        },
+        single: move |n: usize| {
+            let ([i, j], sphere) = in_single[n];
+            let ray = SingleRay {
+                origin: SingleVec3::ZERO,
+                direction: first_single + i as f32 * right + j as f32 * below,
+            };
+            (sphere, ray, 0.0)
+        },
+    }
+}
+
+/// A loop for each method: a function that is called by a pointer would be
+/// charged for the call.
+macro_rules! loops {
+    (in f64: $($double:ident)*; in f32: $($single:ident)*;) => {
+        /// # Panics
+        /// If it is none of [`METHODS`].
+        fn run<D, S>(
+            method: &Method,
+            asked: &Questions<D, S>,
+            is_chain: bool,
+        ) -> Box<dyn FnMut()>
+        where
+            D: Fn(usize) -> Double + Clone + 'static,
+            S: Fn(usize) -> Single + Clone + 'static,
+        {
+            match method.name {
+                $(stringify!($double) => {
+                    double(asked, is_chain, speed_vs_accuracy::$double)
+                })*
+                $(stringify!($single) => {
+                    single(asked, is_chain, speed_vs_accuracy::$single)
+                })*
+                other => panic!("name {other} in the list of loops"),
+            }
+        }
+
+        const LOOPS: usize = [$(stringify!($double),)* $(stringify!($single)),*].len();
+        const _: () = assert!(LOOPS == METHODS.len(), "a new method needs a loop");
+    };
+}
+
+loops! {
+    in f64: half_b half_b_q cross_q adaptive_q certified_hit certified_t double_double exact;
+    in f32: half_b_f32 widened_half_b_q_f32 certified_f32;
+}
+
+fn double<D: Fn(usize) -> Double + Clone + 'static, S>(
+    asked: &Questions<D, S>,
+    is_chain: bool,
+    solve: impl Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 'static,
+) -> Box<dyn FnMut()> {
+    let (count, question) = (asked.count, asked.double.clone());
+    let answer = move |n: usize, before: f64| {
+        let ((center, radius), ray, t_min) = question(n);
+        let ray = Ray::new(ray.origin + Vec3::splat(before), ray.direction);
+        solve(center, radius, &ray, t_min, f64::INFINITY)
+    };
+    match is_chain {
+        true => Box::new(chain(count, move |n, t| {
+            answer(n, 0.0 * t).unwrap_or_default()
+        })),
+        false => Box::new(throughput(count, move |n| answer(n, -0.0))),
+    }
+}
+
+fn single<D, S: Fn(usize) -> Single + Clone + 'static>(
+    asked: &Questions<D, S>,
+    is_chain: bool,
+    solve: impl Fn(SingleVec3, f32, &SingleRay, f32, f32) -> Option<f32> + 'static,
+) -> Box<dyn FnMut()> {
+    let (count, question) = (asked.count, asked.single.clone());
+    let answer = move |n: usize, before: f32| {
+        let ((center, radius), mut ray, t_min) = question(n);
+        ray.origin += SingleVec3::splat(before);
+        solve(center, radius, &ray, t_min, f32::INFINITY)
+    };
+    match is_chain {
+        true => Box::new(chain(count, move |n, t| {
+            answer(n, 0.0 * t as f32).unwrap_or_default().into()
+        })),
+        false => Box::new(throughput(count, move |n| answer(n, -0.0))),
+    }
+}
+
+/// Asks all questions, none of which waits for an answer. The compiler does not see their
+/// numbers, and so takes one at a time.
+pub fn throughput<T>(count: usize, answer: impl Fn(usize) -> T) -> impl FnMut() {
+    move || {
+        for n in 0..count {
+            black_box(answer(black_box(n)));
+        }
+    }
+}
+
+/// Asks all questions, each with the answer to the one before.
+fn chain(count: usize, answer: impl Fn(usize, f64) -> f64) -> impl FnMut() {
+    move || {
+        let last = (0..count).fold(0.0, |t, n| answer(black_box(n), t));
+        black_box(last);
+    }
+}
+
+/// So many questions of a scene are enough that no processor learns them by heart.
+const CASES: usize = 4096;
 
 /// Camera rays and spheres, spread over the picture and in its order; where there is
 /// a sun, so many rays to it again.
-fn questions(scene: &Scene) -> Vec<Question> {
+fn questions(scene: &Scene) -> Vec<(Case, f64)> {
     let camera = Camera::new(scene.width);
     let spheres = scene.spheres.len();
     let pixels = camera.image_width as usize * camera.image_height as usize;
@@ -53,71 +216,10 @@ fn questions(scene: &Scene) -> Vec<Question> {
             ray,
         };
         let to_sun = scene.sun.and_then(|sun| {
-            let hit = scene.look(Eye::Exact(Precision::Double), &seen).hit?;
+            let hit = scene.look(Eye::Exact, &seen).hit?;
             Some((case(Ray::new(hit.point, sun)), T_MIN_OF_SHADOWS))
         });
         [Some((case(scene.ray(&seen)), 0.0)), to_sun]
     });
     asked.flatten().collect()
-}
-
-/// A loop for each method: a function that is called by a pointer would be
-/// charged for the call.
-macro_rules! loops {
-    (in f64: $($double:ident)*; in f32: $($single:ident)*;) => {
-        /// Puts all questions to the method, one after the other.
-        ///
-        /// # Panics
-        /// If it is none of [`METHODS`].
-        pub fn run(method: &Method, asked: &[Question]) -> Box<dyn FnMut()> {
-            match method.name {
-                $(stringify!($double) => Box::new(double(asked, speed_vs_accuracy::$double)),)*
-                $(stringify!($single) => Box::new(single(asked, speed_vs_accuracy::$single)),)*
-                other => panic!("name {other} in the list of loops"),
-            }
-        }
-
-        const LOOPS: usize = [$(stringify!($double),)* $(stringify!($single)),*].len();
-        const _: () = assert!(LOOPS == METHODS.len(), "a new method needs a loop");
-    };
-}
-
-loops! {
-    in f64: full_b half_b half_b_q haines haines_q kahan_q cross_q adaptive_q scaled_q herbie interval_q
-        certified_hit certified_t double_double exact;
-    in f32: half_b_f32 half_b_q_f32 cross_q_f32 widened_half_b_q_f32 certified_f32;
-}
-
-fn double(
-    asked: &[Question],
-    solve: impl Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 'static,
-) -> impl FnMut() + 'static {
-    let asked = asked.to_vec();
-    let mut answers = vec![None; asked.len()];
-    move || {
-        for (question, answer) in asked.iter().zip(&mut answers) {
-            let (case, t_min) = black_box(question);
-            *answer = solve(case.center, case.radius, &case.ray, *t_min, f64::INFINITY);
-        }
-        black_box(&mut answers);
-    }
-}
-
-fn single(
-    asked: &[Question],
-    solve: impl Fn(glam::Vec3, f32, &SingleRay, f32, f32) -> Option<f32> + 'static,
-) -> impl FnMut() + 'static {
-    let in_single = |(case, t_min): &Question| {
-        let sphere = (case.center.as_vec3(), case.radius as f32);
-        (sphere, case.single_ray(), *t_min as f32)
-    };
-    let asked: Vec<_> = asked.iter().map(in_single).collect();
-    let mut answers = vec![None; asked.len()];
-    move || {
-        for (question, answer) in asked.iter().zip(&mut answers) {
-            let ((center, radius), ray, t_min) = black_box(question);
-            *answer = solve(*center, *radius, ray, *t_min, f32::INFINITY);
-        }
-        black_box(&mut answers);
-    }
 }

@@ -2,7 +2,7 @@
 //!
 //! ```toml
 //! width = 400             # pixels; the picture is 16:9
-//! sun = [1, 0.25, 0.5]    # towards it; without it nothing has a shadow
+//! sun = [1, 0.25, 0.5]    # towards it, of any length; without it nothing has a shadow
 //!
 //! [camera]                # all of it may be left out
 //! origin = [0, 0, 0]
@@ -18,7 +18,7 @@ use std::sync::LazyLock;
 
 use common::rtweekend::*;
 use serde::Deserialize;
-use speed_vs_accuracy::{Lens, Scene};
+use speed_vs_accuracy::{Lens, Scene, unit};
 
 /// The widest picture that is drawn by every method, in pixels. All of these pictures
 /// together take half a gigabyte then.
@@ -85,7 +85,7 @@ pub fn read(name: &str, text: &str) -> Result<Scene, toml::de::Error> {
     Ok(Scene {
         name: name.to_owned(),
         width,
-        sun: sun.map(|Direction(sun)| sun),
+        sun: sun.map(|Direction(sun)| unit(sun)),
         lens: Lens::new(origin, direction, zoom),
         spheres,
     })

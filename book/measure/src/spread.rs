@@ -1,10 +1,12 @@
 //! Order statistics: what came out when something was measured several times.
 
-/// The median and the extremes of several numbers.
+/// The median, the quartiles and the extremes of several numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// Half of the numbers are less, half are greater.
     pub median: f64,
+    /// A quarter of the numbers are less than the first, a quarter greater than the second.
+    pub quartiles: [f64; 2],
     /// The least number.
     pub least: f64,
     /// The greatest number.
@@ -16,10 +18,27 @@ impl Spread {
     /// of the two in the middle.
     pub fn of(mut numbers: Vec<f64>) -> Self {
         numbers.sort_by(f64::total_cmp);
+        let last = numbers.len() - 1;
         Self {
             median: numbers[numbers.len() / 2],
+            quartiles: [numbers[last / 4], numbers[last - last / 4]],
             least: numbers[0],
-            greatest: numbers[numbers.len() - 1],
+            greatest: numbers[last],
         }
+    }
+
+    /// The median with no more digits than the numbers agree on, and three at most: one
+    /// in its last place is no less than half the distance of the quartiles.
+    pub fn agreed(&self) -> f64 {
+        let [low, high] = self.quartiles;
+        let first = self.median.log10().floor();
+        let last = (0.5 * (high - low))
+            .log10()
+            .ceil()
+            .clamp(first - 2.0, first);
+        let unit = 10_f64.powf(last);
+        let decimals = (-last).max(0.0) as usize;
+        let text = format!("{:.decimals$}", (self.median / unit).round() * unit);
+        text.parse().expect("it was printed from a number")
     }
 }

@@ -11,9 +11,7 @@ use crate::scene_file::SCENES;
 
 /// The wrong pixels of all methods in all scenes, in pictures `width` pixels wide.
 pub fn table(width: u32) -> Table<WrongPixels> {
-    let rows = both_precisions()
-        .into_par_iter()
-        .flat_map_iter(|(scene, precision)| rows(scene, precision, width));
+    let rows = SCENES.par_iter().flat_map_iter(|scene| rows(scene, width));
     rows.collect::<Vec<_>>().into()
 }
 
@@ -28,29 +26,27 @@ pub fn least(pixels: &Table<WrongPixels>, timings: &Table<Timing>) -> Table<Leas
             .iter()
             .filter(is_right)
             .filter_map(|row| timings.find("method", &row.method, "book"))
-            .min_by(|one, other| one.median_ns.total_cmp(&other.median_ns));
+            .filter_map(|timing| Some((timing, timing.instructions?)))
+            .min_by(|(_, one), (_, other)| one.total_cmp(other));
         Least {
             scene: scene.name.clone(),
             precision,
-            method: cheapest.map(|timing| timing.name.clone()),
-            book_ns: cheapest.map(|timing| timing.median_ns),
+            method: cheapest.map(|(timing, _)| timing.name.clone()),
+            instructions: cheapest.map(|(_, instructions)| instructions),
         }
     };
-    let rows = both_precisions().into_iter().map(row);
-    rows.collect::<Vec<_>>().into()
+    let both = SCENES
+        .iter()
+        .flat_map(|scene| Precision::ALL.map(|precision| (scene, precision)));
+    both.map(row).collect::<Vec<_>>().into()
 }
 
-fn both_precisions() -> Vec<(&'static Scene, Precision)> {
-    let both = |scene| Precision::ALL.map(|precision| (scene, precision));
-    SCENES.iter().flat_map(both).collect()
-}
-
-fn rows(scene: &Scene, precision: Precision, width: u32) -> impl Iterator<Item = WrongPixels> {
-    let Drawn { right, by_method } = drawn(scene, precision, width, || ());
+fn rows(scene: &Scene, width: u32) -> impl Iterator<Item = WrongPixels> {
+    let Drawn { right, by_method } = drawn(scene, METHODS, width, || ());
     let pixels = right.rgb().len() / 3;
     by_method.into_iter().map(move |view| WrongPixels {
         scene: scene.name.clone(),
-        precision,
+        precision: view.method.precision(),
         method: view.method.name.to_owned(),
         pixels,
         wrong: view.wrong,
@@ -58,12 +54,11 @@ fn rows(scene: &Scene, precision: Precision, width: u32) -> impl Iterator<Item =
     })
 }
 
-/// A scene as it should be in one precision, and as the methods of that precision
-/// see it.
+/// A scene as it should be, and as some methods see it.
 pub struct Drawn {
     /// The right picture.
     pub right: Picture,
-    /// What each method draws, in the order of [`METHODS`].
+    /// What each method draws, in their order.
     pub by_method: Vec<View>,
 }
 
@@ -86,11 +81,8 @@ pub struct View {
     pub radii: Option<f64>,
 }
 
-/// Draws `scene` by all methods of that precision, on all threads. Each `row` is told
-/// when it is done.
-pub fn drawn(scene: &Scene, precision: Precision, width: u32, row: impl Fn() + Sync) -> Drawn {
-    let of_precision = |method: &&Method| method.precision() == precision;
-    let methods: Vec<Method> = METHODS.iter().filter(of_precision).copied().collect();
+/// Draws `scene` by all `methods`, on all threads. Each `row` is told when it is done.
+pub fn drawn(scene: &Scene, methods: &[Method], width: u32, row: impl Fn() + Sync) -> Drawn {
     let camera = Camera::new(width);
     let rows = (0..camera.image_height).into_par_iter().map(|j| {
         let sights = |eye| -> Vec<Sight> {
@@ -99,7 +91,7 @@ pub fn drawn(scene: &Scene, precision: Precision, width: u32, row: impl Fn() + S
                 .map(|i| scene.look(eye, &camera.ray(i, j)))
                 .collect()
         };
-        let right = sights(Eye::Exact(precision));
+        let right = sights(Eye::Exact);
         let of_method = |method: &Method| {
             let seen = sights(Eye::Method(*method));
             (bytes(&seen), farthest(scene, &right, &seen))
@@ -113,12 +105,12 @@ pub fn drawn(scene: &Scene, precision: Precision, width: u32, row: impl Fn() + S
         Picture::from_rgb(camera.image_width, camera.image_height, rgb).expect("all rows are there")
     };
     let right = picture(right.concat());
-    let views = methods.into_iter().enumerate().map(|(n, method)| {
+    let views = methods.iter().enumerate().map(|(n, method)| {
         let of_method = seen.iter().map(|row| &row[n]);
         let (rgb, radii): (Vec<&[u8]>, Vec<Option<f64>>) =
             of_method.map(|(rgb, radii)| (&rgb[..], *radii)).unzip();
         let radii = radii.into_iter().flatten().reduce(f64::max);
-        View::new(method, &right, picture(rgb.concat()), radii)
+        View::new(*method, &right, picture(rgb.concat()), radii)
     });
     Drawn {
         by_method: views.collect(),

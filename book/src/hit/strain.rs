@@ -49,7 +49,7 @@ fn discriminant(method: &Method, case: &Case, exact: &Exact) -> Option<(f64, Str
         Discriminant::Difference => {
             Some((-margin.log10(), format!("h² − a·c cancels, {from_where}")))
         }
-        Discriminant::Distance | Discriminant::Enclosed => {
+        Discriminant::Distance => {
             // (r² − l²)/r² is D/(a·M) times M/r², and l has an error that grows
             // with the distance.
             let from_radius = margin * (1.0 + away * away);

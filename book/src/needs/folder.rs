@@ -4,6 +4,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use check::png;
+use common::rtweekend::*;
 use figures::{Point, scene_chart, standalone};
 use speed_vs_accuracy::{Precision, Scene};
 
@@ -23,18 +24,20 @@ pub(super) fn check(folder: &Path) -> Result<(), Box<dyn Error>> {
     files::refuse_strangers(folder, KIND)
 }
 
-/// Replaces `folder` by one with the chart, the right pictures, and the wrong ones.
+/// Replaces `folder` by one with the chart, the right picture, and the wrong ones.
 /// Returns their names.
 pub(super) fn write(
     folder: &Path,
     scene: &Scene,
+    right: &Picture,
     found: &[Found],
 ) -> Result<Vec<String>, Box<dyn Error>> {
     let chart = standalone(&scene_chart(&scene.name, &points(found))).into_bytes();
-    let mut files = vec![("chart.svg".to_owned(), chart)];
+    let mut files = vec![
+        ("chart.svg".to_owned(), chart),
+        ("right.png".to_owned(), png::encode(right)),
+    ];
     for found in found {
-        let name = format!("right_{}.png", found.precision.name());
-        files.push((name, png::encode(&found.right)));
         let wrong = found.rows.iter().filter(|row| row.view.wrong > 0);
         files.extend(wrong.map(|Row { view, .. }| {
             let name = format!("{}.png", view.method.name);

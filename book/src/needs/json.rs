@@ -43,7 +43,6 @@ fn one_precision(found: &Found) -> Value {
         "least": found.least.map(name),
         "ties": found.ties.iter().map(|&n| name(n)).collect::<Value>(),
         "fails": failing.map(|(n, culprit)| first_wrong(name(*n), culprit)),
-        "changed_by_rounding": found.changed,
         "methods": found.rows.iter().map(method).collect::<Value>(),
     })
 }

@@ -14,13 +14,14 @@ use std::time::Duration;
 
 use clap::{Args, value_parser};
 use common::engine::output;
-use common::rtweekend::Camera;
+use common::rtweekend::*;
 use measure::contest::Effort;
+use measure::cost;
 use measure::needs::Found;
 use measure::progress::Progress;
 use measure::scene_file::WIDEST;
-use measure::{cost, wrong_pixels};
-use speed_vs_accuracy::{Precision, Scene};
+use measure::wrong_pixels::{self, Drawn};
+use speed_vs_accuracy::{METHODS, Precision, Scene};
 
 /// What `cargo rtrace needs` is told.
 #[derive(Args)]
@@ -46,7 +47,7 @@ pub(crate) struct Arguments {
 const HELP: &str = "\
 A scene, of which only the spheres are needed:
   width = 400             # pixels; the picture is 16:9
-  sun = [1, 0.25, 0.5]    # towards it; without it nothing has a shadow
+  sun = [1, 0.25, 0.5]    # towards it, of any length; without it nothing has a shadow
 
   [camera]
   origin = [0, 0, 0]
@@ -59,7 +60,7 @@ A scene, of which only the spheres are needed:
 
 What is said of each method:
   wrong pixels         more than one of 255 levels off, in a component, from the picture
-                       that exact arithmetic draws of the same numbers in the same precision
+                       that exact arithmetic draws of the scene as it is written, in f64
   a level off          pixels that are one level off: nobody sees them
   worst, levels        how far a component is off in the worst pixel
   worst, radii         how far a hit point is at most from where it should be
@@ -83,8 +84,8 @@ pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         None => folder::usual(&scene)?,
     };
     folder::check(&folder)?;
-    let found = look_into(&scene);
-    let files = folder::write(&folder, &scene, &found)?;
+    let (right, found) = look_into(&scene);
+    let files = folder::write(&folder, &scene, &right, &found)?;
     let said = match arguments.json {
         true => json::json(&scene, &found, &folder, &files),
         false => text::text(&scene, &found, &folder, &files),
@@ -92,21 +93,22 @@ pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 
-/// What there is to say in each precision that has the numbers of the scene, `f64`
-/// first.
-fn look_into(scene: &Scene) -> Vec<Found> {
-    let precisions = Precision::ALL
-        .into_iter()
-        .filter(|precision| scene.fits(*precision));
-    let precisions: Vec<Precision> = precisions.collect();
+/// The right picture, and what there is to say in each precision that has the numbers of
+/// the scene, `f64` first.
+fn look_into(scene: &Scene) -> (Picture, Vec<Found>) {
+    let mut precisions = Precision::ALL.to_vec();
+    precisions.retain(|precision| scene.fits(*precision));
+    let mut methods = METHODS.to_vec();
+    methods.retain(|method| precisions.contains(&method.precision()));
     let rows = Camera::new(scene.width).image_height as usize;
-    let progress = Progress::new(rows * precisions.len() + EFFORT.rounds);
+    let progress = Progress::new(rows + EFFORT.rounds);
     let times = cost::times(scene, &EFFORT, || progress.step());
-    let mut found: Vec<Found> = Vec::new();
-    for precision in precisions {
-        let drawn = wrong_pixels::drawn(scene, precision, scene.width, || progress.step());
-        let finest = found.first().map(|finest| &finest.right);
-        found.push(Found::new(scene, precision, finest, drawn, &times));
-    }
-    found
+    let Drawn { right, by_method } =
+        wrong_pixels::drawn(scene, &methods, scene.width, || progress.step());
+    let (double, single) = by_method
+        .into_iter()
+        .partition(|view| view.method.precision() == Precision::Double);
+    let found = precisions.into_iter().zip([double, single]);
+    let found = found.map(|(precision, views)| Found::new(scene, precision, views, &times));
+    (right, found.collect())
 }

@@ -39,7 +39,7 @@ pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[Strin
         text.push('\n');
         match found.iter().find(|found| found.precision == precision) {
             Some(found) => text += &one_precision(found),
-            None => text += "f32 has no such numbers: they overflow.\n",
+            None => text += "f32 has no such numbers: they overflow, or nothing is left of them.\n",
         }
     }
     let times = format!(
@@ -73,12 +73,6 @@ fn one_precision(found: &Found) -> String {
     text += TABLE_HEAD;
     for (n, row) in found.rows.iter().enumerate() {
         text += &line(row, found.least == Some(n));
-    }
-    if found.changed > 0 {
-        text += &paragraph(&format!(
-            "Rounding the scene itself to f32 changes {} of its pixels, before any method errs.",
-            found.changed
-        ));
     }
     if let Some((n, culprit)) = &found.failing {
         let least = found.least.map(|least| &found.rows[least]);
@@ -165,13 +159,27 @@ fn why(row: &Row, least: Option<&Row>, culprit: &Culprit) -> String {
     for line in hit::under_the_microscope(&culprit.case, precision, &methods, range).lines() {
         let _ = writeln!(text, "  {line}");
     }
-    if culprit.error <= hit::ORDINARY {
-        text += &paragraph(&format!(
-            "So t is as good as {} has numbers there: this picture needs more of them.",
-            precision.name()
-        ));
+    if least.is_none() && (culprit.is_shadow || culprit.error <= hit::ORDINARY) {
+        text += &paragraph(cure(culprit, precision));
     }
     text + &again(culprit)
+}
+
+/// What helps where no method for one sphere does.
+fn cure(culprit: &Culprit, precision: Precision) -> &'static str {
+    match precision {
+        _ if culprit.is_shadow => {
+            "A better t would not help: the ray to the sun starts at a rounded point. \
+             proven_offset of chapter 6 says where it should start, so that no sphere shades itself."
+        }
+        Precision::Double => {
+            "So t is as good as f64 has numbers there: two spheres are nearer to each other. \
+             certified_nearest of chapter 6 compares their roots, and draws the right picture."
+        }
+        Precision::Single => {
+            "So t is as good as f32 has numbers there: this picture needs more of them."
+        }
+    }
 }
 
 /// The command that shows the same with all methods.

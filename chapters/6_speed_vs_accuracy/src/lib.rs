@@ -12,17 +12,16 @@ mod workload;
 pub use certified::{
     D_BAND, Departure, LEAVINGS, Leaving, Stage, after_t_min, at_once, certified_f32,
     certified_hit, certified_nearest, certified_t, exact, exact_discriminant, integer_offset,
-    pbrt_offset, proven_offset, stage_of_hit, stage_of_t,
+    optix_offset, pbrt_offset, proven_offset, stage_of_hit, stage_of_t,
 };
 pub use method::{Discriminant, Method, Solve};
 pub use methods::{
-    adaptive_q, cross_q, cross_q_f32, double_double, full_b, haines, haines_q, half_b, half_b_f32,
-    half_b_q, half_b_q_f32, herbie, interval_q, kahan_q, scaled_q, widened_half_b_q_f32,
+    adaptive_q, cross_q, double_double, half_b, half_b_f32, half_b_q, widened_half_b_q_f32,
 };
 pub use precision::{Precision, SingleRay};
 pub use workload::{
     Case, Eye, FailureMap, Hit, Lens, REGIMES, Random, Regime, Scene, Sight, T_MIN_OF_SHADOWS,
-    beside, failure_map, find_regime, tangent,
+    beside, failure_map, find_regime, tangent, unit,
 };
 
 use common::rtweekend::Picture;
@@ -35,24 +34,15 @@ pub fn picture(width: u32) -> Picture {
 
 /// All methods, those in `f64` first.
 pub const METHODS: &[Method] = &[
-    Method::FULL_B,
     Method::HALF_B,
     Method::HALF_B_Q,
-    Method::HAINES,
-    Method::HAINES_Q,
-    Method::KAHAN_Q,
     Method::CROSS_Q,
     Method::ADAPTIVE_Q,
-    Method::SCALED_Q,
-    Method::HERBIE,
-    Method::INTERVAL_Q,
     Method::CERTIFIED_HIT,
     Method::CERTIFIED_T,
     Method::DOUBLE_DOUBLE,
     Method::EXACT,
     Method::HALF_B_F32,
-    Method::HALF_B_Q_F32,
-    Method::CROSS_Q_F32,
     Method::WIDENED_HALF_B_Q_F32,
     Method::CERTIFIED_F32,
 ];

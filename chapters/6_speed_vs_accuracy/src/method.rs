@@ -48,9 +48,6 @@ pub enum Discriminant {
     /// As a·(r² − l²), with l the distance of the line from the center: that
     /// cancels near a tangent only.
     Distance,
-    /// As a·(r² − l²) between two bounds. A hit is certain, and what may be a miss
-    /// is one.
-    Enclosed,
     /// With as many digits as it takes for a sign that is certain.
     Certain,
 }
@@ -72,8 +69,7 @@ impl Method {
         Self::plain(name, Solve::Double(solve), Precision::Double)
     }
 
-    /// A method in `f32` that is like `half_b_q_f32`, but for what is said
-    /// beside it.
+    /// A method in `f32` that is like `half_b_q`, but for what is said beside it.
     pub(crate) const fn single(
         name: &'static str,
         solve: fn(glam::Vec3, f32, &SingleRay, f32, f32) -> Option<f32>,

@@ -56,7 +56,7 @@ mod the_snapshot_is_drawn_by_a_method {
     fn assert_failure(scene: &str, method: Method) {
         let scene = find_scene(scene).expect("it is one of the seven");
         let wrong = scene.picture(method, WIDTH);
-        let right = scene.right_picture(method.precision(), WIDTH);
+        let right = scene.right_picture(WIDTH);
         assert_ne!(wrong, right);
         assert_picture(&format!("{}_{}", scene.name, method.name), &wrong);
         assert_picture(&format!("{}_right", scene.name), &right);

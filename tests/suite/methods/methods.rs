@@ -5,6 +5,7 @@
 //! other. Where a method is known to fail, it is asserted to fail.
 
 use common::rtweekend::*;
+use hittable_list::{Hittable, Sphere};
 use laws::intervals;
 use laws::nearer_root::{BAND, NEARER_ROOT, root_bound};
 use laws::oracle::Exact;
@@ -15,7 +16,7 @@ use laws::verdict::Verdict;
 use laws::{Case, WithInterval};
 use speed_vs_accuracy::{
     Discriminant, METHODS, Method, Precision, Solve, Stage, certified_hit, certified_t, exact,
-    full_b, half_b, herbie, interval_q, stage_of_hit, stage_of_t,
+    half_b, stage_of_hit, stage_of_t,
 };
 
 use crate::campaign;
@@ -51,18 +52,23 @@ mod every_method {
         }
     }
 
-    /// On the whole line, the nearest root is the nearer one. Two are known to break a
-    /// law each; theirs is told below.
+    /// On the whole line, the nearest root is the nearer one.
     #[test]
     fn obeys_the_laws_of_a_nearer_root() {
-        let lawless = [Method::HERBIE.name, Method::INTERVAL_Q.name];
-        let cases = samples(&strategies::anywhere(), FEW);
-        for method in of(Precision::Double).filter(|method| !lawless.contains(&method.name)) {
-            obeys_the_laws(method, &cases);
+        for case in samples(&strategies::anywhere(), FEW) {
+            for (name, solve) in in_double_precision() {
+                let solve = |center, radius, ray: &Ray| {
+                    solve(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY)
+                };
+                for law in NEARER_ROOT {
+                    law(&solve, &case)
+                        .unwrap_or_else(|broken| panic!("{name}: {broken}\n\n{case}"));
+                }
+            }
         }
     }
 
-    /// Each of a dozen methods is asked, and exact arithmetic about each answer.
+    /// Each of some methods is asked, and exact arithmetic about each answer.
     const FEW: u32 = 1000;
 
     #[test]
@@ -76,13 +82,7 @@ mod every_method {
             for ray in [nowhere, lost, endless] {
                 assert_eq!(solve(center, 0.5, &ray, 0.0, f64::INFINITY), None, "{name}");
             }
-            // To chapter 5 a radius that is not a number is 0.
-            let of_no_size = (name == Method::HALF_B.name).then_some(1.0);
-            assert_eq!(
-                solve(center, f64::NAN, &ray, 0.0, 9.0),
-                of_no_size,
-                "{name}"
-            );
+            assert_eq!(solve(center, f64::NAN, &ray, 0.0, 9.0), None, "{name}");
             assert_eq!(solve(center, 0.5, &ray, f64::NAN, 9.0), None, "{name}");
             assert_eq!(solve(center, 0.5, &ray, 0.0, f64::NAN), None, "{name}");
         }
@@ -254,93 +254,6 @@ mod the_exact_method {
     }
 }
 
-mod the_rewrite_by_herbie {
-    use super::*;
-
-    #[test]
-    fn obeys_the_laws_where_b_is_not_huge() {
-        let mut cases = samples(&strategies::anywhere(), CASES);
-        cases.retain(|case| case.a() * case.m() < 1e250);
-        obeys_the_laws(&Method::HERBIE, &cases);
-    }
-
-    /// The ball of chapter 3 straight ahead: the roots are ½ and 1½, and −b/a + c/b
-    /// takes the second for 2h/a − c/2h, which is 1⅝.
-    #[test]
-    fn leaves_the_discriminant_out_where_b_is_huge() {
-        for (length, farther) in [(1e126, 1.5), (1e127, 1.625)] {
-            let ray = Ray::new(Point3::ZERO, Vec3::new(0.0, 0.0, -length));
-            for (t_min, root) in [(0.0, 0.5), (1.0, farther)] {
-                let center = Point3::new(0.0, 0.0, -1.0);
-                let t = herbie(center, 0.5, &ray, t_min / length, f64::INFINITY);
-                let found = t.expect("it hits") * length;
-                assert!((found - root).abs() < 1e-15, "{found} at {length}");
-            }
-        }
-    }
-}
-
-mod the_interval_method {
-    use super::*;
-
-    #[test]
-    fn hits_nothing_that_is_a_miss() {
-        let asked = strategies::with_hostile_interval(strategies::hostile());
-        for asked in samples(&asked, 2 * CASES) {
-            if asked.solve(&interval_q).is_some() {
-                let exact = Exact::of(&asked.case);
-                let root = exact.nearest_root_in(asked.t_min, asked.t_max);
-                assert!(root.is_some(), "{asked}");
-            }
-        }
-    }
-
-    #[test]
-    fn obeys_the_laws_where_rounding_cannot_decide() {
-        let mut cases = samples(&strategies::anywhere(), CASES);
-        cases.retain(|case| Exact::of(case).discriminant_margin().abs() > 2.0 * BAND);
-        obeys_the_laws(&Method::INTERVAL_Q, &cases);
-    }
-
-    #[test]
-    fn misses_every_tangent() {
-        for case in samples(&strategies::tangents(), CASES) {
-            assert_eq!(in_front(&case, &Method::INTERVAL_Q), None, "{case}");
-        }
-    }
-
-    #[test]
-    fn misses_ten_times_as_often_at_ten_times_the_distance() {
-        let wrong = |k: f64| {
-            let far = samples(&strategies::far(k..=k), CASES);
-            wrong(Method::INTERVAL_Q, &far)
-        };
-        assert_eq!(wrong(9.0), 0.0);
-        assert_between(0.004, wrong(13.0), 0.015, Method::INTERVAL_Q);
-        assert_between(0.04, wrong(14.0), 0.15, Method::INTERVAL_Q);
-        assert_between(0.7, wrong(15.0), 0.95, Method::INTERVAL_Q);
-    }
-
-    /// From the outside, but only just: the nearer root may be 0, and 0 is no hit.
-    #[test]
-    fn takes_the_farther_root_where_the_nearer_one_is_in_doubt() {
-        let outside = 1.0_f64.next_up();
-        let ray = Ray::new(Point3::new(0.0, 0.0, outside), Vec3::NEG_Z);
-        let found = interval_q(Point3::ZERO, 1.0, &ray, 0.0, f64::INFINITY);
-        assert!(found.is_some_and(|t| (t - 2.0).abs() < 1e-14), "{found:?}");
-        let exact = exact(Point3::ZERO, 1.0, &ray, 0.0, f64::INFINITY);
-        assert_eq!(exact, Some(f64::EPSILON));
-    }
-
-    /// Where rounding decides on which side of the surface a ray starts.
-    #[test]
-    fn misses_half_of_the_rays_that_leave_a_surface() {
-        let cases = samples(&strategies::leaving_the_surface(3.0..=3.0), CASES);
-        let wrong = wrong(Method::INTERVAL_Q, &cases);
-        assert_between(0.4, wrong, 0.6, Method::INTERVAL_Q);
-    }
-}
-
 mod the_certified_methods {
     use super::*;
 
@@ -485,13 +398,7 @@ mod far_away {
 
     #[test]
     fn half_b_decides_by_chance_where_the_others_do_not_err() {
-        for method in [
-            Method::FULL_B,
-            Method::HALF_B,
-            Method::HALF_B_Q,
-            Method::KAHAN_Q,
-            Method::SCALED_Q,
-        ] {
+        for method in [Method::HALF_B, Method::HALF_B_Q] {
             assert_eq!(wrong(method, &far(5.0)), 0.0, "{}", method.name);
             assert_between(0.002, wrong(method, &far(7.0)), 0.05, method);
             assert_between(0.25, wrong(method, &far(9.0)), 0.6, method);
@@ -524,12 +431,9 @@ mod far_away {
 
     #[test]
     fn single_precision_is_lost_at_the_square_root_of_the_distance() {
-        assert_eq!(wrong(Method::CROSS_Q_F32, &far(3.0)), 0.0);
         assert_eq!(wrong(Method::WIDENED_HALF_B_Q_F32, &far(4.0)), 0.0);
         for (method, k, low, high) in [
             (Method::HALF_B_F32, 3.0, 0.02, 0.1),
-            (Method::HALF_B_Q_F32, 3.0, 0.02, 0.1),
-            (Method::CROSS_Q_F32, 6.0, 0.005, 0.05),
             (Method::WIDENED_HALF_B_Q_F32, 8.0, 0.01, 0.6),
         ] {
             assert_between(low, wrong(method, &far(k)), high, method);
@@ -549,14 +453,7 @@ mod near_the_surface {
     #[test]
     fn only_a_c_with_all_its_digits_knows_the_side_of_the_origin() {
         let cases = samples(&strategies::leaving_the_surface(3.0..=3.0), CASES);
-        for method in [
-            Method::HALF_B,
-            Method::HALF_B_Q,
-            Method::HAINES,
-            Method::HAINES_Q,
-            Method::KAHAN_Q,
-            Method::CROSS_Q,
-        ] {
+        for method in [Method::HALF_B, Method::HALF_B_Q, Method::CROSS_Q] {
             assert_between(0.1, wrong(method, &cases), 0.35, method);
         }
         for method in [
@@ -572,13 +469,7 @@ mod near_the_surface {
     #[test]
     fn a_huge_ground_costs_digits_unless_c_has_them_all() {
         let cases = samples(&strategies::above_the_ground(6.0..=6.0), CASES);
-        for method in [
-            Method::HALF_B,
-            Method::HALF_B_Q,
-            Method::HAINES_Q,
-            Method::KAHAN_Q,
-            Method::CROSS_Q,
-        ] {
+        for method in [Method::HALF_B, Method::HALF_B_Q, Method::CROSS_Q] {
             assert_between(1e2, median_ulps(method, &cases), 1e7, method);
         }
         for method in [
@@ -620,13 +511,16 @@ mod exponents {
 mod surprises {
     use super::*;
 
+    /// By which all others are measured.
     #[test]
-    fn half_of_b_gains_no_bit() {
+    fn half_b_is_chapter_5_to_the_bit() {
+        let chapter_5 = |center, radius, ray: &Ray, t_min, t_max| {
+            let hit = Sphere::new(center, radius).hit(ray, t_min, t_max);
+            hit.map(|hit| hit.t)
+        };
         let asked = strategies::with_interval(strategies::anywhere());
         for asked in samples(&asked, CASES) {
-            if asked.case.is_well_scaled() {
-                assert_eq!(asked.solve(&full_b), asked.solve(&half_b), "{asked}");
-            }
+            assert_eq!(asked.solve(&half_b), asked.solve(&chapter_5), "{asked}");
         }
     }
 
@@ -635,31 +529,10 @@ mod surprises {
     #[test]
     fn the_stable_discriminant_is_worse_on_the_ground_of_the_book() {
         let ground = book_ground();
-        let [plain, cross, haines] = [Method::HALF_B_Q, Method::CROSS_Q, Method::HAINES]
-            .map(|method| percentile(method, &ground, 0.999));
+        let [plain, cross] =
+            [Method::HALF_B_Q, Method::CROSS_Q].map(|method| percentile(method, &ground, 0.999));
         assert_between(1.0, plain, 20.0, Method::HALF_B_Q);
         assert_between(20.0 * plain, cross, 1e4, Method::CROSS_Q);
-        assert_between(20.0 * plain, haines, 1e4, Method::HAINES);
-        assert_between(
-            10.0,
-            median_ulps(Method::HAINES, &ground),
-            200.0,
-            Method::HAINES,
-        );
-    }
-
-    /// A discriminant right to the last digits, of coefficients that are not.
-    #[test]
-    fn an_exact_discriminant_hardly_helps() {
-        let far = samples(&strategies::far(7.0..=7.0), CASES);
-        let (plain, kahan) = (wrong(Method::HALF_B_Q, &far), wrong(Method::KAHAN_Q, &far));
-        assert_between(0.5 * plain, kahan, 2.0 * plain, Method::KAHAN_Q);
-        let grazing = samples(&strategies::grazing(9.0..=9.0), CASES);
-        let (plain, kahan) = (
-            median_ulps(Method::HALF_B_Q, &grazing),
-            median_ulps(Method::KAHAN_Q, &grazing),
-        );
-        assert_between(0.5 * plain, kahan, 1.1 * plain, Method::KAHAN_Q);
     }
 
     #[test]
@@ -685,24 +558,6 @@ pub(crate) fn is_certified(asked: &WithInterval) -> Verdict {
     intervals::the_decision_is_exactly_right(&certified_hit, asked)?;
     intervals::the_decision_is_exactly_right(&certified_t, asked)?;
     intervals::t_is_within_ulps(&certified_t, asked, 1.0)
-}
-
-/// Every law for a nearer root.
-fn obeys_the_laws(method: &Method, cases: &[Case]) {
-    let solve = |center, radius, ray: &Ray| {
-        let case = Case {
-            center,
-            radius,
-            ray: *ray,
-        };
-        case.put_to(method, f64::NEG_INFINITY, f64::INFINITY)
-    };
-    for case in cases {
-        for law in NEARER_ROOT {
-            law(&solve, case)
-                .unwrap_or_else(|broken| panic!("{}: {broken}\n\n{case}", method.name));
-        }
-    }
 }
 
 type RangeFn = fn(Point3, f64, &Ray, f64, f64) -> Option<f64>;

@@ -82,6 +82,38 @@ fn a_loop_over_exact_roots_still_errs_because_they_are_rounded() {
     assert_eq!(nearest(&world), Some((1, 1.0 / 3.0)));
 }
 
+/// Of two roots between the same two numbers, the lesser one is rounded up and the greater
+/// one down, because it is a ten-thousandth of an ulp too far from half-way.
+#[test]
+fn the_lesser_of_two_roots_is_found_where_it_has_the_greater_t() {
+    let big = (
+        Point3::new(0.07688209193353152, -1.0859567782698512, 0.6731175085429627),
+        1.2798046955732145,
+    );
+    let small = (
+        Point3::new(
+            -0.00030394264611705566,
+            -0.005981926899212193,
+            -0.009228904321220591,
+        ),
+        2.68542947910665e-06,
+    );
+    let ray = Ray::new(
+        Point3::ZERO,
+        Vec3::new(
+            -0.027625613032401977,
+            -0.543702569602914,
+            -0.8388231883488751,
+        ),
+    );
+    let alone = |(center, radius)| certified_t(center, radius, &ray, 0.0, f64::INFINITY);
+    assert!(alone(small) < alone(big));
+    for spheres in [[big, small], [small, big]] {
+        let first = certified_nearest(&spheres, &ray, 0.0, f64::INFINITY);
+        assert_eq!(first.map(|(first, _)| spheres[first]), Some(big));
+    }
+}
+
 #[test]
 fn the_first_of_equal_spheres_counts_and_what_is_no_number_is_missed() {
     let sphere = (Point3::new(0.0, 0.0, -1.0), 0.5);

@@ -15,14 +15,14 @@ use crate::table::{Record, Table};
 pub(super) const CHART: Chart = Chart {
     name: "scenes",
     title: "Wrong pixels, scene by scene and method by method",
-    description: "A table with a row for each method, the fastest at the top, and a column for each \
+    description: "A table with a row for each method, the cheapest at the top, and a column for each \
         scene. A cell says how many pixels of a thousand differ from the exact picture, and is \
         the darker the more they are. A cell without a wrong pixel has a tick. In each column \
         the first of them in f64 has a frame, and the first in f32: the least that this scene \
         needs.",
     caption: "Pixels of a thousand that differ from the exact picture. Methods are in order of \
-        their time on the rays of the book. Framed: the fastest one without a wrong pixel, in f32 \
-        and in f64, which is the least that this scene needs.",
+        the instructions that they take for a ray of the book. Framed: the first one without a wrong \
+        pixel, in f32 and in f64, which is the least that this scene needs.",
     files: &[WrongPixels::FILE, Timing::FILE],
     draw: |files| draw(files[0], files[1]),
 };
@@ -45,7 +45,8 @@ fn draw(scenes: &str, timings: &str) -> Result<Drawn, String> {
     }
     let time = |(method, _): &Method| {
         let time = timings.find("method", method, "book");
-        time.map_or(f64::INFINITY, |time| time.median_ns)
+        time.and_then(|time| time.instructions)
+            .unwrap_or(f64::INFINITY)
     };
     methods.sort_by(|one, other| time(one).total_cmp(&time(other)));
     Ok(Drawn::new(table(&cells, &names, &methods), |layout| {

@@ -10,6 +10,8 @@ use measure::machine;
 
 use measure::contest::Effort;
 
+use crate::one_by_one;
+
 /// The lines at the top of the file.
 pub(crate) fn about(effort: &Effort) -> BTreeMap<String, String> {
     let rounds = effort.rounds;
@@ -22,9 +24,10 @@ pub(crate) fn about(effort: &Effort) -> BTreeMap<String, String> {
             "how",
             format!(
                 "{rounds} rounds in which everyone takes a turn of {} µs or more; one thread; \
-                 256 questions in the fastest cache; each method compiled into its own loop, \
-                 whose questions the compiler cannot see, so that it takes one at a time",
-                effort.turn.as_micros()
+                 {} questions; each method compiled into its own loop, which makes the book’s \
+                 rays from column and row and reads the others",
+                effort.turn.as_micros(),
+                one_by_one::CASES
             ),
         ),
     ]
@@ -40,21 +43,16 @@ pub(crate) fn table(timings: &Table<Timing>) -> String {
     }
     let _ = writeln!(
         text,
-        "\n{:<8}{:<22}{:<14}{:>6}{:>12}{:>12}{:>12}{:>8}",
-        "what", "name", "where", "n", "median, ns", "least", "greatest", "ratio"
+        "\n{:<8}{:<22}{:<18}{:>6}{:>12}{:>12}{:>8}{:>14}",
+        "what", "name", "where", "n", "median, ns", "least", "ratio", "instructions"
     );
     for row in &timings.rows {
+        let instructions = row.instructions.map(|count| format!("{count:.0}"));
+        let instructions = instructions.unwrap_or_default();
         let _ = writeln!(
             text,
-            "{:<8}{:<22}{:<14}{:>6}{:>12.2}{:>12.2}{:>12.2}{:>8.2}",
-            row.what,
-            row.name,
-            row.place,
-            row.n,
-            row.median_ns,
-            row.least_ns,
-            row.greatest_ns,
-            row.ratio
+            "{:<8}{:<22}{:<18}{:>6}{:>12}{:>12.2}{:>8}{instructions:>14}",
+            row.what, row.name, row.place, row.n, row.median_ns, row.least_ns, row.ratio
         );
     }
     text

@@ -1,6 +1,7 @@
 //! Microbenchmark: how long each method of chapter 6 takes, and each way to leave a surface.
 
 mod about;
+mod instructions;
 mod leaving;
 mod one_by_one;
 mod several_spheres;
@@ -27,6 +28,14 @@ struct Arguments {
     #[arg(long)]
     record: bool,
 
+    /// Run this loop so often and measure nothing: valgrind watches
+    #[arg(long, hide = true, requires = "runs")]
+    only: Option<String>,
+
+    /// How often
+    #[arg(long, hide = true)]
+    runs: Option<usize>,
+
     /// What `cargo bench` says to every benchmark
     #[arg(long, hide = true)]
     bench: bool,
@@ -35,14 +44,23 @@ struct Arguments {
 /// Takes all times, and prints or keeps them.
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
+    if let (Some(key), Some(runs)) = (arguments.only, arguments.runs) {
+        instructions::run(one_by_one::in_order(), &key, runs);
+        return Ok(());
+    }
     let effort = Effort::new(arguments.quick);
-    let mut groups: Vec<Group> = one_by_one::groups();
+    let mut groups: Vec<Group> = one_by_one::in_order().into();
+    let counted: usize = groups.iter().map(|group| group.0.len()).sum();
+    groups.extend(one_by_one::groups());
     groups.push(leaving::group());
     groups.extend(several_spheres::groups());
-    let timings = Table::<Timing> {
+    let mut timings = Table::<Timing> {
         about: about::about(&effort),
         rows: measure::contest::run(groups, &effort),
     };
+    for row in &mut timings.rows[..counted] {
+        row.instructions = instructions::of(row);
+    }
     let mut said = about::table(&timings);
     said += &headlines(&timings);
     if arguments.record {
@@ -56,7 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// The numbers that the chapter promises something about.
 fn headlines(timings: &Table<Timing>) -> String {
-    let mut text = "\nTimes half_b, one ray after the other:\n".to_owned();
+    let mut text = "\nTimes half_b, where each returns t:\n".to_owned();
     for Method { name, .. } in METHODS.iter().filter(|method| method.is_certified) {
         let ratio = |place| ratio(timings.find("method", name, place));
         text += &format!(
@@ -69,5 +87,5 @@ fn headlines(timings: &Table<Timing>) -> String {
 }
 
 fn ratio(row: Option<&Timing>) -> String {
-    row.map_or("not measured".to_owned(), |row| format!("{:.2}", row.ratio))
+    row.map_or("not measured".to_owned(), |row| row.ratio.to_string())
 }

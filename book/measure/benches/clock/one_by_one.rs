@@ -1,81 +1,104 @@
-//! Latency: one ray against one sphere, one after the other.
+//! Throughput and latency: one ray against one sphere.
 
 use common::rtweekend::*;
-use measure::accuracy::has_root;
+use hittable_list::{Hittable, Sphere};
 use measure::contest::{Group, Runner};
-use measure::cost::{Question, run};
-use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES};
+use measure::cost::{Double, group, of_cases, of_pixels, throughput};
+use speed_vs_accuracy::{Precision, REGIMES, Random, certified_hit};
 
-/// So many cases fit into the fastest cache.
-pub(crate) const CASES: usize = 256;
-
-/// All methods, in each regime and where all rays hit.
-pub(crate) fn groups() -> Vec<Group> {
-    let regimes = REGIMES.iter().skip(1);
-    let mut groups = vec![
-        group("book", |precision| book_rays(precision, |_| true)),
-        group("all_hits", |precision| book_rays(precision, has_root)),
-    ];
-    groups.extend(regimes.map(|regime| {
-        group(regime.name, |precision| {
-            regime.cases(precision, SEED, CASES)
-        })
-    }));
-    groups
-}
-
-/// `half_b` on the book’s camera rays, to compare others with.
-pub(crate) fn reference() -> Runner {
-    Runner {
-        is_wanted: false,
-        ..runner(
-            &Method::REFERENCE,
-            "book",
-            &book_rays(Precision::Double, |_| true),
-        )
-    }
-}
-
-/// Rays of the book’s camera from left to right and from top to bottom, first at
-/// the ball and then at the ground: those that are `wanted`.
-pub(crate) fn book_rays(precision: Precision, wanted: impl Fn(&Case) -> bool) -> Vec<Case> {
-    let camera = Camera::new(400);
-    let ball = (Point3::new(0.0, 0.0, -1.0), 0.5);
-    let ground = (Point3::new(0.0, -100.5, -1.0), 100.0);
-    let all: Vec<Case> = [ball, ground]
-        .into_iter()
-        .flat_map(|(center, radius)| {
-            let pixels =
-                (0..camera.image_height).flat_map(|j| (0..camera.image_width).map(move |i| (i, j)));
-            pixels.map(move |(i, j)| Case {
-                center,
-                radius,
-                ray: camera.ray(i, j),
-            })
-        })
-        .map(|case| case.rounded(precision))
-        .filter(wanted)
-        .collect();
-    // Spread over the picture, and in its order.
-    (0..CASES).map(|k| all[k * all.len() / CASES]).collect()
-}
+/// So many that no processor learns them by heart.
+pub(crate) const CASES: usize = 16_384;
 
 /// Which cases.
 pub(crate) const SEED: u64 = 1;
 
-fn group(place: &str, cases: impl Fn(Precision) -> Vec<Case>) -> Group {
-    let runners = METHODS
-        .iter()
-        .map(|method| runner(method, place, &cases(method.precision())));
-    let (half_b, others): (Vec<Runner>, Vec<Runner>) =
-        runners.partition(|runner| runner.row.name == Method::REFERENCE.name);
-    Group(half_b.into_iter().chain(others).collect())
+/// The spheres of the book.
+pub(crate) const SPHERES: [(Point3, f64); 2] = [
+    (Point3::new(0.0, 0.0, -1.0), 0.5),
+    (Point3::new(0.0, -100.5, -1.0), 100.0),
+];
+
+/// The rays of the book in the picture's order: all methods, the record, and the rays alone.
+pub(crate) fn in_order() -> [Group; 2] {
+    [("book", false), ("all_hits", true)].map(|(place, only_hits)| {
+        let asked = asked(only_hits);
+        let Group(mut runners) = group("method", place, &of_pixels(camera(), asked.clone()));
+        let record = |((center, radius), ray, t_min): Double| {
+            Sphere::new(center, radius).hit(&ray, t_min, f64::INFINITY)
+        };
+        let nothing = |(_, ray, _): Double| ray.direction.element_sum();
+        runners.push(runner(["record", "half_b", place], &asked, record));
+        runners.push(runner(["ray", "nothing", place], &asked, nothing));
+        Group(runners)
+    })
 }
 
-fn runner(method: &Method, place: &str, cases: &[Case]) -> Runner {
-    let key = ["method", method.name, place];
-    let count = cases.len();
-    let questions: Vec<Question> = cases.iter().map(|case| (*case, 0.0)).collect();
-    let run = run(method, &questions);
-    Runner::new(key, method.precision(), count, count, run)
+/// The same shuffled, and in a chain; and all methods in each other regime.
+pub(crate) fn groups() -> Vec<Group> {
+    let mut groups = Vec::new();
+    for (place, only_hits) in [("book", false), ("all_hits", true)] {
+        let asked = asked(only_hits);
+        groups.push(group("chain", place, &of_pixels(camera(), asked.clone())));
+        let place = format!("{place}_shuffled");
+        groups.push(group(
+            "method",
+            &place,
+            &of_pixels(camera(), shuffled(asked)),
+        ));
+    }
+    groups.extend(REGIMES.iter().skip(1).map(|regime| {
+        let [double, single] = Precision::ALL.map(|precision| {
+            let cases = regime.cases(precision, SEED, CASES).into_iter();
+            cases.map(|case| (case, 0.0)).collect::<Vec<_>>()
+        });
+        group("method", regime.name, &of_cases(&double, &single))
+    }));
+    groups
+}
+
+/// The camera of the book.
+pub(crate) fn camera() -> Camera {
+    Camera::new(400)
+}
+
+/// Column and row, and a sphere.
+type Asked = ([u32; 2], (Point3, f64));
+
+/// Pixels of the book, spread over the picture and in its order, each asked about both
+/// spheres; or those that hit.
+fn asked(only_hits: bool) -> Vec<Asked> {
+    let camera = camera();
+    let pixels =
+        (0..camera.image_height).flat_map(|j| (0..camera.image_width).map(move |i| [i, j]));
+    let all = pixels.flat_map(|pixel| SPHERES.map(|sphere| (pixel, sphere)));
+    let hits = |&([i, j], (center, radius)): &Asked| {
+        certified_hit(center, radius, &camera.ray(i, j), 0.0, f64::INFINITY).is_some()
+    };
+    let all: Vec<Asked> = all.filter(|asked| !only_hits || hits(asked)).collect();
+    // Two by two, so that a pixel keeps its second sphere.
+    let kept = (0..CASES / 2).map(|k| all.len() / 2 * k / (CASES / 2));
+    kept.flat_map(|k| [all[2 * k], all[2 * k + 1]]).collect()
+}
+
+/// In any order.
+fn shuffled(mut asked: Vec<Asked>) -> Vec<Asked> {
+    let mut random = Random::new(SEED);
+    for last in (1..asked.len()).rev() {
+        asked.swap(last, random.below(last as u32 + 1) as usize);
+    }
+    asked
+}
+
+/// A loop over the same questions with another answer.
+fn runner<T: 'static>(
+    key: [&str; 3],
+    asked: &[Asked],
+    answer: impl Fn(Double) -> T + 'static,
+) -> Runner {
+    let (camera, asked) = (camera(), asked.to_vec());
+    let run = throughput(CASES, move |n| {
+        let ([i, j], sphere) = asked[n];
+        answer((sphere, camera.ray(i, j), 0.0))
+    });
+    Runner::new(key, Precision::Double, CASES, CASES, run)
 }

@@ -1,25 +1,27 @@
-//! Latency: which of several spheres is first, for one ray after the other.
+//! Throughput: which of several spheres is first.
 
 use std::hint::black_box;
 
 use common::rtweekend::*;
-use speed_vs_accuracy::{Case, Precision, Random, certified_nearest, half_b};
-
-use crate::one_by_one;
 use measure::contest::{Group, Runner};
+use measure::cost::throughput;
+use speed_vs_accuracy::{Precision, Random, certified_nearest, half_b};
+
+use crate::one_by_one::{SPHERES, camera};
 
 /// How many spheres are many: enough that most of them are not hit.
 const MANY: u32 = 64;
 
 /// The loop of chapter 5 and the certified one, on the book’s two spheres and on many.
 pub(crate) fn groups() -> Vec<Group> {
-    let cases = one_by_one::book_rays(Precision::Double, |_| true);
-    let sphere = |case: &Case| (case.center, case.radius);
-    let two = [sphere(&cases[0]), sphere(&cases[cases.len() - 1])];
-    let rays: Vec<Ray> = cases.iter().map(|case| case.ray).collect();
+    let pixels = |k: u32| [k % 64 * 400 / 64, k / 64 * 225 / 64];
+    let book = (0..4096).map(pixels).collect();
+    let mut random = Random::new(2);
+    let mut pixel = || 16 + random.below(32);
+    let at_many = (0..64).map(|_| [pixel(), pixel()]).collect();
     vec![
-        group("book", &two, &rays),
-        group("many", &many_spheres(), &rays_at_many()),
+        group("book", &SPHERES, camera(), book),
+        group("many", &many_spheres(), Camera::with_size(64, 64), at_many),
     ]
 }
 
@@ -34,19 +36,19 @@ fn many_spheres() -> Vec<(Point3, f64)> {
     (0..MANY).map(sphere).collect()
 }
 
-/// Rays of the book's camera at this cube, as many as one round takes in some milliseconds.
-fn rays_at_many() -> Vec<Ray> {
-    let camera = Camera::with_size(64, 64);
-    let mut random = Random::new(2);
-    let mut pixel = || 16 + random.below(32);
-    (0..64).map(|_| camera.ray(pixel(), pixel())).collect()
-}
-
-fn group(place: &str, spheres: &[(Point3, f64)], rays: &[Ray]) -> Group {
+fn group(place: &str, spheres: &[(Point3, f64)], camera: Camera, pixels: Vec<[u32; 2]>) -> Group {
     let certified = |spheres: &[_], ray: &_| certified_nearest(spheres, ray, 0.0, f64::INFINITY);
+    let pixels = &pixels;
     Group(vec![
-        runner("half_b", place, spheres, rays, by_half_b),
-        runner("certified_nearest", place, spheres, rays, certified),
+        runner("half_b", place, spheres, camera, pixels, by_half_b),
+        runner(
+            "certified_nearest",
+            place,
+            spheres,
+            camera,
+            pixels,
+            certified,
+        ),
     ])
 }
 
@@ -54,17 +56,18 @@ fn runner(
     name: &str,
     place: &str,
     spheres: &[(Point3, f64)],
-    rays: &[Ray],
+    camera: Camera,
+    pixels: &[[u32; 2]],
     nearest: impl Fn(&[(Point3, f64)], &Ray) -> Option<(usize, f64)> + 'static,
 ) -> Runner {
-    let (spheres, rays) = (spheres.to_vec(), rays.to_vec());
-    let (n, work) = (spheres.len(), rays.len());
+    let (spheres, pixels) = (spheres.to_vec(), pixels.to_vec());
+    let (n, work) = (spheres.len(), pixels.len());
     let key = ["nearest", name, place];
-    Runner::new(key, Precision::Double, n, work, move || {
-        for ray in &rays {
-            black_box(nearest(black_box(&spheres), black_box(ray)));
-        }
-    })
+    let run = throughput(work, move |number| {
+        let [i, j] = pixels[number];
+        nearest(black_box(&spheres), &camera.ray(i, j))
+    });
+    Runner::new(key, Precision::Double, n, work, run)
 }
 
 fn by_half_b(spheres: &[(Point3, f64)], ray: &Ray) -> Option<(usize, f64)> {

@@ -16,6 +16,8 @@ pub struct Culprit {
     pub sphere: usize,
     /// Whether the ray leads from the hit point to the sun.
     pub is_to_sun: bool,
+    /// Whether the right sphere is seen, and is taken to be in the shadow or in the sun.
+    pub is_shadow: bool,
     /// The ray and the sphere.
     pub case: Case,
     /// Where the range of t begins.
@@ -29,19 +31,17 @@ impl Culprit {
     pub fn of(scene: &Scene, view: &View) -> Option<Self> {
         let pixel @ [i, j] = view.first_wrong?;
         let ray = Camera::new(scene.width).ray(i, j);
-        let eyes = [
-            Eye::Method(view.method),
-            Eye::Exact(view.method.precision()),
-        ];
-        let [seen, right] = eyes.map(|eye| scene.look(eye, &ray));
+        let [seen, right] = [Eye::Method(view.method), Eye::Exact].map(|eye| scene.look(eye, &ray));
         let from_eye = [seen.hit, right.hit].map(|hit| hit.map(|hit| hit.sphere));
         // It may have seen the right sphere, and asked about another ray to the sun
         // because its point is elsewhere: then that answer is right, and the one to
         // blame is that of the camera's ray.
-        let to_sun = seen.hit.zip(right.hit).and_then(|(seen, right)| {
-            let on_same = seen.sphere == right.sphere;
+        let shaded = seen.hit.zip(right.hit).filter(|(seen, right)| {
             let differ = seen.shaded_by.is_some() != right.shaded_by.is_some();
-            let ray = Ray::new(seen.point, scene.sun.filter(|_| on_same && differ)?);
+            seen.sphere == right.sphere && differ
+        });
+        let to_sun = shaded.and_then(|(seen, right)| {
+            let ray = Ray::new(seen.point, scene.sun?);
             let spheres = [seen, right].map(|hit: Hit| hit.shaded_by);
             worst(scene, &view.method, ray, T_MIN_OF_SHADOWS, spheres)
                 .filter(|(_, error)| error.is_infinite())
@@ -60,6 +60,7 @@ impl Culprit {
             colors: [color(seen.color), color(right.color)],
             sphere,
             is_to_sun,
+            is_shadow: shaded.is_some(),
             case,
             t_min,
             error,

@@ -5,8 +5,7 @@ mod culprit;
 
 use crate::contest::ratio;
 use crate::spread::Spread;
-use crate::wrong_pixels::{Drawn, View, levels_off};
-use common::rtweekend::*;
+use crate::wrong_pixels::View;
 use speed_vs_accuracy::{METHODS, Method, Precision, Scene};
 
 pub use culprit::Culprit;
@@ -15,11 +14,6 @@ pub use culprit::Culprit;
 pub struct Found {
     /// The precision.
     pub precision: Precision,
-    /// The right picture.
-    pub right: Picture,
-    /// In how many pixels it differs from the right picture in `f64`: what it costs to
-    /// round the scene itself.
-    pub changed: usize,
     /// The methods, the cheapest first.
     pub rows: Vec<Row>,
     /// The place of the least that suffices, if one does.
@@ -45,16 +39,15 @@ pub struct Row {
 }
 
 impl Found {
-    /// From what was drawn, and the times of all methods, the reference first. `finest`
-    /// is the right picture in `f64`, if that is another one.
+    /// From what the methods of that precision draw, and the times of all methods, the
+    /// reference first.
     pub fn new(
         scene: &Scene,
         precision: Precision,
-        finest: Option<&Picture>,
-        drawn: Drawn,
+        views: Vec<View>,
         times: &[(Method, Vec<f64>)],
     ) -> Self {
-        let views = drawn.by_method.into_iter();
+        let views = views.into_iter();
         let mut rows: Vec<Row> = views.map(|view| Row::new(view, times)).collect();
         rows.sort_by(|one, other| one.ratio.total_cmp(&other.ratio));
         let (least, ties) = least(&rows);
@@ -67,12 +60,7 @@ impl Found {
         let culprit = |n: usize| Some((n, Culprit::of(scene, &rows[n].view)?));
         Self {
             failing: failing.and_then(culprit),
-            changed: finest.map_or(0, |finest| {
-                let off = levels_off(finest, &drawn.right);
-                off.into_iter().filter(|&levels| levels > 1).count()
-            }),
             precision,
-            right: drawn.right,
             rows,
             least,
             ties,
@@ -90,7 +78,7 @@ impl Row {
         Self {
             view,
             ns: Spread::of(taken.clone()).least,
-            ratio: ratio(taken, reference),
+            ratio: ratio(taken, reference).median,
             times: taken.clone(),
         }
     }

@@ -15,7 +15,7 @@ use ruint::Uint;
 
 use super::exact::{inwards, split};
 use super::filter::{U, Unclear, lies_between};
-use crate::methods::two_to;
+use super::rescaled::two_to;
 use crate::methods::{Double, Quadratic};
 
 /// Bound W: a root as a pair is off by no more than 64u² of itself.

@@ -34,7 +34,8 @@ use sharper::sharper;
 pub use exact::{exact, exact_discriminant};
 pub use filter::D_BAND;
 pub use leaving::{
-    Departure, LEAVINGS, Leaving, after_t_min, at_once, integer_offset, pbrt_offset, proven_offset,
+    Departure, LEAVINGS, Leaving, after_t_min, at_once, integer_offset, optix_offset, pbrt_offset,
+    proven_offset,
 };
 pub use nearest::certified_nearest;
 
@@ -84,8 +85,7 @@ pub fn certified_hit(
     t_min: f64,
     t_max: f64,
 ) -> Option<f64> {
-    filter::<false>(center, radius, ray, t_min, t_max)
-        .unwrap_or_else(|Unclear| later_stages::<false>(center, radius, ray, t_min, t_max).0)
+    staged::<false>(center, radius, ray, t_min, t_max).0
 }
 
 /// As [`certified_hit`], and `t` is within one ulp of the exact root.
@@ -96,8 +96,7 @@ pub fn certified_hit(
 /// beyond the largest `f64` becomes that. Fails: never.
 #[inline]
 pub fn certified_t(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
-    filter::<true>(center, radius, ray, t_min, t_max)
-        .unwrap_or_else(|Unclear| later_stages::<true>(center, radius, ray, t_min, t_max).0)
+    staged::<true>(center, radius, ray, t_min, t_max).0
 }
 
 /// [`certified_t`] on numbers that are stored in `f32`.
@@ -136,18 +135,31 @@ pub enum Stage {
 
 /// The stage at which [`certified_hit`] has its answer.
 pub fn stage_of_hit(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Stage {
-    stage::<false>(center, radius, ray, t_min, t_max)
+    staged::<false>(center, radius, ray, t_min, t_max).1
 }
 
 /// The stage at which [`certified_t`] has its answer.
 pub fn stage_of_t(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Stage {
-    stage::<true>(center, radius, ray, t_min, t_max)
+    staged::<true>(center, radius, ray, t_min, t_max).1
 }
 
-fn stage<const ULP: bool>(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Stage {
+/// The answer, and the stage that has it.
+#[inline(always)]
+fn staged<const ULP: bool>(
+    center: Point3,
+    radius: f64,
+    ray: &Ray,
+    t_min: f64,
+    t_max: f64,
+) -> (Option<f64>, Stage) {
     match filter::<ULP>(center, radius, ray, t_min, t_max) {
-        Ok(_) => Stage::Filter,
-        Err(Unclear) => later_stages::<ULP>(center, radius, ray, t_min, t_max).1,
+        Ok(t) => (t, Stage::Filter),
+        Err(Unclear) => {
+            // A copy: a ray whose address is asked for would be kept in memory, and the
+            // filter would wait until one that was just made is written there.
+            let ray = Ray::new(ray.origin, ray.direction);
+            later_stages::<ULP>(center, radius, &ray, t_min, t_max)
+        }
     }
 }
 

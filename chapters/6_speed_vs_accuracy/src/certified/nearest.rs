@@ -20,7 +20,7 @@ use super::exact::comes_before;
 /// and so is everything in a range between whose ends no `f64` lies.
 ///
 /// Cost: that of [`certified_t`] for each sphere that comes before all earlier
-/// ones, and of its decision for the others. Two roots within a few ulps of each
+/// ones, and of its decision for the others. Two roots within two ulps of each
 /// other are compared in integers, which takes about twice as long as
 /// [`exact`](crate::exact()). Fails: never. Proof: letter N.
 pub fn certified_nearest(
@@ -36,20 +36,14 @@ pub fn certified_nearest(
             continue;
         };
         let is_first = nearest.is_none_or(|(other, of_other)| {
-            above(t) <= -above(-of_other)
+            t.next_up() <= of_other.next_down()
                 || comes_before([(center, radius), spheres[other]], ray, t_min, t_max)
         });
         if is_first {
             nearest = Some((index, t));
             // What is farther than this by more than rounding need not be refined.
-            end = t_max.min(above(t));
+            end = t_max.min(t.next_up());
         }
     }
     nearest
-}
-
-/// A number above every root of which `t` may be the rounding: two steps, because
-/// an ulp of the root is two of these where `t` lies just below a power of two.
-fn above(t: f64) -> f64 {
-    t.next_up().next_up()
 }

@@ -5,13 +5,12 @@
 use common::rtweekend::*;
 
 use super::filter::{Unclear, filter};
-use crate::methods::{exponent, two_to};
 
 /// The filter, asked in units in which neither the scene nor the direction is
 /// much longer than 1.
 ///
-/// Unclear if the filter says so, or if a number would lose a digit: a coordinate that is smaller by 2¹⁰⁰⁰ than another
-/// one, or an end of the range beyond the largest number.
+/// Unclear if the filter says so, or if a number would lose a digit: a coordinate that is
+/// smaller by 2¹⁰⁰⁰ than another one, or an end of the range beyond the largest number.
 #[inline(always)]
 pub(super) fn rescaled<const ULP: bool>(
     center: Point3,
@@ -46,4 +45,18 @@ fn in_units(v: Vec3, exponent: i32) -> Result<Vec3, Unclear> {
     } else {
         Err(Unclear)
     }
+}
+
+/// The exponent of the power of two not above `x` > 0, kept within ±1000 so
+/// that [`two_to`] has it with either sign.
+#[inline]
+fn exponent(x: f64) -> i32 {
+    let field = (x.to_bits() >> 52) as i32;
+    (field - 1023).clamp(-1000, 1000)
+}
+
+/// 2 to the power `exponent`, from −1022 to 1023.
+#[inline]
+pub(super) fn two_to(exponent: i32) -> f64 {
+    f64::from_bits(((1023 + exponent) as u64) << 52)
 }

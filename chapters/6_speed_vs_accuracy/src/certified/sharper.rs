@@ -40,7 +40,7 @@ pub(super) fn sharper<const ULP: bool>(
     if discriminant.value < -discriminant.error {
         return Ok(None);
     }
-    // From here on q is known to one part in 30.
+    // From here on q is known to one part in 20.
     if discriminant.value <= S_D_BAND * discriminant.error {
         return Err(Unclear);
     }
@@ -58,15 +58,14 @@ pub(super) fn sharper<const ULP: bool>(
 struct Sharper {
     a: f64,
     h: f64,
-    /// |d||oc|
-    s: f64,
-    /// c = |C − Q|² − r², with 70 digits of M.
+    /// c = |C − Q|² − r², with 70 digits of M; off by u·|c| besides.
     c: Bounded,
-    /// D = a·r² − |d × oc|².
+    /// D = a·r² − |d × oc|²; off by 6u·|D| besides.
     discriminant: Bounded,
 }
 
-/// A computed number, and how far it is from the exact one at most.
+/// A computed number, and how far it is from the exact one at most. What is off by a few
+/// u of itself keeps its sign: that is counted where it ends, in the roots.
 #[derive(Clone, Copy, Debug)]
 struct Bounded {
     /// What was computed.
@@ -94,75 +93,46 @@ impl Sharper {
         let a = ray.direction.length_squared();
         let (oc_squared, r_squared) = (oc.length_squared(), radius * radius);
         let across = ray.direction.cross(oc).length_squared();
-        let s_squared = a * oc_squared;
+        let (w, s) = (across.sqrt(), (a * oc_squared).sqrt());
+        let m = oc_squared + r_squared;
         Self {
             a,
             h: ray.direction.dot(oc),
-            s: s_squared.sqrt(),
-            c: c(center, radius, ray.origin, oc_squared + r_squared),
-            discriminant: discriminant(a * r_squared, across, s_squared),
+            c: Bounded {
+                value: refined::c(center, radius, ray.origin, m),
+                error: U * m / 524_288.0,
+            },
+            discriminant: Bounded {
+                value: a * r_squared - across,
+                error: U * s * (20.0 * w + 64.0 * U * s),
+            },
         }
     }
 
     /// Both roots, the nearer one first, where D is more than 16 times its bound.
     #[inline(always)]
-    fn roots(&self) -> impl Iterator<Item = Quotient> {
-        let q = q(self.h, self.s, self.discriminant);
-        let a = Bounded {
-            value: self.a,
-            error: 4.0 * U * self.a,
-        };
-        let roots = if q.value > 0.0 {
-            [(self.c, q), (q, a)]
+    fn roots(&self) -> [Quotient; 2] {
+        let root = self.discriminant.value.sqrt();
+        let q = self.h + root.copysign(self.h);
+        // All that is off by a few u of itself, here and in both roots, is 15u·|q| at most.
+        let error = 16.0 * U * q.abs() + 0.75 * self.discriminant.error / root;
+        let over_a = quotient(q, self.a, error);
+        let t = self.c.value / q;
+        let under_q = quotient(self.c.value, q, self.c.error + t.abs() * error);
+        if q > 0.0 {
+            [under_q, over_a]
         } else {
-            [(q, a), (self.c, q)]
-        };
-        roots
-            .into_iter()
-            .map(|(numerator, denominator)| quotient(numerator, denominator))
+            [over_a, under_q]
+        }
     }
 }
 
+/// A sixteenth more than the `error`: for terms in u², and the roundings of the bounds.
 #[inline(always)]
-fn quotient(numerator: Bounded, denominator: Bounded) -> Quotient {
-    let t = numerator.value / denominator.value;
-    let scale = denominator.value.abs();
-    let error = numerator.error + t.abs() * (denominator.error + U * scale);
+fn quotient(numerator: f64, denominator: f64, error: f64) -> Quotient {
     Quotient {
-        t,
-        // A sixteenth more: for terms in u², and the roundings of the bounds.
+        t: numerator / denominator,
         error: 1.0625 * error,
-        scale,
-    }
-}
-
-/// c = |C − Q|² − r² with 70 digits of M (bound S).
-#[inline(always)]
-fn c(center: Point3, radius: f64, origin: Point3, m: f64) -> Bounded {
-    let value = refined::c(center, radius, origin, m);
-    Bounded {
-        value,
-        error: 2.0 * U * (value.abs() + m / 1_048_576.0),
-    }
-}
-
-/// D = `r` − `across`, from a·r², |d × oc|² and s = |d|²|oc|² (bound S).
-#[inline(always)]
-fn discriminant(r: f64, across: f64, s: f64) -> Bounded {
-    let size = across.sqrt() * s.sqrt() + across + r;
-    Bounded {
-        value: r - across,
-        error: 8.0 * U * size + 32.0 * U * U * s,
-    }
-}
-
-/// q = h ± √D with the sign of h (bound S); the error of h is counted in `s` = |d||oc|.
-#[inline(always)]
-fn q(h: f64, s: f64, discriminant: Bounded) -> Bounded {
-    let root = discriminant.value.sqrt();
-    let value = h + root.copysign(h);
-    Bounded {
-        value,
-        error: U * (5.0 * s + 3.0 * value.abs()) + 0.75 * discriminant.error / root,
+        scale: denominator.abs(),
     }
 }

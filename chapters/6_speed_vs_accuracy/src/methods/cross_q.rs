@@ -23,11 +23,13 @@ impl Method {
 }
 
 /// The discriminant by the identity of Lagrange: (d·oc)² + |d × oc|² is
-/// |d|²·|oc|², so D = a·r² − |d × oc|², without the division of [`haines_q`](crate::haines_q).
+/// |d|²·|oc|², so D = a·r² − |d × oc|².
 ///
-/// Cost: 1 √, 1 ÷. Error of D: u·(6w·|d||oc| + 6w² + 6a·r²) with w = |d × oc|: at
-/// small far spheres it decides as [`haines`](crate::haines) does. Fails: near the surface, where c
-/// has lost its digits, and by some ten thousand ulps on the book's ground.
+/// Cost: 1 √, 1 ÷. Error of D: u·(6w·|d||oc| + 6w² + 6a·r²) with w = |d × oc|. Fails:
+/// near the surface, where c has lost its digits, and by some ten thousand ulps on the
+/// book's ground. Source: the discriminant as a distance is that of Haines, Günther and
+/// Akenine-Möller, *Precision Improvements for Ray/Sphere Intersection*, in Ray Tracing
+/// Gems, 2019; the cross product spares its division.
 #[inline]
 pub fn cross_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     let oc = center - ray.origin;

@@ -33,17 +33,6 @@ pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
     (product, error)
 }
 
-/// a·b − c·d, off by less than 2 units in the last place.
-///
-/// Source: Boldo, *Kahan's algorithm for a correct discriminant computation at
-/// last formally proven*, 2009.
-#[inline]
-pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
-    let (ab, ab_error) = two_product(a, b);
-    let (cd, cd_error) = two_product(c, d);
-    (ab - cd) + (ab_error - cd_error)
-}
-
 /// c = |C − Q|² − r², off by no more than u·|c| + 64u²·(|C − Q|² + r²).
 pub(crate) fn c(center: Point3, radius: f64, origin: Point3) -> f64 {
     let (mut sum, mut error) = two_product(radius, -radius);

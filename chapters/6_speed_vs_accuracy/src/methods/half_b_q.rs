@@ -25,7 +25,7 @@ pub fn half_b_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) 
 }
 
 /// The nearest root of a·t² − 2h·t + c in the range, each by the division that
-/// does not cancel.
+/// does not cancel; divides no sooner than it must.
 #[inline]
 pub(crate) fn nearest_by_q(
     a: f64,
@@ -35,7 +35,12 @@ pub(crate) fn nearest_by_q(
     t_min: f64,
     t_max: f64,
 ) -> Option<f64> {
-    nearest_of(roots_by_q(a, h, c, discriminant)?, |t| t, t_min, t_max)
+    let [nearer, farther] = roots_by_q(a, h, c, discriminant)?;
+    let root = |(numerator, denominator)| {
+        let t = numerator / denominator;
+        (t_min < t && t < t_max).then_some(t)
+    };
+    root(nearer).or_else(|| root(farther))
 }
 
 /// Both roots as numerator and denominator, the nearer one first.
@@ -55,20 +60,4 @@ pub(crate) fn roots_by_q(a: f64, h: f64, c: f64, discriminant: f64) -> Option<[(
     } else {
         [(q, a), (c, q)]
     })
-}
-
-/// The first of two fractions that lies in the range; divides no sooner than it
-/// must.
-#[inline]
-pub(crate) fn nearest_of(
-    [nearer, farther]: [(f64, f64); 2],
-    unscaled: impl Fn(f64) -> f64,
-    t_min: f64,
-    t_max: f64,
-) -> Option<f64> {
-    let root = |(numerator, denominator)| {
-        let t = unscaled(numerator / denominator);
-        (t_min < t && t < t_max).then_some(t)
-    };
-    root(nearer).or_else(|| root(farther))
 }

@@ -8,7 +8,7 @@ use common::rtweekend::{Point3, Ray};
 use glam::Vec3;
 
 use super::half_b_q::half_b_q;
-use crate::method::{Discriminant, Method};
+use crate::method::Method;
 use crate::precision::{Precision, SingleRay};
 
 impl Method {
@@ -16,15 +16,6 @@ impl Method {
     pub const HALF_B_F32: Self = Self {
         root_cancels: true,
         ..Self::single("half_b_f32", half_b_f32)
-    };
-
-    /// The same discriminant, and roots that do not cancel, in `f32`.
-    pub const HALF_B_Q_F32: Self = Self::single("half_b_q_f32", half_b_q_f32);
-
-    /// The cross product in `f32`.
-    pub const CROSS_Q_F32: Self = Self {
-        discriminant: Discriminant::Distance,
-        ..Self::single("cross_q_f32", cross_q_f32)
     };
 
     /// Input in `f32`, and all between in `f64`.
@@ -60,46 +51,6 @@ pub fn half_b_f32(
     Some((h - sqrtd) / a)
         .filter(in_range)
         .or_else(|| Some((h + sqrtd) / a).filter(in_range))
-}
-
-/// As [`half_b_q`](crate::half_b_q), in `f32`.
-///
-/// Cost: 1 √, 1 ÷. Fails: where [`half_b_f32`] does, but keeps its digits above
-/// the book's ground.
-#[inline]
-pub fn half_b_q_f32(
-    center: Vec3,
-    radius: f32,
-    ray: &SingleRay,
-    t_min: f32,
-    t_max: f32,
-) -> Option<f32> {
-    let oc = center - ray.origin;
-    let a = ray.direction.length_squared();
-    let h = ray.direction.dot(oc);
-    let c = oc.length_squared() - radius * radius;
-    nearest_by_q(a, h, c, h * h - a * c, t_min, t_max)
-}
-
-/// As [`cross_q`](crate::cross_q), in `f32`.
-///
-/// Cost: 1 √, 1 ÷. Fails: by the decision from 100 radii on, once in a million, and
-/// near the surface as all that round c.
-#[inline]
-pub fn cross_q_f32(
-    center: Vec3,
-    radius: f32,
-    ray: &SingleRay,
-    t_min: f32,
-    t_max: f32,
-) -> Option<f32> {
-    let oc = center - ray.origin;
-    let a = ray.direction.length_squared();
-    let h = ray.direction.dot(oc);
-    let r_squared = radius * radius;
-    let discriminant = a * r_squared - ray.direction.cross(oc).length_squared();
-    let c = oc.length_squared() - r_squared;
-    nearest_by_q(a, h, c, discriminant, t_min, t_max)
 }
 
 /// [`half_b_q`](crate::half_b_q) on numbers that are stored in `f32`: widened,
@@ -139,23 +90,4 @@ pub(crate) fn widened(
     }
     let t = t.max(t_min.next_up()).min(t_max.next_down());
     (t_min < t && t < t_max).then_some(t)
-}
-
-/// As in [`half_b_q`](crate::half_b_q): the sum q cancels nothing, and the roots are c/q and q/a.
-#[inline]
-fn nearest_by_q(a: f32, h: f32, c: f32, discriminant: f32, t_min: f32, t_max: f32) -> Option<f32> {
-    if discriminant < 0.0 {
-        return None;
-    }
-    let q = h + discriminant.sqrt().copysign(h);
-    let (nearer, farther) = if q > 0.0 {
-        ((c, q), (q, a))
-    } else {
-        ((q, a), (c, q))
-    };
-    let root = |(numerator, denominator): (f32, f32)| {
-        let t = numerator / denominator;
-        (t_min < t && t < t_max).then_some(t)
-    };
-    root(nearer).or_else(|| root(farther))
 }

@@ -9,4 +9,4 @@ mod scene;
 pub use case::Case;
 pub use failure_map::{FailureMap, beside, failure_map, tangent};
 pub use regimes::{REGIMES, Random, Regime, find_regime};
-pub use scene::{Eye, Hit, Lens, Scene, Sight, T_MIN_OF_SHADOWS};
+pub use scene::{Eye, Hit, Lens, Scene, Sight, T_MIN_OF_SHADOWS, unit};

@@ -1,4 +1,4 @@
-//! The workload: seven situations, here called *regimes*, in which every method is
+//! The workload: six situations, here called *regimes*, in which every method is
 //! tried.
 //!
 //! The cases are random, and the same on every machine: only operations that
@@ -27,14 +27,13 @@ pub struct Regime {
 }
 
 /// All regimes, the book’s first.
-pub const REGIMES: [Regime; 7] = [
+pub const REGIMES: [Regime; 6] = [
     Regime::BOOK,
     Regime::GRAZING,
     Regime::FAR,
     Regime::NEAR_SURFACE,
     Regime::GROUND,
     Regime::INSIDE,
-    Regime::EXPONENTS,
 ];
 
 /// The regime of that name.
@@ -95,15 +94,6 @@ impl Regime {
         level: "the ray starts at (1 − 10⁻ᵏ) radii from the center",
         levels: [(0, 12), (0, 5)],
         case: inside,
-    };
-
-    /// In units that are very large or very small.
-    pub const EXPONENTS: Self = Self {
-        name: "exponents",
-        title: "very large and very small numbers",
-        level: "lengths in space from 2⁻ᵏ to 2ᵏ, and so the direction’s",
-        levels: [(500, 500), (60, 60)],
-        case: exponents,
     };
 
     /// So many cases from all levels alike, always the same for one `seed`.
@@ -213,25 +203,6 @@ fn inside(random: &mut Random, level: i32) -> Case {
     }
 }
 
-/// An ordinary ray and sphere, in a very large or very small unit of length,
-/// and the direction in another one.
-fn exponents(random: &mut Random, level: i32) -> Case {
-    let miss_by = random.between(0.0, 1.2);
-    let Case {
-        center,
-        radius,
-        ray,
-    } = aimed(random, 3.0, miss_by);
-    let mut unit =
-        || power_of_two(random.below(2 * level.unsigned_abs() + 1).cast_signed() - level);
-    let (length, stretch) = (unit(), unit());
-    Case {
-        center: length * center,
-        radius: length * radius,
-        ray: Ray::new(length * ray.origin, stretch * ray.direction),
-    }
-}
-
 /// A ray that starts `away` radii before a sphere of ordinary size, and whose
 /// line passes the center at `miss_by` radii.
 fn aimed(random: &mut Random, away: f64, miss_by: f64) -> Case {
@@ -259,11 +230,6 @@ fn sphere(random: &mut Random, radius: f64) -> (Point3, f64) {
 /// 10 to a power from 0 to 22, which an `f64` holds exactly.
 fn power_of_ten(exponent: i32) -> f64 {
     (0..exponent).fold(1.0, |power, _| 10.0 * power)
-}
-
-/// 2 to a power from −1022 to 1023.
-fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((1023 + exponent) as u64) << 52)
 }
 
 /// Random numbers, the same on every machine.

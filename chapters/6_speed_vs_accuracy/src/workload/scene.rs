@@ -14,7 +14,7 @@ pub struct Scene {
     pub name: String,
     /// How wide its picture should be, in pixels.
     pub width: u32,
-    /// Towards the sun, if it casts shadows.
+    /// A unit vector towards the sun, if it casts shadows.
     pub sun: Option<Vec3>,
     /// How its eye looks at them.
     pub lens: Lens,
@@ -23,7 +23,7 @@ pub struct Scene {
 }
 
 /// Shadow rays that hit closer than this are taken to hit where they start, as
-/// in the book's later chapters.
+/// in the book's later chapters: a length in the unit of the scene.
 pub const T_MIN_OF_SHADOWS: f64 = 1e-3;
 
 impl Scene {
@@ -44,10 +44,10 @@ impl Scene {
         self.seen_by(Eye::Method(method), width)
     }
 
-    /// The picture that a method of that precision should draw: all numbers are
-    /// rounded to it, and then nothing is, not even to tell which sphere is first.
-    pub fn right_picture(&self, precision: Precision, width: u32) -> Picture {
-        self.seen_by(Eye::Exact(precision), width)
+    /// The picture that every method should draw, whatever it computes with: of the
+    /// numbers as they are, none is rounded to tell which sphere is first, or where.
+    pub fn right_picture(&self, width: u32) -> Picture {
+        self.seen_by(Eye::Exact, width)
     }
 
     /// Left of the middle as one method sees it, right of it as another does.
@@ -70,7 +70,8 @@ impl Scene {
         })
     }
 
-    /// Whether no number of the scene, and of its rays, is too large for `precision`.
+    /// Whether no number of the scene, and of its rays, is too large for `precision`, and
+    /// no radius and no direction too small.
     pub fn fits(&self, precision: Precision) -> bool {
         let camera = Camera::new(self.width);
         let [right, bottom] = [camera.image_width - 1, camera.image_height - 1];
@@ -84,8 +85,9 @@ impl Scene {
                     radius,
                     ray,
                 };
-                let numbers = case.rounded(precision).numbers();
-                numbers.iter().all(|number| number.is_finite())
+                let case = case.rounded(precision);
+                let is_something = case.radius != 0.0 && case.ray.direction != Vec3::ZERO;
+                is_something && case.numbers().iter().all(|number| number.is_finite())
             })
         })
     }
@@ -141,7 +143,7 @@ impl Scene {
         let cases: Vec<Case> = cases.map(|case| case.rounded(eye.precision())).collect();
         let (sphere, t) = match eye {
             Eye::Method(method) => closest_so_far(&cases, &method, t_min),
-            Eye::Exact(_) => first(&cases, t_min),
+            Eye::Exact => first(&cases, t_min),
         }?;
         Some((sphere, cases[sphere], t))
     }
@@ -215,7 +217,7 @@ impl Default for Lens {
 }
 
 /// The unit vector along `v`, which may be as long or short as numbers allow.
-fn unit(v: Vec3) -> Vec3 {
+pub fn unit(v: Vec3) -> Vec3 {
     // Else its square might overflow, or underflow.
     let v = v / v.abs().max_element();
     v.normalize()
@@ -226,16 +228,15 @@ fn unit(v: Vec3) -> Vec3 {
 pub enum Eye {
     /// A method, in the precision that it computes with.
     Method(Method),
-    /// Exact arithmetic: only the scene, and the points that are found, are rounded to
-    /// this precision.
-    Exact(Precision),
+    /// Exact arithmetic: only the points that are found are rounded, to `f64`.
+    Exact,
 }
 
 impl Eye {
     fn precision(&self) -> Precision {
         match self {
             Self::Method(method) => method.precision(),
-            Self::Exact(precision) => *precision,
+            Self::Exact => Precision::Double,
         }
     }
 }

@@ -1,0 +1,43 @@
+//! Instruction counts: what valgrind counts while one loop runs twice, less what it counts
+//! while it runs once. Unlike times they are the same again.
+
+use std::env;
+use std::process::Command;
+
+use figures::records::Timing;
+use measure::contest::Group;
+
+/// Instructions for one question of that row, if there is a valgrind.
+pub(crate) fn of(row: &Timing) -> Option<f64> {
+    let [once, twice] = [1, 2].map(|runs| counted(&key(row), runs));
+    Some((twice? - once?) as f64 / row.n as f64)
+}
+
+/// Runs the loop of that key so often: what valgrind watches.
+///
+/// # Panics
+/// If there is none.
+pub(crate) fn run(groups: impl IntoIterator<Item = Group>, wanted: &str, runs: usize) {
+    let mut runners = groups.into_iter().flat_map(|Group(runners)| runners);
+    let found = runners.find(|runner| key(&runner.row) == wanted);
+    let mut runner = found.unwrap_or_else(|| panic!("no loop is called {wanted}"));
+    for _ in 0..runs {
+        (runner.run)();
+    }
+}
+
+fn key(row: &Timing) -> String {
+    format!("{}/{}/{}", row.what, row.name, row.place)
+}
+
+fn counted(key: &str, runs: usize) -> Option<i64> {
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .arg(env::current_exe().ok()?)
+        .args(["--only", key, "--runs", &runs.to_string()])
+        .output()
+        .ok()?;
+    let said = String::from_utf8_lossy(&output.stderr);
+    let count = said.split("Collected : ").nth(1)?.lines().next()?;
+    count.trim().parse().ok()
+}
