@@ -11,6 +11,7 @@
 pub mod answers;
 pub mod camera;
 pub mod causes;
+mod functions;
 pub mod intervals;
 pub mod list;
 pub mod nearer_root;
@@ -30,6 +31,7 @@ pub mod trial;
 pub mod truth;
 pub mod verdict;
 
+pub use common::rtweekend::{Color, Point3, Ray};
 pub use intervals::WithInterval;
 pub use slips::Chapter;
 pub use speed_vs_accuracy::Case;

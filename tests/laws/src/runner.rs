@@ -59,6 +59,15 @@ pub fn succeed(outcome: Outcome) {
     }
 }
 
+/// The same of several functions. All are tried before the first report is shown, so that
+/// all that they answer can be kept.
+///
+/// # Panics
+/// If a law is broken.
+pub fn all_succeed<const N: usize>(outcomes: [Outcome; N]) {
+    outcomes.into_iter().for_each(succeed);
+}
+
 /// Puts `decide` under every law for a decision, with this one case.
 ///
 /// # Panics

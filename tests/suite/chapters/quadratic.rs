@@ -3,13 +3,12 @@
 //! The laws and their bounds are in the package `laws`, and so are the rays and
 //! spheres, and the mistakes that a report names.
 
-use std::cell::Cell;
+use std::convert::identity;
 
-use ::hittable_list::{HitRecord, Hittable, HittableList, Sphere, world};
+use ::hittable_list::{Hittable, HittableList, Sphere};
 use common::rtweekend::*;
 use laws::list::{self, World, worlds};
 use laws::prelude::Prelude;
-use laws::record::Hit;
 use laws::runner::{self, holds};
 use laws::trial::Outcome;
 use laws::{Case, Trial};
@@ -91,6 +90,7 @@ pub(crate) mod half_b_sphere {
 
 pub(crate) mod hittable_list {
     use super::*;
+    use ::hittable_list;
 
     pub(crate) fn obeys_its_laws() {
         assert_lawful(Chapter::HittableList, |trial| {
@@ -99,7 +99,7 @@ pub(crate) mod hittable_list {
             trial.list(&nearest)?;
             trial.list(&nested)?;
             trial.range(&range)?;
-            trial.ray_color(&|ray: &Ray| ::hittable_list::ray_color(ray, &world()))
+            trial.ray_color(&ray_color)
         });
         a_list_of_one_is_that_one();
         a_nested_list_is_the_flat_list();
@@ -126,47 +126,7 @@ pub(crate) mod hittable_list {
         });
     }
 
-    fn hit(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
-        let sphere = Sphere::new(center, radius);
-        sphere.hit(ray, t_min, t_max).map(|hit| hit.t)
-    }
-
-    fn record(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
-        let record = Sphere::new(center, radius).hit(ray, t_min, t_max)?;
-        Some(Hit {
-            t: record.t,
-            point: record.point,
-            normal: record.normal,
-            front_face: record.front_face,
-        })
-    }
-
-    fn nearest(world: &World) -> Option<f64> {
-        let mut list = HittableList::default();
-        for &(center, radius) in &world.spheres {
-            list.add(Sphere::new(center, radius));
-        }
-        nearest_of(&list, world)
-    }
-
-    fn range(ray: &Ray) -> Option<[f64; 2]> {
-        let nothing = Nothing::default();
-        ::hittable_list::ray_color(ray, &nothing);
-        nothing.asked.get()
-    }
-
-    /// Is never hit, and keeps the range that it was asked for.
-    #[derive(Default)]
-    struct Nothing {
-        asked: Cell<Option<[f64; 2]>>,
-    }
-
-    impl Hittable for Nothing {
-        fn hit(&self, _ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
-            self.asked.set(Some([t_min, t_max]));
-            None
-        }
-    }
+    laws::functions_of_a_list!(hittable_list, Ray, identity, identity, identity);
 
     /// Each sphere in a list with all that follow it.
     fn nested(world: &World) -> Option<f64> {

@@ -1,12 +1,14 @@
 //! Your functions, under the laws: `cargo test`
 
-use laws::runner::succeed;
+use laws::runner::all_succeed;
 use laws::{Chapter, Trial};
 use my_chapter::{hit_sphere, ray_color};
 
 #[test]
 fn hit_sphere_and_ray_color_obey_the_laws() {
     let trial = Trial::of(Chapter::MyChapter);
-    succeed(trial.nearer_root(&hit_sphere));
-    succeed(trial.ray_color(&ray_color));
+    all_succeed([
+        trial.nearer_root(&hit_sphere),
+        trial.ray_color(&ray_color),
+    ]);
 }

@@ -2,15 +2,17 @@
 
 use common::rtweekend as ours;
 use laws::prelude::Prelude;
-use laws::runner::succeed;
+use laws::runner::all_succeed;
 use laws::{Chapter, Trial};
 use my_chapter::rtweekend::{Ray, Vec3};
 
 #[test]
 fn prelude_and_ray_color_obey_the_laws() {
     let trial = Trial::of(Chapter::MyChapter);
-    succeed(trial.prelude(&|asked| asked.put_to(&prelude())));
-    succeed(trial.ray_color(&ray_color));
+    all_succeed([
+        trial.prelude(&|asked| asked.put_to(&prelude())),
+        trial.ray_color(&ray_color),
+    ]);
 }
 
 fn ray_color(ray: &ours::Ray) -> ours::Color {

@@ -2,16 +2,18 @@
 
 use common::rtweekend as ours;
 use laws::prelude::Prelude;
-use laws::runner::succeed;
+use laws::runner::all_succeed;
 use laws::{Chapter, Trial};
 use my_chapter::rtweekend::{Ray, Vec3};
 
 #[test]
 fn prelude_hit_sphere_and_ray_color_obey_the_laws() {
     let trial = Trial::of(Chapter::MyChapter);
-    succeed(trial.prelude(&|asked| asked.put_to(&prelude())));
-    succeed(trial.nearer_root(&hit_sphere));
-    succeed(trial.ray_color(&ray_color));
+    all_succeed([
+        trial.prelude(&|asked| asked.put_to(&prelude())),
+        trial.nearer_root(&hit_sphere),
+        trial.ray_color(&ray_color),
+    ]);
 }
 
 fn hit_sphere(center: ours::Point3, radius: f64, ray: &ours::Ray) -> Option<f64> {
