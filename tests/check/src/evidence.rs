@@ -59,7 +59,13 @@ impl Known<'_> {
             return Vec::new();
         }
         let is_there = |slip: &&Slip| self.said(slip, scene) == Said::Wrong;
+        let right = scene.program(&[]).run(scene.chapter.book_width()).picture();
+        let hides = |slip: &&'static Slip| {
+            let program = scene.program(&[slip]);
+            program.run(scene.chapter.book_width()).picture() == right
+        };
         let found = scene.slips().filter(is_meant).filter(is_there);
+        let found = found.filter(hides);
         let mut found: Vec<_> = found.collect();
         found.sort_by_key(|slip| Reverse(slip.reports()));
         found
@@ -115,9 +121,9 @@ pub(crate) struct Evidence<'a> {
 const ANSWER: f64 = 14.0;
 /// Of more answers than one in fifty nobody can say that they are due to rounding.
 const REFUTING: usize = 50;
-/// The line of a slip that is in none of the reader's files may be written in other words,
-/// of which nothing is known.
-const NOT_FOUND: f64 = 4.0;
+/// The line of a slip that is in none of the reader's files: it is written in other words, as
+/// one line in three is, and a line as wrong as that is in one file in fifty by chance.
+const NOT_FOUND: f64 = 7.0;
 /// The same where a line is known that is not the chapter's.
 const ELSEWHERE: f64 = 2.0;
 /// A line that is as it should be: its copy elsewhere may be wrong, once in thousands.
@@ -170,12 +176,17 @@ impl<'a> Evidence<'a> {
 
     /// The slips that the reader can have made in the scene.
     pub(crate) fn slips(&self, scene: &Scene) -> impl Iterator<Item = &'static Slip> {
-        let (chapter, can_be_made) = (scene.chapter, self.known.can_be_made);
+        let chapter = scene.chapter;
         let unnamed = slips::unnamed().filter(move |slip| slip.chapters.contains(&chapter));
         scene
             .slips()
             .chain(unnamed)
-            .filter(move |slip| can_be_made.is_none_or(|can_be| can_be(slip)))
+            .filter(|slip| self.may_be_wrong(slip))
+    }
+
+    /// Whether the reader can have made the slip.
+    pub(crate) fn may_be_wrong(&self, slip: &Slip) -> bool {
+        self.known.can_be_made.is_none_or(|can_be| can_be(slip))
     }
 
     /// The same hypothesis with what the evidence besides the picture costs.
