@@ -9,7 +9,7 @@ use crate::explanations::{
     But, Degradation, Explanation, Hypothesis, Places, TWO, antialiased, degradations, in_colors,
     mutants, on_a_curve, own_spheres, right, single, turned, two,
 };
-use crate::scene::Scene;
+use crate::scene::{Chosen, Scene};
 use ::slips::Edition;
 
 /// What was found.
@@ -192,11 +192,16 @@ impl Search<'_> {
             true => WELL_EXPLAINED,
             false => CONFIRMED,
         };
-        if self.best().bits() < enough {
+        // A slip in another edition draws much by chance, and so do colors that anyone may choose.
+        let is_enough = |it: &Explanation| {
+            let is_asked = it.scene.edition == evidence.scene.edition;
+            is_asked && it.scene.chosen == Chosen::default() && it.bits() < enough
+        };
+        if self.found.iter().any(is_enough) {
             return;
         }
         // A single change that is found has to explain most of what is left.
-        let most = self.best().bits() / 4.0;
+        let most = (self.best().bits() / 4.0).max(WELL_EXPLAINED);
         let places = Places::new(reading, Some(drawn), PEEK);
         let near = mutants(evidence).filter_map(|it| {
             let length = it.estimated(reading, &places, most)?;

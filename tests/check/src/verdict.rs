@@ -358,7 +358,7 @@ impl Judgement {
         let is_like = |it: &&Explanation| {
             it.mark == explaining.mark
                 && is_same(&it.scene, &explaining.scene)
-                && are_same(&it.slips, &explaining.slips)
+                && are_alike(&it.slips, &explaining.slips)
         };
         let like = self.found.iter().filter(is_like);
         like.map(|it| it.scene.edition).collect()
@@ -385,7 +385,10 @@ fn sets(judgement: &Judgement) -> Vec<Set> {
     for it in told.filter(|it| !it.slips.is_empty()) {
         match sets.iter_mut().find(|(mark, _)| *mark == it.mark) {
             Some((_, set)) => {
-                let is_new = set.mistakes.iter().all(|other| !are_same(other, &it.slips));
+                let is_new = set
+                    .mistakes
+                    .iter()
+                    .all(|other| !are_alike(other, &it.slips));
                 set.mistakes.extend(is_new.then(|| it.slips.clone()));
             }
             None => sets.push((
@@ -412,9 +415,10 @@ fn sets(judgement: &Judgement) -> Vec<Set> {
     sets
 }
 
-fn are_same(one: &[&'static Slip], other: &[&'static Slip]) -> bool {
-    let are_equal = |(one, other): (&&Slip, &&Slip)| std::ptr::eq(*one, *other);
-    one.len() == other.len() && one.iter().zip(other).all(are_equal)
+/// Whether they are the same mistakes, or changes of the same line of a chapter.
+fn are_alike(one: &[&'static Slip], other: &[&'static Slip]) -> bool {
+    let are_alike = |(one, other): (&&Slip, &&Slip)| one.is_alike(other);
+    one.len() == other.len() && one.iter().zip(other).all(are_alike)
 }
 
 impl Set {

@@ -44,6 +44,12 @@ pub struct Hit {
 
 /// A chapter that is run from its text, and not from a table of steps.
 pub trait Interpreted: Debug + Send + Sync {
+    /// The camera of a picture of that size, if it is not that of the steps.
+    fn camera(&self, width: u32, height: u32) -> Option<Camera>;
+
+    /// The ray of a pixel, if it is not that of the steps.
+    fn ray(&self, camera: &Camera, i: u32, j: u32) -> Option<Ray>;
+
     /// The chapter's `ray_color`.
     fn ray_color(&self, ray: &Ray) -> Color;
 
@@ -216,6 +222,12 @@ impl Program {
     pub fn camera(&self, image_width: u32) -> Camera {
         let width = f64::from(image_width);
         let image_height = (self.image_height)(width, self.aspect_ratio);
+        let own = self
+            .code
+            .and_then(|code| code.camera(image_width, image_height));
+        if let Some(camera) = own {
+            return camera;
+        }
         let height = f64::from(image_height);
         let center = Point3::ZERO;
 
@@ -315,6 +327,9 @@ impl Program {
 
     /// The ray of a program without a slip in it.
     pub(super) fn right_ray(&self, camera: &Camera, i: u32, j: u32) -> Ray {
+        if let Some(ray) = self.code.and_then(|code| code.ray(camera, i, j)) {
+            return ray;
+        }
         let row = self.edition.row(j, camera.image_height);
         self.ray_of(camera, i.into(), row)
     }

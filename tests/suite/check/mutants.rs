@@ -5,6 +5,7 @@ use check::mutants::unchanged;
 use check::png;
 use check::scene::Scene;
 use check::verdict::check;
+use common::rtweekend::Vec3;
 use slips::{Chapter, Program};
 
 #[test]
@@ -23,22 +24,46 @@ fn a_chapter_that_is_run_from_its_text_draws_its_picture() {
 
 #[test]
 fn a_mistake_that_is_in_no_catalogue_is_named_by_its_line() {
-    let program = Program {
-        discriminant: |a, b, c| b * b - 0.5 * a * c,
-        ..Program::right(Chapter::Normals)
-    };
-    let scene = Scene::new(Chapter::Normals, None).expect("a chapter");
-    let picture = png::encode(&program.run(100).picture());
-    let answer = check(&scene, &picture, 0);
-    let rows = answer
-        .finding()
-        .expect("it is wrong")
-        .rows(&Known::default());
-    assert_eq!(
-        rows[..2],
-        [
-            ("probably", "discriminant = b * b - 0.5 * a * c".to_owned()),
-            ("should be", "discriminant = b * b - 4.0 * a * c".to_owned()),
-        ]
-    );
+    let gradient = Program::right(Chapter::Gradient);
+    let normals = Program::right(Chapter::Normals);
+    let list = Program::right(Chapter::HittableList);
+    let mistakes = [
+        (
+            Program {
+                lerp: |[below, above], a| (1.0 - a) * below - a * above,
+                ..gradient
+            },
+            "(1.0 - a) * white - a * blue",
+        ),
+        (
+            Program {
+                discriminant: |a, b, c| b * b - 0.5 * a * c,
+                ..normals
+            },
+            "discriminant = b * b - 0.5 * a * c",
+        ),
+        (
+            Program {
+                shade: |_, n| 0.5 * (Vec3::new(n.x, n.z, n.y) + Vec3::ONE),
+                ..normals
+            },
+            "return 0.5 * (Vec3::new(normal.x, normal.z, normal.y) + Vec3::ONE)",
+        ),
+        (
+            Program {
+                linear: |d_oc| 0.5 * d_oc,
+                ..list
+            },
+            "h = 0.5 * ray.direction.dot(oc)",
+        ),
+    ];
+    for (program, line) in mistakes {
+        let scene = Scene::new(program.chapter, None).expect("a chapter");
+        let picture = png::encode(&program.run(100).picture());
+        let answer = check(&scene, &picture, 0);
+        let finding = answer.finding().expect("it is wrong");
+        let rows = finding.rows(&Known::default());
+        let is_named = rows.iter().any(|(_, said)| said == line);
+        assert!(is_named, "{line}: {}, {rows:?}", finding.but());
+    }
 }

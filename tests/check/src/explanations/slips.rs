@@ -3,6 +3,7 @@
 use super::right::{by_editions, shape, steps};
 use super::{Conversion, Evidence, Hypothesis};
 use crate::mutants;
+use ::slips::Edition;
 
 /// One of some hundred slips, where one program in two has one.
 pub(super) const ONE: f64 = 8.0;
@@ -43,9 +44,12 @@ const MUTANT: f64 = 11.0;
 pub(crate) fn mutants(evidence: &Evidence) -> impl Iterator<Item = Hypothesis> {
     let scene = evidence.scene;
     let right = by_editions(evidence, scene, MUTANT).into_iter();
-    let right = right.filter(move |_| scene.probe.is_none()).take(1);
+    // They are made of version 4.
+    let is_plain = scene.probe.is_none() && scene.edition == Edition::V4;
+    let right = right.filter(move |_| is_plain).take(1);
     right.flat_map(move |right| {
         let mutants = mutants::of(scene.chapter).iter();
+        let mutants = mutants.filter(|slip| evidence.may_be_wrong(slip));
         mutants.map(move |slip| Hypothesis {
             slips: vec![slip],
             ..right.clone()

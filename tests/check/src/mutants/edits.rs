@@ -1,6 +1,6 @@
 //! Mutation operators: each place of a text, and what somebody might have typed instead.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::ops::Range;
 
 use super::syntax::{Token, tokens};
@@ -27,47 +27,62 @@ const ALIKE: [&[&str]; 10] = [
     &["sqrt", "abs"],
 ];
 /// Numbers that people type.
-const NUMBERS: [&str; 7] = ["0.0", "0.5", "1.0", "2.0", "4.0", "0.1", "10.0"];
+const NUMBERS: [&str; 7] = ["2.0", "1.0", "0.5", "4.0", "0.0", "10.0", "0.1"];
 
-/// Every text that is one edit away.
+/// Every text that is one edit away, what is typed most often first.
 pub(super) fn of(text: &str) -> Vec<Edit> {
     let all = tokens(text);
-    let body = all.iter().position(|it| it.text == "{").unwrap_or(0) + 1;
-    let names = variables(&all);
+    let body = body(&all);
     let mut edits = Vec::new();
-    for n in body..all.len() {
-        let token = &all[n];
-        let at = token.at.clone();
-        let replace = |with: &str| (at.clone(), with.to_owned());
-        let alike = ALIKE.iter().find(|some| some.contains(&token.text));
-        edits.extend(
-            alike
-                .into_iter()
-                .flat_map(|some| some.iter())
-                .map(|it| replace(it)),
-        );
-        if token.text.starts_with(|c: char| c.is_ascii_digit()) {
-            edits.extend(NUMBERS.iter().map(|it| replace(it)));
-        }
-        if names.contains(token.text) && all[n - 1].text != "." {
-            edits.extend(names.iter().map(|it| replace(it)));
-        }
-        edits.extend(around(text, &all, &names, n));
-    }
+    let places = body..all.len();
+    edits.extend(places.clone().flat_map(|n| missing(&all, text, n)));
     edits.extend(swaps(text, &all[body..]));
     edits.extend(dropped_lines(text));
+    edits.extend(places.clone().flat_map(|n| alike(&all[n])));
+    edits.extend(places.clone().flat_map(|n| numbers(&all[n])));
+    edits.extend(places.flat_map(|n| added(&all, text, n)));
+    made(text, edits)
+}
+
+/// The texts in which one name stands for another.
+pub(super) fn of_names(text: &str) -> Vec<Edit> {
+    made(text, other_names(&tokens(text), text))
+}
+
+/// The texts in which a vector's components have changed: another letter, or another sign.
+pub(super) fn of_components(text: &str) -> Vec<Edit> {
+    let all = tokens(text);
+    let names = variables(&all);
+    let is_whole = |n: &usize| {
+        let is_point = |at: usize| all.get(at).is_some_and(|it| it.text == ".");
+        names.contains(all[*n].text) && !is_point(n - 1) && !is_point(n + 1)
+    };
+    let whole = (body(&all)..all.len()).filter(is_whole);
+    made(
+        text,
+        whole.flat_map(|n| other_components(&all[n])).collect(),
+    )
+}
+
+/// The token with which the body begins.
+fn body(all: &[Token]) -> usize {
+    all.iter().position(|it| it.text == "{").unwrap_or(0) + 1
+}
+
+fn made(text: &str, changes: Vec<Change>) -> Vec<Edit> {
     let mut seen = HashSet::from([text.to_owned()]);
-    let made = edits
-        .into_iter()
-        .map(|(at, with)| Edit::new(text, at, &with));
-    made.filter(|edit| seen.insert(edit.text.clone())).collect()
+    let edits = changes.into_iter();
+    let edits = edits.map(|(at, with)| Edit::new(text, at, &with));
+    edits
+        .filter(|edit| seen.insert(edit.text.clone()))
+        .collect()
 }
 
 /// A place in a text and what comes there.
 type Change = (Range<usize>, String);
 
 /// Names that are declared somewhere in the function.
-fn variables<'a>(all: &[Token<'a>]) -> HashSet<&'a str> {
+fn variables<'a>(all: &[Token<'a>]) -> BTreeSet<&'a str> {
     let declared = |pair: &[Token<'a>]| match (pair[0].text, pair[1].text) {
         ("let" | "mut" | "for", name) if name != "mut" && name != "Some" => Some(name),
         (name, ":") => Some(name),
@@ -80,38 +95,125 @@ fn variables<'a>(all: &[Token<'a>]) -> HashSet<&'a str> {
         .collect()
 }
 
-/// What may be missing or too much at a token: a sign, brackets, a call, a factor.
-fn around(text: &str, all: &[Token], names: &HashSet<&str>, n: usize) -> Vec<Change> {
+/// What else may stand for a sign or a letter.
+fn alike(token: &Token) -> Vec<Change> {
+    let some = ALIKE.iter().find(|some| some.contains(&token.text));
+    let others = some.into_iter().flat_map(|some| some.iter());
+    others
+        .map(|it| (token.at.clone(), (*it).to_owned()))
+        .collect()
+}
+
+/// What else may stand for a number.
+fn numbers(token: &Token) -> Vec<Change> {
+    let is_number = token.text.starts_with(|c: char| c.is_ascii_digit());
+    let others = NUMBERS.iter().filter(|_| is_number);
+    others
+        .map(|it| (token.at.clone(), (*it).to_owned()))
+        .collect()
+}
+
+/// Names for each other, and for what a ray has.
+fn other_names(all: &[Token], text: &str) -> Vec<Change> {
+    let names = variables(all);
+    let is = |n: usize, some: &[&str]| all.get(n).is_some_and(|it| some.contains(&it.text));
+    let part = |n: usize| match is(n + 1, &["."]) && is(n + 2, &["origin", "direction"]) {
+        true => n + 2,
+        false => n,
+    };
+    let own = |n: usize| all[n].at.start..all[part(n)].at.end;
+    let places =
+        (body(all)..all.len()).filter(|&n| names.contains(all[n].text) && !is(n - 1, &["."]));
+    let places: Vec<usize> = places.collect();
+    let parts = places
+        .iter()
+        .filter(|&&n| part(n) > n)
+        .map(|&n| &text[own(n)]);
+    let others: BTreeSet<&str> = parts.chain(names.iter().copied()).collect();
+    let other = |n: &usize| {
+        let own = own(*n);
+        others
+            .iter()
+            .map(move |it| (own.clone(), (*it).to_owned()))
+            .collect::<Vec<_>>()
+    };
+    places.iter().flat_map(other).collect()
+}
+
+/// Whether an operand begins after it.
+fn is_before_operand(text: &str) -> bool {
+    is_operator(text) || matches!(text, "=" | "(" | "," | "return" | ";" | "{")
+}
+
+fn is_operator(text: &str) -> bool {
+    matches!(text, "+" | "-" | "*" | "/")
+}
+
+/// The operand that begins at a token: its last token.
+fn operand_at(all: &[Token], n: usize) -> Option<usize> {
+    let token = all[n].text;
+    let begins = token.starts_with(|c: char| c.is_alphanumeric()) || token == "(";
+    (begins && is_before_operand(all[n - 1].text)).then(|| operand(all, n))
+}
+
+/// What may be missing at a token: a sign, a term, a factor, brackets, a call.
+fn missing(all: &[Token], text: &str, n: usize) -> Vec<Change> {
     let token = &all[n];
-    let mut changes = Vec::new();
-    let begins = |text: &str| text.starts_with(|c: char| c.is_alphanumeric()) || text == "(";
-    let is_operator =
-        |text: &str| matches!(text, "+" | "-" | "*" | "/" | "=" | "(" | "," | "return");
     let before = all[n - 1].text;
-    if begins(token.text) && is_operator(before) {
-        let end = operand(all, n);
-        let whole = token.at.start..all[end].at.end;
-        let own = &text[whole.clone()];
-        changes.push((whole.clone(), format!("(-{own})")));
-        changes.push((whole.clone(), format!("(1.0 - {own})")));
-        for method in ["sqrt", "abs", "normalize"] {
-            changes.push((whole.clone(), format!("{own}.{method}()")));
-        }
-        changes.push((whole.clone(), format!("{own} * {own}")));
-        let next = all.get(end + 1).map_or("", |it| it.text);
-        if matches!(next, "+" | "-" | "*" | "/") {
-            changes.push((token.at.start..all[end + 2].at.start, String::new()));
-        }
-        if matches!(before, "+" | "-" | "*" | "/") {
-            changes.push((all[n - 1].at.start..whole.end, String::new()));
+    let text_at = |n: usize| all.get(n).map_or("", |it| it.text);
+    let mut changes = Vec::new();
+    let mut drop = |at: Range<usize>| changes.push((at, String::new()));
+    if let Some(end) = operand_at(all, n) {
+        for end in [end, term(all, end)] {
+            if is_operator(text_at(end + 1)) {
+                drop(token.at.start..all[end + 2].at.start);
+            }
+            if is_operator(before) {
+                drop(all[n - 1].at.start..all[end].at.end);
+            }
         }
     }
-    if names.contains(token.text) && before != "." {
-        changes.extend(other_components(token));
+    if token.text == "-" && is_before_operand(before) {
+        drop(token.at.clone());
+    }
+    let is_call = |name| token.text == "." && text_at(n + 1) == name;
+    if ["sqrt", "normalize"].into_iter().any(is_call) {
+        drop(token.at.start..all[n + 3].at.end);
+    }
+    if token.text == "(" && is_before_operand(before) {
+        let close = closing(all, n);
+        let inside = token.at.end..all[close].at.start;
+        changes.push((token.at.start..all[close].at.end, text[inside].to_owned()));
+    }
+    changes
+}
+
+/// What may be too much, or otherwise, at a token.
+fn added(all: &[Token], text: &str, n: usize) -> Vec<Change> {
+    let token = &all[n];
+    let before = all[n - 1].text;
+    let mut changes = Vec::new();
+    if let Some(end) = operand_at(all, n) {
+        let whole = token.at.start..all[end].at.end;
+        let own = &text[whole.clone()];
+        let mut instead = |with: String| changes.push((whole.clone(), with));
+        instead(format!("(-{own})"));
+        instead(format!("(1.0 - {own})"));
+        if before == "=" {
+            instead(format!("2.0 * {own}"));
+            instead(format!("0.5 * {own}"));
+        }
+        for method in ["sqrt", "abs", "normalize"] {
+            instead(format!("{own}.{method}()"));
+        }
+        instead(format!("{own} * {own}"));
     }
     if token.text == "normalize" {
         // The length without its root.
-        let start = (0..n).rfind(|&it| is_operator(all[it].text)).unwrap_or(0) + 1;
+        let start = (0..n)
+            .rfind(|&it| is_before_operand(all[it].text))
+            .unwrap_or(0)
+            + 1;
         let own = &text[all[start].at.start..all[n - 2].at.end];
         let whole = all[start].at.start..all[n + 2].at.end;
         changes.push((whole, format!("(1.0 / {own}.length_squared()) * {own}")));
@@ -123,7 +225,7 @@ fn around(text: &str, all: &[Token], names: &HashSet<&str>, n: usize) -> Vec<Cha
         }
     }
     if token.text == "new" && all.get(n + 1).is_some_and(|it| it.text == "(") {
-        changes.extend(other_orders(text, all, n + 2));
+        changes.extend(other_orders(text, all, n + 1));
     }
     if before == "if" && token.text != "let" {
         let brace = (n..all.len())
@@ -132,38 +234,42 @@ fn around(text: &str, all: &[Token], names: &HashSet<&str>, n: usize) -> Vec<Cha
         let whole = token.at.start..all[brace - 1].at.end;
         changes.push((whole.clone(), format!("!({})", &text[whole])));
     }
-    if token.text == "-" && is_operator(before) {
-        changes.push((token.at.clone(), String::new()));
-    }
-    if token.text == "(" && is_operator(before) {
-        let close = closing(all, n);
-        let inside = token.at.end..all[close].at.start;
-        changes.push((token.at.start..all[close].at.end, text[inside].to_owned()));
-    }
-    let is_call = |name| token.text == "." && all.get(n + 1).is_some_and(|it| it.text == name);
-    if ["sqrt", "normalize"].into_iter().any(is_call) {
-        changes.push((token.at.start..all[n + 3].at.end, String::new()));
-    }
     changes
 }
 
-/// Three arguments in each other order.
-fn other_orders(text: &str, all: &[Token], first: usize) -> Vec<Change> {
-    let second = operand(all, first) + 2;
-    let third = operand(all, second.min(all.len() - 1)) + 2;
-    if third >= all.len() {
+/// Three arguments in each other order, or one of them copied.
+fn other_orders(text: &str, all: &[Token], open: usize) -> Vec<Change> {
+    let inside = &all[open + 1..closing(all, open)];
+    let mut depth = 0;
+    let parts: Vec<&[Token]> = inside
+        .split(|token| {
+            depth += i32::from(token.text == "(") - i32::from(token.text == ")");
+            depth == 0 && token.text == ","
+        })
+        .collect();
+    let range = |part: &[Token]| Some(part.first()?.at.start..part.last()?.at.end);
+    let ranges: Option<Vec<Range<usize>>> = parts.into_iter().map(range).collect();
+    let Some([x, y, z]) = ranges.and_then(|it| <[_; 3]>::try_from(it).ok()) else {
         return Vec::new();
-    }
-    let [x, y, z] =
-        [first, second, third].map(|n| &text[all[n].at.start..all[operand(all, n)].at.end]);
-    let whole = all[first].at.start..all[operand(all, third)].at.end;
-    [[x, z, y], [y, x, z], [y, z, x], [z, x, y], [z, y, x]]
-        .into_iter()
+    };
+    let whole = x.start..z.end;
+    let [x, y, z] = [x, y, z].map(|at| &text[at]);
+    let orders = [[x, z, y], [y, x, z], [y, z, x], [z, x, y], [z, y, x]];
+    let copies = [
+        [x, x, z],
+        [x, y, y],
+        [x, y, x],
+        [x, z, z],
+        [y, y, z],
+        [z, y, z],
+    ];
+    let parts = orders.into_iter().chain(copies);
+    parts
         .map(|parts| (whole.clone(), parts.join(", ")))
         .collect()
 }
 
-/// A vector whose components have changed: another letter, or another sign.
+/// A vector of other components, or with another sign.
 fn other_components(token: &Token) -> Vec<Change> {
     let mut changes = Vec::new();
     let letters = ["x", "y", "z"];
@@ -206,6 +312,18 @@ fn operand(all: &[Token], n: usize) -> usize {
     end.min(all.len() - 1)
 }
 
+/// The last token of the term whose first factor ends at `end`.
+fn term(all: &[Token], mut end: usize) -> usize {
+    let is_factor = |end: usize| {
+        all.get(end + 1)
+            .is_some_and(|it| matches!(it.text, "*" | "/"))
+    };
+    while is_factor(end) && end + 2 < all.len() {
+        end = operand(all, end + 2);
+    }
+    end
+}
+
 /// The bracket that closes the one at `n`.
 fn closing(all: &[Token], n: usize) -> usize {
     let mut depth = 0;
@@ -217,37 +335,33 @@ fn closing(all: &[Token], n: usize) -> usize {
     end.map_or(all.len() - 1, |(at, _)| at)
 }
 
-/// Two operands, or two arguments, that have changed places.
+/// Two operands, terms or arguments that have changed places.
 fn swaps(text: &str, all: &[Token]) -> Vec<Change> {
+    let begins = |at: usize| {
+        let first = |c: char| c.is_alphanumeric() || c == '(' || c == '-';
+        all.get(at).is_some_and(|it| it.text.starts_with(first))
+    };
+    let is_start = |n: usize| {
+        let before = all[n - 1].text;
+        let is_start = is_before_operand(before) && !matches!(before, "-" | "/") || before == "|";
+        is_start && begins(n)
+    };
     let mut changes = Vec::new();
-    for n in 1..all.len().saturating_sub(1) {
-        let begins = |at: usize| {
-            let first = |c: char| c.is_alphanumeric() || c == '(' || c == '-';
-            all[at].text.starts_with(first)
-        };
-        if !matches!(
-            all[n - 1].text,
-            "(" | "," | "=" | "return" | "+" | "*" | "|"
-        ) || !begins(n)
-        {
-            continue;
-        }
+    for n in (1..all.len()).filter(|&n| is_start(n)) {
         let end = operand(all, n);
-        let Some(between) = all
-            .get(end + 1)
-            .filter(|it| matches!(it.text, "," | "-" | "/"))
-        else {
-            continue;
-        };
-        if end + 2 >= all.len() || !begins(end + 2) {
-            continue;
+        for (end, is_term) in [(end, false), (term(all, end), true)] {
+            let between = all.get(end + 1).map_or("", |it| it.text);
+            if !matches!(between, "," | "-" | "/") || !begins(end + 2) {
+                continue;
+            }
+            let last = operand(all, end + 2);
+            let last = if is_term { term(all, last) } else { last };
+            let one = all[n].at.start..all[end].at.end;
+            let other = all[end + 2].at.start..all[last].at.end;
+            let middle = &text[one.end..other.start];
+            let swapped = format!("{}{middle}{}", &text[other.clone()], &text[one.clone()]);
+            changes.push((one.start..other.end, swapped));
         }
-        let other = all[end + 2].at.start..all[operand(all, end + 2)].at.end;
-        let one = all[n].at.start..all[end].at.end;
-        let middle = &text[one.end..other.start];
-        debug_assert!(middle.contains(between.text));
-        let swapped = format!("{}{middle}{}", &text[other.clone()], &text[one.clone()]);
-        changes.push((one.start..other.end, swapped));
     }
     changes
 }

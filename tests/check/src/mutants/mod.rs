@@ -35,70 +35,124 @@ pub(crate) fn of(chapter: Chapter) -> &'static [Slip] {
 /// The chapter itself, run from its source.
 pub fn unchanged(chapter: Chapter) -> Program {
     let program = Program::right(chapter);
-    let sources = functions(chapter);
-    let machine = Machine::new(chapter, &sources).expect("the chapter can be run");
+    let sources = [functions(chapter), prelude(chapter)].concat();
+    let all: Option<Vec<Read>> = sources.into_iter().map(read).collect();
+    let machine = Machine::new(chapter, all.expect("the chapter can be read").iter());
     Program {
         code: Some(Box::leak(Box::new(machine))),
         ..program
     }
 }
 
-/// A function in the source of a chapter.
+/// A function in a source.
 #[derive(Clone, Copy)]
 struct Source {
     /// Its name, a method's with its type.
     name: &'static str,
     text: &'static str,
     file: &'static str,
+    part: Part,
+}
+
+/// What a function belongs to.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Part {
+    /// The chapter, which is always run from its text.
+    Chapter,
+    /// The prelude: a function that is run from its text where that is changed.
+    Prelude,
+    /// The same of the camera, where hardly anybody takes one name for another.
+    Camera,
+    /// Vectors, of which all functions are run from their texts if one is changed, since
+    /// one calls another.
+    Vectors,
+}
+
+macro_rules! source {
+    ($part:ident: $name:literal, $start:literal, $file:literal) => {
+        Source {
+            name: $name,
+            text: from(include_str!(concat!("../../../../", $file)), $start),
+            file: $file,
+            part: Part::$part,
+        }
+    };
 }
 
 /// The functions of a chapter that a picture depends on.
 fn functions(chapter: Chapter) -> Vec<Source> {
-    macro_rules! source {
-        ($name:literal, $start:literal, $file:literal) => {
-            Source {
-                name: $name,
-                text: from(
-                    include_str!(concat!("../../../../chapters/", $file)),
-                    $start,
-                ),
-                file: concat!("chapters/", $file),
-            }
-        };
-    }
     macro_rules! with_ray_color {
         ($file:literal) => {
             vec![
-                source!("ray_color", "fn ray_color", $file),
-                source!("hit_sphere", "fn hit_sphere", $file),
+                source!(Chapter: "ray_color", "fn ray_color", $file),
+                source!(Chapter: "hit_sphere", "fn hit_sphere", $file),
             ]
         };
     }
     match chapter {
-        Chapter::Gradient => vec![source!(
-            "ray_color",
-            "fn ray_color",
-            "1_gradient/src/lib.rs"
-        )],
-        Chapter::RedSphere => with_ray_color!("2_red_sphere/src/lib.rs"),
-        Chapter::Normals => with_ray_color!("3_normals/src/lib.rs"),
-        Chapter::HalfBSphere => with_ray_color!("4_half_b_sphere/src/lib.rs"),
+        Chapter::Gradient => {
+            vec![source!(Chapter: "ray_color", "fn ray_color", "chapters/1_gradient/src/lib.rs")]
+        }
+        Chapter::RedSphere => with_ray_color!("chapters/2_red_sphere/src/lib.rs"),
+        Chapter::Normals => with_ray_color!("chapters/3_normals/src/lib.rs"),
+        Chapter::HalfBSphere => with_ray_color!("chapters/4_half_b_sphere/src/lib.rs"),
         Chapter::HittableList => vec![
-            source!("ray_color", "fn ray_color", "5_hittable_list/src/lib.rs"),
-            source!("Sphere::hit", "fn hit", "5_hittable_list/src/sphere.rs"),
+            source!(Chapter: "ray_color", "fn ray_color", "chapters/5_hittable_list/src/lib.rs"),
+            source!(Chapter: "Sphere::hit", "fn hit", "chapters/5_hittable_list/src/sphere.rs"),
             source!(
-                "set_face_normal",
+                Chapter: "set_face_normal",
                 "fn set_face",
-                "5_hittable_list/src/hittable.rs"
+                "chapters/5_hittable_list/src/hittable.rs"
             ),
             source!(
-                "HittableList::hit",
+                Chapter: "HittableList::hit",
                 "fn hit",
-                "5_hittable_list/src/hittable_list.rs"
+                "chapters/5_hittable_list/src/hittable_list.rs"
             ),
         ],
         Chapter::BuildTest | Chapter::SpeedVsAccuracy => Vec::new(),
     }
+}
+
+/// What the chapter takes from those before it and from the prelude.
+fn prelude(chapter: Chapter) -> Vec<Source> {
+    // The first chapter writes the sky out.
+    let sky = source!(Prelude: "sky", "fn ray_color", "chapters/1_gradient/src/lib.rs");
+    let at = source!(Prelude: "at", "fn at", "common/src/ray.rs");
+    let camera = [
+        source!(Camera: "with_size", "fn with_size", "common/src/camera.rs"),
+        source!(Camera: "ray", "fn ray", "common/src/camera.rs"),
+    ];
+    let sky = Some(sky).filter(|_| chapter > Chapter::Gradient);
+    let at = Some(at).filter(|_| chapter > Chapter::RedSphere);
+    sky.into_iter()
+        .chain(at)
+        .chain(camera)
+        .chain(vectors())
+        .collect()
+}
+
+fn vectors() -> [Source; 8] {
+    macro_rules! vector {
+        ($name:literal) => {
+            Source {
+                name: $name,
+                text: from(include_str!("vec3.rs"), concat!("fn ", $name, "(")),
+                file: "common/src/vec3.rs",
+                part: Part::Vectors,
+            }
+        };
+    }
+    [
+        vector!("add"),
+        vector!("sub"),
+        vector!("neg"),
+        vector!("mul"),
+        vector!("dot"),
+        vector!("length_squared"),
+        vector!("length"),
+        vector!("normalize"),
+    ]
 }
 
 /// The function that begins so, up to the brace that closes it.
@@ -113,46 +167,82 @@ fn from(source: &'static str, start: &str) -> &'static str {
     &source[start..=start + end]
 }
 
+/// A function that was read.
+type Read = (Source, Arc<syntax::Function>);
+
+fn read(source: Source) -> Option<Read> {
+    Some((source, Arc::new(syntax::function(source.text)?)))
+}
+
 impl Machine {
-    fn new(chapter: Chapter, sources: &[Source]) -> Option<Self> {
-        let function = |it: &Source| Some((it.name, Arc::new(syntax::function(it.text)?)));
-        Some(Self {
-            functions: sources.iter().map(function).collect::<Option<_>>()?,
+    fn new<'a>(chapter: Chapter, functions: impl Iterator<Item = &'a Read> + Clone) -> Self {
+        let named = |(source, function): &Read| (source.name, Arc::clone(function));
+        Self {
+            has_own_vectors: functions.clone().any(|(it, _)| it.part == Part::Vectors),
+            functions: functions.map(named).collect(),
             world: Program::right(chapter).world,
-        })
+        }
     }
 
-    /// The same with another text of a function, if that is a program.
-    fn with(&self, name: &str, text: &str) -> Option<Self> {
-        let mut machine = self.clone();
+    /// The chapter with a changed text of one of the functions, if that is another program.
+    fn with(chapter: Chapter, all: &[Read], changed: &Source, text: &str) -> Option<Self> {
+        let is_run = |(it, _): &&Read| match it.part {
+            Part::Chapter => true,
+            Part::Prelude | Part::Camera => {
+                it.name == changed.name || changed.part == Part::Vectors
+            }
+            Part::Vectors => changed.part == Part::Vectors,
+        };
+        let mut machine = Self::new(chapter, all.iter().filter(is_run));
         let mut functions = machine.functions.iter_mut();
-        let (_, function) = functions.find(|(own, _)| *own == name)?;
+        let (_, function) = functions.find(|(own, _)| *own == changed.name)?;
         *function = Arc::new(syntax::function(text)?);
-        machine.can_be_run().then_some(machine)
+        let is_same =
+            changed.name == "with_size" && machine.camera(16, 9) == Some(Camera::with_size(16, 9));
+        (!is_same && machine.can_be_run()).then_some(machine)
     }
 
-    /// Whether a few rays get colors, and no other values.
+    /// Whether all that is run from its text gives what it should, and no other values.
     fn can_be_run(&self) -> bool {
+        let camera = Camera::with_size(4, 2);
         let is_color = |ray: &Ray| matches!(self.color(ray), Some(Value::Vector(_)));
-        [(0.0, 0.0), (0.3, 0.2), (1.7, 0.9), (-0.4, -0.6)]
-            .into_iter()
-            .all(|(x, y)| is_color(&Ray::new(Point3::ZERO, Vec3::new(x, y, -1.0))))
+        (!self.has("with_size") || self.camera(4, 2).is_some())
+            && (!self.has("ray") || self.ray(&camera, 1, 1).is_some())
+            && [(0.0, 0.0), (0.3, 0.2), (1.7, 0.9), (-0.4, -0.6)]
+                .into_iter()
+                .all(|(x, y)| is_color(&Ray::new(Point3::ZERO, Vec3::new(x, y, -1.0))))
     }
 
     fn color(&self, ray: &Ray) -> Option<Value> {
-        self.call(
-            "ray_color",
-            &[Value::Ray(*ray), Value::World][..self.arguments()],
-        )
-    }
-
-    /// Chapter 5 hands the world on.
-    fn arguments(&self) -> usize {
-        1 + usize::from(self.functions.len() > 2)
+        let given = [Value::Ray(*ray), Value::World];
+        // Chapter 5 hands the world on.
+        let arguments = 1 + usize::from(self.has("HittableList::hit"));
+        self.call("ray_color", &given[..arguments])
     }
 }
 
 impl Interpreted for Machine {
+    fn camera(&self, width: u32, height: u32) -> Option<Camera> {
+        let given = [width, height].map(|it| Value::Number(it.into()));
+        match self.call("with_size", &given)? {
+            // The size is that of the steps.
+            Value::Camera(camera) => Some(Camera {
+                image_width: width,
+                image_height: height,
+                ..camera
+            }),
+            _ => None,
+        }
+    }
+
+    fn ray(&self, camera: &Camera, i: u32, j: u32) -> Option<Ray> {
+        let [i, j] = [i, j].map(|it| Value::Number(it.into()));
+        match self.call("ray", &[Value::Camera(*camera), i, j])? {
+            Value::Ray(ray) => Some(ray),
+            _ => None,
+        }
+    }
+
     fn ray_color(&self, ray: &Ray) -> Color {
         match self.color(ray) {
             Some(Value::Vector(color)) => color,
@@ -200,17 +290,15 @@ impl Interpreted for Machine {
     }
 }
 
-/// Each mutant of the chapter that can be run, as a slip.
+/// Each mutant of the chapter and of what it takes from the prelude, as a slip.
 fn all(chapter: Chapter) -> Vec<Slip> {
-    let sources = functions(chapter);
-    let Some(right) = Machine::new(chapter, &sources) else {
-        return Vec::new();
-    };
-    let mutants = sources.iter().flat_map(|source| {
-        let right = &right;
-        edits::of(source.text).into_iter().filter_map(move |edit| {
-            let machine: &'static Machine =
-                Box::leak(Box::new(right.with(source.name, &edit.text)?));
+    let sources = [functions(chapter), prelude(chapter)].concat();
+    let all: Vec<Read> = sources.into_iter().filter_map(read).collect();
+    let mutants = all.iter().flat_map(|(source, _)| {
+        let all = &all;
+        edits(source).into_iter().filter_map(move |edit| {
+            let machine = Machine::with(chapter, all, source, &edit.text)?;
+            let machine: &'static Machine = Box::leak(Box::new(machine));
             let leaked = |text: String| -> &'static str { Box::leak(text.into_boxed_str()) };
             let words = Words {
                 wrong: leaked(edit.wrong),
@@ -221,4 +309,16 @@ fn all(chapter: Chapter) -> Vec<Slip> {
         })
     });
     mutants.collect()
+}
+
+/// What else may be typed for the function. Components of vectors are what a chapter colors.
+fn edits(source: &Source) -> Vec<edits::Edit> {
+    let mut edits = edits::of(source.text);
+    if source.part != Part::Camera {
+        edits.extend(edits::of_names(source.text));
+    }
+    if source.part == Part::Chapter {
+        edits.extend(edits::of_components(source.text));
+    }
+    edits
 }

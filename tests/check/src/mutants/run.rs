@@ -18,6 +18,7 @@ pub(super) enum Value {
     Ray(Ray),
     Ball(Ball),
     Record(Hit),
+    Camera(Camera),
     World,
     Two([f64; 2]),
 }
@@ -36,10 +37,17 @@ type Result<T = Value> = std::result::Result<T, Stop>;
 #[derive(Clone, Debug)]
 pub(super) struct Machine {
     pub(super) functions: Vec<(&'static str, Arc<Function>)>,
+    /// Whether vectors are added and multiplied by functions of these.
+    pub(super) has_own_vectors: bool,
     pub(super) world: &'static [Ball],
 }
 
 impl Machine {
+    /// Whether the function is run from its text.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.functions.iter().any(|(own, _)| *own == name)
+    }
+
     /// Calls the function; `None` if it is no program.
     pub(super) fn call(&self, name: &str, arguments: &[Value]) -> Option<Value> {
         self.run(name, arguments, self.world)
@@ -54,14 +62,39 @@ impl Machine {
             .map(|(value, _)| value)
     }
 
-    /// What the function returns, and what becomes of its first argument.
     fn run(&self, name: &str, arguments: &[Value], world: &[Ball]) -> Result<(Value, Value)> {
-        let function = self.functions.iter().find(|(own, _)| *own == name);
-        let (_, function) = function.ok_or(Stop::Nonsense)?;
-        let mut frame = Frame {
+        let frame = Frame {
             machine: self,
             world,
+            slots: Vec::new(),
+            depth: 0,
+        };
+        frame.calls(name, arguments)
+    }
+}
+
+/// So deep is no call in a chapter: a function that calls itself has no end.
+const DEEPEST: u32 = 12;
+
+struct Frame<'a> {
+    machine: &'a Machine,
+    world: &'a [Ball],
+    slots: Vec<Value>,
+    depth: u32,
+}
+
+impl Frame<'_> {
+    /// What the function returns, and what becomes of its first argument.
+    fn calls(&self, name: &str, arguments: &[Value]) -> Result<(Value, Value)> {
+        let mut functions = self.machine.functions.iter();
+        let function = functions.find(|(own, _)| *own == name);
+        let (_, function) = function
+            .filter(|_| self.depth < DEEPEST)
+            .ok_or(Stop::Nonsense)?;
+        let mut frame = Frame {
             slots: vec![Value::Unit; function.slots],
+            depth: self.depth + 1,
+            ..*self
         };
         let given = frame.slots.get_mut(..arguments.len());
         given.ok_or(Stop::Nonsense)?.copy_from_slice(arguments);
@@ -71,15 +104,7 @@ impl Machine {
         };
         Ok((value, frame.slots.first().copied().unwrap_or(Value::Unit)))
     }
-}
 
-struct Frame<'a> {
-    machine: &'a Machine,
-    world: &'a [Ball],
-    slots: Vec<Value>,
-}
-
-impl Frame<'_> {
     fn value(&mut self, node: &Node) -> Result {
         match node {
             Node::Number(number) => Ok(Value::Number(*number)),
@@ -91,14 +116,14 @@ impl Frame<'_> {
             }
             Node::SetField(slot, field, value) => {
                 let value = self.value(value)?;
-                let Value::Record(record) = &mut self.slots[*slot] else {
-                    return Err(Stop::Nonsense);
-                };
-                set(record, *field, value)
+                set(&mut self.slots[*slot], *field, value)
             }
             Node::Field(of, field) => member(self.value(of)?, *field),
             Node::Negated(of) => match self.value(of)? {
                 Value::Number(number) => Ok(Value::Number(-number)),
+                vector @ Value::Vector(_) if self.machine.has_own_vectors => {
+                    self.own("neg", &[vector])
+                }
                 Value::Vector(vector) => Ok(Value::Vector(-vector)),
                 _ => Err(Stop::Nonsense),
             },
@@ -110,7 +135,10 @@ impl Frame<'_> {
                 let left = self.value(left)?;
                 match (operator, left) {
                     (Sign::And, Value::Bool(false)) | (Sign::Or, Value::Bool(true)) => Ok(left),
-                    _ => binary(*operator, left, self.value(right)?),
+                    _ => {
+                        let right = self.value(right)?;
+                        self.binary(*operator, left, right)
+                    }
                 }
             }
             Node::Call(name, arguments) => {
@@ -123,14 +151,8 @@ impl Frame<'_> {
                 [Value::Number(one), Value::Number(other), ..] => Ok(Value::Two([one, other])),
                 _ => Err(Stop::Nonsense),
             },
-            Node::Record(fields) => {
-                let mut record = NOTHING;
-                for (field, value) in fields {
-                    let value = self.value(value)?;
-                    set(&mut record, *field, value)?;
-                }
-                Ok(Value::Record(record))
-            }
+            Node::Record(fields) => self.built(Value::Record(NO_HIT), fields),
+            Node::Camera(fields) => self.built(Value::Camera(NO_CAMERA), fields),
             Node::Matches(slot, value) => {
                 self.slots[*slot] = self.value(value)?;
                 Ok(Value::Bool(!matches!(self.slots[*slot], Value::Miss)))
@@ -167,6 +189,31 @@ impl Frame<'_> {
         Ok(values)
     }
 
+    fn built(&mut self, mut value: Value, fields: &[(Member, Node)]) -> Result {
+        for (field, node) in fields {
+            let field_value = self.value(node)?;
+            set(&mut value, *field, field_value)?;
+        }
+        Ok(value)
+    }
+
+    /// An operator between vectors is a function of theirs, if these are run from a text.
+    fn binary(&mut self, operator: Sign, left: Value, right: Value) -> Result {
+        use Value::{Number, Vector};
+        let name = match (operator, left, right) {
+            _ if !self.machine.has_own_vectors => None,
+            (Sign::Plus, Vector(_), Vector(_)) => Some("add"),
+            (Sign::Minus, Vector(_), Vector(_)) => Some("sub"),
+            (Sign::Times, Number(_), Vector(_)) => Some("mul"),
+            (Sign::Times, Vector(_), Number(_)) => return self.own("mul", &[right, left]),
+            _ => None,
+        };
+        match name {
+            Some(name) => self.own(name, &[left, right]),
+            None => binary(operator, left, right),
+        }
+    }
+
     fn choice(&mut self, all: &[Node], then: &Node, other: Option<&Node>) -> Result {
         for condition in all {
             match self.value(condition)? {
@@ -196,12 +243,19 @@ impl Frame<'_> {
     fn called(&mut self, name: Callee, arguments: &[Value]) -> Result {
         match (name, arguments) {
             (Callee::Some, [value]) => Ok(*value),
-            (Callee::Sky, [Value::Ray(ray)]) => Ok(Value::Vector(sky(ray))),
+            (Callee::Sky, [Value::Ray(ray)]) => match self.machine.has("sky") {
+                true => self.own("sky", arguments),
+                false => Ok(Value::Vector(sky(ray))),
+            },
+            (Callee::From, [Value::Number(_)]) => Ok(arguments[0]),
+            (Callee::Ray, [Value::Vector(origin), Value::Vector(direction)]) => {
+                Ok(Value::Ray(Ray::new(*origin, *direction)))
+            }
             (
                 Callee::Point | Callee::Color | Callee::Vector,
                 [Value::Number(x), Value::Number(y), Value::Number(z)],
             ) => Ok(Value::Vector(Vec3::new(*x, *y, *z))),
-            (Callee::HitSphere, _) => Ok(self.machine.run("hit_sphere", arguments, self.world)?.0),
+            (Callee::HitSphere, _) => self.own("hit_sphere", arguments),
             _ => Err(Stop::Nonsense),
         }
     }
@@ -210,6 +264,11 @@ impl Frame<'_> {
         use Value::{Number, Vector};
         let object = self.value(of)?;
         let given = self.several(arguments)?;
+        if let (Vector(_), Some(own)) = (object, name.of_vectors())
+            && self.machine.has_own_vectors
+        {
+            return self.own(own, &[object, given[0]][..=arguments.len().min(1)]);
+        }
         match (name, object, &given[..arguments.len()]) {
             (Member::Sqrt, Number(number), []) => Ok(Number(number.sqrt())),
             (Member::Abs, Number(number), []) => Ok(Number(number.abs())),
@@ -218,6 +277,9 @@ impl Frame<'_> {
             (Member::Length, Vector(vector), []) => Ok(Number(vector.length())),
             (Member::LengthSquared, Vector(vector), []) => Ok(Number(vector.length_squared())),
             (Member::Dot, Vector(one), [Vector(other)]) => Ok(Number(one.dot(*other))),
+            (Member::At, Value::Ray(_), &[t]) if self.machine.has("at") => {
+                self.own("at", &[object, t])
+            }
             (Member::At, Value::Ray(ray), [Number(t)]) => Ok(Vector(ray.at(*t))),
             (Member::IntoIter, object, []) => Ok(object),
             (Member::Hit, Value::Ball(_), &[ray, low, high]) => {
@@ -228,7 +290,7 @@ impl Frame<'_> {
             }
             (Member::SetFaceNormal, Value::Record(_), &[ray, normal]) => {
                 let given = [object, ray, normal];
-                let (_, changed) = self.machine.run("set_face_normal", &given, self.world)?;
+                let (_, changed) = self.calls("set_face_normal", &given)?;
                 if let Node::Variable(slot) = of {
                     self.slots[*slot] = changed;
                 }
@@ -239,12 +301,35 @@ impl Frame<'_> {
     }
 
     fn own(&mut self, name: &str, given: &[Value]) -> Result {
-        Ok(self.machine.run(name, given, self.world)?.0)
+        Ok(self.calls(name, given)?.0)
     }
 }
 
+impl Member {
+    /// The function of vectors that it is, if these are run from a text.
+    fn of_vectors(self) -> Option<&'static str> {
+        match self {
+            Self::Dot => Some("dot"),
+            Self::Length => Some("length"),
+            Self::LengthSquared => Some("length_squared"),
+            Self::Normalize => Some("normalize"),
+            _ => None,
+        }
+    }
+}
+
+/// A camera that is not set up yet.
+const NO_CAMERA: Camera = Camera {
+    image_width: 0,
+    image_height: 0,
+    center: Point3::ZERO,
+    pixel00: Point3::ZERO,
+    pixel_delta_u: Vec3::ZERO,
+    pixel_delta_v: Vec3::ZERO,
+};
+
 /// What `HitRecord::default` gives.
-const NOTHING: Hit = Hit {
+const NO_HIT: Hit = Hit {
     t: 0.0,
     point: Point3::ZERO,
     normal: Vec3::ZERO,
@@ -257,17 +342,28 @@ fn constant(name: &str) -> Result {
         "false" => Ok(Value::Bool(false)),
         "true" => Ok(Value::Bool(true)),
         "f64::INFINITY" => Ok(Value::Number(f64::INFINITY)),
+        "Point3::ZERO" => Ok(Value::Vector(Point3::ZERO)),
         "Vec3::ONE" | "Color::ONE" => Ok(Value::Vector(Vec3::ONE)),
         _ => Err(Stop::Nonsense),
     }
 }
 
-fn set(record: &mut Hit, field: Member, value: Value) -> Result {
-    match (field, value) {
-        (Member::T, Value::Number(t)) => record.t = t,
-        (Member::Point, Value::Vector(point)) => record.point = point,
-        (Member::Normal, Value::Vector(normal)) => record.normal = normal,
-        (Member::FrontFace, Value::Bool(front_face)) => record.front_face = front_face,
+fn set(of: &mut Value, field: Member, value: Value) -> Result {
+    match (of, field, value) {
+        (Value::Record(record), Member::T, Value::Number(t)) => record.t = t,
+        (Value::Record(record), Member::Point, Value::Vector(point)) => record.point = point,
+        (Value::Record(record), Member::Normal, Value::Vector(normal)) => record.normal = normal,
+        (Value::Record(record), Member::FrontFace, Value::Bool(front_face)) => {
+            record.front_face = front_face;
+        }
+        (Value::Camera(camera), field, value) => match (field, value) {
+            (Member::ImageWidth | Member::ImageHeight, Value::Number(_)) => {}
+            (Member::Center, Value::Vector(center)) => camera.center = center,
+            (Member::Pixel00, Value::Vector(pixel00)) => camera.pixel00 = pixel00,
+            (Member::PixelDeltaU, Value::Vector(delta)) => camera.pixel_delta_u = delta,
+            (Member::PixelDeltaV, Value::Vector(delta)) => camera.pixel_delta_v = delta,
+            _ => return Err(Stop::Nonsense),
+        },
         _ => return Err(Stop::Nonsense),
     }
     Ok(Value::Unit)
@@ -280,6 +376,10 @@ fn member(of: Value, field: Member) -> Result {
         (Value::Vector(vector), Member::X) => Value::Number(vector.x),
         (Value::Vector(vector), Member::Y) => Value::Number(vector.y),
         (Value::Vector(vector), Member::Z) => Value::Number(vector.z),
+        (Value::Camera(camera), Member::Center) => Value::Vector(camera.center),
+        (Value::Camera(camera), Member::Pixel00) => Value::Vector(camera.pixel00),
+        (Value::Camera(camera), Member::PixelDeltaU) => Value::Vector(camera.pixel_delta_u),
+        (Value::Camera(camera), Member::PixelDeltaV) => Value::Vector(camera.pixel_delta_v),
         (Value::Ball(ball), Member::Center) => Value::Vector(ball.center),
         (Value::Ball(ball), Member::Radius) => Value::Number(ball.radius),
         (Value::Record(record), Member::T) => Value::Number(record.t),

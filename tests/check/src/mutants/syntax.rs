@@ -36,6 +36,7 @@ pub(super) enum Node {
     Find(Box<Node>, usize, Box<Node>),
     Several(Vec<Node>),
     Record(Vec<(Member, Node)>),
+    Camera(Vec<(Member, Node)>),
     If(Vec<Node>, Box<Node>, Option<Box<Node>>),
     /// `let Some(x) = …`, as a condition.
     Matches(usize, Box<Node>),
@@ -81,7 +82,9 @@ words! {
         FrontFace = "front_face", Objects = "objects", Sqrt = "sqrt", Abs = "abs",
         Normalize = "normalize", Length = "length", LengthSquared = "length_squared",
         Dot = "dot", At = "at", IntoIter = "into_iter", Hit = "hit",
-        SetFaceNormal = "set_face_normal",
+        SetFaceNormal = "set_face_normal", ImageWidth = "image_width",
+        ImageHeight = "image_height", Pixel00 = "pixel00", PixelDeltaU = "pixel_delta_u",
+        PixelDeltaV = "pixel_delta_v",
     }
 }
 
@@ -90,6 +93,7 @@ words! {
     Callee {
         Some = "Some", Sky = "sky", Point = "Point3::new", Color = "Color::new",
         Vector = "Vec3::new", HitSphere = "hit_sphere", Default = "HitRecord::default",
+        From = "f64::from", Ray = "Ray::new",
     }
 }
 
@@ -232,6 +236,10 @@ impl<'a> Parser<'a> {
             self.scope.truncate(outside);
             return Some(Node::For(slot, Box::new(body)));
         }
+        if self.takes("debug_assert") {
+            while self.next()? != ";" {}
+            return Some(Node::Block(Vec::new()));
+        }
         let value = self.expression()?;
         let node = match self.takes("=") {
             true => self.assignment(value)?,
@@ -362,8 +370,12 @@ impl<'a> Parser<'a> {
         if self.takes("(") {
             return Some(Node::Call(Callee::of(&name)?, self.several(")")?));
         }
-        if name == "HitRecord" && may_be_struct && self.takes("{") {
-            return self.record();
+        if matches!(first, "HitRecord" | "Self") && may_be_struct && self.takes("{") {
+            let fields = self.fields()?;
+            return Some(match first {
+                "Self" => Node::Camera(fields),
+                _ => Node::Record(fields),
+            });
         }
         let known = self.scope.iter().rev().find(|(known, _)| *known == name);
         Some(match known {
@@ -372,7 +384,7 @@ impl<'a> Parser<'a> {
         })
     }
 
-    fn record(&mut self) -> Option<Node> {
+    fn fields(&mut self) -> Option<Vec<(Member, Node)>> {
         let mut fields = Vec::new();
         while !self.takes("}") {
             if self.takes("..") {
@@ -387,7 +399,7 @@ impl<'a> Parser<'a> {
             fields.push((Member::of(name)?, value));
             self.takes(",");
         }
-        Some(Node::Record(fields))
+        Some(fields)
     }
 
     fn condition(&mut self) -> Option<Node> {

@@ -236,43 +236,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "center - Vec3::new(0.0, 0.0, focal_length) - 0.5 * viewport_u - 0.5 * viewport_v",
         )
         .alters(|p| p.corner = [1.0; 2]),
-    slip("corner-below", RAYS, GRID)
-        .says(Words {
-            wrong: "… - viewport_u / 2 + viewport_v / 2",
-            right: "… - viewport_u / 2 - viewport_v / 2",
-            why: "viewport_v points down, so half of it is taken away to get up to the corner. \
-                  Added, the grid begins at the lower left and runs out of the viewport.",
-        })
-        .before_4(Words {
-            wrong: "lower_left_corner = origin - horizontal / 2 + vertical / 2 - …",
-            right: "lower_left_corner = origin - horizontal / 2 - vertical / 2 - …",
-            why: "The grid begins at the upper left and runs up out of the viewport.",
-        })
-        .in_rust(
-            RAYS,
-            "center - Vec3::new(0.0, 0.0, focal_length) - 0.5 * viewport_u + 0.5 * viewport_v",
-            "center - Vec3::new(0.0, 0.0, focal_length) - 0.5 * viewport_u - 0.5 * viewport_v",
-        )
-        .alters(|p| p.corner = [0.5, -0.5]),
-    slip("corner-to-the-right", RAYS, GRID)
-        .says(Words {
-            wrong: "… + viewport_u / 2 - viewport_v / 2",
-            right: "… - viewport_u / 2 - viewport_v / 2",
-            why: "viewport_u points to the right, so half of it is taken away to get to the \
-                  corner. Added, the grid begins at the upper right and runs out of the \
-                  viewport.",
-        })
-        .before_4(Words {
-            wrong: "lower_left_corner = origin + horizontal / 2 - vertical / 2 - …",
-            right: "lower_left_corner = origin - horizontal / 2 - vertical / 2 - …",
-            why: "The grid begins at the lower right and runs out of the viewport.",
-        })
-        .in_rust(
-            RAYS,
-            "center - Vec3::new(0.0, 0.0, focal_length) + 0.5 * viewport_u - 0.5 * viewport_v",
-            "center - Vec3::new(0.0, 0.0, focal_length) - 0.5 * viewport_u - 0.5 * viewport_v",
-        )
-        .alters(|p| p.corner = [-0.5, 0.5]),
     slip("division-in-place", RAYS, QUOTIENT)
         .says(Words {
             wrong: "vec3& operator/(double t) { e[0] /= t; …; return *this; }",
@@ -675,24 +638,6 @@ pub(super) const SLIPS: &[Slip] = &[
             }
         })
         .equivalent(RAYS, "The camera is at the origin, and x - 0 is x."),
-    slip("ray-backwards", RAYS, CAMERA)
-        .says(Words {
-            wrong: "ray_direction = camera_center - pixel_center",
-            right: "ray_direction = pixel_center - camera_center",
-            why: "A direction is the end less the start. The other way round, every ray leaves \
-                  the viewport behind it.",
-        })
-        .in_rust(
-            RAYS,
-            "Ray::new(self.center, self.center - pixel_center)",
-            "Ray::new(self.center, pixel_center - self.center)",
-        )
-        .alters(|p| {
-            p.ray = |program, camera, i, j| {
-                let ray = program.right_ray(camera, i, j);
-                Ray::new(ray.origin, -ray.direction)
-            }
-        }),
     slip("ray-arguments-swapped", RAYS, CAMERA)
         .says(Words {
             wrong: "ray(pixel_center - camera_center, camera_center)",
@@ -821,78 +766,6 @@ pub(super) const SLIPS: &[Slip] = &[
             p.blend =
                 |program, direction| 0.5 * (program.sky_direction)(program, direction).y + 1.0;
         }),
-    slip("blend-only-halved", RAYS, SKY)
-        .says(Words {
-            wrong: "a = 0.5 * unit_direction.y()",
-            right: "a = 0.5 * (unit_direction.y() + 1)",
-            why: "Half of y runs from -0.5 to 0.5: below the horizon the weight is negative, and \
-                  white exceeds 1.",
-        })
-        .in_rust(
-            RAYS,
-            "a = 0.5 * unit_direction.y;",
-            "a = 0.5 * (unit_direction.y + 1.0);",
-        )
-        .alters(|p| {
-            p.blend = |program, direction| {
-                let y = (program.sky_direction)(program, direction).y;
-                0.5 * y
-            }
-        }),
-    slip("blend-minus-one", RAYS, SKY)
-        .says(Words {
-            wrong: "a = 0.5 * (unit_direction.y() - 1)",
-            right: "a = 0.5 * (unit_direction.y() + 1)",
-            why: "y - 1 runs from -2 to 0. No weight is above 0, and everything is white or \
-                  brighter.",
-        })
-        .in_rust(
-            RAYS,
-            "a = 0.5 * (unit_direction.y - 1.0)",
-            "a = 0.5 * (unit_direction.y + 1.0)",
-        )
-        .alters(|p| {
-            p.blend = |program, direction| {
-                let y = (program.sky_direction)(program, direction).y;
-                0.5 * (y - 1.0)
-            }
-        }),
-    slip("blend-downwards", RAYS, SKY)
-        .says(Words {
-            wrong: "a = 0.5 * (1 - unit_direction.y())",
-            right: "a = 0.5 * (unit_direction.y() + 1)",
-            why: "The weight of blue grows with y. With a minus the sky is upside down and the \
-                  sphere is not.",
-        })
-        .in_rust(
-            RAYS,
-            "a = 0.5 * (1.0 - unit_direction.y)",
-            "a = 0.5 * (unit_direction.y + 1.0)",
-        )
-        .alters(|p| {
-            p.blend = |program, direction| {
-                let y = (program.sky_direction)(program, direction).y;
-                0.5 * (1.0 - y)
-            }
-        }),
-    slip("blend-by-absolute", RAYS, SKY)
-        .says(Words {
-            wrong: "a = 0.5 * (abs(unit_direction.y()) + 1)",
-            right: "a = 0.5 * (unit_direction.y() + 1)",
-            why: "Without its sign, y says the same above and below the horizon: the lower half \
-                  is the mirror image of the upper one.",
-        })
-        .in_rust(
-            RAYS,
-            "a = 0.5 * (unit_direction.y.abs() + 1.0)",
-            "a = 0.5 * (unit_direction.y + 1.0)",
-        )
-        .alters(|p| {
-            p.blend = |program, direction| {
-                let y = (program.sky_direction)(program, direction).y;
-                0.5 * (y.abs() + 1.0)
-            }
-        }),
     slip("blend-squared", RAYS, SKY)
         .says(Words {
             wrong: "a * a in place of a",
@@ -971,73 +844,6 @@ pub(super) const SLIPS: &[Slip] = &[
         })
         .in_rust(RAYS, "a * white + a * blue", "(1.0 - a) * white + a * blue")
         .alters(|p| p.lerp = |[below, above], a| a * below + a * above),
-    slip("blue-by-the-same-weight", RAYS, SKY)
-        .says(Words {
-            wrong: "(1 - a) * white + (1 - a) * blue",
-            right: "(1 - a) * white + a * blue",
-            why: "The two weights add up to 1. With the same one for both, the sky is dark above \
-                  and far too bright below.",
-        })
-        .in_rust(
-            RAYS,
-            "(1.0 - a) * white + (1.0 - a) * blue",
-            "(1.0 - a) * white + a * blue",
-        )
-        .alters(|p| p.lerp = |[below, above], a| (1.0 - a) * below + (1.0 - a) * above),
-    slip("blue-in-full", RAYS, SKY)
-        .says(Words {
-            wrong: "(1 - a) * white + blue",
-            right: "(1 - a) * white + a * blue",
-            why: "The two weights add up to 1. Without the second one, everything is too bright \
-                  and below the horizon it is white.",
-        })
-        .in_rust(
-            RAYS,
-            "(1.0 - a) * white + blue",
-            "(1.0 - a) * white + a * blue",
-        )
-        .alters(|p| p.lerp = |[below, above], a| (1.0 - a) * below + above),
-    slip("blue-forgotten", RAYS, SKY)
-        .says(Words {
-            wrong: "(1 - a) * white",
-            right: "(1 - a) * white + a * blue",
-            why: "What white loses, blue has to add. Without it the sky gets dark upwards.",
-        })
-        .in_rust(RAYS, "(1.0 - a) * white", "(1.0 - a) * white + a * blue")
-        .alters(|p| p.lerp = |[below, _], a| (1.0 - a) * below),
-    slip("white-forgotten", RAYS, SKY)
-        .says(Words {
-            wrong: "a * blue",
-            right: "(1 - a) * white + a * blue",
-            why: "What blue leaves, white has to add. Without it the sky is dark below.",
-        })
-        .in_rust(RAYS, "a * blue", "(1.0 - a) * white + a * blue")
-        .alters(|p| p.lerp = |[_, above], a| a * above),
-    slip("blue-subtracted", RAYS, SKY)
-        .says(Words {
-            wrong: "(1 - a) * white - a * blue",
-            right: "(1 - a) * white + a * blue",
-            why: "The two terms are added. With a minus the colors are negative above the \
-                  horizon, which no picture holds.",
-        })
-        .in_rust(
-            RAYS,
-            "(1.0 - a) * white - a * blue",
-            "(1.0 - a) * white + a * blue",
-        )
-        .alters(|p| p.lerp = |[below, above], a| (1.0 - a) * below - a * above),
-    slip("white-subtracted", RAYS, SKY)
-        .says(Words {
-            wrong: "(a - 1) * white + a * blue",
-            right: "(1 - a) * white + a * blue",
-            why: "The weight of white is what a leaves of 1. The other way round it is negative.",
-        })
-        .in_rust(
-            RAYS,
-            "(a - 1.0) * white + a * blue",
-            "(1.0 - a) * white + a * blue",
-        )
-        .alters(|p| p.lerp = |[below, above], a| (a - 1.0) * below + a * above),
     slip("lerp-signs-swapped", RAYS, SKY)
         .says(Words {
             wrong: "(1 + a) * white - a * blue",
@@ -1051,42 +857,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "(1.0 - a) * white + a * blue",
         )
         .alters(|p| p.lerp = |[below, above], a| (1.0 + a) * below - a * above),
-    slip("blue-turned-violet", RAYS, SKY)
-        .says(Words {
-            wrong: "blue = (0.7, 0.5, 1)",
-            right: "blue = (0.5, 0.7, 1)",
-            why: "Red and green are swapped: the sky turns violet, the rest stays.",
-        })
-        .in_rust(
-            RAYS,
-            "blue = Color::new(0.7, 0.5, 1.0)",
-            "blue = Color::new(0.5, 0.7, 1.0)",
-        )
-        .alters(|p| p.sky[1] = Color::new(0.7, 0.5, 1.0)),
-    slip("blue-turned-orange", RAYS, SKY)
-        .says(Words {
-            wrong: "blue = (1, 0.7, 0.5)",
-            right: "blue = (0.5, 0.7, 1)",
-            why: "Red and blue are swapped: the sky turns orange, the rest stays.",
-        })
-        .in_rust(
-            RAYS,
-            "blue = Color::new(1.0, 0.7, 0.5)",
-            "blue = Color::new(0.5, 0.7, 1.0)",
-        )
-        .alters(|p| p.sky[1] = Color::new(1.0, 0.7, 0.5)),
-    slip("blue-turned-green", RAYS, SKY)
-        .says(Words {
-            wrong: "blue = (0.5, 1, 0.7)",
-            right: "blue = (0.5, 0.7, 1)",
-            why: "Green and blue are swapped: the sky turns green, the rest stays.",
-        })
-        .in_rust(
-            RAYS,
-            "blue = Color::new(0.5, 1.0, 0.7)",
-            "blue = Color::new(0.5, 0.7, 1.0)",
-        )
-        .alters(|p| p.sky[1] = Color::new(0.5, 1.0, 0.7)),
     slip("sky-in-levels", RAYS, SKY)
         .says(Words {
             wrong: "white = (255, 255, 255), blue = (127, 178, 255)",

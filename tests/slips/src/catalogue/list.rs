@@ -118,19 +118,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "object.hit(ray, t_min, closest_so_far)",
         )
         .alters(|p| p.search = beyond_the_closest),
-    slip("closest-starts-at-t-min", HITTABLE_LIST, SEARCH)
-        .says(Words {
-            wrong: "closest_so_far = t_min",
-            right: "closest_so_far = t_max",
-            why: "Before anything is hit, all of the range is left. From t_min to t_min there is \
-                  none, and nothing is hit.",
-        })
-        .in_rust(
-            HITTABLE_LIST,
-            "closest_so_far = t_min",
-            "closest_so_far = t_max",
-        )
-        .alters(|p| p.search = |_, _, _| None),
     slip("near-root-only", HITTABLE_LIST, BOTH_ROOTS)
         .says(Words {
             wrong: "root = (h - sqrtd) / a; if (!range.surrounds(root)) return false",
@@ -144,18 +131,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "roots = [(h - sqrtd) / a, (h + sqrtd) / a]",
         )
         .alters(|p| p.numerators = |first, sqrtd, _| [first - sqrtd; 2]),
-    slip("far-root-first", HITTABLE_LIST, BOTH_ROOTS)
-        .says(Words {
-            wrong: "root = (h + sqrtd) / a, and then (h - sqrtd) / a",
-            right: "root = (h - sqrtd) / a, and then (h + sqrtd) / a",
-            why: "The far side of a sphere covers the near one.",
-        })
-        .in_rust(
-            HITTABLE_LIST,
-            "roots = [(h + sqrtd) / a, (h - sqrtd) / a]",
-            "roots = [(h - sqrtd) / a, (h + sqrtd) / a]",
-        )
-        .alters(|p| p.numerators = |first, sqrtd, _| [first + sqrtd, first - sqrtd]),
     slip("far-root-not-tested", HITTABLE_LIST, BOTH_ROOTS)
         .says(Words {
             wrong: "if (!range.surrounds(root)) root = (h + sqrtd) / a",
@@ -193,19 +168,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "t = roots.into_iter().find(|&t| t_min < t && t < t_max)?",
         )
         .alters(|p| p.in_range = |_, _, _| true),
-    slip("range-with-or", HITTABLE_LIST, RANGE_OF_A_SPHERE)
-        .says(Words {
-            wrong: "t_min < t || t < t_max",
-            right: "t_min < t && t < t_max",
-            why: "Both ends have to hold. With \"or\" every t does, and hits behind the camera \
-                  beat those in front.",
-        })
-        .in_rust(
-            HITTABLE_LIST,
-            "t_min < t || t < t_max",
-            "t_min < t && t < t_max",
-        )
-        .alters(|p| p.in_range = |t_min, t, t_max| t_min < t || t < t_max),
     slip("range-reversed", HITTABLE_LIST, RANGE_OF_A_SPHERE)
         .says(Words {
             wrong: "t_max < t && t < t_min",
@@ -388,21 +350,6 @@ pub(super) const SLIPS: &[Slip] = &[
                     outward
                 }
             }
-        }),
-    slip("side-test-reversed", HITTABLE_LIST, FACE)
-        .says(Words {
-            wrong: "front_face = dot(r.direction(), outward_normal) > 0",
-            right: "front_face = dot(r.direction(), outward_normal) < 0",
-            why: "A ray that enters goes against the outward normal. The other way round, every \
-                  normal points along the ray.",
-        })
-        .in_rust(
-            HITTABLE_LIST,
-            "self.front_face = ray.direction.dot(outward_normal) > 0.0",
-            "self.front_face = ray.direction.dot(outward_normal) < 0.0",
-        )
-        .alters(|p| {
-            p.front_face = |program, direction, outward| (program.dot)(direction, outward) > 0.0;
         }),
     slip("ground-too-high", HITTABLE_LIST, WORLD)
         .says(Words {

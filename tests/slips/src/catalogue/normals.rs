@@ -221,44 +221,6 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .reported(&["#1062", "#525"])
         .alters(|p| p.outward = |_, point, ball| point - ball.center),
-    slip("normal-from-direction", ONE_SPHERE, NORMAL)
-        .says(Words {
-            wrong: "N = unit_vector(r.direction() - center)",
-            right: "N = unit_vector(r.at(t) - center)",
-            why: "The direction ends on the viewport, at t = 1. The point that is hit is at t.",
-        })
-        .in_rust(
-            ONE_SPHERE,
-            "normal = (ray.direction - center).normalize()",
-            "normal = (ray.at(t) - center).normalize()",
-        )
-        .alters(|p| p.hit_point = |_, ray, _| ray.direction),
-    slip("normal-without-center", HITTABLE_LIST, NORMAL_BY_RADIUS)
-        .says(Words {
-            wrong: "outward_normal = p / radius",
-            right: "outward_normal = (p - center) / radius",
-            why: "A normal points away from the center of the sphere, not from the eye.",
-        })
-        .in_rust(
-            HITTABLE_LIST,
-            "outward_normal = record.point * (1.0 / self.radius)",
-            "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
-        )
-        .alters(|p| p.outward = |program, point, ball| (program.over)(point, ball.radius)),
-    slip("center-over-radius", HITTABLE_LIST, NORMAL_BY_RADIUS)
-        .says(Words {
-            wrong: "outward_normal = p - center / radius",
-            right: "outward_normal = (p - center) / radius",
-            why: "Without brackets only the center is divided.",
-        })
-        .in_rust(
-            HITTABLE_LIST,
-            "outward_normal = record.point - self.center * (1.0 / self.radius)",
-            "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
-        )
-        .alters(|p| {
-            p.outward = |program, point, ball| point - (program.over)(ball.center, ball.radius);
-        }),
     slip("normal-times-radius", HITTABLE_LIST, NORMAL_BY_RADIUS)
         .says(Words {
             wrong: "outward_normal = (p - center) * radius",
@@ -435,50 +397,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "0.5 * (rec.normal + color(1, 1, 1))",
         )
         .alters(|p| p.shade = |_, normal| 0.5 * normal + Vec3::ONE),
-    slip("normal-minus-one", ROOTS, SHADE)
-        .says(Words {
-            wrong: "0.5 * color(N.x() - 1, N.y() - 1, N.z() - 1)",
-            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
-            why: "A component less 1 is never above 0, so the sphere is black.",
-        })
-        .in_rust(
-            ONE_SPHERE,
-            "return 0.5 * (normal - Vec3::ONE)",
-            "return 0.5 * (normal + Vec3::ONE)",
-        )
-        .in_rust(
-            HITTABLE_LIST,
-            "return 0.5 * (record.normal - Vec3::ONE)",
-            "return 0.5 * (record.normal + Vec3::ONE)",
-        )
-        .in_book(
-            HITTABLE_LIST,
-            "0.5 * (rec.normal - color(1, 1, 1))",
-            "0.5 * (rec.normal + color(1, 1, 1))",
-        )
-        .alters(|p| p.shade = |_, normal| 0.5 * (normal - Vec3::ONE)),
-    slip("one-minus-normal", ROOTS, SHADE)
-        .says(Words {
-            wrong: "0.5 * color(1 - N.x(), 1 - N.y(), 1 - N.z())",
-            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
-            why: "Every color is that of the opposite normal: the sphere looks as from inside.",
-        })
-        .in_rust(
-            ONE_SPHERE,
-            "return 0.5 * (Vec3::ONE - normal)",
-            "return 0.5 * (normal + Vec3::ONE)",
-        )
-        .in_rust(
-            HITTABLE_LIST,
-            "return 0.5 * (Vec3::ONE - record.normal)",
-            "return 0.5 * (record.normal + Vec3::ONE)",
-        )
-        .in_book(
-            HITTABLE_LIST,
-            "0.5 * (color(1, 1, 1) - rec.normal)",
-            "0.5 * (rec.normal + color(1, 1, 1))",
-        )
-        .alters(|p| p.shade = |_, normal| 0.5 * (Vec3::ONE - normal)),
     slip("normal-plus-half", ROOTS, SHADE)
         .says(Words {
             wrong: "N + color(0.5, 0.5, 0.5)",
@@ -502,29 +420,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "0.5 * (rec.normal + color(1, 1, 1))",
         )
         .alters(|p| p.shade = |_, normal| normal + 0.5 * Vec3::ONE),
-    slip("half-minus-normal", ROOTS, SHADE)
-        .says(Words {
-            wrong: "color(0.5, 0.5, 0.5) - N",
-            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
-            why: "The half belongs to the normal as well, and its sign is turned: components run \
-                  from -0.5 to 1.5.",
-        })
-        .in_rust(
-            ONE_SPHERE,
-            "return 0.5 * Vec3::ONE - normal",
-            "return 0.5 * (normal + Vec3::ONE)",
-        )
-        .in_rust(
-            HITTABLE_LIST,
-            "return 0.5 * Vec3::ONE - record.normal",
-            "return 0.5 * (record.normal + Vec3::ONE)",
-        )
-        .in_book(
-            HITTABLE_LIST,
-            "color(0.5, 0.5, 0.5) - rec.normal",
-            "0.5 * (rec.normal + color(1, 1, 1))",
-        )
-        .alters(|p| p.shade = |_, normal| 0.5 * Vec3::ONE - normal),
     slip("normal-channels-reversed", ROOTS, SHADE)
         .says(Words {
             wrong: "0.5 * color(N.z() + 1, N.y() + 1, N.x() + 1)",
@@ -545,48 +440,6 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .alters(|p| {
             p.shade = |_, normal| 0.5 * (Vec3::new(normal.z, normal.y, normal.x) + Vec3::ONE);
-        }),
-    slip("normal-x-and-y-swapped", ROOTS, SHADE)
-        .says(Words {
-            wrong: "0.5 * color(N.y() + 1, N.x() + 1, N.z() + 1)",
-            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
-            why: "x is red, y is green and z is blue. The sky is right, the sphere's red and \
-                  green have changed places.",
-        })
-        .in_rust(
-            ONE_SPHERE,
-            "return 0.5 * Color::new(normal.y + 1.0, normal.x + 1.0, normal.z + 1.0)",
-            "return 0.5 * (normal + Vec3::ONE)",
-        )
-        .in_rust(
-            HITTABLE_LIST,
-            "return 0.5 * Color::new(record.normal.y + 1.0, record.normal.x + 1.0, \
-             record.normal.z + 1.0)",
-            "return 0.5 * (record.normal + Vec3::ONE)",
-        )
-        .alters(|p| {
-            p.shade = |_, normal| 0.5 * (Vec3::new(normal.y, normal.x, normal.z) + Vec3::ONE);
-        }),
-    slip("normal-y-and-z-swapped", ROOTS, SHADE)
-        .says(Words {
-            wrong: "0.5 * color(N.x() + 1, N.z() + 1, N.y() + 1)",
-            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
-            why: "x is red, y is green and z is blue. The sky is right, the sphere's green and \
-                  blue have changed places.",
-        })
-        .in_rust(
-            ONE_SPHERE,
-            "return 0.5 * Color::new(normal.x + 1.0, normal.z + 1.0, normal.y + 1.0)",
-            "return 0.5 * (normal + Vec3::ONE)",
-        )
-        .in_rust(
-            HITTABLE_LIST,
-            "return 0.5 * Color::new(record.normal.x + 1.0, record.normal.z + 1.0, \
-             record.normal.y + 1.0)",
-            "return 0.5 * (record.normal + Vec3::ONE)",
-        )
-        .alters(|p| {
-            p.shade = |_, normal| 0.5 * (Vec3::new(normal.x, normal.z, normal.y) + Vec3::ONE);
         }),
     slip("normal-in-gray", ROOTS, SHADE)
         .says(Words {
@@ -625,69 +478,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "return 0.5 * (record.normal + Vec3::ONE)",
         )
         .alters(|p| p.shade = |_, normal| normal.abs()),
-    slip("normal-x-flipped", ROOTS, SHADE)
-        .says(Words {
-            wrong: "0.5 * color(1 - N.x(), N.y() + 1, N.z() + 1)",
-            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
-            why: "The sign of x is turned, so left and right change places in one of the three \
-                  colors.",
-        })
-        .in_rust(
-            ONE_SPHERE,
-            "return 0.5 * Color::new(1.0 - normal.x, normal.y + 1.0, normal.z + 1.0)",
-            "return 0.5 * (normal + Vec3::ONE)",
-        )
-        .in_rust(
-            HITTABLE_LIST,
-            "return 0.5 * Color::new(1.0 - record.normal.x, record.normal.y + 1.0, \
-             record.normal.z + 1.0)",
-            "return 0.5 * (record.normal + Vec3::ONE)",
-        )
-        .alters(|p| {
-            p.shade = |_, normal| 0.5 * (Vec3::new(-normal.x, normal.y, normal.z) + Vec3::ONE);
-        }),
-    slip("normal-y-flipped", ROOTS, SHADE)
-        .says(Words {
-            wrong: "0.5 * color(N.x() + 1, 1 - N.y(), N.z() + 1)",
-            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
-            why: "The sign of y is turned, so above and below change places in one of the three \
-                  colors.",
-        })
-        .in_rust(
-            ONE_SPHERE,
-            "return 0.5 * Color::new(normal.x + 1.0, 1.0 - normal.y, normal.z + 1.0)",
-            "return 0.5 * (normal + Vec3::ONE)",
-        )
-        .in_rust(
-            HITTABLE_LIST,
-            "return 0.5 * Color::new(record.normal.x + 1.0, 1.0 - record.normal.y, \
-             record.normal.z + 1.0)",
-            "return 0.5 * (record.normal + Vec3::ONE)",
-        )
-        .alters(|p| {
-            p.shade = |_, normal| 0.5 * (Vec3::new(normal.x, -normal.y, normal.z) + Vec3::ONE);
-        }),
-    slip("normal-z-flipped", ROOTS, SHADE)
-        .says(Words {
-            wrong: "0.5 * color(N.x() + 1, N.y() + 1, 1 - N.z())",
-            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
-            why: "The sign of z is turned, so near and far change places in one of the three \
-                  colors.",
-        })
-        .in_rust(
-            ONE_SPHERE,
-            "return 0.5 * Color::new(normal.x + 1.0, normal.y + 1.0, 1.0 - normal.z)",
-            "return 0.5 * (normal + Vec3::ONE)",
-        )
-        .in_rust(
-            HITTABLE_LIST,
-            "return 0.5 * Color::new(record.normal.x + 1.0, record.normal.y + 1.0, 1.0 - \
-             record.normal.z)",
-            "return 0.5 * (record.normal + Vec3::ONE)",
-        )
-        .alters(|p| {
-            p.shade = |_, normal| 0.5 * (Vec3::new(normal.x, normal.y, -normal.z) + Vec3::ONE);
-        }),
 ];
 
 /// A vector as long as the sphere's radius made one of length 1, in the way of

@@ -142,32 +142,6 @@ pub(super) const SLIPS: &[Slip] = &[
                 _ => |d_oc| 2.0 * d_oc,
             }
         }),
-    slip("h-times-two", HALF_B, HALF)
-        .says(Words {
-            wrong: "h = 2 * dot(r.direction(), oc)",
-            right: "h = dot(r.direction(), oc)",
-            why: "h is half of -b, and the 2 is gone with the half: the discriminant is far too \
-                  large.",
-        })
-        .in_rust(
-            HALF_B,
-            "h = 2.0 * ray.direction.dot(oc)",
-            "h = ray.direction.dot(oc)",
-        )
-        .alters(|p| p.linear = |d_oc| 2.0 * d_oc),
-    slip("h-halved", HALF_B, HALF)
-        .says(Words {
-            wrong: "h = dot(r.direction(), oc) / 2",
-            right: "h = dot(r.direction(), oc)",
-            why: "h is half of b, not of the dot product: b has a 2 of its own. The discriminant \
-                  is far too small.",
-        })
-        .in_rust(
-            HALF_B,
-            "h = 0.5 * ray.direction.dot(oc)",
-            "h = ray.direction.dot(oc)",
-        )
-        .alters(|p| p.linear = |d_oc| 0.5 * d_oc),
     slip("h-sign", HALF_B, HALF)
         .says(Words {
             wrong: "h = -dot(r.direction(), oc)",
@@ -195,19 +169,6 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .reported(&["#113", "#126", "#146", "RayTracing/InOneWeekend#17"])
         .alters(|p| p.discriminant = |a, b, c| b * b - a * c),
-    slip("discriminant-with-two", FULL_B, DISCRIMINANT)
-        .says(Words {
-            wrong: "discriminant = b*b - 2*a*c",
-            right: "discriminant = b*b - 4*a*c",
-            why: "The formula has a 4. With half of it the discriminant is too large, and so is \
-                  the disc.",
-        })
-        .in_rust(
-            FULL_B,
-            "discriminant = b * b - 2.0 * a * c",
-            "discriminant = b * b - 4.0 * a * c",
-        )
-        .alters(|p| p.discriminant = |a, b, c| b * b - 2.0 * a * c),
     slip("discriminant-with-four", HALF_B, HALF)
         .says(Words {
             wrong: "discriminant = h*h - 4*a*c",
@@ -278,58 +239,6 @@ pub(super) const SLIPS: &[Slip] = &[
             p.discriminant = match p.chapter {
                 Chapter::RedSphere | Chapter::Normals => |a, b, c| b - 4.0 * a * c,
                 _ => |a, h, c| h - a * c,
-            }
-        }),
-    slip("discriminant-without-a", SPHERES, DISCRIMINANT)
-        .says(Words {
-            wrong: "discriminant = b*b - 4*c",
-            right: "discriminant = b*b - 4*a*c",
-            why: "That holds for unit directions only, where a is 1. Here a is larger away from \
-                  the middle.",
-        })
-        .in_book(HALF_B, "discriminant = h*h - c", "discriminant = h*h - a*c")
-        .in_rust(
-            FULL_B,
-            "discriminant = b * b - 4.0 * c",
-            "discriminant = b * b - 4.0 * a * c",
-        )
-        .in_rust(
-            HALF_B,
-            "discriminant = h * h - c",
-            "discriminant = h * h - a * c",
-        )
-        .alters(|p| {
-            p.discriminant = match p.chapter {
-                Chapter::RedSphere | Chapter::Normals => |_, b, c| b * b - 4.0 * c,
-                _ => |_, h, c| h * h - c,
-            }
-        }),
-    slip("discriminant-negated", SPHERES, DISCRIMINANT)
-        .says(Words {
-            wrong: "discriminant = 4*a*c - b*b",
-            right: "discriminant = b*b - 4*a*c",
-            why: "Every sign is turned: what misses is taken for a hit, and what hits has no \
-                  root.",
-        })
-        .in_book(
-            HALF_B,
-            "discriminant = a*c - h*h",
-            "discriminant = h*h - a*c",
-        )
-        .in_rust(
-            FULL_B,
-            "discriminant = 4.0 * a * c - b * b",
-            "discriminant = b * b - 4.0 * a * c",
-        )
-        .in_rust(
-            HALF_B,
-            "discriminant = a * c - h * h",
-            "discriminant = h * h - a * c",
-        )
-        .alters(|p| {
-            p.discriminant = match p.chapter {
-                Chapter::RedSphere | Chapter::Normals => |a, b, c| 4.0 * a * c - b * b,
-                _ => |a, h, c| a * c - h * h,
             }
         }),
     slip("tangent-missed", SPHERES, DISCRIMINANT)
@@ -476,24 +385,6 @@ pub(super) const SLIPS: &[Slip] = &[
         .in_rust(FULL_B, "a = 1.0", "a = ray.direction.dot(ray.direction)")
         .in_rust(HALF_B, "a = 1.0", "a = ray.direction.length_squared()")
         .alters(|p| p.a = |_, _| 1.0),
-    slip("a-not-squared", SPHERES, COEFFICIENTS)
-        .says(Words {
-            wrong: "a = r.direction().length()",
-            right: "a = dot(r.direction(), r.direction())",
-            why: "The equation has the square of the length. In the middle, where the length is \
-                  1, it makes no difference.",
-        })
-        .in_rust(
-            FULL_B,
-            "a = ray.direction.length()",
-            "a = ray.direction.dot(ray.direction)",
-        )
-        .in_rust(
-            HALF_B,
-            "a = ray.direction.length();",
-            "a = ray.direction.length_squared();",
-        )
-        .alters(|p| p.a = |program, direction| (program.squared)(program, direction).sqrt()),
     slip("a-from-oc", SPHERES, COEFFICIENTS)
         .says(Words {
             wrong: "a = dot(oc, oc)",
@@ -545,35 +436,6 @@ pub(super) const SLIPS: &[Slip] = &[
                 let [a, b, _] = coefficients(program, ball, ray);
                 let squared = (program.squared)(program, ray.direction);
                 [a, b, (program.constant)(squared, ball.radius)]
-            }
-        }),
-    slip("b-from-direction", SPHERES, COEFFICIENTS)
-        .says(Words {
-            wrong: "b = -2 * dot(r.direction(), r.direction())",
-            right: "b = -2 * dot(r.direction(), oc)",
-            why: "b compares two vectors, the direction and the way to the center. With one of \
-                  them alone it does not know where the sphere is.",
-        })
-        .in_book(
-            HALF_B,
-            "h = dot(r.direction(), r.direction())",
-            "h = dot(r.direction(), oc)",
-        )
-        .in_rust(
-            FULL_B,
-            "b = -2.0 * ray.direction.dot(ray.direction)",
-            "b = -2.0 * ray.direction.dot(oc)",
-        )
-        .in_rust(
-            HALF_B,
-            "h = ray.direction.dot(ray.direction)",
-            "h = ray.direction.dot(oc)",
-        )
-        .alters(|p| {
-            p.coefficients = |program, ball, ray| {
-                let [a, _, c] = coefficients(program, ball, ray);
-                let squared = (program.squared)(program, ray.direction);
-                [a, (program.linear)(squared), c]
             }
         }),
     slip("dot-with-swapped-letter", SPHERES, DOT)
@@ -834,31 +696,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "(-b - discriminant.sqrt()) / (2.0 * a)",
         )
         .alters(|p| p.divide = |numerator, a| numerator / a),
-    slip("divided-by-two", NORMALS, ROOT)
-        .says(Words {
-            wrong: "(-b - sqrt(discriminant)) / 2",
-            right: "(-b - sqrt(discriminant)) / (2*a)",
-            why: "The a is missing. In the middle, where it is 1, nothing changes.",
-        })
-        .in_rust(
-            NORMALS,
-            "(-b - discriminant.sqrt()) / 2.0)",
-            "(-b - discriminant.sqrt()) / (2.0 * a))",
-        )
-        .alters(|p| p.divide = |numerator, _| numerator / 2.0),
-    slip("two-a-forgotten", NORMALS, ROOT)
-        .says(Words {
-            wrong: "-b - sqrt(discriminant)",
-            right: "(-b - sqrt(discriminant)) / (2*a)",
-            why: "Without the division t is too large, by twice the square of the length of the \
-                  direction.",
-        })
-        .in_rust(
-            NORMALS,
-            "Some(-b - discriminant.sqrt())",
-            "Some((-b - discriminant.sqrt()) / (2.0 * a))",
-        )
-        .alters(|p| p.divide = |numerator, _| numerator),
     slip("divided-by-two-a", HALF_B, HALF)
         .says(Words {
             wrong: "(h - sqrt(discriminant)) / (2*a)",
@@ -905,48 +742,4 @@ pub(super) const SLIPS: &[Slip] = &[
             "Some((h - discriminant.sqrt()) / a)",
         )
         .alters(|p| p.divide = |numerator, _| numerator),
-    slip("multiplied-by-a", HALF_B, HALF)
-        .says(Words {
-            wrong: "(h - sqrt(discriminant)) * a",
-            right: "(h - sqrt(discriminant)) / a",
-            why: "The formula divides by a. In the middle, where it is 1, nothing changes.",
-        })
-        .in_rust(
-            HITTABLE_LIST,
-            "roots = [(h - sqrtd) * a, (h + sqrtd) * a]",
-            "roots = [(h - sqrtd) / a, (h + sqrtd) / a]",
-        )
-        .in_rust(
-            HALF_B,
-            "(h - discriminant.sqrt()) * a",
-            "(h - discriminant.sqrt()) / a",
-        )
-        .alters(|p| p.divide = |numerator, a| numerator * a),
-    slip("t-as-distance", ROOTS, ROOT)
-        .says(Words {
-            wrong: "t is a distance: the direction was made a unit vector",
-            right: "t counts lengths of the direction",
-            why: "The caller looks for the point at t with the direction as it is.",
-        })
-        .in_rust(
-            NORMALS,
-            "(-b - discriminant.sqrt()) / (2.0 * a.sqrt())",
-            "(-b - discriminant.sqrt()) / (2.0 * a)",
-        )
-        .in_rust(
-            HITTABLE_LIST,
-            "roots = [(h - sqrtd) / a.sqrt(), (h + sqrtd) / a.sqrt()]",
-            "roots = [(h - sqrtd) / a, (h + sqrtd) / a]",
-        )
-        .in_rust(
-            HALF_B,
-            "(h - discriminant.sqrt()) / a.sqrt()",
-            "(h - discriminant.sqrt()) / a",
-        )
-        .alters(|p| {
-            p.divide = match p.chapter {
-                Chapter::Normals => |numerator, a| numerator / (2.0 * a.sqrt()),
-                _ => |numerator, a| numerator / a.sqrt(),
-            }
-        }),
 ];
