@@ -2,7 +2,7 @@
 //! it.
 
 use std::ffi::OsStr;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, Command, Error};
@@ -26,6 +26,40 @@ impl TypedValueParser for OneOf {
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
         Some(Box::new(self.names().map(PossibleValue::new)))
+    }
+}
+
+/// A chapter of the book, or a picture where none is named.
+#[derive(Clone)]
+pub(crate) enum First {
+    /// The chapter.
+    Chapter(Chapter),
+    /// The picture.
+    Picture(PathBuf),
+}
+
+/// Takes a chapter of the book, or what looks like a file.
+#[derive(Clone)]
+pub(crate) struct ChapterOrPicture;
+
+impl TypedValueParser for ChapterOrPicture {
+    type Value = First;
+
+    fn parse_ref(&self, cmd: &Command, arg: Option<&Arg>, typed: &OsStr) -> Result<First, Error> {
+        let path = Path::new(typed);
+        match OneOf(&Chapter::OF_THE_BOOK).parse_ref(cmd, arg, typed) {
+            Ok(chapter) => Ok(First::Chapter(chapter)),
+            Err(_) if typed == "-" || path.extension().is_some() || path.is_file() => {
+                Ok(First::Picture(path.to_owned()))
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(
+            OneOf(&Chapter::OF_THE_BOOK).names().map(PossibleValue::new),
+        ))
     }
 }
 

@@ -71,17 +71,25 @@ document.fonts.ready.then(() => {
     document.querySelectorAll(boxes).forEach((box) => observer.observe(box));
 });
 
-// What moves live figures and pictures is loaded when the first comes near the screen.
+// Loads these scripts of the folder `live`, in this order.
+function load(...files) {
+    for (const file of files) {
+        const script = document.createElement("script");
+        script.src = `live/${file}.js`;
+        script.async = false;
+        document.head.append(script);
+    }
+}
+
+// What moves live figures and pictures is loaded when the first comes near the screen, and
+// the judge where there is something to judge.
 const near = new IntersectionObserver((entries) => {
     if (entries.some((entry) => entry.isIntersecting)) {
         near.disconnect();
-        for (const file of ["module", "figures", "pictures", "start"]) {
-            const script = document.createElement("script");
-            script.src = `live/${file}.js`;
-            // In this order.
-            script.async = false;
-            document.head.append(script);
-        }
+        load("module", "figures", "inspector", "pictures", "start");
     }
 }, { rootMargin: "100%" });
 document.querySelectorAll("figure.live").forEach((figure) => near.observe(figure));
+if (document.getElementById("check")) {
+    load("judge", "worker", "inspector", "pixels", "check");
+}

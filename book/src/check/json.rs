@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use check::answer::Judged;
 use check::blind_spots::{BlindSpots, Showing};
 use check::evidence::Known;
 use check::explanations::{But, Conversion};
@@ -13,8 +14,6 @@ use check::workspace;
 use common::rtweekend::Color;
 use serde_json::{Value, json};
 use slips::Slip;
-
-use super::judged::Judged;
 
 /// One object. Names of slips, probes, causes and verdicts never change.
 pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
@@ -32,7 +31,7 @@ pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
     let object = json!({
         "chapter": judged.scene.chapter.name(),
         "probe": judged.scene.probe.map(|probe| probe.name),
-        "picture": judged.source.to_string(),
+        "picture": judged.name,
         "size": size(&judged.check),
         "edition": edition(&judged.check),
         "verdict": verdict,

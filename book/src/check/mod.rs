@@ -2,8 +2,6 @@
 
 mod input;
 mod json;
-mod judged;
-mod map;
 mod page;
 mod text;
 
@@ -13,8 +11,11 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
+use check::answer::Judged;
 use check::evidence::Known;
-use check::names::companion;
+use check::guess;
+use check::names::{self, companion};
+use check::reading::{self, Reading};
 use check::scene::Scene;
 use check::sources::Sources;
 use check::verdict::{self, Check};
@@ -25,22 +26,21 @@ use slips::Chapter;
 use slips::{self, Edition, PROBES, Probe, Slip};
 
 use input::Source;
-use judged::Judged;
 pub(crate) use text::Style;
 
-use crate::chapter::OneOf;
+use crate::chapter::{ChapterOrPicture, First};
 use crate::misuse::{complain, fail};
 use crate::{files, sources};
 
 /// What `cargo rtrace check` is told.
 #[derive(Args)]
 pub(crate) struct Arguments {
-    /// Which picture it should be
-    #[arg(value_name = "CHAPTER", value_parser = OneOf(&Chapter::OF_THE_BOOK))]
-    chapter: Chapter,
+    /// Which picture it should be; without it, the one that comes nearest
+    #[arg(value_name = "CHAPTER", value_parser = ChapterOrPicture, required_unless_present = "program")]
+    first: Option<First>,
 
     /// Your picture: a .ppm (P3 or P6) or .png file, or - for standard input
-    #[arg(value_name = "PICTURE", required_unless_present = "program")]
+    #[arg(value_name = "PICTURE")]
     picture: Option<PathBuf>,
 
     /// Your own program, which prints the picture to standard output
@@ -85,22 +85,13 @@ pub(crate) fn check(arguments: &Arguments) -> ExitCode {
 }
 
 fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
-    let scene = Scene::new(arguments.chapter, arguments.probe).ok_or_else(|| {
-        format!(
-            "this chapter has no place for the spheres of that probe; `{} probes CHAPTER` lists those it has",
-            companion()
-        )
-    })?;
-    let scene = match arguments.edition {
-        Some(edition) => scene.only_by(edition),
-        None => scene,
-    };
+    let (chapter, source) = arguments.chapter_and_source()?;
     if let Some(folder) = &arguments.report {
         files::refuse_strangers(folder, page::KIND)?;
     }
-    let source = match &arguments.picture {
-        Some(path) => Source::of(path),
-        None => Source::Program(&arguments.program),
+    let named = match chapter {
+        Some(chapter) => Some(arguments.scene(chapter)?),
+        None => None,
     };
     // What a program is made of may lie beside it.
     let (sources, letters) = match arguments.program.is_empty() {
@@ -114,14 +105,24 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         can_be_made: Some(&can_be_made),
         ..Known::default()
     };
-    let check = match source.read(arguments.timeout) {
-        Ok(bytes) => verdict::check_knowing(&scene, &bytes, arguments.tolerance, &known),
+    let bytes = source.read(arguments.timeout);
+    let reading = bytes.and_then(|bytes| reading::read(&bytes));
+    let scene = match (named, &reading) {
+        (Some(scene), _) => scene,
+        (None, Ok(reading)) => arguments.guessed(reading)?,
+        (None, Err(_)) => arguments.scene(Chapter::BuildTest)?,
+    };
+    let check = match &reading {
+        Ok(reading) => verdict::judge(&scene, reading, arguments.tolerance, &known),
         Err(cause) => Check::NotAPicture {
-            cause,
+            cause: cause.clone(),
             finding: None,
         },
     };
-    let judged = Judged::new(scene, source, known, check);
+    let judged = Judged {
+        is_guessed: named.is_none(),
+        ..Judged::new(scene, source.to_string(), known, check)
+    };
     let report = arguments.report.as_ref();
     let report = report
         .map(|folder| page::write(folder, &judged))
@@ -140,6 +141,52 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
             complain(&format!("rtrace: {error}"));
             Ok(2)
         }
+    }
+}
+
+impl Arguments {
+    /// The chapter, if one is named, and where the picture comes from.
+    fn chapter_and_source(&self) -> Result<(Option<Chapter>, Source<'_>), Box<dyn Error>> {
+        let program = Source::Program(&self.program);
+        match (&self.first, &self.picture) {
+            (Some(First::Chapter(chapter)), Some(path)) => Ok((Some(*chapter), Source::of(path))),
+            (Some(First::Chapter(_)), None) if self.program.is_empty() => {
+                Err("your picture is missing, or your program after --".into())
+            }
+            (Some(First::Chapter(chapter)), None) => Ok((Some(*chapter), program)),
+            (Some(First::Picture(path)), None) if self.program.is_empty() => {
+                Ok((None, Source::of(path)))
+            }
+            (Some(First::Picture(path)), _) => Err(format!(
+                "{} is no chapter, and there is more than one picture",
+                names::spelled(path)
+            )
+            .into()),
+            (None, _) => Ok((None, program)),
+        }
+    }
+
+    fn scene(&self, chapter: Chapter) -> Result<Scene, Box<dyn Error>> {
+        let scene = Scene::new(chapter, self.probe).ok_or_else(|| {
+            format!(
+                "this chapter has no place for the spheres of that probe; `{} probes CHAPTER` lists those it has",
+                companion()
+            )
+        })?;
+        Ok(match self.edition {
+            Some(edition) => scene.only_by(edition),
+            None => scene,
+        })
+    }
+
+    /// The scene that comes nearest, with the probe and the edition that are named.
+    fn guessed(&self, reading: &Reading) -> Result<Scene, Box<dyn Error>> {
+        let guessed = guess::scene(reading);
+        let scene = self.scene(guessed.chapter)?;
+        Ok(match (self.probe, guessed.probe) {
+            (None, Some(probe)) => scene.with_probe(probe).unwrap_or(scene),
+            _ => scene,
+        })
     }
 }
 

@@ -3,10 +3,10 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
+use check::answer::Judged;
 use check::report::{self, Report};
 use check::workspace::workspace;
 
-use super::judged::Judged;
 use super::text::{self, Style};
 use crate::files;
 
@@ -17,7 +17,7 @@ pub(crate) const KIND: &str = "report";
 pub(crate) fn write(folder: &Path, judged: &Judged) -> Result<PathBuf, Box<dyn Error>> {
     let finding = judged.check.finding();
     let book = workspace().map_or(PathBuf::new(), |it| it.join("target/book"));
-    let headline = text::headline(judged, Style::plain());
+    let headline = text::headline(&judged.headline(), Style::plain());
     let report = Report {
         title: judged.scene.chapter.name(),
         headline: headline.trim_end(),

@@ -5,6 +5,7 @@
 
 use std::iter;
 
+use crate::answer::{Hidden, Next};
 use crate::explanations::spread;
 use crate::scene::Scene;
 use slips::Chapter;
@@ -153,7 +154,7 @@ fn levels(output: &Output, n: u32) -> [u8; 3] {
 impl BlindSpots {
     /// What there is to say after the right picture of `scene`: which picture shows
     /// which slips, and how to draw the next one.
-    pub fn advice(&self, scene: &Scene) -> String {
+    pub fn advice(&self, scene: &Scene) -> Hidden {
         let this = match scene.probe {
             None => "this picture",
             Some(_) => "the chapter's own picture and this one",
@@ -164,18 +165,16 @@ impl BlindSpots {
             .chain([("only a law".to_owned(), names(&self.by_law))])
             .filter(|(_, names)| !names.is_empty())
             .collect();
-        let Some(width) = groups.iter().map(|(label, _)| label.len()).max() else {
-            return format!("No known mistake of the chapter can hide from {this}.\n");
+        let intro = match groups.is_empty() {
+            true => format!("No known mistake of the chapter can hide from {this}."),
+            false => format!("These mistakes can hide from {this}. What shows them:"),
         };
-        let lines = groups
-            .iter()
-            .map(|(label, names)| format!("  {label:<width$}  {names}\n"));
-        iter::once(format!(
-            "These mistakes can hide from {this}. What shows them:\n"
-        ))
-        .chain(lines)
-        .chain(self.shown_by.first().map(Showing::next))
-        .collect()
+        let next = self.shown_by.first().map(Showing::next);
+        Hidden {
+            intro,
+            groups,
+            next,
+        }
     }
 }
 
@@ -187,9 +186,11 @@ impl Showing {
         }
     }
 
-    fn next(&self) -> String {
-        let change = self.scene.change(self.width).replace('\n', "; ");
-        format!("Next: {change}; and then\n  {}\n", self.scene.command())
+    fn next(&self) -> Next {
+        Next {
+            scene: self.scene,
+            change: self.scene.change(self.width).replace('\n', "; "),
+        }
     }
 }
 

@@ -2,16 +2,20 @@
 //!
 //! In the order in which a file passes through it: [`reading`] makes a picture of
 //! bytes that may be anything, [`explanations`] are measured in [`bits`] and the shortest
-//! is the [`verdict`], which [`report`] shows on a page. If the picture is right,
-//! [`blind_spots`] says what it can't show.
+//! is the [`verdict`], which [`answer`] puts into words and [`report`] shows on a page. If the
+//! picture is right, [`blind_spots`] says what it can't show. Of a picture that nobody has named
+//! [`guess`] says which chapter it is.
 
+pub mod answer;
 pub mod bits;
 pub mod blind_spots;
 mod causes;
 pub mod comparison;
 pub mod evidence;
 pub mod explanations;
+pub mod guess;
 mod judge;
+mod map;
 pub mod mutants;
 pub mod names;
 pub mod png;

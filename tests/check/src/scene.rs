@@ -180,7 +180,7 @@ impl Scene {
     }
 
     /// The same scene in a picture of that size, whose shape may be the scene's own.
-    pub(crate) fn fitting(self, width: u32, height: u32) -> Self {
+    pub fn fitting(self, width: u32, height: u32) -> Self {
         let own = self.in_own_shape();
         match own.height(width) == height {
             true => own,

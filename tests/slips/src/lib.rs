@@ -39,6 +39,7 @@ mod program;
 mod single;
 mod slip;
 pub mod steps;
+mod traced;
 
 pub use catalogue::{all, find, unnamed};
 pub use chapter::{Chapter, Room};
@@ -49,3 +50,4 @@ pub use output::Output;
 pub use probes::{PROBES, Probe, find as find_probe};
 pub use program::{Ball, Hit, Interpreted, Program};
 pub use slip::{Slip, Unseen, Words};
+pub use traced::{Quadratic, Row, Traced, side_by_side};

@@ -3,6 +3,7 @@
 
 mod dragged;
 mod driver;
+mod judged;
 mod painted;
 
 use std::fs;

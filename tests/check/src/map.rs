@@ -1,6 +1,6 @@
 //! A coarse map: where pixels differ, as a few lines of text.
 
-use check::comparison::differing_pixels;
+use crate::comparison::differing_pixels;
 use common::rtweekend::Picture;
 
 /// Letters in a line of the map.

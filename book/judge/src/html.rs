@@ -1,0 +1,132 @@
+//! HTML: the parts of an answer in the elements of a page.
+
+use check::answer::{Hidden, Judged, Part, Where};
+use check::reading::{Cause, Reading};
+use check::report::escaped;
+use check::verdict::Check;
+use slips::Slip;
+
+/// The facts in the first line, and the answer below it.
+pub(crate) fn answer(judged: &Judged, reading: &Reading) -> String {
+    let found = super::shown(judged);
+    let first = judged.check.finding().and_then(|it| it.difference.as_ref());
+    let (column, row) = first.map_or((0, 0), |it| it.first);
+    let facts = [
+        judged.check.exit_code().to_string(),
+        judged.scene.chapter.name().to_owned(),
+        judged.scene.probe.map_or("", |probe| probe.name).to_owned(),
+        found.edition.to_string(),
+        String::new(),
+        format!("{} {} {column} {row}", reading.width, reading.height),
+        first.map_or(0, |it| it.count).to_string(),
+    ];
+    let parts: String = judged.parts().iter().map(part).collect();
+    format!("{}\n{}\n{parts}", facts.join("\t"), headline(judged))
+}
+
+/// The same where there is nothing to see.
+pub(crate) fn refusal(judged: &Judged) -> String {
+    let cause = judged.check.cause().map_or("", |cause| cause.name);
+    let code = judged.check.exit_code();
+    format!("{code}\t\t\t\t{cause}\t\t0\n{}\n", headline(judged))
+}
+
+/// Said below a picture that `check` can't read.
+pub(crate) fn decoded(cause: &Cause) -> String {
+    format!(
+        "<p>Your browser has read this file: {}. It was judged as what the browser shows.</p>",
+        escaped(&cause.problem)
+    )
+}
+
+/// On one line: the verdict is announced before the rest is read.
+fn headline(judged: &Judged) -> String {
+    let said = judged.headline();
+    let is_no_picture = matches!(judged.check, Check::NotAPicture { .. });
+    let class = match (said.is_right, is_no_picture) {
+        (true, _) => "right",
+        (_, true) => "none",
+        _ => "wrong",
+    };
+    let notes: String = said
+        .notes
+        .iter()
+        .map(|it| format!(" {}", escaped(it)))
+        .collect();
+    format!(
+        "{}<strong class=\"{class}\">{}</strong>{}{notes}",
+        escaped(&said.before),
+        said.verdict,
+        escaped(&said.after),
+    )
+}
+
+fn part(part: &Part) -> String {
+    match part {
+        Part::Hidden(it) => hidden(it),
+        Part::Where(Where {
+            whereabouts, first, ..
+        }) => list(&[("where", whereabouts), ("first", first)]),
+        Part::Sentence(said) => format!("<p>{}</p>", escaped(said)),
+        Part::Title(said) => format!("<h3>{}</h3>", escaped(said)),
+        Part::Name(name) => format!("<p><code>{}</code></p>", escaped(name)),
+        Part::Rows(rows) => {
+            let rows: Vec<(&str, &String)> =
+                rows.iter().map(|(label, said)| (*label, said)).collect();
+            list(&rows)
+        }
+        Part::Read(slips) => slips.iter().map(|slip| read(slip)).collect(),
+    }
+}
+
+fn hidden(it: &Hidden) -> String {
+    let groups: Vec<(&str, &String)> = it
+        .groups
+        .iter()
+        .map(|(label, names)| (&label[..], names))
+        .collect();
+    let next = it.next.as_ref().map_or(String::new(), |next| {
+        let probe = next.scene.probe.map_or("", |probe| probe.name);
+        format!(
+            "<p>Next: {}; and then <code>{}</code> <button type=\"button\" data-probe=\"{probe}\">Judge it here</button></p>",
+            escaped(&next.change),
+            escaped(next.scene.command()),
+        )
+    });
+    format!("<p>{}</p>{}{next}", escaped(&it.intro), list(&groups))
+}
+
+/// What is code in an answer is the second in a row with one of these labels.
+const CODE: [&str; 6] = [
+    "probably",
+    "perhaps",
+    "should be",
+    "or",
+    "yours",
+    "the page",
+];
+
+fn list(rows: &[(&str, &String)]) -> String {
+    if rows.is_empty() {
+        return String::new();
+    }
+    let row = |(label, said): &(&str, &String)| {
+        let said = match CODE.contains(label) {
+            true => format!("<code>{}</code>", escaped(said)),
+            false => escaped(said),
+        };
+        format!("<dt>{}</dt><dd>{said}</dd>", escaped(label))
+    };
+    let rows: String = rows.iter().map(row).collect();
+    format!("<dl>{rows}</dl>")
+}
+
+fn read(slip: &Slip) -> String {
+    if slip.page.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<p><a href=\"{}\">How it is right</a></p>",
+        escaped(slip.address())
+    )
+}

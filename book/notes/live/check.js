@@ -1,0 +1,197 @@
+// The page Check your picture: takes a file however it comes, asks the judge, and shows what
+// that says. No request leaves the page: the judge is in it.
+
+"use strict";
+
+// A larger file is not read. The judge says so, in the words of the command.
+const MOST_BYTES = 2 ** 29;
+// How often a file is looked at that stays open, in milliseconds.
+const LOOK = 500;
+// How many tries are remembered.
+const TRIES = 20;
+
+class CheckPage {
+    constructor(form) {
+        this.form = form;
+        this.judge = new Judge();
+        this.lists = ["chapter", "probe", "edition"].map((name) => form.elements[name]);
+        this.status = form.querySelector(".verdict");
+        this.rest = form.querySelector(".rest");
+        this.tries = form.querySelector(".tries");
+        this.inspector = form.querySelector(".inspector");
+        this.pixels = new Pixels(form.querySelector(".pixels"), (column, row) => this.inspect(column, row));
+        // What is judged: a file and its name, and its handle if it can be watched.
+        this.given = null;
+        this.turn = 0;
+        this.listen();
+        this.judge.choices.then((choices) => this.offer(choices));
+    }
+
+    offer(choices) {
+        for (const [list, name, what] of choices) {
+            const words = list === "edition" ? what : name;
+            this.form.elements[list].append(new Option(words, name));
+        }
+        this.form.classList.add("alive");
+    }
+
+    listen() {
+        const { form } = this;
+        form.addEventListener("submit", (event) => event.preventDefault());
+        form.elements.file.addEventListener("change", ({ target }) => this.take(target.files[0]));
+        form.elements.text.addEventListener("input", ({ target }) => this.takeText(target.value));
+        this.lists.forEach((list) => list.addEventListener("change", () => this.ask()));
+        form.addEventListener("click", ({ target }) => this.click(target));
+        form.elements.watch.hidden = !("showOpenFilePicker" in window);
+        document.addEventListener("dragover", (event) => event.preventDefault());
+        document.addEventListener("drop", (event) => this.drop(event));
+        document.addEventListener("paste", (event) => this.paste(event));
+    }
+
+    async click({ dataset, name }) {
+        if (name === "watch") {
+            const [handle] = await showOpenFilePicker().catch(() => []);
+            handle && this.take(await handle.getFile(), handle);
+        } else if (dataset.probe !== undefined) {
+            // The next picture is that of the probe.
+            const [chapter, probe] = this.lists;
+            chapter.value = this.answer.chapter;
+            probe.value = dataset.probe;
+            this.status.textContent = "Draw it, and drop the new picture here.";
+            form.elements.file.focus();
+        }
+    }
+
+    async drop(event) {
+        event.preventDefault();
+        const [item] = event.dataTransfer.items;
+        const file = event.dataTransfer.files[0];
+        const text = event.dataTransfer.getData("text");
+        // Only now: after a wait nothing of the event is left.
+        const handle = await item?.getAsFileSystemHandle?.().catch(() => null);
+        file ? this.take(file, handle?.kind === "file" ? handle : null) : this.takeText(text);
+    }
+
+    paste(event) {
+        const [file] = event.clipboardData.files;
+        const text = event.clipboardData.getData("text");
+        // Into the field the text goes by itself.
+        if (file || (text && event.target !== this.form.elements.text)) {
+            event.preventDefault();
+            file ? this.take(file) : this.takeText(text);
+        }
+    }
+
+    takeText(text) {
+        text.trim() && this.take(new File([text], "what was pasted"));
+    }
+
+    take(file, handle = null) {
+        if (file) {
+            this.given = { file, handle };
+            this.ask();
+            handle && this.watch(handle);
+        }
+    }
+
+    // Judges again whenever the file is saved, as long as it is the one that was given.
+    async watch(handle) {
+        while (this.given?.handle === handle) {
+            await new Promise((done) => setTimeout(done, LOOK));
+            // While it is written it may be gone.
+            const file = await handle.getFile().catch(() => null);
+            const last = this.given.file;
+            const isNew = file && (file.lastModified !== last.lastModified || file.size !== last.size);
+            if (isNew && this.given?.handle === handle) {
+                this.given.file = file;
+                await this.ask();
+            }
+        }
+    }
+
+    async ask() {
+        if (!this.given) {
+            return;
+        }
+        const turn = ++this.turn;
+        const { file, handle } = this.given;
+        this.form.ariaBusy = "true";
+        this.status.textContent = `${file.name} is being judged …`;
+        const asked = this.lists.map((list) => list.selectedIndex);
+        try {
+            const answer = await this.judge.judge({ name: file.name, file, most: MOST_BYTES, asked });
+            this.show(answer, handle);
+        } catch (error) {
+            if (turn === this.turn) {
+                this.giveUp(file, error);
+            }
+        }
+        if (turn === this.turn) {
+            this.form.ariaBusy = "false";
+        }
+    }
+
+    show(answer, handle) {
+        const before = this.answer;
+        this.answer = answer;
+        this.status.innerHTML = answer.verdict;
+        this.rest.innerHTML = answer.rest;
+        if (handle) {
+            this.rest.append(`${this.given.file.name} is watched: save it, and it is judged again.`);
+        }
+        // What was guessed is shown where it can be changed.
+        const [chapter, probe] = this.lists;
+        const guessed = answer.chapter && chapter.selectedIndex === 0;
+        chapter.options[0].text = guessed ? `guessed: ${answer.chapter}` : "guess it";
+        const found = answer.probe && probe.selectedIndex === 0;
+        probe.options[0].text = found ? `guessed: ${answer.probe}` : "none";
+        this.pixels.show(answer.pictures, answer.first);
+        if (this.pixels.chosen) {
+            this.inspect(...this.pixels.chosen);
+        } else {
+            this.inspector.replaceChildren();
+        }
+        this.remember(before);
+    }
+
+    giveUp({ name }, error) {
+        const unreadable = error.message.includes("NotReadableError") || error.message.includes("NotFoundError");
+        this.rest.replaceChildren();
+        this.pixels.show([null, null, null]);
+        this.inspector.replaceChildren();
+        this.status.textContent = unreadable
+            ? `${name} has changed since it was chosen: choose it again.`
+            : `${name} could not be judged: it needs more time or memory than a page has. The command has more: rtrace check.`;
+    }
+
+    // The last try first, with what has changed since the one before.
+    remember(before) {
+        const { answer } = this;
+        const entry = document.createElement("li");
+        const verdict = this.status.querySelector("strong").cloneNode(true);
+        const time = new Date().toLocaleTimeString();
+        entry.append(time, " ", this.given.file.name, ": ", verdict);
+        if (answer.width) {
+            entry.append(`, ${answer.width} × ${answer.height}, ${answer.different} pixels differ`);
+        }
+        const isLike = before?.width === answer.width && before?.height === answer.height && answer.width;
+        const less = isLike ? before.different - answer.different : 0;
+        if (less !== 0) {
+            entry.append(less > 0 ? `, ${less} fewer than before` : `, ${-less} more than before`);
+        }
+        this.tries.prepend(entry);
+        [...this.tries.children].slice(TRIES).forEach((old) => old.remove());
+        this.tries.parentElement.hidden = false;
+    }
+
+    async inspect(column, row) {
+        const lines = await this.judge.inspect(column, row).catch(() => "");
+        if (lines) {
+            const heads = ["as it should be", "with that mistake"];
+            showNumbers(this.inspector, lines, [column, row], heads);
+        }
+    }
+}
+
+const form = document.getElementById("check");
+const checkPage = new CheckPage(form);

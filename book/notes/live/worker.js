@@ -1,0 +1,166 @@
+// The judge of pictures, in a worker, so that the page never waits for it.
+//
+// From a file no worker is loaded: this function becomes one as text, in a Blob.
+
+"use strict";
+
+function judgeInAWorker() {
+    let rust = null;
+
+    async function instantiate(base64) {
+        const compressed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+        const module = new Blob([compressed]).stream().pipeThrough(new DecompressionStream("gzip"));
+        const headers = { "Content-Type": "application/wasm" };
+        const { instance } = await WebAssembly.instantiateStreaming(new Response(module, { headers }));
+        return instance.exports;
+    }
+
+    const bytes = (length) => new Uint8Array(rust.memory.buffer, rust.place(), length);
+    const text = (length) => new TextDecoder().decode(bytes(length));
+
+    // Puts what Rust is asked about where Rust wants it. Returns the length of the name.
+    function give(name, ...parts) {
+        const all = [new TextEncoder().encode(name), ...parts];
+        let place = rust.take(all.reduce((sum, part) => sum + part.length, 0));
+        for (const part of all) {
+            new Uint8Array(rust.memory.buffer).set(part, place);
+            place += part.length;
+        }
+        return all[0].length;
+    }
+
+    // The lines of facts, of the verdict, and of the rest.
+    function told(length) {
+        const [facts, verdict, ...rest] = text(length).split("\n");
+        const [code, chapter, probe, edition, cause, size, different] = facts.split("\t");
+        const [width, height, column, row] = size.split(" ").map(Number);
+        return {
+            facts, code, chapter, probe, edition, cause, verdict, rest: rest.join("\n"),
+            width, height, first: [column, row], different: Number(different),
+        };
+    }
+
+    async function judge({ name, file, most, asked }) {
+        if (file.size > most) {
+            return told(rust.too_large(give(name)));
+        }
+        const bytes = new Uint8Array(await file.arrayBuffer());
+        const answer = told(rust.judge(give(name, bytes), ...asked));
+        // A WebP begins with RIFF. It loses levels in ways that the judge does not know.
+        const isWebP = bytes[0] === 0x52 && bytes[1] === 0x49;
+        const isForeign = answer.cause === "other-format" && !isWebP;
+        return isForeign ? await decoded(name, bytes, asked) ?? answer : answer;
+    }
+
+    // What the browser makes of a format that Rust does not read, with its colors as they are.
+    async function decoded(name, bytes, asked) {
+        const options = { colorSpaceConversion: "none", premultiplyAlpha: "none" };
+        const bitmap = await createImageBitmap(new Blob([bytes]), options).catch(() => null);
+        // Rust says no to more, and a canvas may not hold it.
+        if (!bitmap || bitmap.width * bitmap.height > 2 ** 24) {
+            return null;
+        }
+        const { width, height } = bitmap;
+        const canvas = new OffscreenCanvas(width, height).getContext("2d");
+        canvas.drawImage(bitmap, 0, 0);
+        const why = bytes.subarray(0, 64);
+        const { data } = canvas.getImageData(0, 0, width, height);
+        return told(rust.decoded(give(name, why, data), why.length, width, height, ...asked));
+    }
+
+    // The right picture, the reader's, and the difference; null if there is none.
+    async function pictures({ width, height }) {
+        const all = [];
+        for (const which of [0, 1, 2]) {
+            const length = width ? rust.picture(which) : 0;
+            const data = length && new ImageData(new Uint8ClampedArray(bytes(length)), width, height);
+            all.push(data ? await createImageBitmap(data) : null);
+        }
+        return all;
+    }
+
+    const answers = {
+        async start({ base64 }) {
+            rust = await instantiate(base64);
+            return text(rust.choices()).split("\n").map((line) => line.split("\t"));
+        },
+        async judge(question) {
+            const answer = await judge(question);
+            return { ...answer, pictures: await pictures(answer) };
+        },
+        inspect: ({ column, row }) => text(rust.inspect(column, row)),
+    };
+
+    onmessage = async ({ data }) => {
+        try {
+            postMessage({ id: data.id, answer: await answers[data.what](data) });
+        } catch (error) {
+            postMessage({ id: data.id, error: String(error) });
+        }
+    };
+}
+
+// Asks the judge. Who is asked for a new picture while judging an old one is replaced, and
+// so is who takes too long or gives up: a hostile file has only itself to spoil.
+class Judge {
+    static PATIENCE = 60000;
+
+    constructor() {
+        this.start();
+    }
+
+    start() {
+        this.worker?.terminate();
+        this.waiting?.forEach(({ reject }) => reject(new Error("replaced")));
+        this.waiting = new Map();
+        this.last = 0;
+        const url = URL.createObjectURL(new Blob([`(${judgeInAWorker})()`]));
+        this.worker = new Worker(url);
+        URL.revokeObjectURL(url);
+        this.worker.onmessage = ({ data }) => {
+            const { resolve, reject } = this.waiting.get(data.id) ?? {};
+            this.waiting.delete(data.id);
+            data.error ? reject?.(new Error(data.error)) : resolve?.(data.answer);
+        };
+        this.choices = this.ask("start", { base64: judgeModule });
+    }
+
+    ask(what, question) {
+        const id = ++this.last;
+        return new Promise((resolve, reject) => {
+            this.waiting.set(id, { resolve, reject });
+            this.worker.postMessage({ id, what, ...question });
+        });
+    }
+
+    // The answer, or an Error: "replaced" if something else was asked for meanwhile.
+    async judge(question) {
+        await this.choices;
+        if (this.waiting.size > 0) {
+            this.start();
+        }
+        const worker = this.worker;
+        const late = setTimeout(() => this.worker === worker && this.fail("it takes too long"), Judge.PATIENCE);
+        try {
+            return await this.ask("judge", question);
+        } catch (error) {
+            // What has trapped can't be called again.
+            if (this.worker === worker && error.message !== "replaced") {
+                this.start();
+            }
+            throw error;
+        } finally {
+            clearTimeout(late);
+        }
+    }
+
+    fail(why) {
+        this.waiting.forEach(({ reject }) => reject(new Error(why)));
+        this.waiting.clear();
+        this.start();
+    }
+
+    inspect(column, row) {
+        return this.ask("inspect", { column, row });
+    }
+}

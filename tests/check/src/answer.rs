@@ -1,0 +1,319 @@
+//! The answer to a picture, part by part, in the words that terminal and page share.
+
+use slips::{Chapter, Edition, Letters, Slip};
+
+use crate::blind_spots::BlindSpots;
+use crate::evidence::Known;
+use crate::map::map;
+use crate::names_of;
+use crate::scene::Scene;
+use crate::told::{self, Row};
+use crate::verdict::{Check, Finding, Near, Right};
+
+/// A picture after it has been judged.
+pub struct Judged<'a> {
+    /// What it should show.
+    pub scene: Scene,
+    /// Whether nobody has said so.
+    pub is_guessed: bool,
+    /// What the picture is called.
+    pub name: String,
+    /// What is known besides the picture.
+    pub known: Known<'a>,
+    /// What was found.
+    pub check: Check,
+    /// What is still hidden, if the picture is right to the last bit.
+    pub blind_spots: Option<BlindSpots>,
+}
+
+/// The first lines of an answer.
+pub struct Headline {
+    /// What comes before the verdict: the name of the picture, and what happened to it.
+    pub before: String,
+    /// The verdict.
+    pub verdict: &'static str,
+    /// Whether it says right.
+    pub is_right: bool,
+    /// What comes after it.
+    pub after: String,
+    /// Further lines.
+    pub notes: Vec<String>,
+}
+
+/// What follows the headline, in the order in which it is read.
+pub enum Part {
+    /// What a right picture can't show.
+    Hidden(Box<Hidden>),
+    /// Where pixels differ.
+    Where(Where),
+    /// A sentence of its own.
+    Sentence(String),
+    /// What explains the picture.
+    Title(String),
+    /// The name of what explains it.
+    Name(String),
+    /// What there is to say of it.
+    Rows(Vec<Row>),
+    /// Where to read how it is right.
+    Read(Vec<&'static Slip>),
+}
+
+/// The mistakes that a right picture can't show.
+pub struct Hidden {
+    /// What this is.
+    pub intro: String,
+    /// What shows them, and their names.
+    pub groups: Vec<(String, String)>,
+    /// What to change, and the command that judges the picture then.
+    pub next: Option<Next>,
+}
+
+/// The next picture to draw.
+pub struct Next {
+    /// The scene that it shows.
+    pub scene: Scene,
+    /// What to change in a program.
+    pub change: String,
+}
+
+/// Where two pictures differ.
+pub struct Where {
+    /// The columns and rows, and by how much.
+    pub whereabouts: String,
+    /// A line for each strip of the picture: the darker a letter, the more pixels differ.
+    pub map: Vec<String>,
+    /// The first pixel that differs.
+    pub first: String,
+}
+
+impl<'a> Judged<'a> {
+    /// Says of a right picture what it can't show. That of a probe follows the chapter's
+    /// own, so it has to show only what is left.
+    pub fn new(scene: Scene, name: String, known: Known<'a>, check: Check) -> Self {
+        let blind_spots = match &check {
+            Check::Right(Right {
+                scene,
+                width,
+                levels: 0,
+                ..
+            }) => Some(BlindSpots::after(scene, *width)),
+            _ => None,
+        };
+        Self {
+            scene,
+            is_guessed: false,
+            name,
+            known,
+            check,
+            blind_spots,
+        }
+    }
+
+    /// Right, wrong, or why it is no picture; and what it was taken for.
+    pub fn headline(&self) -> Headline {
+        let mut headline = self.verdict();
+        let is_no_picture = matches!(self.check, Check::NotAPicture { finding: None, .. });
+        if self.is_guessed && !is_no_picture {
+            let also = self.scene.with_the_other_formula();
+            let also = also.map_or("", |other| match other.chapter {
+                Chapter::Normals => " or normals",
+                _ => " or half_b_sphere",
+            });
+            let taken = format!(
+                "It was taken for {}{also}, because nobody named the chapter.",
+                self.scene_name()
+            );
+            headline.notes.insert(0, taken);
+        }
+        headline
+    }
+
+    fn verdict(&self) -> Headline {
+        let name = &self.name;
+        let is = |way: &str, verdict, is_right, after: String, notes| Headline {
+            before: format!("{name} is {way}"),
+            verdict,
+            is_right,
+            after,
+            notes,
+        };
+        match &self.check {
+            Check::Right(right) => {
+                let shape = match right.scene.has_another_shape() {
+                    true => " in this shape, which is not the book's",
+                    false => "",
+                };
+                let by = Edition::said(&right.editions);
+                let after = format!("{by}{shape}: {}.", self.how_right(right));
+                let given_by = given_by(&right.shape_given_by).into_iter();
+                let notes = given_by.chain(notes_on(&right.scene)).collect();
+                is("", "right", true, after, notes)
+            }
+            Check::Near(finding) => {
+                let by = Edition::said(&finding.editions);
+                let after = format!("{by}, but {}.", finding.but());
+                is("", "right", true, after, notes_on(&finding.scene))
+            }
+            Check::Wrong(finding) => {
+                // What happened to the file comes first: what is wrong is so beyond it.
+                let way = finding.degradation;
+                let way = way.map(|way| format!("{}, and beyond that ", way.clause()));
+                let verdict = match finding.levels {
+                    0 | 1 => "right within one level, but not to the last bit",
+                    _ => "wrong",
+                };
+                let after = format!(": {}.", self.counts(finding));
+                let notes = notes_on(&finding.scene);
+                is(&way.unwrap_or_default(), verdict, false, after, notes)
+            }
+            Check::Another { cause, .. } | Check::WrongShape { cause, .. } => {
+                let after = format!(": {}.", cause.problem);
+                is("", "wrong", false, after, vec![cause.fix.clone()])
+            }
+            Check::NotAPicture { cause, finding } => {
+                let verdict = match finding {
+                    None => "not a picture",
+                    Some(_) => "not a valid picture",
+                };
+                let after = format!(": {}.", cause.problem);
+                is("", verdict, false, after, vec![cause.fix.clone()])
+            }
+        }
+    }
+
+    /// What follows.
+    pub fn parts(&self) -> Vec<Part> {
+        let mut parts = Vec::new();
+        if let Check::Right(right) = &self.check {
+            parts.push(Part::Rows(told::suspected(&right.scene, &self.known)));
+        }
+        let hidden = self.blind_spots.as_ref();
+        parts.extend(hidden.map(|it| Part::Hidden(Box::new(it.advice(&self.scene)))));
+        if let Some(finding) = self.check.finding() {
+            let is_near = |finding: &Finding| {
+                matches!(self.check, Check::Near(_))
+                    && !finding.near.as_ref().is_some_and(Near::is_for_pixels)
+            };
+            if !is_near(finding) {
+                parts.push(whereabouts(finding));
+            }
+            self.explain(finding, &mut parts);
+        }
+        parts
+    }
+
+    fn scene_name(&self) -> String {
+        let chapter = self.scene.chapter.name();
+        match self.scene.probe {
+            None => chapter.to_owned(),
+            Some(probe) => format!("{chapter} with the probe {}", probe.name),
+        }
+    }
+
+    fn how_right(&self, right: &Right) -> String {
+        let name = self.scene_name();
+        let all = u64::from(right.width) * u64::from(right.height);
+        let (width, height, off) = (right.width, right.height, right.off);
+        match right.levels {
+            0 => format!("all {all} pixels of {name} at {width} × {height}, to the last bit"),
+            levels => format!(
+                "{off} of {all} pixels of {name} are off, by no more than {levels}, which is tolerated"
+            ),
+        }
+    }
+
+    fn counts(&self, finding: &Finding) -> String {
+        let name = self.scene_name();
+        let (width, height) = (finding.right.width(), finding.right.height());
+        let Some(difference) = &finding.difference else {
+            return format!("no pixel differs from {name} at {width} × {height}");
+        };
+        let (count, total) = (difference.count, difference.total);
+        let share = 100.0 * count as f64 / total as f64;
+        format!(
+            "{count} of {total} pixels ({share:.1} %) are not those of {name} at {width} × {height}{}",
+            Edition::said(&finding.editions)
+        )
+    }
+
+    fn explain(&self, finding: &Finding, parts: &mut Vec<Part>) {
+        let pixels = finding.right.rgb().len() / 3;
+        let is_unknown = finding.near.is_none() && finding.sets.is_empty();
+        if let Some(set) = finding.sets.first() {
+            parts.push(Part::Title(set.title(pixels)));
+            if let [mistake] = &set.mistakes[..] {
+                parts.push(Part::Name(names_of(mistake)));
+            }
+        } else if finding.difference.is_some() && is_unknown {
+            let unknown = "No mistake in the catalogue draws this picture.";
+            parts.push(Part::Title(unknown.to_owned()));
+        }
+        parts.push(Part::Rows(finding.rows(&self.known)));
+        parts.push(Part::Read(finding.single().to_vec()));
+        let command = |probe| self.scene.probed_command(probe);
+        let next = finding.how_to_tell(command).map(|next| ("next", next));
+        let others = finding.others.iter().map(|other| {
+            let told = format!("it is the picture of a probe: {}", other.command());
+            ("also", told)
+        });
+        parts.push(Part::Rows(next.into_iter().chain(others).collect()));
+    }
+}
+
+impl Finding {
+    /// The slips that draw it together, if nothing else does.
+    fn single(&self) -> &[&'static Slip] {
+        match &self.sets[..] {
+            [set] if set.mistakes.len() == 1 => &set.mistakes[0],
+            _ => &[],
+        }
+    }
+}
+
+/// What may have given a picture its shape, if nobody chose it.
+fn given_by(slips: &[&Slip]) -> Option<String> {
+    let said = |slip: &&Slip| {
+        let words = slip.words(Letters::Book(Edition::V4), slip.chapters[0]);
+        format!("{} ({})", slip.name, words.wrong)
+    };
+    let said: Vec<String> = slips.iter().map(said).collect();
+    let said = said.join(", or ");
+    (!slips.is_empty()).then(|| format!("If you did not choose this shape, look for {said}."))
+}
+
+/// What the edition of a scene has otherwise than the one that this workspace follows.
+fn notes_on(scene: &Scene) -> Vec<String> {
+    let [with_rays, build_test] = scene.edition.differs_by();
+    let differs = match scene.chapter {
+        Chapter::BuildTest => build_test,
+        _ => with_rays,
+    };
+    match scene.edition {
+        Edition::V4 => Vec::new(),
+        _ => vec![
+            format!(
+                "What it has otherwise than version 4, which this workspace follows: {differs}."
+            ),
+            "To be judged by version 4 alone: --edition 4.".to_owned(),
+        ],
+    }
+}
+
+fn whereabouts(finding: &Finding) -> Part {
+    let Some(difference) = &finding.difference else {
+        let said = "But for that, it is the right picture in this size.";
+        return Part::Sentence(said.to_owned());
+    };
+    let (columns, rows, first) = (difference.columns, difference.rows, difference.first);
+    Part::Where(Where {
+        whereabouts: format!(
+            "columns {} to {}, rows {} to {}; no component is off by more than {}",
+            columns.0, columns.1, rows.0, rows.1, finding.levels
+        ),
+        map: map(&finding.right, &finding.yours),
+        first: format!(
+            "column {}, row {}: expected {:?}, got {:?}",
+            first.0, first.1, difference.expected, difference.actual
+        ),
+    })
+}
