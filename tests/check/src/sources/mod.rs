@@ -103,12 +103,16 @@ impl Sources {
 
     /// What they say of a slip: of a snippet in another one the longer counts.
     pub(crate) fn say(&self, words: &Words) -> Said {
-        let longest = |snippets: &str| {
+        // By another name the wrong line of one formula is the right one of another.
+        let longest = |snippets: &str, free: &[&str]| {
             let snippets = self.snippets(snippets).into_iter();
-            let found = snippets.filter(|it| self.find(it).is_some());
+            let found = snippets.filter(|it| self.find(it, free).is_some());
             found.map(|it| it.tokens.len()).max()
         };
-        match (longest(&words.wrong), longest(&words.right)) {
+        match (
+            longest(&words.wrong, &[]),
+            longest(&words.right, &VARIABLES),
+        ) {
             (None, None) => Said::Neither,
             // A line is wrong only in the place of one that could be found, and is no part of it.
             (Some(_), None) if !self.is_told_apart(words) => Said::Neither,
@@ -121,7 +125,7 @@ impl Sources {
     pub(crate) fn line_of(&self, words: Words) -> Option<Line> {
         self.snippets(&words.wrong)
             .iter()
-            .find_map(|it| self.find(it))
+            .find_map(|it| self.find(it, &[]))
     }
 
     /// What can be looked for: each alternative as it is, and without the name that it gives.
@@ -161,9 +165,10 @@ impl Sources {
         tokens.any(|token| token.text == word)
     }
 
-    fn find(&self, snippet: &Snippet) -> Option<Line> {
+    /// Where the snippet is, with the variables by other names where a program has these.
+    fn find(&self, snippet: &Snippet, variables: &[&str]) -> Option<Line> {
         let is_free =
-            |name: &str| PARAMETERS.contains(&name) || VARIABLES.contains(&name) && !self.has(name);
+            |name: &str| PARAMETERS.contains(&name) || variables.contains(&name) && !self.has(name);
         let mut free: Vec<&str> = snippet.tokens.iter().map(|it| it.text.as_str()).collect();
         free.retain(|name| is_free(name));
         self.yours.iter().find_map(|file| file.find(snippet, &free))
