@@ -41,9 +41,9 @@ pub fn from_here(path: &Path) -> String {
 /// program that asks, in this workspace by an alias and elsewhere as a subcommand; else
 /// `rtrace`, which is installed then.
 pub fn companion() -> &'static str {
-    // Cargo tells all that it runs where cargo is.
-    match env::var_os("CARGO") {
-        Some(_) => "cargo rtrace",
-        None => "rtrace",
+    // Cargo tells all that it runs where cargo is. A page was woven in the workspace.
+    match cfg!(target_family = "wasm") || env::var_os("CARGO").is_some() {
+        true => "cargo rtrace",
+        false => "rtrace",
     }
 }

@@ -246,7 +246,7 @@ fn is_complaint(event: &Value) -> bool {
         }
         Some("network.beforeRequestSent") => {
             let url = said["request"]["url"].as_str().unwrap_or_default();
-            !["file:", "data:", "about:"]
+            !["file:", "data:", "about:", "blob:"]
                 .iter()
                 .any(|it| url.starts_with(it))
         }
