@@ -14,7 +14,7 @@ pub(crate) const FIGURE: Figure = Figure {
         the upper right, green at the lower left and yellow at the lower right. Red grows to the \
         right with the column *i*, green grows downwards with the row j.",
     caption: "The first picture, here with 8 × 8 pixels: red grows with the column *i*, green with \
-        the row *j*. Whoever swaps the two loops sees red and green change places.",
+        the row *j*. If you swap the two loops, red and green change places.",
     draw,
 };
 

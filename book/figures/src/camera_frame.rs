@@ -19,7 +19,7 @@ pub(crate) const FIGURE: Figure = Figure {
         16 by 9 pixels, stands upright ahead of the eye, across the negative z axis. A ray goes \
         from the eye through the middle of each pixel of one row, and on. In the middle of the \
         viewport is the sphere of chapter 2, at which six of the rays end.",
-    caption: "The eye is the origin of a right-handed frame, and looks along −*z* through a viewport that \
+    caption: "The eye is where the axes meet, and looks along −*z* through a viewport that \
         is one focal length away. A ray goes through the middle of each pixel; here is a row of \
         them, and the sphere that chapter 2 will put there.",
     draw: || LIVE.on_page(),

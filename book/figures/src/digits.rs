@@ -23,8 +23,8 @@ pub(crate) const FIGURE: Figure = Figure {
         ray, digit below digit. The first thirteen digits of h squared and of a times c are the \
         same and struck out. So D begins with fourteen zeros, and of the three digits that are left \
         only the first is right. Of t the first nine digits are right, and the other eight are not.",
-    caption: "The subtraction strikes out the digits in which *h*² and *ac* agree. *D* has what is left, \
-        and that is what earlier rounding has spoiled: right digits are bold, wrong ones are underlined.",
+    caption: "In the subtraction the digits in which *h*² and *ac* agree cancel. *D* has only the digits that are \
+        left, and earlier rounding has made some of them wrong: right digits are bold, wrong ones are underlined.",
     draw: || LIVE.on_page(),
 };
 
@@ -45,10 +45,10 @@ const RADII: [f64; 3] = [6.0 / 7.0, 1.0 / 700.0, 5000.0 / 7.0];
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
-    question: "From which distance on is *D* nothing but rounding? Drag the star away, along the axis, \
+    question: "From which distance on is *D* only rounding error? Drag the star away, along the axis, \
         and choose a pixel in either picture.",
-    solution: "From about 10⁸ radii on: the square of the distance then has no digit left for that of the \
-        radius.",
+    solution: "From about 10⁸ radii on: then the square of the distance has no digit left for the square of \
+        the radius.",
     handles: &[
         Handle::new(&["exponent"], |it, to| it.exponent = exponent_at(to)),
         Handle::new(&["right", "up"], |it, to| {
@@ -124,7 +124,7 @@ fn of_discriminant(found: &Numbers) -> String {
         ..0.001 => "*D* is off by less than a thousandth of itself.".to_owned(),
         error @ ..0.5 => format!("*D* is off by {} % of itself.", printed(100.0 * error)),
         _ => format!(
-            "*D* is nothing but rounding: it should be {}, and comes out as {}.",
+            "*D* is only rounding error: it should be {}, and is computed as {}.",
             printed(found.exact_discriminant),
             printed(found.discriminant)
         ),

@@ -23,7 +23,7 @@ pub(crate) const FIGURE: Figure = Figure {
         circles on it, both to the right of 0. To the left of 0 the axis is shaded: that is behind \
         the eye. Below the axis are a, b, c and the discriminant as numbers, and that the line passes the \
         center at a distance l that is less than r.",
-    caption: "Each root is a place on the line and a number on the axis. What is behind the eye has \
+    caption: "Each root is a place on the line and a number on the axis. A place behind the eye has \
         a negative *t*. The line passes the center at the distance *l*.",
     draw: || LIVE.on_page(),
 };
@@ -44,20 +44,20 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
     question: "Where does the first root go when the eye enters the sphere? Drag **Q** into it, and \
         out at the other side.",
-    solution: "It falls, is 0 on the surface, and negative inside: that root is behind the eye then. At the \
-        other side the second one goes the same way, and both are negative.",
+    solution: "It gets smaller, is 0 on the surface, and negative inside: then it is behind the eye. On the \
+        other side the second root does the same, and both are negative.",
     handles: &[
+        Handle::new(&["q_x", "q_y"], |it, to| {
+            [it.q_x, it.q_y, _] = PLANE.place(to).to_array();
+        }),
+        Handle::new(&["d_x", "d_y"], |it, to| {
+            [it.d_x, it.d_y, _] = (PLANE.place(to) - it.ray().origin).to_array();
+        }),
         Handle::new(&["c_x", "c_y"], |it, to| {
             [it.c_x, it.c_y, _] = PLANE.place(to).to_array();
         }),
         Handle::new(&["radius"], |it, to| {
             it.radius = (PLANE.place(to) - it.center()).length();
-        }),
-        Handle::new(&["d_x", "d_y"], |it, to| {
-            [it.d_x, it.d_y, _] = (PLANE.place(to) - it.ray().origin).to_array();
-        }),
-        Handle::new(&["q_x", "q_y"], |it, to| {
-            [it.q_x, it.q_y, _] = PLANE.place(to).to_array();
         }),
     ],
     actions: &[
@@ -180,7 +180,7 @@ fn answer(parameters: &Parameters) -> Answer {
     let shown = slipped.as_ref().unwrap_or(&right);
     let below = right.center - Vec3::new(0.0, right.radius, 0.0);
     let lines = red_sphere_lines(right.center, right.radius, &right.ray);
-    let handles = [right.center, below, right.ray.at(1.0), right.ray.origin];
+    let handles = [right.ray.origin, right.ray.at(1.0), right.center, below];
     Answer {
         drawing: draw(shown),
         sentence,
@@ -225,7 +225,9 @@ fn sentence_on(wrong: &Scene, right: &Scene) -> String {
             [] => "there is no root, as there should be none",
             _ => "the roots are the right ones",
         };
-        return format!("Here the slip does no harm: {no_harm}. Change something, the radius too.");
+        return format!(
+            "Here the slip does no harm: {no_harm}. Change something, for example the radius."
+        );
     }
     let should = match true_ones[..] {
         [] => "There should be no root".to_owned(),
@@ -240,7 +242,7 @@ fn sentence_on(wrong: &Scene, right: &Scene) -> String {
     };
     let farther = match found.iter().all(|t| is_on_axis(*t)) {
         true => "",
-        false => " What is missing on the axis is farther off.",
+        false => " A root that is not on the axis is beyond its end.",
     };
     format!(
         "{should}, but {} {comes} out.{places}{farther}",

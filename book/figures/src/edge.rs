@@ -24,9 +24,9 @@ pub(crate) const FIGURE: Figure = Figure {
         how large a cell is, from two to the power of 48 ulps to a single one, with a mark at the end. \
         Below that is an axis of D with a bar around 0 on it, which is the bound, and two marks: D as it \
         is computed, and D as it is.",
-    caption: "Each cell is a ray, the same at the left and at the right; the circle is a tangent, the square \
-        the chosen ray. Tinted cells are hits. At the left those are marked that the method decides wrongly, \
-        at the right those that the first filter leaves to later stages.",
+    caption: "Each cell is a ray, the same on the left and on the right; the circle is a tangent, the square \
+        is the chosen ray. Tinted cells are hits. On the left the cells are marked that the method decides \
+        wrongly, on the right those that the first filter leaves to later stages.",
     draw: || LIVE.on_page(),
 };
 
@@ -62,10 +62,10 @@ const fn in_cells(name: &'static str, default: f64) -> Number {
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
-    question: "How close must you look before the edge frays? Begin with the whole ball, zoom in, and then \
-        choose a cell that is marked. Who is wrong there?",
-    solution: "Until a step from cell to cell changes *D* by less than rounding does. The method at the left is \
-        wrong then. At the right integers decide, which do not round.",
+    question: "How far must you zoom in before the edge is ragged? Begin with the whole ball, zoom in, and then \
+        choose a marked cell. Which method is wrong there?",
+    solution: "Until a step from cell to cell changes *D* by less than its rounding error. Then the method on the left \
+        is wrong. On the right integers decide, which are never rounded.",
     handles: &[
         Handle::new(&["doublings"], |it, to| it.doublings = doublings_at(to)),
         Handle::new(&["right", "up"], |it, to| {

@@ -21,8 +21,8 @@ pub(crate) const FIGURE: Figure = Figure {
         left both normals point out of the sphere: the ray from inside runs along with its normal. \
         At the right each normal points against its ray: the one from inside points into the \
         sphere, and front_face is false there.",
-    caption: "Left: the normal always points outward, and the sign of **d**·**n** says from where the ray \
-        came. Right, and in our code: it always points against the ray, and front_face remembers.",
+    caption: "Left: the normal always points outward, and the sign of **d**·**n** says from which side the \
+        ray came. Right, and in our code: it always points against the ray, and front_face keeps the side.",
     draw: || LIVE.on_page(),
 };
 
@@ -36,8 +36,8 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
     question: "When does the normal at the right turn round? Drag the origin of the lower ray out of \
         the sphere, and then to where the ray only grazes it.",
-    solution: "When the ray comes from inside: the outward normal and the ray then point the same way. A graze \
-        counts as inside, since its product is 0 and not less.",
+    solution: "When the ray comes from inside: then the outward normal and the ray point the same way. A graze \
+        counts as inside, since its product is 0, not less than 0.",
     handles: &[
         Handle::new(&["x", "y"], |it, to| {
             [it.x, it.y, _] = PLANES[0].place(to).to_array();

@@ -21,8 +21,8 @@ pub(crate) const FIGURE: Figure = Figure {
         which t it is asked. Sphere 1 is asked for all t above 0, and hit. The bar of sphere 2 \
         ends at that hit, and sphere 2 is hit nearer. The bar of sphere 3 ends there, and nothing \
         is hit. A last bar, as long, is closest_so_far.",
-    caption: "A list asks each sphere in turn. Each hit should end the interval for the next, so that what is \
-        behind the nearest hit so far can no longer win.",
+    caption: "A list asks each sphere in turn. After a hit, the next sphere should be asked only for nearer \
+        places, so that a sphere behind the nearest hit so far cannot win.",
     draw: || LIVE.on_page(),
 };
 
@@ -47,8 +47,8 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
     question: "Which sphere wins if you change the order of the list? And which, if the search \
         returns at the first hit? Can you place the spheres so that even that is right?",
-    solution: "Always the nearest. If the search returns at the first hit, it is the first of the list that is \
-        met: right only if that one is the nearest as well.",
+    solution: "Always the nearest one. If the search returns at the first hit, the first sphere of the list that is \
+        hit wins: that is right only if it is also the nearest.",
     handles: &[
         Handle::new(&["x_1", "y_1"], |it, to| {
             [it.x_1, it.y_1, _] = PLANE.place(to).to_array();

@@ -36,7 +36,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
     question: "Where must the ray hit so that **n** points straight back along it? And what does this \
         chapter find if **Q** is inside the sphere?",
-    solution: "Where it is aimed at the center: only then does the ray lie on a radius. From inside, the \
+    solution: "Where a ray hits that is aimed at the center: only such a ray lies on a radius. From inside, the \
         nearer root is behind **Q**, so *t* is negative, and this chapter paints the sky.",
     handles: &[
         Handle::new(&["d_x", "d_y"], |it, to| {

@@ -19,8 +19,8 @@ pub(crate) const FIGURE: Figure = Figure {
         point has its normal, its color in numbers, and a square of that color: up is green, \
         right is pink, left is teal, down is purple, and towards the eye is blue.",
     caption: "A color for each direction: red for *x*, green for *y*, blue for *z*, each from −1…1 to \
-        0…1. So red grows to the right, green grows upwards, and what is turned to the eye \
-        is blue.",
+        0…1. So red grows to the right, green grows upwards, and where the surface faces the eye \
+        there is most blue.",
     draw: || LIVE.on_page(),
 };
 

@@ -17,8 +17,8 @@ pub(crate) const FIGURE: Figure = Figure {
         point where the line enters the sphere it is r, and from there to the nearest point the \
         square root of r² − l².",
     caption: "Two triangles with a right angle at *t* = *h*/*a*. The large one, with **Q**, gives *l*. \
-        The small one, with the point where the line goes in, gives √(*r*² − *l*²), half of the way \
-        inside the sphere. The discriminant is the square of that, times 4*a*.",
+        The small one, with the point where the line goes in, gives √(*r*² − *l*²), half of the \
+        line's way through the sphere. The discriminant is the square of that, times 4*a*.",
     draw,
 };
 

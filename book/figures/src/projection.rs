@@ -21,9 +21,9 @@ pub(crate) const FIGURE: Figure = Figure {
         from Q to C. A dashed line from C meets the ray at a right angle, h along the ray from Q. \
         From there it is the root of the discriminant back to the nearer root, and as far on to \
         the farther one.",
-    caption: "With **d** of length 1, *h* = **d**·(**C** − **Q**) is how far along the ray **C** is passed, and the root \
-        of *h*² − *ac* is half of the way inside the sphere: the roots are as far before that point as \
-        behind it.",
+    caption: "With **d** of length 1, *h* = **d**·(**C** − **Q**) is how far along the ray it comes nearest to **C**. The \
+        square root of *h*² − *ac* is half of the way through the sphere: one root is as far before that \
+        point as the other is behind it.",
     draw: || LIVE.on_page(),
 };
 
@@ -39,7 +39,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     question: "Which values of the listing below change if **d** becomes longer, and which stay? Drag its \
         tip.",
     solution: "*a* grows with the square of the length, *h* with the length, and *c* stays. The result \
-        *t* is divided by it, so that the place stays.",
+        *t* is divided by the length, so that the place stays the same.",
     handles: &[
         Handle::new(&["c_x", "c_y"], |it, to| {
             [it.c_x, it.c_y, _] = PLANE.place(to).to_array();

@@ -33,7 +33,7 @@ parameters! {
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: FIGURE,
-    question: "What becomes of *t* if **d** is twice as long, and **P** stays? Drag the tip of **d**, then \
+    question: "What is *t* if **d** is twice as long, and **P** stays? Drag the tip of **d**, then \
         **P** back to where it was.",
     solution: "*t* is halved: half as many arrows, each twice as long, lead to the same place.",
     handles: &[

@@ -16,8 +16,8 @@ pub(crate) const FIGURE: Figure = Figure {
     description: "Three rays run from left to right. The highest one passes above the sphere: no \
         root. The second one touches it in a single point: one root. The third one goes in and \
         comes out again: two roots, each marked with its t.",
-    caption: "The discriminant *b*² − 4*ac* counts: negative, the ray misses; zero, it touches; \
-        positive, it goes in at the smaller *t* and comes out at the larger.",
+    caption: "The discriminant *b*² − 4*ac* counts the roots. If it is negative, the ray misses; if it is zero, the ray \
+        touches; if it is positive, the ray goes in at the smaller *t* and comes out at the larger.",
     draw,
 };
 

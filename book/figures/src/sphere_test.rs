@@ -13,8 +13,8 @@ pub(crate) const FIGURE: Figure = Figure {
     description: "The picture in large pixels. In its middle there is a red disc inside of a circle. \
         Around it everything is gray, the darker the nearer to the disc, and nearly white in the \
         corners.",
-    caption: "The left side of (6), with the place of each pixel on the viewport for **P**. The \
-        darker, the less; red is where it is at most *r*². The viewport cuts through the middle of \
+    caption: "The left side of (6), with the place of each pixel on the viewport for **P**. Darker \
+        means less; red is where it is at most *r*². The viewport cuts through the middle of \
         the sphere, so the red places fill a circle of radius r.",
     draw,
 };

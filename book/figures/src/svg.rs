@@ -238,7 +238,7 @@ impl Svg {
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{}\" \
              viewBox=\"0 0 {width} {height}\" role=\"img\" \
-             aria-labelledby=\"{id}-title {id}-description\" font-size=\"{TEXT}\">\
+             aria-labelledby=\"{id}-title\" aria-describedby=\"{id}-description\" font-size=\"{TEXT}\">\
              <title id=\"{id}-title\">{title}</title>\
              <desc id=\"{id}-description\">{description}</desc>{}</svg>",
             self.class, self.text

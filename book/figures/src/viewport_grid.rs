@@ -21,8 +21,8 @@ pub(crate) const FIGURE: Figure = Figure {
         there Δu leads to the point on its right, Δv to the point below. Another square is \
         marked, with the point P 5,2 in its center.",
     caption: "The pixels of a picture on its viewport. The first **P** is the \
-        center of a pixel: half a step right and half a step down from the corner. Rows run \
-        downwards, where *y* runs up, so Δ**v** points along −*y*.",
+        center of a pixel: half a step right and half a step down from the corner. Rows are counted \
+        downwards, but *y* grows upwards, so Δ**v** points along −*y*.",
     draw: || LIVE.on_page(),
 };
 

@@ -50,7 +50,7 @@ pub static PICTURES: &[LivePicture] = &[
     LivePicture {
         chapter: Chapter::HittableList,
         picture: hittable_list::picture,
-        question: "What becomes of the ball if the first hit wins, and what if the last one does?",
+        question: "What does the picture show if the first hit wins? And if the last one wins?",
     },
 ];
 

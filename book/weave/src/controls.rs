@@ -53,12 +53,14 @@ pub(crate) fn told(figure: &str, name: &str, value: &str) -> String {
 }
 
 /// Each handle holds a slider for each number that it changes: for the keyboard, and for
-/// whoever listens.
+/// whoever listens. Where two handles change the same, the Tab key stops at the first.
 fn handles(live: &dyn Movable) -> String {
     let mut html = String::new();
-    for places in live.handles() {
+    let all = live.handles();
+    for (k, places) in all.iter().enumerate() {
         html += "<span class=\"handle\">";
-        for (n, order) in places.into_iter().zip(["0", "-1"]) {
+        let first = if all[..k].contains(places) { "-1" } else { "0" };
+        for (&n, order) in places.iter().zip([first, "-1"]) {
             let number = &live.numbers()[n];
             let _ = write!(html, "<input tabindex=\"{order}\" {}>", slider(n, number));
         }

@@ -71,6 +71,26 @@ fn the_labels_of_the_grid_have_room_at_every_width_and_at_its_edges() {
     assert!(all.is_empty(), "{all}");
 }
 
+#[test]
+fn no_leader_of_a_chart_goes_through_the_label_of_another() {
+    for (name, svg) in charts::of_the_book() {
+        let drawing = parse(&svg);
+        let labels: Vec<Label> = texts(&drawing).map(|text| Label::of(&text)).collect();
+        let lines = drawing.descendants().filter(|it| it.has_tag_name("line"));
+        for line in lines.filter(|it| it.attribute("class") == Some("faint thin")) {
+            let [x1, y1, x2, y2] = ["x1", "y1", "x2", "y2"].map(|it| f(&line, it));
+            let at = |n: i32| f64::from(n) / 50.0;
+            let strikes = |label: &Label| {
+                (0..50).any(|n| label.holds(x1 + at(n) * (x2 - x1), y1 + at(n) * (y2 - y1), -1.0))
+            };
+            // Its own label begins where it ends.
+            let others = labels.iter().filter(|label| !label.holds(x2, y2, 3.0));
+            let struck: Vec<&Label> = others.filter(|label| strikes(label)).collect();
+            assert!(struck.is_empty(), "{name}: {struck:?}");
+        }
+    }
+}
+
 /// The labels of a drawing that meet others, or leave the sheet.
 fn faults(name: &str, svg: &str) -> String {
     let mut faults = String::new();
@@ -185,6 +205,12 @@ impl Label {
 
     fn lies_within(&self, width: f64, height: f64) -> bool {
         self.left >= 0.0 && self.right <= width && self.top >= 0.0 && self.bottom <= height
+    }
+
+    /// Whether the point lies in it, or so far outside.
+    fn holds(&self, x: f64, y: f64, outside: f64) -> bool {
+        (self.left - outside..self.right + outside).contains(&x)
+            && (self.top - outside..self.bottom + outside).contains(&y)
     }
 
     fn touches(&self, other: &Self) -> bool {

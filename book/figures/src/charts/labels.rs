@@ -46,6 +46,7 @@ pub(super) struct Labels {
     lines: Vec<Place>,
     marks: Vec<Place>,
     written: Vec<Place>,
+    leaders: Vec<Place>,
 }
 
 impl Labels {
@@ -56,6 +57,7 @@ impl Labels {
             lines,
             marks,
             written: Vec::new(),
+            leaders: Vec::new(),
         }
     }
 
@@ -73,6 +75,7 @@ impl Labels {
         };
         if let Some([from, to]) = leader(point, corner, size) {
             svg.line("faint thin", from, to);
+            self.leaders.extend(Place::along(from, to));
         }
         let at = corner + DVec2::new(0.0, 0.82 * SMALL + 1.0);
         svg.small_label(idea, at, Anchor::Start, text);
@@ -89,20 +92,30 @@ impl Labels {
     }
 
     /// How easily a label there would be taken for that of another point: a
-    /// length, to which each other mark or label that is too near adds.
+    /// length, to which each other mark or label that is too near adds. No line
+    /// goes through a label if there is any other room.
     fn doubt(&self, point: DVec2, corner: DVec2, size: DVec2) -> f64 {
+        let touch = |all: &[Place], place: &Place| all.iter().any(|it| it.touches(place));
+        let struck = 1000.0 * f64::from(touch(&self.leaders, &Place::new(corner, size)));
         let Some([from, to]) = leader(point, corner, size) else {
-            return 0.0;
+            return struck;
         };
+        let steps: Vec<Place> = Place::along(from, to).collect();
         let near = Place::new(corner - 6.0, size + 12.0);
-        let touched = |places: &[Place]| {
-            let touches = |place: &&Place| {
-                place.touches(&near) || Place::along(from, to).any(|step| place.touches(&step))
-            };
+        let count = |places: &[Place], by: &[Place]| {
             let away = |place: &&Place| !place.touches(&Place::around(point, 1.0));
-            places.iter().filter(away).filter(touches).count() as f64
+            places
+                .iter()
+                .filter(away)
+                .filter(|it| touch(by, it))
+                .count() as f64
         };
-        point.distance(to) + 20.0 * touched(&self.marks) + 30.0 * touched(&self.written)
+        struck
+            + point.distance(to)
+            + 20.0 * count(&self.marks, &[near])
+            + 100.0 * count(&self.marks, &steps)
+            + 30.0 * count(&self.written, &[near])
+            + 1000.0 * count(&self.written, &steps)
     }
 }
 
@@ -118,12 +131,9 @@ fn leader(point: DVec2, corner: DVec2, size: DVec2) -> Option<[DVec2; 2]> {
 fn corners(point: DVec2, size: DVec2) -> impl Iterator<Item = DVec2> {
     (0..14).flat_map(move |ring| {
         let reach = 7.0 + 9.0 * f64::from(ring);
-        // To the right first, then left, above and below, and between them.
-        [
-            0.0, 180.0, -90.0, 90.0, -30.0, 30.0, -150.0, 150.0, -60.0, 60.0, -120.0, 120.0,
-        ]
-        .into_iter()
-        .map(move |degrees: f64| {
+        // To the right, left, above and below, and between them.
+        (0..24).map(move |n| {
+            let degrees = 15.0 * f64::from(n);
             let (sin, cos) = degrees.to_radians().sin_cos();
             let middle =
                 point + DVec2::new(cos, sin) * (reach + 0.5 * size * DVec2::new(cos, sin).abs());

@@ -24,9 +24,9 @@ pub(super) const DISTANCE: Chart = Chart {
         are right when the ray starts ever more radii away. The lines of half_b and half_b_q fall \
         steadily, a digit for each factor of ten, and end in wrong decisions. The lines of the \
         methods that measure the distance of the ray from the center stay level.",
-    caption: "The sphere moves away. half_b and half_b_q lose a digit with every step, and at a \
-        cross they begin to decide wrongly. Those that measure how far the ray passes from the \
-        center lose none. The table below has all methods.",
+    caption: "The sphere moves away. half_b and half_b_q lose a digit for each factor of ten, and from the \
+        cross on they decide wrongly. The methods that compute how far from the center the ray \
+        passes lose no digits. The table below has all methods.",
     files: FILES,
     draw: |files| {
         draw(
@@ -47,9 +47,9 @@ pub(super) const GRAZING: Chart = Chart {
         are right when the ray passes ever nearer to a tangent. The methods in plain f64 and f32 \
         lose half a digit with each factor of ten. The line of certified_t is at the top from the \
         beginning.",
-    caption: "The ray comes closer to a tangent, where the two roots meet. Whoever computes with \
-        no more digits than the numbers have loses half a digit of t for each factor of ten. \
-        certified_t takes more digits where it needs them. The table below has all methods.",
+    caption: "The ray comes closer to a tangent, where the two roots meet. A method that \
+        computes with no more digits than the numbers have loses half a digit of t for each factor of \
+        ten. certified_t uses more digits where it needs them. The table below has all methods.",
     files: FILES,
     draw: |files| {
         draw(
@@ -105,7 +105,7 @@ fn explain(svg: &mut Svg, layout: Layout) {
     svg.small_label("faint", DVec2::new(x, 20.0), Anchor::Start, words);
     let at: DVec2 = layout.choose((424.0, 15.5), (12.0, 37.5)).into();
     cross(svg, at);
-    let words = "from here on, hits and misses are confused";
+    let words = "from here on, it confuses hits and misses";
     svg.small_label("ink", at + DVec2::new(14.0, 4.5), Anchor::Start, words);
 }
 
@@ -124,7 +124,7 @@ fn axis(title: &str, lines: &[&Line], ten: &str) -> Axis {
 }
 
 /// Draws the lines, and their names beside the panel, in the order in which the
-/// lines end.
+/// lines end. A cross on a line may lie on several: the name of its method has one too.
 fn plot(svg: &mut Svg, panel: &Panel, lines: &[&Line]) {
     let mut ends: Vec<(DVec2, &Line)> = Vec::new();
     // The bold ones first, so that they hide no other.
@@ -134,7 +134,7 @@ fn plot(svg: &mut Svg, panel: &Panel, lines: &[&Line]) {
         let at = |row: &Level| panel.at(f64::from(row.level), right_digits(row));
         let points: Vec<DVec2> = line.levels.iter().map(at).collect();
         svg.path(&format!("{} {}", line.idea(), line.stroke()), &points);
-        if let Some(row) = line.levels.iter().find(|row| row.wrong_per_million > 0.0) {
+        if let Some(row) = line.first_wrong() {
             cross(svg, at(row));
         }
         ends.extend(points.last().map(|end| (*end, line)));
@@ -150,9 +150,12 @@ fn plot(svg: &mut Svg, panel: &Panel, lines: &[&Line]) {
     );
     for ((end, line), y) in ends.into_iter().zip(places) {
         svg.line("faint thin", end, DVec2::new(edge + 12.0, y));
+        if line.first_wrong().is_some() {
+            cross(svg, DVec2::new(edge + 20.0, y));
+        }
         svg.small_label(
             line.idea(),
-            DVec2::new(edge + 16.0, y + 4.0),
+            DVec2::new(edge + 28.0, y + 4.0),
             Anchor::Start,
             &line.method,
         );
@@ -176,6 +179,11 @@ impl Line {
     fn is_drawn(&self) -> bool {
         let mut drawn = LESSON.iter().chain([&Method::CERTIFIED_T]);
         self.precision == Precision::Single || drawn.any(|method| method.name == self.method)
+    }
+
+    /// The first level at which it decides wrongly.
+    fn first_wrong(&self) -> Option<&Level> {
+        self.levels.iter().find(|row| row.wrong_per_million > 0.0)
     }
 
     fn idea(&self) -> &'static str {
