@@ -75,7 +75,11 @@ pub(crate) fn listing(
         }
     };
     // A heading with the names that are given here, so that the search leads from them to it;
-    // but not in the outline of the page.
+    // but not in the outline of the page. Answers and tests belong to the section around them.
+    let (tag, role) = match file.starts_with("tests/") {
+        true => ("p", ""),
+        false => ("h3", " role=\"presentation\""),
+    };
     let whose = whose(file);
     let names = listing
         .lines()
@@ -87,8 +91,8 @@ pub(crate) fn listing(
         .collect();
     let values = figure.map_or(Ok(String::new()), |figure| values(figure, &listing))?;
     Ok(format!(
-        "<div class=\"listing\"><h3 class=\"source\" role=\"presentation\" id=\"listing-{id}\"><span class=\"file\">{file}</span>{whose}{beside}\
-         <span hidden> {names}</span></h3>\n\n````rust\n{}\n````\n\n{values}</div>\n",
+        "<div class=\"listing\"><{tag} class=\"source\"{role} id=\"listing-{id}\"><span class=\"file\">{file}</span>{whose}{beside}\
+         <span hidden> {names}</span></{tag}>\n\n````rust\n{}\n````\n\n{values}</div>\n",
         listing.trim_end()
     ))
 }
@@ -142,8 +146,12 @@ fn given_name(line: &str, is_lesson: bool) -> Option<&str> {
         let line = public.unwrap_or(line);
         words.iter().find_map(|it| line.strip_prefix(it))
     };
-    let item = begins(&["fn ", "struct ", "trait ", "const ", "type "]);
-    let inner = begins(&["let mut ", "let "]).or(public);
+    let is_field = |it: &&str| {
+        it.split_once(": ")
+            .is_some_and(|(name, _)| !name.contains(' '))
+    };
+    let item = begins(&["const fn ", "fn ", "struct ", "trait ", "const ", "type "]);
+    let inner = begins(&["let mut ", "let "]).or(public.filter(is_field));
     let name = item.or(inner.filter(|_| is_lesson))?;
     name.split(|it: char| !it.is_alphanumeric() && it != '_')
         .next()

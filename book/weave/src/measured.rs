@@ -42,9 +42,10 @@ fn in_table(text: &str, cells: &str, column: &str) -> csv::Result<Vec<String>> {
     Ok(found)
 }
 
-/// A power of ten as people write it: 2.5e-16 is 2.5·10⁻¹⁶.
+/// A power of ten as people write it: 2.5e-16 is 2.5·10⁻¹⁶. An empty field is `none`.
 fn printed(value: &str) -> String {
     match value.split_once('e') {
+        None if value.is_empty() => "none".to_owned(),
         Some((digits, power)) if value.parse::<f64>().is_ok() => {
             format!("{digits}·10<sup>{}</sup>", power.replace('-', "−"))
         }

@@ -9,9 +9,9 @@ use figures::escape;
 /// The page that has all symbols.
 const PAGE: &str = "symbols.md";
 
-/// What each symbol of the book means, as the tables of their page have it.
+/// How each symbol of the book is typed, and what it means, as the tables of their page have it.
 #[derive(Default)]
-pub(crate) struct Symbols(HashMap<String, String>);
+pub(crate) struct Symbols(HashMap<String, [String; 2]>);
 
 impl Symbols {
     /// Those of the page in the folder `notes`; none, if there is no such page.
@@ -21,34 +21,35 @@ impl Symbols {
     }
 
     /// The `mathml` of a formula. If it is a symbol that is not among those `met` on its page,
-    /// it leads to the page of symbols, and has its meaning.
+    /// it leads to the page of symbols, and has its meaning. The search knows it as it is typed.
     pub(crate) fn explained(
         &self,
         formula: &str,
         mathml: String,
         met: &mut HashSet<String>,
     ) -> String {
-        let Some(meaning) = self.0.get(formula) else {
+        let Some([typed, meaning]) = self.0.get(formula) else {
             return mathml;
         };
         if !met.insert(formula.to_owned()) {
             return mathml;
         }
         format!(
-            "<a class=\"symbol\" href=\"symbols.html\" title=\"{}\">{mathml}</a>",
+            "<a class=\"symbol\" href=\"symbols.html\" title=\"{}\">{mathml}<span hidden> {typed} </span></a>",
             escape(meaning)
         )
     }
 }
 
 /// The symbols of a row `| $t$ | t | the ray parameter | …`, and what they mean.
-fn row(line: &str) -> Vec<(String, String)> {
+fn row(line: &str) -> Vec<(String, [String; 2])> {
     let cells: Vec<&str> = line.split('|').map(str::trim).collect();
-    let ["", symbols, _, meaning, ..] = cells[..] else {
+    let ["", symbols, typed, meaning, ..] = cells[..] else {
         return Vec::new();
     };
     let symbols = symbols.split('$').skip(1).step_by(2);
     symbols
-        .map(|it| (it.to_owned(), meaning.to_owned()))
+        .zip(typed.split(", "))
+        .map(|(it, typed)| (it.to_owned(), [typed, meaning].map(str::to_owned)))
         .collect()
 }

@@ -142,7 +142,7 @@ impl Scene {
         let cases = self.spheres.iter().map(case);
         let cases: Vec<Case> = cases.map(|case| case.rounded(eye.precision())).collect();
         let (sphere, t) = match eye {
-            Eye::Method(method) => closest_so_far(&cases, &method, t_min),
+            Eye::Method(method) => nearest_by(&cases, &method, t_min),
             Eye::Exact => first(&cases, t_min),
         }?;
         Some((sphere, cases[sphere], t))
@@ -242,7 +242,7 @@ impl Eye {
 }
 
 /// The answer of the loop of chapter 5: it goes by what `method` rounds.
-fn closest_so_far(cases: &[Case], method: &Method, t_min: f64) -> Option<(usize, f64)> {
+fn nearest_by(cases: &[Case], method: &Method, t_min: f64) -> Option<(usize, f64)> {
     let mut nearest = None;
     let mut closest_so_far = f64::INFINITY;
     for (sphere, case) in cases.iter().enumerate() {
