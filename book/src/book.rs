@@ -36,7 +36,9 @@ pub(crate) fn book(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         None => draw::workspace()?.join("book"),
     };
     output::to_stdout(|out| {
-        out.write_all(b"Weaving the book: the first time cargo builds mdBook for it, in a minute\n")
+        out.write_all(
+            b"Weaving the book. The first time, cargo builds mdBook for it, which takes a minute\n",
+        )
     })?;
     let index = weave(&source, arguments.output.as_deref())?;
     let said = format!("The book is in {}\n", from_here(&index));

@@ -140,7 +140,7 @@ impl Done {
             .flat_map(|chapter| ahead(chapter, &text))
             .collect();
         said += &match ahead.is_empty() {
-            true => "Nothing is ahead: these were all chapters.\n".to_owned(),
+            true => "Nothing is left: you have done all chapters.\n".to_owned(),
             false => format!("Ahead\n{ahead}"),
         };
         Ok(said)

@@ -51,7 +51,7 @@ pub(crate) fn workspace() -> Result<&'static Path, Box<dyn Error>> {
 /// What can be done where nothing can be written into the workspace.
 fn without_it() -> String {
     let companion = companion();
-    format!("To draw elsewhere: {companion} show CHAPTER --output FILE")
+    format!("To write the picture elsewhere: {companion} show CHAPTER --output FILE")
 }
 
 fn draw(chapter: Chapter, folder: &Path) -> Result<String, Box<dyn Error>> {

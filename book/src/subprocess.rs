@@ -27,7 +27,7 @@ pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, 
     let mut group = Group::start(command(words), Stdio::inherit()).map_err(|cause| {
         failed(
             format!("{name} does not start: {cause}"),
-            "Is it built, and is its path right? In this folder it is ./NAME.",
+            "Is it built, and is its path right? A program in this folder is ./NAME.",
         )
     })?;
     match group.finish(limit, &mut |_| false) {
@@ -35,7 +35,7 @@ pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, 
         Ok(End::Full(bytes)) => Ok(bytes),
         Ok(End::Itself(status, _)) => Err(failed(
             format!("{name} ended with {status}"),
-            "A program that draws a picture ends with 0. What does it say above?",
+            "A program that draws a picture should end with 0. Read what it says above.",
         )),
         Ok(End::TooSlow) => Err(failed(
             format!("{name} did not end within {limit:?}"),

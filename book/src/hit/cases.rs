@@ -73,7 +73,7 @@ impl<R: BufRead> Cases<R> {
         if row.len() != self.width {
             let (fields, names) = (row.len(), self.width);
             return Err(format!(
-                "the fields are {fields}, but the column names are {names}"
+                "this row has {fields} fields, but there are {names} column names"
             ));
         }
         parse(&row, &self.columns).map(Some)
@@ -93,7 +93,7 @@ impl<R: BufRead> Cases<R> {
             self.bytes += length;
             if length as u64 > MOST_BYTES_OF_A_LINE {
                 return Err(format!(
-                    "it has more than {MOST_BYTES_OF_A_LINE} bytes: is this no CSV file?"
+                    "it has more than {MOST_BYTES_OF_A_LINE} bytes: is this a CSV file?"
                 ));
             }
             if self.lines > MOST_LINES || self.bytes > MOST_BYTES {

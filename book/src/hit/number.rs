@@ -28,7 +28,7 @@ pub(super) fn finite(text: &str) -> Result<f64, String> {
         {
             Err("is too large for a number: the largest is 1.7976931348623157e308".to_owned())
         }
-        _ => Err("is no number such as 0.5, -3 or 1e-9".to_owned()),
+        _ => Err("is not a number; write one such as 0.5, -3 or 1e-9".to_owned()),
     }
 }
 
@@ -36,7 +36,7 @@ pub(super) fn finite(text: &str) -> Result<f64, String> {
 pub(super) fn bound(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(number) if !number.is_nan() => Ok(number),
-        _ => Err("is neither a number such as 0.001 nor inf".to_owned()),
+        _ => Err("is not a number; write one such as 0.001, or inf".to_owned()),
     }
 }
 

@@ -47,7 +47,7 @@ pub(crate) fn under_the_microscope(
     let rounded = case.rounded(precision);
     let name = precision.name();
     let Some(exact) = Exact::of_finite(&rounded) else {
-        return format!("{name} has no such numbers: they overflow.\n");
+        return format!("These numbers do not fit into {name}: they overflow.\n");
     };
     let range_of_it = match precision {
         Precision::Double => range,

@@ -16,7 +16,10 @@ pub(super) fn reasons(method: &Method, case: &Case) -> Vec<String> {
     let precision = method.precision();
     let case = case.rounded(precision);
     let Some(exact) = Exact::of_finite(&case) else {
-        return vec![format!("{} has no such numbers", precision.name())];
+        return vec![format!(
+            "these numbers do not fit into {}",
+            precision.name()
+        )];
     };
     if let Some(reason) = exponent(method, &case) {
         return vec![reason];

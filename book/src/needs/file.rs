@@ -20,9 +20,7 @@ const MOST_BYTES: u64 = 1 << 24;
 pub(super) fn read(path: &Path) -> Result<Scene, Box<dyn Error>> {
     let shown = names::spelled(path);
     let text = text(path).map_err(|cause| {
-        format!(
-            "cannot read {shown}: {cause}\nA scene is a TOML file; its form is shown by --help."
-        )
+        format!("cannot read {shown}: {cause}\nA scene is a TOML file; --help shows an example.")
     })?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     scene_file::read(&name, &text).map_err(|mistake| format!("{shown}: {mistake}").into())

@@ -33,13 +33,13 @@ pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[Strin
         .flat_map(|found| &found.rows)
         .all(|row| row.view.radii.is_none())
     {
-        text += "No ray meets a sphere: there is nothing to be seen but the sky.\n";
+        text += "No ray meets a sphere: the picture shows only sky.\n";
     }
     for precision in Precision::ALL {
         text.push('\n');
         match found.iter().find(|found| found.precision == precision) {
             Some(found) => text += &one_precision(found),
-            None => text += "f32 has no such numbers: they overflow, or nothing is left of them.\n",
+            None => text += "These numbers do not fit into f32: they overflow, or become 0.\n",
         }
     }
     let times = format!(
@@ -63,7 +63,7 @@ pub(super) fn profile() -> &'static str {
 
 fn faster() -> &'static str {
     match profile() {
-        "dev" => " With all optimization: cargo run --release --package rtrace -- needs SCENE",
+        "dev" => " Fully optimized: cargo run --release --package rtrace -- needs SCENE",
         _ => "",
     }
 }
@@ -94,7 +94,10 @@ fn verdict(found: &Found) -> String {
     );
     if !found.ties.is_empty() {
         let ties: Vec<&str> = found.ties.iter().map(name).collect();
-        text += &format!(" (A tie, as far as can be told, with {}.)", ties.join(", "));
+        text += &format!(
+            " (As cheap, as far as the clock can tell: {}.)",
+            ties.join(", ")
+        );
     }
     if found.failing.is_none() {
         text += " Nothing cheaper fails.";
@@ -173,12 +176,10 @@ fn cure(culprit: &Culprit, precision: Precision) -> &'static str {
              proven_offset of chapter 6 says where it should start, so that no sphere shades itself."
         }
         Precision::Double => {
-            "So t is as good as f64 has numbers there: two spheres are nearer to each other. \
+            "So t is as exact as an f64 can be there, but two spheres are nearer to each other. \
              certified_nearest of chapter 6 compares their roots, and draws the right picture."
         }
-        Precision::Single => {
-            "So t is as good as f32 has numbers there: this picture needs more of them."
-        }
+        Precision::Single => "So t is as exact as an f32 can be there: this picture needs f64.",
     }
 }
 

@@ -192,7 +192,7 @@ mod a_scene {
             (format!("width = 1\n{sphere}"), "1 × 1 pixels"),
             (
                 format!("width = 9\n[camera]\nzoom = 5e299\n{huge}"),
-                "f32 has no such numbers",
+                "These numbers do not fit into f32",
             ),
         ] {
             let folder = TempDir::new().expect("a folder");
