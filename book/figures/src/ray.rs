@@ -24,7 +24,7 @@ pub(crate) const FIGURE: Figure = Figure {
 
 parameters! {
     q_x: Number::new("Q, to the right", -2.0, 4.0, 0.0),
-    q_y: Number::new("Q, upwards", -0.75, 2.5, 0.0),
+    q_y: Number::new("Q, upwards", -0.75, 2.0, 0.0),
     d_x: Number::new("d, to the right", -4.0, 4.0, 1.0),
     d_y: Number::new("d, upwards", -2.5, 2.5, 0.5),
     t: Number::new("t", -2.0, 4.0, 2.0),
@@ -117,11 +117,12 @@ fn answer(parameters: &Parameters) -> Answer {
 }
 
 /// Where the scene is on the sheet.
-const PLANE: Plane = Plane::new(142.0, 172.0, 60.0);
+const PLANE: Plane = Plane::new(142.0, 142.0, 60.0);
 
 /// Draws the ray with its marks, and the point P.
 fn draw(ray: &Ray, t: f64) -> Svg {
-    let mut svg = FIGURE.sheet(SIZE.x, SIZE.y);
+    // Below the scene is room for the formulas, which nothing that is dragged can reach.
+    let mut svg = FIGURE.sheet(SIZE.x, SIZE.y + 48.0);
     let at = |t| PLANE.point(ray.at(t));
     if let Some((first, last)) = PLANE.on_sheet(ray, SIZE) {
         svg.line("ray dashed", at(first), at(last.min(0.0)));
@@ -142,14 +143,14 @@ fn draw(ray: &Ray, t: f64) -> Svg {
     svg.circle("ink hollow", at(t), 6.0);
     svg.label("ink", at(t) + beside, Anchor::Middle, "**P**");
     for (line, words) in (0..).zip(formulas(ray, t)) {
-        let at = DVec2::new(14.0, 24.0 + 22.0 * f64::from(line));
+        let at = DVec2::new(14.0, SIZE.y + 20.0 + 22.0 * f64::from(line));
         svg.label("ink", at, Anchor::Start, &words);
     }
     svg
 }
 
-/// The size of the sheet.
-const SIZE: DVec2 = DVec2::new(400.0, 236.0);
+/// The size of the scene.
+const SIZE: DVec2 = DVec2::new(400.0, 206.0);
 
 /// The values of t that are marked.
 const MARKS: [f64; 5] = [-1.0, 0.0, 1.0, 2.0, 3.0];

@@ -122,6 +122,7 @@ fn how_far_off(t: f64, truth: Truth, precision: Precision) -> (String, bool) {
     }
     match truth.error_in_ulps(t) {
         f64::INFINITY => ("more than 1e308 ulps off".to_owned(), false),
+        1.0 => ("1 ulp off".to_owned(), true),
         error => (
             format!("{} ulps off", three_digits(error)),
             error <= ORDINARY,
