@@ -62,8 +62,8 @@ pub(super) const SLIPS: &[Slip] = &[
         .says(Words {
             wrong: "if (t > -1)",
             right: "if (t > 0)",
-            why: "Often tried to bring back a sphere that a slip in a sign has lost. It counts \
-                  points just behind the camera.",
+            why: "Readers try this to bring back a sphere that a wrong sign has lost. It counts \
+                  points just behind the camera too.",
         })
         .in_rust(ONE_SPHERE, "t > -1.0", "t > 0.0")
         .reported(&["#1643", "#1558"])

@@ -55,14 +55,15 @@ pub(super) const SLIPS: &[Slip] = &[
         .says(Words {
             wrong: "oc = r.origin() - center",
             right: "oc = center - r.origin()",
-            why: "Older editions have it this way round, with another sign in the formula. Mixed, \
-                  every root changes its sign and the sphere is behind the camera.",
+            why: "Older editions have it this way round, with another sign in the formula. If \
+                  you mix the two, every root changes its sign and the sphere is behind the \
+                  camera.",
         })
         .before_4(Words {
             wrong: "oc = center - r.origin()",
             right: "oc = r.origin() - center",
-            why: "Version 4 has it that way round, with another sign in the formula. Mixed, every \
-                  root changes its sign and the sphere is behind the camera.",
+            why: "Version 4 has it that way round, with another sign in the formula. If you mix \
+                  the two, every root changes its sign and the sphere is behind the camera.",
         })
         .in_rust(
             HITTABLE_LIST,
@@ -146,8 +147,8 @@ pub(super) const SLIPS: &[Slip] = &[
         .says(Words {
             wrong: "h = -dot(r.direction(), oc)",
             right: "h = dot(r.direction(), oc)",
-            why: "b is -2h, so the minus of b is in the 2 already. With another one every root \
-                  changes its sign and the sphere is behind the camera.",
+            why: "b is -2h, so the minus of b is in the 2 already. With a second minus every \
+                  root changes its sign and the sphere is behind the camera.",
         })
         .in_rust(
             HALF_B,
@@ -504,14 +505,15 @@ pub(super) const SLIPS: &[Slip] = &[
         .says(Words {
             wrong: "(-h - sqrt(discriminant)) / a",
             right: "(h - sqrt(discriminant)) / a",
-            why: "b is -2h, so -b is 2h: the minus is used up. With another one the root is minus \
-                  the far one, and the sphere is behind the camera.",
+            why: "b is -2h, so -b is 2h: the minus is used up. With a second minus the result is \
+                  minus the far root, and the sphere is behind the camera.",
         })
         .before_4(Words {
             wrong: "(half_b - sqrt(discriminant)) / a",
             right: "(-half_b - sqrt(discriminant)) / a",
             why: "Here half_b is half of b, so the root begins with a minus, as it does with b. \
-                  Without it the root is minus the far one, and the sphere is behind the camera.",
+                  Without it the result is minus the far root, and the sphere is behind the \
+                  camera.",
         })
         .in_rust(
             HITTABLE_LIST,
@@ -529,7 +531,7 @@ pub(super) const SLIPS: &[Slip] = &[
         .says(Words {
             wrong: "(b - sqrt(discriminant)) / (2*a)",
             right: "(-b - sqrt(discriminant)) / (2*a)",
-            why: "Without the minus the root is minus the far one, and the sphere is behind the \
+            why: "Without the minus the result is minus the far root, and the sphere is behind the \
                   camera.",
         })
         .in_rust(
@@ -542,8 +544,8 @@ pub(super) const SLIPS: &[Slip] = &[
         .says(Words {
             wrong: "(b + sqrt(discriminant)) / (2*a)",
             right: "(-b - sqrt(discriminant)) / (2*a)",
-            why: "Both signs are turned, so the root is minus the nearer one, and the sphere is \
-                  behind the camera.",
+            why: "Both signs are changed, so the result is minus the nearer root, and the sphere \
+                  is behind the camera.",
         })
         .in_book(
             HALF_B,
