@@ -1,11 +1,12 @@
 //! `start`: a crate of the reader's own, ready to be typed into.
 
 mod carry;
-mod files;
+mod settings;
 mod swap;
 
 use std::collections::BTreeSet;
 use std::error::Error;
+use std::hash::{BuildHasher, Hasher, RandomState};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -21,7 +22,7 @@ use crate::chapter::OneOf;
 use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;
 use crate::terminal;
-pub(crate) use files::renew_config;
+pub(crate) use settings::renew_config;
 
 /// What `cargo rtrace start` is told.
 #[derive(Args)]
@@ -138,23 +139,29 @@ impl New {
         let written = before.map(Written::read);
         let has_own = written.as_ref().is_some_and(Written::has_own_prelude);
         let own = arguments.own_prelude || has_own;
-        let mut carried = carry::into(files::skeletons(chapter, own), written.as_ref());
+        let mut carried = carry::into(skeletons::files(chapter, own), written.as_ref());
         let (_, lib) = &mut carried.files[0];
-        lib.insert_str(0, &files::about(chapter));
+        lib.insert_str(0, &settings::about(chapter));
         if own && written.is_none() && chapter > Chapter::Gradient {
-            *lib += include_str!("skeletons/own/sky.rs");
+            *lib += skeletons::OWN_SKY;
         }
-        let ours = files::from_crate(folder, workspace);
+        let ours = settings::from_crate(folder, workspace);
         let lock = fs::read_to_string(workspace.join("Cargo.lock"));
+        let path = ours.display().to_string();
+        // The standard library asks the system for a random number to seed its hash tables.
+        let number = RandomState::new().build_hasher().finish();
         let texts = [
-            ("src/main.rs", files::main(chapter, own)),
-            ("tests/laws.rs", files::test(chapter, own)),
-            ("Cargo.toml", files::manifest(chapter, own, &ours)),
+            ("src/main.rs", skeletons::main(chapter, own)),
+            ("tests/laws.rs", skeletons::test(chapter, own)),
+            (
+                "Cargo.toml",
+                skeletons::manifest(chapter, own, &path, number),
+            ),
             // The same versions as ours: they have been downloaded.
             ("Cargo.lock", lock.unwrap_or_default()),
-            (".cargo/config.toml", files::config(&ours, workspace)),
+            (".cargo/config.toml", settings::config(&ours, workspace)),
         ];
-        let prelude = files::OWN_PRELUDE.map(|(name, text)| (name, text.to_owned()));
+        let prelude = skeletons::OWN_PRELUDE.map(|(name, text)| (name, text.to_owned()));
         let prelude = prelude.into_iter().filter(|_| own && !has_own);
         // In the order in which they are typed.
         carried.files.rotate_left(1);

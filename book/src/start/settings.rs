@@ -1,0 +1,79 @@
+//! Settings: the paths that a new crate has in it.
+
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+use check::workspace::workspace;
+use common::engine::output;
+use slips::{Chapter, steps};
+
+/// Where the workspace is, as seen from a crate: one that lies in it moves with it.
+pub(super) fn from_crate(folder: &Path, workspace: &Path) -> PathBuf {
+    let real = folder.parent().and_then(|mine| mine.canonicalize().ok());
+    let below = real
+        .as_deref()
+        .and_then(|it| it.strip_prefix(workspace).ok());
+    below.map_or(workspace.to_owned(), |below| {
+        Path::new("..").join(below.iter().map(|_| "..").collect::<PathBuf>())
+    })
+}
+
+/// All crates of readers, wherever they are, share what was built once, and in each of
+/// them `cargo rtrace` is what it is in the workspace. The alias is one text, as there, or
+/// cargo would not put the two together; so there is none where a path has a space in it.
+/// It is read wherever the reader is in the crate, and so its paths are absolute.
+pub(super) fn config(from_crate: &Path, workspace: &Path) -> String {
+    let shared = toml_string(&from_crate.join("target/mine"));
+    let target = format!("[build]\ntarget-dir = {shared}\n");
+    let paths = ["Cargo.toml", "target"].map(|name| workspace.join(name).display().to_string());
+    if paths.iter().any(|path| path.contains(char::is_whitespace)) {
+        return target;
+    }
+    let [manifest, built] = paths;
+    let alias = format!("run --manifest-path {manifest} --target-dir {built} --package rtrace --");
+    format!("{target}\n[alias]\nrtrace = {alias:?}\n")
+}
+
+/// Renews the settings of a crate after the workspace was moved, if nobody has changed more
+/// in them than the paths.
+///
+/// # Errors
+/// If they can't be written.
+pub(crate) fn renew_config(folder: &Path) -> io::Result<()> {
+    let Some(workspace) = workspace() else {
+        return Ok(());
+    };
+    let file = folder.join(".cargo/config.toml");
+    let old = fs::read_to_string(&file).unwrap_or_default();
+    let new = config(&from_crate(folder, workspace), workspace);
+    let without_paths = |text: &str| text.split('"').step_by(2).collect::<String>();
+    match old != new && without_paths(&old) == without_paths(&new) {
+        true => output::to_file(&file, |out| out.write_all(new.as_bytes())),
+        false => Ok(()),
+    }
+}
+
+/// The head of the chapter: its steps.
+pub(super) fn about(chapter: Chapter) -> String {
+    let number = chapter as usize;
+    let mut about = format!(
+        "//! Chapter {number}, {}, typed by hand.\n//!\n",
+        chapter.name()
+    );
+    for (step, says) in (1..).zip(steps::of(chapter).iter().map(|step| step.says)) {
+        let lines = textwrap::wrap(says, 72);
+        for (n, line) in lines.iter().enumerate() {
+            let label = match n {
+                0 => format!("{step}."),
+                _ => "  ".to_owned(),
+            };
+            about += &format!("//! {label} {line}\n");
+        }
+    }
+    about + "\n"
+}
+
+/// The path as TOML quotes it.
+fn toml_string(path: &Path) -> String {
+    format!("{:?}", path.display().to_string())
+}
