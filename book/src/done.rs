@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use check::names::{self, from_here};
+use check::whole::{picture_is_right, step_is_done};
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 use common::engine::output;
@@ -145,16 +146,6 @@ impl Done {
         };
         Ok(said)
     }
-}
-
-/// What the list says when a step of a chapter shows what it should.
-pub(crate) fn step_is_done(chapter: Chapter, step: usize) -> String {
-    format!("{}: step {step} shows what it should", chapter.name())
-}
-
-/// What the list says when the picture of a chapter is right.
-pub(crate) fn picture_is_right(chapter: Chapter) -> String {
-    format!("{}: the picture is right, to the last bit", chapter.name())
 }
 
 /// A line for each step after the last one on the list, if the chapter's picture is not

@@ -5,16 +5,11 @@ use std::fs;
 use std::path::Path;
 
 use check::sources::Sources;
-use check::workspace::workspace;
 use slips::{Chapter, Letters};
 
 /// The files of a crate that `start` made, beside those of the chapter.
 pub(crate) fn of_crate(folder: &Path, chapter: Chapter) -> Sources {
-    let own = files_in(&folder.join("src"), "src/");
-    let theirs = folder_of(chapter).map_or(Vec::new(), |folder| files_in(&folder, "src/"));
-    // What prints the picture is not typed.
-    let typed = theirs.into_iter().filter(|(name, _)| name != "src/main.rs");
-    Sources::new(own, typed.collect())
+    Sources::of_chapter(files_in(&folder.join("src"), "src/"), chapter)
 }
 
 /// The files of a program of the reader's own, and their language: the one that its command
@@ -32,12 +27,6 @@ pub(crate) fn of_program(words: &[OsString], folder: &Path) -> (Sources, Option<
     }
     let first = files.first().and_then(|(name, _)| language(name.as_ref()));
     (Sources::new(files, Vec::new()), first.flatten())
-}
-
-/// Where the sources of our own chapter are.
-fn folder_of(chapter: Chapter) -> Option<std::path::PathBuf> {
-    let folder = format!("chapters/{}_{}/src", chapter as usize, chapter.name());
-    Some(workspace()?.join(folder))
 }
 
 /// No program of these chapters has more files, or a longer one.

@@ -1,11 +1,10 @@
 //! HTML: the parts of an answer in the elements of a page.
 
 use check::answer::{Hidden, Judged, Part, Where};
+use check::html::{list, read};
 use check::reading::{Cause, Reading};
 use check::report::escaped;
 use check::verdict::Check;
-use slips::Slip;
-
 /// The facts in the first line, and the answer below it.
 pub(crate) fn answer(judged: &Judged, reading: &Reading) -> String {
     let found = super::shown(judged);
@@ -70,11 +69,7 @@ fn part(part: &Part) -> String {
         Part::Sentence(said) => format!("<p>{}</p>", escaped(said)),
         Part::Title(said) => format!("<h3>{}</h3>", escaped(said)),
         Part::Name(name) => format!("<p><code>{}</code></p>", escaped(name)),
-        Part::Rows(rows) => {
-            let rows: Vec<(&str, &String)> =
-                rows.iter().map(|(label, said)| (*label, said)).collect();
-            list(&rows)
-        }
+        Part::Rows(rows) => list(rows),
         Part::Read(slips) => slips.iter().map(|slip| read(slip)).collect(),
     }
 }
@@ -94,39 +89,4 @@ fn hidden(it: &Hidden) -> String {
         )
     });
     format!("<p>{}</p>{}{next}", escaped(&it.intro), list(&groups))
-}
-
-/// What is code in an answer is the second in a row with one of these labels.
-const CODE: [&str; 6] = [
-    "probably",
-    "perhaps",
-    "should be",
-    "or",
-    "yours",
-    "the page",
-];
-
-fn list(rows: &[(&str, &String)]) -> String {
-    if rows.is_empty() {
-        return String::new();
-    }
-    let row = |(label, said): &(&str, &String)| {
-        let said = match CODE.contains(label) {
-            true => format!("<code>{}</code>", escaped(said)),
-            false => escaped(said),
-        };
-        format!("<dt>{}</dt><dd>{said}</dd>", escaped(label))
-    };
-    let rows: String = rows.iter().map(row).collect();
-    format!("<dl>{rows}</dl>")
-}
-
-fn read(slip: &Slip) -> String {
-    if slip.page.is_empty() {
-        return String::new();
-    }
-    format!(
-        "<p><a href=\"{}\">How it is right</a></p>",
-        escaped(slip.address())
-    )
 }

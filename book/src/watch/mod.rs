@@ -2,7 +2,6 @@
 
 mod build;
 mod changes;
-mod evidence;
 mod laws;
 mod progress;
 mod screen;
@@ -18,13 +17,14 @@ use std::time::{Duration, Instant, SystemTime};
 use check::evidence::Known;
 use check::names::{companion, from_here};
 use check::scene::Scene;
+use check::whole::{Evidence, Verdict, step_is_done};
 use clap::Args;
 use common::engine::output;
 use slips::{Chapter, Letters, Probe, Program, Slip, steps};
 
 use crate::chapter::OneOf;
 use crate::check::{probe_parser, seconds};
-use crate::done::{Done, step_is_done};
+use crate::done::Done;
 use crate::mine::{self, Mine, TYPED};
 use crate::misuse::misuse;
 use crate::sources;
@@ -32,8 +32,6 @@ use crate::start::renew_config;
 use crate::subprocess::{self, End};
 use build::Built;
 use changes::Changes;
-use evidence::Evidence;
-use verdict::Verdict;
 
 /// What `cargo rtrace watch` is told.
 #[derive(Args)]
@@ -78,15 +76,16 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
         let may_be_old = !arguments.once && !was_stale;
         let verdict = subject.judge(&mut || may_be_old && changes.has_a_save());
         let end = SystemTime::now();
-        was_stale = verdict.is_stale;
-        if !was_stale {
+        was_stale = verdict.is_none();
+        if let Some(verdict) = &verdict {
             let news = subject.done.add_all(&verdict.done);
             let news = news.unwrap_or_else(|problem| vec![problem.to_string()]);
-            let screen = screen::compose(&subject.title(), &verdict, &news, start.elapsed());
+            let screen = screen::compose(&subject.title(), verdict, &news, start.elapsed());
             output::to_stdout(|out| out.write_all(screen.as_bytes()))?;
         }
         if arguments.once {
-            return Ok(ExitCode::from(u8::from(!verdict.is_right)));
+            let is_right = verdict.is_some_and(|it| it.is_right);
+            return Ok(ExitCode::from(u8::from(!is_right)));
         }
         if !changes.wait(end)? {
             return Err(format!("{} is not there any more", from_here(&subject.folder)).into());
@@ -156,14 +155,14 @@ impl Subject {
         }
     }
 
-    /// Builds, draws and compares, unless `is_old` says meanwhile that there is
-    /// something newer to judge.
-    fn judge(&self, is_old: &mut dyn FnMut() -> bool) -> Verdict {
+    /// Builds, draws and compares; `None` if `is_old` says meanwhile that there is something
+    /// newer to judge.
+    fn judge(&self, is_old: &mut dyn FnMut() -> bool) -> Option<Verdict> {
         let built = match self.program.is_empty() {
             true => match build::build(&self.folder, is_old) {
                 Ok(Some(built)) => Some(built),
-                Ok(None) => return Verdict::stale(),
-                Err(problem) => return Verdict::not_built(&problem),
+                Ok(None) => return None,
+                Err(problem) => return Some(verdict::not_built(&problem)),
             },
             false => None,
         };
@@ -173,16 +172,20 @@ impl Subject {
         };
         let mut command = subprocess::command(&words);
         command.current_dir(&self.folder);
-        match subprocess::run(command, self.limit, &mut |_| is_old()) {
-            Ok((End::Interrupted, _)) => Verdict::stale(),
-            Ok((End::Itself(status, bytes), _)) if status.success() => {
-                self.of_picture(&bytes, built)
-            }
-            Ok((End::Full(bytes), _)) => self.of_picture(&bytes, built),
-            Ok((End::Itself(status, _), errors)) => Verdict::failed(&self.scene, &status, &errors),
-            Ok((End::TooSlow, errors)) => Verdict::too_slow(self.limit, &errors),
-            Err(cause) => Verdict::not_started(&words[0], &cause),
-        }
+        Some(
+            match subprocess::run(command, self.limit, &mut |_| is_old()) {
+                Ok((End::Interrupted, _)) => return None,
+                Ok((End::Itself(status, bytes), _)) if status.success() => {
+                    self.of_picture(&bytes, built)
+                }
+                Ok((End::Full(bytes), _)) => self.of_picture(&bytes, built),
+                Ok((End::Itself(status, _), errors)) => {
+                    verdict::failed(&self.scene, &status, &errors)
+                }
+                Ok((End::TooSlow, errors)) => verdict::too_slow(self.limit, &errors),
+                Err(cause) => verdict::not_started(&words[0], &cause),
+            },
+        )
     }
 
     /// The verdict on a picture, with all that is known of the program.

@@ -5,8 +5,8 @@ use std::time::Duration;
 use std::{env, iter};
 
 use check::names;
+use check::whole::{Line, Verdict};
 
-use super::verdict::{Line, Verdict};
 use crate::check::Style;
 use crate::terminal::{self, Palette};
 

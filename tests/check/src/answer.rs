@@ -262,7 +262,7 @@ impl<'a> Judged<'a> {
 
 impl Finding {
     /// The slips that draw it together, if nothing else does.
-    fn single(&self) -> &[&'static Slip] {
+    pub(crate) fn single(&self) -> &[&'static Slip] {
         match &self.sets[..] {
             [set] if set.mistakes.len() == 1 => &set.mistakes[0],
             _ => &[],

@@ -14,6 +14,7 @@ pub mod comparison;
 pub mod evidence;
 pub mod explanations;
 pub mod guess;
+pub mod html;
 mod judge;
 mod map;
 pub mod mutants;
@@ -27,6 +28,7 @@ pub mod sources;
 pub mod telling;
 pub mod told;
 pub mod verdict;
+pub mod whole;
 mod words;
 pub mod workspace;
 

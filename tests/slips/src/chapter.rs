@@ -102,6 +102,27 @@ impl Chapter {
         }
     }
 
+    /// What a reader types: the sources by their names, as in a crate of their own.
+    pub fn files(self) -> &'static [(&'static str, &'static str)] {
+        macro_rules! files {
+            ($folder:literal: $($name:literal),*) => {
+                &[$(($name, include_str!(concat!("../../../chapters/", $folder, "/", $name)))),*]
+            };
+        }
+        match self {
+            Self::BuildTest => files!("0_build_test": "src/lib.rs"),
+            Self::Gradient => files!("1_gradient": "src/lib.rs"),
+            Self::RedSphere => files!("2_red_sphere": "src/lib.rs"),
+            Self::Normals => files!("3_normals": "src/lib.rs"),
+            Self::HalfBSphere => files!("4_half_b_sphere": "src/lib.rs"),
+            Self::HittableList => files!(
+                "5_hittable_list": "src/hittable.rs", "src/hittable_list.rs", "src/lib.rs",
+                "src/sphere.rs"
+            ),
+            Self::SpeedVsAccuracy => &[],
+        }
+    }
+
     /// Draws the picture at any width, in pixels.
     pub fn picture(self, width: u32) -> Picture {
         let draw = match self {

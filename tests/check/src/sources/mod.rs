@@ -6,7 +6,7 @@
 mod alignment;
 mod tokens;
 
-use slips::Words;
+use slips::{Chapter, Words};
 
 use alignment::Pair;
 use tokens::{Token, is_name, tokens};
@@ -84,6 +84,12 @@ impl Sources {
         };
         sources.unlike = sources.pairs().flat_map(|pair| pair.unlike()).collect();
         sources
+    }
+
+    /// The files of a reader who types the chapter, beside its own.
+    pub fn of_chapter(yours: Vec<(String, String)>, chapter: Chapter) -> Self {
+        let owned = |&(name, text): &(&str, &str)| (name.to_owned(), text.to_owned());
+        Self::new(yours, chapter.files().iter().map(owned).collect())
     }
 
     /// Whether they are those of the chapter and no other program.

@@ -1,35 +1,151 @@
-//! The verdict on a picture, with all that is known of the program behind it.
+//! The whole verdict on a program that a reader types: its picture, the laws and the typed
+//! lines come to one cause, and one thing to do next.
 
-use check::blind_spots::BlindSpots;
-use check::evidence::Known;
-use check::reading::Cause;
-use check::scene::Scene;
-use check::told;
-use check::verdict::{self, Check, Finding, Right};
-use slips::{Chapter, Edition, Probe, steps};
+use common::rtweekend::Picture;
+use slips::{Chapter, Edition, Probe, Slip, steps};
 
-use super::laws::Outcome;
-use super::verdict::{Line, Verdict, labeled, printed, step_says};
-use crate::done::{picture_is_right, step_is_done};
+use crate::blind_spots::BlindSpots;
+use crate::evidence::Known;
+use crate::names;
+use crate::reading::Cause;
+use crate::scene::Scene;
+use crate::told;
+use crate::verdict::{self, Check, Finding, Right};
+
+/// What a program has come to.
+#[derive(Default)]
+pub struct Verdict {
+    /// Whether nothing is left to do here.
+    pub is_right: bool,
+    /// The reader's picture and the one that it should be, if there is one.
+    pub pictures: Option<(Picture, Picture)>,
+    /// What it is, in a line.
+    pub headline: String,
+    /// The first cause, or what is known of it.
+    pub cause: Vec<Line>,
+    /// What to do now.
+    pub next: String,
+    /// Slips whose pages tell how it is right.
+    pub read: Vec<&'static Slip>,
+    /// What came out right.
+    pub done: Vec<String>,
+}
+
+/// A line below the headline.
+pub enum Line {
+    /// A label, and text that may be long.
+    Labeled(String, String),
+    /// As a compiler or a program has printed it.
+    Printed(String),
+}
+
+/// Whether the laws hold for what a reader typed.
+pub enum Laws {
+    /// All of them do.
+    Obeyed,
+    /// The first broken one: its report, line by line.
+    Broken(Vec<String>),
+    /// The same of the reader's own prelude, on which all else stands.
+    BrokenPrelude(Vec<String>),
+    /// They were not tried to the end, or nothing is said of a law.
+    Unknown(String),
+}
 
 /// What is known of a picture and the program behind it.
-pub(super) struct Evidence<'a> {
-    pub(super) scene: &'a Scene,
-    pub(super) known: &'a Known<'a>,
+pub struct Evidence<'a> {
+    /// What the picture should show.
+    pub scene: &'a Scene,
+    /// What is known besides.
+    pub known: &'a Known<'a>,
     /// What the laws say of the reader's functions, where they can be asked.
-    pub(super) laws: Option<&'a Outcome>,
-    /// What starts a command of the reader's about this chapter and these folders, and what
-    /// goes on to the next.
-    pub(super) watch: &'a dyn Fn(Option<Probe>) -> String,
-    pub(super) start: &'a dyn Fn(Chapter) -> String,
+    pub laws: Option<&'a Laws>,
+    /// What judges a picture of the reader's about this chapter, or a probe of it.
+    pub watch: &'a dyn Fn(Option<Probe>) -> String,
+    /// What goes on to the next chapter.
+    pub start: &'a dyn Fn(Chapter) -> String,
+}
+
+impl Verdict {
+    /// A compiler has so many complaints, and this is the first.
+    pub fn not_compiled(complaints: usize, first: Vec<Line>) -> Self {
+        let more = match complaints {
+            1 => String::new(),
+            all => format!(" This is the first of {all}."),
+        };
+        Self {
+            headline: format!("It does not compile.{more}"),
+            cause: first,
+            ..Self::default()
+        }
+    }
+
+    /// Nothing has been written yet at this place of the program.
+    pub fn not_written(chapter: Chapter, place: &str) -> Self {
+        let first = steps::of(chapter).first();
+        Self {
+            headline: format!("Not written yet: todo!() at {place}."),
+            next: first.map_or(String::new(), |step| step_says(0, step)),
+            ..Self::default()
+        }
+    }
+
+    fn and_obeys_the_laws(mut self, chapter: Chapter) -> Self {
+        self.headline += " The laws hold.";
+        self.done.push(format!("{}: the laws hold", chapter.name()));
+        self
+    }
+}
+
+impl Laws {
+    /// The laws that a trial's report tells of, from the first to the page where it is
+    /// explained.
+    pub fn reported(report: &str) -> Option<Vec<String>> {
+        let from_law = report
+            .lines()
+            .skip_while(|line| !line.starts_with("the law:"));
+        let lines: Vec<String> = from_law
+            .take_while(|line| !line.is_empty())
+            .map(str::to_owned)
+            .collect();
+        (!lines.is_empty()).then_some(lines)
+    }
+}
+
+/// A line that somebody else has printed.
+pub fn printed(text: &str) -> Vec<Line> {
+    let visible = |line| Line::Printed(names::visible(line).into_owned());
+    text.lines().map(visible).collect()
+}
+
+fn labeled(label: &str, text: String) -> Line {
+    Line::Labeled(label.to_owned(), text)
+}
+
+fn step_says(at: usize, step: &steps::Step) -> String {
+    format!("step {}: {}", at + 1, step.says)
+}
+
+/// What is done when a step of a chapter shows what it should.
+pub fn step_is_done(chapter: Chapter, step: usize) -> String {
+    format!("{}: step {step} shows what it should", chapter.name())
+}
+
+/// What is done when the picture of a chapter is right.
+pub fn picture_is_right(chapter: Chapter) -> String {
+    format!("{}: the picture is right, to the last bit", chapter.name())
 }
 
 impl Evidence<'_> {
     /// The verdict on what the program has printed.
-    pub(super) fn of_picture(&self, bytes: &[u8]) -> Verdict {
-        let verdict = self.of_picture_alone(bytes);
+    pub fn of_picture(&self, bytes: &[u8]) -> Verdict {
+        self.of(verdict::check_knowing(self.scene, bytes, 0, self.known))
+    }
+
+    /// The verdict on a picture that was judged.
+    pub fn of(&self, check: Check) -> Verdict {
+        let verdict = self.of_picture_alone(check);
         match self.laws {
-            Some(Outcome::BrokenPrelude(report)) => Verdict {
+            Some(Laws::BrokenPrelude(report)) => Verdict {
                 cause: law(report),
                 next: "first that: what else is wrong may stand on it".to_owned(),
                 ..verdict
@@ -39,8 +155,8 @@ impl Evidence<'_> {
     }
 
     /// The verdict where the reader's own prelude is right, or there is none.
-    fn of_picture_alone(&self, bytes: &[u8]) -> Verdict {
-        match verdict::check_knowing(self.scene, bytes, 0, self.known) {
+    fn of_picture_alone(&self, check: Check) -> Verdict {
+        match check {
             Check::Right(right) => self.of_right_picture(&right),
             Check::Near(finding) => self.of_near_picture(finding),
             Check::Wrong(finding) => self.of_wrong_picture(finding),
@@ -74,13 +190,13 @@ impl Evidence<'_> {
             };
         }
         let (can_say, cause) = match self.laws {
-            Some(Outcome::Broken(report) | Outcome::BrokenPrelude(report)) => {
+            Some(Laws::Broken(report) | Laws::BrokenPrelude(report)) => {
                 let unlike = told::unlike(self.scene, self.known).into_iter();
                 let unlike = unlike.map(|(label, text)| labeled(label, text));
                 ("a law is broken", unlike.chain(law(report)).collect())
             }
-            Some(Outcome::Unknown(errors)) => ("the laws can't be tried", printed(errors)),
-            Some(Outcome::Obeyed) | None => {
+            Some(Laws::Unknown(errors)) => ("the laws can't be tried", printed(errors)),
+            Some(Laws::Obeyed) | None => {
                 let headline = format!(
                     "Right{}: all {width} × {height} pixels, to the last bit.",
                     Edition::said(&[scene.edition])
@@ -134,7 +250,7 @@ impl Evidence<'_> {
         let is_exact = finding.near.as_ref().is_some_and(|near| near.is_exact());
         let verdict = match (finding.scene.step().filter(|_| is_exact), self.laws) {
             (Some(step), _) => self.of_step(step, &finding),
-            (None, Some(Outcome::Broken(report))) if !finding.is_answered => Verdict {
+            (None, Some(Laws::Broken(report))) if !finding.is_answered => Verdict {
                 headline: "A law is broken.".to_owned(),
                 cause: [
                     vec![labeled("seen", format!("right, but {}", finding.but()))],
@@ -156,7 +272,7 @@ impl Evidence<'_> {
     fn of_step(&self, step: usize, finding: &Finding) -> Verdict {
         let chapter = self.scene.chapter;
         let (steps, number) = (steps::of(chapter), step + 1);
-        if let Some(Outcome::Broken(report) | Outcome::BrokenPrelude(report)) = self.laws
+        if let Some(Laws::Broken(report) | Laws::BrokenPrelude(report)) = self.laws
             && !finding.is_answered
         {
             return Verdict {
@@ -187,7 +303,7 @@ impl Evidence<'_> {
     /// what the reader can't have done, nor what would answer otherwise.
     fn with_blind_spots(&self, verdict: Verdict, width: u32) -> Verdict {
         let chapter = self.scene.chapter;
-        let is_open = |slip: &&slips::Slip| {
+        let is_open = |slip: &&Slip| {
             self.known.can_be_made(slip, self.scene)
                 && (self.known.answers).is_none_or(|unlike| unlike(&slip.program(chapter)).1 == 0)
         };
@@ -227,10 +343,10 @@ impl Evidence<'_> {
         let mut cause = self.rows(&finding);
         match self.laws {
             _ if finding.is_typed => {}
-            Some(Outcome::Broken(report)) if !finding.is_answered || finding.sets.is_empty() => {
+            Some(Laws::Broken(report)) if !finding.is_answered || finding.sets.is_empty() => {
                 cause.extend(law(report));
             }
-            Some(Outcome::Obeyed) if finding.sets.is_empty() => cause.push(labeled(
+            Some(Laws::Obeyed) if finding.sets.is_empty() => cause.push(labeled(
                 "the laws",
                 "they hold: look at what calls the function, and what becomes of its answer"
                     .to_owned(),
@@ -257,6 +373,7 @@ impl Evidence<'_> {
             next: finding
                 .how_to_tell(|probe| (self.watch)(Some(probe)))
                 .unwrap_or_default(),
+            read: finding.single().to_vec(),
             pictures: Some((finding.yours, finding.right)),
             ..Verdict::default()
         }

@@ -1,0 +1,45 @@
+//! HTML: what is told, in the elements of a page of the book.
+
+use std::fmt::Display;
+
+use slips::Slip;
+
+use crate::report::escaped;
+
+/// What is code in an answer is the second in a row with one of these labels.
+const CODE: [&str; 7] = [
+    "probably",
+    "perhaps",
+    "should be",
+    "or",
+    "yours",
+    "the page",
+    "missing",
+];
+
+/// Labeled rows; nothing, if there are none.
+pub fn list(rows: &[(&str, impl Display)]) -> String {
+    if rows.is_empty() {
+        return String::new();
+    }
+    let row = |(label, said): &(&str, _)| {
+        let said = match CODE.contains(label) {
+            true => format!("<code>{}</code>", escaped(said)),
+            false => escaped(said),
+        };
+        format!("<dt>{}</dt><dd>{said}</dd>", escaped(label))
+    };
+    let rows: String = rows.iter().map(row).collect();
+    format!("<dl>{rows}</dl>")
+}
+
+/// Where to read how it is right.
+pub fn read(slip: &Slip) -> String {
+    if slip.page.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<p><a href=\"{}\">How it is right</a></p>",
+        escaped(slip.address())
+    )
+}
