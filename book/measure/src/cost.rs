@@ -103,10 +103,10 @@ pub fn of_pixels(
     }
 }
 
-/// A loop for each method: a function that is called by a pointer would be
-/// charged for the call.
+/// A loop for each method: a function that is called by a pointer would be charged for the
+/// call, and for the ray that is handed over in memory.
 macro_rules! loops {
-    (in f64: $($double:ident)*; in f32: $($single:ident)*;) => {
+    ($(in $number:ident: $question:ident, $($method:ident)*;)*) => {
         /// # Panics
         /// If it is none of [`METHODS`].
         fn run<D, S>(
@@ -118,80 +118,54 @@ macro_rules! loops {
             D: Fn(usize) -> Double + Clone + 'static,
             S: Fn(usize) -> Single + Clone + 'static,
         {
-            match method.name {
-                $(stringify!($double) => {
-                    double(asked, is_chain, speed_vs_accuracy::$double)
-                })*
-                $(stringify!($single) => {
-                    single(asked, is_chain, speed_vs_accuracy::$single)
-                })*
-                other => panic!("name {other} in the list of loops"),
+            match (method.name, is_chain) {
+                $($((stringify!($method), false) => {
+                    let question = asked.$question.clone();
+                    Box::new(throughput(asked.count, move |n| {
+                        let ((center, radius), ray, t_min) = question(n);
+                        let end = $number::INFINITY;
+                        speed_vs_accuracy::$method(center, radius, &ray, t_min, end)
+                    }))
+                }
+                (stringify!($method), true) => {
+                    let question = asked.$question.clone();
+                    Box::new(chain(asked.count, move |n, before: $number| {
+                        let ((center, radius), mut ray, t_min) = question(n);
+                        // It stays where it is, and has waited for the answer before.
+                        ray.origin += 0.0 * before;
+                        let end = $number::INFINITY;
+                        speed_vs_accuracy::$method(center, radius, &ray, t_min, end)
+                            .unwrap_or_default()
+                    }))
+                })*)*
+                (other, _) => panic!("name {other} in the list of loops"),
             }
         }
 
-        const LOOPS: usize = [$(stringify!($double),)* $(stringify!($single)),*].len();
+        const LOOPS: usize = [$($(stringify!($method)),*),*].len();
         const _: () = assert!(LOOPS == METHODS.len(), "a new method needs a loop");
     };
 }
 
 loops! {
-    in f64: half_b half_b_q cross_q adaptive_q certified_hit certified_t double_double exact;
-    in f32: half_b_f32 widened_half_b_q_f32 certified_f32;
+    in f64: double, half_b half_b_q cross_q adaptive_q certified_hit certified_t double_double exact;
+    in f32: single, half_b_f32 widened_half_b_q_f32 certified_f32;
 }
 
-fn double<D: Fn(usize) -> Double + Clone + 'static, S>(
-    asked: &Questions<D, S>,
-    is_chain: bool,
-    solve: impl Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 'static,
-) -> Box<dyn FnMut()> {
-    let (count, question) = (asked.count, asked.double.clone());
-    let answer = move |n: usize, before: f64| {
-        let ((center, radius), ray, t_min) = question(n);
-        let ray = Ray::new(ray.origin + Vec3::splat(before), ray.direction);
-        solve(center, radius, &ray, t_min, f64::INFINITY)
-    };
-    match is_chain {
-        true => Box::new(chain(count, move |n, t| {
-            answer(n, 0.0 * t).unwrap_or_default()
-        })),
-        false => Box::new(throughput(count, move |n| answer(n, -0.0))),
-    }
-}
-
-fn single<D, S: Fn(usize) -> Single + Clone + 'static>(
-    asked: &Questions<D, S>,
-    is_chain: bool,
-    solve: impl Fn(SingleVec3, f32, &SingleRay, f32, f32) -> Option<f32> + 'static,
-) -> Box<dyn FnMut()> {
-    let (count, question) = (asked.count, asked.single.clone());
-    let answer = move |n: usize, before: f32| {
-        let ((center, radius), mut ray, t_min) = question(n);
-        ray.origin += SingleVec3::splat(before);
-        solve(center, radius, &ray, t_min, f32::INFINITY)
-    };
-    match is_chain {
-        true => Box::new(chain(count, move |n, t| {
-            answer(n, 0.0 * t as f32).unwrap_or_default().into()
-        })),
-        false => Box::new(throughput(count, move |n| answer(n, -0.0))),
-    }
-}
-
-/// Asks all questions, none of which waits for an answer. The compiler does not see their
-/// numbers, and so takes one at a time.
+/// Asks all questions, none of which waits for an answer. The compiler must have each answer
+/// in memory before it may go on, and so takes one at a time.
 pub fn throughput<T>(count: usize, answer: impl Fn(usize) -> T) -> impl FnMut() {
     move || {
         for n in 0..count {
-            black_box(answer(black_box(n)));
+            black_box(answer(n));
         }
     }
 }
 
 /// Asks all questions, each with the answer to the one before.
-fn chain(count: usize, answer: impl Fn(usize, f64) -> f64) -> impl FnMut() {
+fn chain<T: Default>(count: usize, answer: impl Fn(usize, T) -> T) -> impl FnMut() {
     move || {
-        let last = (0..count).fold(0.0, |t, n| answer(black_box(n), t));
-        black_box(last);
+        black_box((0..count).fold(T::default(), |before, n| answer(n, before)));
     }
 }
 
