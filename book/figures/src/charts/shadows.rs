@@ -22,9 +22,9 @@ pub(super) const CHART: Chart = Chart {
         radius. To wait for a thousandth leaks light on small grounds, and in f32 shows false \
         shadows on large ones. The integer offset shows false shadows on small and on large grounds. \
         The offset of pbrt and the proven one have ticks everywhere.",
-    caption: "Of a thousand suns, those that are seen wrongly by the test of chapter 5, where the \
-        radius of the ground goes from a thousandth to ten million. At the last two all is right. The \
-        table below has what exact arithmetic would see from there, too.",
+    caption: "How many of a thousand suns the test of chapter 5 sees wrongly. Each column is a radius \
+        of the ground, from a thousandth to ten million. The last two offsets are always right. The \
+        table below also has what exact arithmetic sees from there.",
     files: &[Shadows::FILE],
     draw: |files| draw(files[0]),
 };

@@ -30,8 +30,8 @@ pub(super) const BOOK: Chart = Chart {
         digits of t are right, upwards. The methods in f32 lie far below those in f64. A line joins \
         the methods that no other beats in both; all others lie below it or to its right.",
     caption: "Left is faster, up is more exact. No method is both faster and more exact than one \
-        on the line. The dashed lines meet in half_b; what is much slower stands at the right \
-        edge with its time.",
+        on the line. The dashed lines meet in half_b; a method that is much slower is at the \
+        right edge, with its time.",
     files: FILES,
     draw: |files| {
         let all = read(files[0], files[1])?;
@@ -51,8 +51,8 @@ pub(super) const REGIMES: Chart = Chart {
     description: "The same chart for each situation, in small panels with equal scales. Far away, \
         near a tangent and close to a surface most plain methods lose digits, and many get crosses. \
         certified_t stays at the top and moves to the right. certified_hit never has a cross.",
-    caption: "The same for every situation, with the same scales. Named are the methods that no \
-        other beats, the reference, and the certified ones; the table names all.",
+    caption: "The same for every situation, with the same scales. The methods that no other \
+        beats, the reference, and the certified ones have names here; the table names all.",
     files: FILES,
     draw: |files| {
         let all = read(files[0], files[1])?;
