@@ -484,6 +484,8 @@ const NORMALS: Program = Program {
 const RED_SPHERE: Program = Program {
     chapter: Chapter::RedSphere,
     t_min: f64::NEG_INFINITY,
+    // It asks whether there is a root, and not where.
+    in_range: |_, _, _| true,
     shade: |paint, _| paint,
     ..NORMALS
 };
