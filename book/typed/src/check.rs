@@ -104,6 +104,8 @@ struct Checker<'a> {
     slots: usize,
     ways: Vec<Way>,
     result: Type,
+    /// Numbers whose size depends on what is done with them.
+    literals: Vec<(Type, Place)>,
     warnings: Vec<String>,
 }
 
@@ -124,6 +126,7 @@ impl<'a> Checker<'a> {
             slots: 0,
             ways: Vec::new(),
             result: signature.result.clone(),
+            literals: Vec::new(),
             warnings: Vec::new(),
         }
     }
@@ -174,6 +177,14 @@ impl<'a> Checker<'a> {
 
     /// All types are known now: numbers of which nothing is said are `i32` and `f64`.
     fn settle(&mut self) -> Checked<()> {
+        for (ty, place) in std::mem::take(&mut self.literals) {
+            if self.types.known(&ty).is(Head::F32) {
+                return unknown(
+                    place,
+                    "`f32` in a number that does not say so, as `0.1_f32` does",
+                );
+            }
+        }
         for n in self.first_type..self.code.types.len() {
             self.code.types[n] = self.types.settled(&self.code.types[n]);
         }
@@ -474,7 +485,7 @@ impl<'a> Checker<'a> {
             }
         };
         let bound = self.pattern(pattern, &ty, false)?;
-        if other.is_none() && !bound.is_irrefutable() && !self.is_only_variant(&ty) {
+        if other.is_none() && !bound.is_irrefutable() {
             return self.fault(
                 pattern,
                 "refutable pattern in local binding",
@@ -491,18 +502,6 @@ impl<'a> Checker<'a> {
             Node::Let(Box::new(bound), Box::new(node), other),
             ty,
         ))
-    }
-
-    fn is_only_variant(&self, ty: &Type) -> bool {
-        let mut ty = self.types.known(ty);
-        while matches!(ty.head(), Some(Head::Ref)) {
-            ty = self.types.known(&ty.inner());
-        }
-        match ty.head() {
-            Some(Head::Own(n)) => !self.items.kinds[n].is_enum,
-            Some(Head::Vec3) => true,
-            _ => false,
-        }
     }
 
     fn ty(&mut self, ty: &syn::Type) -> Checked<Type> {
@@ -757,7 +756,13 @@ impl<'a> Checker<'a> {
             syn::Lit::Float(it) => {
                 let ty = named(it.suffix()).unwrap_or_else(|| self.types.float());
                 let value = it.base10_digits().parse().unwrap_or(f64::NAN);
-                Typed::new(Node::Float(value), ty)
+                if it.suffix().is_empty() {
+                    self.literals.push((ty.clone(), self.place(it)));
+                }
+                match ty.is(Head::F32) {
+                    true => Typed::new(Node::Float(f64::from(value as f32)), ty),
+                    false => Typed::new(Node::Float(value), ty),
+                }
             }
             syn::Lit::Int(it) => {
                 let ty = named(it.suffix()).unwrap_or_else(|| self.types.integer());

@@ -144,6 +144,8 @@ pub(crate) enum Pattern {
     Some(Box<Pattern>),
     /// A variant of one of the reader's types, and its fields by their numbers.
     Variant(usize, Vec<(usize, Pattern)>),
+    /// The fields of a value that has no variants.
+    Fields(Vec<(usize, Pattern)>),
     Many(Vec<Pattern>),
     Or(Vec<Pattern>),
 }
@@ -163,6 +165,7 @@ impl Pattern {
         match self {
             Self::Any => true,
             Self::Bind(_, pattern) => pattern.is_irrefutable(),
+            Self::Fields(all) => all.iter().all(|(_, it)| it.is_irrefutable()),
             Self::Many(all) => all.iter().all(Self::is_irrefutable),
             Self::Or(all) => all.iter().any(Self::is_irrefutable),
             _ => false,

@@ -280,32 +280,42 @@ fn list(values: Vec<Value>) -> Eval {
     Ok(Value::Many(Rc::new(values)))
 }
 
-/// Functions of one or two numbers.
-macro_rules! of_numbers {
-    ($owner:literal: $make:ident $take:ident; $($name:ident)*; $($two:ident)*) => {
-        [
-            $(($owner, concat!("fn ", stringify!($name), "(self) -> Own"), (|_, a, _| $make(a[0].$take().$name())) as Run),)*
-            $(($owner, concat!("fn ", stringify!($two), "(self, other: Own) -> Own"), (|_, a, _| $make(a[0].$take().$two(a[1].$take()))) as Run),)*
-        ]
+/// The library in its own words: whose functions they are, and of each its signature and
+/// what it does. Those of one or two numbers or vectors are named only.
+macro_rules! library {
+    (
+        $(of $of:literal $make:ident $take:ident { $($one:ident)* ; $($two:ident)* })*
+        $($owner:literal { $(fn $name:ident $parameters:tt $(-> $result:ty)? => $run:expr;)* })*
+    ) => {
+        static LIBRARY: &[(&str, &str, Run)] = &[
+            $($(($of, concat!("fn ", stringify!($one), "(self) -> Own"), |_, a, _| $make(a[0].$take().$one())),)*)*
+            $($((
+                $of,
+                concat!("fn ", stringify!($two), "(self, other: Own) -> Own"),
+                |_, a, _| $make(a[0].$take().$two(a[1].$take())),
+            ),)*)*
+            $($((
+                $owner,
+                concat!("fn ", stringify!($name), stringify!($parameters), $("->", stringify!($result))?),
+                $run,
+            ),)*)*
+        ];
     };
 }
 
-const OF_FLOATS: &[(&str, &str, Run)] = &of_numbers!("f64": float float;
-    sqrt abs floor ceil round trunc fract signum recip exp exp2 ln log10 log2 cbrt sin cos tan asin acos atan
-    sinh cosh tanh to_radians to_degrees;
-    max min powf atan2 hypot copysign rem_euclid div_euclid log);
-
-const OF_VECTORS: &[(&str, &str, Run)] = &of_numbers!("Vec3": vector vec3;
-    normalize normalize_or_zero abs signum floor ceil round fract recip exp; cross min max reflect project_onto);
-
-const OTHERS: &[(&str, &str, Run)] = &[
-    ("f64", "fn powi(self, n: i32) -> Own", |_, a, _| {
-        float(a[0].float().powi(a[1].int() as i32))
-    }),
-    (
-        "f64",
-        "fn clamp(self, least: Own, most: Own) -> Own",
-        |_, a, at| {
+library! {
+    of "f64" float float {
+        sqrt abs floor ceil round trunc fract signum recip exp exp2 ln log10 log2 cbrt
+        sin cos tan asin acos atan sinh cosh tanh to_radians to_degrees;
+        max min powf atan2 hypot copysign rem_euclid div_euclid log
+    }
+    of "Vec3" vector vec3 {
+        normalize normalize_or_zero abs signum floor ceil round fract recip exp;
+        cross min max reflect project_onto
+    }
+    "f64" {
+        fn powi(self, n: i32) -> Own => |_, a, _| float(a[0].float().powi(a[1].int() as i32));
+        fn clamp(self, least: Own, most: Own) -> Own => |_, a, at| {
             let [x, least, most] = [0, 1, 2].map(|n| a[n].float());
             match least <= most {
                 true => float(x.clamp(least, most)),
@@ -314,413 +324,211 @@ const OTHERS: &[(&str, &str, Run)] = &[
                     &format!("min > max, or either was NaN. min = {least:?}, max = {most:?}"),
                 ),
             }
-        },
-    ),
-    (
-        "f64",
-        "fn mul_add(self, a: Own, b: Own) -> Own",
-        |_, a, _| float(a[0].float().mul_add(a[1].float(), a[2].float())),
-    ),
-    ("f64", "fn is_nan(self) -> bool", |_, a, _| {
-        bool(a[0].float().is_nan())
-    }),
-    ("f64", "fn is_finite(self) -> bool", |_, a, _| {
-        bool(a[0].float().is_finite())
-    }),
-    ("f64", "fn is_infinite(self) -> bool", |_, a, _| {
-        bool(a[0].float().is_infinite())
-    }),
-    ("f64", "fn is_sign_negative(self) -> bool", |_, a, _| {
-        bool(a[0].float().is_sign_negative())
-    }),
-    ("f64", "fn is_sign_positive(self) -> bool", |_, a, _| {
-        bool(a[0].float().is_sign_positive())
-    }),
-    (
-        "f64",
-        "fn total_cmp(&self, other: &Own) -> Ordering",
-        |_, a, _| Ok(Value::Ordering(a[0].float().total_cmp(&a[1].float()))),
-    ),
-    (
-        "f64",
-        "fn partial_cmp(&self, other: &Own) -> Option<Ordering>",
-        |_, a, _| option(a[0].compared(&a[1]).map(Value::Ordering)),
-    ),
-    ("int", "fn abs(self) -> Own", |_, a, _| {
-        int(a[0].int().abs())
-    }),
-    ("int", "fn pow(self, n: u32) -> Own", |_, a, at| {
-        match a[0].int().checked_pow(a[1].int() as u32) {
-            Some(it) => int(it),
-            None => panic(at, "attempt to multiply with overflow"),
-        }
-    }),
-    ("int", "fn max(self, other: Own) -> Own", |_, a, _| {
-        int(a[0].int().max(a[1].int()))
-    }),
-    ("int", "fn min(self, other: Own) -> Own", |_, a, _| {
-        int(a[0].int().min(a[1].int()))
-    }),
-    ("int", "fn signum(self) -> Own", |_, a, _| {
-        int(a[0].int().signum())
-    }),
-    (
-        "int",
-        "fn rem_euclid(self, other: Own) -> Own",
-        |_, a, at| match a[1].int() {
+        };
+        fn mul_add(self, a: Own, b: Own) -> Own => |_, a, _| float(a[0].float().mul_add(a[1].float(), a[2].float()));
+        fn from(value: U) -> Own => |_, a, at| match &a[0] {
+            Value::Int(it) => float(*it as f64),
+            Value::Float(it) => float(*it),
+            _ => panic(at, "this is no number"),
+        };
+        fn is_nan(self) -> bool => |_, a, _| bool(a[0].float().is_nan());
+        fn is_finite(self) -> bool => |_, a, _| bool(a[0].float().is_finite());
+        fn is_infinite(self) -> bool => |_, a, _| bool(a[0].float().is_infinite());
+        fn is_sign_negative(self) -> bool => |_, a, _| bool(a[0].float().is_sign_negative());
+        fn is_sign_positive(self) -> bool => |_, a, _| bool(a[0].float().is_sign_positive());
+        fn total_cmp(&self, other: &Own) -> Ordering =>
+            |_, a, _| Ok(Value::Ordering(a[0].float().total_cmp(&a[1].float())));
+        fn partial_cmp(&self, other: &Own) -> Option<Ordering> =>
+            |_, a, _| option(a[0].compared(&a[1]).map(Value::Ordering));
+    }
+    "int" {
+        fn abs(self) -> Own => |_, a, _| int(a[0].int().abs());
+        fn pow(self, n: u32) -> Own => |_, a, at| {
+            match a[0].int().checked_pow(a[1].int() as u32) {
+                Some(it) => int(it),
+                None => panic(at, "attempt to multiply with overflow"),
+            }
+        };
+        fn max(self, other: Own) -> Own => |_, a, _| int(a[0].int().max(a[1].int()));
+        fn min(self, other: Own) -> Own => |_, a, _| int(a[0].int().min(a[1].int()));
+        fn signum(self) -> Own => |_, a, _| int(a[0].int().signum());
+        fn rem_euclid(self, other: Own) -> Own => |_, a, at| match a[1].int() {
             0 => panic(
                 at,
                 "attempt to calculate the remainder with a divisor of zero",
             ),
             other => int(a[0].int().rem_euclid(other)),
-        },
-    ),
-    (
-        "int",
-        "fn cmp(&self, other: &Own) -> Ordering",
-        |_, a, _| Ok(Value::Ordering(a[0].int().cmp(&a[1].int()))),
-    ),
-    (
-        "int",
-        "fn partial_cmp(&self, other: &Own) -> Option<Ordering>",
-        |_, a, _| option(a[0].compared(&a[1]).map(Value::Ordering)),
-    ),
-    (
-        "bool",
-        "fn then_some(self, value: U) -> Option<U>",
-        |_, a, _| option(a[0].truth().then(|| a[1].clone())),
-    ),
-    (
-        "bool",
-        "fn then(self, value: impl FnOnce() -> U) -> Option<U>",
-        |m, a, _| match a[0].truth() {
+        };
+        fn cmp(&self, other: &Own) -> Ordering => |_, a, _| Ok(Value::Ordering(a[0].int().cmp(&a[1].int())));
+        fn partial_cmp(&self, other: &Own) -> Option<Ordering> =>
+            |_, a, _| option(a[0].compared(&a[1]).map(Value::Ordering));
+    }
+    "bool" {
+        fn then_some(self, value: U) -> Option<U> => |_, a, _| option(a[0].truth().then(|| a[1].clone()));
+        fn then(self, value: impl FnOnce() -> U) -> Option<U> => |m, a, _| match a[0].truth() {
             true => option(Some(m.apply(&a[1], &mut [])?)),
             false => option(None),
-        },
-    ),
-    (
-        "Vec3",
-        "fn new(x: f64, y: f64, z: f64) -> Vec3",
-        |_, a, _| vector(Vec3::new(a[0].float(), a[1].float(), a[2].float())),
-    ),
-    ("Vec3", "fn splat(value: f64) -> Vec3", |_, a, _| {
-        vector(Vec3::splat(a[0].float()))
-    }),
-    ("Vec3", "fn dot(self, other: Vec3) -> f64", |_, a, _| {
-        float(a[0].vec3().dot(a[1].vec3()))
-    }),
-    ("Vec3", "fn length(self) -> f64", |_, a, _| {
-        float(a[0].vec3().length())
-    }),
-    ("Vec3", "fn length_squared(self) -> f64", |_, a, _| {
-        float(a[0].vec3().length_squared())
-    }),
-    ("Vec3", "fn length_recip(self) -> f64", |_, a, _| {
-        float(a[0].vec3().length_recip())
-    }),
-    (
-        "Vec3",
-        "fn distance(self, other: Vec3) -> f64",
-        |_, a, _| float(a[0].vec3().distance(a[1].vec3())),
-    ),
-    (
-        "Vec3",
-        "fn distance_squared(self, other: Vec3) -> f64",
-        |_, a, _| float(a[0].vec3().distance_squared(a[1].vec3())),
-    ),
-    ("Vec3", "fn element_sum(self) -> f64", |_, a, _| {
-        float(a[0].vec3().element_sum())
-    }),
-    ("Vec3", "fn min_element(self) -> f64", |_, a, _| {
-        float(a[0].vec3().min_element())
-    }),
-    ("Vec3", "fn max_element(self) -> f64", |_, a, _| {
-        float(a[0].vec3().max_element())
-    }),
-    (
-        "Vec3",
-        "fn lerp(self, other: Vec3, s: f64) -> Vec3",
-        |_, a, _| vector(a[0].vec3().lerp(a[1].vec3(), a[2].float())),
-    ),
-    (
-        "Vec3",
-        "fn clamp(self, least: Vec3, most: Vec3) -> Vec3",
-        |_, a, _| vector(a[0].vec3().max(a[1].vec3()).min(a[2].vec3())),
-    ),
-    (
-        "Vec3",
-        "fn mul_add(self, a: Vec3, b: Vec3) -> Vec3",
-        |_, a, _| vector(a[0].vec3().mul_add(a[1].vec3(), a[2].vec3())),
-    ),
-    ("Vec3", "fn is_nan(self) -> bool", |_, a, _| {
-        bool(a[0].vec3().is_nan())
-    }),
-    ("Vec3", "fn is_finite(self) -> bool", |_, a, _| {
-        bool(a[0].vec3().is_finite())
-    }),
-    ("Vec3", "fn is_normalized(self) -> bool", |_, a, _| {
-        bool(a[0].vec3().is_normalized())
-    }),
-    ("Vec3", "fn to_array(&self) -> [f64; 3]", |_, a, _| {
-        list(a[0].vec3().to_array().map(Value::Float).to_vec())
-    }),
-    (
-        "Vec3",
-        "fn from_array(array: [f64; 3]) -> Vec3",
-        |_, a, _| {
+        };
+    }
+    "Vec3" {
+        fn new(x: f64, y: f64, z: f64) -> Vec3 =>
+            |_, a, _| vector(Vec3::new(a[0].float(), a[1].float(), a[2].float()));
+        fn powf(self, n: f64) -> Vec3 => |_, a, _| vector(a[0].vec3().powf(a[1].float()));
+        fn splat(value: f64) -> Vec3 => |_, a, _| vector(Vec3::splat(a[0].float()));
+        fn dot(self, other: Vec3) -> f64 => |_, a, _| float(a[0].vec3().dot(a[1].vec3()));
+        fn length(self) -> f64 => |_, a, _| float(a[0].vec3().length());
+        fn length_squared(self) -> f64 => |_, a, _| float(a[0].vec3().length_squared());
+        fn length_recip(self) -> f64 => |_, a, _| float(a[0].vec3().length_recip());
+        fn distance(self, other: Vec3) -> f64 => |_, a, _| float(a[0].vec3().distance(a[1].vec3()));
+        fn distance_squared(self, other: Vec3) -> f64 => |_, a, _| float(a[0].vec3().distance_squared(a[1].vec3()));
+        fn element_sum(self) -> f64 => |_, a, _| float(a[0].vec3().element_sum());
+        fn min_element(self) -> f64 => |_, a, _| float(a[0].vec3().min_element());
+        fn max_element(self) -> f64 => |_, a, _| float(a[0].vec3().max_element());
+        fn lerp(self, other: Vec3, s: f64) -> Vec3 => |_, a, _| vector(a[0].vec3().lerp(a[1].vec3(), a[2].float()));
+        fn clamp(self, least: Vec3, most: Vec3) -> Vec3 =>
+            |_, a, _| vector(a[0].vec3().max(a[1].vec3()).min(a[2].vec3()));
+        fn mul_add(self, a: Vec3, b: Vec3) -> Vec3 => |_, a, _| vector(a[0].vec3().mul_add(a[1].vec3(), a[2].vec3()));
+        fn is_nan(self) -> bool => |_, a, _| bool(a[0].vec3().is_nan());
+        fn is_finite(self) -> bool => |_, a, _| bool(a[0].vec3().is_finite());
+        fn is_normalized(self) -> bool => |_, a, _| bool(a[0].vec3().is_normalized());
+        fn to_array(&self) -> [f64; 3] => |_, a, _| list(a[0].vec3().to_array().map(Value::Float).to_vec());
+        fn from_array(array: [f64; 3]) -> Vec3 => |_, a, _| {
             let all = a[0].many();
             vector(Vec3::new(all[0].float(), all[1].float(), all[2].float()))
-        },
-    ),
-    (
-        "Ray",
-        "fn new(origin: Vec3, direction: Vec3) -> Ray",
-        |_, a, _| Ok(Value::Ray(Rc::new(Ray::new(a[0].vec3(), a[1].vec3())))),
-    ),
-    ("Ray", "fn at(&self, t: f64) -> Vec3", |_, a, _| {
-        vector(a[0].ray().at(a[1].float()))
-    }),
-    (
-        "Camera",
-        "fn new(image_width: u32) -> Camera",
-        |_, a, at| Ok(Value::Camera(Rc::new(Camera::new(width(&a[0], at)?)))),
-    ),
-    (
-        "Camera",
-        "fn with_size(image_width: u32, image_height: u32) -> Camera",
-        |_, a, at| {
-            Ok(Value::Camera(Rc::new(Camera::with_size(
-                width(&a[0], at)?,
-                width(&a[1], at)?,
-            ))))
-        },
-    ),
-    (
-        "Camera",
-        "fn ray(&self, i: u32, j: u32) -> Ray",
-        |_, a, _| {
-            Ok(Value::Ray(Rc::new(
-                a[0].camera().ray(a[1].int() as u32, a[2].int() as u32),
-            )))
-        },
-    ),
-    (
-        "Picture",
-        "fn paint(width: u32, height: u32, color_at: impl Fn(u32, u32) -> Vec3) -> Picture",
-        |m, a, at| {
+        };
+    }
+    "Ray" {
+        fn new(origin: Vec3, direction: Vec3) -> Ray =>
+            |_, a, _| Ok(Value::Ray(Rc::new(Ray::new(a[0].vec3(), a[1].vec3()))));
+        fn at(&self, t: f64) -> Vec3 => |_, a, _| vector(a[0].ray().at(a[1].float()));
+    }
+    "Camera" {
+        fn new(image_width: u32) -> Camera => |_, a, at| Ok(Value::Camera(Rc::new(Camera::new(width(&a[0], at)?))));
+        fn with_size(image_width: u32, image_height: u32) -> Camera =>
+            |_, a, at| Ok(Value::Camera(Rc::new(Camera::with_size(width(&a[0], at)?, width(&a[1], at)?))));
+        fn ray(&self, i: u32, j: u32) -> Ray =>
+            |_, a, _| Ok(Value::Ray(Rc::new(a[0].camera().ray(a[1].int() as u32, a[2].int() as u32))));
+    }
+    "Picture" {
+        fn paint(width: u32, height: u32, color_at: impl Fn(u32, u32) -> Vec3) -> Picture => |m, a, at| {
             let size = (width(&a[0], at)?, width(&a[1], at)?);
             let color = a[2].clone();
             painted(m, size, |m, i, j| {
                 m.apply(&color, &mut [Value::Int(i.into()), Value::Int(j.into())])
             })
-        },
-    ),
-    (
-        "",
-        "fn render(width: u32, color: impl Fn(&Ray) -> Vec3) -> Picture",
-        |m, a, at| {
+        };
+    }
+    "" {
+        fn render(width: u32, color: impl Fn(&Ray) -> Vec3) -> Picture => |m, a, at| {
             let camera = Camera::new(width(&a[0], at)?);
             let color = a[1].clone();
             painted(m, (camera.image_width, camera.image_height), |m, i, j| {
                 m.apply(&color, &mut [Value::Ray(Rc::new(camera.ray(i, j)))])
             })
-        },
-    ),
-    ("", "fn sky(ray: &Ray) -> Vec3", |_, a, _| {
-        vector(sky(&a[0].ray()))
-    }),
-    ("Ordering", "fn reverse(self) -> Ordering", |_, a, _| {
-        Ok(Value::Ordering(a[0].ordering().reverse()))
-    }),
-    ("Ordering", "fn is_lt(self) -> bool", |_, a, _| {
-        bool(a[0].ordering().is_lt())
-    }),
-    ("Ordering", "fn is_gt(self) -> bool", |_, a, _| {
-        bool(a[0].ordering().is_gt())
-    }),
-    ("Option", "fn is_some(&self) -> bool", |_, a, _| {
-        bool(a[0].option().is_some())
-    }),
-    ("Option", "fn is_none(&self) -> bool", |_, a, _| {
-        bool(a[0].option().is_none())
-    }),
-    ("Option", "fn unwrap(self) -> T", |_, a, at| {
-        match a[0].option() {
-            Some(it) => Ok(it),
-            None => panic(at, "called `Option::unwrap()` on a `None` value"),
-        }
-    }),
-    (
-        "Option",
-        "fn expect(self, message: &str) -> T",
-        |_, a, at| match a[0].option() {
+        };
+        fn sky(ray: &Ray) -> Vec3 => |_, a, _| vector(sky(&a[0].ray()));
+    }
+    "Ordering" {
+        fn reverse(self) -> Ordering => |_, a, _| Ok(Value::Ordering(a[0].ordering().reverse()));
+        fn is_lt(self) -> bool => |_, a, _| bool(a[0].ordering().is_lt());
+        fn is_gt(self) -> bool => |_, a, _| bool(a[0].ordering().is_gt());
+    }
+    "Option" {
+        fn is_some(&self) -> bool => |_, a, _| bool(a[0].option().is_some());
+        fn is_none(&self) -> bool => |_, a, _| bool(a[0].option().is_none());
+        fn unwrap(self) -> T => |_, a, at| {
+            match a[0].option() {
+                Some(it) => Ok(it),
+                None => panic(at, "called `Option::unwrap()` on a `None` value"),
+            }
+        };
+        fn expect(self, message: &str) -> T => |_, a, at| match a[0].option() {
             Some(it) => Ok(it),
             None => panic(at, "called `Option::expect()` on a `None` value"),
-        },
-    ),
-    ("Option", "fn unwrap_or(self, other: T) -> T", |_, a, _| {
-        Ok(a[0].option().unwrap_or_else(|| a[1].clone()))
-    }),
-    (
-        "Option",
-        "fn unwrap_or_else(self, other: impl FnOnce() -> T) -> T",
-        |m, a, _| match a[0].option() {
+        };
+        fn unwrap_or(self, other: T) -> T => |_, a, _| Ok(a[0].option().unwrap_or_else(|| a[1].clone()));
+        fn unwrap_or_else(self, other: impl FnOnce() -> T) -> T => |m, a, _| match a[0].option() {
             Some(it) => Ok(it),
             None => m.apply(&a[1], &mut []),
-        },
-    ),
-    (
-        "Option",
-        "fn map(self, f: impl FnOnce(T) -> U) -> Option<U>",
-        |m, a, _| match a[0].option() {
+        };
+        fn map(self, f: impl FnOnce(T) -> U) -> Option<U> => |m, a, _| match a[0].option() {
             Some(it) => option(Some(m.apply(&a[1], &mut [it])?)),
             None => option(None),
-        },
-    ),
-    (
-        "Option",
-        "fn map_or(self, other: U, f: impl FnOnce(T) -> U) -> U",
-        |m, a, _| match a[0].option() {
+        };
+        fn map_or(self, other: U, f: impl FnOnce(T) -> U) -> U => |m, a, _| match a[0].option() {
             Some(it) => m.apply(&a[2], &mut [it]),
             None => Ok(a[1].clone()),
-        },
-    ),
-    (
-        "Option",
-        "fn map_or_else(self, other: impl FnOnce() -> U, f: impl FnOnce(T) -> U) -> U",
-        |m, a, _| match a[0].option() {
+        };
+        fn map_or_else(self, other: impl FnOnce() -> U, f: impl FnOnce(T) -> U) -> U => |m, a, _| match a[0].option() {
             Some(it) => m.apply(&a[2], &mut [it]),
             None => m.apply(&a[1], &mut []),
-        },
-    ),
-    (
-        "Option",
-        "fn and_then(self, f: impl FnOnce(T) -> Option<U>) -> Option<U>",
-        |m, a, _| match a[0].option() {
+        };
+        fn and_then(self, f: impl FnOnce(T) -> Option<U>) -> Option<U> => |m, a, _| match a[0].option() {
             Some(it) => m.apply(&a[1], &mut [it]),
             None => option(None),
-        },
-    ),
-    (
-        "Option",
-        "fn filter(self, f: impl FnOnce(&T) -> bool) -> Option<T>",
-        |m, a, _| match a[0].option() {
+        };
+        fn filter(self, f: impl FnOnce(&T) -> bool) -> Option<T> => |m, a, _| match a[0].option() {
             Some(it) if m.apply(&a[1], &mut [it.clone()])?.truth() => option(Some(it)),
             _ => option(None),
-        },
-    ),
-    (
-        "Option",
-        "fn is_some_and(self, f: impl FnOnce(T) -> bool) -> bool",
-        |m, a, _| match a[0].option() {
+        };
+        fn is_some_and(self, f: impl FnOnce(T) -> bool) -> bool => |m, a, _| match a[0].option() {
             Some(it) => m.apply(&a[1], &mut [it]),
             None => bool(false),
-        },
-    ),
-    (
-        "Option",
-        "fn is_none_or(self, f: impl FnOnce(T) -> bool) -> bool",
-        |m, a, _| match a[0].option() {
+        };
+        fn is_none_or(self, f: impl FnOnce(T) -> bool) -> bool => |m, a, _| match a[0].option() {
             Some(it) => m.apply(&a[1], &mut [it]),
             None => bool(true),
-        },
-    ),
-    (
-        "Option",
-        "fn or(self, other: Option<T>) -> Option<T>",
-        |_, a, _| option(a[0].option().or_else(|| a[1].option())),
-    ),
-    (
-        "Option",
-        "fn or_else(self, other: impl FnOnce() -> Option<T>) -> Option<T>",
-        |m, a, _| match a[0].option() {
+        };
+        fn or(self, other: Option<T>) -> Option<T> => |_, a, _| option(a[0].option().or_else(|| a[1].option()));
+        fn or_else(self, other: impl FnOnce() -> Option<T>) -> Option<T> => |m, a, _| match a[0].option() {
             Some(it) => option(Some(it)),
             None => m.apply(&a[1], &mut []),
-        },
-    ),
-    (
-        "Option",
-        "fn and(self, other: Option<U>) -> Option<U>",
-        |_, a, _| option(a[0].option().and_then(|_| a[1].option())),
-    ),
-    (
-        "Option",
-        "fn xor(self, other: Option<T>) -> Option<T>",
-        |_, a, _| option(a[0].option().xor(a[1].option())),
-    ),
-    ("Option", "fn as_ref(&self) -> Option<&T>", |_, a, _| {
-        Ok(a[0].clone())
-    }),
-    ("Option", "fn take(&mut self) -> Option<T>", |m, a, _| {
-        Ok(m.change_at(&a[0], |place| std::mem::replace(place, Value::None)))
-    }),
-    (
-        "Option",
-        "fn replace(&mut self, value: T) -> Option<T>",
-        |m, a, _| {
+        };
+        fn and(self, other: Option<U>) -> Option<U> => |_, a, _| option(a[0].option().and_then(|_| a[1].option()));
+        fn xor(self, other: Option<T>) -> Option<T> => |_, a, _| option(a[0].option().xor(a[1].option()));
+        fn as_ref(&self) -> Option<&T> => |_, a, _| Ok(a[0].clone());
+        fn take(&mut self) -> Option<T> =>
+            |m, a, _| Ok(m.change_at(&a[0], |place| std::mem::replace(place, Value::None)));
+        fn replace(&mut self, value: T) -> Option<T> => |m, a, _| {
             let new = Value::of(Some(a[1].clone()));
             Ok(m.change_at(&a[0], |place| std::mem::replace(place, new)))
-        },
-    ),
-    (
-        "Option",
-        "fn insert(&mut self, value: T) -> T",
-        |m, a, _| {
+        };
+        fn insert(&mut self, value: T) -> T => |m, a, _| {
             let new = a[1].clone();
             m.change_at(&a[0], |place| *place = Value::of(Some(new)));
             Ok(a[1].clone())
-        },
-    ),
-    (
-        "Option",
-        "fn copied(self: Option<&U>) -> Option<U>",
-        |_, a, _| Ok(a[0].clone()),
-    ),
-    (
-        "Option",
-        "fn cloned(self: Option<&U>) -> Option<U>",
-        |_, a, _| Ok(a[0].clone()),
-    ),
-    ("Option", "fn iter(&self) -> Iterator<&T>", |_, a, _| {
-        Ok(Value::Iterator(iterator(&a[0])))
-    }),
-    ("Option", "fn into_iter(self) -> Iterator<T>", |_, a, _| {
-        Ok(Value::Iterator(iterator(&a[0])))
-    }),
-    ("Box", "fn new(value: T) -> Own", |_, a, _| Ok(a[0].clone())),
-    ("Box", "fn as_ref(&self) -> &T", |_, a, _| Ok(a[0].clone())),
-    ("Box", "fn clone(&self) -> Own", |_, a, _| Ok(a[0].clone())),
-    ("Vec", "fn new() -> Vec<T>", |_, _, _| list(Vec::new())),
-    ("Vec", "fn with_capacity(n: usize) -> Vec<T>", |_, _, _| {
-        list(Vec::new())
-    }),
-    ("Vec", "fn push(&mut self, value: T)", |m, a, _| {
-        let value = std::mem::take(&mut a[1]);
-        Ok(m.change_at(&a[0], |list| changed(list, |all| all.push(value))))
-    }),
-    ("Vec", "fn pop(&mut self) -> Option<T>", |m, a, _| {
-        let mut last = None;
-        m.change_at(&a[0], |list| changed(list, |all| last = all.pop()));
-        option(last)
-    }),
-    ("Vec", "fn clear(&mut self)", |m, a, _| {
-        Ok(m.change_at(&a[0], |list| changed(list, Vec::clear)))
-    }),
-    (
-        "Vec",
-        "fn extend(&mut self, more: Iterator<T>)",
-        |m, a, _| {
+        };
+        fn copied(self: Option<&U>) -> Option<U> => |_, a, _| Ok(a[0].clone());
+        fn cloned(self: Option<&U>) -> Option<U> => |_, a, _| Ok(a[0].clone());
+        fn iter(&self) -> Iterator<&T> => |_, a, _| Ok(Value::Iterator(iterator(&a[0])));
+        fn into_iter(self) -> Iterator<T> => |_, a, _| Ok(Value::Iterator(iterator(&a[0])));
+    }
+    "Box" {
+        fn new(value: T) -> Own => |_, a, _| Ok(a[0].clone());
+        fn as_ref(&self) -> &T => |_, a, _| Ok(a[0].clone());
+        fn clone(&self) -> Own => |_, a, _| Ok(a[0].clone());
+    }
+    "Vec" {
+        fn new() -> Vec<T> => |_, _, _| list(Vec::new());
+        fn with_capacity(n: usize) -> Vec<T> => |_, _, _| list(Vec::new());
+        fn push(&mut self, value: T) => |m, a, _| {
+            let value = std::mem::take(&mut a[1]);
+            Ok(m.change_at(&a[0], |list| changed(list, |all| all.push(value))))
+        };
+        fn pop(&mut self) -> Option<T> => |m, a, _| {
+            let mut last = None;
+            m.change_at(&a[0], |list| changed(list, |all| last = all.pop()));
+            option(last)
+        };
+        fn clear(&mut self) => |m, a, _| Ok(m.change_at(&a[0], |list| changed(list, Vec::clear)));
+        fn extend(&mut self, more: Iterator<T>) => |m, a, _| {
             let more = rest(m, &a[1])?;
             Ok(m.change_at(&a[0], |list| changed(list, |all| all.extend(more))))
-        },
-    ),
-    ("list", "fn reverse(&mut self)", |m, a, _| {
-        Ok(m.change_at(&a[0], |list| changed(list, |all| all.reverse())))
-    }),
-    (
-        "list",
-        "fn swap(&mut self, i: usize, j: usize)",
-        |m, a, at| {
+        };
+    }
+    "list" {
+        fn reverse(&mut self) => |m, a, _| Ok(m.change_at(&a[0], |list| changed(list, |all| all.reverse())));
+        fn swap(&mut self, i: usize, j: usize) => |m, a, at| {
             let [i, j] = [1, 2].map(|n| a[n].int() as usize);
             let length = m.followed(&a[0]).many().len();
             match i < length && j < length {
@@ -733,12 +541,8 @@ const OTHERS: &[(&str, &str, Run)] = &[
                     ),
                 ),
             }
-        },
-    ),
-    (
-        "list",
-        "fn sort_by(&mut self, f: impl FnMut(&T, &T) -> Ordering)",
-        |m, a, _| {
+        };
+        fn sort_by(&mut self, f: impl FnMut(&T, &T) -> Ordering) => |m, a, _| {
             let mut sorted: Vec<Value> = Vec::new();
             for value in m.followed(&a[0]).many().iter() {
                 let mut place = sorted.len();
@@ -748,60 +552,30 @@ const OTHERS: &[(&str, &str, Run)] = &[
                 sorted.insert(place, value.clone());
             }
             Ok(m.change_at(&a[0], |list| changed(list, |all| *all = sorted)))
-        },
-    ),
-    ("list", "fn len(&self) -> usize", |_, a, _| {
-        int(a[0].many().len() as i128)
-    }),
-    ("list", "fn is_empty(&self) -> bool", |_, a, _| {
-        bool(a[0].many().is_empty())
-    }),
-    ("list", "fn first(&self) -> Option<&T>", |_, a, _| {
-        option(a[0].many().first().cloned())
-    }),
-    ("list", "fn last(&self) -> Option<&T>", |_, a, _| {
-        option(a[0].many().last().cloned())
-    }),
-    (
-        "list",
-        "fn get(&self, n: usize) -> Option<&T>",
-        |_, a, _| option(a[0].many().get(a[1].int() as usize).cloned()),
-    ),
-    (
-        "list",
-        "fn contains(&self, value: &T) -> bool",
-        |_, a, _| bool(a[0].many().iter().any(|it| it.equals(&a[1]))),
-    ),
-    ("list", "fn iter(&self) -> Iterator<&T>", |_, a, _| {
-        Ok(Value::Iterator(iterator(&a[0])))
-    }),
-    (
-        "list",
-        "fn iter_mut(&mut self) -> Iterator<&mut T>",
-        |m, a, _| Ok(each(m.each_at(&a[0]))),
-    ),
-    ("list", "fn into_iter(self) -> Iterator<T>", |_, a, _| {
-        Ok(Value::Iterator(iterator(&a[0])))
-    }),
-    ("list", "fn to_vec(&self) -> Vec<T>", |_, a, _| {
-        Ok(a[0].clone())
-    }),
-    (
-        "array",
-        "fn map(self, f: impl FnMut(T) -> U) -> Vec<U>",
-        |m, a, _| {
+        };
+        fn len(&self) -> usize => |_, a, _| int(a[0].many().len() as i128);
+        fn is_empty(&self) -> bool => |_, a, _| bool(a[0].many().is_empty());
+        fn first(&self) -> Option<&T> => |_, a, _| option(a[0].many().first().cloned());
+        fn last(&self) -> Option<&T> => |_, a, _| option(a[0].many().last().cloned());
+        fn get(&self, n: usize) -> Option<&T> => |_, a, _| option(a[0].many().get(a[1].int() as usize).cloned());
+        fn contains(&self, value: &T) -> bool => |_, a, _| bool(a[0].many().iter().any(|it| it.equals(&a[1])));
+        fn iter(&self) -> Iterator<&T> => |_, a, _| Ok(Value::Iterator(iterator(&a[0])));
+        fn iter_mut(&mut self) -> Iterator<&mut T> => |m, a, _| Ok(each(m.each_at(&a[0])));
+        fn into_iter(self) -> Iterator<T> => |_, a, _| Ok(Value::Iterator(iterator(&a[0])));
+        fn to_vec(&self) -> Vec<T> => |_, a, _| Ok(a[0].clone());
+    }
+    "array" {
+        fn map(self, f: impl FnMut(T) -> U) -> Vec<U> => |m, a, _| {
             let all = a[0]
                 .many()
                 .iter()
                 .map(|it| m.apply(&a[1], &mut [it.clone()]))
                 .collect::<Eval<_>>()?;
             list(all)
-        },
-    ),
-    (
-        "Range",
-        "fn contains(&self, value: &T) -> bool",
-        |_, a, _| {
+        };
+    }
+    "Range" {
+        fn contains(&self, value: &T) -> bool => |_, a, _| {
             let Value::Range(ends, is_closed) = &a[0] else {
                 unreachable!("types are checked");
             };
@@ -813,69 +587,41 @@ const OTHERS: &[(&str, &str, Run)] = &[
                     && (matches!(ends[1], Value::Unit)
                         || a[1].compared(&ends[1]).is_some_and(is_before)),
             )
-        },
-    ),
-    ("Iterator", "fn iter(self) -> Iterator<T>", |_, a, _| {
-        Ok(Value::Iterator(iterator(&a[0])))
-    }),
-    (
-        "Iterator",
-        "fn into_iter(self) -> Iterator<T>",
-        |_, a, _| Ok(Value::Iterator(iterator(&a[0]))),
-    ),
-    ("Iterator", "fn next(&self) -> Option<T>", |m, a, _| {
-        let next = iterator(&a[0]).next(m)?;
-        option(next)
-    }),
-    (
-        "Iterator",
-        "fn map(self, f: impl FnMut(T) -> U) -> Iterator<U>",
-        |_, a, _| {
+        };
+    }
+    "Iterator" {
+        fn iter(self) -> Iterator<T> => |_, a, _| Ok(Value::Iterator(iterator(&a[0])));
+        fn into_iter(self) -> Iterator<T> => |_, a, _| Ok(Value::Iterator(iterator(&a[0])));
+        fn next(&self) -> Option<T> => |m, a, _| {
+            let next = iterator(&a[0]).next(m)?;
+            option(next)
+        };
+        fn map(self, f: impl FnMut(T) -> U) -> Iterator<U> => |_, a, _| {
             let f = a[1].clone();
             Ok(adapted(&a[0], move |m, it| {
                 Ok(Some(m.apply(&f, &mut [it])?))
             }))
-        },
-    ),
-    (
-        "Iterator",
-        "fn filter(self, f: impl FnMut(&T) -> bool) -> Iterator<T>",
-        |_, a, _| {
+        };
+        fn filter(self, f: impl FnMut(&T) -> bool) -> Iterator<T> => |_, a, _| {
             let f = a[1].clone();
             Ok(adapted(&a[0], move |m, it| {
                 Ok(m.apply(&f, &mut [it.clone()])?.truth().then_some(it))
             }))
-        },
-    ),
-    (
-        "Iterator",
-        "fn filter_map(self, f: impl FnMut(T) -> Option<U>) -> Iterator<U>",
-        |_, a, _| {
+        };
+        fn filter_map(self, f: impl FnMut(T) -> Option<U>) -> Iterator<U> => |_, a, _| {
             let f = a[1].clone();
             Ok(adapted(&a[0], move |m, it| {
                 Ok(m.apply(&f, &mut [it])?.option())
             }))
-        },
-    ),
-    (
-        "Iterator",
-        "fn flat_map(self, f: impl FnMut(T) -> Option<U>) -> Iterator<U>",
-        |_, a, _| {
+        };
+        fn flat_map(self, f: impl FnMut(T) -> Option<U>) -> Iterator<U> => |_, a, _| {
             let f = a[1].clone();
             Ok(adapted(&a[0], move |m, it| {
                 Ok(m.apply(&f, &mut [it])?.option())
             }))
-        },
-    ),
-    (
-        "Iterator",
-        "fn flatten(self: Iterator<Option<U>>) -> Iterator<U>",
-        |_, a, _| Ok(adapted(&a[0], |_, it| Ok(it.option()))),
-    ),
-    (
-        "Iterator",
-        "fn take_while(self, f: impl FnMut(&T) -> bool) -> Iterator<T>",
-        |_, a, _| {
+        };
+        fn flatten(self: Iterator<Option<U>>) -> Iterator<U> => |_, a, _| Ok(adapted(&a[0], |_, it| Ok(it.option())));
+        fn take_while(self, f: impl FnMut(&T) -> bool) -> Iterator<T> => |_, a, _| {
             let (iterator, f) = (iterator(&a[0]), a[1].clone());
             let mut is_over = false;
             Ok(Iter::giving(move |m| {
@@ -884,46 +630,30 @@ const OTHERS: &[(&str, &str, Run)] = &[
                 is_over = !m.apply(&f, &mut [it.clone()])?.truth();
                 Ok((!is_over).then_some(it))
             }))
-        },
-    ),
-    (
-        "Iterator",
-        "fn skip_while(self, f: impl FnMut(&T) -> bool) -> Iterator<T>",
-        |_, a, _| {
+        };
+        fn skip_while(self, f: impl FnMut(&T) -> bool) -> Iterator<T> => |_, a, _| {
             let f = a[1].clone();
             let mut has_begun = false;
             Ok(adapted(&a[0], move |m, it| {
                 has_begun = has_begun || !m.apply(&f, &mut [it.clone()])?.truth();
                 Ok(has_begun.then_some(it))
             }))
-        },
-    ),
-    (
-        "Iterator",
-        "fn take(self, n: usize) -> Iterator<T>",
-        |_, a, _| {
+        };
+        fn take(self, n: usize) -> Iterator<T> => |_, a, _| {
             let (iterator, mut left) = (iterator(&a[0]), a[1].int());
             Ok(Iter::giving(move |m| {
                 left -= 1;
                 if left < 0 { Ok(None) } else { iterator.next(m) }
             }))
-        },
-    ),
-    (
-        "Iterator",
-        "fn skip(self, n: usize) -> Iterator<T>",
-        |_, a, _| {
+        };
+        fn skip(self, n: usize) -> Iterator<T> => |_, a, _| {
             let mut left = a[1].int();
             Ok(adapted(&a[0], move |_, it| {
                 left -= 1;
                 Ok((left < 0).then_some(it))
             }))
-        },
-    ),
-    (
-        "Iterator",
-        "fn step_by(self, n: usize) -> Iterator<T>",
-        |_, a, at| {
+        };
+        fn step_by(self, n: usize) -> Iterator<T> => |_, a, at| {
             let (step, mut n) = (a[1].int(), -1);
             if step == 0 {
                 return panic(at, "assertion failed: step != 0");
@@ -932,39 +662,27 @@ const OTHERS: &[(&str, &str, Run)] = &[
                 n += 1;
                 Ok((n % step == 0).then_some(it))
             }))
-        },
-    ),
-    (
-        "Iterator",
-        "fn enumerate(self) -> Iterator<(usize, T)>",
-        |_, a, _| {
+        };
+        fn enumerate(self) -> Iterator<(usize, T)> => |_, a, _| {
             let mut n = -1;
             Ok(adapted(&a[0], move |_, it| {
                 n += 1;
                 Ok(Some(Value::Many(Rc::new(vec![Value::Int(n), it]))))
             }))
-        },
-    ),
-    ("Iterator", "fn rev(self) -> Iterator<T>", |m, a, _| {
-        let mut all = rest(m, &a[0])?;
-        all.reverse();
-        Ok(each(all))
-    }),
-    (
-        "Iterator",
-        "fn chain(self, more: Iterator<T>) -> Iterator<T>",
-        |_, a, _| {
+        };
+        fn rev(self) -> Iterator<T> => |m, a, _| {
+            let mut all = rest(m, &a[0])?;
+            all.reverse();
+            Ok(each(all))
+        };
+        fn chain(self, more: Iterator<T>) -> Iterator<T> => |_, a, _| {
             let both = [iterator(&a[0]), iterator(&a[1])];
             Ok(Iter::giving(move |m| match both[0].next(m)? {
                 Some(it) => Ok(Some(it)),
                 None => both[1].next(m),
             }))
-        },
-    ),
-    (
-        "Iterator",
-        "fn zip(self, other: Iterator<U>) -> Iterator<(T, U)>",
-        |_, a, _| {
+        };
+        fn zip(self, other: Iterator<U>) -> Iterator<(T, U)> => |_, a, _| {
             let other = iterator(&a[1]);
             let is_over = RefCell::new(false);
             let first = iterator(&a[0]);
@@ -979,70 +697,30 @@ const OTHERS: &[(&str, &str, Run)] = &[
                 *is_over.borrow_mut() = both.is_none();
                 Ok(both.map(|both| Value::Many(Rc::new(both))))
             }))
-        },
-    ),
-    (
-        "Iterator",
-        "fn copied(self: Iterator<&U>) -> Iterator<U>",
-        |_, a, _| Ok(a[0].clone()),
-    ),
-    (
-        "Iterator",
-        "fn cloned(self: Iterator<&U>) -> Iterator<U>",
-        |_, a, _| Ok(a[0].clone()),
-    ),
-    (
-        "Iterator",
-        "fn find(self, f: impl FnMut(&T) -> bool) -> Option<T>",
-        |m, a, _| option(found(m, a, Value::truth)?.map(|(_, value, _)| value)),
-    ),
-    (
-        "Iterator",
-        "fn find_map(self, f: impl FnMut(T) -> Option<U>) -> Option<U>",
-        |m, a, _| {
-            option(
-                found(m, a, |said| said.option().is_some())?.and_then(|(_, _, said)| said.option()),
-            )
-        },
-    ),
-    (
-        "Iterator",
-        "fn position(self, f: impl FnMut(T) -> bool) -> Option<usize>",
-        |m, a, _| option(found(m, a, Value::truth)?.map(|(n, _, _)| Value::Int(n as i128))),
-    ),
-    (
-        "Iterator",
-        "fn any(self, f: impl FnMut(T) -> bool) -> bool",
-        |m, a, _| bool(found(m, a, Value::truth)?.is_some()),
-    ),
-    (
-        "Iterator",
-        "fn all(self, f: impl FnMut(T) -> bool) -> bool",
-        |m, a, _| bool(found(m, a, |said| !said.truth())?.is_none()),
-    ),
-    (
-        "Iterator",
-        "fn for_each(self, f: impl FnMut(T))",
-        |m, a, _| {
+        };
+        fn copied(self: Iterator<&U>) -> Iterator<U> => |_, a, _| Ok(a[0].clone());
+        fn cloned(self: Iterator<&U>) -> Iterator<U> => |_, a, _| Ok(a[0].clone());
+        fn find(self, f: impl FnMut(&T) -> bool) -> Option<T> =>
+            |m, a, _| option(found(m, a, Value::truth)?.map(|(_, value, _)| value));
+        fn find_map(self, f: impl FnMut(T) -> Option<U>) -> Option<U> =>
+            |m, a, _| option(found(m, a, |said| said.option().is_some())?.and_then(|(_, _, said)| said.option()));
+        fn position(self, f: impl FnMut(T) -> bool) -> Option<usize> =>
+            |m, a, _| option(found(m, a, Value::truth)?.map(|(n, _, _)| Value::Int(n as i128)));
+        fn any(self, f: impl FnMut(T) -> bool) -> bool => |m, a, _| bool(found(m, a, Value::truth)?.is_some());
+        fn all(self, f: impl FnMut(T) -> bool) -> bool =>
+            |m, a, _| bool(found(m, a, |said| !said.truth())?.is_none());
+        fn for_each(self, f: impl FnMut(T)) => |m, a, _| {
             found(m, a, |_| false)?;
             Ok(Value::Unit)
-        },
-    ),
-    (
-        "Iterator",
-        "fn fold(self, start: U, f: impl FnMut(U, T) -> U) -> U",
-        |m, a, _| {
+        };
+        fn fold(self, start: U, f: impl FnMut(U, T) -> U) -> U => |m, a, _| {
             let mut sum = a[1].clone();
             for value in rest(m, &a[0])? {
                 sum = m.apply(&a[2], &mut [sum, value])?;
             }
             Ok(sum)
-        },
-    ),
-    (
-        "Iterator",
-        "fn reduce(self, f: impl FnMut(T, T) -> T) -> Option<T>",
-        |m, a, _| {
+        };
+        fn reduce(self, f: impl FnMut(T, T) -> T) -> Option<T> => |m, a, _| {
             let mut sum = None;
             for value in rest(m, &a[0])? {
                 sum = Some(match sum {
@@ -1051,76 +729,32 @@ const OTHERS: &[(&str, &str, Run)] = &[
                 });
             }
             option(sum)
-        },
-    ),
-    ("Iterator", "fn sum(self) -> T", |m, a, _| {
-        folded(m, &a[0], 0.0, plus)
-    }),
-    ("Iterator", "fn product(self) -> T", |m, a, _| {
-        folded(m, &a[0], 1.0, times)
-    }),
-    ("Iterator", "fn count(self) -> usize", |m, a, _| {
-        int(rest(m, &a[0])?.len() as i128)
-    }),
-    ("Iterator", "fn last(self) -> Option<T>", |m, a, _| {
-        option(rest(m, &a[0])?.pop())
-    }),
-    (
-        "Iterator",
-        "fn nth(&self, n: usize) -> Option<T>",
-        |m, a, _| {
+        };
+        fn sum(self) -> T => |m, a, _| folded(m, &a[0], 0.0, plus);
+        fn product(self) -> T => |m, a, _| folded(m, &a[0], 1.0, times);
+        fn count(self) -> usize => |m, a, _| int(rest(m, &a[0])?.len() as i128);
+        fn last(self) -> Option<T> => |m, a, _| option(rest(m, &a[0])?.pop());
+        fn nth(&self, n: usize) -> Option<T> => |m, a, _| {
             let iterator = iterator(&a[0]);
             for _ in 0..a[1].int() {
                 iterator.next(m)?;
             }
             option(iterator.next(m)?)
-        },
-    ),
-    (
-        "Iterator",
-        "fn min_by(self, f: impl FnMut(&T, &T) -> Ordering) -> Option<T>",
-        |m, a, _| {
-            extreme(m, &a[0], true, |m, one, other| {
-                of_order(m, &a[1], one, other)
-            })
-        },
-    ),
-    (
-        "Iterator",
-        "fn max_by(self, f: impl FnMut(&T, &T) -> Ordering) -> Option<T>",
-        |m, a, _| {
-            extreme(m, &a[0], false, |m, one, other| {
-                of_order(m, &a[1], one, other)
-            })
-        },
-    ),
-    (
-        "Iterator",
-        "fn min_by_key(self, f: impl FnMut(&T) -> U) -> Option<T>",
-        |m, a, _| {
-            extreme(m, &a[0], true, |m, one, other| {
-                of_keys(m, &a[1], one, other)
-            })
-        },
-    ),
-    (
-        "Iterator",
-        "fn max_by_key(self, f: impl FnMut(&T) -> U) -> Option<T>",
-        |m, a, _| {
-            extreme(m, &a[0], false, |m, one, other| {
-                of_keys(m, &a[1], one, other)
-            })
-        },
-    ),
-    ("Iterator", "fn collect(self) -> Vec<T>", |m, a, _| {
-        list(rest(m, &a[0])?)
-    }),
-    ("any", "fn clone(&self) -> Own", |_, a, _| Ok(a[0].clone())),
-];
-
-/// Each owner, each signature, and what it does.
-static LIBRARY: LazyLock<Vec<(&'static str, &'static str, Run)>> =
-    LazyLock::new(|| [OF_FLOATS, OF_VECTORS, OTHERS].concat());
+        };
+        fn min_by(self, f: impl FnMut(&T, &T) -> Ordering) -> Option<T> =>
+            |m, a, _| extreme(m, &a[0], true, |m, one, other| { of_order(m, &a[1], one, other) });
+        fn max_by(self, f: impl FnMut(&T, &T) -> Ordering) -> Option<T> =>
+            |m, a, _| extreme(m, &a[0], false, |m, one, other| { of_order(m, &a[1], one, other) });
+        fn min_by_key(self, f: impl FnMut(&T) -> U) -> Option<T> =>
+            |m, a, _| extreme(m, &a[0], true, |m, one, other| { of_keys(m, &a[1], one, other) });
+        fn max_by_key(self, f: impl FnMut(&T) -> U) -> Option<T> =>
+            |m, a, _| extreme(m, &a[0], false, |m, one, other| { of_keys(m, &a[1], one, other) });
+        fn collect(self) -> Vec<T> => |m, a, _| list(rest(m, &a[0])?);
+    }
+    "any" {
+        fn clone(&self) -> Own => |_, a, _| Ok(a[0].clone());
+    }
+}
 
 fn changed(list: &mut Value, change: impl FnOnce(&mut Vec<Value>)) -> Value {
     match list {

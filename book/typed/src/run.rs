@@ -764,6 +764,14 @@ impl Machine {
                 }
                 true
             }
+            (Pattern::Fields(fields), value) => {
+                for (n, pattern) in fields {
+                    if !self.binds(pattern, &value.field(*n))? {
+                        return Ok(false);
+                    }
+                }
+                true
+            }
             (Pattern::Many(patterns), Value::Many(values)) if patterns.len() == values.len() => {
                 for (pattern, value) in patterns.iter().zip(values.iter()) {
                     if !self.binds(pattern, value)? {

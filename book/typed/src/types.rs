@@ -79,6 +79,11 @@ impl Int {
         }
     }
 
+    /// The type of that name, which there is.
+    pub(crate) fn plain(name: &str) -> Type {
+        Type::plain(Head::Int(Self::named(name).expect("it is an integer type")))
+    }
+
     /// What is left of a number that does not fit.
     pub(crate) fn wrapped(self, number: i128) -> i128 {
         let size = self.most - self.least + 1;
@@ -221,7 +226,7 @@ impl Unifier {
                 Type::Of(head, arguments.collect())
             }
             Type::Var(n) => match self.variables[n] {
-                Known::Integer => Type::plain(Head::Int(Int::named("i32").expect("it is listed"))),
+                Known::Integer => Int::plain("i32"),
                 Known::Float => Type::plain(Head::F64),
                 _ => Type::Var(n),
             },

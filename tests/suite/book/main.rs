@@ -7,6 +7,7 @@ mod charts;
 mod compiler;
 mod errata;
 mod figures;
+mod interpreted;
 mod lesson;
 mod live;
 mod typed;

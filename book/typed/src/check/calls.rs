@@ -7,7 +7,7 @@ use crate::items::{Named, Shape, Signature, names, similar};
 use crate::node::{Node, Pattern, Step, Target};
 use crate::prelude::{self, NATIVES};
 use crate::run::{Closure, Value};
-use crate::types::{Head, Type};
+use crate::types::{Head, Int, Type};
 
 /// What is called.
 #[derive(Clone, Copy)]
@@ -18,7 +18,7 @@ enum Callee {
     Native(usize),
 }
 
-impl Checker<'_> {
+impl<'a> Checker<'a> {
     /// A name that is a value: a variable, a constant, a function, a variant.
     pub(super) fn path(&mut self, it: &syn::ExprPath) -> Checked {
         let path = names(&it.path);
@@ -545,9 +545,7 @@ impl Checker<'_> {
     fn number(&self, ty: &Type) -> Type {
         match ty {
             Type::Var(_) if self.types.is_float(ty) => Type::plain(Head::F64),
-            Type::Var(_) if self.types.is_integer(ty) => Type::plain(Head::Int(
-                crate::types::Int::named("i32").expect("it is listed"),
-            )),
+            Type::Var(_) if self.types.is_integer(ty) => Int::plain("i32"),
             ty => ty.clone(),
         }
     }
@@ -585,8 +583,10 @@ impl Checker<'_> {
                 self.name(receiver)
             ),
         };
+        let is_field = self.fields_of(last).iter().any(|it| it.0 == name);
         let is_native = !matches!(last.head(), Some(Head::Own(_) | Head::Dyn(_)));
         let help = match (is_native, help.is_empty()) {
+            _ if is_field => format!("`{name}` is a field: without `()`"),
             (true, true) => "if Rust has it, this page does not know it; cargo does".to_owned(),
             _ => help,
         };
@@ -651,54 +651,18 @@ impl Checker<'_> {
             syn::Member::Named(name) => name.to_string(),
             syn::Member::Unnamed(n) => n.index.to_string(),
         };
-        let vector = || Type::plain(Head::Vec3);
-        let integer = || {
-            Type::plain(Head::Int(
-                crate::types::Int::named("u32").expect("it is listed"),
-            ))
-        };
-        let known: Vec<(&str, Type)> = match &on.ty {
-            Type::Of(Head::Own(kind), _) => {
-                let own = &self.items.kinds[*kind];
-                let fields = match own.is_enum {
-                    true => &[][..],
-                    false => &own.variants[0].fields[..],
-                };
-                if let Some(private) = fields.iter().find(|it| it.name == name && !it.is_public)
-                    && own.file != self.context.file
-                {
-                    let message = format!(
-                        "field `{}` of struct `{}` is private",
-                        private.name, own.name
-                    );
-                    return self.fault(
-                        &it.member,
-                        &message,
-                        "private field",
-                        "`pub` before it shows it to other files",
-                    );
-                }
-                fields
-                    .iter()
-                    .map(|it| (it.name.as_str(), it.ty.clone()))
-                    .collect()
+        if let Some(Head::Own(kind)) = on.ty.head() {
+            let own = &self.items.kinds[kind];
+            let mut fields = own.variants.iter().flat_map(|it| &it.fields);
+            let is_hidden =
+                own.file != self.context.file && fields.any(|it| it.name == name && !it.is_public);
+            if is_hidden {
+                let message = format!("field `{name}` of struct `{}` is private", own.name);
+                let help = "`pub` before it shows it to other files";
+                return self.fault(&it.member, &message, "private field", help);
             }
-            Type::Of(Head::Vec3, _) => ["x", "y", "z"]
-                .map(|it| (it, Type::plain(Head::F64)))
-                .to_vec(),
-            Type::Of(Head::Ray, _) => ["origin", "direction"].map(|it| (it, vector())).to_vec(),
-            Type::Of(Head::Camera, _) => {
-                let sizes = ["image_width", "image_height"].map(|it| (it, integer()));
-                let vectors = ["center", "pixel00", "pixel_delta_u", "pixel_delta_v"]
-                    .map(|it| (it, vector()));
-                sizes.into_iter().chain(vectors).collect()
-            }
-            Type::Of(Head::Tuple, types) => {
-                const NUMBERS: [&str; 8] = ["0", "1", "2", "3", "4", "5", "6", "7"];
-                NUMBERS.into_iter().zip(types.iter().cloned()).collect()
-            }
-            _ => Vec::new(),
-        };
+        }
+        let known = self.fields_of(&on.ty);
         let Some((n, (_, ty))) = known.iter().enumerate().find(|(_, (own, _))| *own == name) else {
             let is_method = self.method_of(&self.number(&on.ty), &name).is_some();
             let near = similar(&name, known.iter().map(|it| it.0));
@@ -726,6 +690,32 @@ impl Checker<'_> {
         })
     }
 
+    /// The names and the types of what a value has, if it has no variants.
+    pub(super) fn fields_of(&self, ty: &Type) -> Vec<(&'a str, Type)> {
+        let all = |names: &[&'a str], ty: Type| -> Vec<(&'a str, Type)> {
+            names.iter().map(|it| (*it, ty.clone())).collect()
+        };
+        let [float, vector] = [Head::F64, Head::Vec3].map(Type::plain);
+        match ty {
+            Type::Of(Head::Own(kind), _) if !self.items.kinds[*kind].is_enum => {
+                let fields = self.items.kinds[*kind].variants[0].fields.iter();
+                fields.map(|it| (it.name.as_str(), it.ty.clone())).collect()
+            }
+            Type::Of(Head::Vec3, _) => all(&["x", "y", "z"], float),
+            Type::Of(Head::Ray, _) => all(&["origin", "direction"], vector),
+            Type::Of(Head::Camera, _) => {
+                let sizes = all(&["image_width", "image_height"], Int::plain("u32"));
+                let vectors = ["center", "pixel00", "pixel_delta_u", "pixel_delta_v"];
+                [sizes, all(&vectors, vector)].concat()
+            }
+            Type::Of(Head::Tuple, types) => {
+                const NUMBERS: [&str; 8] = ["0", "1", "2", "3", "4", "5", "6", "7"];
+                NUMBERS.into_iter().zip(types.iter().cloned()).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
     pub(super) fn index(&mut self, it: &syn::ExprIndex) -> Checked {
         let base = self.expr(&it.expr, None)?;
         let on = self.stripped(&base);
@@ -740,9 +730,7 @@ impl Checker<'_> {
                 return self.fault(it, &message, "", "");
             }
         };
-        let usize = Type::plain(Head::Int(
-            crate::types::Int::named("usize").expect("it is known"),
-        ));
+        let usize = Int::plain("usize");
         let index = self.expr(&it.index, Some(&usize))?;
         if self.types.known(&index.ty).is(Head::Range) {
             return self.unknown(&it.index, "slices by a range");

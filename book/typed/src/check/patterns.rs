@@ -1,7 +1,7 @@
 //! Patterns: what a value may look like, and the names of its parts.
 
 use super::{Checked, Checker, Typed};
-use crate::items::Shape;
+use crate::items::{Named, Shape, names};
 use crate::node::{Arm, Node, Pattern};
 use crate::types::{Head, Type};
 
@@ -26,7 +26,11 @@ impl Checker<'_> {
                 if let Some((kind, variant)) = self.variant(&it.ident.clone().into())
                     && self.items.kinds[kind].variants[variant].shape == Shape::Unit
                 {
-                    return self.fields(it, ty, (kind, variant), Vec::new());
+                    let named = (
+                        Type::plain(Head::Own(kind)),
+                        self.items.kinds[kind].is_enum.then_some(variant),
+                    );
+                    return self.fields(it, ty, named, Vec::new());
                 }
                 let inner = match &it.subpat {
                     Some((_, pattern)) => self.pattern(pattern, ty, is_late)?,
@@ -93,7 +97,7 @@ impl Checker<'_> {
                     ),
                 }
             }
-            syn::Pat::TupleStruct(it) => match self.variant(&it.path) {
+            syn::Pat::TupleStruct(it) => match self.named(&it.path) {
                 Some(found) => {
                     let named = it
                         .elems
@@ -104,7 +108,7 @@ impl Checker<'_> {
                 }
                 None => Err(self.no_variant(&it.path)),
             },
-            syn::Pat::Struct(it) => match self.variant(&it.path) {
+            syn::Pat::Struct(it) => match self.named(&it.path) {
                 Some(found) => {
                     let named = it.fields.iter().map(|field| {
                         let name = match &field.member {
@@ -117,7 +121,7 @@ impl Checker<'_> {
                 }
                 None => Err(self.no_variant(&it.path)),
             },
-            syn::Pat::Path(it) => match self.variant(&it.path) {
+            syn::Pat::Path(it) => match self.named(&it.path) {
                 Some(found) => self.fields(&it.path, ty, found, Vec::new()),
                 None => {
                     let (ty, _) = self.behind(ty);
@@ -185,7 +189,7 @@ impl Checker<'_> {
     }
 
     fn no_variant(&self, path: &syn::Path) -> crate::Fault {
-        let name = crate::items::names(path).join("::");
+        let name = names(path).join("::");
         self.items.not_found(
             self.context.file,
             self.place(path),
@@ -194,37 +198,52 @@ impl Checker<'_> {
         )
     }
 
+    /// What has fields: a variant of one of the reader's types, or a struct.
     fn fields(
         &mut self,
         at: &impl syn::spanned::Spanned,
         ty: &Type,
-        (kind, variant): (usize, usize),
+        (kind, variant): (Type, Option<usize>),
         given: Vec<(String, &syn::Pat)>,
     ) -> Checked<Pattern> {
         let (own, wrap) = self.behind(ty);
-        let wanted = Type::plain(Head::Own(kind));
-        if !self.types.unify(&own, &wanted) {
-            let (message, label) = self.mismatch(&own, &wanted);
+        if !self.types.unify(&own, &kind) {
+            let (message, label) = self.mismatch(&own, &kind);
             return self.fault(at, message, &label, "");
         }
-        let items = self.items;
-        let fields = &items.kinds[kind].variants[variant].fields;
+        let fields = match (variant, kind.head()) {
+            (Some(variant), Some(Head::Own(kind))) => {
+                let fields = self.items.kinds[kind].variants[variant].fields.iter();
+                fields.map(|it| (it.name.as_str(), it.ty.clone())).collect()
+            }
+            _ => self.fields_of(&kind),
+        };
         let mut all = Vec::new();
         for (name, pattern) in given {
             if matches!(pattern, syn::Pat::Rest(_)) {
                 continue;
             }
-            let Some(n) = fields.iter().position(|it| it.name == name) else {
+            let Some(n) = fields.iter().position(|it| it.0 == name) else {
                 return self.fault(pattern, &format!("there is no field `{name}`"), "", "");
             };
-            all.push((
-                n,
-                self.pattern(pattern, &wrapped(&fields[n].ty, wrap), false)?,
-            ));
+            let part = self.pattern(pattern, &wrapped(&fields[n].1, wrap), false)?;
+            all.push((n, part));
         }
-        match items.kinds[kind].is_enum {
-            true => Ok(Pattern::Variant(variant, all)),
-            false => Ok(Pattern::Variant(0, all)),
+        Ok(match variant {
+            Some(variant) => Pattern::Variant(variant, all),
+            None => Pattern::Fields(all),
+        })
+    }
+
+    /// The struct or the variant that a path names.
+    fn named(&self, path: &syn::Path) -> Option<(Type, Option<usize>)> {
+        if let Some((kind, variant)) = self.variant(path) {
+            let variant = self.items.kinds[kind].is_enum.then_some(variant);
+            return Some((Type::plain(Head::Own(kind)), variant));
+        }
+        match self.items.found(self.context.file, &names(path))? {
+            Named::Type(ty @ Type::Of(Head::Vec3 | Head::Ray, _)) => Some((ty, None)),
+            _ => None,
         }
     }
 
