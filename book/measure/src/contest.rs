@@ -2,9 +2,10 @@
 //!
 //! Other programs disturb a clock, and a processor changes its pace. So nothing
 //! is measured at a stretch: in each round everyone of a group has a short turn,
-//! and is compared with the first one in the same round.
+//! and is compared with the first one in the same round. Where the system tells how
+//! long a thread has had a processor, what others took of it does not count.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use figures::records::Timing;
 use speed_vs_accuracy::Precision;
@@ -70,26 +71,40 @@ impl Runner {
 
     /// Nanoseconds for one test, from so many runs.
     fn take_turn(&mut self, runs: usize) -> f64 {
-        let start = Instant::now();
+        let start = now();
         for _ in 0..runs {
             (self.run)();
         }
-        1e9 * start.elapsed().as_secs_f64() / (runs * self.work) as f64
+        1e9 * (now() - start).as_secs_f64() / (runs * self.work) as f64
     }
 
     /// How many runs make a turn. The first of them also warm up.
     fn runs_in(&mut self, turn: Duration) -> usize {
         let mut runs = 1;
         loop {
-            let start = Instant::now();
+            let start = now();
             self.take_turn(runs);
-            let took = start.elapsed();
-            if took >= turn {
+            if now() - start >= turn {
                 return runs;
             }
             runs *= 2;
         }
     }
+}
+
+/// How long this thread has had a processor.
+#[cfg(unix)]
+fn now() -> Duration {
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
+    time.try_into().expect("it counts from 0")
+}
+
+#[cfg(not(unix))]
+fn now() -> Duration {
+    use std::time::Instant;
+
+    static START: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);
+    START.elapsed()
 }
 
 impl Group {
