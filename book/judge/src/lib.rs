@@ -96,6 +96,7 @@ pub fn decoded(
         width,
         height,
         pixels: pixels.iter().map(levels).collect(),
+        encoding: None,
     };
     judged(name, reading, asked, Some(cause))
 }
@@ -115,6 +116,7 @@ fn judged(name: &str, reading: Reading, asked: Asked, foreign: Option<Cause>) ->
     };
     let judged = Judged {
         is_guessed: asked.chapter == 0,
+        encoding: reading.encoding.clone(),
         ..Judged::new(scene, name.to_owned(), Known::default(), check)
     };
     let decoded = foreign.map(|cause| html::decoded(&cause));

@@ -36,7 +36,7 @@ pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
         "edition": edition(&judged.check),
         "verdict": verdict,
         "exit_code": judged.check.exit_code(),
-        "cause": judged.check.cause().map(cause),
+        "cause": judged.check.cause().or(judged.encoding.as_ref()).map(cause),
         "other_scenes": judged.check.others().iter().map(other_scene).collect::<Value>(),
         "blind_spots": judged.blind_spots.as_ref().map(blind_spots),
         "but": finding.and_then(|finding| Some(but(finding, finding.near.as_ref()?))),

@@ -121,6 +121,7 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     };
     let judged = Judged {
         is_guessed: named.is_none(),
+        encoding: reading.ok().and_then(|reading| reading.encoding),
         ..Judged::new(scene, source.to_string(), known, check)
     };
     let report = arguments.report.as_ref();

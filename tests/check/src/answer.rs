@@ -6,6 +6,7 @@ use crate::blind_spots::BlindSpots;
 use crate::evidence::Known;
 use crate::map::map;
 use crate::names_of;
+use crate::reading::Cause;
 use crate::scene::Scene;
 use crate::told::{self, Row};
 use crate::verdict::{Check, Finding, Near, Right};
@@ -18,6 +19,8 @@ pub struct Judged<'a> {
     pub is_guessed: bool,
     /// What the picture is called.
     pub name: String,
+    /// What keeps viewers from it.
+    pub encoding: Option<Cause>,
     /// What is known besides the picture.
     pub known: Known<'a>,
     /// What was found.
@@ -103,6 +106,7 @@ impl<'a> Judged<'a> {
             scene,
             is_guessed: false,
             name,
+            encoding: None,
             known,
             check,
             blind_spots,
@@ -125,6 +129,10 @@ impl<'a> Judged<'a> {
             );
             headline.notes.insert(0, taken);
         }
+        headline.notes.extend(self.encoding.iter().flat_map(|it| {
+            let besides = format!("Besides, {}.", it.problem);
+            [besides, it.fix.clone()]
+        }));
         headline
     }
 

@@ -545,6 +545,7 @@ fn no_shape_and_no_numbers_are_too_odd_for_an_answer() {
             width,
             height,
             pixels: vec![pixel; (width * height) as usize],
+            encoding: None,
         };
         let code = judge(&scene(chapter), &reading, 0, &Known::default()).exit_code();
         let is_picture = pixel.iter().all(|number| (0..256).contains(number));

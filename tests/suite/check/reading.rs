@@ -141,24 +141,28 @@ fn a_gray_or_opaque_png_is_read_and_a_transparent_one_is_not() {
 }
 
 #[test]
-fn what_a_shell_does_to_text_is_recognized() {
-    let text = "P3\n1 1\n255\n1 2 3\n";
-    let little: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
-    let big: Vec<u8> = text.encode_utf16().flat_map(u16::to_be_bytes).collect();
-    for (mark, words) in [
-        (&[0xff, 0xfe][..], &little),
-        (&[0xfe, 0xff], &big),
-        (&[], &little),
-        (&[], &big),
-    ] {
-        let refused = read(&[mark, words].concat()).expect_err("UTF-16");
-        assert_eq!(refused.name, "utf-16");
-        assert!(refused.fix.contains("PowerShell"), "{refused}");
+fn text_that_a_shell_has_put_into_another_encoding_is_read() {
+    let encoded = |text: &str| {
+        let marked = format!("\u{feff}{text}");
+        let little = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let big = |text: &str| text.encode_utf16().flat_map(u16::to_be_bytes).collect();
+        let wide: [Vec<u8>; 4] = [little(&marked), big(&marked), little(text), big(text)];
+        let wide = wide.map(|bytes| (bytes, "utf-16"));
+        wide.into_iter()
+            .chain([(marked.into_bytes(), "byte-order-mark")])
+    };
+    for (bytes, name) in encoded("P3\r\n1 1 # grün ☀\r\n255\r\n1 2 3\r\n") {
+        let reading = read(&bytes).expect("it is text");
+        let encoding = reading.encoding.expect("it is told");
+        assert_eq!((reading.pixels, encoding.name), (vec![[1, 2, 3]], name));
+        assert!(encoding.fix.contains("PowerShell"), "{encoding}");
     }
-    assert_eq!(
-        cause(format!("\u{feff}{text}").as_bytes()),
-        "byte-order-mark"
-    );
+    for (bytes, _) in encoded("P3\n1 1\n255\n1 2\n") {
+        assert_eq!(cause(&bytes), "too-few-numbers");
+    }
+    for (bytes, name) in encoded("P6\n1 1\n255\nabc") {
+        assert_eq!(cause(&bytes), name, "a shell may have changed levels");
+    }
 }
 
 #[test]

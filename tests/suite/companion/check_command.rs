@@ -35,6 +35,26 @@ fn a_right_picture_is_followed_by_what_it_can_not_show() {
 }
 
 #[test]
+fn a_picture_in_another_encoding_is_judged_with_a_word_on_it() {
+    let folder = TempDir::new().expect("a folder");
+    let picture = text(&p3(&normals::picture(100)))
+        .encode_utf16()
+        .collect::<Vec<_>>();
+    let bytes: Vec<u8> = picture.into_iter().flat_map(u16::to_le_bytes).collect();
+    write(&folder, "mine.ppm", &bytes);
+    let output = run(&mut check_in(&folder, &["normals", "mine.ppm"]));
+    assert_success(&output);
+    let said = text(&output.stdout);
+    assert!(
+        said.starts_with("mine.ppm is right") && said.contains("UTF-16"),
+        "{said}"
+    );
+    let json = run(&mut check_in(&folder, &["normals", "mine.ppm", "--json"]));
+    let json: serde_json::Value = serde_json::from_slice(&json.stdout).expect("an object");
+    assert_eq!(json["cause"]["name"], "utf-16");
+}
+
+#[test]
 fn a_forgotten_change_is_told_before_anything_else() {
     let folder = TempDir::new().expect("a folder");
     write(&folder, "mine.ppm", &p3(&normals::picture(200)));

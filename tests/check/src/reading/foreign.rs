@@ -4,36 +4,33 @@ use super::cause::Cause;
 
 const REDIRECT: &str = "PowerShell before 7.4 does this to what > writes. Let the program write the file itself, or type: cmd /c \"program > picture.ppm\"";
 
-/// Marks of an encoding that a shell has put on the text.
-///
-/// # Errors
-/// If there is one.
-pub(super) fn text_encoding(bytes: &[u8]) -> Result<(), Cause> {
-    let zeros = |odd: usize| {
-        bytes
-            .iter()
-            .skip(odd)
-            .step_by(2)
-            .take(4)
-            .filter(|&&byte| byte == 0)
-    };
-    let two_bytes = bytes.len() >= 8 && (zeros(0).count() == 4 || zeros(1).count() == 4);
-    match bytes {
-        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => {
-            Err(Cause::new("utf-16", "the file is text in UTF-16", REDIRECT))
+/// The text as a program has printed it, and what a shell has made of it, if it has: a
+/// letter of two bytes, or a mark before the first.
+pub(super) fn before_a_shell(bytes: &[u8]) -> Option<(Vec<u8>, Cause)> {
+    let (text, name, problem) = match bytes {
+        [0xff, 0xfe, words @ ..] | words @ [b'P', 0, ..] => {
+            let text = narrow(words, u16::from_le_bytes);
+            (text, "utf-16", "is text in UTF-16")
         }
-        [b'P' | 0, ..] if two_bytes => Err(Cause::new(
-            "utf-16",
-            "the file is text with two bytes a letter, as in UTF-16",
-            REDIRECT,
-        )),
-        [0xef, 0xbb, 0xbf, ..] => Err(Cause::new(
-            "byte-order-mark",
-            "the file begins with a byte-order mark (EF BB BF)",
-            format!("A picture begins with its P at once. {REDIRECT}"),
-        )),
-        _ => Ok(()),
-    }
+        [0xfe, 0xff, words @ ..] | words @ [0, b'P', ..] => {
+            let text = narrow(words, u16::from_be_bytes);
+            (text, "utf-16", "is text in UTF-16")
+        }
+        [0xef, 0xbb, 0xbf, text @ ..] => {
+            let problem = "begins with a byte-order mark (EF BB BF)";
+            (text.to_vec(), "byte-order-mark", problem)
+        }
+        _ => return None,
+    };
+    let problem = format!("the file {problem}, so viewers don't show it");
+    Some((text, Cause::new(name, problem, REDIRECT)))
+}
+
+/// A picture as text has no letter that takes more than a byte.
+fn narrow(words: &[u8], unit: fn([u8; 2]) -> u16) -> Vec<u8> {
+    let (words, _) = words.as_chunks();
+    let letter = |&word: &[u8; 2]| u8::try_from(unit(word)).unwrap_or(b'?');
+    words.iter().map(letter).collect()
 }
 
 /// Formats that are recognized only to say that they are not read.

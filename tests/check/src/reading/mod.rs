@@ -36,7 +36,15 @@ pub fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     if bytes.len() > MOST_BYTES {
         return Err(Cause::too_large());
     }
-    foreign::text_encoding(bytes)?;
+    if let Some((text, encoding)) = foreign::before_a_shell(bytes) {
+        if !text.starts_with(b"P3") {
+            return Err(encoding);
+        }
+        return Ok(Reading {
+            encoding: Some(encoding),
+            ..plain::read(&text)?
+        });
+    }
     match bytes {
         [b'P', b'3', ..] => plain::read(bytes),
         [b'P', b'6', ..] => binary::read(bytes),

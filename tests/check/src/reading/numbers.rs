@@ -2,6 +2,8 @@
 
 use common::rtweekend::Picture;
 
+use super::cause::Cause;
+
 /// A picture as a reader's program wrote it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reading {
@@ -15,6 +17,8 @@ pub struct Reading {
     /// and they tell much about a mistake. What 16 bits can't hold stops at
     /// ±2¹⁵, which is far beyond what any mistake needs.
     pub pixels: Vec<[i16; 3]>,
+    /// What keeps a viewer from the text, if a shell has put it into another encoding.
+    pub encoding: Option<Cause>,
 }
 
 /// Numbers that are no levels: below 0 or above 255.
@@ -40,6 +44,7 @@ impl Reading {
             width: picture.width(),
             height: picture.height(),
             pixels: pixels.iter().map(|pixel| pixel.map(i16::from)).collect(),
+            encoding: None,
         }
     }
 

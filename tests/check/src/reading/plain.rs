@@ -37,6 +37,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
             width,
             height,
             pixels,
+            encoding: None,
         })
     } else {
         Err(miscounted(width as usize, height as usize, count))

@@ -32,6 +32,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
         width,
         height,
         pixels: pixels(image)?,
+        encoding: None,
     })
 }
 

@@ -176,6 +176,7 @@ impl Degradation {
         let drawn = Reading::of(&scene.right(width, height)).pixels;
         let degraded = Reading {
             pixels: self.of(&drawn, reading),
+            encoding: None,
             ..*reading
         };
         degraded.picture()
