@@ -2,7 +2,7 @@
 
 use std::env;
 use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
+use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 
 use check::names::{self, companion};
 use check::workspace;
@@ -77,9 +77,11 @@ impl Mine {
 /// A word of a command line, in quotation marks where a shell wants them.
 pub(crate) fn word(word: impl AsRef<OsStr>) -> String {
     let word = names::spelled(word);
-    let is_plain = |c: char| c.is_alphanumeric() || "-_./=".contains(c);
+    let is_plain = |c: char| c.is_alphanumeric() || "-_./=".contains(c) || c == MAIN_SEPARATOR;
     match !word.is_empty() && word.chars().all(is_plain) {
         true => word,
+        // A backslash stands for itself there.
+        false if cfg!(windows) => format!("\"{word}\""),
         false => format!("{word:?}"),
     }
 }

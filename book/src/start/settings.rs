@@ -9,10 +9,11 @@ use slips::{Chapter, steps};
 
 /// Where the workspace is, as seen from a crate: one that lies in it moves with it.
 pub(super) fn from_crate(folder: &Path, workspace: &Path) -> PathBuf {
-    let real = folder.parent().and_then(|mine| mine.canonicalize().ok());
-    let below = real
+    let real = |folder: &Path| folder.canonicalize().ok();
+    let mine = folder.parent().and_then(real);
+    let below = mine
         .as_deref()
-        .and_then(|it| it.strip_prefix(workspace).ok());
+        .and_then(|it| it.strip_prefix(real(workspace)?).ok());
     below.map_or(workspace.to_owned(), |below| {
         Path::new("..").join(below.iter().map(|_| "..").collect::<PathBuf>())
     })

@@ -62,7 +62,9 @@ impl Place {
         }
         // A system that can't do it in one step has two.
         let old = self.free();
-        fs::rename(&self.folder, &old)?;
+        // Windows refuses where another program has a file of it open.
+        let put_back = |cause| fs::rename(&aside, self.new_folder()).and(Err(cause));
+        fs::rename(&self.folder, &old).or_else(put_back)?;
         match fs::rename(&aside, &self.folder) {
             Ok(()) => fs::rename(&old, &aside),
             Err(cause) => fs::rename(&old, &self.folder).and(Err(cause)),

@@ -84,6 +84,10 @@ fn named(place: &str, cause: &io::Error) -> io::Error {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
             "Free some space, or write to another disk."
         }
+        // There nothing takes the place of what is open.
+        _ if cfg!(windows) => {
+            "Name a file that you may write and that no program has open, in a folder that is there."
+        }
         _ => "Name a file that you may write, in a folder that is there.",
     };
     let problem = format!("cannot write {place}: {cause}\n{advice}");
