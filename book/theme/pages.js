@@ -83,13 +83,15 @@ function load(...files) {
 
 // What moves live figures and pictures is loaded when the first comes near the screen, and
 // the judge where there is something to judge.
+const figures = [...document.querySelectorAll("figure.live")];
+const modules = new Set(figures.map((figure) => figure.dataset.module));
 const near = new IntersectionObserver((entries) => {
     if (entries.some((entry) => entry.isIntersecting)) {
         near.disconnect();
-        load("module", "figures", "inspector", "pictures", "start");
+        load(...modules, "figures", "inspector", "pictures", "start");
     }
 }, { rootMargin: "100%" });
-document.querySelectorAll("figure.live").forEach((figure) => near.observe(figure));
+figures.forEach((figure) => near.observe(figure));
 if (document.getElementById("check")) {
     load("judge", "worker", "inspector", "pixels", "check");
 }

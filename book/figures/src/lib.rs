@@ -67,8 +67,9 @@ pub fn find(name: &str) -> Option<&'static Figure> {
     FIGURES.iter().find(|figure| figure.name == name)
 }
 
-/// The figures that a reader can move, in reading order. A page names them by their place.
-pub static LIVE_FIGURES: &[&dyn Movable] = &[
+/// The figures of the lesson that a reader can move, in reading order. A page names them by
+/// their place.
+pub static LESSON: &[&dyn Movable] = &[
     &ray::LIVE,
     &camera_frame::LIVE,
     &viewport_grid::LIVE,
@@ -78,14 +79,17 @@ pub static LIVE_FIGURES: &[&dyn Movable] = &[
     &projection::LIVE,
     &nearest::LIVE,
     &face_normal::LIVE,
-    &digits::LIVE,
-    &edge::LIVE,
 ];
+
+/// Those of chapter 6, which call all that it has, integers of any size among it.
+pub static ACCURACY: &[&dyn Movable] = &[&digits::LIVE, &edge::LIVE];
+
+/// All figures that a reader can move.
+pub fn live_figures() -> impl Iterator<Item = &'static dyn Movable> {
+    LESSON.iter().chain(ACCURACY).copied()
+}
 
 /// The live figure of that name.
 pub fn find_live(name: &str) -> Option<&'static dyn Movable> {
-    LIVE_FIGURES
-        .iter()
-        .copied()
-        .find(|live| live.name() == name)
+    live_figures().find(|live| live.name() == name)
 }

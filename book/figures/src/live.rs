@@ -7,7 +7,7 @@
 //! what a drag does to them, the drawing, and the sentence below.
 //!
 //! To make another figure live: state its [`parameters!`], make a [`Live`] of it, and name
-//! that in [`LIVE_FIGURES`](crate::LIVE_FIGURES). From then on `{{figure NAME}}` weaves it
+//! that in [`LESSON`](crate::LESSON). From then on `{{figure NAME}}` weaves it
 //! with its handles. `.ci/live` builds the module of the pages anew.
 
 use std::fmt::Write;
@@ -139,6 +139,9 @@ pub struct Answer {
 }
 
 /// A live figure, whatever its parameters are: they go in and come out as a list of numbers.
+///
+/// A page does not call these functions of a figure, but those of `dyn Movable`, which keep
+/// each number within its range.
 pub trait Movable: Sync {
     /// How pages name the figure.
     fn name(&self) -> &'static str;
@@ -155,39 +158,76 @@ pub trait Movable: Sync {
     /// What can be changed.
     fn numbers(&self) -> &'static [Number];
 
-    /// For each handle the places of the numbers that it changes.
-    fn handles(&self) -> Vec<Vec<usize>>;
+    /// The fields that a handle changes, if there is such a handle.
+    fn fields(&self, handle: usize) -> Option<&'static [&'static str]>;
 
     /// What each button says.
     fn actions(&self) -> Vec<&'static str>;
 
-    /// Drags a handle to a place on the sheet.
-    fn drag(&self, handle: usize, numbers: &mut [f64], to: DVec2);
+    /// Moves a handle to a place on the sheet.
+    fn moved(&self, handle: usize, numbers: &mut [f64], to: DVec2);
 
     /// Does what a button says.
-    fn act(&self, action: usize, numbers: &mut [f64]);
+    fn acted(&self, action: usize, numbers: &mut [f64]);
 
-    /// The figure for these numbers, each within its range.
-    fn answer(&self, numbers: &[f64]) -> Answer;
+    /// The figure for these numbers.
+    fn drawn(&self, numbers: &[f64]) -> Answer;
+}
 
+/// What is the same for all figures.
+impl dyn Movable + '_ {
     /// The numbers of the figure on the page.
-    fn defaults(&self) -> Vec<f64> {
+    pub fn defaults(&self) -> Vec<f64> {
         self.numbers().iter().map(|it| it.default).collect()
+    }
+
+    /// For each handle the places of the numbers that it changes.
+    pub fn handles(&self) -> Vec<Vec<usize>> {
+        let is = |field| self.numbers().iter().position(|it| it.field == field);
+        let handles = (0..).map_while(|handle| self.fields(handle));
+        handles
+            .map(|fields| fields.iter().filter_map(|&it| is(it)).collect())
+            .collect()
+    }
+
+    /// Drags a handle to a place on the sheet: what it changes comes onto a step.
+    pub fn drag(&self, handle: usize, numbers: &mut [f64], to: DVec2) {
+        self.moved(handle, numbers, to);
+        for &place in &self.handles()[handle] {
+            numbers[place] = self.numbers()[place].on_a_step(numbers[place]);
+        }
+        self.confine(numbers);
+    }
+
+    /// Does what a button says.
+    pub fn act(&self, action: usize, numbers: &mut [f64]) {
+        self.acted(action, numbers);
+        self.confine(numbers);
     }
 
     /// Puts each number into its range, and whole ones on a whole number; what is no number
     /// becomes the default.
-    fn confine(&self, numbers: &mut [f64]) {
+    pub fn confine(&self, numbers: &mut [f64]) {
         for (n, number) in self.numbers().iter().enumerate() {
             numbers[n] = number.confine(numbers[n]);
             numbers[n] = numbers[n].min(number.most_among(numbers));
         }
     }
 
+    /// The figure for these numbers, each within its range.
+    pub fn answer(&self, numbers: &[f64]) -> Answer {
+        let mut answer = self.drawn(numbers);
+        // The figure's own description is of what the page shows.
+        if numbers != self.defaults() {
+            answer.drawing.describe(&answer.sentence);
+        }
+        answer
+    }
+
     /// The answer in lines: the drawing, the sentence, and then with a word before them
     /// the places of the handles, the numbers with their words and their greatest values,
     /// and what sentences of the page tell.
-    fn text(&self, numbers: &[f64]) -> String {
+    pub fn text(&self, numbers: &[f64]) -> String {
         let answer = self.answer(numbers);
         let mut text = format!("{}\n{}", answer.drawing.finish(), html(&answer.sentence));
         for place in answer.handles {
@@ -207,7 +247,8 @@ pub trait Movable: Sync {
 impl<P: Parameters> Live<P> {
     /// The drawing on the page.
     pub(crate) fn on_page(&self) -> String {
-        self.answer(&self.defaults()).drawing.finish()
+        let live: &dyn Movable = self;
+        live.answer(&live.defaults()).drawing.finish()
     }
 }
 
@@ -232,43 +273,28 @@ impl<P: Parameters> Movable for Live<P> {
         P::NUMBERS
     }
 
-    fn handles(&self) -> Vec<Vec<usize>> {
-        let is = |field| P::NUMBERS.iter().position(|number| number.field == field);
-        let places = |handle: &Handle<P>| handle.fields.iter().filter_map(|&it| is(it)).collect();
-        self.handles.iter().map(places).collect()
+    fn fields(&self, handle: usize) -> Option<&'static [&'static str]> {
+        self.handles.get(handle).map(|handle| handle.fields)
     }
 
     fn actions(&self) -> Vec<&'static str> {
         self.actions.iter().map(|action| action.name).collect()
     }
 
-    fn drag(&self, handle: usize, numbers: &mut [f64], to: DVec2) {
-        let handle = &self.handles[handle];
+    fn moved(&self, handle: usize, numbers: &mut [f64], to: DVec2) {
         let mut parameters = P::of(numbers);
-        (handle.drag)(&mut parameters, to);
+        (self.handles[handle].drag)(&mut parameters, to);
         parameters.to(numbers);
-        for (value, number) in numbers.iter_mut().zip(P::NUMBERS) {
-            if handle.fields.contains(&number.field) {
-                *value = number.on_a_step(*value);
-            }
-        }
-        self.confine(numbers);
     }
 
-    fn act(&self, action: usize, numbers: &mut [f64]) {
+    fn acted(&self, action: usize, numbers: &mut [f64]) {
         let mut parameters = P::of(numbers);
         (self.actions[action].act)(&mut parameters);
         parameters.to(numbers);
-        self.confine(numbers);
     }
 
-    fn answer(&self, numbers: &[f64]) -> Answer {
-        let mut answer = (self.answer)(&P::of(numbers));
-        // The figure's own description is of what the page shows.
-        if numbers != self.defaults() {
-            answer.drawing.describe(&answer.sentence);
-        }
-        answer
+    fn drawn(&self, numbers: &[f64]) -> Answer {
+        (self.answer)(&P::of(numbers))
     }
 }
 

@@ -76,7 +76,8 @@ impl Parameters {
             self.t / factor,
         ];
         let stretched = numbers;
-        LIVE.confine(&mut numbers);
+        let live: &dyn Movable = &LIVE;
+        live.confine(&mut numbers);
         if numbers == stretched {
             *self = Self::of(&stretched);
         }

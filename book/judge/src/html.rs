@@ -43,9 +43,10 @@ fn headline(judged: &Judged) -> String {
     let said = judged.headline();
     let is_no_picture = matches!(judged.check, Check::NotAPicture { .. });
     let class = match (said.is_right, is_no_picture) {
-        (true, _) => "right",
-        (_, true) => "none",
-        _ => "wrong",
+        // The name `right` is taken: mdBook lets what has it float.
+        (true, _) => "is-right",
+        (_, true) => "is-none",
+        _ => "is-wrong",
     };
     let notes: String = said
         .notes

@@ -5,8 +5,7 @@ use std::iter;
 
 use common::rtweekend::Picture;
 use figures::escape;
-use slips::Chapter;
-use slips::{Edition, Letters, PROBES, Slip, Unseen, Words};
+use slips::{Chapter, Edition, Letters, PROBES, Program, Slip, Unseen, Words};
 
 /// A chapter whose page paints its picture.
 #[derive(Clone, Copy, Debug)]
@@ -135,6 +134,19 @@ pub fn verdict(live: &LivePicture, slip: Option<&Slip>, width: u32, different: u
         slip.address(),
         name = slip.name,
     )
+}
+
+/// The numbers of a pixel, a line each: as they should be, and with the slip.
+pub fn inspect(
+    live: &LivePicture,
+    slip: Option<&Slip>,
+    width: u32,
+    [column, row]: [u32; 2],
+) -> String {
+    let slipped = slip.map(|slip| slip.program(live.chapter));
+    let programs = iter::once(Program::right(live.chapter)).chain(slipped);
+    let traced = programs.map(|it| it.traced(width, column, row).rows(live.chapter));
+    slips::side_by_side(&traced.collect::<Vec<_>>())
 }
 
 fn sizes((wide, high): (u32, u32), (width, height): (u32, u32)) -> String {

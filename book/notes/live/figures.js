@@ -1,7 +1,7 @@
 // Live figures: carries what a reader does to Rust, and Rust's answer to the page.
 //
 // What is shown, said and allowed is computed by the package `live`, compiled into
-// module.js. This script knows nothing of rays: only numbers in, and lines of text out.
+// the modules. This script knows nothing of rays: only numbers in, and lines of text out.
 // What it shares with pictures.js is in start.js.
 
 "use strict";

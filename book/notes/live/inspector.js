@@ -43,6 +43,22 @@ function showNumbers(box, lines, [column, row], heads) {
     }
 }
 
+// Where an arrow leads from a pixel, ten pixels with Shift; nothing for any other key.
+function beside([column, row], event) {
+    const step = event.shiftKey ? 10 : 1;
+    const way = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowDown: [0, 1], ArrowUp: [0, -1] }[event.key];
+    if (!way || event.ctrlKey || event.altKey || event.metaKey) {
+        return null;
+    }
+    event.preventDefault();
+    return [column + step * way[0], row + step * way[1]];
+}
+
+// The nearest pixel of a picture of that size.
+function within(pixel, size) {
+    return pixel.map((it, n) => Math.min(Math.max(it, 0), size[n] - 1));
+}
+
 // A square of that color.
 function patch(levels) {
     const square = document.createElement("span");

@@ -17,14 +17,25 @@ class LivePicture {
         this.rust = rust;
         this.place = Number(figure.dataset.picture);
         [this.right, this.wrong] = figure.querySelectorAll("canvas");
+        this.canvases = figure.querySelector(".canvases");
         this.sentence = figure.querySelector(".sentence");
+        this.inspector = figure.querySelector(".inspector");
         this.width = figure.querySelector("input[type=number]");
         this.slip = figure.querySelector("select");
         // Counts what was asked for: what is painted for an earlier question is given up.
         this.turn = 0;
         // The right picture that is shown: its width and its pixels.
         this.painted = null;
+        // The pixel whose numbers are shown.
+        this.chosen = null;
 
+        for (const canvas of [this.right, this.wrong]) {
+            canvas.addEventListener("click", (event) => this.touch(canvas, event));
+            canvas.addEventListener("keydown", (event) => {
+                const next = beside(this.chosen ?? this.middle(), event);
+                next && this.choose(next);
+            });
+        }
         figure.addEventListener("input", () => this.show());
         // What was taken is in the field when the reader leaves it.
         this.width.addEventListener("change", () => { this.width.value = this.taken(); });
@@ -70,7 +81,7 @@ class LivePicture {
         this.figure.querySelector(".this-case").href =
             `?${this.figure.id}=${width},${this.slip.value}#${this.figure.id}`;
         this.wrong.hidden = slip < 0;
-        this.wrong.ariaLabel = `What this draws: ${this.slip.selectedOptions[0].label}`;
+        this.wrong.ariaLabel = `What this draws: ${this.slip.selectedOptions[0].label}: arrows choose a pixel`;
 
         for (const canvas of [this.right, this.wrong]) {
             canvas.classList.toggle("pixels", width < this.width.defaultValue);
@@ -86,7 +97,39 @@ class LivePicture {
             const length = this.rust.verdict(this.place, slip, width, last.different);
             this.sentence.innerHTML = read(this.rust, length);
             this.sentence.ariaBusy = "false";
+            // Of another width it is another pixel.
+            this.choose(this.chosenWidth === width ? this.chosen : null);
         }
+    }
+
+    middle() {
+        return [this.right.width, this.right.height].map((it) => Math.floor(it / 2));
+    }
+
+    touch(canvas, { clientX, clientY }) {
+        const box = canvas.getBoundingClientRect();
+        const across = (clientX - box.left) / box.width;
+        const down = (clientY - box.top) / box.height;
+        this.choose([across * canvas.width, down * canvas.height].map(Math.floor));
+    }
+
+    // Shows the numbers of a pixel, and where it is; or of none.
+    choose(pixel) {
+        this.canvases.classList.toggle("touched", pixel !== null);
+        if (pixel === null) {
+            this.chosen = null;
+            this.inspector.textContent = "Choose a pixel, and see its numbers.";
+            return;
+        }
+        const size = [this.right.width, this.right.height];
+        this.chosen = within(pixel, size);
+        this.chosenWidth = this.taken();
+        ["--x", "--y"].forEach((name, n) => {
+            this.canvases.style.setProperty(name, (this.chosen[n] + 0.5) / size[n]);
+        });
+        const slip = Number(this.slip.selectedOptions[0].dataset.slip);
+        const length = this.rust.inspect(this.place, slip, this.chosenWidth, ...this.chosen);
+        showNumbers(this.inspector, read(this.rust, length), this.chosen, ["as it should be", "with that mistake"]);
     }
 
     // Paints a picture after those that were asked for before. Returns its pixels, and how

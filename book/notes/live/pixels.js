@@ -107,22 +107,17 @@ class Pixels {
             Math.floor(above + high * (event.clientY - box.top) / box.height));
     }
 
-    // Arrows go from pixel to pixel, by ten with Shift.
     press(event) {
-        const step = event.shiftKey ? 10 : 1;
-        const way = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowDown: [0, 1], ArrowUp: [0, -1] }[event.key];
-        if (way && !event.ctrlKey && !event.altKey && !event.metaKey) {
-            event.preventDefault();
-            const [column, row] = this.chosen ?? this.first;
-            this.choose(column + step * way[0], row + step * way[1]);
+        const next = beside(this.chosen ?? this.first, event);
+        if (next) {
+            this.choose(...next);
         } else if (event.key === "+" || event.key === "-") {
             this.act(event.key === "+" ? "closer" : "farther");
         }
     }
 
     choose(column, row) {
-        const within = (it, size) => Math.min(Math.max(it, 0), size - 1);
-        this.chosen = [within(column, this.width), within(row, this.height)];
+        this.chosen = within([column, row], [this.width, this.height]);
         this.draw();
         this.pick(...this.chosen);
     }

@@ -2,18 +2,17 @@
 
 "use strict";
 
-instantiate().then((rust) => {
-    for (const figure of document.querySelectorAll("[data-picture]")) {
-        new LivePicture(figure, rust);
-    }
-    for (const figure of document.querySelectorAll("[data-figure]")) {
-        new LiveFigure(figure, rust);
-    }
-});
+for (const name of modules) {
+    instantiate(globalThis[`${name}Module`]).then((rust) => {
+        for (const figure of document.querySelectorAll(`[data-module=${name}]`)) {
+            new ("picture" in figure.dataset ? LivePicture : LiveFigure)(figure, rust);
+        }
+    });
+}
 
-// The functions of the module, which is base64 of gzip: from a file nothing else is loaded.
-async function instantiate() {
-    const compressed = Uint8Array.from(atob(liveModule), (letter) => letter.charCodeAt(0));
+// The functions of a module, which is base64 of gzip: from a file nothing else is loaded.
+async function instantiate(base64) {
+    const compressed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const module = new Blob([compressed]).stream().pipeThrough(new DecompressionStream("gzip"));
     const headers = { "Content-Type": "application/wasm" };
     const { instance } = await WebAssembly.instantiateStreaming(new Response(module, { headers }));

@@ -5,17 +5,22 @@
 
 use std::fmt::Write;
 
-use figures::{LIVE_FIGURES, Movable, Number, escape, html};
+use figures::{ACCURACY, LESSON, Movable, Number, escape, html, live_figures};
 
 use crate::directive::named;
 
 /// The figure `live`: its question, its `drawing` under handles, what is to be seen, buttons,
-/// the answer, closed, and the caption.
+/// the answer, closed, and the caption. Its place is that in the module that draws it.
 pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String {
-    let place = LIVE_FIGURES.iter().position(|it| it.name() == live.name());
+    let is_it = |it: &&dyn Movable| it.name() == live.name();
+    let modules = [("lesson", LESSON), ("accuracy", ACCURACY)];
+    let (module, place) = modules
+        .into_iter()
+        .find_map(|(module, figures)| Some((module, figures.iter().position(is_it)?)))
+        .expect("it is in one of them");
     let answer = live.answer(&live.defaults());
     format!(
-        "<figure id=\"{name}\" class=\"live\" aria-label=\"{title}\" data-figure=\"{place}\">\
+        "<figure id=\"{name}\" class=\"live\" aria-label=\"{title}\" data-module=\"{module}\" data-figure=\"{place}\">\
          <p class=\"question\">{question}</p>\
          <div class=\"stage\">{drawing}{handles}</div>\
          <div class=\"controls\">{inputs}{buttons}</div>\
@@ -23,7 +28,6 @@ pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String
          <details class=\"answer\"><summary>Answer</summary>{solution}</details>\
          <figcaption>{caption}</figcaption></figure>",
         name = live.name(),
-        place = place.unwrap_or_default(),
         title = escape(live.title()),
         question = html(live.question()),
         solution = html(live.solution()),
@@ -43,7 +47,7 @@ pub(crate) fn number(figure: &str, name: &str) -> Result<String, String> {
 
 /// What the live figure of that name tells at first.
 pub(crate) fn says(figure: &str) -> Result<Vec<(&'static str, String)>, String> {
-    let live = named("live figure", figure, LIVE_FIGURES, |live| live.name())?;
+    let live = named("live figure", figure, live_figures(), |live| live.name())?;
     Ok(live.answer(&live.defaults()).says)
 }
 

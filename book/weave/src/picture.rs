@@ -18,7 +18,7 @@ pub(crate) fn picture(notes: &Path, chapter: &str, image: &str) -> Result<String
     })?;
     let width = live.chapter.book_width();
     Ok(format!(
-        "<figure id=\"picture\" class=\"live\" data-picture=\"{place}\">\
+        "<figure id=\"picture\" class=\"live\" data-module=\"lesson\" data-picture=\"{place}\">\
          <p class=\"question\">{question}</p>\
          <div class=\"controls\">\
          <label>Break it <select>{slips}</select></label>\
@@ -26,9 +26,11 @@ pub(crate) fn picture(notes: &Path, chapter: &str, image: &str) -> Result<String
          <label>Width, 1 to {WIDEST} <input type=\"number\" min=\"1\" max=\"{WIDEST}\" value=\"{width}\"></label>\
          <button type=\"button\" data-action=\"reset\">Reset</button>\
          <a class=\"this-case\">Link to this case</a></div>\n\n{image}\n\n\
-         <div class=\"canvases\" style=\"--width: {width}px\"><canvas role=\"img\" aria-label=\"{shown}\"></canvas>\
-         <canvas role=\"img\" hidden></canvas></div>\
-         <p class=\"sentence\" role=\"status\">{sentence}</p></figure>",
+         <div class=\"canvases\" style=\"--width: {width}px\">\
+         <span><canvas tabindex=\"0\" role=\"img\" aria-label=\"{shown}: arrows choose a pixel\"></canvas></span>\
+         <span><canvas tabindex=\"0\" role=\"img\" hidden></canvas></span></div>\
+         <p class=\"sentence\" role=\"status\">{sentence}</p>\
+         <div class=\"inspector\" aria-live=\"polite\"></div></figure>",
         shown = alternative(image)?,
         question = live.question,
         slips = choices(notes, live)?,

@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use ::live::picture::{self, PICTURES, Painting};
 use common::rtweekend::*;
-use figures::{LIVE_FIGURES, Movable, Number, number::spoken};
+use figures::{Movable, Number, live_figures, number::spoken};
 use glam::DVec2;
 use insta::assert_snapshot;
 use slips::{Chapter, Slip};
@@ -16,7 +16,7 @@ use speed_vs_accuracy::Random;
 #[test]
 fn the_snapshot_has_what_each_live_figure_says() {
     let mut said = String::new();
-    for live in LIVE_FIGURES {
+    for live in live_figures() {
         let _ = writeln!(said, "{}", live.name());
         let mut tell = |when: &str, numbers: &[f64]| {
             let answer = live.answer(numbers);
@@ -59,8 +59,8 @@ fn the_snapshot_has_what_is_said_of_a_live_picture() {
 
 #[test]
 fn a_live_figure_has_an_answer_to_everything() {
-    for live in LIVE_FIGURES {
-        for numbers in questions(*live, 60) {
+    for live in live_figures() {
+        for numbers in questions(live, 60) {
             let answer = live.answer(&numbers);
             let text = live.text(&numbers);
             assert!(
@@ -114,7 +114,7 @@ fn the_values_beside_a_listing_end_with_the_chapters_own_answer() {
 
 #[test]
 fn a_handle_comes_to_where_it_is_dragged() {
-    for live in LIVE_FIGURES {
+    for live in live_figures() {
         for (n, _) in live.handles().iter().enumerate() {
             let mut numbers = live.defaults();
             let before = live.answer(&numbers).handles[n];
@@ -135,7 +135,7 @@ fn a_handle_comes_to_where_it_is_dragged() {
 
 #[test]
 fn what_is_no_number_or_out_of_range_is_put_right() {
-    for live in LIVE_FIGURES {
+    for live in live_figures() {
         let mut numbers = vec![f64::NAN; live.numbers().len()];
         live.confine(&mut numbers);
         assert_eq!(numbers, live.defaults());

@@ -20,13 +20,16 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
             AS_BYTES,
         ));
     }
+    // First of all: with addresses of 32 bits the library refuses a size in other words.
+    if let Some([width, height]) = size(bytes)
+        && u64::from(width) * u64::from(height) > MOST_PIXELS
+    {
+        return Err(Cause::absurd_size(width.into(), height.into()));
+    }
     let mut limits = Limits::default();
     limits.max_alloc = Some(8 * MOST_PIXELS);
     let decoder = PngDecoder::with_limits(Cursor::new(bytes), limits).map_err(cause)?;
     let (width, height) = decoder.dimensions();
-    if u64::from(width) * u64::from(height) > MOST_PIXELS {
-        return Err(Cause::absurd_size(width.into(), height.into()));
-    }
     let image = DynamicImage::from_decoder(decoder).map_err(cause)?;
     Ok(Reading {
         width,
@@ -34,6 +37,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
         pixels: pixels(image)?,
         encoding: None,
     })
+}
+
+/// Width and height as the first chunk tells them.
+fn size(bytes: &[u8]) -> Option<[u32; 2]> {
+    let chunk = bytes.strip_prefix(SIGNATURE)?.get(4..)?;
+    let (numbers, _) = chunk.strip_prefix(b"IHDR")?.as_chunks();
+    let [width, height] = numbers.first_chunk()?;
+    Some([width, height].map(|number| u32::from_be_bytes(*number)))
 }
 
 /// The levels, if nothing is lost by taking three bytes a pixel.

@@ -1,7 +1,7 @@
 //! Live figures in real browsers, from a file: mouse, pen, finger and keyboard move them,
 //! links lead to a case, and what they show is what the crate `live` answers.
 
-use figures::{LIVE_FIGURES, Movable, find_live};
+use figures::{ACCURACY, LESSON, Movable, find_live};
 use glam::DVec2;
 use serde_json::{Value, json};
 
@@ -29,17 +29,24 @@ const PAGES: [(&str, &str); 11] = [
 #[ignore = "drives browsers"]
 fn the_browsers_answer_a_thousand_questions_as_the_crate_does() {
     each_browser(|browser| {
-        browser.open(&woven().join("gradient.html"), "#ray");
-        browser.evaluate(ALIVE);
-        for (place, live) in LIVE_FIGURES.iter().enumerate() {
-            let questions = questions(*live, 1000);
-            let script = ANSWERS
-                .replace("PLACE", &place.to_string())
-                .replace("QUESTIONS", &json!(questions).to_string());
-            let sums = browser.evaluate(&script);
-            for (numbers, sum) in questions.iter().zip(sums.as_array().expect("a list")) {
-                let expected = fowler_noll_vo(live.text(numbers).as_bytes());
-                assert_eq!(*sum, expected, "{} {numbers:?}", live.name());
+        for (page, module, figures) in [
+            ("gradient.html#ray", "lessonModule", LESSON),
+            ("never_wrong.html#edge", "accuracyModule", ACCURACY),
+        ] {
+            let (page, behind) = page.split_at(page.find('#').expect("a figure"));
+            browser.open(&woven().join(page), behind);
+            browser.evaluate(ALIVE);
+            for (place, live) in figures.iter().enumerate() {
+                let questions = questions(*live, 1000);
+                let script = ANSWERS
+                    .replace("MODULE", module)
+                    .replace("PLACE", &place.to_string())
+                    .replace("QUESTIONS", &json!(questions).to_string());
+                let sums = browser.evaluate(&script);
+                for (numbers, sum) in questions.iter().zip(sums.as_array().expect("a list")) {
+                    let expected = fowler_noll_vo(live.text(numbers).as_bytes());
+                    assert_eq!(*sum, expected, "{} {numbers:?}", live.name());
+                }
             }
         }
     });
@@ -147,7 +154,7 @@ fn a_button_a_link_and_the_text_agree_with_the_figure() {
 #[ignore = "drives browsers"]
 fn what_moves_figures_is_loaded_only_where_one_is_near() {
     each_browser(|browser| {
-        let is_loaded = "[...document.scripts].some((it) => it.src.endsWith('live/module.js'))";
+        let is_loaded = "[...document.scripts].some((it) => it.src.endsWith('live/start.js'))";
         // Without a figure, and far above the first.
         for page in ["errata.html", "never_wrong.html"] {
             browser.open(&woven().join(page), "");
@@ -275,7 +282,7 @@ fn places_of(name: &str) -> String {
 }
 
 /// The sums of the module's answers to questions.
-const ANSWERS: &str = "instantiate().then((rust) => QUESTIONS.map((numbers) => {
+const ANSWERS: &str = "instantiate(MODULE).then((rust) => QUESTIONS.map((numbers) => {
         numbers.forEach((value, n) => rust.set(n, value));
         const length = rust.answer(PLACE);
         const bytes = new Uint8Array(rust.memory.buffer, rust.place(), length);

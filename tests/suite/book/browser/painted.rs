@@ -33,6 +33,18 @@ fn each_chapters_page_paints_the_picture_of_the_chapter() {
     });
 }
 
+#[test]
+#[ignore = "drives browsers"]
+fn a_pixel_of_a_live_picture_shows_its_numbers_right_and_wrong() {
+    each_browser(|browser| {
+        let live = PICTURES[3];
+        open(browser, "normals", "?picture=97,far-root#picture");
+        browser.evaluate(DONE);
+        let numbers = picture::inspect(&live, slips::find("far-root"), 97, [49, 27]);
+        assert_eq!(browser.evaluate(TOUCHED), numbers);
+    });
+}
+
 /// Not in Firefox, which asks there how to print, and waits.
 #[test]
 #[ignore = "drives browsers"]
@@ -158,6 +170,14 @@ const DONE: &str = "new Promise((done) => {
     look();
 })";
 
+/// Presses an arrow on the right picture, which leads from the middle to the right.
+const TOUCHED: &str = "(() => {
+    const canvas = document.querySelector('#picture canvas');
+    canvas.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true }));
+    const rows = [...document.querySelectorAll('#picture .inspector tbody tr')];
+    return rows.map((row) => [...row.cells].map((it) => it.textContent).join('\\t')).join('\\n');
+})()";
+
 /// Width, height and sum of each picture that is shown.
 const SUMS: &str =
     "[...document.querySelectorAll('[data-picture] canvas:not([hidden])')].map((canvas) => {
@@ -168,7 +188,7 @@ const SUMS: &str =
 })";
 
 /// The sums of the pictures that slips draw.
-const PAINT: &str = "instantiate().then((rust) => SLIPS.map((slip) => {
+const PAINT: &str = "instantiate(lessonModule).then((rust) => SLIPS.map((slip) => {
     rust.paint(PLACE, slip, 41);
     let sum = 2166136261;
     for (let length = rust.piece(); length > 0; length = rust.piece()) {
