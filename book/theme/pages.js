@@ -73,12 +73,14 @@ document.fonts.ready.then(() => {
 
 // Loads these scripts of the folder `live`, in this order.
 function load(...files) {
-    for (const file of files) {
+    return Promise.all(files.map((file) => new Promise((done, fail) => {
         const script = document.createElement("script");
         script.src = `live/${file}.js`;
         script.async = false;
+        script.onload = done;
+        script.onerror = fail;
         document.head.append(script);
-    }
+    })));
 }
 
 // What moves live figures and pictures is loaded when the first comes near the screen, and
@@ -94,4 +96,23 @@ const near = new IntersectionObserver((entries) => {
 figures.forEach((figure) => near.observe(figure));
 if (document.getElementById("check")) {
     load("judge", "worker", "inspector", "pixels", "check");
+}
+
+// What a reader types can be typed where it is read.
+let editor = null;
+for (const listing of document.querySelectorAll(".listing")) {
+    const file = listing.querySelector(".file")?.textContent ?? "";
+    const [, chapter, name] = file.match(/^chapters\/([0-5])_(\w+)\/src\/(?!main)/) ?? [];
+    if (name) {
+        const button = document.createElement("button");
+        button.type = "button";
+        button.className = "type";
+        button.textContent = "Type it here";
+        button.addEventListener("click", async () => {
+            editor ??= load("typed", "worker", "editor");
+            await editor;
+            openEditor(listing, chapter, name);
+        });
+        listing.append(button);
+    }
 }

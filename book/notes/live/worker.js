@@ -1,11 +1,14 @@
-// The judge of pictures, in a worker, so that the page never waits for it.
+// Rust in a worker, so that the page never waits for it.
 //
-// From a file no worker is loaded: this function becomes one as text, in a Blob.
+// From a file no worker is loaded: functions become one as text, in a Blob.
 
 "use strict";
 
-function judgeInAWorker() {
+// What a worker is: `work` makes answers of the functions of a module. The first question
+// brings that along, as base64 of gzip.
+function serve(work) {
     let rust = null;
+    let answers = null;
 
     async function instantiate(base64) {
         const compressed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
@@ -15,10 +18,11 @@ function judgeInAWorker() {
         return instance.exports;
     }
 
+    // The answer of Rust that is so many bytes long, until the next call; and as text.
     const bytes = (length) => new Uint8Array(rust.memory.buffer, rust.place(), length);
     const text = (length) => new TextDecoder().decode(bytes(length));
 
-    // Puts what Rust is asked about where Rust wants it. Returns the length of the name.
+    // Puts what Rust is asked about where Rust wants it. Returns the length of the first part.
     function give(name, ...parts) {
         const all = [new TextEncoder().encode(name), ...parts];
         let place = rust.take(all.reduce((sum, part) => sum + part.length, 0));
@@ -29,6 +33,21 @@ function judgeInAWorker() {
         return all[0].length;
     }
 
+    onmessage = async ({ data }) => {
+        try {
+            if (!rust) {
+                rust = await instantiate(data.base64);
+                answers = work(rust, { bytes, text, give });
+            }
+            postMessage({ id: data.id, answer: await answers[data.what](data) });
+        } catch (error) {
+            postMessage({ id: data.id, error: String(error) });
+        }
+    };
+}
+
+// The answers of the judge of pictures.
+function judging(rust, { bytes, text, give }) {
     // The lines of facts, of the verdict, and of the rest.
     function told(length) {
         const [facts, verdict, ...rest] = text(length).split("\n");
@@ -79,33 +98,22 @@ function judgeInAWorker() {
         return all;
     }
 
-    const answers = {
-        async start({ base64 }) {
-            rust = await instantiate(base64);
-            return text(rust.choices()).split("\n").map((line) => line.split("\t"));
-        },
+    return {
+        start: () => text(rust.choices()).split("\n").map((line) => line.split("\t")),
         async judge(question) {
             const answer = await judge(question);
             return { ...answer, pictures: await pictures(answer) };
         },
         inspect: ({ column, row }) => text(rust.inspect(column, row)),
     };
-
-    onmessage = async ({ data }) => {
-        try {
-            postMessage({ id: data.id, answer: await answers[data.what](data) });
-        } catch (error) {
-            postMessage({ id: data.id, error: String(error) });
-        }
-    };
 }
 
-// Asks the judge. Who is asked for a new picture while judging an old one is replaced, and
-// so is who takes too long or gives up: a hostile file has only itself to spoil.
-class Judge {
-    static PATIENCE = 60000;
-
-    constructor() {
+// Asks a worker. What has trapped or takes too long can't be called again, and is replaced: a
+// hostile file has only itself to spoil.
+class Asked {
+    constructor(work, base64) {
+        this.code = `(${serve})(${work})`;
+        this.base64 = base64;
         this.start();
     }
 
@@ -114,7 +122,7 @@ class Judge {
         this.waiting?.forEach(({ reject }) => reject(new Error("replaced")));
         this.waiting = new Map();
         this.last = 0;
-        const url = URL.createObjectURL(new Blob([`(${judgeInAWorker})()`]));
+        const url = URL.createObjectURL(new Blob([this.code]));
         this.worker = new Worker(url);
         URL.revokeObjectURL(url);
         this.worker.onmessage = ({ data }) => {
@@ -122,7 +130,9 @@ class Judge {
             this.waiting.delete(data.id);
             data.error ? reject?.(new Error(data.error)) : resolve?.(data.answer);
         };
-        this.choices = this.ask("start", { base64: judgeModule });
+        this.started = this.ask("start", { base64: this.base64 });
+        // Who asks later hears of it.
+        this.started.catch(() => {});
     }
 
     ask(what, question) {
@@ -133,18 +143,15 @@ class Judge {
         });
     }
 
-    // The answer, or an Error: "replaced" if something else was asked for meanwhile.
-    async judge(question) {
-        await this.choices;
-        if (this.waiting.size > 0) {
-            this.start();
-        }
+    // The answer within so many milliseconds, or an Error: "replaced" if the worker has been
+    // replaced meanwhile.
+    async within(patience, what, question) {
+        await this.started;
         const worker = this.worker;
-        const late = setTimeout(() => this.worker === worker && this.fail("it takes too long"), Judge.PATIENCE);
+        const late = setTimeout(() => this.worker === worker && this.fail("it takes too long"), patience);
         try {
-            return await this.ask("judge", question);
+            return await this.ask(what, question);
         } catch (error) {
-            // What has trapped can't be called again.
             if (this.worker === worker && error.message !== "replaced") {
                 this.start();
             }
@@ -158,6 +165,28 @@ class Judge {
         this.waiting.forEach(({ reject }) => reject(new Error(why)));
         this.waiting.clear();
         this.start();
+    }
+}
+
+// The judge of pictures. One that is asked for a new picture while judging an old one is
+// replaced.
+class Judge extends Asked {
+    static PATIENCE = 60000;
+
+    constructor() {
+        super(judging, judgeModule);
+    }
+
+    get choices() {
+        return this.started;
+    }
+
+    async judge(question) {
+        await this.started;
+        if (this.waiting.size > 0) {
+            this.start();
+        }
+        return this.within(Judge.PATIENCE, "judge", question);
     }
 
     inspect(column, row) {

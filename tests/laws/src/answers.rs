@@ -55,6 +55,27 @@ impl Answers {
         }
     }
 
+    /// What the functions of a program answer, as its chapter has them. What becomes of a hit
+    /// is not asked where the picture is wrong already.
+    pub fn of(program: &Program) -> Self {
+        let kinds = [
+            Answered::<Decided>::of,
+            Answered::<Case>::of,
+            Answered::<WithInterval>::of,
+            Answered::<Recorded>::of,
+            Answered::<World>::of,
+            Answered::<Looking>::of,
+            Answered::<Traced<1>>::of_color,
+            Answered::<Traced<2>>::of_color,
+            Answered::<Traced<3>>::of_color,
+            Answered::<Traced<4>>::of_color,
+            Answered::<Traced<5>>::of_color,
+        ];
+        Self {
+            kinds: kinds.iter().filter_map(|of| of(program)).collect(),
+        }
+    }
+
     /// Whether nothing was answered.
     pub fn is_empty(&self) -> bool {
         self.kinds.is_empty()
@@ -236,7 +257,26 @@ struct Answered<Q: Question> {
     answers: Vec<(Q, Q::Answer)>,
 }
 
+impl<const CHAPTER: usize> Answered<Traced<CHAPTER>> {
+    /// What a `ray_color` answers that looks right.
+    fn of_color(program: &Program) -> Option<Box<dyn Kind>> {
+        let color = |ray: &Ray| program.ray_color(ray);
+        let is_asked = Traced::<CHAPTER>::is_of(program) && Traced::<CHAPTER>::looks_right(&color);
+        is_asked.then(|| Self::of(program))?
+    }
+}
+
 impl<Q: Question> Answered<Q> {
+    /// What a program of a chapter that has such a function answers.
+    fn of(program: &Program) -> Option<Box<dyn Kind>> {
+        let answered = |question: Q| {
+            let answer = question.answer_of(program);
+            (question, answer)
+        };
+        let answers = || Q::telling().into_iter().map(answered).collect();
+        Q::is_of(program).then(|| Box::new(Self { answers: answers() }) as _)
+    }
+
     /// The answers of this kind in the text, up to the first that can't be read.
     fn read(text: &str) -> Option<Box<dyn Kind>> {
         let of_kind = |line: &str| {
@@ -262,7 +302,7 @@ impl<Q: Question> Kind for Answered<Q> {
     }
 
     fn is_in(&self, program: &Program) -> bool {
-        Q::CHAPTERS.contains(&program.chapter)
+        Q::is_of(program)
     }
 
     fn asked(&self) -> usize {

@@ -59,6 +59,11 @@ pub trait Question: Clone + Debug + Send + Sync + 'static {
         false
     }
 
+    /// Whether the program's chapter has such a function.
+    fn is_of(program: &Program) -> bool {
+        Self::CHAPTERS.contains(&program.chapter)
+    }
+
     /// The program that answers rightly.
     fn right_program() -> Program {
         let [.., latest] = Self::CHAPTERS else {

@@ -5,6 +5,7 @@ mod dragged;
 mod driver;
 mod judged;
 mod painted;
+mod typing;
 
 use std::fs;
 use std::path::Path;

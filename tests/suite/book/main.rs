@@ -11,6 +11,7 @@ mod interpreted;
 mod lesson;
 mod live;
 mod typed;
+mod typing;
 mod weave;
 
 /// The answers to the exercises of the book, which shows them.

@@ -9,5 +9,6 @@ mod needs_command;
 mod start;
 #[cfg(unix)]
 mod terminal;
+mod typed;
 #[cfg(unix)]
 mod watch;

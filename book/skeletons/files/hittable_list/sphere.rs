@@ -9,8 +9,10 @@ pub struct Sphere {
 impl Sphere {
     /// A sphere; a negative `radius` counts as 0.
     pub fn new(center: Point3, radius: f64) -> Self {
-        let radius = radius.max(0.0);
-        Self { center, radius }
+        Self {
+            center,
+            radius: radius.max(0.0),
+        }
     }
 }
 

@@ -1,0 +1,231 @@
+//! What the editor of a page calls, compiled to WebAssembly: texts in; pixels and words out.
+//!
+//! [`typed`] reads and draws what a reader types, [`laws`] ask its functions, and [`check`]
+//! says what it has come to, in the words that `watch` has for the same crate. Here these only
+//! become HTML. It is one module, because two of them that talk to each other would both bring
+//! the mistakes and the chapters along, and a reader who types loads all of it. `.ci/live`
+//! builds the module that a page loads when its editor is opened.
+
+#[cfg(target_family = "wasm")]
+mod exports;
+pub mod home;
+pub mod next;
+
+use check::evidence::Known;
+use check::html;
+use check::names::companion;
+use check::reading::Reading;
+use check::report::escaped;
+use check::scene::Scene;
+use check::sources::Sources;
+use check::verdict;
+use check::whole::{Evidence, Laws, Line, Verdict};
+use common::rtweekend::*;
+use laws::Trial;
+use laws::answers::Answers;
+use slips::{Chapter, Letters, Program, Slip, steps};
+use typed::Fault;
+
+/// What a reader has typed, by the names of the files.
+pub struct Text {
+    /// The chapter that it is to be.
+    pub chapter: Chapter,
+    /// Names and texts.
+    pub files: Vec<(String, String)>,
+}
+
+/// What is said of a text.
+#[derive(Debug, Default)]
+pub struct Said {
+    /// The places that it is about: file and line, and from which to which column.
+    pub places: Vec<[usize; 4]>,
+    /// A line of HTML, to be announced.
+    pub headline: String,
+    /// The rest, as HTML.
+    pub rest: String,
+}
+
+impl Text {
+    /// The text of a chapter with nothing in its functions.
+    pub fn skeleton(chapter: Chapter) -> Self {
+        let files = skeletons::plain(chapter).into_iter();
+        Self {
+            chapter,
+            files: files.map(|(name, text)| (name.to_owned(), text)).collect(),
+        }
+    }
+
+    /// The chapter's own text, in the files of the skeleton.
+    pub fn full(chapter: Chapter) -> Self {
+        let own = |name: &str| chapter.files().iter().find(|(it, _)| *it == name);
+        let files = Self::skeleton(chapter).files.into_iter();
+        let full = files.map(|(name, text)| {
+            let text = own(&name).map_or(text, |(_, full)| (*full).to_owned());
+            (name, text)
+        });
+        Self {
+            chapter,
+            files: full.collect(),
+        }
+    }
+
+    /// Reads it, or says what keeps it from being a program.
+    ///
+    /// # Errors
+    /// What a compiler would complain of.
+    pub fn read(&self) -> Result<typed::Program, Said> {
+        // The root comes first, and is typed last.
+        let files = self.files.iter();
+        let mut files: Vec<_> = files.map(|(name, text)| (&name[..], &text[..])).collect();
+        files.rotate_right(1);
+        typed::read(&files).map_err(|faults| self.not_compiled(&faults))
+    }
+
+    /// Draws what was read.
+    ///
+    /// # Errors
+    /// What stops the program.
+    pub fn draw(&self, program: &typed::Program, width: u32) -> Result<Picture, Said> {
+        program.draw(width).map_err(|fault| self.stopped(&fault))
+    }
+
+    /// What the picture, the laws and the typed lines come to.
+    pub fn verdict(&self, program: &'static typed::Program, picture: &Picture) -> Verdict {
+        let scene = Scene::new(self.chapter, None).expect("without a probe it is a scene");
+        let mut asked = Program {
+            code: Some(program),
+            ..Program::right(self.chapter)
+        };
+        if let Some([t_min, t_max]) = program.range(&Ray::new(Point3::ZERO, Vec3::NEG_Z)) {
+            (asked.t_min, asked.t_max) = (t_min, t_max);
+        }
+        let laws = laws_of(&asked);
+        let answers = Answers::of(&asked);
+        let unlike = |program: &Program| answers.unlike(program, MOST_UNLIKE);
+        let can_be_made =
+            |slip: &Slip| slip.can_be_made_in(Letters::Rust) && slip.is_in_a_chapter();
+        let known = Known {
+            letters: Some(Letters::Rust),
+            can_be_made: Some(&can_be_made),
+            sources: Sources::of_chapter(self.files.clone(), self.chapter),
+            answers: laws.is_some().then_some(&unlike),
+            warnings: program.warnings.clone(),
+            steps: vec![false; steps::of(self.chapter).len()],
+        };
+        let evidence = Evidence {
+            scene: &scene,
+            known: &known,
+            laws: laws.as_ref(),
+            watch: &|probe| {
+                let probe = probe.map_or("", |probe| probe.name);
+                let name = self.chapter.name();
+                format!("{} watch {name} --probe {probe}, at home", companion())
+            },
+            start: &|_| "on its page".to_owned(),
+        };
+        let reading = Reading::of(picture);
+        evidence.of(verdict::judge(&scene, &reading, 0, &known))
+    }
+
+    fn not_compiled(&self, faults: &[Fault]) -> Said {
+        let place = |fault: &Fault| self.place(fault).map_or(String::new(), |it| it + "  ");
+        let line = |fault: &Fault| {
+            let parts = [&fault.message, &fault.label, &fault.help].map(String::as_str);
+            let said: Vec<&str> = parts.into_iter().filter(|it| !it.is_empty()).collect();
+            Line::Printed(place(fault) + &said.join(": "))
+        };
+        let first = faults.iter().take(MOST_FAULTS).map(line).collect();
+        Said {
+            places: faults.iter().filter_map(|it| self.columns(it)).collect(),
+            ..Said::of(&Verdict::not_compiled(faults.len(), first))
+        }
+    }
+
+    fn stopped(&self, fault: &Fault) -> Said {
+        let place = self.place(fault);
+        let verdict = match (fault.message.starts_with(NOT_WRITTEN), &place) {
+            (true, Some(place)) => Verdict::not_written(self.chapter, place),
+            _ => Verdict {
+                headline: format!(
+                    "It stopped{}: {}.",
+                    place.map_or(String::new(), |place| format!(" at {place}")),
+                    fault.message
+                ),
+                next: fault.help.clone(),
+                ..Verdict::default()
+            },
+        };
+        Said {
+            places: self.columns(fault).into_iter().collect(),
+            ..Said::of(&verdict)
+        }
+    }
+
+    /// As rustc names a place: file, line and column, from 1.
+    fn place(&self, fault: &Fault) -> Option<String> {
+        let [file, line, column, _] = self.columns(fault)?;
+        let (name, _) = &self.files[file];
+        Some(format!("{name}:{line}:{}", column + 1))
+    }
+
+    /// The file as it is typed, the line from 1, and the columns from 0.
+    fn columns(&self, fault: &Fault) -> Option<[usize; 4]> {
+        let place = fault.place.as_ref()?;
+        let all = self.files.len();
+        let file = (place.file + all - 1) % all;
+        Some([file, place.line, place.columns.start, place.columns.end])
+    }
+}
+
+/// What a panic says that comes of `todo!()`.
+const NOT_WRITTEN: &str = "not yet implemented";
+/// So many faults are told; more of them come from the first.
+const MOST_FAULTS: usize = 5;
+/// After so many answers that a program would not give, no more are counted.
+const MOST_UNLIKE: usize = 60;
+/// A tree is walked a hundred times as slowly as a compiled program runs.
+const CASES: u32 = 100;
+
+/// Whether the laws hold for what a program computes, if it hits something.
+fn laws_of(program: &Program) -> Option<Laws> {
+    let trial = Trial {
+        cases: CASES,
+        ..Trial::of(program.chapter)
+    };
+    let broken = trial
+        .intersection(program)
+        .and_then(|()| trial.rest(program));
+    (program.chapter > Chapter::Gradient).then(|| match broken {
+        Ok(()) => Laws::Obeyed,
+        Err(report) => Laws::Broken(Laws::reported(&report.to_string()).unwrap_or_default()),
+    })
+}
+
+impl Said {
+    /// A verdict as HTML.
+    pub fn of(verdict: &Verdict) -> Self {
+        let class = if verdict.is_right { "right" } else { "wrong" };
+        let mut rest = String::new();
+        let mut rows: Vec<(&str, &str)> = Vec::new();
+        for line in &verdict.cause {
+            match line {
+                Line::Labeled(label, text) => rows.push((label, text)),
+                Line::Printed(text) => {
+                    rest += &format!("<p class=\"printed\">{}</p>", escaped(text));
+                }
+            }
+        }
+        if !verdict.next.is_empty() {
+            rows.push(("next", &verdict.next));
+        }
+        let read: String = verdict.read.iter().map(|slip| html::read(slip)).collect();
+        Self {
+            places: Vec::new(),
+            headline: format!(
+                "<strong class=\"{class}\">{}</strong>",
+                escaped(&verdict.headline)
+            ),
+            rest: rest + &html::list(&rows) + &read,
+        }
+    }
+}

@@ -1,0 +1,500 @@
+// The editor of a chapter: its listing becomes a text to type, with the picture beside it and
+// the answer below. No request leaves the page: what reads, draws and judges is in it.
+//
+// The text is a plain `textarea` that nothing is drawn in: its colors and the lines below
+// faults are two layers behind it. So whoever listens, has a phone or a language of their own
+// has the field that they know; undo, search and selection are the browser's; and nothing is
+// loaded for it. Ace, which mdBook would bring, weighs as much as all of Rust here and is a
+// labyrinth to a screen reader; CodeMirror would have to be built.
+
+"use strict";
+
+// After so many milliseconds without a letter the text is drawn, and judged.
+const PAUSE = 150;
+const LONG_PAUSE = 800;
+// Longer than that no text is read, and above that none is colored. No chapter has 8 kB.
+const MOST_LETTERS = 100000;
+const MOST_COLORED = 20000;
+// In milliseconds. The interpreter counts steps and names a loop without end long before.
+const PATIENCE = 2000;
+const LONG_PATIENCE = 30000;
+// What judges keeps every program that it has seen.
+const JUDGED_BY_ONE = 100;
+
+// The answers of a worker that reads and draws, or judges.
+function typing(rust, { bytes, text, give }) {
+    const asked = (fields) => give(fields.join("\0"));
+
+    // Where it is, what it is, and more.
+    function said() {
+        const [places, headline, ...rest] = text(rust.length()).split("\n");
+        const numbers = (place) => place.split(" ").map(Number);
+        return { places: places ? places.split("\t").map(numbers) : [], headline, rest: rest.join("\n") };
+    }
+
+    return {
+        start: () => null,
+        begin({ chapter }) {
+            asked([chapter]);
+            return text(rust.begin()).split("\0");
+        },
+        draw({ fields, width }) {
+            asked(fields);
+            const height = rust.read() && rust.draw(width);
+            return height ? { width, height, rgba: bytes(rust.picture()).slice() } : { said: said() };
+        },
+        judge({ fields, width }) {
+            asked(fields);
+            if (rust.read() && rust.draw(width)) {
+                rust.judge();
+            }
+            return said();
+        },
+        next({ fields }) {
+            asked(fields);
+            return text(rust.next_line()).split("\t");
+        },
+        home({ fields, number }) {
+            asked(fields);
+            return bytes(rust.take_home(number)).slice();
+        },
+    };
+}
+
+class Editor {
+    // The worker that draws, and the one that judges, are there for all chapters of a page.
+    static drawing = null;
+    static judging = null;
+
+    // The listing at whose place the reader types.
+    constructor(listing, chapter, name, width) {
+        this.listing = listing;
+        this.name = name;
+        this.width = width;
+        this.turn = 0;
+        this.judged = 0;
+        Editor.drawing ??= new Asked(typing, typedModule);
+        Editor.judging ??= new Asked(typing, typedModule);
+        this.desk = document.createElement("section");
+        this.desk.className = "check typing alive";
+        this.desk.setAttribute("aria-label", `Chapter ${chapter}, typed by you`);
+        this.desk.innerHTML = DESK.replaceAll("NAME", name);
+        this.desk.addEventListener("click", (event) => this.click(event));
+        this.dialog = this.desk.querySelector("dialog");
+        this.verdict = this.desk.querySelector(".verdict");
+        this.rest = this.desk.querySelector(".rest");
+        this.yours = this.desk.querySelector("canvas");
+        this.opened = this.open();
+    }
+
+    async open() {
+        const fields = await Editor.drawing.within(LONG_PATIENCE, "begin", { chapter: this.name });
+        const steps = fields.pop();
+        this.files = [];
+        for (let n = 0; n < fields.length; n += 3) {
+            const [name, skeleton, full] = fields.slice(n, n + 3);
+            this.files.push(new TypedFile(this, name, skeleton, full));
+        }
+        this.desk.querySelector(".files").append(...this.files.map((it) => it.panel));
+        this.desk.querySelector(".names").append(...this.files.map((it) => it.choice));
+        this.desk.querySelector(".names").hidden = this.files.length === 1;
+        this.desk.querySelector(".steps").append(...steps.split("\n").map(withCode));
+        const kept = this.kept();
+        this.files.forEach((file) => file.put(kept[file.name] ?? file.skeleton));
+        this.choose(this.files[0]);
+        this.show();
+    }
+
+    // In the place of the listing.
+    show() {
+        this.listing.hidden = true;
+        this.listing.before(this.desk);
+        this.chosen.area.focus();
+        this.changed();
+    }
+
+    close() {
+        this.keep();
+        this.desk.remove();
+        this.listing.hidden = false;
+        this.listing.querySelector("button.type").focus();
+    }
+
+    // What was typed before, by the names of the files. Its key has a version: another form of
+    // it would have another key.
+    get key() {
+        return `typed 1 ${this.name}`;
+    }
+
+    kept() {
+        try {
+            return JSON.parse(localStorage.getItem(this.key)) ?? {};
+        } catch {
+            return {};
+        }
+    }
+
+    keep() {
+        const texts = Object.fromEntries(this.files.map((file) => [file.name, file.area.value]));
+        let isKept = true;
+        try {
+            localStorage.setItem(this.key, JSON.stringify(texts));
+        } catch {
+            isKept = false;
+        }
+        this.desk.querySelector(".unkept").hidden = isKept;
+    }
+
+    choose(file) {
+        this.chosen = file;
+        this.files.forEach((it) => { it.panel.hidden = it !== file; });
+        file.choice.querySelector("input").checked = true;
+    }
+
+    // The chapter, and the name and the text of each file.
+    fields() {
+        const files = this.files.flatMap((file) => [file.name, file.area.value.replaceAll("\0", "")]);
+        return [this.name, ...files];
+    }
+
+    // Draws after a pause, and judges after a longer one.
+    changed() {
+        const turn = ++this.turn;
+        this.desk.ariaBusy = "true";
+        this.files.forEach((file) => file.mark([]));
+        clearTimeout(this.waiting);
+        this.waiting = setTimeout(() => this.run(turn), PAUSE);
+    }
+
+    async run(turn) {
+        this.keep();
+        const start = performance.now();
+        const said = await this.try(turn);
+        if (turn !== this.turn) {
+            return;
+        }
+        if (said) {
+            this.say(said, true);
+            return;
+        }
+        await new Promise((done) => setTimeout(done, LONG_PAUSE - (performance.now() - start)));
+        if (turn === this.turn) {
+            this.judge(turn);
+        }
+    }
+
+    // Reads the text and draws it, small and then as the book has it. Returns what is said of a
+    // text that is no program, or that stops.
+    async try(turn) {
+        const fields = this.fields();
+        if (fields.join("").length > MOST_LETTERS) {
+            return refusal("So long a text is not read here.");
+        }
+        try {
+            for (const [width, patience] of [[this.width / 2, PATIENCE], [this.width, LONG_PATIENCE]]) {
+                const drawn = await Editor.drawing.within(patience, "draw", { fields, width });
+                if (drawn.said || turn !== this.turn) {
+                    return drawn.said;
+                }
+                this.paint(drawn);
+            }
+            return null;
+        } catch (error) {
+            return refusal(gaveUp(error));
+        }
+    }
+
+    paint({ width, height, rgba }) {
+        [this.yours.width, this.yours.height] = [width, height];
+        const data = new ImageData(new Uint8ClampedArray(rgba.buffer), width, height);
+        this.yours.getContext("2d").putImageData(data, 0, 0);
+    }
+
+    async judge(turn) {
+        this.judged += 1;
+        if (this.judged % JUDGED_BY_ONE === 0 || Editor.judging.waiting.size > 0) {
+            Editor.judging.start();
+        }
+        const question = { fields: this.fields(), width: this.width };
+        const judged = Editor.judging.within(LONG_PATIENCE, "judge", question);
+        const said = await judged.catch((error) => refusal(gaveUp(error)));
+        if (turn === this.turn) {
+            this.say(said);
+        }
+    }
+
+    say({ places, headline, rest }, isOld = false) {
+        this.desk.classList.toggle("old", isOld);
+        if (this.verdict.innerHTML !== headline) {
+            this.verdict.innerHTML = headline;
+        }
+        this.rest.innerHTML = rest;
+        // Where a line of the text is named, a button leads there.
+        for (const told of this.rest.querySelectorAll("code, .printed")) {
+            this.lead(told);
+        }
+        this.files.forEach((file, n) => file.mark(places.filter(([of]) => of === n)));
+        this.desk.ariaBusy = "false";
+    }
+
+    lead(told) {
+        const [place, name, line, column = 1] = told.textContent.match(/^(src\/\w+\.rs):(\d+)(?::(\d+))?/) ?? [];
+        const file = this.files.find((it) => it.name === name);
+        if (file) {
+            const button = document.createElement("button");
+            button.type = "button";
+            button.className = "place";
+            button.textContent = place;
+            button.addEventListener("click", () => {
+                this.choose(file);
+                file.go(line - 1, column - 1);
+            });
+            told.firstChild.textContent = told.textContent.slice(place.length);
+            told.prepend(button);
+        }
+    }
+
+    async click({ target }) {
+        const action = target.dataset?.action;
+        if (action === "again") {
+            this.dialog.showModal();
+        } else if (action === "empty" || action === "stay") {
+            this.dialog.close();
+            action === "empty" && this.replace((file) => file.skeleton);
+        } else if (action === "full") {
+            this.replace((file) => file.full);
+        } else if (action === "hint" || action === "next") {
+            this.help(action === "next", await Editor.drawing.within(PATIENCE, "next", { fields: this.fields() }));
+        } else if (action === "home") {
+            this.takeHome();
+        } else if (action === "close") {
+            this.close();
+        }
+    }
+
+    replace(text) {
+        this.files.forEach((file) => file.replace(text(file)));
+        this.chosen.area.focus();
+    }
+
+    // Tells how the next line begins, or types it.
+    help(isTyped, [n, above, isLast, line]) {
+        const file = this.files[n];
+        if (!line) {
+            this.say(refusal("Every line of the chapter is there."));
+            return;
+        }
+        this.choose(file);
+        if (isTyped) {
+            file.insert(Number(above), line, isLast === "1");
+        } else {
+            file.go(Number(above), 0);
+            const begins = line.trim().split(/\s+/).slice(0, 2).join(" ");
+            this.say(refusal(`The next line goes above line ${Number(above) + 1} of ${file.name}, and begins with ${begins}`));
+        }
+    }
+
+    async takeHome() {
+        const question = { fields: this.fields(), number: Math.floor(Math.random() * 2 ** 53) };
+        const archive = await Editor.drawing.within(PATIENCE, "home", question);
+        const link = document.createElement("a");
+        link.href = URL.createObjectURL(new Blob([archive], { type: "application/x-tar" }));
+        link.download = `${this.name}.tar`;
+        link.click();
+        URL.revokeObjectURL(link.href);
+        this.desk.querySelector(".home").hidden = false;
+    }
+}
+
+// A file of the reader's: its text, and behind it the layers of colors and faults.
+class TypedFile {
+    constructor(editor, name, skeleton, full) {
+        Object.assign(this, { editor, name, skeleton, full });
+        this.choice = document.createElement("label");
+        this.choice.innerHTML = `<input type="radio" name="file ${editor.name}"> `;
+        this.choice.append(name);
+        this.choice.addEventListener("change", () => editor.choose(this));
+        this.panel = document.createElement("div");
+        this.panel.className = "text";
+        this.panel.innerHTML = PANEL;
+        [this.colors, this.faults] = this.panel.querySelectorAll("pre");
+        this.area = this.panel.querySelector("textarea");
+        this.area.ariaLabel = name;
+        this.area.setAttribute("aria-describedby", `said-${editor.name}`);
+        this.area.addEventListener("input", () => this.changed());
+        this.area.addEventListener("keydown", (event) => this.press(event));
+    }
+
+    put(text) {
+        this.area.value = text;
+        this.color();
+    }
+
+    changed() {
+        this.color();
+        this.editor.changed();
+    }
+
+    // So that the browser can undo it.
+    replace(text, [start, end] = [0, this.area.value.length]) {
+        if (this.area.value.slice(start, end) !== text) {
+            const { hidden } = this.panel;
+            this.panel.hidden = false;
+            this.area.focus();
+            this.area.setSelectionRange(start, end);
+            document.execCommand(text ? "insertText" : "delete", false, text);
+            this.panel.hidden = hidden;
+        }
+    }
+
+    // A new line keeps the indentation, and a closing brace ends it. Tab leads out of the text,
+    // as it leads out of any field.
+    press(event) {
+        const { value, selectionStart: at } = this.area;
+        if (event.isComposing || event.ctrlKey || event.metaKey || event.altKey) {
+            return;
+        }
+        const before = value.slice(value.lastIndexOf("\n", at - 1) + 1, at);
+        const [indent] = before.match(/^ */);
+        if (event.key === "Enter") {
+            event.preventDefault();
+            document.execCommand("insertText", false, `\n${indent}${/[{([]\s*$/.test(before) ? "    " : ""}`);
+        } else if (event.key === "}" && indent.length >= 4 && before === indent) {
+            event.preventDefault();
+            this.area.setSelectionRange(at - 4, this.area.selectionEnd);
+            document.execCommand("insertText", false, "}");
+        }
+    }
+
+    color() {
+        const { value } = this.area;
+        this.panel.classList.toggle("long", value.length > MOST_LETTERS);
+        const code = this.colors.firstChild;
+        if (value.length > MOST_LETTERS) {
+            code.textContent = "";
+        } else if (value.length > MOST_COLORED) {
+            code.textContent = value;
+        } else {
+            code.innerHTML = hljs.highlight("rust", value, true).value;
+        }
+    }
+
+    // The lines as they begin, in letters of the text.
+    starts() {
+        const starts = [0];
+        for (let at = this.area.value.indexOf("\n"); at >= 0; at = this.area.value.indexOf("\n", at + 1)) {
+            starts.push(at + 1);
+        }
+        return starts;
+    }
+
+    // Columns are counted in characters, and a text in halves of the long ones.
+    range(line, from, to) {
+        const start = this.starts()[line] ?? this.area.value.length;
+        const [text] = this.area.value.slice(start).split("\n", 1);
+        const letters = [...text];
+        const length = (count) => letters.slice(0, count).join("").length;
+        return [start + length(from), start + length(to)];
+    }
+
+    // Underlines these places: file, line and columns.
+    mark(places) {
+        const { value } = this.area;
+        this.area.ariaInvalid = String(places.length > 0);
+        const ranges = places.map(([, line, from, to]) => this.range(line - 1, from, Math.max(to, from + 1)));
+        ranges.sort(([one], [other]) => one - other);
+        const parts = [];
+        let done = 0;
+        for (const [start, end] of ranges.filter(([start]) => start >= done)) {
+            const mark = document.createElement("mark");
+            mark.textContent = value.slice(start, end) || " ";
+            parts.push(value.slice(done, start), mark);
+            done = Math.max(end, done);
+        }
+        this.faults.replaceChildren(...parts);
+    }
+
+    go(line, column) {
+        this.area.focus();
+        this.area.setSelectionRange(...this.range(line, column, column));
+    }
+
+    // Types a line above that one, or in its place.
+    insert(line, text, isInstead) {
+        const [start, end] = this.range(line, 0, isInstead ? Infinity : 0);
+        const isAtEnd = start === this.area.value.length;
+        this.replace(isInstead ? text : isAtEnd ? `\n${text}` : `${text}\n`, [start, end]);
+        this.area.setSelectionRange(start + text.length, start + text.length);
+    }
+}
+
+const refusal = (words) => {
+    const said = document.createElement("p");
+    said.textContent = words;
+    return { places: [], headline: said.innerHTML, rest: "" };
+};
+
+function gaveUp({ message }) {
+    return message === "it takes too long"
+        ? "It did not end in time. Does every loop end, and every function that calls itself?"
+        : "This text is more than this page can take: it is nested too deeply, or needs too much memory.";
+}
+
+// What stands between backticks is code.
+function withCode(says) {
+    const item = document.createElement("li");
+    says.split("`").forEach((part, n) => {
+        const code = document.createElement("code");
+        code.textContent = part;
+        item.append(n % 2 ? code : part);
+    });
+    return item;
+}
+
+const PANEL = `<pre aria-hidden="true"><code class="hljs"></code></pre><pre class="faults" aria-hidden="true"></pre>
+<textarea spellcheck="false" autocapitalize="off" autocomplete="off" autocorrect="off" wrap="off"></textarea>`;
+
+const DESK = `<fieldset class="names"><legend>File</legend></fieldset>
+<div class="sides">
+<div class="files"></div>
+<div class="beside">
+<div class="pictures">
+<figure><canvas role="img" aria-label="Your picture"></canvas><figcaption>yours</figcaption></figure>
+<figure><img src="pictures/NAME.snap.png" alt="The right picture"><figcaption>what it should be</figcaption></figure>
+</div>
+<p class="verdict" role="status" id="said-NAME"></p>
+<div class="rest"></div>
+</div>
+</div>
+<p class="unkept" hidden>This browser keeps nothing for this page: take your text home before you leave.</p>
+<div class="home" hidden><p>Unpack it in the folder of the workspace: nothing that is there is written over.</p>
+<pre><code>tar -xkf NAME.tar
+cargo rtrace watch NAME</code></pre></div>
+<p class="controls">
+<button type="button" data-action="hint">Hint</button>
+<button type="button" data-action="next">Show the next line</button>
+<button type="button" data-action="full">Show all of it</button>
+<button type="button" data-action="again">Start again</button>
+<button type="button" data-action="home">Take it home</button>
+<button type="button" data-action="close">Close</button>
+</p>
+<dialog aria-label="Start again"><p>Begin with empty functions? What you have typed goes; undo (Ctrl+Z) brings it back.</p>
+<p class="controls"><button type="button" data-action="empty">Start again</button>
+<button type="button" data-action="stay">Keep it</button></p></dialog>
+<details><summary>The steps</summary><ol class="steps"></ol></details>
+<p class="small">What you type is kept in this browser, and nowhere else. Whether values are moved or borrowed
+rightly is not checked here: cargo does.</p>`;
+
+// The editors that were opened on this page, by their chapters.
+const editors = {};
+
+// Opens the editor of a chapter in the place of a listing of it.
+async function openEditor(listing, chapter, name) {
+    const editor = editors[name] ??= new Editor(listing, chapter, name, name === "build_test" ? 256 : 400);
+    await editor.opened;
+    if (!editor.desk.isConnected || editor.listing !== listing) {
+        editor.listing.hidden = false;
+        editor.listing = listing;
+        editor.show();
+    }
+}
