@@ -199,7 +199,10 @@ pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
 }
 
 fn edition_parser() -> impl TypedValueParser<Value = Edition> {
-    PossibleValuesParser::new(Edition::ALL.map(Edition::name)).map(|name| {
+    // Version 1 in both precisions has one name.
+    let mut names = Edition::ALL.map(Edition::name).to_vec();
+    names.dedup();
+    PossibleValuesParser::new(names).map(|name| {
         let is_it = |edition: &Edition| edition.name() == name;
         let edition = Edition::ALL.into_iter().find(is_it);
         edition.expect("only names of editions are accepted")

@@ -482,7 +482,7 @@ fn what_nothing_known_draws_is_described() {
         (
             Chapter::HittableList,
             banded.run(160).picture(),
-            "Only the sky is wrong",
+            "Where spheres should be all is right",
         ),
         (
             Chapter::Gradient,

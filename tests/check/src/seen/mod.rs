@@ -87,10 +87,14 @@ impl View<'_> {
                 "All that is wrong lies in one place in the sky: is there another sphere?"
                     .to_owned(),
             ),
-            (_, 0) => Some("Only what is hit is wrong; the sky is right.".to_owned()),
-            (0, _) => Some("Only the sky is wrong; what is hit is right.".to_owned()),
+            (_, 0) => {
+                Some("Only where spheres should be is anything wrong; the sky is right.".to_owned())
+            }
+            (0, _) => Some(
+                "Where spheres should be all is right; only beside them it is wrong.".to_owned(),
+            ),
             _ if share < 0.03 && self.wrong.iter().all(|&n| self.is_at_rim(n)) => {
-                Some("Only the rim of what is hit is wrong.".to_owned())
+                Some("Only the rim of the spheres is wrong.".to_owned())
             }
             _ => None,
         }

@@ -33,7 +33,7 @@ impl View<'_> {
             Chapter::BuildTest => "the picture",
             _ => "the sky",
         };
-        for (name, places) in [(background, sky), ("what is hit", spheres)] {
+        for (name, places) in [(background, sky), ("what should be spheres", spheres)] {
             for (channel, color) in ["red", "green", "blue"].into_iter().enumerate() {
                 tints.extend(
                     self.tint(&places, channel)
