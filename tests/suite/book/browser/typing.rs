@@ -62,7 +62,7 @@ fn a_chapter_is_typed_in_its_page() {
         // What was there can be had again, after a visit too.
         browser.press(&[CONTROL, 'z']);
         let kept = browser.evaluate(TEXT);
-        browser.evaluate(&format!("new Promise((done) => setTimeout(done, 500))"));
+        browser.evaluate("new Promise((done) => setTimeout(done, 500))");
         browser.open(&woven().join("normals.html"), "");
         browser.evaluate("document.querySelector('button.type').click()");
         self::said(browser);
