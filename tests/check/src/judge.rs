@@ -82,21 +82,9 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
         }
     }
     let mut found = search.found;
-    drop_what_explains_little(&mut found, &evidence.scene);
     found.sort_by(|one, other| one.bits().total_cmp(&other.bits()));
     simplest_first(&mut found);
     Judgement { found, unknown }
-}
-
-/// Nothing is said that leaves one in twenty of the wrong pixels, but for some odd ones.
-fn drop_what_explains_little(found: &mut Vec<Explanation>, scene: &Scene) {
-    let is_right = |it: &&Explanation| it.slips.is_empty() && is_same(&it.scene, scene);
-    let wrong = found.iter().filter(is_right).map(|it| it.left.far).min();
-    found.retain(|it| {
-        let is_plain = !it.slips.is_empty() && it.but.is_empty();
-        let explains = Some(20 * it.left.far) <= wrong || it.left.bits < WORTH_A_SEARCH;
-        !is_plain || explains
-    });
 }
 
 /// Puts first what has the shortest name of all that leave the same noise: lengths of

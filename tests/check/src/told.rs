@@ -6,7 +6,7 @@ use slips::{Probe, Slip};
 
 use crate::evidence::Known;
 use crate::scene::Scene;
-use crate::sources::{Line, Unlike, is_same_line};
+use crate::sources::{Line, Unlike};
 use crate::verdict::{Finding, Set};
 use crate::words::names_of;
 
@@ -14,10 +14,8 @@ use crate::words::names_of;
 pub type Row = (&'static str, String);
 
 /// So many mistakes are told that explain all there is. What more of them draw is the
-/// picture of many things, some of which nobody knows: then lines are told where one is.
-pub(crate) const TOLD: usize = 3;
-/// So many lines.
-const LINES: usize = 6;
+/// picture of many things, some of which nobody knows.
+pub(crate) const TOLD: usize = 4;
 /// So many warnings of a compiler.
 const WARNINGS: usize = 2;
 
@@ -34,12 +32,8 @@ impl Finding {
         };
         rows.extend(match &mistakes[..] {
             [] => self.unexplained(known),
-            [(set, mistake)] if !self.is_vague => in_full(mistake, label, &set.scene, known),
-            several => [
-                unlike(&self.scene, known),
-                self.in_short(several, label, known),
-            ]
-            .concat(),
+            [(set, mistake)] => in_full(mistake, label, &set.scene, known),
+            several => [unlike(&self.scene, known), in_short(several, label, known)].concat(),
         });
         let sights = self.sights.iter().filter(|_| !mistakes.is_empty());
         let mut seen = sights.map(|sight| ("seen", sight.clone()));
@@ -49,8 +43,7 @@ impl Finding {
 
     /// What tells the mistakes apart, with the command that judges a probe's picture.
     pub fn how_to_tell(&self, command: impl Fn(Probe) -> String) -> Option<String> {
-        let several = |set: &&Set| set.mistakes.len() > 1 && !self.is_vague;
-        let set = self.sets.first().filter(several)?;
+        let set = self.sets.first().filter(|set| set.mistakes.len() > 1)?;
         let Some(telling) = &set.telling else {
             return Some("look for each: no probe tells them apart".to_owned());
         };
@@ -74,32 +67,6 @@ impl Finding {
             .iter()
             .flat_map(|set| set.mistakes.iter().map(move |it| (set, &it[..])))
             .collect()
-    }
-
-    /// What each says instead of the right line; of many the right lines.
-    fn in_short(
-        &self,
-        mistakes: &[(&Set, &[&'static Slip])],
-        label: &'static str,
-        known: &Known,
-    ) -> Vec<Row> {
-        let is_vague = self.is_vague;
-        let mut said: Vec<String> = Vec::new();
-        for (set, mistake) in mistakes {
-            let words = mistake.iter().map(|slip| known.words(slip, &set.scene));
-            let lines = words.map(|it| if is_vague { it.right } else { it.wrong });
-            let lines = lines.collect::<Vec<_>>().join("; ");
-            let line = match names_of(mistake) {
-                names if is_vague || names == lines => lines,
-                names => format!("{lines}  ({names})"),
-            };
-            if !said.iter().any(|other| is_same_line(other, &line)) {
-                said.push(line);
-            }
-        }
-        let first = if is_vague { "look at" } else { label };
-        let labels = iter::once(first).chain(iter::repeat(if is_vague { "and" } else { "or" }));
-        labels.zip(said).take(LINES).collect()
     }
 
     /// What is not as the chapter has it, and what can be seen.
@@ -158,6 +125,38 @@ fn in_full(
         lines.chain(why.map(|why| ("why", why.to_owned())))
     });
     unlike.into_iter().chain(rows).collect()
+}
+
+/// What each says instead of the right line.
+fn in_short(mistakes: &[(&Set, &[&'static Slip])], label: &'static str, known: &Known) -> Vec<Row> {
+    let mut said: Vec<(String, String)> = Vec::new();
+    for (set, mistake) in mistakes {
+        let wrong = mistake.iter();
+        let wrong: Vec<_> = wrong
+            .map(|slip| known.words(slip, &set.scene).wrong)
+            .collect();
+        let wrong = wrong.join("; ");
+        if said.iter().all(|(other, _)| *other != wrong) {
+            said.push((wrong, names_of(mistake)));
+        }
+    }
+    let labels = iter::once(label).chain(iter::repeat("or"));
+    let mut rows: Vec<Row> = labels
+        .zip(said.iter().take(TOLD))
+        .map(|(label, (wrong, names))| match names == wrong {
+            true => (label, wrong.clone()),
+            false => (label, format!("{wrong}  ({names})")),
+        })
+        .collect();
+    let others: Vec<&str> = said
+        .iter()
+        .skip(TOLD)
+        .map(|(_, names)| names.as_str())
+        .collect();
+    if !others.is_empty() {
+        rows.push(("also", others.join("; ")));
+    }
+    rows
 }
 
 impl fmt::Display for Line {

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 
 use common::rtweekend::Picture;
-use slips::{Chapter, Edition, Letters, Slip};
+use slips::{Edition, Slip};
 
 use crate::bits::Left;
 use crate::comparison::{Comparison, Difference};
@@ -12,7 +12,6 @@ use crate::explanations::{But, Conversion, Degradation, Explanation};
 use crate::judge::{Judgement, is_same, shortest};
 use crate::reading::{self, Cause, Reading};
 use crate::scene::Scene;
-use crate::sources::{Said, is_same_line};
 use crate::telling::{self, Telling};
 use crate::told::TOLD;
 use crate::{causes, seen};
@@ -95,8 +94,6 @@ pub struct Finding {
     pub sets: Vec<Set>,
     /// What can be seen, where nothing known explains it.
     pub sights: Vec<String>,
-    /// Whether so much draws it that lines are told, and no mistake in them.
-    pub(crate) is_vague: bool,
     /// Whether the few lines that are not as the chapter has them explain it.
     pub is_typed: bool,
     /// Whether it explains all answers of the reader's functions, too.
@@ -273,23 +270,15 @@ impl Finding {
         };
         // Noise at edges tells no slip from what is right.
         let is_noisy = is_right && !best.left.is_one_by_one;
-        // One color everywhere is the picture of many things: where there are files, a line
-        // in them has to say which.
-        let is_found = |it: &Explanation| {
-            let mut said = it.slips.iter().map(|slip| known.said(slip, &it.scene));
-            said.any(|said| said == Said::Wrong)
-        };
-        let is_anything = reading.is_plain() && !known.sources.is_empty() && !is_found(best);
         let sets = match is_known && !is_noisy {
             true => sets(&judgement),
             false => Vec::new(),
         };
         let told: usize = sets.iter().map(|set| set.mistakes.len()).sum();
-        let is_vague = told > TOLD || is_anything;
-        let is_sure = best.slips.len() < 2 && !is_vague && !reading.is_plain();
+        let is_vague = best.slips.len() > 1 || told > TOLD || reading.is_plain();
         let sights = match (is_known, &best.seen) {
             (true, Some(seen)) => vec![seen.clone()],
-            (true, None) if is_sure => Vec::new(),
+            (true, None) if !is_vague => Vec::new(),
             (false, _) if is_typed => Vec::new(),
             (_, _) => seen::sights(&compared, reading),
         };
@@ -315,7 +304,6 @@ impl Finding {
             }),
             sets,
             sights,
-            is_vague,
             is_typed,
             is_answered: known.is_answered_by(&best.scene.unchanged().program(&best.slips)),
             lead: judgement.lead(),
@@ -370,7 +358,7 @@ impl Judgement {
         let is_like = |it: &&Explanation| {
             it.mark == explaining.mark
                 && is_same(&it.scene, &explaining.scene)
-                && are_alike(&it.slips, &explaining.slips, it.scene.chapter)
+                && are_alike(&it.slips, &explaining.slips)
         };
         let like = self.found.iter().filter(is_like);
         like.map(|it| it.scene.edition).collect()
@@ -397,16 +385,11 @@ fn sets(judgement: &Judgement) -> Vec<Set> {
     for it in told.filter(|it| !it.slips.is_empty()) {
         match sets.iter_mut().find(|(mark, _)| *mark == it.mark) {
             Some((_, set)) => {
-                let chapter = set.scene.chapter;
-                let mut known = set.mistakes.iter_mut();
-                match known.find(|other| are_alike(other, &it.slips, chapter)) {
-                    // Of two that are the same, one has a name and a reason.
-                    Some(known) if it.slips.iter().all(|slip| !slip.name.is_empty()) => {
-                        known.clone_from(&it.slips);
-                    }
-                    Some(_) => {}
-                    None => set.mistakes.push(it.slips.clone()),
-                }
+                let is_new = set
+                    .mistakes
+                    .iter()
+                    .all(|other| !are_alike(other, &it.slips));
+                set.mistakes.extend(is_new.then(|| it.slips.clone()));
             }
             None => sets.push((
                 it.mark,
@@ -432,13 +415,9 @@ fn sets(judgement: &Judgement) -> Vec<Set> {
     sets
 }
 
-/// Whether they are the same mistakes, or changes of the same line of the chapter.
-fn are_alike(one: &[&'static Slip], other: &[&'static Slip], chapter: Chapter) -> bool {
-    let line = |slip: &Slip| slip.words(Letters::Rust, chapter).right;
-    let are_alike = |(one, other): (&&Slip, &&Slip)| {
-        let are_named = !one.name.is_empty() && !other.name.is_empty();
-        std::ptr::eq(*one, *other) || !are_named && is_same_line(&line(one), &line(other))
-    };
+/// Whether they are the same mistakes, or changes of the same line of a chapter.
+fn are_alike(one: &[&'static Slip], other: &[&'static Slip]) -> bool {
+    let are_alike = |(one, other): (&&Slip, &&Slip)| one.is_alike(other);
     one.len() == other.len() && one.iter().zip(other).all(are_alike)
 }
 

@@ -3,8 +3,7 @@
 use super::right::{by_editions, shape, steps};
 use super::{Conversion, Evidence, Hypothesis};
 use crate::mutants;
-use crate::sources::Said;
-use ::slips::{Edition, Slip};
+use ::slips::Edition;
 
 /// One of some hundred slips, where one program in two has one.
 pub(super) const ONE: f64 = 8.0;
@@ -41,24 +40,18 @@ pub(crate) fn single(evidence: &Evidence) -> Vec<Hypothesis> {
 /// stand.
 const MUTANT: f64 = 11.0;
 
-/// One of the few dozen expressions of a reader's that are not the chapter's.
-const TYPED: f64 = 6.0;
-
 /// The chapter's own text with one change that the catalogue doesn't know.
 pub(crate) fn mutants(evidence: &Evidence) -> impl Iterator<Item = Hypothesis> {
     let scene = evidence.scene;
-    let right = by_editions(evidence, scene, 0.0).into_iter();
+    let right = by_editions(evidence, scene, MUTANT).into_iter();
     // They are made of version 4.
     let is_plain = scene.probe.is_none() && scene.edition == Edition::V4;
     let right = right.filter(move |_| is_plain).take(1);
     right.flat_map(move |right| {
-        let typed = mutants::typed(scene.chapter, &evidence.known.sources).into_iter();
-        let all = mutants::of(scene.chapter).iter().map(|slip| (slip, MUTANT));
-        let all = typed.map(|slip| (slip, TYPED)).chain(all);
-        let all = all.filter(|(slip, _)| evidence.may_be_wrong(slip));
-        all.map(move |(slip, name)| Hypothesis {
+        let mutants = mutants::of(scene.chapter).iter();
+        let mutants = mutants.filter(|slip| evidence.may_be_wrong(slip));
+        mutants.map(move |slip| Hypothesis {
             slips: vec![slip],
-            name: right.name + name,
             ..right.clone()
         })
     })
@@ -74,20 +67,13 @@ fn with_a_slip(evidence: &Evidence, right: &Hypothesis, name: f64) -> Vec<Hypoth
     evidence.slips(&right.scene).map(with).collect()
 }
 
-/// Programs with two slips. Many pairs draw a picture by chance: where files are known, one
-/// of the two is in them.
+/// Programs with two slips.
 pub(crate) fn two(evidence: &Evidence) -> impl Iterator<Item = Hypothesis> {
     scenes(evidence).into_iter().flat_map(|right| {
         let slips: Vec<_> = evidence.slips(&right.scene).collect();
-        let is_found = |slip: &&Slip| {
-            let known = evidence.known;
-            known.sources.is_empty() || known.said(slip, &right.scene) == Said::Wrong
-        };
-        let is_found: Vec<bool> = slips.iter().map(is_found).collect();
         let pairs: Vec<_> = (0..slips.len())
-            .flat_map(|n| (n + 1..slips.len()).map(move |other| (n, other)))
-            .filter(|&(n, other)| is_found[n] || is_found[other])
-            .map(|(n, other)| vec![slips[n], slips[other]])
+            .flat_map(|n| slips[n + 1..].iter().map(move |&other| (n, other)))
+            .map(|(n, other)| vec![slips[n], other])
             .collect();
         pairs.into_iter().map(move |slips| Hypothesis {
             slips,

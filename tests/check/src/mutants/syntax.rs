@@ -346,13 +346,9 @@ impl<'a> Parser<'a> {
         let text = self.next()?;
         match text {
             "(" => {
-                let mut nodes = self.several(")")?;
-                match nodes.len() {
-                    1 => nodes.pop(),
-                    // A vector in the words of no language.
-                    3 => Some(Node::Call(Callee::Vector, nodes)),
-                    _ => None,
-                }
+                let node = self.expression()?;
+                self.expect(")")?;
+                Some(node)
             }
             "[" => Some(Node::Several(self.several("]")?)),
             "if" => self.condition(),
@@ -372,18 +368,7 @@ impl<'a> Parser<'a> {
             name = format!("{name}::{}", self.next()?);
         }
         if self.takes("(") {
-            let mut given = self.several(")")?;
-            return match Callee::of(&name) {
-                Some(callee) => Some(Node::Call(callee, given)),
-                // A method is a function elsewhere.
-                None => {
-                    let method = Member::of(&name)?;
-                    (!given.is_empty()).then(|| {
-                        let of = Box::new(given.remove(0));
-                        Node::Method(method, of, given)
-                    })
-                }
-            };
+            return Some(Node::Call(Callee::of(&name)?, self.several(")")?));
         }
         if matches!(first, "HitRecord" | "Self") && may_be_struct && self.takes("{") {
             let fields = self.fields()?;

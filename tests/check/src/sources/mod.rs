@@ -4,15 +4,12 @@
 //! and how a language declares a variable don't matter.
 
 mod alignment;
-mod expressions;
 mod tokens;
-mod variants;
 
 use slips::{Chapter, Words};
 
 use alignment::Pair;
 use tokens::{Token, is_name, tokens};
-pub(crate) use variants::Variant;
 
 /// What a reader wrote, and the chapter as it should be.
 #[derive(Clone, Debug, Default)]
@@ -43,6 +40,8 @@ pub struct Unlike {
     pub chapter: String,
     /// Whether the chapter has a line there that the reader has not.
     pub is_missing: bool,
+    /// How many tokens more the chapter has there.
+    more: isize,
 }
 
 /// What a reader's files say of a slip.
@@ -66,7 +65,7 @@ struct Snippet {
 #[derive(Clone, Debug)]
 struct File {
     name: String,
-    text: String,
+    lines: Vec<String>,
     tokens: Vec<Token>,
 }
 
@@ -76,7 +75,7 @@ impl Sources {
     pub fn new(yours: Vec<(String, String)>, chapter: Vec<(String, String)>) -> Self {
         let files = |files: Vec<(String, String)>| {
             let files = files.into_iter();
-            files.map(|(name, text)| File::new(name, text)).collect()
+            files.map(|(name, text)| File::new(name, &text)).collect()
         };
         let mut sources = Self {
             yours: files(yours),
@@ -202,19 +201,10 @@ impl Sources {
         }
     }
 
-    /// Whether it is as long as the chapter, right or wrong, but for less than a statement.
+    /// Whether all that the chapter has is there, line by line, right or wrong.
     pub(crate) fn is_written(&self) -> bool {
-        let length = |file: &File| {
-            file.functions()
-                .iter()
-                .map(|(_, it)| it.len())
-                .sum::<usize>()
-        };
-        !self.chapter.is_empty()
-            && self.chapter.iter().all(|chapter| {
-                let mut yours = self.yours.iter().filter(|it| it.name == chapter.name);
-                yours.any(|yours| length(yours) + STATEMENT > length(chapter))
-            })
+        let more: isize = self.unlike.iter().map(|it| it.more).sum();
+        !self.chapter.is_empty() && more < STATEMENT
     }
 
     /// Functions that have the same name in files of the same name.
@@ -233,14 +223,8 @@ impl Sources {
     }
 }
 
-/// Whether two lines of any language say the same.
-pub(crate) fn is_same_line(one: &str, other: &str) -> bool {
-    let [one, other] = [one, other].map(|line| tokens(line.trim_end_matches(';')).into_iter());
-    one.map(|it| it.text).eq(other.map(|it| it.text))
-}
-
 /// So many tokens are a statement.
-const STATEMENT: usize = 6;
+const STATEMENT: isize = 6;
 /// Signs before and after a part of a formula.
 const GOES_ON: [&str; 10] = ["+", "-", "*", "/", "<", ">", ".", "and", "&", "|"];
 
@@ -268,13 +252,12 @@ fn value(snippet: &[Token]) -> &[Token] {
 }
 
 impl File {
-    fn new(name: String, text: String) -> Self {
-        let text = match name.ends_with(".py") || name.ends_with(".rs") {
-            true => text,
-            false => with_brackets(&text),
-        };
-        let tokens = tokens(&text);
-        Self { name, text, tokens }
+    fn new(name: String, text: &str) -> Self {
+        Self {
+            name,
+            lines: text.lines().map(str::to_owned).collect(),
+            tokens: tokens(text),
+        }
     }
 
     /// The line on which these tokens begin, with other names for the free ones.
@@ -304,13 +287,7 @@ impl File {
         Line {
             file: self.name.clone(),
             number: line + 1,
-            text: self
-                .text
-                .lines()
-                .nth(line)
-                .unwrap_or_default()
-                .trim()
-                .to_owned(),
+            text: self.lines[line].trim().to_owned(),
         }
     }
 
@@ -334,31 +311,6 @@ impl File {
         };
         starts.filter_map(function).collect()
     }
-}
-
-/// What C++ makes in braces as it is made in brackets.
-fn with_brackets(text: &str) -> String {
-    let mut open = Vec::new();
-    let mut before = String::new();
-    for letter in text.chars() {
-        let is_value = || {
-            let ends_with = |c: char| c.is_alphanumeric() || ",(={".contains(c);
-            let last = before.trim_end();
-            before.ends_with(ends_with)
-                || last.ends_with([',', '(', '='])
-                || last.ends_with("return")
-        };
-        let letter = match letter {
-            '{' => {
-                open.push(is_value());
-                if is_value() { '(' } else { letter }
-            }
-            '}' if open.pop() == Some(true) => ')',
-            _ => letter,
-        };
-        before.push(letter);
-    }
-    before
 }
 
 /// Whether the tokens are the same, but for names that stand for the free ones.

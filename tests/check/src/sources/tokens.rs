@@ -5,21 +5,8 @@
 #[derive(Clone, Debug)]
 pub(super) struct Token {
     pub(super) text: String,
-    /// How the program spells it.
-    pub(super) own: String,
     /// The line, from 0.
     pub(super) line: usize,
-}
-
-impl Token {
-    /// One that no program has in this place.
-    pub(super) fn new(text: &str, line: usize) -> Self {
-        Self {
-            text: text.to_owned(),
-            own: text.to_owned(),
-            line,
-        }
-    }
 }
 
 /// Without comments, and without what a language needs and an idea does not: `let`, empty
@@ -42,23 +29,14 @@ pub(super) fn tokens(text: &str) -> Vec<Token> {
                 rest.next_if(|it| it.text == "new");
             }
             ("]", _) if is_component(&tokens) => component(&mut tokens),
-            ("2", _) if ends_with(&tokens, &["*", "*"]) => {
-                tokens.pop();
-                let start = operand(&tokens[..tokens.len() - 1]);
-                tokens.extend_from_within(start..tokens.len() - 1);
-            }
             (_, "(") if ends_with(&tokens, &["."]) && is_function(&token.text) => {
                 rest.next();
                 let is_empty = rest.next_if(|it| it.text == ")").is_some();
                 call(&mut tokens, token, is_empty);
             }
             (")", _) => {
-                // A record that is filled is what is returned elsewhere.
-                if ends_with(&tokens, &[",", "rec"]) {
-                    tokens.truncate(tokens.len() - 2);
-                }
                 tokens.push(token);
-                for shorter in [interval, reciprocal, ones, bracketed] {
+                for shorter in [reciprocal, ones, bracketed] {
                     if ends_with(&tokens, &[")"]) {
                         shorter(&mut tokens);
                     }
@@ -76,15 +54,12 @@ pub(super) fn tokens(text: &str) -> Vec<Token> {
 fn words(line: usize, text: &str) -> Vec<Token> {
     let code = text.split("//").next().unwrap_or_default();
     let code = code.split('#').next().unwrap_or_default();
-    let mut code = code
-        .replace("make_shared<sphere>", "sphere")
-        .replace("->", ".");
+    let mut code = code.replace("make_shared<sphere>", "sphere");
     for prefix in ["this->", "std::", "math.", "f64::from", "f64::"] {
         code = code.replace(prefix, "");
     }
     let mut words: Vec<Token> = Vec::new();
     let mut rest = code.trim_start();
-    let mut before = "";
     while let Some(first) = rest.chars().next() {
         let is_word = |c: char| c.is_alphanumeric() || c == '_';
         let is_number = |c: char| is_word(c) || c == '.';
@@ -101,16 +76,13 @@ fn words(line: usize, text: &str) -> Vec<Token> {
             // A vector's own letters have a name before them elsewhere.
             if !matches!(field, "x" | "y" | "z" | "e") {
                 rest = after;
-                before = "self.";
                 continue;
             }
         }
         words.push(Token {
             text: spelled(word, rest).to_owned(),
-            own: format!("{before}{word}"),
             line,
         });
-        before = "";
     }
     words
 }
@@ -122,12 +94,9 @@ fn spelled<'a>(word: &'a str, rest: &str) -> &'a str {
         "infinity" | "inf" => "INFINITY",
         "orig" => "origin",
         "dir" => "direction",
-        "unit_vector" | "normalized" | "unit" => "normalize",
+        "normalize" | "unit_vector" | "normalized" | "unit" => "unit_vector",
         "fabs" => "abs",
         "Sphere" => "sphere",
-        "temp_rec" | "temp" => "rec",
-        "ray_tmin" | "tmin" => "t_min",
-        "ray_tmax" | "tmax" => "t_max",
         "disc" => "discriminant",
         "root" | "sqrt_d" => "sqrtd",
         "vec3" | "Color" | "color" | "Point3" | "point3"
@@ -160,7 +129,7 @@ fn ends_with(tokens: &[Token], end: &[&str]) -> bool {
 fn is_function(name: &str) -> bool {
     let functions = [
         "dot",
-        "normalize",
+        "unit_vector",
         "length",
         "length_squared",
         "sqrt",
@@ -173,9 +142,13 @@ fn is_function(name: &str) -> bool {
 fn call(tokens: &mut Vec<Token>, name: Token, is_empty: bool) {
     tokens.pop();
     let line = name.line;
+    let sign = |text: &str| Token {
+        text: text.to_owned(),
+        line,
+    };
     let start = operand(tokens);
-    tokens.splice(start..start, [name, Token::new("(", line)]);
-    tokens.push(Token::new(if is_empty { ")" } else { "," }, line));
+    tokens.splice(start..start, [name, sign("(")]);
+    tokens.push(sign(if is_empty { ")" } else { "," }));
 }
 
 /// Where the operand begins that the tokens end with: a path, or brackets.
@@ -230,21 +203,21 @@ fn component(tokens: &mut Vec<Token>) {
     if ends_with(tokens, &[".", "e"]) {
         tokens.truncate(tokens.len() - 2);
     }
-    if ends_with(tokens, &["e"]) {
-        tokens.pop();
-        tokens.push(Token::new("self", number.line));
-    }
+    let is_own = ends_with(tokens, &["e"]);
     let letter = ["x", "y", "z"][number.text.parse::<usize>().unwrap_or(0)];
-    tokens.extend([".", letter].map(|sign| Token::new(sign, number.line)));
-}
-
-/// `interval(low, high)` becomes `low, high`.
-fn interval(tokens: &mut Vec<Token>) {
-    let open = opening(tokens);
-    if open > 0 && matches!(&*tokens[open - 1].text, "interval" | "Interval") {
+    if is_own {
         tokens.pop();
-        tokens.drain(open - 1..=open);
     }
+    let line = number.line;
+    let sign = |text: &str| Token {
+        text: text.to_owned(),
+        line,
+    };
+    tokens.extend(
+        [sign("."), sign(letter)]
+            .into_iter()
+            .skip(usize::from(is_own)),
+    );
 }
 
 /// Brackets around a single word that is no argument go.
@@ -273,7 +246,7 @@ fn reciprocal(tokens: &mut Vec<Token>) {
 /// `Vec3(n.x + 1, n.y + 1, n.z + 1)` becomes `(n + Vec3 ONE)`.
 fn ones(tokens: &mut Vec<Token>) {
     let open = opening(tokens);
-    let inside = tokens.get(open + 1..tokens.len() - 1).unwrap_or_default();
+    let inside = &tokens[open + 1..tokens.len() - 1];
     let parts: Vec<&[Token]> = inside.split(|it| it.text == ",").collect();
     let names: Vec<Option<String>> = parts
         .iter()
@@ -295,7 +268,10 @@ fn ones(tokens: &mut Vec<Token>) {
         let line = tokens[open].line;
         let mut sum = tokens[open..open + parts[0].len() - 3].to_vec();
         let rest = ["+", "Vec3", "ONE", ")"];
-        sum.extend(rest.map(|text| Token::new(text, line)));
+        sum.extend(rest.map(|text| Token {
+            text: text.to_owned(),
+            line,
+        }));
         tokens.splice(open - 1.., sum);
     }
 }
