@@ -27,18 +27,23 @@ impl Spread {
         }
     }
 
-    /// The median with no more digits than the numbers agree on, and three at most: one
-    /// in its last place is no less than half the distance of the quartiles.
+    /// The median, rounded to a step of 1, 2 or 5 in some digit: the least that is no less
+    /// than half the distance of the quartiles, and gives three digits at most.
     pub fn agreed(&self) -> f64 {
         let [low, high] = self.quartiles;
-        let first = self.median.log10().floor();
-        let last = (0.5 * (high - low))
-            .log10()
-            .ceil()
-            .clamp(first - 2.0, first);
-        let unit = 10_f64.powf(last);
-        let decimals = (-last).max(0.0) as usize;
-        let text = format!("{:.decimals$}", (self.median / unit).round() * unit);
+        let finest = 10_f64.powf(self.median.log10().floor() - 2.0);
+        let least = (0.5 * (high - low)).max(finest);
+        let digit = least.log10().floor();
+        let place = 10_f64.powf(digit);
+        let step = place
+            * match least / place {
+                ..=1.0 => 1.0,
+                ..=2.0 => 2.0,
+                ..=5.0 => 5.0,
+                _ => 10.0,
+            };
+        let decimals = (-digit).max(0.0) as usize;
+        let text = format!("{:.decimals$}", (self.median / step).round() * step);
         text.parse().expect("it was printed from a number")
     }
 }

@@ -71,9 +71,9 @@ impl Method {
 /// Whether the ray hits within the range is right for every input, and so is the
 /// choice between the two roots.
 ///
-/// Cost: 1 √, 1 ÷, and a few + and × more than `half_b_q`. Some five times that
+/// Cost: 1 √, 1 ÷, and a few + and × more than `half_b_q`. Some ten times as much
 /// where `half_b_q` could decide wrongly, because the sphere is far or the ray
-/// starts on its surface; twenty times that near a tangent; and that of [`exact`] if
+/// starts on its surface; thirty times near a tangent; and that of [`exact`] if
 /// lengths differ by a factor of 2⁶⁷. Error of t: that of `half_b_q`, unless a
 /// later stage was asked. Fails: never. Input that is infinite or NaN is a miss,
 /// and so is every range between whose ends no `f64` lies.
