@@ -177,6 +177,12 @@ impl Drop for Group {
             rustix::process::Pid::from_child(&self.child),
             rustix::process::Signal::KILL,
         );
+        // Windows has no groups; this program of it knows who was started by whom.
+        #[cfg(windows)]
+        if matches!(self.child.try_wait(), Ok(None)) {
+            let id = self.child.id().to_string();
+            let _ = command(&["taskkill", "/f", "/t", "/pid", &id].map(OsString::from)).output();
+        }
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

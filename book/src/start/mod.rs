@@ -147,7 +147,7 @@ impl New {
         }
         let ours = settings::from_crate(folder, workspace);
         let lock = fs::read_to_string(workspace.join("Cargo.lock"));
-        let path = ours.display().to_string();
+        let path = settings::with_slashes(&ours);
         // The standard library asks the system for a random number to seed its hash tables.
         let number = RandomState::new().build_hasher().finish();
         let texts = [

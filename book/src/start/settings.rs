@@ -1,6 +1,6 @@
 //! Settings: the paths that a new crate has in it.
 
-use std::path::{Path, PathBuf};
+use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use std::{fs, io};
 
 use check::workspace::workspace;
@@ -24,9 +24,9 @@ pub(super) fn from_crate(folder: &Path, workspace: &Path) -> PathBuf {
 /// cargo would not put the two together; so there is none where a path has a space in it.
 /// It is read wherever the reader is in the crate, and so its paths are absolute.
 pub(super) fn config(from_crate: &Path, workspace: &Path) -> String {
-    let shared = toml_string(&from_crate.join("target/mine"));
-    let target = format!("[build]\ntarget-dir = {shared}\n");
-    let paths = ["Cargo.toml", "target"].map(|name| workspace.join(name).display().to_string());
+    let shared = with_slashes(&from_crate.join("target/mine"));
+    let target = format!("[build]\ntarget-dir = {shared:?}\n");
+    let paths = ["Cargo.toml", "target"].map(|name| with_slashes(&workspace.join(name)));
     if paths.iter().any(|path| path.contains(char::is_whitespace)) {
         return target;
     }
@@ -74,7 +74,7 @@ pub(super) fn about(chapter: Chapter) -> String {
     about + "\n"
 }
 
-/// The path as TOML quotes it.
-fn toml_string(path: &Path) -> String {
-    format!("{:?}", path.display().to_string())
+/// The path as cargo reads it on every system: a crate may be built on two of them.
+pub(super) fn with_slashes(path: &Path) -> String {
+    path.display().to_string().replace(MAIN_SEPARATOR, "/")
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::env;
 use std::ffi::OsStr;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// `text`, which may be the name of a file, with those characters spelled out that
 /// a terminal obeys instead of showing them, or that turn the order of the others.
@@ -34,7 +34,8 @@ pub fn spelled(name: impl AsRef<OsStr>) -> String {
 pub fn from_here(path: &Path) -> String {
     let here = env::current_dir().ok();
     let below = here.and_then(|here| path.strip_prefix(here).ok());
-    spelled(below.unwrap_or(path))
+    // Put together anew, it has one kind of slash between folders.
+    spelled(below.unwrap_or(path).components().collect::<PathBuf>())
 }
 
 /// The name by which the companion can be called again: `cargo rtrace` if cargo runs the

@@ -5,11 +5,8 @@ use std::path::Path;
 
 use insta::assert_snapshot;
 use slips::Chapter;
-use suite::command::{
-    assert_success, picture_in, program_with, rtrace_alone, run, text, transcript, woven,
-};
+use suite::command::{picture_in, program_with, rtrace_alone, transcript, woven};
 use suite::drawn::p3;
-use tempfile::TempDir;
 
 #[test]
 fn a_chapter_explains_itself_when_asked_and_when_misunderstood() {
@@ -52,10 +49,12 @@ fn the_companion_explains_itself_when_asked_and_when_misunderstood() {
     ]));
 }
 
-/// A terminal obeys some characters, and others turn the order of letters.
+/// A terminal obeys some characters, and others turn the order of letters. On Windows no
+/// file can be called so.
+#[cfg(unix)]
 #[test]
 fn names_are_shown_and_not_obeyed() {
-    let here = TempDir::new().expect("a folder");
+    let here = tempfile::TempDir::new().expect("a folder");
     let odd = "\u{1b}[31m\u{9b}\u{202e}\u{200f}é";
     let [png, ppm, below] = ["odd.png", "odd.ppm", "/a.ppm"].map(|end| format!("{odd}{end}"));
     let mut commands = [
@@ -110,7 +109,9 @@ fn open_hands_the_picture_to_the_viewer() {
     use std::os::unix::fs::PermissionsExt;
     use std::time::{Duration, Instant};
 
-    let here = TempDir::new().expect("a folder");
+    use suite::command::{assert_success, run, text};
+
+    let here = tempfile::TempDir::new().expect("a folder");
     let [viewer, seen, picture] =
         ["xdg-open", "seen", "picture.png"].map(|name| here.path().join(name));
     let script = format!(

@@ -1,12 +1,12 @@
 //! What `cargo rtrace hit` says.
 
 use std::io::{BufRead, BufReader, Write};
-use std::process::{Child, Command, Output, Stdio};
+use std::process::{Child, Output, Stdio};
 
 use insta::assert_snapshot;
 use speed_vs_accuracy::{METHODS, Precision, REGIMES};
 
-use suite::command::{assert_success, path_of, program_with, run, text};
+use suite::command::{assert_success, program_with, run, text};
 use suite::random::Random;
 
 mod one_ray {
@@ -234,8 +234,10 @@ mod a_file {
     fn assert_limited(shell: &str, words: &str) {
         let writer = shell.replace("HEAD", HEAD);
         let script = format!("{{ {writer}; }} | {{ ulimit -v 60000; exec \"$0\" \"$@\"; }}");
-        let mut command = Command::new("sh");
-        command.args(["-c", &script]).arg(path_of("rtrace"));
+        let mut command = std::process::Command::new("sh");
+        command
+            .args(["-c", &script])
+            .arg(suite::command::path_of("rtrace"));
         command.args(["hit", "--method", "half_b", "--csv", "-"]);
         let output = run(&mut command);
         let said = text(&output.stderr);

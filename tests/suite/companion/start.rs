@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use common::rtweekend::Picture;
 use insta::assert_snapshot;
@@ -169,7 +168,7 @@ fn what_is_private_stays_private_and_what_is_no_file_stays_where_it_is() {
     )
     .expect("it is typed");
     symlink(".", lib.with_file_name("itself")).expect("a link");
-    let pipe = Command::new("mkfifo")
+    let pipe = std::process::Command::new("mkfifo")
         .arg(lib.with_file_name("pipe"))
         .status();
     assert!(pipe.expect("mkfifo starts").success());
