@@ -10,6 +10,7 @@ use std::cmp::Reverse;
 use slips::{Letters, Program, Slip, Unseen, Words};
 
 use crate::explanations::{Degradation, Hypothesis};
+use crate::mutants;
 use crate::reading::Reading;
 use crate::scene::Scene;
 use crate::sources::{Line, Said, Sources, Unlike};
@@ -68,6 +69,7 @@ impl Known<'_> {
         let found = found.filter(hides);
         let mut found: Vec<_> = found.collect();
         found.sort_by_key(|slip| Reverse(slip.reports()));
+        found.extend(mutants::hidden(scene.chapter, &self.sources));
         found
     }
 

@@ -7,7 +7,7 @@ use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
     But, Degradation, Explanation, Hypothesis, Places, TWO, antialiased, degradations, in_colors,
-    mutants, on_a_curve, own_spheres, right, single, turned, two,
+    mutants, on_a_curve, own_spheres, right, single, turned, two, typed,
 };
 use crate::scene::{Chosen, Scene};
 use ::slips::Edition;
@@ -77,14 +77,27 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     if !search.is_degraded(unknown) {
         search.add_changed(&rights, &likeliest);
         if !search.is_antialiased(unknown) {
-            search.add_mutants(&drawn);
+            search.add_changes(typed, &drawn);
+            search.add_changes(mutants, &drawn);
             search.add_pairs();
         }
     }
     let mut found = search.found;
+    drop_what_explains_little(&mut found, &evidence.scene);
     found.sort_by(|one, other| one.bits().total_cmp(&other.bits()));
     simplest_first(&mut found);
     Judgement { found, unknown }
+}
+
+/// Nothing is said that leaves one in twenty of the wrong pixels, but for some odd ones.
+fn drop_what_explains_little(found: &mut Vec<Explanation>, scene: &Scene) {
+    let is_right = |it: &&Explanation| it.slips.is_empty() && is_same(&it.scene, scene);
+    let wrong = found.iter().filter(is_right).map(|it| it.left.far).min();
+    found.retain(|it| {
+        let is_plain = !it.slips.is_empty() && it.but.is_empty();
+        let explains = Some(20 * it.left.far) <= wrong || it.left.bits < WORTH_A_SEARCH;
+        !is_plain || explains
+    });
 }
 
 /// Puts first what has the shortest name of all that leave the same noise: lengths of
@@ -186,7 +199,7 @@ impl Search<'_> {
     }
 
     /// Changes that nobody has thought of, where nothing else explains it all.
-    fn add_mutants(&mut self, drawn: &[Pixel]) {
+    fn add_changes(&mut self, changes: fn(&Evidence) -> Vec<Hypothesis>, drawn: &[Pixel]) {
         let (evidence, reading) = (self.evidence, self.evidence.reading);
         let enough = match evidence.known.sources.is_empty() {
             true => WELL_EXPLAINED,
@@ -203,7 +216,7 @@ impl Search<'_> {
         // A single change that is found has to explain most of what is left.
         let most = (self.best().bits() / 4.0).max(WELL_EXPLAINED);
         let places = Places::new(reading, Some(drawn), PEEK);
-        let near = mutants(evidence).filter_map(|it| {
+        let near = changes(evidence).into_iter().filter_map(|it| {
             let length = it.estimated(reading, &places, most)?;
             Some((length, it))
         });
@@ -213,7 +226,7 @@ impl Search<'_> {
         let weighed = near.into_iter().map(|(_, it)| evidence.weighed(it));
         let places = Places::new(reading, Some(drawn), GLANCE);
         let some = likeliest(evidence, weighed, &places, most);
-        let some: Vec<Hypothesis> = some.into_iter().map(|(_, it)| it).collect();
+        let some = some.into_iter().map(|(_, it)| it).take(FEWER);
         self.add(some, Some(drawn), f64::INFINITY);
     }
 

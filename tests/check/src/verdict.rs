@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 
 use common::rtweekend::Picture;
-use slips::{Edition, Slip};
+use slips::{Chapter, Edition, Letters, Slip};
 
 use crate::bits::Left;
 use crate::comparison::{Comparison, Difference};
@@ -12,6 +12,7 @@ use crate::explanations::{But, Conversion, Degradation, Explanation};
 use crate::judge::{Judgement, is_same, shortest};
 use crate::reading::{self, Cause, Reading};
 use crate::scene::Scene;
+use crate::sources::is_same_line;
 use crate::telling::{self, Telling};
 use crate::told::TOLD;
 use crate::{causes, seen};
@@ -358,7 +359,7 @@ impl Judgement {
         let is_like = |it: &&Explanation| {
             it.mark == explaining.mark
                 && is_same(&it.scene, &explaining.scene)
-                && are_alike(&it.slips, &explaining.slips)
+                && are_alike(&it.slips, &explaining.slips, it.scene.chapter)
         };
         let like = self.found.iter().filter(is_like);
         like.map(|it| it.scene.edition).collect()
@@ -385,11 +386,16 @@ fn sets(judgement: &Judgement) -> Vec<Set> {
     for it in told.filter(|it| !it.slips.is_empty()) {
         match sets.iter_mut().find(|(mark, _)| *mark == it.mark) {
             Some((_, set)) => {
-                let is_new = set
-                    .mistakes
-                    .iter()
-                    .all(|other| !are_alike(other, &it.slips));
-                set.mistakes.extend(is_new.then(|| it.slips.clone()));
+                let chapter = set.scene.chapter;
+                let mut known = set.mistakes.iter_mut();
+                match known.find(|other| are_alike(other, &it.slips, chapter)) {
+                    // Of two that are the same, one has a name and a reason.
+                    Some(known) if it.slips.iter().all(|slip| !slip.name.is_empty()) => {
+                        known.clone_from(&it.slips);
+                    }
+                    Some(_) => {}
+                    None => set.mistakes.push(it.slips.clone()),
+                }
             }
             None => sets.push((
                 it.mark,
@@ -415,9 +421,13 @@ fn sets(judgement: &Judgement) -> Vec<Set> {
     sets
 }
 
-/// Whether they are the same mistakes, or changes of the same line of a chapter.
-fn are_alike(one: &[&'static Slip], other: &[&'static Slip]) -> bool {
-    let are_alike = |(one, other): (&&Slip, &&Slip)| one.is_alike(other);
+/// Whether they are the same mistakes, or changes of the same line of the chapter.
+fn are_alike(one: &[&'static Slip], other: &[&'static Slip], chapter: Chapter) -> bool {
+    let line = |slip: &Slip| slip.words(Letters::Rust, chapter).right;
+    let are_alike = |(one, other): (&&Slip, &&Slip)| {
+        let are_named = !one.name.is_empty() && !other.name.is_empty();
+        std::ptr::eq(*one, *other) || !are_named && is_same_line(&line(one), &line(other))
+    };
     one.len() == other.len() && one.iter().zip(other).all(are_alike)
 }
 

@@ -221,14 +221,6 @@ impl Slip {
         }
     }
 
-    /// Whether it is the same slip, or another change in the same line of a chapter's text.
-    pub fn is_alike(&self, other: &Self) -> bool {
-        match (self.code, other.code) {
-            (Some(_), Some(_)) => self.words.right == other.words.right,
-            _ => std::ptr::eq(self, other),
-        }
-    }
-
     /// What there is to say of it to someone who made it in that chapter.
     pub fn words(&self, letters: Letters, chapter: Chapter) -> Words {
         let own = |wanted: Letters| {

@@ -31,7 +31,7 @@ pub(crate) use degraded::degradations;
 pub use degraded::{Degradation, Filter, Quality};
 pub(crate) use places::{Places, spread};
 pub(crate) use right::right;
-pub(crate) use slips::{TWO, mutants, single, two};
+pub(crate) use slips::{TWO, mutants, single, two, typed};
 pub(crate) use spheres::own_spheres;
 pub(crate) use turned::turned;
 

@@ -3,7 +3,8 @@
 use super::right::{by_editions, shape, steps};
 use super::{Conversion, Evidence, Hypothesis};
 use crate::mutants;
-use ::slips::Edition;
+use crate::sources::Said;
+use ::slips::{Edition, Slip};
 
 /// One of some hundred slips, where one program in two has one.
 pub(super) const ONE: f64 = 8.0;
@@ -40,21 +41,39 @@ pub(crate) fn single(evidence: &Evidence) -> Vec<Hypothesis> {
 /// stand.
 const MUTANT: f64 = 11.0;
 
+/// One of the few dozen expressions of a reader's that are not the chapter's.
+const TYPED: f64 = 6.0;
+
 /// The chapter's own text with one change that the catalogue doesn't know.
-pub(crate) fn mutants(evidence: &Evidence) -> impl Iterator<Item = Hypothesis> {
+pub(crate) fn mutants(evidence: &Evidence) -> Vec<Hypothesis> {
+    changed(evidence, mutants::of(evidence.scene.chapter), MUTANT)
+}
+
+/// The chapter's own text with an expression as the reader has it.
+pub(crate) fn typed(evidence: &Evidence) -> Vec<Hypothesis> {
+    let typed = mutants::typed(evidence.scene.chapter, &evidence.known.sources);
+    changed(evidence, typed, TYPED)
+}
+
+fn changed(
+    evidence: &Evidence,
+    changes: impl IntoIterator<Item = &'static Slip>,
+    name: f64,
+) -> Vec<Hypothesis> {
     let scene = evidence.scene;
-    let right = by_editions(evidence, scene, MUTANT).into_iter();
     // They are made of version 4.
     let is_plain = scene.probe.is_none() && scene.edition == Edition::V4;
-    let right = right.filter(move |_| is_plain).take(1);
-    right.flat_map(move |right| {
-        let mutants = mutants::of(scene.chapter).iter();
-        let mutants = mutants.filter(|slip| evidence.may_be_wrong(slip));
-        mutants.map(move |slip| Hypothesis {
-            slips: vec![slip],
-            ..right.clone()
-        })
-    })
+    let mut right = by_editions(evidence, scene, name).into_iter();
+    let Some(right) = right.next().filter(|_| is_plain) else {
+        return Vec::new();
+    };
+    let changes = changes.into_iter();
+    let changes = changes.filter(|slip| evidence.may_be_wrong(slip));
+    let with = |slip| Hypothesis {
+        slips: vec![slip],
+        ..right.clone()
+    };
+    changes.map(with).collect()
 }
 
 /// The right program with each slip that can be made in it.
@@ -67,13 +86,20 @@ fn with_a_slip(evidence: &Evidence, right: &Hypothesis, name: f64) -> Vec<Hypoth
     evidence.slips(&right.scene).map(with).collect()
 }
 
-/// Programs with two slips.
+/// Programs with two slips. Many pairs draw a picture by chance: where files are known, one
+/// of the two is in them.
 pub(crate) fn two(evidence: &Evidence) -> impl Iterator<Item = Hypothesis> {
     scenes(evidence).into_iter().flat_map(|right| {
         let slips: Vec<_> = evidence.slips(&right.scene).collect();
+        let is_found = |slip: &&Slip| {
+            let known = evidence.known;
+            known.sources.is_empty() || known.said(slip, &right.scene) == Said::Wrong
+        };
+        let is_found: Vec<bool> = slips.iter().map(is_found).collect();
         let pairs: Vec<_> = (0..slips.len())
-            .flat_map(|n| slips[n + 1..].iter().map(move |&other| (n, other)))
-            .map(|(n, other)| vec![slips[n], other])
+            .flat_map(|n| (n + 1..slips.len()).map(move |other| (n, other)))
+            .filter(|&(n, other)| is_found[n] || is_found[other])
+            .map(|(n, other)| vec![slips[n], slips[other]])
             .collect();
         pairs.into_iter().map(move |slips| Hypothesis {
             slips,

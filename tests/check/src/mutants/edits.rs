@@ -4,6 +4,7 @@ use std::collections::{BTreeSet, HashSet};
 use std::ops::Range;
 
 use super::syntax::{Token, tokens};
+use crate::sources::Variant;
 
 /// A text with one place changed.
 pub(super) struct Edit {
@@ -382,6 +383,17 @@ fn dropped_lines(text: &str) -> Vec<Change> {
 }
 
 impl Edit {
+    /// An expression of the reader's in the text.
+    pub(super) fn from(text: &str, variant: Variant) -> Self {
+        let mut changed = text.to_owned();
+        changed.replace_range(variant.at, &variant.with);
+        Self {
+            text: changed,
+            wrong: variant.wrong,
+            right: variant.right,
+        }
+    }
+
     fn new(text: &str, at: Range<usize>, with: &str) -> Self {
         let mut changed = text.to_owned();
         changed.replace_range(at.clone(), with);

@@ -2,17 +2,21 @@
 //! number or sign changed.
 //!
 //! The catalogue knows the mistakes that people have made. These are those that nobody
-//! has thought of: each is a slip without a name, said in the line of the chapter.
+//! has thought of: each is a slip without a name, said in the line of the chapter. Where a
+//! reader's files are known, their expressions are tried in the chapter's places first.
 
 mod edits;
 mod run;
 mod syntax;
 
-use std::sync::{Arc, LazyLock};
+use std::borrow::Cow;
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 use common::rtweekend::*;
 use slips::{Ball, Chapter, Hit, Interpreted, Program, Slip, Words};
 
+use crate::sources::Sources;
+use edits::Edit;
 use run::{Machine, Value};
 
 /// The mutants of a chapter.
@@ -45,11 +49,11 @@ pub fn unchanged(chapter: Chapter) -> Program {
 }
 
 /// A function in a source.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct Source {
     /// Its name, a method's with its type.
     name: &'static str,
-    text: &'static str,
+    text: Cow<'static, str>,
     file: &'static str,
     part: Part,
 }
@@ -72,7 +76,7 @@ macro_rules! source {
     ($part:ident: $name:literal, $start:literal, $file:literal) => {
         Source {
             name: $name,
-            text: from(include_str!(concat!("../../../../", $file)), $start),
+            text: from(include_str!(concat!("../../../../", $file)), $start).into(),
             file: $file,
             part: Part::$part,
         }
@@ -137,7 +141,7 @@ fn vectors() -> [Source; 8] {
         ($name:literal) => {
             Source {
                 name: $name,
-                text: from(include_str!("vec3.rs"), concat!("fn ", $name, "(")),
+                text: from(include_str!("vec3.rs"), concat!("fn ", $name, "(")).into(),
                 file: "common/src/vec3.rs",
                 part: Part::Vectors,
             }
@@ -171,7 +175,8 @@ fn from(source: &'static str, start: &str) -> &'static str {
 type Read = (Source, Arc<syntax::Function>);
 
 fn read(source: Source) -> Option<Read> {
-    Some((source, Arc::new(syntax::function(source.text)?)))
+    let function = syntax::function(&source.text)?;
+    Some((source, Arc::new(function)))
 }
 
 impl Machine {
@@ -290,35 +295,144 @@ impl Interpreted for Machine {
     }
 }
 
+/// The chapter and what it takes from the prelude.
+fn sources(chapter: Chapter) -> Vec<Read> {
+    let sources = [functions(chapter), prelude(chapter)].concat();
+    sources.into_iter().filter_map(read).collect()
+}
+
 /// Each mutant of the chapter and of what it takes from the prelude, as a slip.
 fn all(chapter: Chapter) -> Vec<Slip> {
-    let sources = [functions(chapter), prelude(chapter)].concat();
-    let all: Vec<Read> = sources.into_iter().filter_map(read).collect();
+    let all = sources(chapter);
     let mutants = all.iter().flat_map(|(source, _)| {
-        let all = &all;
-        edits(source).into_iter().filter_map(move |edit| {
-            let machine = Machine::with(chapter, all, source, &edit.text)?;
-            let machine: &'static Machine = Box::leak(Box::new(machine));
-            let leaked = |text: String| -> &'static str { Box::leak(text.into_boxed_str()) };
-            let words = Words {
-                wrong: leaked(edit.wrong),
-                right: leaked(edit.right),
-                why: "",
-            };
-            Some(Slip::interpreted(chapter, source.file, words, machine))
-        })
+        let edits = edits(source).into_iter();
+        edits.filter_map(|edit| edit.made_in(chapter, &all, source))
     });
     mutants.collect()
 }
 
+/// The chapter with the way to the center turned round, as older editions have it.
+fn older(mut all: Vec<Read>) -> Vec<Read> {
+    all.retain_mut(|(source, function)| {
+        if source.part != Part::Chapter {
+            return true;
+        }
+        let text = source
+            .text
+            .replace("self.center - ray.origin", "ray.origin - self.center")
+            .replace("center - ray.origin", "ray.origin - center")
+            .replace("-2.0 * ray", "2.0 * ray")
+            .replace("(h ", "(-h ");
+        let read = syntax::function(&text);
+        source.text = text.into();
+        read.map(|read| *function = Arc::new(read)).is_some()
+    });
+    all
+}
+
+/// The chapter with single expressions as the reader has them, in the edition to which the
+/// reader keeps.
+pub(crate) fn typed(chapter: Chapter, yours: &Sources) -> Vec<&'static Slip> {
+    static SEEN: Mutex<Vec<(Chapter, String, Option<&'static Slip>)>> = Mutex::new(Vec::new());
+    let mut seen = SEEN.lock().unwrap_or_else(PoisonError::into_inner);
+    let editions = [older(sources(chapter)), sources(chapter)].map(|all| {
+        let texts: Vec<&str> = all.iter().map(|(source, _)| &*source.text).collect();
+        let (missing, variants) = yours.variants(&texts);
+        (missing, variants, all)
+    });
+    let [older, newest] = editions;
+    let (_, variants, all) = if older.0 < newest.0 { older } else { newest };
+    let variants = variants.into_iter().filter_map(|(n, variant)| {
+        let (source, _) = &all[n];
+        let edit = Edit::from(&source.text, variant);
+        let mut known = seen.iter();
+        let known = known.find(|(of, text, _)| *of == chapter && *text == edit.text);
+        if let Some((.., slip)) = known {
+            return *slip;
+        }
+        let text = edit.text.clone();
+        let slip = edit.made_in(chapter, &all, source);
+        let slip = slip.map(|slip| -> &'static Slip { Box::leak(Box::new(slip)) });
+        seen.push((chapter, text, slip));
+        slip
+    });
+    variants.collect()
+}
+
+/// Those that draw the chapter's picture, and whose functions are others all the same.
+pub(crate) fn hidden(chapter: Chapter, yours: &Sources) -> Vec<&'static Slip> {
+    const WIDTH: u32 = 48;
+    let right = unchanged(chapter);
+    let (picture, answers) = (right.run(WIDTH).picture(), answers(&right));
+    let mut hidden = typed(chapter, yours);
+    hidden.retain(|slip| {
+        let program = slip.program(chapter);
+        program.run(WIDTH).picture() == picture && self::answers(&program) != answers
+    });
+    hidden
+}
+
+/// What the functions answer where no ray of a picture goes, to six digits: roundings are
+/// no mistake.
+fn answers(program: &Program) -> String {
+    let balls = [
+        Ball::new(1.0, 0.0, -1.0, 1.0),
+        Ball::new(0.3, -0.2, -2.0, 0.7),
+        Ball::new(0.1, 0.2, 0.1, 3.0),
+    ];
+    let origins = [Point3::ZERO, Point3::new(0.4, -0.3, 0.2)];
+    let directions = [
+        Vec3::new(0.0, 0.0, -1.0),
+        Vec3::new(0.2, 0.1, -2.0),
+        Vec3::new(-0.3, 0.4, 0.5),
+    ];
+    let rays = origins
+        .into_iter()
+        .flat_map(|origin| directions.map(|direction| Ray::new(origin, direction)));
+    let mut answers = String::new();
+    for ray in rays {
+        answers += &format!("{:.6?}", program.ray_color(&ray));
+        for ball in balls {
+            answers += &match program.chapter {
+                Chapter::HittableList => {
+                    format!("{:.6?}", program.record(ball, &ray, 0.0, f64::INFINITY))
+                }
+                _ => format!("{:.6?}", program.hit_sphere(ball.center, ball.radius, &ray)),
+            };
+        }
+        if program.chapter == Chapter::HittableList {
+            for balls in [balls, [balls[2], balls[1], balls[0]]] {
+                let nearest = program.search_among(balls.into_iter(), &ray, 0.0, f64::INFINITY);
+                answers += &format!("{nearest:.6?}");
+            }
+        }
+    }
+    answers
+}
+
+impl Edit {
+    /// As a slip, if that is another program.
+    fn made_in(self, chapter: Chapter, all: &[Read], source: &Source) -> Option<Slip> {
+        let machine = Machine::with(chapter, all, source, &self.text)?;
+        let machine: &'static Machine = Box::leak(Box::new(machine));
+        let leaked = |text: String| -> &'static str { Box::leak(text.into_boxed_str()) };
+        let words = Words {
+            wrong: leaked(self.wrong),
+            right: leaked(self.right),
+            why: "",
+        };
+        Some(Slip::interpreted(chapter, source.file, words, machine))
+    }
+}
+
 /// What else may be typed for the function. Components of vectors are what a chapter colors.
-fn edits(source: &Source) -> Vec<edits::Edit> {
-    let mut edits = edits::of(source.text);
+fn edits(source: &Source) -> Vec<Edit> {
+    let mut edits = edits::of(&source.text);
     if source.part != Part::Camera {
-        edits.extend(edits::of_names(source.text));
+        edits.extend(edits::of_names(&source.text));
     }
     if source.part == Part::Chapter {
-        edits.extend(edits::of_components(source.text));
+        edits.extend(edits::of_components(&source.text));
     }
     edits
 }

@@ -341,9 +341,9 @@ fn constant(name: &str) -> Result {
         "None" => Ok(Value::Miss),
         "false" => Ok(Value::Bool(false)),
         "true" => Ok(Value::Bool(true)),
-        "f64::INFINITY" => Ok(Value::Number(f64::INFINITY)),
+        "f64::INFINITY" | "INFINITY" => Ok(Value::Number(f64::INFINITY)),
         "Point3::ZERO" => Ok(Value::Vector(Point3::ZERO)),
-        "Vec3::ONE" | "Color::ONE" => Ok(Value::Vector(Vec3::ONE)),
+        "Vec3::ONE" | "Color::ONE" | "ONE" => Ok(Value::Vector(Vec3::ONE)),
         _ => Err(Stop::Nonsense),
     }
 }

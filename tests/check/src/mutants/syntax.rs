@@ -346,9 +346,13 @@ impl<'a> Parser<'a> {
         let text = self.next()?;
         match text {
             "(" => {
-                let node = self.expression()?;
-                self.expect(")")?;
-                Some(node)
+                let mut nodes = self.several(")")?;
+                match nodes.len() {
+                    1 => nodes.pop(),
+                    // A vector in the words of no language.
+                    3 => Some(Node::Call(Callee::Vector, nodes)),
+                    _ => None,
+                }
             }
             "[" => Some(Node::Several(self.several("]")?)),
             "if" => self.condition(),
@@ -368,7 +372,18 @@ impl<'a> Parser<'a> {
             name = format!("{name}::{}", self.next()?);
         }
         if self.takes("(") {
-            return Some(Node::Call(Callee::of(&name)?, self.several(")")?));
+            let mut given = self.several(")")?;
+            return match Callee::of(&name) {
+                Some(callee) => Some(Node::Call(callee, given)),
+                // A method is a function elsewhere.
+                None => {
+                    let method = Member::of(&name)?;
+                    (!given.is_empty()).then(|| {
+                        let of = Box::new(given.remove(0));
+                        Node::Method(method, of, given)
+                    })
+                }
+            };
         }
         if matches!(first, "HitRecord" | "Self") && may_be_struct && self.takes("{") {
             let fields = self.fields()?;

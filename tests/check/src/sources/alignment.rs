@@ -42,7 +42,6 @@ impl<'a> Pair<'a> {
             match unlike.last_mut().filter(|last| last.yours == found.yours) {
                 Some(last) if last.chapter == found.chapter => {
                     last.is_missing |= found.is_missing;
-                    last.more += found.more;
                 }
                 _ => unlike.push(found),
             }
@@ -82,7 +81,6 @@ impl<'a> Pair<'a> {
             yours: self.yours.line(own),
             chapter: self.chapter.line(theirs).text,
             is_missing,
-            more: gap.theirs.len() as isize - gap.own.len() as isize,
         }
     }
 }
@@ -107,10 +105,7 @@ fn essential(tokens: &[Token]) -> Vec<Token> {
             (_, "return" | "else" | "{" | "}" | ";") => {}
             (Some("&"), "&") => {
                 essential.pop();
-                essential.push(Token {
-                    text: "if".to_owned(),
-                    line: token.line,
-                });
+                essential.push(Token::new("if", token.line));
             }
             _ => essential.push(token.clone()),
         }
@@ -192,20 +187,30 @@ struct Gap {
     theirs: Range<usize>,
 }
 
-/// Where two sequences differ, by their longest common subsequence.
-fn gaps(own: &[Token], theirs: &[Token]) -> Vec<Gap> {
-    let same = |n: usize, m: usize| own[n].text == theirs[m].text;
-    let (rows, columns) = (own.len(), theirs.len());
-    let mut longest = vec![vec![0_usize; columns + 1]; rows + 1];
-    for n in (0..rows).rev() {
-        for m in (0..columns).rev() {
-            longest[n][m] = match same(n, m) {
+/// How many tokens two sequences have in common, in the same order.
+pub(super) fn common(own: &[Token], theirs: &[Token]) -> usize {
+    longest(own, theirs)[0][0]
+}
+
+/// The length of the longest common subsequence from each place on.
+fn longest(own: &[Token], theirs: &[Token]) -> Vec<Vec<usize>> {
+    let mut longest = vec![vec![0; theirs.len() + 1]; own.len() + 1];
+    for n in (0..own.len()).rev() {
+        for m in (0..theirs.len()).rev() {
+            longest[n][m] = match own[n].text == theirs[m].text {
                 true => longest[n + 1][m + 1] + 1,
                 false => longest[n + 1][m].max(longest[n][m + 1]),
             };
         }
     }
-    let is_same = |n: usize, m: usize| n < rows && m < columns && same(n, m);
+    longest
+}
+
+/// Where two sequences differ, by their longest common subsequence.
+fn gaps(own: &[Token], theirs: &[Token]) -> Vec<Gap> {
+    let (rows, columns) = (own.len(), theirs.len());
+    let longest = longest(own, theirs);
+    let is_same = |n: usize, m: usize| n < rows && m < columns && own[n].text == theirs[m].text;
     let (mut n, mut m, mut gaps) = (0, 0, Vec::new());
     while n < rows || m < columns {
         let (from, to) = (n, m);

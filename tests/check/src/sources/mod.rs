@@ -4,12 +4,15 @@
 //! and how a language declares a variable don't matter.
 
 mod alignment;
+mod expressions;
 mod tokens;
+mod variants;
 
 use slips::{Chapter, Words};
 
 use alignment::Pair;
 use tokens::{Token, is_name, tokens};
+pub(crate) use variants::Variant;
 
 /// What a reader wrote, and the chapter as it should be.
 #[derive(Clone, Debug, Default)]
@@ -18,6 +21,8 @@ pub struct Sources {
     chapter: Vec<File>,
     /// Where the reader's functions are not the chapter's of the same names.
     unlike: Vec<Unlike>,
+    /// What the reader gives to names, returns, asks and lists.
+    expressions: Vec<Vec<Token>>,
 }
 
 /// A line that somebody typed.
@@ -40,8 +45,6 @@ pub struct Unlike {
     pub chapter: String,
     /// Whether the chapter has a line there that the reader has not.
     pub is_missing: bool,
-    /// How many tokens more the chapter has there.
-    more: isize,
 }
 
 /// What a reader's files say of a slip.
@@ -65,7 +68,7 @@ struct Snippet {
 #[derive(Clone, Debug)]
 struct File {
     name: String,
-    lines: Vec<String>,
+    text: String,
     tokens: Vec<Token>,
 }
 
@@ -75,13 +78,15 @@ impl Sources {
     pub fn new(yours: Vec<(String, String)>, chapter: Vec<(String, String)>) -> Self {
         let files = |files: Vec<(String, String)>| {
             let files = files.into_iter();
-            files.map(|(name, text)| File::new(name, &text)).collect()
+            files.map(|(name, text)| File::new(name, text)).collect()
         };
         let mut sources = Self {
             yours: files(yours),
             chapter: files(chapter),
             unlike: Vec::new(),
+            expressions: Vec::new(),
         };
+        sources.expressions = sources.yours.iter().flat_map(File::expressions).collect();
         sources.unlike = sources.pairs().flat_map(|pair| pair.unlike()).collect();
         sources
     }
@@ -119,6 +124,7 @@ impl Sources {
             longest(&words.wrong, &[]),
             longest(&words.right, &VARIABLES),
         ) {
+            (None, None) if self.have(&words.right) => Said::Right,
             (None, None) => Said::Neither,
             // A line is wrong only in the place of one that could be found, and is no part of it.
             (Some(_), None) if !self.is_told_apart(words) => Said::Neither,
@@ -201,10 +207,19 @@ impl Sources {
         }
     }
 
-    /// Whether all that the chapter has is there, line by line, right or wrong.
+    /// Whether it is as long as the chapter, right or wrong, but for less than a statement.
     pub(crate) fn is_written(&self) -> bool {
-        let more: isize = self.unlike.iter().map(|it| it.more).sum();
-        !self.chapter.is_empty() && more < STATEMENT
+        let length = |file: &File| {
+            file.functions()
+                .iter()
+                .map(|(_, it)| it.len())
+                .sum::<usize>()
+        };
+        !self.chapter.is_empty()
+            && self.chapter.iter().all(|chapter| {
+                let mut yours = self.yours.iter().filter(|it| it.name == chapter.name);
+                yours.any(|yours| length(yours) + STATEMENT > length(chapter))
+            })
     }
 
     /// Functions that have the same name in files of the same name.
@@ -223,8 +238,14 @@ impl Sources {
     }
 }
 
+/// Whether two lines of any language say the same.
+pub(crate) fn is_same_line(one: &str, other: &str) -> bool {
+    let [one, other] = [one, other].map(|line| tokens(line.trim_end_matches(';')).into_iter());
+    one.map(|it| it.text).eq(other.map(|it| it.text))
+}
+
 /// So many tokens are a statement.
-const STATEMENT: isize = 6;
+const STATEMENT: usize = 6;
 /// Signs before and after a part of a formula.
 const GOES_ON: [&str; 10] = ["+", "-", "*", "/", "<", ">", ".", "and", "&", "|"];
 
@@ -252,12 +273,13 @@ fn value(snippet: &[Token]) -> &[Token] {
 }
 
 impl File {
-    fn new(name: String, text: &str) -> Self {
-        Self {
-            name,
-            lines: text.lines().map(str::to_owned).collect(),
-            tokens: tokens(text),
-        }
+    fn new(name: String, text: String) -> Self {
+        let text = match name.ends_with(".py") || name.ends_with(".rs") {
+            true => text,
+            false => with_brackets(&text),
+        };
+        let tokens = tokens(&text);
+        Self { name, text, tokens }
     }
 
     /// The line on which these tokens begin, with other names for the free ones.
@@ -287,7 +309,13 @@ impl File {
         Line {
             file: self.name.clone(),
             number: line + 1,
-            text: self.lines[line].trim().to_owned(),
+            text: self
+                .text
+                .lines()
+                .nth(line)
+                .unwrap_or_default()
+                .trim()
+                .to_owned(),
         }
     }
 
@@ -311,6 +339,31 @@ impl File {
         };
         starts.filter_map(function).collect()
     }
+}
+
+/// What C++ makes in braces as it is made in brackets.
+fn with_brackets(text: &str) -> String {
+    let mut open = Vec::new();
+    let mut before = String::new();
+    for letter in text.chars() {
+        let is_value = || {
+            let ends_with = |c: char| c.is_alphanumeric() || ",(={".contains(c);
+            let last = before.trim_end();
+            before.ends_with(ends_with)
+                || last.ends_with([',', '(', '='])
+                || last.ends_with("return")
+        };
+        let letter = match letter {
+            '{' => {
+                open.push(is_value());
+                if is_value() { '(' } else { letter }
+            }
+            '}' if open.pop() == Some(true) => ')',
+            _ => letter,
+        };
+        before.push(letter);
+    }
+    before
 }
 
 /// Whether the tokens are the same, but for names that stand for the free ones.

@@ -5,8 +5,21 @@
 #[derive(Clone, Debug)]
 pub(super) struct Token {
     pub(super) text: String,
+    /// How the program spells it.
+    pub(super) own: String,
     /// The line, from 0.
     pub(super) line: usize,
+}
+
+impl Token {
+    /// One that no program has in this place.
+    pub(super) fn new(text: &str, line: usize) -> Self {
+        Self {
+            text: text.to_owned(),
+            own: text.to_owned(),
+            line,
+        }
+    }
 }
 
 /// Without comments, and without what a language needs and an idea does not: `let`, empty
@@ -29,14 +42,23 @@ pub(super) fn tokens(text: &str) -> Vec<Token> {
                 rest.next_if(|it| it.text == "new");
             }
             ("]", _) if is_component(&tokens) => component(&mut tokens),
+            ("2", _) if ends_with(&tokens, &["*", "*"]) => {
+                tokens.pop();
+                let start = operand(&tokens[..tokens.len() - 1]);
+                tokens.extend_from_within(start..tokens.len() - 1);
+            }
             (_, "(") if ends_with(&tokens, &["."]) && is_function(&token.text) => {
                 rest.next();
                 let is_empty = rest.next_if(|it| it.text == ")").is_some();
                 call(&mut tokens, token, is_empty);
             }
             (")", _) => {
+                // A record that is filled is what is returned elsewhere.
+                if ends_with(&tokens, &[",", "rec"]) {
+                    tokens.truncate(tokens.len() - 2);
+                }
                 tokens.push(token);
-                for shorter in [reciprocal, ones, bracketed] {
+                for shorter in [operated, interval, reciprocal, ones, bracketed] {
                     if ends_with(&tokens, &[")"]) {
                         shorter(&mut tokens);
                     }
@@ -54,12 +76,15 @@ pub(super) fn tokens(text: &str) -> Vec<Token> {
 fn words(line: usize, text: &str) -> Vec<Token> {
     let code = text.split("//").next().unwrap_or_default();
     let code = code.split('#').next().unwrap_or_default();
-    let mut code = code.replace("make_shared<sphere>", "sphere");
+    let mut code = code
+        .replace("make_shared<sphere>", "sphere")
+        .replace("->", ".");
     for prefix in ["this->", "std::", "math.", "f64::from", "f64::"] {
         code = code.replace(prefix, "");
     }
     let mut words: Vec<Token> = Vec::new();
     let mut rest = code.trim_start();
+    let mut before = "";
     while let Some(first) = rest.chars().next() {
         let is_word = |c: char| c.is_alphanumeric() || c == '_';
         let is_number = |c: char| is_word(c) || c == '.';
@@ -76,13 +101,16 @@ fn words(line: usize, text: &str) -> Vec<Token> {
             // A vector's own letters have a name before them elsewhere.
             if !matches!(field, "x" | "y" | "z" | "e") {
                 rest = after;
+                before = "self.";
                 continue;
             }
         }
         words.push(Token {
             text: spelled(word, rest).to_owned(),
+            own: format!("{before}{word}"),
             line,
         });
+        before = "";
     }
     words
 }
@@ -94,9 +122,12 @@ fn spelled<'a>(word: &'a str, rest: &str) -> &'a str {
         "infinity" | "inf" => "INFINITY",
         "orig" => "origin",
         "dir" => "direction",
-        "normalize" | "unit_vector" | "normalized" | "unit" => "unit_vector",
+        "unit_vector" | "normalized" | "unit" => "normalize",
         "fabs" => "abs",
         "Sphere" => "sphere",
+        "temp_rec" | "temp" => "rec",
+        "ray_tmin" | "tmin" => "t_min",
+        "ray_tmax" | "tmax" => "t_max",
         "disc" => "discriminant",
         "root" | "sqrt_d" => "sqrtd",
         "vec3" | "Color" | "color" | "Point3" | "point3"
@@ -129,7 +160,7 @@ fn ends_with(tokens: &[Token], end: &[&str]) -> bool {
 fn is_function(name: &str) -> bool {
     let functions = [
         "dot",
-        "unit_vector",
+        "normalize",
         "length",
         "length_squared",
         "sqrt",
@@ -142,13 +173,9 @@ fn is_function(name: &str) -> bool {
 fn call(tokens: &mut Vec<Token>, name: Token, is_empty: bool) {
     tokens.pop();
     let line = name.line;
-    let sign = |text: &str| Token {
-        text: text.to_owned(),
-        line,
-    };
     let start = operand(tokens);
-    tokens.splice(start..start, [name, sign("(")]);
-    tokens.push(sign(if is_empty { ")" } else { "," }));
+    tokens.splice(start..start, [name, Token::new("(", line)]);
+    tokens.push(Token::new(if is_empty { ")" } else { "," }, line));
 }
 
 /// Where the operand begins that the tokens end with: a path, or brackets.
@@ -171,7 +198,7 @@ fn operand(tokens: &[Token]) -> usize {
 }
 
 /// Where the bracket was opened that the tokens end with.
-fn opening(tokens: &[Token]) -> usize {
+pub(super) fn opening(tokens: &[Token]) -> usize {
     let mut depth = 0;
     let open = tokens.iter().rposition(|token| {
         depth += i32::from(token.text == ")") - i32::from(token.text == "(");
@@ -203,21 +230,39 @@ fn component(tokens: &mut Vec<Token>) {
     if ends_with(tokens, &[".", "e"]) {
         tokens.truncate(tokens.len() - 2);
     }
-    let is_own = ends_with(tokens, &["e"]);
-    let letter = ["x", "y", "z"][number.text.parse::<usize>().unwrap_or(0)];
-    if is_own {
+    if ends_with(tokens, &["e"]) {
         tokens.pop();
+        tokens.push(Token::new("self", number.line));
     }
-    let line = number.line;
-    let sign = |text: &str| Token {
-        text: text.to_owned(),
-        line,
+    let letter = ["x", "y", "z"][number.text.parse::<usize>().unwrap_or(0)];
+    tokens.extend([".", letter].map(|sign| Token::new(sign, number.line)));
+}
+
+/// `sub(a, b)` becomes `(a - b)`.
+fn operated(tokens: &mut Vec<Token>) {
+    let (open, close) = (opening(tokens), tokens.len() - 1);
+    let text = |n: Option<usize>| n.map_or("", |n| tokens[n].text.as_str());
+    let sign = match text(open.checked_sub(1)) {
+        "add" => "+",
+        "sub" => "-",
+        "scale" => "*",
+        _ => return,
     };
-    tokens.extend(
-        [sign("."), sign(letter)]
-            .into_iter()
-            .skip(usize::from(is_own)),
-    );
+    let is_named = matches!(text(open.checked_sub(2)), "fn" | "def" | ".");
+    let second = operand(&tokens[..close]);
+    if !is_named && text(second.checked_sub(1)) == "," {
+        tokens[second - 1] = Token::new(sign, tokens[second].line);
+        tokens.remove(open - 1);
+    }
+}
+
+/// `interval(low, high)` becomes `low, high`.
+fn interval(tokens: &mut Vec<Token>) {
+    let open = opening(tokens);
+    if open > 0 && matches!(&*tokens[open - 1].text, "interval" | "Interval") {
+        tokens.pop();
+        tokens.drain(open - 1..=open);
+    }
 }
 
 /// Brackets around a single word that is no argument go.
@@ -246,7 +291,7 @@ fn reciprocal(tokens: &mut Vec<Token>) {
 /// `Vec3(n.x + 1, n.y + 1, n.z + 1)` becomes `(n + Vec3 ONE)`.
 fn ones(tokens: &mut Vec<Token>) {
     let open = opening(tokens);
-    let inside = &tokens[open + 1..tokens.len() - 1];
+    let inside = tokens.get(open + 1..tokens.len() - 1).unwrap_or_default();
     let parts: Vec<&[Token]> = inside.split(|it| it.text == ",").collect();
     let names: Vec<Option<String>> = parts
         .iter()
@@ -268,10 +313,7 @@ fn ones(tokens: &mut Vec<Token>) {
         let line = tokens[open].line;
         let mut sum = tokens[open..open + parts[0].len() - 3].to_vec();
         let rest = ["+", "Vec3", "ONE", ")"];
-        sum.extend(rest.map(|text| Token {
-            text: text.to_owned(),
-            line,
-        }));
+        sum.extend(rest.map(|text| Token::new(text, line)));
         tokens.splice(open - 1.., sum);
     }
 }
