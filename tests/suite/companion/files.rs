@@ -44,6 +44,10 @@ fn a_folder_with_a_file_of_somebody_is_refused_by_its_name() {
         "yours.png/thesis.txt",
         ".thesis.txt.0123456789abcdef.partial",
     ] {
+        // On Windows a name is on one line.
+        if cfg!(windows) && somebodys.contains('\n') {
+            continue;
+        }
         let desk = Desk::new();
         desk.report();
         let _ = fs::remove_file(desk.path("page/yours.png"));

@@ -225,7 +225,12 @@ fn the_list_of_done_things_has_what_came_out_right_once_and_the_readers_own_line
         command.current_dir(here.path());
         command
     };
-    let watch = ["watch", "gradient", "--once", "--", "cat", "white.ppm"];
+    let prints: &[&str] = match cfg!(windows) {
+        true => &["cmd", "/c", "type"],
+        false => &["cat"],
+    };
+    let watch = ["watch", "gradient", "--once", "--"];
+    let watch = [&watch, prints, &["white.ppm"]].concat();
     for _twice in 0..2 {
         let said = text(&run(&mut rtrace(&watch)).stdout);
         assert!(said.contains("step 1"), "{said}");

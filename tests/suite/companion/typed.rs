@@ -11,6 +11,7 @@ use editor::Text;
 use editor::home::archive;
 use slips::Chapter;
 use suite::command::{assert_success, files, run};
+use suite::left_out::left_out;
 use suite::mine::Mine;
 
 #[test]
@@ -106,12 +107,15 @@ fn what_is_taken_home_from_a_page_is_the_crate_that_start_makes() {
         let name = chapter.name();
         let skeleton = Text::skeleton(*chapter);
         let home = tempfile::tempdir().expect("a folder");
-        let mut tar = Command::new("tar")
+        let tar = Command::new("tar")
             .args(["-x", "-f", "-"])
             .current_dir(&home)
             .stdin(Stdio::piped())
-            .spawn()
-            .expect("there is a tar");
+            .spawn();
+        let Ok(mut tar) = tar else {
+            left_out("there is no tar here to unpack what is taken home");
+            return;
+        };
         let mut given = tar.stdin.take().expect("its input");
         given.write_all(&archive(&skeleton, 7)).expect("it reads");
         drop(given);
