@@ -8,6 +8,20 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include <windows.h>
+#include <shellapi.h>
+
+/* The words in UTF-8, whatever Windows takes for its letters. */
+static char **words_of(int *count)
+{
+    WCHAR **wide = CommandLineToArgvW(GetCommandLineW(), count);
+    char **words = calloc(*count + 1, sizeof *words);
+    for (int i = 0; i < *count; i++) {
+        int length = WideCharToMultiByte(CP_UTF8, 0, wide[i], -1, NULL, 0, NULL, NULL);
+        words[i] = malloc(length);
+        WideCharToMultiByte(CP_UTF8, 0, wide[i], -1, words[i], length, NULL, NULL);
+    }
+    return words;
+}
 
 /* Z: is the root of the system below. */
 static char *told_below(char *word)
@@ -28,9 +42,10 @@ static void hand_on(struct pollfd *from, DWORD to)
     if (length <= 0 || !WriteFile(GetStdHandle(to), piece, length, &written, NULL)) from->fd = -1;
 }
 
-int main(int count, char **words)
+int main(void)
 {
-    int output[2], errors[2], status;
+    int output[2], errors[2], status, count;
+    char **words = words_of(&count);
     words[0] = getenv("CARGO_BELOW");
     for (int i = 1; i < count && strcmp(words[i], "--"); i++) words[i] = told_below(words[i]);
     if (!words[0] || pipe(output) || pipe(errors)) return 2;
