@@ -171,12 +171,15 @@ impl Scene {
     }
 
     /// The same scene by each edition that will do, in a picture of that size: the
-    /// latest edition first.
+    /// latest edition first. Who draws in the shape that came with version 3.1.0 reads no
+    /// earlier one.
     pub(crate) fn by_editions(self, width: u32, height: u32) -> impl Iterator<Item = Self> {
+        let is_late = !self.insists && self.in_own_shape().height(width) == height;
         Edition::ALL
             .into_iter()
             .filter(move |edition| !self.insists || edition.name() == self.edition.name())
             .map(move |edition| Self { edition, ..self }.fitting(width, height))
+            .filter(move |it| !is_late || !it.has_another_shape())
     }
 
     /// The same scene in a picture of that size, whose shape may be the scene's own.
