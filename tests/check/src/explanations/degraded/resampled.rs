@@ -54,6 +54,8 @@ const FACTORS: [f64; 13] = [
 const WIDTHS: [u32; 9] = [200, 256, 400, 600, 640, 800, 1000, 1200, 1920];
 /// How many rows and columns may be missing each way.
 const MISSING: u32 = 12;
+/// How many where as many are missing on either side.
+const MARGINS: u32 = 80;
 /// How many pixels choose the scale or the place.
 const LOOK: u32 = 600;
 
@@ -71,6 +73,7 @@ pub(super) fn scaled(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<De
     }
     sizes.retain(|&size| size != (reading.width, reading.height));
     let places = sharp_places(reading);
+    // By rounding, a slip's picture may be a little nearer than the right one.
     let tried = likeliest
         .iter()
         .flat_map(|it| sizes.iter().map(move |&from| (it, from)));
@@ -90,7 +93,13 @@ pub(super) fn scaled(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<De
     });
     let least = as_it_is(reading, &places, likeliest);
     let (_, nearest, from) = tried
-        .min_by_key(|(off, ..)| *off)
+        .min_by_key(|(off, it, _)| {
+            if it.slips.is_empty() {
+                4 * off
+            } else {
+                5 * off
+            }
+        })
         .filter(|(off, ..)| 5 * off < 4 * least)?;
     let before = nearest.before(&nearest.of_size(from)?);
     let left = |filter: Filter| Left::of(reading, &resized(&before, from, reading, filter)).bits;
@@ -108,11 +117,11 @@ pub(super) fn cropped(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<D
     let places = sharp_places(reading);
     let mut best = None;
     for it in likeliest.iter() {
-        for wide in width..=width + MISSING {
+        for wide in width..=width + MARGINS {
             for high in evidence.heights(wide) {
                 let from = (wide, high);
                 let is_larger =
-                    from != (width, height) && (height..=height + MISSING).contains(&high);
+                    from != (width, height) && (height..=height + MARGINS).contains(&high);
                 let Some(output) = it.of_size(from).filter(|_| is_larger) else {
                     continue;
                 };
@@ -150,8 +159,13 @@ fn as_it_is(reading: &Reading, places: &[u32], likeliest: &[Hypothesis]) -> u32 
     likeliest.iter().filter_map(off).min().unwrap_or(LOOK * FAR)
 }
 
+/// Any, where few are missing; else the same on either side.
 fn corners(columns: u32, rows: u32) -> impl Iterator<Item = (u32, u32)> {
-    (0..=columns).flat_map(move |left| (0..=rows).map(move |above| (left, above)))
+    let some = move |missing: u32| match columns.max(rows) <= MISSING {
+        true => 0..=missing,
+        false => missing / 2..=missing.div_ceil(2),
+    };
+    some(columns).flat_map(move |left| some(rows).map(move |above| (left, above)))
 }
 
 /// Pixels to look at, half of them at edges, where scale and place are to be seen.
@@ -207,15 +221,34 @@ pub(super) fn resized(
     });
     let (width, height) = (reading.width, reading.height);
     let filter = match filter {
-        Filter::Box => None,
-        Filter::Nearest => Some(FilterType::Nearest),
-        Filter::Triangle => Some(FilterType::Triangle),
-        Filter::Cubic => Some(FilterType::CatmullRom),
-        Filter::Lanczos => Some(FilterType::Lanczos3),
+        Filter::Box => return boxed(&before, width, height),
+        Filter::Nearest => FilterType::Nearest,
+        Filter::Triangle => FilterType::Triangle,
+        Filter::Cubic => FilterType::CatmullRom,
+        Filter::Lanczos => FilterType::Lanczos3,
     };
-    let after = match filter {
-        None => imageops::thumbnail(&before, width, height),
-        Some(filter) => imageops::resize(&before, width, height, filter),
-    };
+    let after = imageops::resize(&before, width, height, filter);
     after.pixels().map(|pixel| pixel.0.map(i16::from)).collect()
+}
+
+/// Each pixel is the mean of all whose middle lies in its square.
+fn boxed(before: &RgbImage, width: u32, height: u32) -> Vec<Pixel> {
+    let places = |at: u32, before: u32, after: u32| {
+        let edge = |at: u32| (2 * at * before + after) / (2 * after);
+        let first = edge(at).min(before - 1);
+        first..edge(at + 1).clamp(first + 1, before)
+    };
+    let mean = |n: u32| {
+        let columns = places(n % width, before.width(), width);
+        let rows = places(n / width, before.height(), height);
+        let count = (columns.len() * rows.len()) as u32;
+        let mut sums = [count / 2; 3];
+        for (i, j) in rows.flat_map(|j| columns.clone().map(move |i| (i, j))) {
+            for (sum, level) in sums.iter_mut().zip(before.get_pixel(i, j).0) {
+                *sum += u32::from(level);
+            }
+        }
+        sums.map(|sum| (sum / count) as i16)
+    };
+    (0..width * height).map(mean).collect()
 }
