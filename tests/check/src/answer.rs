@@ -115,6 +115,15 @@ impl<'a> Judged<'a> {
 
     /// Right, wrong, or why it is no picture; and what it was taken for.
     pub fn headline(&self) -> Headline {
+        if self.is_unrecognized() {
+            return Headline {
+                before: format!("{} is ", self.name),
+                verdict: "not recognized",
+                is_right: false,
+                after: ": it comes near to none of these chapters' pictures, with whatever mistake. Later chapters are not known here.".to_owned(),
+                notes: vec!["To compare it with one, name the chapter.".to_owned()],
+            };
+        }
         let mut headline = self.verdict();
         let is_no_picture = matches!(self.check, Check::NotAPicture { finding: None, .. });
         if self.is_guessed && !is_no_picture {
@@ -168,10 +177,16 @@ impl<'a> Judged<'a> {
                 let way = way.map(|way| format!("{}, and beyond that ", way.clause()));
                 let verdict = match finding.levels {
                     0 | 1 => "right within one level, but not to the last bit",
+                    _ if finding.is_blurred => "nearly right",
                     _ => "wrong",
                 };
                 let after = format!(": {}.", self.counts(finding));
-                let notes = notes_on(&finding.scene);
+                let blurred = "Almost no pixel is off by more than a few levels, though many are by less: as in a file that was compressed or scaled. Is it the one that the program wrote?";
+                let blurred = finding.is_blurred.then(|| blurred.to_owned());
+                let notes = blurred
+                    .into_iter()
+                    .chain(notes_on(&finding.scene))
+                    .collect();
                 is(&way.unwrap_or_default(), verdict, false, after, notes)
             }
             Check::Another { cause, .. } | Check::WrongShape { cause, .. } => {
@@ -197,7 +212,7 @@ impl<'a> Judged<'a> {
         }
         let hidden = self.blind_spots.as_ref();
         parts.extend(hidden.map(|it| Part::Hidden(Box::new(it.advice(&self.scene)))));
-        if let Some(finding) = self.check.finding() {
+        if let Some(finding) = self.check.finding().filter(|_| !self.is_unrecognized()) {
             let is_near = |finding: &Finding| {
                 matches!(self.check, Check::Near(_))
                     && !finding.near.as_ref().is_some_and(Near::is_for_pixels)
@@ -208,6 +223,12 @@ impl<'a> Judged<'a> {
             self.explain(finding, &mut parts);
         }
         parts
+    }
+
+    /// Whether nobody has said what it is, and nothing in it tells.
+    fn is_unrecognized(&self) -> bool {
+        let is_strange = |finding: &Finding| finding.is_strange && finding.sets.is_empty();
+        self.is_guessed && self.check.finding().is_some_and(is_strange)
     }
 
     fn scene_name(&self) -> String {

@@ -28,12 +28,23 @@ pub struct Left {
 
 /// Below so many pixels a table of frequencies costs more than it saves.
 const FEW: usize = 50;
+/// One pixel in so many is many.
+const MANY: usize = 16;
 
 impl Left {
     /// What is left of `reading` beside `drawn`, a picture of the same size.
     pub(crate) fn of(reading: &Reading, drawn: &[Pixel]) -> Self {
+        Self::of_some(reading, drawn, drawn.len())
+    }
+
+    /// The same where only so many of the pixels are an explanation's.
+    pub(crate) fn of_some(reading: &Reading, drawn: &[Pixel], count: usize) -> Self {
         let odd = Odd::of(reading, drawn);
-        let one_by_one = odd.one_by_one(reading);
+        // Who tells many pixels one by one has no explanation of the picture.
+        let one_by_one = match MANY * odd.places.len() > count {
+            true => f64::INFINITY,
+            false => odd.one_by_one(reading),
+        };
         let by_frequency = match odd.places.len() < FEW {
             true => f64::INFINITY,
             false => by_frequency(reading, drawn),
@@ -97,10 +108,6 @@ impl Odd {
         let count = self.places.len() as f64;
         if self.places.is_empty() {
             return 1.0;
-        }
-        // Who tells most of the pixels one by one has no explanation of the picture.
-        if 2 * self.places.len() > reading.pixels.len() {
-            return f64::INFINITY;
         }
         let mut colors: Vec<Pixel> = self
             .places

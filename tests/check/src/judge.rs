@@ -61,19 +61,19 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     let drawn = nearest
         .drawn(reading)
         .expect("the scene was fitted to the picture");
+    let alone = bits::alone(reading).min(bits::beside(reading, &drawn));
+    let unknown = UNKNOWN + evidence.besides(&nearest) + alone;
     let mut search = Search {
         evidence,
+        unknown,
         found: vec![nearest.explaining(reading, &drawn)],
     };
-    if nearest.scene.step().is_some() {
+    if nearest.scene.step().is_some() || nearest.scene.edition != evidence.scene.edition {
         search.found.extend(rights[0].measured(reading));
     }
     let singles = rights.iter().cloned().chain(single(evidence));
     let likeliest = search.add(singles.collect::<Vec<_>>(), Some(&drawn), f64::INFINITY);
     search.add_degraded(&rights, &likeliest);
-    let unknown = UNKNOWN
-        + evidence.besides(&nearest)
-        + bits::alone(reading).min(bits::beside(reading, &drawn));
     if !search.is_degraded(unknown) {
         search.add_changed(&rights, &likeliest);
         if !search.is_antialiased(unknown) {
@@ -104,10 +104,11 @@ fn drop_what_explains_little(found: &mut Vec<Explanation>, scene: &Scene) {
 /// noise vary by the square root of their bits, and single pixels are no noise.
 fn simplest_first(found: &mut [Explanation]) {
     let best = &found[0];
-    if best.left.is_one_by_one {
+    let is_lossy = best.degradation().is_some_and(Degradation::is_lossy);
+    if best.left.is_one_by_one && !is_lossy {
         return;
     }
-    let most = best.bits() + 2.0 * best.left.bits.sqrt();
+    let most = best.bits() + best.give();
     let alike = found.iter().take_while(|it| it.bits() <= most);
     let simplest = alike
         .enumerate()
@@ -139,6 +140,8 @@ pub(crate) fn is_same(one: &Scene, other: &Scene) -> bool {
 
 struct Search<'a> {
     evidence: &'a Evidence<'a>,
+    /// The length of the picture to one who knows nothing.
+    unknown: f64,
     found: Vec<Explanation>,
 }
 
@@ -189,7 +192,8 @@ impl Search<'_> {
         for it in some.iter().take(count) {
             // Who draws the same leaves the same, but for roundings.
             others += usize::from((left(it) - least).abs() > 1e-6);
-            let may_win = others < FEWER && it.0 <= may_win(self.best().bits());
+            let most = may_win(self.best().bits().min(self.unknown));
+            let may_win = others < FEWER && it.0 <= most;
             if !may_win && !is_lossy(&it.1) {
                 break;
             }
@@ -251,8 +255,13 @@ impl Search<'_> {
             let all = right(&evidence).into_iter().chain(single(&evidence));
             let is_tried = |it: &Hypothesis| tried.iter().any(|tried| tried.is_same_program(it));
             let (surest, others): (Vec<_>, Vec<_>) = all.partition(is_tried);
+            let shortest = self.best().bits();
             let surest = surest.iter().filter_map(|it| it.measured(evidence.reading));
             self.found.extend(surest);
+            // A loss that brings none of the likeliest programs nearer has not happened.
+            if degradation.is_lossy() && self.best().bits() >= shortest {
+                continue;
+            }
             let most = match degradation.is_lossy() {
                 true => f64::INFINITY,
                 false => may_win(self.best().bits()),

@@ -95,6 +95,10 @@ pub struct Finding {
     pub sets: Vec<Set>,
     /// What can be seen, where nothing known explains it.
     pub sights: Vec<String>,
+    /// Whether nothing explains it, and it has nothing of the scene's picture.
+    pub is_strange: bool,
+    /// Whether nothing explains it, and it is off by little everywhere.
+    pub is_blurred: bool,
     /// Whether the few lines that are not as the chapter has them explain it.
     pub is_typed: bool,
     /// Whether it explains all answers of the reader's functions, too.
@@ -250,13 +254,17 @@ impl Finding {
             true => typed < best.bits(),
             false => typed + TOGETHER < best.bits(),
         });
-        let is_known = best.bits() < judgement.unknown && !is_typed;
+        // Where levels were lost, one level names no mistake.
+        let is_lossy = best.degradation().is_some_and(Degradation::is_lossy);
+        let is_a_rounding =
+            is_lossy && !is_right && judgement.nearest(&evidence, is_typed).left.far == 0;
+        let is_known = best.bits() < judgement.unknown && !is_typed && !is_a_rounding;
         if is_known && is_right && !is_same(&best.scene, scene) {
             return Answer::Another(judgement.scenes_like(best));
         }
         let explaining = match is_known {
             true => best,
-            false => judgement.nearest(&evidence.scene, is_typed),
+            false => judgement.nearest(&evidence, is_typed),
         };
         let compared = explaining.scene.without_choices();
         let degradation = explaining.degradation();
@@ -270,7 +278,7 @@ impl Finding {
             _ => None,
         };
         // Noise at edges tells no slip from what is right.
-        let is_noisy = is_right && !best.left.is_one_by_one;
+        let is_noisy = is_right && (is_lossy || !best.left.is_one_by_one);
         let sets = match is_known && !is_noisy {
             true => sets(&judgement),
             false => Vec::new(),
@@ -305,6 +313,8 @@ impl Finding {
             }),
             sets,
             sights,
+            is_blurred: !is_known && !is_typed && seen::is_blurred(&compared, reading),
+            is_strange: !is_known && !is_typed && !explaining.is_like(reading),
             is_typed,
             is_answered: known.is_answered_by(&best.scene.unchanged().program(&best.slips)),
             lead: judgement.lead(),
@@ -329,10 +339,15 @@ impl Finding {
 }
 
 impl Judgement {
-    /// The scene itself, by the edition or step that leaves least; or as a whole.
-    fn nearest(&self, scene: &Scene, is_whole: bool) -> &Explanation {
+    /// The scene itself, by the edition or step that leaves least; or as a whole. What
+    /// happened to a file is not known where nothing explains its picture, nor is the
+    /// edition where the picture has nothing of any.
+    fn nearest(&self, evidence: &Evidence, is_whole: bool) -> &Explanation {
+        let scene = &evidence.scene;
         let is_plain = |it: &&Explanation| {
-            it.slips.is_empty() && it.seen.is_none() && is_same(&it.scene, scene)
+            let is_itself = it.slips.is_empty() && it.seen.is_none();
+            let is_known = it.scene.edition == scene.edition || it.is_like(evidence.reading);
+            is_itself && is_known && it.degradation().is_none() && is_same(&it.scene, scene)
         };
         let mut plain = self.found.iter().filter(is_plain).peekable();
         let first = plain.peek().copied();

@@ -129,7 +129,8 @@ pub(crate) fn antialiased<'a>(
     let contrast: Vec<i16> = contrast(drawn, reading.width as usize);
     let (edges, smooth): (Vec<u32>, Vec<u32>) =
         (0..drawn.len() as u32).partition(|&n| contrast[n as usize] > EDGE);
-    if edges.is_empty() {
+    // Where almost all is edge, rays see anything.
+    if edges.is_empty() || edges.len() > smooth.len() {
         return Vec::new();
     }
     let near = all.filter_map(|(it, curve)| {

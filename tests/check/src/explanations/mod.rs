@@ -106,10 +106,25 @@ pub enum But {
     Degraded(Degradation),
 }
 
+/// One pixel in so many is a part.
+const PART: usize = 8;
+
 impl Explanation {
     /// Its length in bits.
     pub fn bits(&self) -> f64 {
         self.name + self.left.bits
+    }
+
+    /// By how much its length may be another by chance: noise by the square root of its
+    /// bits, and more where one rounding spoils many pixels at once.
+    pub(crate) fn give(&self) -> f64 {
+        let together = self.degradation().map_or(1.0, Degradation::together);
+        2.0 * (together * self.left.bits).sqrt()
+    }
+
+    /// Whether a part of the picture is as it has it, and not by chance.
+    pub(crate) fn is_like(&self, reading: &Reading) -> bool {
+        PART * (reading.pixels.len() - self.left.far) > reading.pixels.len()
     }
 
     /// What happened to the picture on its way, if anything did.
@@ -142,6 +157,17 @@ impl Hypothesis {
         let own = (reading.width, reading.height);
         let before = |it: Degradation| it.size(reading);
         self.of_size(self.degradation.map_or(own, before))
+    }
+
+    /// How many pixels of the file it draws: what frames them is told besides.
+    fn shown(&self, reading: &Reading) -> usize {
+        match self.degradation {
+            Some(Degradation::Framed {
+                size: (width, height),
+                ..
+            }) => width as usize * height as usize,
+            _ => reading.pixels.len(),
+        }
     }
 
     fn of_size(&self, size: (u32, u32)) -> Option<Output> {
@@ -192,7 +218,7 @@ impl Hypothesis {
             but: self.degradation.map(But::Degraded).into_iter().collect(),
             seen: None,
             name: self.name,
-            left: Left::of(reading, drawn),
+            left: Left::of_some(reading, drawn, self.shown(reading)),
             mark: hasher.finish(),
         }
     }

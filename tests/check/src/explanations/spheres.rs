@@ -85,14 +85,19 @@ impl<'a> Fit<'a> {
         }
     }
 
-    /// How far the picture of a scene is from the reader's, in levels.
-    fn off(&self, scene: &Scene) -> u32 {
+    /// How far the picture of a scene is from the reader's, in levels, as far as that is
+    /// less than `most`.
+    fn off(&self, scene: &Scene, most: u32) -> u32 {
         let output = scene.program(&[]).run(self.reading.width);
-        let off = |&n: &u32| {
+        let mut sum = 0;
+        for &n in &self.places {
             let drawn = output.pixel(n).map(|level| level.clamp(0, 255) as i16);
-            u32::from(distance(drawn, self.reading.pixels[n as usize]).min(FAR))
-        };
-        self.places.iter().map(off).sum()
+            sum += u32::from(distance(drawn, self.reading.pixels[n as usize]).min(FAR));
+            if sum >= most {
+                break;
+            }
+        }
+        sum
     }
 
     /// The first sphere elsewhere or of another size. Farther away and as much larger it
@@ -164,7 +169,7 @@ impl<'a> Fit<'a> {
         };
         let starts = (-8..=8).map(|n| 2.0 * (f64::from(n) / 4.0).exp());
         let start = starts
-            .min_by_key(|&start| self.off(&with([start])))
+            .min_by_key(|&start| self.off(&with([start]), u32::MAX))
             .unwrap_or(2.0);
         let [height] = self.searched([start], [start / 8.0], with);
         // Who types a width, or a focal length, has a height with many digits.
@@ -186,15 +191,14 @@ impl<'a> Fit<'a> {
         mut steps: [f64; N],
         with: impl Fn([f64; N]) -> Scene,
     ) -> [f64; N] {
-        let off = |numbers: [f64; N]| self.off(&with(numbers));
-        let (mut numbers, mut least) = (start, off(start));
+        let (mut numbers, mut least) = (start, self.off(&with(start), u32::MAX));
         let mut halvings = 0;
         while halvings < HALVINGS {
             let mut is_nearer = false;
             for (n, way) in (0..N).flat_map(|n| [(n, 1.0), (n, -1.0)]) {
                 let mut moved = numbers;
                 moved[n] += way * steps[n];
-                let moved_off = off(moved);
+                let moved_off = self.off(&with(moved), least);
                 if moved_off < least {
                     (numbers, least, is_nearer) = (moved, moved_off, true);
                 }

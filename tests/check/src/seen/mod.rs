@@ -13,7 +13,11 @@ use slips::Room;
 use crate::reading::Reading;
 use crate::scene::Scene;
 
+use crate::bits::distance;
 use view::View;
+
+/// Compression and scaling change most pixels by no more than so many levels.
+const LITTLE: u16 = 12;
 
 /// What can be seen, the most telling first.
 pub(crate) fn sights(scene: &Scene, reading: &Reading) -> Vec<String> {
@@ -28,6 +32,7 @@ pub(crate) fn sights(scene: &Scene, reading: &Reading) -> Vec<String> {
             view.unscaled(),
             view.disc(),
             view.gray(),
+            view.gamma(),
             view.where_it_differs(),
             view.sky(),
         ]
@@ -37,6 +42,18 @@ pub(crate) fn sights(scene: &Scene, reading: &Reading) -> Vec<String> {
         .collect(),
     };
     seen.into_iter().chain(view.first_pixel()).collect()
+}
+
+/// Whether much is off, and almost all of it by little.
+pub(crate) fn is_blurred(scene: &Scene, reading: &Reading) -> bool {
+    let right = scene.right(reading.width, reading.height);
+    let view = View::new(scene, reading, &right);
+    let off = |least: u16| {
+        let places = view.places.iter();
+        let is_off = |n: &&u32| distance(view.expected(**n), view.found(**n)) > least;
+        places.filter(is_off).count()
+    };
+    4 * off(0) > view.places.len() && 32 * off(LITTLE) < view.places.len()
 }
 
 impl View<'_> {
@@ -90,6 +107,9 @@ impl View<'_> {
             (_, 0) => {
                 Some("Only where spheres should be is anything wrong; the sky is right.".to_owned())
             }
+            (_, rim) if 8 * rim < self.wrong.len() && sky.iter().all(|&n| self.is_at_rim(n)) => Some(
+                "Only where spheres should be and at their rim is anything wrong; the sky is right. Several rays a pixel, and materials, come in later chapters.".to_owned(),
+            ),
             (0, _) => Some(
                 "Where spheres should be all is right; only beside them it is wrong.".to_owned(),
             ),

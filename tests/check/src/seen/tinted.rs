@@ -1,5 +1,6 @@
 //! Colors that are off in the same way everywhere.
 
+use common::rtweekend::Color;
 use slips::Chapter;
 
 use super::view::View;
@@ -15,11 +16,30 @@ impl View<'_> {
         gray.then(|| "It has no color: red, green and blue are equal in each pixel.".to_owned())
     }
 
+    /// Whether the sky is as later chapters have it.
+    pub(super) fn gamma(&self) -> Option<String> {
+        let root = |level: i16| 16.0 * (f64::from(level) + 0.5).sqrt() - 0.5;
+        let is_raised = |&&n: &&u32| {
+            let pairs = self.expected(n).into_iter().zip(self.found(n));
+            let off = pairs.map(|(expected, found)| (root(expected) - f64::from(found)).abs());
+            off.fold(0.0, f64::max) <= 1.5
+        };
+        let sky = self.wrong.iter().filter(|&&n| !self.is_hit(n));
+        (8 * sky.filter(is_raised).count() > self.places.len()).then(|| {
+            "Its sky is the book's after gamma correction, as later chapters have it.".to_owned()
+        })
+    }
+
     /// Between which two colors the sky blends, if it does and they are not the book's.
     pub(super) fn sky(&self) -> Option<String> {
         let sky = chosen(self.scene, self.reading)?.chosen.sky?;
+        let own = self.scene.program(&[]).sky;
+        let mut colors = sky.into_iter().zip(own);
+        // A level or two may be due to what lies before it.
+        let is_near = |(one, other): (Color, Color)| (one - other).length() < 4.0 / 256.0;
         let [[r0, g0, b0], [r1, g1, b1]] = sky.map(|color| color.to_array());
-        Some(format!(
+        let is_own = colors.all(is_near);
+        (!is_own).then(|| format!(
             "The sky blends from ({r0:.2}, {g0:.2}, {b0:.2}) below to ({r1:.2}, {g1:.2}, {b1:.2}) above, instead of (1, 1, 1) and (0.5, 0.7, 1)."
         ))
     }

@@ -115,6 +115,15 @@ impl Degradation {
         }
     }
 
+    /// About how many pixels one rounding changes: a block, or a row's part.
+    pub(crate) fn together(self) -> f64 {
+        match self {
+            Self::Jpeg(quality) if quality.has_half_colors => 256.0,
+            lossy if lossy.is_lossy() => 64.0,
+            _ => 1.0,
+        }
+    }
+
     /// Bits that tell it.
     pub(crate) fn name(self, reading: &Reading) -> f64 {
         NAME + match self {
