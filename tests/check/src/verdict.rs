@@ -380,13 +380,14 @@ impl Judgement {
         like.map(|it| it.scene.edition).collect()
     }
 
-    /// How many bits the shortest is shorter than any that tells another picture.
+    /// How many bits the shortest is shorter than any that tells another picture. None if
+    /// the first is only the simplest of some that are alike.
     fn lead(&self) -> f64 {
         let best = &self.found[0];
         let mut others = self.found.iter().filter(|it| it.mark != best.mark);
         let other = others.next().map_or(f64::INFINITY, Explanation::bits);
         match best.bits() < self.unknown {
-            true => other.min(self.unknown) - best.bits(),
+            true => (other.min(self.unknown) - best.bits()).max(0.0),
             false => best.bits() - self.unknown,
         }
     }
