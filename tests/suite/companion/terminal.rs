@@ -12,7 +12,7 @@ use std::thread;
 use rustix::fs::{Mode, OFlags};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{Winsize, tcsetwinsize};
-use suite::command::{assert_success, path_of, program, program_with, run, text};
+use suite::command::{assert_success, path_of, program, program_with, text};
 
 /// A terminal of 80 columns and 24 lines: what it shows can be read from the first end,
 /// and a program writes to the second.
@@ -133,9 +133,8 @@ fn a_picture_that_memory_cannot_hold_is_refused_as_png_and_printed_as_text() {
         let mut shell = Command::new("sh");
         shell.args(["-c", "ulimit -v 60000; exec \"$0\" \"$@\""]);
         shell.arg(path_of("rtrace")).args(["show", "gradient"]);
-        run(shell
-            .args(["--width", "6000", "--output", output])
-            .stdout(Stdio::null()))
+        shell.args(["--width", "6000", "--output", output]);
+        suite::command::run(shell.stdout(Stdio::null()))
     };
     let refused = limited("picture.png");
     assert_eq!(refused.status.code(), Some(2));
