@@ -176,9 +176,12 @@ impl Place<'_> {
                     .name
                     .is_none_or(|name| !self.spelled.contains_key(name));
             let is_renamed = |(own, new): &(&Token, &Token)| own.text != new.text;
+            // A short one that has another name is any question with a number.
+            let others = part.tokens.iter().zip(&tokens).filter(is_renamed).count();
+            let is_itself = 2 * others <= all && (others == 0 || all > OTHERS);
             let is_near = may_be_given
+                && is_itself
                 && off <= OTHERS
-                && 2 * part.tokens.iter().zip(&tokens).filter(is_renamed).count() <= all
                 && SHARE * (all - same) <= all
                 && tokens.len() >= SHARE;
             (is_given || is_near).then_some((off, part, tokens))
