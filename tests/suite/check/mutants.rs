@@ -4,6 +4,7 @@ use check::evidence::Known;
 use check::mutants::unchanged;
 use check::png;
 use check::scene::Scene;
+use check::sources::Sources;
 use check::verdict::check;
 use common::rtweekend::Vec3;
 use slips::{Chapter, Program};
@@ -65,5 +66,46 @@ fn a_mistake_that_is_in_no_catalogue_is_named_by_its_line() {
         let rows = finding.rows(&Known::default());
         let is_named = rows.iter().any(|(_, said)| said == line);
         assert!(is_named, "{line}: {}, {rows:?}", finding.but());
+    }
+}
+
+const HIT_SPHERE: &str = "\
+image_height = 1 if image_height < 1 else image_height
+
+def hit_sphere(center, radius, r):
+    oc = center - r.origin
+    a = dot(r.direction, r.direction)
+    h = dot(r.direction, oc)
+    c = dot(oc, oc) - radius * radius
+    discriminant = h * h - a * c
+    if discriminant < 0:
+        return None
+    return (h - sqrt(discriminant)) / a
+";
+
+/// The eye is at zero, so no picture shows what is added to it. Without the question a root
+/// is no number, which no picture shows either; and the height is another question.
+#[test]
+fn a_readers_line_is_run_in_the_chapters_place_and_no_other_is_blamed() {
+    let square = "a = dot(r.direction, r.direction)";
+    let added = "a = dot(r.direction, r.direction + r.origin)";
+    let question = "    if discriminant < 0:\n        return None\n";
+    for (old, new, told) in [
+        ("", "", None),
+        (square, added, Some(added)),
+        (question, "", None),
+    ] {
+        let text = HIT_SPHERE.replacen(old, new, 1);
+        let known = Known {
+            sources: Sources::new(vec![("main.py".to_owned(), text)], Vec::new()),
+            ..Known::default()
+        };
+        let scene = Scene::new(Chapter::HalfBSphere, None).expect("a chapter");
+        let blamed = known.suspected(&scene).into_iter();
+        let blamed: Vec<String> = blamed
+            .filter(|slip| slip.name.is_empty())
+            .map(|slip| known.words(slip, &scene).wrong.into_owned())
+            .collect();
+        assert_eq!(blamed, Vec::from_iter(told), "instead of {old:?}: {new:?}");
     }
 }
