@@ -18,6 +18,7 @@ use suite::command::{
     transcript, woven,
 };
 use suite::drawn::p3;
+use suite::random::Random;
 
 #[test]
 fn a_right_picture_is_followed_by_what_it_can_not_show() {
@@ -52,6 +53,22 @@ fn a_picture_in_another_encoding_is_judged_with_a_word_on_it() {
     let json = run(&mut check_in(&folder, &["normals", "mine.ppm", "--json"]));
     let json: serde_json::Value = serde_json::from_slice(&json.stdout).expect("an object");
     assert_eq!(json["cause"]["name"], "utf-16");
+}
+
+#[test]
+fn what_comes_near_to_nothing_is_not_recognized_unless_a_chapter_is_named() {
+    let folder = TempDir::new().expect("a folder");
+    let mut random = Random(1);
+    let mut noise = b"P6 64 36 255\n".to_vec();
+    noise.extend((0..64 * 36 * 3).map(|_| random.below(256) as u8));
+    write(&folder, "mine.ppm", &noise);
+    let said = |words: &[&str]| text(&run(&mut check_in(&folder, words)).stdout);
+    let (guessed, named) = (said(&["mine.ppm"]), said(&["normals", "mine.ppm"]));
+    assert!(
+        guessed.starts_with("mine.ppm is not recognized"),
+        "{guessed}"
+    );
+    assert!(named.starts_with("mine.ppm is wrong"), "{named}");
 }
 
 #[test]
