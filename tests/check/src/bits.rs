@@ -4,7 +4,7 @@
 //! Every explanation is measured by this alone. Whole models (which program it is) are
 //! priced where they are made; here is the price of what they leave.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use crate::reading::Reading;
 
@@ -193,6 +193,22 @@ pub(crate) fn beside(reading: &Reading, drawn: &[Pixel]) -> f64 {
     let is_odd: HashSet<u32> = odd.places.iter().copied().collect();
     let is_odd = |n: usize| is_odd.contains(&(n as u32));
     odd.place(reading) + told(reading, is_odd)
+}
+
+/// The same to one who is told the color that most pixels have: half of such pictures are
+/// black or white.
+pub(crate) fn of_one_color(reading: &Reading) -> f64 {
+    let mut counts: HashMap<Pixel, usize> = HashMap::new();
+    for pixel in &reading.pixels {
+        *counts.entry(*pixel).or_default() += 1;
+    }
+    let most = counts.into_iter().max_by_key(|&(_, count)| count);
+    let (color, _) = most.expect("a picture has a pixel");
+    let name = match color {
+        [0, 0, 0] | [255, 255, 255] => 2.0,
+        _ => 1.0 + COLOR,
+    };
+    name + Left::of(reading, &vec![color; reading.pixels.len()]).bits
 }
 
 /// The same of some pixels, beside which the others are known.

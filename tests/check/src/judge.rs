@@ -62,6 +62,7 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
         .drawn(reading)
         .expect("the scene was fitted to the picture");
     let alone = bits::alone(reading).min(bits::beside(reading, &drawn));
+    let alone = alone.min(bits::of_one_color(reading));
     let unknown = UNKNOWN + evidence.besides(&nearest) + alone;
     let mut search = Search {
         evidence,
@@ -256,12 +257,15 @@ impl Search<'_> {
             let is_tried = |it: &Hypothesis| tried.iter().any(|tried| tried.is_same_program(it));
             let (surest, others): (Vec<_>, Vec<_>) = all.partition(is_tried);
             let shortest = self.best().bits();
-            let surest = surest.iter().filter_map(|it| it.measured(evidence.reading));
-            self.found.extend(surest);
+            let surest = surest.iter();
+            let surest: Vec<_> = surest
+                .filter_map(|it| it.measured(evidence.reading))
+                .collect();
             // A loss that brings none of the likeliest programs nearer has not happened.
-            if degradation.is_lossy() && self.best().bits() >= shortest {
+            if degradation.is_lossy() && surest.iter().all(|it| it.bits() >= shortest) {
                 continue;
             }
+            self.found.extend(surest);
             let most = match degradation.is_lossy() {
                 true => f64::INFINITY,
                 false => may_win(self.best().bits()),

@@ -208,6 +208,26 @@ fn a_slip_is_named_through_jpeg() {
     assert_eq!((quality.percent, quality.has_half_colors), (75, true));
 }
 
+/// What is lost on the way makes many pictures the same: a disc of one gray may not be told
+/// as normals in a palette of grays, nor sparks in the dark as what a black picture leaves.
+#[test]
+fn a_loss_is_no_evidence_for_a_slip() {
+    let red = Program::right(Chapter::RedSphere).run(160).picture();
+    let (pixels, _) = red.rgb().as_chunks::<3>();
+    let gray = changed(&red, |i, j| {
+        (pixels[(j * 160 + i) as usize] == [255, 0, 0]).then_some([120; 3])
+    });
+    let mut random = Random(5);
+    let sparks = changed(&changed_all(&red, |_| 0), |_, _| {
+        let is_lit = random.below(30) == 0;
+        is_lit.then(|| [(); 3].map(|()| 85 * random.below(4) as u8))
+    });
+    for (chapter, picture) in [(Chapter::Normals, gray), (Chapter::Gradient, sparks)] {
+        let finding = finding(chapter, &picture);
+        assert_eq!(names(&finding), [[""; 0]; 0], "{:?}", finding.degradation);
+    }
+}
+
 /// As who types another height, and keeps the viewport of the book.
 #[test]
 fn a_viewport_of_the_books_shape_is_named_in_a_picture_of_another() {

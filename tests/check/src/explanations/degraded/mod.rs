@@ -208,19 +208,21 @@ impl Degradation {
     }
 }
 
-/// Each pixel in the nearest color that the file has.
+/// Each pixel in the nearest color that the file has, if a program may have chosen that: so
+/// many colors evenly spread over all leave none farther away than half of what is between
+/// two, and those chosen for a picture are no worse.
 fn in_palette(drawn: &[Pixel], reading: &Reading) -> Vec<Pixel> {
     let palette = traces::colors(reading);
+    let most = (128.0 / (palette.len() as f64).cbrt()) as u16;
     let mut known: HashMap<Pixel, Pixel> = HashMap::new();
     let nearest = |pixel: Pixel| {
         let off = |color: &&Pixel| {
             let off = [0, 1, 2].map(|c| i32::from(color[c] - pixel[c]));
             off.map(|off| off * off).iter().sum::<i32>()
         };
-        *palette
-            .iter()
-            .min_by_key(off)
-            .expect("a picture has a color")
+        let nearest = palette.iter().min_by_key(off);
+        let nearest = nearest.filter(|color| distance(pixel, **color) <= most);
+        nearest.copied().unwrap_or(pixel)
     };
     let mut nearest = |pixel: Pixel| *known.entry(pixel).or_insert_with(|| nearest(pixel));
     drawn.iter().map(|&pixel| nearest(pixel)).collect()
