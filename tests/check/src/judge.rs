@@ -22,24 +22,28 @@ pub(crate) struct Judgement {
 
 /// That nothing is known: one picture in a thousand is no picture of the book at all.
 const UNKNOWN: f64 = 10.0;
-/// How many pixels are looked at to estimate an explanation.
-const FIRST_LOOK: u32 = 1500;
-/// How many at those that may win: all of a picture 200 pixels wide.
-const SECOND_LOOK: u32 = 22_500;
-/// How many explanations may win after the first look, more than any set of slips that
-/// draw the same picture has; and how many pictures beside the first one's are measured.
+/// How many pixels are looked at to estimate explanations, and how many may still win
+/// after each look (successive halving, Karnin et al., 2013).
+const LOOKS: [(u32, usize); 3] = [(300, MANY), (LOOK, FEW), (6000, FEW)];
+/// How many tell a little.
+const LOOK: u32 = 1500;
+/// More explanations than draw the right picture, and than draw any other picture.
+const MANY: usize = 400;
 const FEW: usize = 80;
+/// How many pictures beside the first one's are measured.
 const FEWER: usize = 16;
-/// How many pixels are measured where levels were lost: those of 6 pictures 400 wide.
+/// How many pixels of these are measured: those of 6 pictures 400 wide.
 const PIXELS: usize = 540_000;
 /// What more than this is left of is worth a search for numbers of the reader's own, for
 /// several rays and curves: some thirty odd pixels. Less is told pixel by pixel anyway.
 const WORTH_A_SEARCH: f64 = 1000.0;
 
-/// How many pixels are looked at where nothing is known of thousands of changes, and how
-/// many of these are looked at again: more than draw the right picture.
+/// What costs more bits a pixel, even to one who knows its neighbors, is noise: no picture
+/// of the book's becomes that on any way.
+const NOISE: f64 = 16.0;
+
+/// How many pixels are looked at where nothing is known of thousands of changes.
 const PEEK: u32 = 16;
-const MANY: usize = 400;
 /// What is shorter than this has been made: a slip that leaves some odd pixels.
 const WELL_EXPLAINED: f64 = 100.0;
 
@@ -74,14 +78,8 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     }
     let singles = rights.iter().cloned().chain(single(evidence));
     let likeliest = search.add(singles.collect::<Vec<_>>(), Some(&drawn), f64::INFINITY);
-    search.add_degraded(&rights, &likeliest);
-    if !search.is_degraded(unknown) {
-        search.add_changed(&rights, &likeliest);
-        if !search.is_antialiased(unknown) {
-            search.add_changes(typed, &drawn);
-            search.add_changes(mutants, &drawn);
-            search.add_pairs();
-        }
+    if unknown < NOISE * reading.pixels.len() as f64 {
+        search.add_others(&rights, &likeliest);
     }
     let mut found = search.found;
     drop_what_explains_little(&mut found, &evidence.scene);
@@ -121,7 +119,7 @@ fn simplest_first(found: &mut [Explanation]) {
 
 /// The scene itself by the edition whose picture comes nearest.
 fn nearest(evidence: &Evidence, rights: &[Hypothesis]) -> Hypothesis {
-    let places = Places::new(evidence.reading, None, FIRST_LOOK);
+    let places = Places::new(evidence.reading, None, LOOK);
     let is_asked = |it: &&Hypothesis| is_same(&it.scene, &evidence.scene);
     let length = |it: &&Hypothesis| {
         let length = it.estimated(evidence.reading, &places, f64::INFINITY);
@@ -151,11 +149,6 @@ impl Search<'_> {
         self.best_of(|_| true)
     }
 
-    /// The best if nothing happened to the file.
-    fn best_undegraded(&self) -> &Explanation {
-        self.best_of(|it| it.degradation().is_none())
-    }
-
     fn best_of(&self, is_meant: impl Fn(&Explanation) -> bool) -> &Explanation {
         let shortest =
             |one: &&Explanation, other: &&Explanation| one.bits().total_cmp(&other.bits());
@@ -172,39 +165,57 @@ impl Search<'_> {
         most: f64,
     ) -> Vec<Hypothesis> {
         let reading = self.evidence.reading;
-        let places = Places::new(reading, drawn, FIRST_LOOK);
-        let some = likeliest(self.evidence, all, &places, most);
-        let places = Places::new(reading, drawn, SECOND_LOOK);
-        let some = likeliest(
-            self.evidence,
-            some.into_iter().map(|(_, it)| it),
-            &places,
-            f64::INFINITY,
-        );
+        let mut some: Vec<(f64, Hypothesis)> = Vec::new();
+        let mut all: Vec<Hypothesis> = all.into_iter().collect();
+        let mut most = most;
+        for (count, few) in LOOKS {
+            let places = Places::new(reading, drawn, count);
+            some = likeliest(self.evidence, all, &places, most, few);
+            all = some.iter().map(|(_, it)| it.clone()).collect();
+            most = f64::INFINITY;
+        }
         // Where levels were lost, estimates tell only which is the likeliest.
         let is_lossy = |it: &Hypothesis| it.degradation.is_some_and(Degradation::is_lossy);
+        let pictures = (PIXELS / reading.pixels.len()).clamp(FEWER / 4, FEWER);
         let count = match some.first().is_some_and(|(_, it)| is_lossy(it)) {
-            true => (PIXELS / reading.pixels.len()).clamp(FEWER / 3, FEWER),
+            true => pictures,
             false => FEW,
         };
         let left = |(length, it): &(f64, Hypothesis)| length - it.name;
         let least = some.first().map_or(0.0, left);
         let mut others = 0;
         for it in some.iter().take(count) {
-            // Who draws the same leaves the same, but for roundings.
-            others += usize::from((left(it) - least).abs() > 1e-6);
+            // Who draws the same leaves the same, but for roundings. All slips that do are
+            // told; of numbers that a reader may have typed, the simplest.
+            let is_other =
+                (left(it) - least).abs() > 1e-6 || it.1.scene.chosen != Chosen::default();
+            others += usize::from(is_other);
             let most = may_win(self.best().bits().min(self.unknown));
-            let may_win = others < FEWER && it.0 <= most;
+            let may_win = others < pictures && it.0 <= most;
             if !may_win && !is_lossy(&it.1) {
                 break;
             }
             self.found.extend(it.1.measured(reading));
         }
-        some.into_iter().map(|(_, it)| it).collect()
+        all
+    }
+
+    /// What is no single slip, the surest first.
+    fn add_others(&mut self, rights: &[Hypothesis], likeliest: &[Hypothesis]) {
+        self.add_degraded(rights, likeliest);
+        if self.is_degraded() {
+            return;
+        }
+        self.add_changed(rights, likeliest);
+        if !self.is_antialiased(self.unknown) {
+            self.add_changes(typed);
+            self.add_changes(mutants);
+            self.add_pairs();
+        }
     }
 
     /// Changes that nobody has thought of, where nothing else explains it all.
-    fn add_changes(&mut self, changes: fn(&Evidence) -> Vec<Hypothesis>, drawn: &[Pixel]) {
+    fn add_changes(&mut self, changes: fn(&Evidence) -> Vec<Hypothesis>) {
         let (evidence, reading) = (self.evidence, self.evidence.reading);
         let enough = match evidence.known.sources.is_empty() {
             true => WELL_EXPLAINED,
@@ -220,7 +231,10 @@ impl Search<'_> {
         }
         // A single change that is found has to explain most of what is left.
         let most = (self.best().bits() / 4.0).max(WELL_EXPLAINED);
-        let places = Places::new(reading, Some(drawn), PEEK);
+        let Some((_, drawn)) = self.nearest_drawn() else {
+            return;
+        };
+        let places = Places::new(reading, Some(&drawn), PEEK);
         let near = changes(evidence).into_iter().filter_map(|it| {
             let length = it.estimated(reading, &places, most)?;
             Some((length, it))
@@ -229,10 +243,10 @@ impl Search<'_> {
         near.sort_by(|(one, _), (other, _)| one.total_cmp(other));
         near.truncate(MANY);
         let weighed = near.into_iter().map(|(_, it)| evidence.weighed(it));
-        let places = Places::new(reading, Some(drawn), GLANCE);
-        let some = likeliest(evidence, weighed, &places, most);
+        let places = Places::new(reading, Some(&drawn), GLANCE);
+        let some = likeliest(evidence, weighed, &places, most, FEW);
         let some = some.into_iter().map(|(_, it)| it).take(FEWER);
-        self.add(some, Some(drawn), f64::INFINITY);
+        self.add(some, Some(&drawn), f64::INFINITY);
     }
 
     /// Right pictures, and slips', to which something happened between program and file.
@@ -276,8 +290,8 @@ impl Search<'_> {
 
     /// Whether something happened to the file, and to think so is so much shorter that
     /// nothing else is looked for.
-    fn is_degraded(&self, unknown: f64) -> bool {
-        self.is_shorter(unknown, 4.0, |it| it.degradation().is_some())
+    fn is_degraded(&self) -> bool {
+        self.is_shorter(self.unknown, 4.0, |it| it.degradation().is_some())
     }
 
     /// The same of several rays a pixel that lie where they should.
@@ -302,13 +316,19 @@ impl Search<'_> {
             return;
         }
         let (evidence, reading) = (self.evidence, self.evidence.reading);
-        let places = Places::new(reading, None, FIRST_LOOK);
+        let places = Places::new(reading, None, LOOK);
         let is_own = |it: &&Hypothesis| is_same(&it.scene, &evidence.scene);
         let (own, others): (Vec<_>, Vec<_>) = rights.iter().partition(is_own);
         // The edition that was asked for, the nearest one, and the nearest other scene.
         let mut nearest: Vec<Hypothesis> = own.first().map(|&it| it.clone()).into_iter().collect();
         for some in [own, others] {
-            let some = likeliest(evidence, some.into_iter().cloned(), &places, f64::INFINITY);
+            let some = likeliest(
+                evidence,
+                some.into_iter().cloned(),
+                &places,
+                f64::INFINITY,
+                FEW,
+            );
             let asked = nearest.first().map(|it| it.scene.edition);
             let other = some.into_iter().map(|(_, it)| it);
             nearest.extend(
@@ -359,14 +379,9 @@ impl Search<'_> {
         }
     }
 
-    /// Two slips explain a lot by chance, so they have to explain most of what is left, in
-    /// the edition that was asked for or in the one that comes nearest.
-    fn add_pairs(&mut self) {
-        let (evidence, best) = (self.evidence, self.best_undegraded());
-        // Many pairs draw one color everywhere, which says nothing about any of them.
-        if evidence.reading.is_plain() {
-            return;
-        }
+    /// The best program if nothing happened to its picture, and that.
+    fn nearest_drawn(&self) -> Option<(Hypothesis, Vec<Pixel>)> {
+        let best = self.best_of(|it| it.degradation().is_none());
         let best = Hypothesis {
             scene: best.scene,
             slips: best.slips.clone(),
@@ -374,7 +389,19 @@ impl Search<'_> {
             degradation: None,
             name: best.name,
         };
-        let Some(drawn) = best.drawn(evidence.reading) else {
+        let drawn = best.drawn(self.evidence.reading)?;
+        Some((best, drawn))
+    }
+
+    /// Two slips explain a lot by chance, so they have to explain most of what is left, in
+    /// the edition that was asked for or in the one that comes nearest.
+    fn add_pairs(&mut self) {
+        let evidence = self.evidence;
+        // Many pairs draw one color everywhere, which says nothing about any of them.
+        if evidence.reading.is_plain() {
+            return;
+        }
+        let Some((best, drawn)) = self.nearest_drawn() else {
             return;
         };
         let places = Places::new(evidence.reading, Some(&drawn), GLANCE);
@@ -383,7 +410,7 @@ impl Search<'_> {
         if most > TWO {
             let editions = [evidence.scene.edition, best.scene.edition];
             let pairs = two(evidence).filter(|it| editions.contains(&it.scene.edition));
-            let some = likeliest(evidence, pairs, &places, most);
+            let some = likeliest(evidence, pairs, &places, most, FEW);
             self.add(
                 some.into_iter().map(|(_, it)| evidence.weighed(it)),
                 Some(&drawn),
@@ -405,20 +432,18 @@ fn likeliest(
     all: impl IntoIterator<Item = Hypothesis>,
     places: &Places,
     most: f64,
+    few: usize,
 ) -> Vec<(f64, Hypothesis)> {
     let mut best: Vec<(f64, Hypothesis)> = Vec::new();
     for it in all {
-        let most = match best.len() < FEW {
-            true => most,
-            false => most.min(best[FEW - 1].0),
-        };
-        let most = best
-            .first()
-            .map_or(most, |(length, _)| most.min(may_win(*length)));
+        let last = best.get(few - 1).map_or(most, |(last, _)| most.min(*last));
+        let most = best.first().map_or(last, |(length, _)| {
+            last.min(may_win(*length) + places.give())
+        });
         if let Some(length) = it.estimated(evidence.reading, places, most) {
             let at = best.partition_point(|(other, _)| *other <= length);
             best.insert(at, (length, it));
-            best.truncate(FEW);
+            best.truncate(few);
         }
     }
     best

@@ -7,6 +7,9 @@ use crate::reading::Reading;
 /// A prime, so that a walk with this stride is in step with nothing.
 const STRIDE: usize = 97;
 
+/// Bits of a pixel that is far off, about.
+const FAR: f64 = 13.0;
+
 /// Some pixels, each with the number of pixels that it stands for.
 pub(crate) struct Places {
     places: Vec<(u32, f64)>,
@@ -33,6 +36,12 @@ impl Places {
         Self {
             places: mixed.map(|n| places[n]).collect(),
         }
+    }
+
+    /// By how much an estimate may be wrong: by what one place stands for.
+    pub(crate) fn give(&self) -> f64 {
+        let most = self.places.iter().map(|(_, pixels)| *pixels);
+        FAR * most.fold(0.0, f64::max)
     }
 
     pub(crate) fn iter(&self) -> impl Iterator<Item = (u32, f64)> + '_ {
