@@ -193,6 +193,26 @@ fn a_picture_is_judged_beyond_what_happened_to_its_file() {
     }
 }
 
+/// In a smooth picture another size is as near by a rounding, and by a slip.
+#[test]
+fn a_smooth_picture_that_was_halved_keeps_its_size_and_edition() {
+    let picture = gradient::picture(384);
+    let (pixels, _) = picture.rgb().as_chunks::<3>();
+    let up = |one: u8, other: u8| one.max(other) - one.abs_diff(other) / 2;
+    let mean = |one: [u8; 3], other: [u8; 3]| [0, 1, 2].map(|c| up(one[c], other[c]));
+    let two = |n: usize| mean(pixels[n], pixels[n + 1]);
+    let corner = |n: usize| n / 192 * 2 * 384 + n % 192 * 2;
+    let halved = (0..192 * 108).flat_map(|n| mean(two(corner(n)), two(corner(n) + 384)));
+    let halved = Picture::from_rgb(192, 108, halved.collect()).expect("its size");
+    let finding = finding(Chapter::Gradient, &halved);
+    let from = match finding.degradation {
+        Some(Degradation::Scaled { from, .. }) => from,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!((from, finding.editions), ((384, 216), vec![Edition::V4]));
+    assert!(finding.near.is_some());
+}
+
 /// The picture is one that another program made a JPEG of, in quality 75.
 #[test]
 fn a_slip_is_named_through_jpeg() {

@@ -56,6 +56,8 @@ const WIDTHS: [u32; 9] = [200, 256, 400, 600, 640, 800, 1000, 1200, 1920];
 const MISSING: u32 = 12;
 /// How many where as many are missing on either side.
 const MARGINS: u32 = 80;
+/// With how many sizes and programs all pixels are compared.
+const MEASURED: usize = 3;
 /// How many pixels choose the scale or the place.
 const LOOK: u32 = 600;
 
@@ -85,29 +87,35 @@ pub(super) fn scaled(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<De
         };
         let nearest = |n: u32| it.pixel(&output, nearest.source(n, reading).unwrap_or_default());
         let between = |n: u32| between(&output, from, n, reading, it);
+        let boxed = |n: u32| boxed(|n| it.pixel(&output, n), from, n, reading);
         let off = |pixel: &dyn Fn(u32) -> Pixel| -> u32 {
             let off = |&n: &u32| off(pixel(n), reading.pixels[n as usize]);
             places.iter().map(off).sum()
         };
-        Some((off(&nearest).min(off(&between)), it, from))
+        // The means of still larger squares are like those of many rays.
+        let boxed = (from.0 <= 2 * reading.width).then(|| off(&boxed));
+        let least = off(&nearest).min(off(&between));
+        Some((boxed.map_or(least, |boxed| boxed.min(least)), it, from))
     });
     let least = as_it_is(reading, &places, likeliest);
-    let (_, nearest, from) = tried
-        .min_by_key(|(off, it, _)| {
-            if it.slips.is_empty() {
-                4 * off
-            } else {
-                5 * off
+    let mut tried: Vec<(u32, &Hypothesis, (u32, u32))> =
+        tried.filter(|(off, ..)| 6 * off < 5 * least).collect();
+    let weight = |it: &Hypothesis| if it.slips.is_empty() { 4 } else { 5 };
+    tried.sort_by_key(|(off, it, _)| weight(it) * off);
+    let (nearest, ..) = *tried.first()?;
+    // In a smooth picture another size may be as near by chance.
+    let alike = tried.into_iter().filter(|(off, ..)| *off <= 2 * nearest);
+    let mut best = None;
+    for (_, it, from) in alike.take(MEASURED) {
+        let before = it.before(&it.of_size(from)?);
+        for filter in FILTERS {
+            let left = Left::of(reading, &resized(&before, from, reading, filter)).bits;
+            if best.is_none_or(|(least, _)| left < least) {
+                best = Some((left, Degradation::Scaled { from, filter }));
             }
-        })
-        .filter(|(off, ..)| 5 * off < 4 * least)?;
-    let before = nearest.before(&nearest.of_size(from)?);
-    let left = |filter: Filter| Left::of(reading, &resized(&before, from, reading, filter)).bits;
-    let filters = FILTERS.map(|filter| (left(filter), filter));
-    let (_, filter) = filters
-        .into_iter()
-        .min_by(|one, other| one.0.total_cmp(&other.0))?;
-    Some(Degradation::Scaled { from, filter })
+        }
+    }
+    best.map(|(_, scaled)| scaled)
 }
 
 /// The place in a slightly larger picture at which a program comes nearest.
@@ -215,14 +223,20 @@ pub(super) fn resized(
     reading: &Reading,
     filter: Filter,
 ) -> Vec<Pixel> {
+    if filter == Filter::Box {
+        let before = |n: u32| drawn[n as usize];
+        let all = 0..reading.pixels.len() as u32;
+        return all
+            .map(|n| boxed(before, (width, height), n, reading))
+            .collect();
+    }
     let level = |level: i16| level.clamp(0, 255) as u8;
     let before = RgbImage::from_fn(width, height, |i, j| {
         Rgb(drawn[(j * width + i) as usize].map(level))
     });
     let (width, height) = (reading.width, reading.height);
     let filter = match filter {
-        Filter::Box => return boxed(&before, width, height),
-        Filter::Nearest => FilterType::Nearest,
+        Filter::Nearest | Filter::Box => FilterType::Nearest,
         Filter::Triangle => FilterType::Triangle,
         Filter::Cubic => FilterType::CatmullRom,
         Filter::Lanczos => FilterType::Lanczos3,
@@ -231,24 +245,31 @@ pub(super) fn resized(
     after.pixels().map(|pixel| pixel.0.map(i16::from)).collect()
 }
 
-/// Each pixel is the mean of all whose middle lies in its square.
-fn boxed(before: &RgbImage, width: u32, height: u32) -> Vec<Pixel> {
+/// The mean of all pixels whose middle lies in the square of the nth one: first in each
+/// row, then of the rows, with whole levels in between, as Pillow and libvips do it.
+fn boxed(
+    before: impl Fn(u32) -> Pixel,
+    (width, height): (u32, u32),
+    n: u32,
+    reading: &Reading,
+) -> Pixel {
     let places = |at: u32, before: u32, after: u32| {
         let edge = |at: u32| (2 * at * before + after) / (2 * after);
         let first = edge(at).min(before - 1);
         first..edge(at + 1).clamp(first + 1, before)
     };
-    let mean = |n: u32| {
-        let columns = places(n % width, before.width(), width);
-        let rows = places(n / width, before.height(), height);
-        let count = (columns.len() * rows.len()) as u32;
-        let mut sums = [count / 2; 3];
-        for (i, j) in rows.flat_map(|j| columns.clone().map(move |i| (i, j))) {
-            for (sum, level) in sums.iter_mut().zip(before.get_pixel(i, j).0) {
-                *sum += u32::from(level);
-            }
+    let columns = places(n % reading.width, width, reading.width);
+    let rows = places(n / reading.width, height, reading.height);
+    mean(rows.map(|j| mean(columns.clone().map(|i| before(j * width + i)))))
+}
+
+fn mean(pixels: impl ExactSizeIterator<Item = Pixel>) -> Pixel {
+    let count = pixels.len() as i32;
+    let mut sums = [count / 2; 3];
+    for pixel in pixels {
+        for (sum, level) in sums.iter_mut().zip(pixel) {
+            *sum += i32::from(level);
         }
-        sums.map(|sum| (sum / count) as i16)
-    };
-    (0..width * height).map(mean).collect()
+    }
+    sums.map(|sum| (sum / count) as i16)
 }
