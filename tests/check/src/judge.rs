@@ -7,7 +7,7 @@ use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
     But, Degradation, Explanation, Hypothesis, Places, TWO, antialiased, degradations, in_colors,
-    mutants, on_a_curve, own_spheres, right, single, turned, two, typed,
+    mutants, on_a_curve, own_spheres, poor, right, single, turned, two, typed,
 };
 use crate::scene::{Chosen, Scene};
 use ::slips::Edition;
@@ -76,6 +76,7 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     if nearest.scene.step().is_some() || nearest.scene.edition != evidence.scene.edition {
         search.found.extend(rights[0].measured(reading));
     }
+    search.found.extend(poor(evidence, &rights));
     let singles = rights.iter().cloned().chain(single(evidence));
     let likeliest = search.add(singles.collect::<Vec<_>>(), Some(&drawn), f64::INFINITY);
     if unknown < NOISE * reading.pixels.len() as f64 {
@@ -215,7 +216,7 @@ impl Search<'_> {
     }
 
     /// Changes that nobody has thought of, where nothing else explains it all.
-    fn add_changes(&mut self, changes: fn(&Evidence) -> Vec<Hypothesis>) {
+    fn add_changes(&mut self, changes: fn(&Evidence, Edition) -> Vec<Hypothesis>) {
         let (evidence, reading) = (self.evidence, self.evidence.reading);
         let enough = match evidence.known.sources.is_empty() {
             true => WELL_EXPLAINED,
@@ -231,11 +232,14 @@ impl Search<'_> {
         }
         // A single change that is found has to explain most of what is left.
         let most = (self.best().bits() / 4.0).max(WELL_EXPLAINED);
-        let Some((_, drawn)) = self.nearest_drawn() else {
+        let Some((best, drawn)) = self.nearest_drawn() else {
             return;
         };
         let places = Places::new(reading, Some(&drawn), PEEK);
-        let near = changes(evidence).into_iter().filter_map(|it| {
+        let mut editions = vec![evidence.scene.edition, best.scene.edition];
+        editions.dedup();
+        let changes = editions.iter().flat_map(|&it| changes(evidence, it));
+        let near = changes.filter_map(|it| {
             let length = it.estimated(reading, &places, most)?;
             Some((length, it))
         });

@@ -8,7 +8,7 @@ use slips::{Chapter, Edition, Letters, Slip};
 use crate::bits::Left;
 use crate::comparison::{Comparison, Difference};
 use crate::evidence::{Evidence, Known};
-use crate::explanations::{But, Conversion, Degradation, Explanation};
+use crate::explanations::{But, Conversion, Degradation, Explanation, MANY};
 use crate::judge::{Judgement, is_same, shortest};
 use crate::reading::{self, Cause, Reading};
 use crate::scene::Scene;
@@ -289,6 +289,15 @@ impl Finding {
         let told: usize = sets.iter().map(|set| set.mistakes.len()).sum();
         let is_vague = best.slips.len() > 1 || told > TOLD || reading.is_plain();
         let sights = match (is_known, &best.seen) {
+            (true, Some(seen)) if seen == MANY => {
+                let mut sights = seen::sights(&compared, reading).into_iter();
+                let (first, last) = (sights.next(), sights.next_back());
+                first
+                    .into_iter()
+                    .chain([seen.clone()])
+                    .chain(last)
+                    .collect()
+            }
             (true, Some(seen)) => vec![seen.clone()],
             (true, None) if !is_vague => Vec::new(),
             (false, _) if is_typed => Vec::new(),

@@ -332,6 +332,11 @@ impl Slip {
         self.source.starts_with("chapters/")
     }
 
+    /// Whether it is made in the camera, which no two editions have the same.
+    pub fn is_of_the_camera(&self) -> bool {
+        self.source.ends_with("camera.rs")
+    }
+
     /// The file that has the line right, if it is in that workspace.
     pub fn source_in(&self, workspace: &Path) -> Option<PathBuf> {
         Some(workspace.join(self.source)).filter(|file| file.is_file())

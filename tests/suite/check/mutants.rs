@@ -5,9 +5,10 @@ use check::mutants::unchanged;
 use check::png;
 use check::scene::Scene;
 use check::sources::Sources;
-use check::verdict::check;
+use check::told::suspected;
+use check::verdict::{check, check_knowing};
 use common::rtweekend::Vec3;
-use slips::{Chapter, Program};
+use slips::{Chapter, Edition, Program};
 
 #[test]
 fn a_chapter_that_is_run_from_its_text_draws_its_picture() {
@@ -96,10 +97,7 @@ fn a_readers_line_is_run_in_the_chapters_place_and_no_other_is_blamed() {
         (question, "", None),
     ] {
         let text = HIT_SPHERE.replacen(old, new, 1);
-        let known = Known {
-            sources: Sources::new(vec![("main.py".to_owned(), text)], Vec::new()),
-            ..Known::default()
-        };
+        let known = with_files(text);
         let scene = Scene::new(Chapter::HalfBSphere, None).expect("a chapter");
         let blamed = known.suspected(&scene).into_iter();
         let blamed: Vec<String> = blamed
@@ -107,5 +105,60 @@ fn a_readers_line_is_run_in_the_chapters_place_and_no_other_is_blamed() {
             .map(|slip| known.words(slip, &scene).wrong.into_owned())
             .collect();
         assert_eq!(blamed, Vec::from_iter(told), "instead of {old:?}: {new:?}");
+    }
+}
+
+/// Only sky is drawn by dozens of mistakes, in any edition: of these only one that is typed.
+#[test]
+fn a_picture_that_says_little_names_no_line_that_is_not_typed() {
+    let scene = Scene::new(Chapter::HalfBSphere, None).expect("a chapter");
+    let doubled = "c = dot(oc, oc) - radius * 2";
+    for edition in [Edition::V4, Edition::V3] {
+        let sky = Program {
+            world: &[],
+            ..scene.only_by(edition).program(&[])
+        };
+        let picture = png::encode(&sky.run(200).picture());
+        let rows = |text: String| {
+            let known = with_files(text);
+            let answer = check_knowing(&scene, &picture, 0, &known);
+            answer.finding().expect("it is wrong").rows(&known)
+        };
+        let is_seen = |(label, _): &(&str, String)| *label == "seen";
+        let right = rows(HIT_SPHERE.to_owned());
+        assert!(right.iter().all(is_seen), "{edition:?}: {right:?}");
+        let wrong = rows(HIT_SPHERE.replace("c = dot(oc, oc) - radius * radius", doubled));
+        let is_named = wrong.iter().any(|(_, said)| said.ends_with(doubled));
+        assert!(is_named, "{edition:?}: {wrong:?}");
+    }
+}
+
+/// Python works out what stands on a line, and C++ too, and says nothing.
+#[test]
+fn a_value_that_nothing_takes_is_told() {
+    let scene = Scene::new(Chapter::HalfBSphere, None).expect("a chapter");
+    for (old, new, is_idle) in [
+        ("", "", false),
+        ("discriminant = h", "discriminant == h", true),
+        ("return (h", "(h", true),
+        // A call does something, and a sum in brackets goes on on the next line.
+        ("a = dot", "print", false),
+        (
+            "c = dot(oc, oc) - ",
+            "c = dot(oc, oc) + (\n        -radius * radius\n    ) + ",
+            false,
+        ),
+    ] {
+        let known = with_files(HIT_SPHERE.replacen(old, new, 1));
+        let rows = suspected(&scene, &known).into_iter();
+        let told = rows.filter(|(_, said)| said.contains("nothing takes"));
+        assert_eq!(told.count() == 1, is_idle, "{new}");
+    }
+}
+
+fn with_files(text: String) -> Known<'static> {
+    Known {
+        sources: Sources::new(vec![("main.py".to_owned(), text)], Vec::new()),
+        ..Known::default()
     }
 }

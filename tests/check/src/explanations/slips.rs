@@ -45,29 +45,35 @@ const MUTANT: f64 = 11.0;
 const TYPED: f64 = 6.0;
 
 /// The chapter's own text with one change that the catalogue doesn't know.
-pub(crate) fn mutants(evidence: &Evidence) -> Vec<Hypothesis> {
-    changed(evidence, mutants::of(evidence.scene.chapter), MUTANT)
+pub(crate) fn mutants(evidence: &Evidence, edition: Edition) -> Vec<Hypothesis> {
+    changed(
+        evidence,
+        edition,
+        mutants::of(evidence.scene.chapter),
+        MUTANT,
+    )
 }
 
 /// The chapter's own text with an expression as the reader has it.
-pub(crate) fn typed(evidence: &Evidence) -> Vec<Hypothesis> {
+pub(crate) fn typed(evidence: &Evidence, edition: Edition) -> Vec<Hypothesis> {
     let typed = mutants::typed(evidence.scene.chapter, &evidence.known.sources);
-    changed(evidence, typed, TYPED)
+    changed(evidence, edition, typed, TYPED)
 }
 
 fn changed(
     evidence: &Evidence,
+    edition: Edition,
     changes: impl IntoIterator<Item = &'static Slip>,
     name: f64,
 ) -> Vec<Hypothesis> {
-    let scene = evidence.scene;
-    // They are made of version 4.
-    let is_plain = scene.probe.is_none() && scene.edition == Edition::V4;
-    let mut right = by_editions(evidence, scene, name).into_iter();
-    let Some(right) = right.next().filter(|_| is_plain) else {
+    let rights = by_editions(evidence, evidence.scene, name).into_iter();
+    let mut rights = rights.filter(|it| it.scene.edition == edition);
+    let Some(right) = rights.next().filter(|it| it.scene.probe.is_none()) else {
         return Vec::new();
     };
-    let changes = changes.into_iter();
+    // They are made of version 4, and its camera is no other edition's.
+    let is_run = |slip: &&Slip| edition == Edition::V4 || !slip.is_of_the_camera();
+    let changes = changes.into_iter().filter(is_run);
     let changes = changes.filter(|slip| evidence.may_be_wrong(slip));
     let with = |slip| Hypothesis {
         slips: vec![slip],

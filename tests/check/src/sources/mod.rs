@@ -5,6 +5,7 @@
 
 mod alignment;
 mod expressions;
+mod idle;
 mod tokens;
 mod variants;
 
