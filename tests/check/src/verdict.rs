@@ -287,7 +287,8 @@ impl Finding {
             false => Vec::new(),
         };
         let told: usize = sets.iter().map(|set| set.mistakes.len()).sum();
-        let is_vague = best.slips.len() > 1 || told > TOLD || reading.is_plain();
+        let says_little = judgement.says_little();
+        let is_vague = best.slips.len() > 1 || told > TOLD || says_little;
         let sights = match (is_known, &best.seen) {
             (true, Some(seen)) if seen == MANY => {
                 let mut sights = seen::sights(&compared, reading).into_iter();
@@ -365,6 +366,14 @@ impl Judgement {
         let first = plain.peek().copied();
         let whole = plain.find(|it| is_whole && it.scene.step().is_none());
         whole.or(first).expect("the scene itself was measured")
+    }
+
+    /// Whether it is a picture that many mistakes draw, as far as anybody can tell.
+    fn says_little(&self) -> bool {
+        let shortest = self.found[0].bits();
+        let alike = self.found.iter();
+        let mut alike = alike.take_while(|it| it.bits() <= shortest + TOGETHER);
+        alike.any(|it| it.seen.as_deref() == Some(MANY))
     }
 
     /// Scenes of the same chapter whose right picture it is as well.

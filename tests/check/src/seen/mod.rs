@@ -19,6 +19,9 @@ use view::View;
 /// Compression and scaling change most pixels by no more than so many levels.
 const LITTLE: u16 = 12;
 
+/// Where one pixel in so many is another, nearly all are the same.
+const ODD: usize = 32;
+
 /// What can be seen, the most telling first.
 pub(crate) fn sights(scene: &Scene, reading: &Reading) -> Vec<String> {
     let right = scene.right(reading.width, reading.height);
@@ -58,13 +61,19 @@ pub(crate) fn is_blurred(scene: &Scene, reading: &Reading) -> bool {
 
 impl View<'_> {
     fn plain(&self) -> Option<String> {
-        let said = match self.found(0) {
-            [0, 0, 0] => {
-                "Every pixel is black: is a component NaN, or is no color ever set?".to_owned()
-            }
-            first => format!("Every pixel has the same color, {first:?}."),
+        let first = self.found(0);
+        let same = self.places.iter().filter(|n| self.found(**n) == first);
+        let is_plain = ODD * (self.places.len() - same.count()) <= self.places.len();
+        let all = match self.reading.is_plain() {
+            true => "Every pixel",
+            false => "Nearly every pixel",
         };
-        self.reading.is_plain().then_some(said)
+        is_plain.then(|| match first {
+            [0, 0, 0] => {
+                format!("{all} is black: is a component NaN, or is no color ever set?")
+            }
+            color => format!("{all} has the same color, {color:?}."),
+        })
     }
 
     fn unscaled(&self) -> Option<String> {
