@@ -272,7 +272,11 @@ impl Search<'_> {
         {
             let evidence = evidence.degraded(degradation);
             let all = right(&evidence).into_iter().chain(single(&evidence));
-            let is_tried = |it: &Hypothesis| tried.iter().any(|tried| tried.is_same_program(it));
+            let best = self.best().program();
+            let is_tried = |it: &Hypothesis| {
+                let mut tried = tried.iter().chain([&best]);
+                tried.any(|tried| tried.is_same_program(it))
+            };
             let (surest, others): (Vec<_>, Vec<_>) = all.partition(is_tried);
             let shortest = self.best().bits();
             let surest = surest.iter();
@@ -386,13 +390,7 @@ impl Search<'_> {
     /// The best program if nothing happened to its picture, and that.
     fn nearest_drawn(&self) -> Option<(Hypothesis, Vec<Pixel>)> {
         let best = self.best_of(|it| it.degradation().is_none());
-        let best = Hypothesis {
-            scene: best.scene,
-            slips: best.slips.clone(),
-            conversion: best.conversion,
-            degradation: None,
-            name: best.name,
-        };
+        let best = best.program();
         let drawn = best.drawn(self.evidence.reading)?;
         Some((best, drawn))
     }

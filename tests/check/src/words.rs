@@ -196,9 +196,13 @@ impl Degradation {
             Self::Framed {
                 size: (width, height),
                 corner: (left, above),
+                quality,
             } => {
+                let compressed = quality.map_or(String::new(), |quality| {
+                    format!("{}, and ", Self::Jpeg(quality).clause())
+                });
                 format!(
-                    "in a frame: it is the {width} × {height} pixels from column {left}, row {above} on"
+                    "{compressed}in a frame: it is the {width} × {height} pixels from column {left}, row {above} on"
                 )
             }
             Self::Gray(_) => "in gray".to_owned(),

@@ -213,19 +213,32 @@ fn a_smooth_picture_that_was_halved_keeps_its_size_and_edition() {
     assert!(finding.near.is_some());
 }
 
-/// The picture is one that another program made a JPEG of, in quality 75.
+/// The pictures are such that another program made a JPEG of, one with a window around it.
 #[test]
 fn a_slip_is_named_through_jpeg() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("check/far_root_jpeg_75.png");
-    let bytes = fs::read(path).expect("it is committed");
-    let Check::Wrong(finding) = check(&scene(Chapter::Normals), &bytes, 0) else {
-        panic!("it is wrong");
-    };
-    assert_eq!(finding.sets[0].mistakes[0][0].name, "far-root");
-    let Some(Degradation::Jpeg(quality)) = finding.degradation else {
-        panic!("{:?}", finding.degradation);
-    };
-    assert_eq!((quality.percent, quality.has_half_colors), (75, true));
+    for (name, percent, is_framed) in [
+        ("far_root_jpeg_75.png", 75, false),
+        ("far_root_framed_jpeg_85.png", 85, true),
+    ] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("check")
+            .join(name);
+        let bytes = fs::read(path).expect("it is committed");
+        let Check::Wrong(finding) = check(&scene(Chapter::Normals), &bytes, 0) else {
+            panic!("it is wrong");
+        };
+        assert_eq!(finding.sets[0].mistakes[0][0].name, "far-root");
+        let (framed, quality) = match finding.degradation {
+            Some(Degradation::Jpeg(quality)) => (false, Some(quality)),
+            Some(Degradation::Framed { quality, .. }) => (true, quality),
+            other => panic!("{other:?}"),
+        };
+        let quality = quality.expect("it was compressed");
+        assert_eq!(
+            (framed, quality.percent, quality.has_half_colors),
+            (is_framed, percent, true)
+        );
+    }
 }
 
 /// What is lost on the way makes many pictures the same: a disc of one gray may not be told

@@ -117,6 +117,17 @@ impl Explanation {
         self.name + self.left.bits
     }
 
+    /// The program, whatever happened to its picture.
+    pub(crate) fn program(&self) -> Hypothesis {
+        Hypothesis {
+            scene: self.scene,
+            slips: self.slips.clone(),
+            conversion: self.conversion,
+            degradation: None,
+            name: self.name,
+        }
+    }
+
     /// By how much its length may be another by chance: noise by the square root of its
     /// bits, and more where one rounding spoils many pixels at once.
     pub(crate) fn give(&self) -> f64 {

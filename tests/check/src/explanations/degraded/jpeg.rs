@@ -5,7 +5,7 @@ use std::cmp::Reverse;
 use std::f32::consts::PI;
 use std::sync::LazyLock;
 
-use super::{Degradation, Hypothesis};
+use super::Hypothesis;
 use crate::bits::{Left, Pixel};
 use crate::explanations::spread;
 use crate::reading::Reading;
@@ -47,9 +47,15 @@ const FAR: f32 = 8.0;
 const BLOCKS: u32 = 60;
 
 /// The quality with which a program comes nearest.
-pub(super) fn compressed(reading: &Reading, likeliest: &[Hypothesis]) -> Option<Degradation> {
+pub(super) fn compressed(reading: &Reading, likeliest: &[Hypothesis]) -> Option<Quality> {
     let luma = luma(&reading.pixels, reading.width);
-    let found: Vec<_> = luma.some().map(|at| (at, luma.cosines(at))).collect();
+    // What frames the picture would tell of any quality.
+    let is_drawn = |n: u32| {
+        let mut all = likeliest.iter().filter_map(|it| it.degradation);
+        all.all(|it| it.source(n, reading).is_some())
+    };
+    let some = luma.some(is_drawn);
+    let found: Vec<_> = some.map(|at| (at, luma.cosines(at))).collect();
     let (mut best, mut without): (Option<(f32, u8, Vec<Pixel>)>, f32) = (None, f32::MAX);
     for it in likeliest {
         let Some(drawn) = it.drawn(reading) else {
@@ -86,7 +92,7 @@ pub(super) fn compressed(reading: &Reading, likeliest: &[Hypothesis]) -> Option<
         let bits = Left::of(reading, &through(&drawn, reading.width, *quality)).bits;
         bits as u64
     };
-    all.min_by_key(left).map(Degradation::Jpeg)
+    all.min_by_key(left)
 }
 
 /// How far cosines that are kept as coarsely as that are from those of the file.
@@ -209,9 +215,15 @@ impl Plane {
         rows.flat_map(move |j| (0..width).step_by(8).map(move |i| (i, j)))
     }
 
-    /// Blocks to look at, half of them with the most contrast.
-    fn some(&self) -> impl Iterator<Item = (usize, usize)> {
-        let mut all: Vec<_> = self.blocks().collect();
+    /// Blocks of a program's to look at, half of them with the most contrast.
+    fn some(&self, is_drawn: impl Fn(u32) -> bool) -> impl Iterator<Item = (usize, usize)> {
+        let is_within = |&(i, j): &(usize, usize)| {
+            let last = (j + 7).min(self.height - 1) * self.width + (i + 7).min(self.width - 1);
+            [j * self.width + i, last]
+                .into_iter()
+                .all(|n| is_drawn(n as u32))
+        };
+        let mut all: Vec<_> = self.blocks().filter(is_within).collect();
         let contrast = |at: &(usize, usize)| {
             let block = self.block(*at);
             let [low, high] = [f32::min as fn(f32, f32) -> f32, f32::max]

@@ -8,10 +8,11 @@ mod resampled;
 mod traces;
 
 use std::collections::HashMap;
+use std::slice;
 
 use common::rtweekend::Picture;
 
-use super::Hypothesis;
+use super::{Hypothesis, Places, right, single};
 use crate::bits::{Pixel, distance, told};
 use crate::evidence::Evidence;
 use crate::reading::Reading;
@@ -43,6 +44,8 @@ pub enum Degradation {
         size: (u32, u32),
         /// The column and row where it begins.
         corner: (u32, u32),
+        /// How the whole was compressed, if it was.
+        quality: Option<Quality>,
     },
     /// Red, green and blue of each pixel were mixed with these weights.
     Gray([f64; 3]),
@@ -63,6 +66,8 @@ const SIZE: f64 = 5.0;
 const QUALITY: f64 = 8.0;
 /// A picture of fewer pixels across tells nothing of its way.
 const SMALLEST: u32 = 16;
+/// How many pixels choose a program.
+const LOOK: u32 = 600;
 /// Bits of a color of a palette.
 const COLOR: f64 = 24.0;
 
@@ -71,7 +76,7 @@ const COLOR: f64 = 24.0;
 type Search = fn(&Evidence, &[Hypothesis]) -> Option<Degradation>;
 
 /// The surest first.
-const SEARCHES: [Search; 8] = [
+const SEARCHES: [Search; 9] = [
     |evidence, _| traces::gray(evidence.reading, traces::REC_601),
     |evidence, _| traces::gray(evidence.reading, traces::REC_709),
     |evidence, _| traces::gray(evidence.reading, [1.0 / 3.0; 3]),
@@ -79,8 +84,22 @@ const SEARCHES: [Search; 8] = [
     resampled::cropped,
     resampled::scaled,
     |evidence, _| traces::palette(evidence.reading),
-    |evidence, likeliest| jpeg::compressed(evidence.reading, likeliest),
+    |evidence, likeliest| jpeg::compressed(evidence.reading, likeliest).map(Degradation::Jpeg),
+    framed_and_compressed,
 ];
+
+/// A window that was compressed with what is around it.
+fn framed_and_compressed(evidence: &Evidence, _: &[Hypothesis]) -> Option<Degradation> {
+    let framed = evidence.degraded(traces::framed(evidence)?);
+    let reading = evidence.reading;
+    let places = Places::new(reading, None, LOOK);
+    let length = |it: &Hypothesis| it.estimated(reading, &places, f64::INFINITY);
+    let all = right(&framed).into_iter().chain(single(&framed));
+    let all = all.filter_map(|it| Some((length(&it)?, it)));
+    let (_, nearest) = all.min_by(|one, other| one.0.total_cmp(&other.0))?;
+    let quality = jpeg::compressed(reading, slice::from_ref(&nearest))?;
+    nearest.degradation.map(|framed| framed.with(quality))
+}
 
 /// Degradations that the picture may have gone through, each looked for when it is asked
 /// for.
@@ -111,32 +130,56 @@ impl Degradation {
     pub(crate) fn is_lossy(self) -> bool {
         match self {
             Self::Scaled { .. } | Self::Palette { .. } | Self::Jpeg(_) => true,
-            Self::Cropped { .. } | Self::Framed { .. } | Self::Gray(_) => false,
+            Self::Framed { quality, .. } => quality.is_some(),
+            Self::Cropped { .. } | Self::Gray(_) => false,
         }
     }
 
     /// About how many pixels one rounding changes: a block, or a row's part.
     pub(crate) fn together(self) -> f64 {
-        match self {
-            Self::Jpeg(quality) if quality.has_half_colors => 256.0,
-            lossy if lossy.is_lossy() => 64.0,
+        match self.quality() {
+            Some(quality) if quality.has_half_colors => 256.0,
+            _ if self.is_lossy() => 64.0,
             _ => 1.0,
+        }
+    }
+
+    /// The same in a file that was compressed.
+    fn with(self, quality: Quality) -> Self {
+        match self {
+            Self::Framed { size, corner, .. } => Self::Framed {
+                size,
+                corner,
+                quality: Some(quality),
+            },
+            _ => Self::Jpeg(quality),
+        }
+    }
+
+    /// How it was compressed, if it was.
+    fn quality(self) -> Option<Quality> {
+        match self {
+            Self::Jpeg(quality) => Some(quality),
+            Self::Framed { quality, .. } => quality,
+            _ => None,
         }
     }
 
     /// Bits that tell it.
     pub(crate) fn name(self, reading: &Reading) -> f64 {
-        NAME + match self {
-            Self::Scaled { .. } => SIZE + 2.0,
-            Self::Cropped { .. } => 3.0 * SIZE,
-            Self::Framed { .. } => {
-                let is_outside = |n: usize| self.source(n as u32, reading).is_none();
-                4.0 * f64::from(reading.width).log2() + told(reading, is_outside)
+        let compressed = self.quality().map_or(0.0, |_| QUALITY);
+        NAME + compressed
+            + match self {
+                Self::Scaled { .. } => SIZE + 2.0,
+                Self::Cropped { .. } => 3.0 * SIZE,
+                Self::Framed { .. } => {
+                    let is_outside = |n: usize| self.source(n as u32, reading).is_none();
+                    4.0 * f64::from(reading.width).log2() + told(reading, is_outside)
+                }
+                Self::Gray(_) => 2.0,
+                Self::Palette { colors } => COLOR * colors as f64,
+                Self::Jpeg(_) => 0.0,
             }
-            Self::Gray(_) => 2.0,
-            Self::Palette { colors } => COLOR * colors as f64,
-            Self::Jpeg(_) => QUALITY,
-        }
     }
 
     /// The pixel before that tells most of the nth one; `None` in a frame.
@@ -159,6 +202,7 @@ impl Degradation {
             Self::Framed {
                 size: (width, height),
                 corner: (left, above),
+                ..
             } => {
                 let (i, j) = (i.checked_sub(left)?, j.checked_sub(above)?);
                 (i < width && j < height).then_some(j * width + i)
@@ -193,9 +237,8 @@ impl Degradation {
 
     /// What becomes of a whole picture.
     pub(crate) fn of(self, drawn: &[Pixel], reading: &Reading) -> Vec<Pixel> {
-        match self {
+        let placed = match self {
             Self::Scaled { from, filter } => resampled::resized(drawn, from, reading, filter),
-            Self::Jpeg(quality) => jpeg::through(drawn, reading.width, quality),
             Self::Palette { .. } => in_palette(drawn, reading),
             _ => (0..)
                 .zip(&reading.pixels)
@@ -204,7 +247,16 @@ impl Degradation {
                     source.map_or(*found, |source| self.color(drawn[source as usize]))
                 })
                 .collect(),
-        }
+        };
+        let Some(quality) = self.quality() else {
+            return placed;
+        };
+        let compressed = jpeg::through(&placed, reading.width, quality);
+        // What frames it has been compressed already.
+        let pixels = (0..).zip(compressed.into_iter().zip(&reading.pixels));
+        pixels
+            .map(|(n, (pixel, found))| self.source(n, reading).map_or(*found, |_| pixel))
+            .collect()
     }
 }
 

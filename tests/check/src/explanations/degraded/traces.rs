@@ -58,7 +58,15 @@ pub(super) fn framed(evidence: &Evidence) -> Option<Degradation> {
                 let is_sharper = best.is_none_or(|(most, _)| sharp > most);
                 if is_sharper && (width, height) != (reading.width, reading.height) {
                     let (size, corner) = ((width, height), (left, above));
-                    best = Some((sharp, Degradation::Framed { size, corner }));
+                    let quality = None;
+                    best = Some((
+                        sharp,
+                        Degradation::Framed {
+                            size,
+                            corner,
+                            quality,
+                        },
+                    ));
                 }
             }
         }
