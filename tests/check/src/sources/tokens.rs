@@ -79,6 +79,10 @@ fn words(line: usize, text: &str) -> Vec<Token> {
     let mut code = code
         .replace("make_shared<sphere>", "sphere")
         .replace("->", ".");
+    // Nobody adds one to a color but to a normal that is taken for one.
+    for sign in ["* Color::ONE", "= Color::ONE", "Color::ONE *"] {
+        code = code.replace(sign, &sign.replace("ONE", "new(1.0, 1.0, 1.0)"));
+    }
     for prefix in ["this->", "std::", "math.", "f64::from", "f64::"] {
         code = code.replace(prefix, "");
     }
