@@ -287,7 +287,7 @@ impl Finding {
             false => Vec::new(),
         };
         let told: usize = sets.iter().map(|set| set.mistakes.len()).sum();
-        let says_little = judgement.says_little();
+        let says_little = is_known && judgement.says_little();
         let is_vague = best.slips.len() > 1 || told > TOLD || says_little;
         let sights = match (is_known, &best.seen) {
             (true, Some(seen)) if seen == MANY => {

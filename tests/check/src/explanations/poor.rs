@@ -52,6 +52,8 @@ pub(crate) fn poor(evidence: &Evidence, rights: &[Hypothesis]) -> Vec<Explanatio
         let (spheres, bits) = painted(&sky, &is_hit, reading);
         all.extend([poor(&sky, 0.0), poor(&spheres, bits)]);
     }
+    // Who leaves many pixels has drawn something else.
+    all.retain(|it| it.left.is_one_by_one);
     all
 }
 
