@@ -61,45 +61,15 @@ impl Sources {
     ///
     /// Returns how many expressions of the chapter's are missing, too.
     pub(crate) fn variants(&self, functions: &[&str]) -> (usize, Vec<(usize, Variant)>) {
-        let mut own: Vec<Part> = self.yours.iter().flat_map(File::parts).collect();
-        let spelled: Vec<HashMap<String, String>> = functions
-            .iter()
-            .map(|text| of_a_ray(tokens(text)).into_iter())
-            .map(|tokens| tokens.map(|it| (it.text, it.own)))
-            .map(Iterator::collect)
-            .collect();
-        let places = functions.iter().zip(&spelled).enumerate();
-        let places = places.flat_map(|(function, (text, spelled))| {
-            let body = text.find('{').unwrap_or_default();
-            let expressions = expressions(text, false).into_iter();
-            let expressions = expressions.filter(move |it| it.at.start > body);
-            expressions.map(move |it| Place {
-                function,
-                name: it.name,
-                tokens: of_a_ray(tokens(&text[it.at.clone()])),
-                at: it.at,
-                spelled,
-            })
-        });
+        let spelled: Vec<_> = functions.iter().map(|text| spellings(text)).collect();
+        let functions = functions.iter().zip(&spelled).enumerate();
+        let places = functions.flat_map(|(n, (text, spelled))| places(n, text, spelled));
         let places: Vec<Place> = places.collect();
-        // Names by which whole expressions are the chapter's are so everywhere.
-        let (mut known, mut given): (Vec<Rename>, Vec<Rename>) = Default::default();
-        for (part, place) in own
-            .iter()
-            .flat_map(|it| places.iter().map(move |place| (it, place)))
-        {
-            if part.tokens.len() > OTHERS && place.is_right(part, &[]) {
-                known.extend(place.renames(part, &[]));
-                given.extend(place.given_as(part));
-            }
-        }
-        for part in &mut own {
-            part.tokens = renamed(&renamed(&part.tokens, &given), &known);
-        }
+        let mut own: Vec<Part> = self.yours.iter().flat_map(File::parts).collect();
+        let given = rename_all(&mut own, &places);
         // Under a name of the chapter's only the chapter's value is right.
-        let is_named = |part: &Part| places.iter().any(|place| place.is_named_as(part));
         let is_right = |part: &Part| {
-            let is_named = is_named(part);
+            let is_named = places.iter().any(|place| place.is_named_as(part));
             let mut places = places.iter();
             places.any(|it| (!is_named || it.is_named_as(part)) && it.is_right(part, &given))
         };
@@ -127,6 +97,46 @@ impl Sources {
         };
         wanted.peek().is_some() && wanted.all(is_had)
     }
+}
+
+/// How a function spells what is in it.
+fn spellings(text: &str) -> HashMap<String, String> {
+    let tokens = of_a_ray(tokens(text)).into_iter();
+    tokens.map(|it| (it.text, it.own)).collect()
+}
+
+/// The expressions of the nth function.
+fn places<'a>(
+    function: usize,
+    text: &'a str,
+    spelled: &'a HashMap<String, String>,
+) -> impl Iterator<Item = Place<'a>> {
+    let body = text.find('{').unwrap_or_default();
+    let expressions = expressions(text, false).into_iter();
+    let expressions = expressions.filter(move |it| it.at.start > body);
+    expressions.map(move |it| Place {
+        function,
+        name: it.name,
+        tokens: of_a_ray(tokens(&text[it.at.clone()])),
+        at: it.at,
+        spelled,
+    })
+}
+
+/// Gives the reader's expressions the chapter's names: those by which whole expressions are
+/// the chapter's are so everywhere. Returns those of values that are given a name.
+fn rename_all(own: &mut [Part], places: &[Place]) -> Vec<Rename> {
+    let (mut known, mut given): (Vec<Rename>, Vec<Rename>) = Default::default();
+    for part in own.iter().filter(|it| it.tokens.len() > OTHERS) {
+        for place in places.iter().filter(|place| place.is_right(part, &[])) {
+            known.extend(place.renames(part, &[]));
+            given.extend(place.given_as(part));
+        }
+    }
+    for part in own {
+        part.tokens = renamed(&renamed(&part.tokens, &given), &known);
+    }
+    given
 }
 
 impl Place<'_> {
