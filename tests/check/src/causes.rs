@@ -91,7 +91,7 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
             "{} pixels have numbers {range}; the first is column {column}, row {row}: {:?}",
             outside.count, outside.pixel
         ),
-        "A component of a color must be from 0 to 1 before it is scaled: int(255.999 * r). The mistakes below give these very numbers, if there are any.",
+        "A component of a color must be from 0 to 1 before it is scaled: int(255.999 * r). If a mistake is named, it gives these very numbers.",
     ))
 }
 

@@ -246,7 +246,10 @@ impl Search<'_> {
         let mut near: Vec<(f64, Hypothesis)> = near.collect();
         near.sort_by(|(one, _), (other, _)| one.total_cmp(other));
         near.truncate(MANY);
+        // Whose name alone is longer than what is known has nothing to add.
+        let shortest = self.best().bits();
         let weighed = near.into_iter().map(|(_, it)| evidence.weighed(it));
+        let weighed = weighed.filter(|it| it.name < shortest);
         let places = Places::new(reading, Some(&drawn), GLANCE);
         let some = likeliest(evidence, weighed, &places, most, FEW);
         let some = some.into_iter().map(|(_, it)| it).take(FEWER);

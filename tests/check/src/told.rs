@@ -24,7 +24,7 @@ impl Finding {
     pub fn rows(&self, known: &Known) -> Vec<Row> {
         let warnings = known.warnings.iter().take(WARNINGS);
         let mut rows: Vec<Row> = warnings.map(|it| ("warned", it.clone())).collect();
-        rows.extend(idle(known));
+        rows.extend(lints(known));
         let mistakes = self.mistakes();
         // Where much else may be the cause, what is seen is surer than any of it.
         let label = match self.sights.is_empty() {
@@ -84,14 +84,14 @@ impl Finding {
 pub fn suspected(scene: &Scene, known: &Known) -> Vec<Row> {
     let suspected = known.suspected(scene).into_iter().take(2);
     let suspected = suspected.flat_map(|slip| in_full(&[slip], "probably", scene, known));
-    idle(known).into_iter().chain(suspected).collect()
+    lints(known).into_iter().chain(suspected).collect()
 }
 
-/// The reader's lines whose value nobody takes.
-fn idle(known: &Known) -> Vec<Row> {
-    let idle = known.sources.idle().into_iter().take(WARNINGS);
-    let said = |line: Line| format!("{line}  (nothing takes this value)");
-    idle.map(|line| ("yours", said(line))).collect()
+/// The reader's lines that are wrong in any program.
+fn lints(known: &Known) -> Vec<Row> {
+    let lints = known.sources.lints().into_iter().take(WARNINGS);
+    let said = |(line, why)| ("yours", format!("{line}  ({why})"));
+    lints.map(said).collect()
 }
 
 /// The reader's lines that are not as the chapter has them, with the chapter's.

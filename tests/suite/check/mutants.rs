@@ -135,12 +135,23 @@ fn a_picture_that_says_little_names_no_line_that_is_not_typed() {
 
 /// Python works out what stands on a line, and C++ too, and says nothing.
 #[test]
-fn a_value_that_nothing_takes_is_told() {
+fn a_line_that_is_wrong_in_any_program_is_told() {
     let scene = Scene::new(Chapter::HalfBSphere, None).expect("a chapter");
-    for (old, new, is_idle) in [
+    for (old, new, is_wrong) in [
         ("", "", false),
         ("discriminant = h", "discriminant == h", true),
         ("return (h", "(h", true),
+        ("a = dot", "Color(1, 0, 0)\n    a = dot", true),
+        (
+            "a = dot",
+            "red = int(255 * x)\n    green = int(255 * x)\n    a = dot",
+            true,
+        ),
+        (
+            "a = dot",
+            "red = int(255 * x)\n    green = int(255 * y)\n    a = dot",
+            false,
+        ),
         // A call does something, and a sum in brackets goes on on the next line.
         ("a = dot", "print", false),
         (
@@ -151,8 +162,17 @@ fn a_value_that_nothing_takes_is_told() {
     ] {
         let known = with_files(HIT_SPHERE.replacen(old, new, 1));
         let rows = suspected(&scene, &known).into_iter();
-        let told = rows.filter(|(_, said)| said.contains("nothing takes"));
-        assert_eq!(told.count() == 1, is_idle, "{new}");
+        let told = rows.filter(|(_, said)| said.ends_with(')') && said.contains("  ("));
+        assert_eq!(told.count() == 1, is_wrong, "{new}");
+    }
+    for (radius, is_wrong) in [("1 / 2", true), ("4 / 2", false), ("1 / 2.0", false)] {
+        let file = ("main.cpp".to_owned(), format!("double radius = {radius};"));
+        let sources = Sources::new(vec![file], Vec::new());
+        let known = Known {
+            sources,
+            ..Known::default()
+        };
+        assert_eq!(suspected(&scene, &known).len() == 1, is_wrong, "{radius}");
     }
 }
 

@@ -5,7 +5,7 @@
 
 mod alignment;
 mod expressions;
-mod idle;
+mod lints;
 mod tokens;
 mod variants;
 

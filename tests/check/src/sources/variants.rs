@@ -207,7 +207,14 @@ impl Place<'_> {
             let with = IN_RUST
                 .iter()
                 .fold(with, |text, (from, to)| text.replace(from, to));
-            let right = given + &part.file.said(&renamed(&self.tokens, &back));
+            // By the reader's own names it may be the reader's line: then by the chapter's.
+            let own = renamed(&self.tokens, &back);
+            let own = if is_same(&own, &part.typed) {
+                &self.tokens
+            } else {
+                &own
+            };
+            let right = given + &part.file.said(own);
             // Who asks the other way round does so of the same thing.
             let turned = turned(&right).map(|right| (format!("!({with})"), right));
             let variants = [Some((with, right)), turned].into_iter().flatten();

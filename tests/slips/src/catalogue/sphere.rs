@@ -648,14 +648,14 @@ pub(super) const SLIPS: &[Slip] = &[
         .says(Words {
             wrong: "-b - sqrt(discriminant) / (2*a)",
             right: "(-b - sqrt(discriminant)) / (2*a)",
-            why: "Only the square root is divided. In the middle, where a is 1, half of b gives \
-                  the right root even so.",
+            why: "Only the square root is divided. With the whole of b that is wrong everywhere; \
+                  with half of it the middle is right, where a is 1.",
         })
         .before_4(Words {
             wrong: "-b - sqrt(discriminant) / (2*a), or -half_b - sqrt(discriminant) / a",
             right: "(-b - sqrt(discriminant)) / (2*a), or (-half_b - sqrt(discriminant)) / a",
-            why: "Only the square root is divided. In the middle, where a is 1, half of b gives \
-                  the right root even so.",
+            why: "Only the square root is divided. With the whole of b that is wrong everywhere; \
+                  with half of it the middle is right, where a is 1.",
         })
         .in_book(
             HALF_B,
