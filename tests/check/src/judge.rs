@@ -66,7 +66,11 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
         .drawn(reading)
         .expect("the scene was fitted to the picture");
     let alone = bits::alone(reading).min(bits::beside(reading, &drawn));
-    let alone = alone.min(bits::of_one_color(reading));
+    // What is of one color and nothing else, many a mistake draws.
+    let alone = match reading.is_plain() {
+        true => alone,
+        false => alone.min(bits::of_one_color(reading)),
+    };
     let unknown = UNKNOWN + evidence.besides(&nearest) + alone;
     let mut search = Search {
         evidence,
@@ -84,6 +88,7 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     }
     let mut found = search.found;
     drop_what_explains_little(&mut found, &evidence.scene);
+    drop_losses_of_roundings(&mut found, &evidence.scene);
     found.sort_by(|one, other| one.bits().total_cmp(&other.bits()));
     simplest_first(&mut found);
     Judgement { found, unknown }
@@ -93,11 +98,29 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
 fn drop_what_explains_little(found: &mut Vec<Explanation>, scene: &Scene) {
     let is_right = |it: &&Explanation| it.slips.is_empty() && is_same(&it.scene, scene);
     let wrong = found.iter().filter(is_right).map(|it| it.left.far).min();
+    let is_chosen = |it: &Explanation| it.scene.chosen.balls[0].is_some();
+    let unchosen = found.iter().filter(|it| is_right(it) && !is_chosen(it));
+    let wrong_unchosen = unchosen.map(|it| it.left.far).min();
     found.retain(|it| {
-        let is_plain = !it.slips.is_empty() && it.but.is_empty();
+        let wrong = if it.slips.is_empty() {
+            wrong_unchosen
+        } else {
+            wrong
+        };
+        let is_plain = (!it.slips.is_empty() || is_chosen(it)) && it.but.is_empty();
         let explains = Some(20 * it.left.far) <= wrong || it.left.bits < WORTH_A_SEARCH;
         !is_plain || explains
     });
+}
+
+/// Where all is right within a level, nothing was lost that leaves a quarter of that.
+fn drop_losses_of_roundings(found: &mut Vec<Explanation>, scene: &Scene) {
+    let is_right = |it: &&Explanation| it.slips.is_empty() && is_same(&it.scene, scene);
+    let is_rounded = |it: &&Explanation| it.left.far == 0 && it.but.is_empty();
+    let rounded = found.iter().filter(is_right).filter(is_rounded);
+    let rounded = rounded.map(Explanation::bits).fold(f64::INFINITY, f64::min);
+    let is_lossy = |it: &Explanation| it.degradation().is_some_and(Degradation::is_lossy);
+    found.retain(|it| !is_lossy(it) || 4.0 * it.bits() < rounded);
 }
 
 /// Puts first what has the shortest name of all that leave the same noise: lengths of

@@ -69,8 +69,7 @@ impl Near {
     /// Whether there are pixels that it does not explain. With several rays a pixel every
     /// one at an edge is explained, though none to the last bit.
     pub fn is_for_pixels(&self) -> bool {
-        let is_antialiased = |but: &But| matches!(but, But::Antialiased { .. });
-        !self.left.is_nothing() && !self.but.iter().any(is_antialiased)
+        !self.left.is_nothing()
     }
 }
 

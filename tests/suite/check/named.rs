@@ -193,6 +193,42 @@ fn a_picture_is_judged_beyond_what_happened_to_its_file() {
     }
 }
 
+/// What is not there is not passed over, be it several rays a pixel that explain the rest,
+/// or a sphere elsewhere that a part of an ellipse is like.
+#[test]
+fn nothing_is_right_that_shows_what_is_not_in_its_scene() {
+    const THREE: &[Ball] = &[
+        Ball::new(0.0, 0.0, -1.0, 0.5),
+        Ball::new(0.0, -100.5, -1.0, 100.0),
+        Ball::new(0.1, 0.5, -1.0, 0.12),
+    ];
+    let three = Program {
+        world: THREE,
+        ..Program::right(Chapter::HittableList)
+    };
+    let near = near(Chapter::HittableList, &with_rays(&three, 10, 0.0));
+    assert!(near.is_for_pixels(), "{near:?}");
+
+    let sky = gradient::picture(160);
+    let ellipse = changed(&sky, |i, j| {
+        let (x, y) = (f64::from(i) - 79.5, f64::from(j) - 44.5);
+        ((x / 25.0).hypot(y / 12.0) < 1.0).then_some([255, 0, 0])
+    });
+    let found = finding(Chapter::RedSphere, &ellipse);
+    assert!(found.near.is_none(), "{}", found.but());
+}
+
+/// What is a level off by another factor was not scaled on its way.
+#[test]
+fn roundings_are_no_loss() {
+    let another_factor = Program {
+        level: |component| (256.3 * component).min(255.0) as i32,
+        ..Program::right(Chapter::Gradient)
+    };
+    let found = finding(Chapter::Gradient, &another_factor.run(160).picture());
+    assert_eq!(found.degradation, None);
+}
+
 /// In a smooth picture another size is as near by a rounding, and by a slip.
 #[test]
 fn a_smooth_picture_that_was_halved_keeps_its_size_and_edition() {
@@ -526,6 +562,7 @@ fn what_nothing_known_draws_is_described() {
         lerp: |_, a| Color::new(0.2, 0.4, 0.6) * (7.0 * a).fract(),
         ..Program::right(Chapter::HittableList)
     };
+    let black = Picture::paint(128, 96, |_, _| Color::ZERO);
     for (chapter, picture, words) in [
         (
             Chapter::Normals,
@@ -542,8 +579,10 @@ fn what_nothing_known_draws_is_described() {
             changed_all(&gradient::picture(16), |_| 77),
             "the same color",
         ),
+        (Chapter::Gradient, black, "Every pixel is black"),
     ] {
         let found = finding(chapter, &picture);
+        assert!(!found.is_strange, "{chapter:?}");
         let said = found.sights.join(" ");
         let (names, near) = (names(&found), found.but());
         assert!(
