@@ -27,7 +27,7 @@ impl Finding {
         rows.extend(lints(known));
         let mistakes = self.mistakes();
         // Where much else may be the cause, what is seen is surer than any of it.
-        let label = match self.sights.is_empty() {
+        let label = match self.sights.is_empty() && mistakes.len() == 1 {
             true => "probably",
             false => "perhaps",
         };
