@@ -73,8 +73,9 @@ pub(super) fn compressed(reading: &Reading, likeliest: &[Hypothesis]) -> Option<
         without = without.min(off(100));
         let offs = QUALITIES.map(|percent| (off(percent), percent));
         let nearest = offs.min_by(|one, other| one.0.total_cmp(&other.0))?;
-        // By rounding, another may be a little nearer than the first, which is right.
-        let is_nearer = |(least, ..): &(f32, _, _)| nearest.0 < 0.8 * least;
+        // By rounding, another may be a little nearer than the first, which is right; but a
+        // picture that is another somewhere does not have its quality.
+        let is_nearer = |(least, ..): &(f32, _, _)| nearest.0 < 0.95 * least;
         if best.as_ref().is_none_or(is_nearer) {
             best = Some((nearest.0, nearest.1, drawn));
         }
