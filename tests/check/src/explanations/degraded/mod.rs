@@ -262,10 +262,10 @@ impl Degradation {
 
 /// Each pixel in the nearest color that the file has, if a program may have chosen that: so
 /// many colors evenly spread over all leave none farther away than half of what is between
-/// two, and those chosen for a picture are no worse.
+/// two, those chosen for a picture are no worse, and dithering adds no more than that.
 fn in_palette(drawn: &[Pixel], reading: &Reading) -> Vec<Pixel> {
     let palette = traces::colors(reading);
-    let most = (128.0 / (palette.len() as f64).cbrt()) as u16;
+    let most = (256.0 / (palette.len() as f64).cbrt()) as u16;
     let mut known: HashMap<Pixel, Pixel> = HashMap::new();
     let nearest = |pixel: Pixel| {
         let off = |color: &&Pixel| {
