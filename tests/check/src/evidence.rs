@@ -13,7 +13,7 @@ use crate::explanations::{Degradation, Hypothesis};
 use crate::mutants;
 use crate::reading::Reading;
 use crate::scene::Scene;
-use crate::sources::{Line, Said, Sources, Unlike};
+use crate::sources::{Line, Said, Sources, Unlike, in_no_language};
 
 /// How many answers were given, and how many of them a program would not give.
 pub type Asked<'a> = dyn Fn(&Program) -> (usize, usize) + 'a;
@@ -40,6 +40,21 @@ impl Known<'_> {
     pub fn words(&self, slip: &Slip, scene: &Scene) -> Words {
         let letters = self.letters.unwrap_or(Letters::Book(scene.edition));
         slip.words(letters, scene.chapter)
+    }
+
+    /// The same to be read: a change of the chapter without what Rust alone has, if the reader
+    /// writes something else and has not typed it just so.
+    pub(crate) fn read_words(&self, slip: &Slip, scene: &Scene) -> Words {
+        let words = self.words(slip, scene);
+        let is_in_rust = self.sources.is_empty() || self.letters == Some(Letters::Rust);
+        match !slip.name.is_empty() || is_in_rust || self.sources.have_line(&words.wrong) {
+            true => words,
+            false => Words {
+                wrong: in_no_language(&words.wrong).into(),
+                right: in_no_language(&words.right).into(),
+                why: words.why,
+            },
+        }
     }
 
     /// Whether the reader can have made the slip, as far as it is known.

@@ -121,7 +121,7 @@ fn in_full(
     let unlike = unlike(scene, known);
     let is_shown = !unlike.is_empty();
     let rows = mistake.iter().flat_map(|slip| {
-        let words = known.words(slip, scene);
+        let words = known.read_words(slip, scene);
         let wrong = match known.line_of(slip, scene) {
             Some(line) => ("yours", line.to_string()),
             None => (label, words.wrong.into_owned()),
@@ -140,11 +140,13 @@ fn in_short(mistakes: &[(&Set, &[&'static Slip])], label: &'static str, known: &
     for (set, mistake) in mistakes {
         let wrong = mistake.iter();
         let wrong: Vec<_> = wrong
-            .map(|slip| known.words(slip, &set.scene).wrong)
+            .map(|slip| known.read_words(slip, &set.scene).wrong)
             .collect();
         let wrong = wrong.join("; ");
         if said.iter().all(|(other, _)| *other != wrong) {
-            said.push((wrong, names_of(mistake)));
+            let is_named = mistake.iter().any(|slip| !slip.name.is_empty());
+            let names = is_named.then(|| names_of(mistake));
+            said.push((wrong.clone(), names.unwrap_or(wrong)));
         }
     }
     let labels = iter::once(label).chain(iter::repeat("or"));

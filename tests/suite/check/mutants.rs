@@ -133,6 +133,23 @@ fn a_picture_that_says_little_names_no_line_that_is_not_typed() {
     }
 }
 
+/// What nobody has typed is said in no language, if the reader's is another than ours.
+#[test]
+fn a_change_of_the_chapter_is_not_said_in_rust_to_who_writes_python() {
+    let scene = Scene::new(Chapter::Normals, None).expect("a chapter");
+    let right = Program::right(Chapter::Normals);
+    let swapped = Program {
+        shade: |_, n| 0.5 * (Vec3::new(n.x, n.z, n.y) + Vec3::ONE),
+        ..right
+    };
+    let picture = png::encode(&swapped.run(100).picture());
+    let known = with_files("import math".to_owned());
+    let answer = check_knowing(&scene, &picture, 0, &known);
+    let rows = answer.finding().expect("it is wrong").rows(&known);
+    let line = "return 0.5 * ((normal.x, normal.z, normal.y) + (1, 1, 1))";
+    assert!(rows.iter().any(|(_, said)| said == line), "{rows:?}");
+}
+
 /// Python works out what stands on a line, and C++ too, and says nothing.
 #[test]
 fn a_line_that_is_wrong_in_any_program_is_told() {

@@ -134,6 +134,11 @@ impl Sources {
         }
     }
 
+    /// Whether the line is in one of the files, as it stands.
+    pub(crate) fn have_line(&self, line: &str) -> bool {
+        self.yours.iter().any(|file| file.text.contains(line))
+    }
+
     /// The reader's line that makes the slip, if it is found.
     pub(crate) fn line_of(&self, words: Words) -> Option<Line> {
         self.snippets(&words.wrong)
@@ -243,6 +248,20 @@ impl Sources {
 pub(crate) fn is_same_line(one: &str, other: &str) -> bool {
     let [one, other] = [one, other].map(|line| tokens(line.trim_end_matches(';')).into_iter());
     one.map(|it| it.text).eq(other.map(|it| it.text))
+}
+
+/// A line of Rust as it is written in most languages: functions for methods, and vectors
+/// in brackets. What has no such words stays as it is.
+pub(crate) fn in_no_language(line: &str) -> String {
+    if ["let ", "|", "?"].iter().any(|rust| line.contains(rust)) {
+        return line.to_owned();
+    }
+    let line = line
+        .replace("Some(", "(")
+        .replace("f64::INFINITY", "infinity");
+    let line = line.replace("Vec3::ONE", "Vec3::new(1, 1, 1)");
+    let file = File::new("line.rs".to_owned(), line);
+    file.said(&file.tokens).trim().to_owned()
 }
 
 /// So many tokens are a statement.

@@ -255,7 +255,7 @@ impl File {
     }
 
     /// The tokens as the file spells them.
-    fn said(&self, tokens: &[Token]) -> String {
+    pub(super) fn said(&self, tokens: &[Token]) -> String {
         let mut said = String::new();
         let mut before = "";
         for token in tokens {
