@@ -198,17 +198,24 @@ pub(crate) fn beside(reading: &Reading, drawn: &[Pixel]) -> f64 {
 /// The same to one who is told the color that most pixels have: half of such pictures are
 /// black or white.
 pub(crate) fn of_one_color(reading: &Reading) -> f64 {
-    let mut counts: HashMap<Pixel, usize> = HashMap::new();
-    for pixel in &reading.pixels {
-        *counts.entry(*pixel).or_default() += 1;
-    }
-    let most = counts.into_iter().max_by_key(|&(_, count)| count);
-    let (color, _) = most.expect("a picture has a pixel");
+    let color = commonest(reading.pixels.iter().copied());
     let name = match color {
         [0, 0, 0] | [255, 255, 255] => 2.0,
         _ => 1.0 + COLOR,
     };
     name + Left::of(reading, &vec![color; reading.pixels.len()]).bits
+}
+
+/// The color that most of the pixels have.
+pub(crate) fn commonest(pixels: impl Iterator<Item = Pixel>) -> Pixel {
+    let mut counts: HashMap<Pixel, usize> = HashMap::new();
+    for pixel in pixels {
+        *counts.entry(pixel).or_default() += 1;
+    }
+    let most = counts
+        .into_iter()
+        .max_by_key(|&(pixel, count)| (count, pixel));
+    most.map_or([0; 3], |(pixel, _)| pixel)
 }
 
 /// The same of some pixels, beside which the others are known.

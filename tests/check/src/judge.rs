@@ -1,7 +1,7 @@
 //! The judge: of all explanations of a picture the shortest wins.
 //!
-//! First all are estimated from some pixels, then the likeliest from more, and what may
-//! win is measured by all of them. Each program is drawn once.
+//! First all are estimated from some pixels, then the likeliest from more, and the few that
+//! may win are measured by all of them.
 
 use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
@@ -94,22 +94,17 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     Judgement { found, unknown }
 }
 
-/// Nothing is said that leaves one in twenty of the wrong pixels, but for some odd ones.
+/// Neither a slip nor a sphere of the reader's own is told that leaves one in twenty of the
+/// pixels that are wrong without it, but for some odd ones.
 fn drop_what_explains_little(found: &mut Vec<Explanation>, scene: &Scene) {
-    let is_right = |it: &&Explanation| it.slips.is_empty() && is_same(&it.scene, scene);
-    let wrong = found.iter().filter(is_right).map(|it| it.left.far).min();
-    let is_chosen = |it: &Explanation| it.scene.chosen.balls[0].is_some();
-    let unchosen = found.iter().filter(|it| is_right(it) && !is_chosen(it));
-    let wrong_unchosen = unchosen.map(|it| it.left.far).min();
+    let is_told = |it: &Explanation| !it.slips.is_empty() || it.scene.chosen.balls[0].is_some();
+    let without = found
+        .iter()
+        .filter(|it| !is_told(it) && is_same(&it.scene, scene));
+    let wrong = without.map(|it| it.left.far).min();
     found.retain(|it| {
-        let wrong = if it.slips.is_empty() {
-            wrong_unchosen
-        } else {
-            wrong
-        };
-        let is_plain = (!it.slips.is_empty() || is_chosen(it)) && it.but.is_empty();
         let explains = Some(20 * it.left.far) <= wrong || it.left.bits < WORTH_A_SEARCH;
-        !is_plain || explains
+        !is_told(it) || !it.but.is_empty() || explains
     });
 }
 

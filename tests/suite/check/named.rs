@@ -252,18 +252,28 @@ fn a_smooth_picture_that_was_halved_keeps_its_size_and_edition() {
 /// The pictures are such that another program made a JPEG of, one with a window around it.
 #[test]
 fn a_slip_is_named_through_jpeg() {
-    for (name, percent, is_framed) in [
-        ("far_root_jpeg_75.png", 75, false),
-        ("far_root_framed_jpeg_85.png", 85, true),
+    use Chapter::{HittableList, Normals};
+    for (chapter, slip, name, percent, is_framed) in [
+        (Normals, "far-root", "far_root_jpeg_75.png", 75, false),
+        (Normals, "far-root", "far_root_framed_jpeg_85.png", 85, true),
+        // What is left of the right picture may not choose the quality.
+        (
+            HittableList,
+            "background-missing",
+            "background_missing_jpeg_75.png",
+            75,
+            false,
+        ),
     ] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR"))
             .join("check")
             .join(name);
         let bytes = fs::read(path).expect("it is committed");
-        let Check::Wrong(finding) = check(&scene(Chapter::Normals), &bytes, 0) else {
+        let Check::Wrong(finding) = check(&scene(chapter), &bytes, 0) else {
             panic!("it is wrong");
         };
-        assert_eq!(finding.sets[0].mistakes[0][0].name, "far-root");
+        let named = finding.sets.first().map(|set| set.mistakes[0][0].name);
+        assert_eq!(named, Some(slip), "{name}");
         let (framed, quality) = match finding.degradation {
             Some(Degradation::Jpeg(quality)) => (false, Some(quality)),
             Some(Degradation::Framed { quality, .. }) => (true, quality),
@@ -295,6 +305,27 @@ fn a_loss_is_no_evidence_for_a_slip() {
         let finding = finding(chapter, &picture);
         assert_eq!(names(&finding), [[""; 0]; 0], "{:?}", finding.degradation);
     }
+}
+
+/// White, with boxes and writing: nothing of a chapter, though white is the color of many.
+#[test]
+fn a_drawing_on_white_is_no_picture_of_a_chapter() {
+    let mut random = Random(7);
+    let white = Picture::from_rgb(240, 116, vec![255; 240 * 116 * 3]).expect("its size");
+    let drawing = changed(&white, |i, j| {
+        let is_box = (20..90).contains(&i) && (10..50).contains(&j);
+        let is_line = is_box && (i == 20 || i == 89 || j == 10 || j == 49 || j == 20);
+        let is_letter = is_box && i < 60 && j % 9 > 3 && random.below(3) == 0;
+        (is_line || is_letter).then_some([0; 3])
+    });
+    let found = check(&scene(Chapter::Gradient), &png::encode(&drawing), 0);
+    let found = found.finding().expect("it has pixels");
+    assert!(
+        found.is_strange,
+        "{:?}, {:?}",
+        names(found),
+        found.degradation
+    );
 }
 
 /// As who types another height, and keeps the viewport of the book.

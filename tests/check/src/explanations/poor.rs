@@ -1,12 +1,10 @@
 //! Pictures that say little: many mistakes draw only sky, or one color everywhere, or one
 //! wherever a sphere is.
 
-use std::collections::HashMap;
-
 use ::slips::{Output, Program, Room};
 
 use super::{Evidence, Explanation, Hypothesis, estimate, spread};
-use crate::bits::Pixel;
+use crate::bits::{Pixel, commonest};
 use crate::judge::is_same;
 use crate::reading::Reading;
 
@@ -68,14 +66,8 @@ fn sky(right: &Hypothesis, width: u32) -> Output {
 
 /// The picture with the commonest color in some places, and what it costs to tell that.
 fn painted(drawn: &[Pixel], is_painted: &[bool], reading: &Reading) -> (Vec<Pixel>, f64) {
-    let mut counts: HashMap<Pixel, usize> = HashMap::new();
-    for (&pixel, _) in reading.pixels.iter().zip(is_painted).filter(|(_, is)| **is) {
-        *counts.entry(pixel).or_default() += 1;
-    }
-    let most = counts
-        .into_iter()
-        .max_by_key(|&(pixel, count)| (count, pixel));
-    let color = most.map_or([0; 3], |(pixel, _)| pixel);
+    let places = reading.pixels.iter().zip(is_painted);
+    let color = commonest(places.filter(|(_, is)| **is).map(|(pixel, _)| *pixel));
     let [red, green, blue] = color;
     let is_gray = red == green && green == blue;
     let is_simple = is_gray || color.iter().all(|level| matches!(level, 0 | 255));

@@ -184,7 +184,6 @@ impl<'a> Fit<'a> {
     }
 
     /// Moves numbers by smaller and smaller steps while that brings the picture nearer.
-    ///
     fn searched<const N: usize>(
         &self,
         start: [f64; N],
