@@ -7,7 +7,7 @@ use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
     But, Degradation, Explanation, Hypothesis, Places, TWO, antialiased, degradations, in_colors,
-    mutants, on_a_curve, own_spheres, poor, right, single, turned, two, typed,
+    more, mutants, on_a_curve, own_spheres, poor, right, single, turned, two, typed,
 };
 use crate::scene::{Chosen, Scene};
 use ::slips::Edition;
@@ -100,7 +100,7 @@ fn drop_what_explains_little(found: &mut Vec<Explanation>, scene: &Scene) {
     let is_told = |it: &Explanation| !it.slips.is_empty() || it.scene.chosen.balls[0].is_some();
     let without = found
         .iter()
-        .filter(|it| !is_told(it) && is_same(&it.scene, scene));
+        .filter(|it| !is_told(it) && it.seen.is_none() && is_same(&it.scene, scene));
     let wrong = without.map(|it| it.left.far).min();
     found.retain(|it| {
         let explains = Some(20 * it.left.far) <= wrong || it.left.bits < WORTH_A_SEARCH;
@@ -226,6 +226,7 @@ impl Search<'_> {
             return;
         }
         self.add_changed(rights, likeliest);
+        self.add_more();
         if !self.is_antialiased(self.unknown) {
             self.add_changes(typed);
             self.add_changes(mutants);
@@ -405,6 +406,19 @@ impl Search<'_> {
         {
             let chosen = [(chosen, None)].into_iter();
             self.found.extend(antialiased(evidence, &drawn, chosen));
+        }
+    }
+
+    /// The same with something more in it.
+    fn add_more(&mut self) {
+        // A sphere elsewhere is like a part of anything.
+        let is_own = |it: &Explanation| {
+            it.slips.is_empty() && it.seen.is_none() && it.scene.chosen.balls == [None; 2]
+        };
+        let best = self.best_of(is_own).program();
+        let nearest = self.found[0].program();
+        for it in [nearest, best] {
+            self.found.extend(more(self.evidence, &it));
         }
     }
 

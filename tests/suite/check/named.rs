@@ -193,8 +193,8 @@ fn a_picture_is_judged_beyond_what_happened_to_its_file() {
     }
 }
 
-/// What is not there is not passed over, be it several rays a pixel that explain the rest,
-/// or a sphere elsewhere that a part of an ellipse is like.
+/// What is not in its scene is not passed over, be it that several rays a pixel explain the
+/// rest, or a sphere elsewhere that a part of an ellipse is like.
 #[test]
 fn nothing_is_right_that_shows_what_is_not_in_its_scene() {
     const THREE: &[Ball] = &[
@@ -206,8 +206,15 @@ fn nothing_is_right_that_shows_what_is_not_in_its_scene() {
         world: THREE,
         ..Program::right(Chapter::HittableList)
     };
-    let near = near(Chapter::HittableList, &with_rays(&three, 10, 0.0));
-    assert!(near.is_for_pixels(), "{near:?}");
+    for picture in [three.run(160).picture(), with_rays(&three, 10, 0.0)] {
+        let found = finding(Chapter::HittableList, &picture);
+        assert!(found.near.is_none(), "{}", found.but());
+        let said = found.sights.join(" ");
+        assert!(
+            said.contains("something more is drawn in columns"),
+            "{said}"
+        );
+    }
 
     let sky = gradient::picture(160);
     let ellipse = changed(&sky, |i, j| {
@@ -581,25 +588,12 @@ fn the_picture_of_another_chapter_is_known_as_such() {
 
 #[test]
 fn what_nothing_known_draws_is_described() {
-    const TWO: &[Ball] = &[
-        Ball::new(0.0, 0.0, -1.0, 0.5),
-        Ball::new(0.6, 0.0, -1.0, 0.2),
-    ];
-    let two = Program {
-        world: TWO,
-        ..Program::right(Chapter::Normals)
-    };
     let banded = Program {
         lerp: |_, a| Color::new(0.2, 0.4, 0.6) * (7.0 * a).fract(),
         ..Program::right(Chapter::HittableList)
     };
     let black = Picture::paint(128, 96, |_, _| Color::ZERO);
     for (chapter, picture, words) in [
-        (
-            Chapter::Normals,
-            two.run(160).picture(),
-            "What is not sky is",
-        ),
         (
             Chapter::HittableList,
             banded.run(160).picture(),

@@ -18,7 +18,7 @@ const NAME: f64 = 9.0;
 /// That the rays lie elsewhere: one of some forty places, and less likely than a slip.
 const ELSEWHERE: f64 = 12.0;
 /// Components that differ by more within a pixel and its neighbors make an edge.
-const EDGE: i16 = 16;
+pub(super) const EDGE: i16 = 16;
 /// How far neighbors are: an edge may lie a pixel beside where it should.
 const NEAR: usize = 2;
 /// How finely a pixel is divided to know what very many rays would see.
@@ -412,7 +412,7 @@ fn in_sums(sums: &Sums, rectangle: Rectangle) -> [[f64; 2]; 3] {
 }
 
 /// The largest step in a component among each pixel and its neighbors.
-fn contrast(drawn: &[Pixel], width: usize) -> Vec<i16> {
+pub(super) fn contrast(drawn: &[Pixel], width: usize) -> Vec<i16> {
     let near = |n: usize| {
         let (column, row) = (n % width, n / width);
         let columns = column.saturating_sub(NEAR)..(column + NEAR + 1).min(width);

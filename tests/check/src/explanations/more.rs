@@ -1,0 +1,211 @@
+//! Segmentation by connected boxes: what is drawn beside all that a scene has.
+//!
+//! Each box is told, in each of its rows from which column to which something else is
+//! drawn, and the pixels there alone. The rest is judged as a picture of its own.
+
+use std::ops::Range;
+
+use ::slips::Program;
+
+use super::antialiased::{EDGE, contrast};
+use super::{Evidence, Explanation, Hypothesis, antialiased};
+use crate::bits::{Pixel, distance, told};
+use crate::reading::Reading;
+use crate::verdict::Near;
+
+/// That something more is drawn: one picture in two hundred has a sphere that its chapter
+/// has not.
+const NAME: f64 = 11.0;
+/// What is no farther from the next is of one thing.
+const NEAR: u32 = 3;
+/// Bits of a pixel by itself.
+const ODD: f64 = 24.0;
+/// What is in more pieces is no few things.
+const PIECES: usize = 64;
+/// One pixel in so many that are odd may be what lies behind a sphere that is not there.
+const BEHIND: usize = 4;
+
+/// The program's picture with something more in it: as it is, and with several rays a pixel.
+pub(crate) fn more(evidence: &Evidence, it: &Hypothesis) -> Vec<Explanation> {
+    let reading = evidence.reading;
+    let Some(drawn) = it.drawn(reading) else {
+        return Vec::new();
+    };
+    let odd = Odd::of(reading, &drawn);
+    let boxes = odd.boxes(&drawn);
+    let runs: Vec<Range<usize>> = boxes.iter().flat_map(|it| odd.runs(it)).collect();
+    if runs.is_empty() || odd.shows_what_lies_behind(it, &runs) {
+        return Vec::new();
+    }
+    let mut is_more = vec![false; drawn.len()];
+    let mut rest = reading.pixels.clone();
+    for n in runs.into_iter().flatten() {
+        (is_more[n], rest[n]) = (true, drawn[n]);
+    }
+    let rest = Reading {
+        pixels: rest,
+        encoding: None,
+        ..*reading
+    };
+    let places: f64 = boxes.iter().map(|it| odd.place(it)).sum();
+    let count = is_more.iter().filter(|is| **is).count();
+    let bits = NAME + places + told(reading, |n| is_more[n]).min(ODD * count as f64);
+    let of_the_rest = Evidence {
+        reading: &rest,
+        ..*evidence
+    };
+    let explained = antialiased(&of_the_rest, &drawn, [(it, None)].into_iter());
+    let explained = explained.into_iter().filter(|it| it.seen.is_none());
+    let explained = explained.chain([it.explaining(&rest, &drawn)]);
+    explained
+        .map(|it| Explanation {
+            name: it.name + bits,
+            seen: Some(said(&it, &boxes, drawn.len())),
+            ..it
+        })
+        .collect()
+}
+
+/// Columns and rows.
+type Box = [Range<u32>; 2];
+
+/// The pixels of a picture that are not a program's.
+struct Odd<'a> {
+    reading: &'a Reading,
+    is_odd: Vec<bool>,
+}
+
+impl<'a> Odd<'a> {
+    fn of(reading: &'a Reading, drawn: &[Pixel]) -> Self {
+        let pairs = drawn.iter().zip(&reading.pixels);
+        let is_odd = pairs.map(|(drawn, found)| distance(*drawn, *found) > 1);
+        Self {
+            reading,
+            is_odd: is_odd.collect(),
+        }
+    }
+
+    /// The boxes that save more than they cost. With several rays a pixel all edges of the
+    /// program's are odd, so it is looked for what lies beside them.
+    fn boxes(&self, drawn: &[Pixel]) -> Vec<Box> {
+        let width = self.reading.width;
+        let contrast = contrast(drawn, width as usize);
+        let is_core = |&n: &usize| self.is_odd[n] && contrast[n] <= EDGE;
+        let pixel = |n: usize| {
+            let (i, j) = (n as u32 % width, n as u32 / width);
+            [i..i + 1, j..j + 1]
+        };
+        let boxes = joined((0..drawn.len()).filter(is_core).map(pixel));
+        let boxes = boxes.iter().filter_map(|it| self.with_its_rim(it));
+        let saves = |it: &Box| self.place(it) < ODD * self.count(self.runs(it));
+        boxes.filter(saves).collect()
+    }
+
+    /// The box around all that is odd in one and near it.
+    fn with_its_rim(&self, [columns, rows]: &Box) -> Option<Box> {
+        let wider =
+            |it: &Range<u32>, most: u32| it.start.saturating_sub(NEAR)..(it.end + NEAR).min(most);
+        let Reading { width, height, .. } = *self.reading;
+        let wider = [wider(columns, width), wider(rows, height)];
+        let run = |run: Range<usize>| {
+            let (from, to) = (run.start as u32, run.end as u32 - 1);
+            [from % width..to % width + 1, from / width..to / width + 1]
+        };
+        self.runs(&wider)
+            .map(run)
+            .reduce(|one, other| around(&one, &other))
+    }
+
+    /// From the first to the last in each row of a box.
+    fn runs(&self, [columns, rows]: &Box) -> impl Iterator<Item = Range<usize>> {
+        rows.clone().filter_map(move |j| {
+            let at = |i: u32| (j * self.reading.width + i) as usize;
+            let mut odd = columns.clone().filter(|&i| self.is_odd[at(i)]);
+            let first = odd.next()?;
+            Some(at(first)..at(odd.next_back().unwrap_or(first)) + 1)
+        })
+    }
+
+    fn count(&self, runs: impl Iterator<Item = Range<usize>>) -> f64 {
+        runs.flatten().filter(|&n| self.is_odd[n]).count() as f64
+    }
+
+    /// Bits of a box, and of its runs.
+    fn place(&self, [columns, rows]: &Box) -> f64 {
+        let corners = 4.0 * f64::from(self.reading.width.max(self.reading.height)).log2();
+        corners + 2.0 * rows.len() as f64 * (columns.len() as f64).log2()
+    }
+
+    /// Whether it is not that something is there, but that the first sphere is not.
+    fn shows_what_lies_behind(&self, it: &Hypothesis, runs: &[Range<usize>]) -> bool {
+        let program = it.scene.program(&it.slips);
+        let [_, second, third] = program.own;
+        let behind = Program {
+            world: program.world.get(1..).unwrap_or_default(),
+            own: [second, third, None],
+            ..program
+        };
+        let behind = behind.run(self.reading.width);
+        let odd = runs.iter().cloned().flatten().filter(|&n| self.is_odd[n]);
+        let is_behind =
+            |&n: &usize| distance(it.pixel(&behind, n as u32), self.reading.pixels[n]) <= 1;
+        let count = odd.clone().filter(is_behind).count();
+        BEHIND * count > odd.count()
+    }
+}
+
+fn are_near(one: &Box, other: &Box) -> bool {
+    let mut pairs = one.iter().zip(other);
+    let is_near = |(one, other): (&Range<u32>, &Range<u32>)| {
+        one.start < other.end + NEAR && other.start < one.end + NEAR
+    };
+    pairs.all(is_near)
+}
+
+fn around(one: &Box, other: &Box) -> Box {
+    [0, 1].map(|n| one[n].start.min(other[n].start)..one[n].end.max(other[n].end))
+}
+
+/// Those that are near each other as one; none if there are too many.
+fn joined(boxes: impl Iterator<Item = Box>) -> Vec<Box> {
+    let mut joined: Vec<Box> = Vec::new();
+    for mut it in boxes {
+        while let Some(near) = joined.iter().position(|other| are_near(&it, other)) {
+            it = around(&it, &joined.swap_remove(near));
+        }
+        joined.push(it);
+        if joined.len() > PIECES {
+            return Vec::new();
+        }
+    }
+    joined
+}
+
+fn said(it: &Explanation, boxes: &[Box], pixels: usize) -> String {
+    let near = Near {
+        scene: it.scene,
+        but: it.but.clone(),
+        left: it.left,
+    };
+    let but = match near.clause(pixels) {
+        but if but.is_empty() => but,
+        but => format!(", but {but}"),
+    };
+    let chapter = it.scene.chapter.name();
+    let what = match boxes.len() {
+        1 => "is it another sphere",
+        _ => "are they other spheres",
+    };
+    let place = |[columns, rows]: &Box| {
+        let (right, below) = (columns.end - 1, rows.end - 1);
+        format!(
+            "columns {} to {right}, rows {} to {below}",
+            columns.start, rows.start
+        )
+    };
+    let places: Vec<String> = boxes.iter().map(place).collect();
+    format!(
+        "Beside what {chapter} has, something more is drawn in {}: {what}? All else is right{but}.",
+        places.join(", and in ")
+    )
+}
