@@ -11,6 +11,9 @@ use crate::scene::Scene;
 use crate::told::{self, Row};
 use crate::verdict::{Check, Finding, Near, Right};
 
+/// One pixel in so many is a part.
+const PART: usize = 8;
+
 /// A picture after it has been judged.
 pub struct Judged<'a> {
     /// What it should show.
@@ -115,12 +118,12 @@ impl<'a> Judged<'a> {
 
     /// Right, wrong, or why it is no picture; and what it was taken for.
     pub fn headline(&self) -> Headline {
-        if self.is_unrecognized() {
+        if let Some(seen) = self.unrecognized() {
             return Headline {
                 before: format!("{} is ", self.name),
                 verdict: "not recognized",
                 is_right: false,
-                after: ": it comes near to none of these chapters' pictures, with whatever mistake. Later chapters are not known here.".to_owned(),
+                after: format!(": {seen}. Later chapters are not known here."),
                 notes: vec!["To compare it with one, name the chapter.".to_owned()],
             };
         }
@@ -212,7 +215,11 @@ impl<'a> Judged<'a> {
         }
         let hidden = self.blind_spots.as_ref();
         parts.extend(hidden.map(|it| Part::Hidden(Box::new(it.advice(&self.scene)))));
-        if let Some(finding) = self.check.finding().filter(|_| !self.is_unrecognized()) {
+        if let Some(finding) = self
+            .check
+            .finding()
+            .filter(|_| self.unrecognized().is_none())
+        {
             let is_near = |finding: &Finding| {
                 matches!(self.check, Check::Near(_))
                     && !finding.near.as_ref().is_some_and(Near::is_for_pixels)
@@ -225,10 +232,34 @@ impl<'a> Judged<'a> {
         parts
     }
 
-    /// Whether nobody has said what it is, and nothing in it tells.
-    fn is_unrecognized(&self) -> bool {
-        let is_strange = |finding: &Finding| finding.is_strange && finding.sets.is_empty();
-        self.is_guessed && self.check.finding().is_some_and(is_strange)
+    /// What is seen, where nobody has said what it is and too little in it tells.
+    fn unrecognized(&self) -> Option<String> {
+        if !self.is_guessed {
+            return None;
+        }
+        if let Check::WrongShape { finding: None, .. } = self.check {
+            return Some("it has the shape of none of these chapters' pictures".to_owned());
+        }
+        let finding = self.check.finding().filter(|it| it.sets.is_empty())?;
+        let scene = self.scene_name();
+        if finding.is_shaded {
+            return Some(format!(
+                "it has the sky and the outlines of {scene}, but other colors of all that is hit, by a material or a mistake that is not known"
+            ));
+        }
+        let difference = finding.difference.as_ref()?;
+        let (wrong, total) = (difference.count, difference.total);
+        let right = total - wrong;
+        match finding.is_known {
+            false if finding.is_strange || PART * right < total => Some(
+                "it comes near to none of these chapters' pictures, with whatever mistake"
+                    .to_owned(),
+            ),
+            false if right < wrong => Some(format!(
+                "{right} of {total} pixels are those of {scene}, but no mistake that is known draws the others"
+            )),
+            _ => None,
+        }
     }
 
     fn scene_name(&self) -> String {

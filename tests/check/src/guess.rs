@@ -4,33 +4,49 @@
 use slips::Chapter;
 
 use crate::evidence::{Evidence, Known};
-use crate::explanations::{Places, right, single};
+use crate::explanations::{Hypothesis, Places, in_colors, outlined, right, single};
+use crate::judge::likeliest;
 use crate::reading::Reading;
 use crate::scene::Scene;
 
-/// How many pixels are looked at: as many as the judge looks at first.
-const LOOK: u32 = 1500;
+/// How many pixels are looked at to find those that may be the nearest, and these.
+const LOOKS: [u32; 2] = [100, 1500];
+/// How many these are.
+const FEW: usize = 20;
 
-/// The scene whose picture, right or with one slip, comes nearest; the first in the book
-/// of several that draw the same, as chapters 3 and 4 do.
+/// The scene whose picture comes nearest: right, with one slip, in colors of the reader's own,
+/// or but for the colors of all that is hit. The first in the book of several that draw the
+/// same, as chapters 3 and 4 do.
 pub fn scene(reading: &Reading) -> Scene {
     let known = Known::default();
-    let places = Places::new(reading, None, LOOK);
+    let places = LOOKS.map(|count| Places::new(reading, None, count));
     let mut least = f64::INFINITY;
     let mut nearest = None;
     for chapter in Chapter::OF_THE_BOOK {
         let own = Scene::new(chapter, None);
         let own = own.expect("every chapter has a scene of its own");
         let evidence = Evidence::new(&own, reading, &known);
-        let rights = right(&evidence).into_iter();
-        let rights = rights.filter(|it| it.scene.chapter == chapter);
-        for it in rights.chain(single(&evidence)) {
-            if it.scene.chapter == chapter
-                && let Some(length) = it.estimated(reading, &places, least)
+        let rights: Vec<Hypothesis> = right(&evidence)
+            .into_iter()
+            .filter(|it| it.scene.chapter == chapter)
+            .collect();
+        let own = rights.iter().filter(|it| it.scene.probe.is_none());
+        let colored = own.filter_map(|it| in_colors(&evidence, it));
+        let all = rights.iter().cloned().chain(colored);
+        let all = all.chain(single(&evidence));
+        let few = likeliest(&evidence, all, &places[0], f64::INFINITY, FEW);
+        let few = few.iter().map(|(_, it)| {
+            let length = it.estimated(reading, &places[1], f64::INFINITY);
+            (length, it.scene.probe)
+        });
+        let outlines = rights.iter();
+        let outlines = outlines.map(|it| (outlined(it, reading, &places[1]), it.scene.probe));
+        for (length, probe) in few.chain(outlines) {
+            if let Some(length) = length
                 && length < least
             {
                 least = length;
-                nearest = Scene::new(chapter, it.scene.probe);
+                nearest = Scene::new(chapter, probe);
             }
         }
     }

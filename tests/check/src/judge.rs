@@ -6,8 +6,9 @@
 use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
-    But, Degradation, Explanation, Hypothesis, Places, TWO, antialiased, degradations, in_colors,
-    more, mutants, on_a_curve, own_spheres, poor, right, single, turned, two, typed,
+    But, Degradation, Explanation, Hypothesis, Places, Seen, TWO, antialiased, degradations,
+    in_colors, more, mutants, on_a_curve, own_spheres, right, silhouettes, single, turned, two,
+    typed,
 };
 use crate::scene::{Chosen, Scene};
 use ::slips::Edition;
@@ -18,6 +19,8 @@ pub(crate) struct Judgement {
     pub(crate) found: Vec<Explanation>,
     /// The length of the picture to one who knows nothing.
     pub(crate) unknown: f64,
+    /// Whether the scene's picture, where it is just that, tells nothing of it.
+    pub(crate) is_strange: bool,
 }
 
 /// That nothing is known: one picture in a thousand is no picture of the book at all.
@@ -65,7 +68,9 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     let drawn = nearest
         .drawn(reading)
         .expect("the scene was fitted to the picture");
-    let alone = bits::alone(reading).min(bits::beside(reading, &drawn));
+    let (alone, beside) = (bits::alone(reading), bits::beside(reading, &drawn));
+    let is_strange = alone < beside;
+    let alone = alone.min(beside);
     // What is of one color and nothing else, many a mistake draws.
     let alone = match reading.is_plain() {
         true => alone,
@@ -80,7 +85,7 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     if nearest.scene.step().is_some() || nearest.scene.edition != evidence.scene.edition {
         search.found.extend(rights[0].measured(reading));
     }
-    search.found.extend(poor(evidence, &rights));
+    search.found.extend(silhouettes(evidence, &rights));
     let singles = rights.iter().cloned().chain(single(evidence));
     let likeliest = search.add(singles.collect::<Vec<_>>(), Some(&drawn), f64::INFINITY);
     if unknown < NOISE * reading.pixels.len() as f64 {
@@ -91,7 +96,11 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     drop_losses_of_roundings(&mut found, &evidence.scene);
     found.sort_by(|one, other| one.bits().total_cmp(&other.bits()));
     simplest_first(&mut found);
-    Judgement { found, unknown }
+    Judgement {
+        found,
+        unknown,
+        is_strange,
+    }
 }
 
 /// Neither a slip nor a sphere of the reader's own is told that leaves one in twenty of the
@@ -221,6 +230,19 @@ impl Search<'_> {
 
     /// What is no single slip, the surest first.
     fn add_others(&mut self, rights: &[Hypothesis], likeliest: &[Hypothesis]) {
+        // No chapter draws grain inside right outlines, and no loss leaves their sky.
+        let is_grainy = |it: &Explanation| {
+            matches!(
+                it.seen,
+                Some(Seen::Shaded {
+                    is_grainy: true,
+                    ..
+                })
+            )
+        };
+        if self.is_shorter(self.unknown, 1.2, is_grainy) {
+            return;
+        }
         self.add_degraded(rights, likeliest);
         if self.is_degraded() {
             return;
@@ -464,7 +486,7 @@ fn may_win(bits: f64) -> f64 {
 }
 
 /// Those of the hypotheses that look shortest, the shortest first, with their lengths.
-fn likeliest(
+pub(crate) fn likeliest(
     evidence: &Evidence,
     all: impl IntoIterator<Item = Hypothesis>,
     places: &Places,

@@ -8,7 +8,7 @@ use slips::{Chapter, Edition, Letters, Slip};
 use crate::bits::Left;
 use crate::comparison::{Comparison, Difference};
 use crate::evidence::{Evidence, Known};
-use crate::explanations::{But, Conversion, Degradation, Explanation, MANY};
+use crate::explanations::{But, Conversion, Degradation, Explanation, Seen};
 use crate::judge::{Judgement, is_same, shortest};
 use crate::reading::{self, Cause, Reading};
 use crate::scene::Scene;
@@ -95,8 +95,12 @@ pub struct Finding {
     pub sets: Vec<Set>,
     /// What can be seen, where nothing known explains it.
     pub sights: Vec<String>,
+    /// Whether something explains it.
+    pub is_known: bool,
     /// Whether nothing explains it, and it has nothing of the scene's picture.
     pub is_strange: bool,
+    /// Whether it has the scene's sky and outlines, and other colors of all that is hit.
+    pub is_shaded: bool,
     /// Whether nothing explains it, and it is off by little everywhere.
     pub is_blurred: bool,
     /// Whether the few lines that are not as the chapter has them explain it.
@@ -290,16 +294,12 @@ impl Finding {
         let says_little = is_known && judgement.says_little();
         let is_vague = best.slips.len() > 1 || told > TOLD || says_little;
         let sights = match (is_known, &best.seen) {
-            (true, Some(seen)) if seen == MANY => {
+            (true, Some(seen @ Seen::Little)) => {
                 let mut sights = seen::sights(&compared, reading).into_iter();
                 let (first, last) = (sights.next(), sights.next_back());
-                first
-                    .into_iter()
-                    .chain([seen.clone()])
-                    .chain(last)
-                    .collect()
+                first.into_iter().chain([seen.said()]).chain(last).collect()
             }
-            (true, Some(seen)) => vec![seen.clone()],
+            (true, Some(seen)) => vec![seen.said()],
             (true, None) if !is_vague => Vec::new(),
             (false, _) if is_typed => Vec::new(),
             (_, _) => seen::sights(&compared, reading),
@@ -327,7 +327,9 @@ impl Finding {
             sets,
             sights,
             is_blurred: !is_known && !is_typed && seen::is_blurred(&compared, reading),
-            is_strange: !is_known && !is_typed && !explaining.is_like(reading),
+            is_shaded: is_known && matches!(best.seen, Some(Seen::Shaded { .. })),
+            is_known,
+            is_strange: !is_known && !is_typed && judgement.is_strange,
             is_typed,
             is_answered: known.is_answered_by(&best.scene.unchanged().program(&best.slips)),
             lead: judgement.lead(),
@@ -373,7 +375,7 @@ impl Judgement {
         let shortest = self.found[0].bits();
         let alike = self.found.iter();
         let mut alike = alike.take_while(|it| it.bits() <= shortest + TOGETHER);
-        alike.any(|it| it.seen.as_deref() == Some(MANY))
+        alike.any(|it| it.seen == Some(Seen::Little))
     }
 
     /// Scenes of the same chapter whose right picture it is as well.

@@ -9,6 +9,7 @@ use std::thread;
 
 use check::evidence::Known;
 use check::explanations::{But, Degradation};
+use check::guess;
 use check::png;
 use check::reading::Reading;
 use check::scene::Scene;
@@ -614,6 +615,42 @@ fn what_nothing_known_draws_is_described() {
             said.contains(words),
             "{chapter:?}: {said}; {names:?}; {near}"
         );
+    }
+}
+
+/// As a material of a later chapter draws what is hit, before and after gamma correction.
+#[test]
+fn a_sky_with_its_outlines_is_known_whatever_colors_are_hit() {
+    let world = Program::right(Chapter::HittableList);
+    const SMALLER: &[Ball] = &[
+        Ball::new(0.0, 0.0, -1.0, 0.3),
+        Ball::new(0.0, -100.5, -1.0, 100.0),
+    ];
+    let smaller = Program {
+        world: SMALLER,
+        ..world
+    };
+    let corrected = Program {
+        level: |component| (256.0 * component.sqrt().min(0.999)) as i32,
+        ..world
+    };
+    for (program, is_shaded) in [(world, true), (corrected, true), (smaller, false)] {
+        let mut random = Random(5);
+        let sky = Program {
+            world: &[],
+            ..program
+        };
+        let (sky, right) = (sky.run(200), program.run(200));
+        let picture = changed(&sky.picture(), |i, j| {
+            let n = j * 200 + i;
+            let grain = [(); 3].map(|()| 60 + random.below(40) as u8);
+            (sky.pixel(n) != right.pixel(n)).then_some(grain)
+        });
+        let reading = check::reading::read(&png::encode(&picture)).expect("it is a picture");
+        let finding = finding(Chapter::HittableList, &picture);
+        assert_eq!(finding.is_shaded, is_shaded, "{:?}", finding.sights);
+        let guessed = guess::scene(&reading).chapter;
+        assert!(guessed == Chapter::HittableList || !is_shaded, "{guessed:?}");
     }
 }
 

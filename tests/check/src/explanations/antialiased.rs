@@ -9,7 +9,7 @@ use common::rtweekend::Camera;
 
 use ::slips::{Edition, Program};
 
-use super::{But, Conversion, Curve, Evidence, Explanation, Hypothesis, spread};
+use super::{But, Conversion, Curve, Evidence, Explanation, Hypothesis, Seen, spread};
 use crate::bits::{Frequencies, Left, Pixel, class, distance};
 use crate::reading::Reading;
 
@@ -165,7 +165,8 @@ pub(crate) fn antialiased<'a>(
             explanation.left.bits += bits;
             explanation.but = vec![But::Antialiased { samples }];
             explanation.but.extend(curve.cloned().map(But::Curve));
-            explanation.seen = rectangle.said(program.edition.counts_from_below());
+            let said = rectangle.said(program.edition.counts_from_below());
+            explanation.seen = said.map(Seen::Said);
             explained.push(explanation);
         }
     }
@@ -182,7 +183,7 @@ struct Rays<'a> {
 }
 
 /// How the next chapter of the book scales a mean, since version 3.0.
-const WITH_SAMPLES: fn(f64) -> i32 = |mean| (256.0 * mean.clamp(0.0, 0.999)) as i32;
+pub(super) const WITH_SAMPLES: fn(f64) -> i32 = |mean| (256.0 * mean.clamp(0.0, 0.999)) as i32;
 
 /// Sums of components and of their squares, of all parts before one each way: a summed
 /// area table (Crow, 1984).

@@ -10,8 +10,8 @@ mod curve;
 mod degraded;
 mod more;
 mod places;
-mod poor;
 mod right;
+mod silhouettes;
 mod slips;
 mod spheres;
 mod turned;
@@ -33,8 +33,8 @@ pub(crate) use degraded::degradations;
 pub use degraded::{Degradation, Filter, Quality};
 pub(crate) use more::more;
 pub(crate) use places::{Places, spread};
-pub(crate) use poor::{MANY, poor};
 pub(crate) use right::right;
+pub(crate) use silhouettes::{outlined, silhouettes};
 pub(crate) use slips::{TWO, mutants, single, two, typed};
 pub(crate) use spheres::own_spheres;
 pub(crate) use turned::turned;
@@ -86,8 +86,8 @@ pub struct Explanation {
     pub conversion: Conversion,
     /// What else was done to the picture, and is no mistake.
     pub but: Vec<But>,
-    /// What was done to the picture, where nobody knows which line of a program does it.
-    pub seen: Option<String>,
+    /// What is seen, where nobody knows which line of a program does it.
+    pub seen: Option<Seen>,
     /// Bits of its name.
     pub name: f64,
     /// What it leaves.
@@ -108,6 +108,42 @@ pub enum But {
     Curve(Curve),
     /// Something happened to it between the program and the file.
     Degraded(Degradation),
+}
+
+/// What is seen in a picture, where nobody knows which line of a program does it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Seen {
+    /// So little that many mistakes draw it.
+    Little,
+    /// The sky and the outlines of a scene, with other colors of all that is hit.
+    Shaded {
+        /// Whether the sky went through the gamma correction of later chapters.
+        is_corrected: bool,
+        /// Whether these are as uneven as means of few rays.
+        is_grainy: bool,
+    },
+    /// Something that was done to all of it.
+    Said(String),
+}
+
+impl Seen {
+    /// The same in a sentence.
+    pub(crate) fn said(&self) -> String {
+        match self {
+            Self::Little => "Many mistakes draw this picture, so it says little.".to_owned(),
+            Self::Shaded { is_corrected, .. } => {
+                let gamma = if *is_corrected {
+                    " with gamma correction"
+                } else {
+                    ""
+                };
+                format!(
+                    "Sky{gamma} and outlines are right; only what is hit has other colors, as with the materials of later chapters."
+                )
+            }
+            Self::Said(said) => said.clone(),
+        }
+    }
 }
 
 /// One pixel in so many is a part.

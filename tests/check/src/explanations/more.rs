@@ -8,7 +8,7 @@ use std::ops::Range;
 use ::slips::Program;
 
 use super::antialiased::{EDGE, contrast};
-use super::{Evidence, Explanation, Hypothesis, antialiased};
+use super::{Evidence, Explanation, Hypothesis, Seen, antialiased};
 use crate::bits::{Pixel, distance, told};
 use crate::reading::Reading;
 use crate::verdict::Near;
@@ -60,7 +60,7 @@ pub(crate) fn more(evidence: &Evidence, it: &Hypothesis) -> Vec<Explanation> {
     explained
         .map(|it| Explanation {
             name: it.name + bits,
-            seen: Some(said(&it, &boxes, drawn.len())),
+            seen: Some(Seen::Said(said(&it, &boxes, drawn.len()))),
             ..it
         })
         .collect()

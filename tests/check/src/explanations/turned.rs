@@ -5,7 +5,7 @@ use common::rtweekend::Camera;
 
 use ::slips::Program;
 
-use super::{Evidence, Explanation, Hypothesis, estimate, spread};
+use super::{Evidence, Explanation, Hypothesis, Seen, estimate, spread};
 use crate::bits::Pixel;
 
 /// What was done: one of forty ways, and less likely than a slip.
@@ -42,7 +42,7 @@ pub(crate) fn turned(
     let changed: Vec<Pixel> = (0..all).map(&best.pixel).collect();
     let mut explanation = right.explaining(reading, &changed);
     explanation.name += NAME;
-    explanation.seen = Some(best.said);
+    explanation.seen = Some(Seen::Said(best.said));
     Some(explanation)
 }
 
