@@ -55,14 +55,21 @@ pub(super) fn compressed(reading: &Reading, likeliest: &[Hypothesis]) -> Option<
         all.all(|it| it.source(n, reading).is_some())
     };
     let some = luma.some(is_drawn);
-    let found: Vec<_> = some.map(|at| (at, luma.cosines(at))).collect();
-    let (mut best, mut without): (Option<(f32, u8, Vec<Pixel>)>, f32) = (None, f32::MAX);
+    let found: Vec<_> = some.map(|at| (at, cosines(&luma.block(at)))).collect();
+    let (mut best, mut without): (Option<(f32, u8, &Hypothesis)>, f32) = (None, f32::MAX);
     for it in likeliest {
-        let Some(drawn) = it.drawn(reading) else {
+        let Some(output) = it.output(reading) else {
             continue;
         };
-        let luma = self::luma(&drawn, reading.width);
-        let luma: Vec<Block> = found.iter().map(|(at, _)| luma.cosines(*at)).collect();
+        let pixel = |n: u32| {
+            let source = it.degradation.map_or(Some(n), |it| it.source(n, reading));
+            it.pixel(&output, source.unwrap_or_default())
+        };
+        let block = |(i, j): (usize, usize)| -> Block {
+            let at = |n: usize| luma.place(i + n % 8, j + n / 8) as u32;
+            std::array::from_fn(|n| brightness(pixel(at(n))))
+        };
+        let luma: Vec<Block> = found.iter().map(|(at, _)| cosines(&block(*at))).collect();
         let off = |percent: u8| -> f32 {
             let table = table(luma_at, percent);
             let pairs = luma.iter().zip(&found);
@@ -77,10 +84,11 @@ pub(super) fn compressed(reading: &Reading, likeliest: &[Hypothesis]) -> Option<
         // picture that is another somewhere does not have its quality.
         let is_nearer = |(least, ..): &(f32, _, _)| nearest.0 < 0.95 * least;
         if best.as_ref().is_none_or(is_nearer) {
-            best = Some((nearest.0, nearest.1, drawn));
+            best = Some((nearest.0, nearest.1, it));
         }
     }
-    let (_, percent, drawn) = best.filter(|(off, ..)| *off < 0.95 * without)?;
+    let (_, percent, nearest) = best.filter(|(off, ..)| *off < 0.95 * without)?;
+    let drawn = nearest.drawn(reading)?;
     // Saturated colors make the cosines of the file others than those that were kept.
     let near = percent - 1..=percent + 1;
     let all = near.flat_map(|percent| {
@@ -162,39 +170,51 @@ struct Plane {
     values: Vec<f32>,
 }
 
-/// Brightness.
 fn luma(pixels: &[Pixel], width: u32) -> Plane {
-    Plane::of(pixels, width, |[red, green, blue]| {
-        0.299 * red + 0.587 * green + 0.114 * blue - 128.0
-    })
+    Plane::of(pixels, width, brightness)
+}
+
+fn brightness(pixel: Pixel) -> f32 {
+    let [red, green, blue] = pixel.map(f32::from);
+    whole(0.299 * red + 0.587 * green + 0.114 * blue - 128.0)
+}
+
+/// A component as a file of bytes has it.
+fn whole(component: f32) -> f32 {
+    component.round().min(127.0)
 }
 
 /// By how much blue, and red, is more than that.
 fn chroma(pixels: &[Pixel], width: u32) -> [Plane; 2] {
     [
-        Plane::of(pixels, width, |[red, green, blue]| {
-            -0.168_736 * red - 0.331_264 * green + 0.5 * blue
+        Plane::of(pixels, width, |pixel| {
+            let [red, green, blue] = pixel.map(f32::from);
+            whole(-0.168_736 * red - 0.331_264 * green + 0.5 * blue)
         }),
-        Plane::of(pixels, width, |[red, green, blue]| {
-            0.5 * red - 0.418_688 * green - 0.081_312 * blue
+        Plane::of(pixels, width, |pixel| {
+            let [red, green, blue] = pixel.map(f32::from);
+            whole(0.5 * red - 0.418_688 * green - 0.081_312 * blue)
         }),
     ]
 }
 
 impl Plane {
-    fn of(pixels: &[Pixel], width: u32, component: impl Fn([f32; 3]) -> f32) -> Self {
+    fn of(pixels: &[Pixel], width: u32, component: impl Fn(Pixel) -> f32) -> Self {
         let width = width as usize;
-        let component = |pixel: &Pixel| component(pixel.map(f32::from)).round().min(127.0);
         Self {
             width,
             height: pixels.len() / width,
-            values: pixels.iter().map(component).collect(),
+            values: pixels.iter().map(|&pixel| component(pixel)).collect(),
         }
     }
 
-    /// The value in a column and row; beyond the edge, the nearest one.
+    /// Where the value of a column and row stands; beyond the edge, the nearest one.
+    fn place(&self, i: usize, j: usize) -> usize {
+        j.min(self.height - 1) * self.width + i.min(self.width - 1)
+    }
+
     fn at(&self, i: usize, j: usize) -> f32 {
-        self.values[j.min(self.height - 1) * self.width + i.min(self.width - 1)]
+        self.values[self.place(i, j)]
     }
 
     /// A value for each column and row.
@@ -242,25 +262,19 @@ impl Plane {
         std::array::from_fn(|n| self.at(i + n % 8, j + n / 8))
     }
 
-    /// The discrete cosine transform of a block.
-    fn cosines(&self, at: (usize, usize)) -> Block {
-        let [cosines, transposed] = &*COSINES;
-        product(&product(cosines, &self.block(at)), transposed)
-    }
-
     /// What is left when each cosine is rounded to a multiple of its step.
     fn kept(&self, table: &Block) -> Self {
-        let [cosines, transposed] = &*COSINES;
+        let [matrix, transposed] = &*COSINES;
         let mut kept = Self {
             values: vec![0.0; self.values.len()],
             ..*self
         };
         for (i, j) in self.blocks() {
-            let mut block = self.cosines((i, j));
+            let mut block = cosines(&self.block((i, j)));
             for (cosine, step) in block.iter_mut().zip(table) {
                 *cosine = self::kept(*cosine, *step);
             }
-            let block = product(&product(transposed, &block), cosines);
+            let block = product(&product(transposed, &block), matrix);
             let (columns, rows) = (8.min(self.width - i), 8.min(self.height - j));
             for row in 0..rows {
                 let from = (j + row) * self.width + i;
@@ -318,6 +332,12 @@ static COSINES: LazyLock<[Block; 2]> = LazyLock::new(|| {
         std::array::from_fn(|n| at(n % 8, n / 8)),
     ]
 });
+
+/// The discrete cosine transform of a block.
+fn cosines(block: &Block) -> Block {
+    let [matrix, transposed] = &*COSINES;
+    product(&product(matrix, block), transposed)
+}
 
 fn product(one: &Block, other: &Block) -> Block {
     let mut product = [0.0; 64];

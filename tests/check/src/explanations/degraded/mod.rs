@@ -93,10 +93,13 @@ fn framed_and_compressed(evidence: &Evidence, _: &[Hypothesis]) -> Option<Degrad
     let framed = evidence.degraded(traces::framed(evidence)?);
     let reading = evidence.reading;
     let places = Places::new(reading, None, LOOK);
-    let length = |it: &Hypothesis| it.estimated(reading, &places, f64::INFINITY);
-    let all = right(&framed).into_iter().chain(single(&framed));
-    let all = all.filter_map(|it| Some((length(&it)?, it)));
-    let (_, nearest) = all.min_by(|one, other| one.0.total_cmp(&other.0))?;
+    let (mut least, mut nearest) = (f64::INFINITY, None);
+    for it in right(&framed).into_iter().chain(single(&framed)) {
+        if let Some(length) = it.estimated(reading, &places, least) {
+            (least, nearest) = (length, Some(it));
+        }
+    }
+    let nearest = nearest?;
     let quality = jpeg::compressed(reading, slice::from_ref(&nearest))?;
     nearest.degradation.map(|framed| framed.with(quality))
 }

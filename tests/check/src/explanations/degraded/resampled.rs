@@ -58,8 +58,9 @@ const MISSING: u32 = 12;
 const MARGINS: u32 = 80;
 /// With how many sizes and programs all pixels are compared.
 const MEASURED: usize = 3;
-/// How many pixels choose the scale or the place.
+/// How many pixels choose the scale or the place, and how many of them rule out most.
 const LOOK: u32 = 600;
+const GLANCE: usize = 100;
 
 /// The scale and filter with which a program comes nearest, if that is any nearer.
 pub(super) fn scaled(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<Degradation> {
@@ -74,7 +75,9 @@ pub(super) fn scaled(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<De
         sizes.extend(heights.map(|height| (width, height)));
     }
     sizes.retain(|&size| size != (reading.width, reading.height));
-    let places = sharp_places(reading);
+    let places = Sharp::of(reading);
+    let [glance, least] = places.as_it_is(likeliest);
+    let most = [glance, least * 5 / 6];
     // By rounding, a slip's picture may be a little nearer than the right one.
     let tried = likeliest
         .iter()
@@ -88,41 +91,47 @@ pub(super) fn scaled(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<De
         let nearest = |n: u32| it.pixel(&output, nearest.source(n, reading).unwrap_or_default());
         let between = |n: u32| between(&output, from, n, reading, it);
         let boxed = |n: u32| boxed(|n| it.pixel(&output, n), from, n, reading);
-        let off = |pixel: &dyn Fn(u32) -> Pixel| -> u32 {
-            let off = |&n: &u32| off(pixel(n), reading.pixels[n as usize]);
-            places.iter().map(off).sum()
-        };
+        let ways: [(Filter, &dyn Fn(u32) -> Pixel); 3] = [
+            (Filter::Nearest, &nearest),
+            (Filter::Triangle, &between),
+            (Filter::Box, &boxed),
+        ];
         // The means of still larger squares are like those of many rays.
-        let boxed = (from.0 <= 2 * reading.width).then(|| off(&boxed));
-        let least = off(&nearest).min(off(&between));
-        Some((boxed.map_or(least, |boxed| boxed.min(least)), it, from))
+        let has_small_squares = from.0 <= 2 * reading.width;
+        let ways = ways.into_iter().take(if has_small_squares { 3 } else { 2 });
+        let offs = ways.filter_map(|(filter, pixel)| Some((places.off(pixel, most)?, filter)));
+        let (off, filter) = offs.min_by_key(|(off, _)| *off)?;
+        Some((off, it, from, filter))
     });
-    let least = as_it_is(reading, &places, likeliest);
-    let mut tried: Vec<(u32, &Hypothesis, (u32, u32))> =
-        tried.filter(|(off, ..)| 6 * off < 5 * least).collect();
+    let mut tried: Vec<(u32, &Hypothesis, (u32, u32), Filter)> = tried.collect();
     let weight = |it: &Hypothesis| if it.slips.is_empty() { 4 } else { 5 };
-    tried.sort_by_key(|(off, it, _)| weight(it) * off);
+    tried.sort_by_key(|(off, it, ..)| weight(it) * off);
     let (nearest, ..) = *tried.first()?;
     // In a smooth picture another size may be as near by chance.
     let alike = tried.into_iter().filter(|(off, ..)| *off <= 2 * nearest);
-    let mut best = None;
-    for (_, it, from) in alike.take(MEASURED) {
+    let measured = |before: &[Pixel], from: (u32, u32), filter: Filter| {
+        Left::of(reading, &resized(before, from, reading, filter)).bits
+    };
+    let alike = alike.take(MEASURED).filter_map(|(_, it, from, filter)| {
         let before = it.before(&it.of_size(from)?);
-        for filter in FILTERS {
-            let left = Left::of(reading, &resized(&before, from, reading, filter)).bits;
-            if best.is_none_or(|(least, _)| left < least) {
-                best = Some((left, Degradation::Scaled { from, filter }));
-            }
-        }
-    }
-    best.map(|(_, scaled)| scaled)
+        let bits = [filter, Filter::Triangle].map(|filter| measured(&before, from, filter));
+        Some((bits[0].min(bits[1]), before, from))
+    });
+    let (_, before, from) = alike.min_by(|one, other| one.0.total_cmp(&other.0))?;
+    let bits = FILTERS.map(|filter| (measured(&before, from, filter), filter));
+    let best = bits
+        .into_iter()
+        .min_by(|one, other| one.0.total_cmp(&other.0));
+    best.map(|(_, filter)| Degradation::Scaled { from, filter })
 }
 
 /// The place in a slightly larger picture at which a program comes nearest.
 pub(super) fn cropped(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<Degradation> {
     let reading = evidence.reading;
     let (width, height) = (reading.width, reading.height);
-    let places = sharp_places(reading);
+    let places = Sharp::of(reading);
+    let [glance, least] = places.as_it_is(likeliest);
+    let mut least = least * 4 / 5;
     let mut best = None;
     for it in likeliest.iter() {
         for wide in width..=width + MARGINS {
@@ -135,36 +144,16 @@ pub(super) fn cropped(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<D
                 };
                 for corner in corners(wide - width, high - height) {
                     let cropped = Degradation::Cropped { from, corner };
-                    let mut sum = 0;
-                    for &n in &places {
-                        let source = cropped.source(n, reading).unwrap_or_default();
-                        sum += off(it.pixel(&output, source), reading.pixels[n as usize]);
-                        if best.is_some_and(|(least, _)| sum >= least) {
-                            break;
-                        }
-                    }
-                    if best.is_none_or(|(least, _)| sum < least) {
-                        best = Some((sum, cropped));
+                    let pixel =
+                        |n: u32| it.pixel(&output, cropped.source(n, reading).unwrap_or_default());
+                    if let Some(off) = places.off(pixel, [glance, least]) {
+                        (least, best) = (off, Some(cropped));
                     }
                 }
             }
         }
     }
-    let least = as_it_is(reading, &places, likeliest);
-    best.filter(|(off, _)| 5 * off < 4 * least)
-        .map(|(_, cropped)| cropped)
-}
-
-/// How far the nearest program is off if nothing happened to its picture.
-fn as_it_is(reading: &Reading, places: &[u32], likeliest: &[Hypothesis]) -> u32 {
-    let off = |it: &Hypothesis| {
-        let output = it.output(reading)?;
-        let off = places
-            .iter()
-            .map(|&n| off(it.pixel(&output, n), reading.pixels[n as usize]));
-        Some(off.sum::<u32>())
-    };
-    likeliest.iter().filter_map(off).min().unwrap_or(LOOK * FAR)
+    best
 }
 
 /// Any, where few are missing; else the same on either side.
@@ -177,16 +166,57 @@ fn corners(columns: u32, rows: u32) -> impl Iterator<Item = (u32, u32)> {
 }
 
 /// Pixels to look at, half of them at edges, where scale and place are to be seen.
-fn sharp_places(reading: &Reading) -> Vec<u32> {
-    const SHARP: u32 = 16;
-    let all = reading.pixels.len() as u32;
-    let is_sharp = |n: &u32| {
-        let [one, other] = [*n, n + 1].map(|n| reading.pixels[n as usize]);
-        off(one, other) >= SHARP
-    };
-    let sharp: Vec<u32> = (0..all - 1).filter(is_sharp).collect();
-    let sharp = spread(LOOK / 2, sharp.len() as u32).map(|n| sharp[n as usize]);
-    sharp.chain(spread(LOOK / 2, all)).collect()
+struct Sharp<'a> {
+    reading: &'a Reading,
+    places: Vec<u32>,
+}
+
+impl<'a> Sharp<'a> {
+    fn of(reading: &'a Reading) -> Self {
+        const SHARP: u32 = 16;
+        let all = reading.pixels.len() as u32;
+        let is_sharp = |n: &u32| {
+            let [one, other] = [*n, n + 1].map(|n| reading.pixels[n as usize]);
+            off(one, other) >= SHARP
+        };
+        let sharp: Vec<u32> = (0..all - 1).filter(is_sharp).collect();
+        let sharp = spread(LOOK / 2, sharp.len() as u32).map(|n| sharp[n as usize]);
+        let places = sharp.chain(spread(LOOK / 2, all)).collect();
+        Self { reading, places }
+    }
+
+    /// How far a picture is off in the first of them, and in all; `None` as soon as one is
+    /// no less than what it may be at most.
+    fn off(&self, pixel: impl Fn(u32) -> Pixel, [glance, most]: [u32; 2]) -> Option<u32> {
+        let off = |&n: &u32| off(pixel(n), self.reading.pixels[n as usize]);
+        let (first, rest) = self.places.split_at(GLANCE.min(self.places.len()));
+        let first: u32 = first.iter().map(off).sum();
+        if first >= glance {
+            return None;
+        }
+        let mut sum = first;
+        for n in rest {
+            sum += off(n);
+            if sum >= most {
+                return None;
+            }
+        }
+        (sum < most).then_some(sum)
+    }
+
+    /// The same of the nearest program if nothing happened to its picture.
+    fn as_it_is(&self, likeliest: &[Hypothesis]) -> [u32; 2] {
+        let off = |it: &Hypothesis| {
+            let output = it.output(self.reading)?;
+            let off = |n: &u32| off(it.pixel(&output, *n), self.reading.pixels[*n as usize]);
+            let (first, rest) = self.places.split_at(GLANCE.min(self.places.len()));
+            let first: u32 = first.iter().map(off).sum();
+            Some([first, first + rest.iter().map(off).sum::<u32>()])
+        };
+        let offs = likeliest.iter().filter_map(off);
+        let nearest = offs.min_by_key(|[_, all]| *all);
+        nearest.unwrap_or([LOOK * FAR; 2])
+    }
 }
 
 /// The nth pixel of the file, in a straight line between those of the program.

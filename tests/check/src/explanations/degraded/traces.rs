@@ -18,6 +18,8 @@ pub(super) const REC_709: [f64; 3] = [0.2126, 0.7152, 0.0722];
 const COLORS: RangeInclusive<usize> = 16..=256;
 /// How many of the sharpest edges may be a side of a frame.
 const SIDES: usize = 8;
+/// So many lines within an edge nothing of it is left, be it compressed.
+const WITHIN: u32 = 3;
 /// At least this part of the width is no frame.
 const LEAST: u32 = 3;
 
@@ -121,6 +123,19 @@ impl Edges {
         self.sharp[at as usize]
     }
 
+    /// Whether something begins there, or ends: it is smoother than its edge.
+    fn begins(&self, at: u32) -> bool {
+        at == 0 || self.sharp(at) > self.within(at + WITHIN)
+    }
+
+    fn ends(&self, at: u32) -> bool {
+        at == self.count() || self.sharp(at) > self.within(at.saturating_sub(WITHIN))
+    }
+
+    fn within(&self, at: u32) -> u32 {
+        self.sharp(at.min(self.count())) * 5 / 4
+    }
+
     fn count(&self) -> u32 {
         self.sharp.len() as u32 - 1
     }
@@ -131,7 +146,8 @@ impl Edges {
             .sharpest
             .iter()
             .flat_map(|&one| self.sharpest.iter().map(move |&other| (one, other)));
-        all.filter(move |&(one, other)| one + least.max(1) <= other)
+        let all = all.filter(move |&(one, other)| one + least.max(1) <= other);
+        all.filter(|&(one, other)| self.begins(one) && self.ends(other))
     }
 
     /// Where something of that length may begin, with a sharp edge at either end.
@@ -141,6 +157,7 @@ impl Edges {
             .iter()
             .filter_map(move |end| end.checked_sub(length));
         let starts = self.sharpest.iter().copied().chain(ends);
-        starts.filter(move |start| start + length <= self.count())
+        let starts = starts.filter(move |start| start + length <= self.count());
+        starts.filter(move |&start| self.begins(start) && self.ends(start + length))
     }
 }
