@@ -3,6 +3,8 @@
 //! First all are estimated from some pixels, then the likeliest from more, and the few that
 //! may win are measured by all of them.
 
+use std::collections::HashMap;
+
 use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
@@ -107,9 +109,10 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
 /// pixels that are wrong without it, but for some odd ones.
 fn drop_what_explains_little(found: &mut Vec<Explanation>, scene: &Scene) {
     let is_told = |it: &Explanation| !it.slips.is_empty() || it.scene.chosen.balls[0].is_some();
+    let is_whole = |it: &Explanation| matches!(it.seen, None | Some(Seen::Little));
     let without = found
         .iter()
-        .filter(|it| !is_told(it) && it.seen.is_none() && is_same(&it.scene, scene));
+        .filter(|it| !is_told(it) && is_whole(it) && is_same(&it.scene, scene));
     let wrong = without.map(|it| it.left.far).min();
     found.retain(|it| {
         let explains = Some(20 * it.left.far) <= wrong || it.left.bits < WORTH_A_SEARCH;
@@ -205,25 +208,20 @@ impl Search<'_> {
         // Where levels were lost, estimates tell only which is the likeliest.
         let is_lossy = |it: &Hypothesis| it.degradation.is_some_and(Degradation::is_lossy);
         let pictures = (PIXELS / reading.pixels.len()).clamp(FEWER / 4, FEWER);
-        let count = match some.first().is_some_and(|(_, it)| is_lossy(it)) {
-            true => pictures,
-            false => FEW,
-        };
         let left = |(length, it): &(f64, Hypothesis)| length - it.name;
         let least = some.first().map_or(0.0, left);
-        let mut others = 0;
-        for it in some.iter().take(count) {
+        let (mut others, mut known) = (0, HashMap::new());
+        for it in &some {
             // Who draws the same leaves the same, but for roundings. All slips that do are
             // told; of numbers that a reader may have typed, the simplest.
             let is_other =
                 (left(it) - least).abs() > 1e-6 || it.1.scene.chosen != Chosen::default();
             others += usize::from(is_other);
             let most = may_win(self.best().bits().min(self.unknown));
-            let may_win = others < pictures && it.0 <= most;
-            if !may_win && !is_lossy(&it.1) {
+            if others >= pictures || it.0 > most && !is_lossy(&it.1) {
                 break;
             }
-            self.found.extend(it.1.measured(reading));
+            self.found.extend(it.1.measured_among(&mut known, reading));
         }
         all
     }
@@ -311,6 +309,7 @@ impl Search<'_> {
         let tried: Vec<Hypothesis> = tried.collect();
         let evidence = self.evidence;
         let mut found = degradations(evidence, &tried);
+        let places = Places::new(evidence.reading, None, LOOK);
         while self.best().left.bits >= WORTH_A_SEARCH
             && let Some(degradation) = found.next()
         {
@@ -323,7 +322,15 @@ impl Search<'_> {
             };
             let (surest, others): (Vec<_>, Vec<_>) = all.partition(is_tried);
             let shortest = self.best().bits();
-            let surest = surest.iter();
+            // What tells the loss is known, and estimates are wrong in the rest alone.
+            let name = evidence.degradation.map_or(0.0, |(_, name)| name);
+            let most = match degradation.is_lossy() {
+                true => f64::INFINITY,
+                false => name + may_win(shortest.min(self.unknown) - name),
+            };
+            let may_win =
+                |it: &&Hypothesis| it.estimated(evidence.reading, &places, most).is_some();
+            let surest = surest.iter().filter(may_win);
             let surest: Vec<_> = surest
                 .filter_map(|it| it.measured(evidence.reading))
                 .collect();
@@ -332,10 +339,6 @@ impl Search<'_> {
                 continue;
             }
             self.found.extend(surest);
-            let most = match degradation.is_lossy() {
-                true => f64::INFINITY,
-                false => may_win(self.best().bits()),
-            };
             self.add(others, None, most);
         }
     }

@@ -226,6 +226,23 @@ fn nothing_is_right_that_shows_what_is_not_in_its_scene() {
     assert!(found.near.is_none(), "{}", found.but());
 }
 
+/// Where no sphere is drawn, many a slip may be why, be the sky scaled or not.
+#[test]
+fn slips_that_draw_the_same_are_told_together_whatever_happened_to_the_file() {
+    let picture = slip("minus-h")
+        .program(Chapter::HalfBSphere)
+        .run(160)
+        .picture();
+    let image = RgbImage::from_raw(160, 90, picture.rgb().to_vec()).expect("its size");
+    let image = imageops::resize(&image, 200, 112, FilterType::CatmullRom);
+    let scaled = Picture::from_rgb(200, 112, image.into_raw()).expect("its size");
+    let scaled = finding(Chapter::HalfBSphere, &scaled);
+    assert!(scaled.degradation.is_some());
+    let told = names(&finding(Chapter::HalfBSphere, &picture));
+    assert!(told[0].len() > 10, "{told:?}");
+    assert_eq!(names(&scaled)[0], told[0]);
+}
+
 /// What is a level off by another factor was not scaled on its way.
 #[test]
 fn roundings_are_no_loss() {

@@ -16,6 +16,7 @@ mod slips;
 mod spheres;
 mod turned;
 
+use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hasher};
 
 use ::slips::{Output, Slip};
@@ -252,16 +253,37 @@ impl Hypothesis {
 
     /// How long it is, by all pixels.
     pub(crate) fn measured(&self, reading: &Reading) -> Option<Explanation> {
-        Some(self.explaining(reading, &self.drawn(reading)?))
+        self.measured_among(&mut HashMap::new(), reading)
+    }
+
+    /// The same beside others to which the same happened: of all that draw one picture the
+    /// first is measured.
+    pub(crate) fn measured_among(
+        &self,
+        known: &mut HashMap<u64, (Left, u64)>,
+        reading: &Reading,
+    ) -> Option<Explanation> {
+        let before = self.before(&self.output(reading)?);
+        let measure = || match self.degradation {
+            Some(degradation) => self.left(reading, &degradation.of(&before, reading)),
+            None => self.left(reading, &before),
+        };
+        let (left, mark) = *known.entry(mark(&before)).or_insert_with(measure);
+        Some(self.leaving(left, mark))
     }
 
     /// The same where it has been drawn.
     pub(crate) fn explaining(&self, reading: &Reading, drawn: &[Pixel]) -> Explanation {
-        let mut hasher = DefaultHasher::new();
-        for &[red, green, blue] in drawn {
-            let [red, green, blue] = [red, green, blue].map(|level| u64::from(level as u16));
-            hasher.write_u64(red << 32 | green << 16 | blue);
-        }
+        let (left, mark) = self.left(reading, drawn);
+        self.leaving(left, mark)
+    }
+
+    fn left(&self, reading: &Reading, drawn: &[Pixel]) -> (Left, u64) {
+        let left = Left::of_some(reading, drawn, self.shown(reading));
+        (left, mark(drawn))
+    }
+
+    fn leaving(&self, left: Left, mark: u64) -> Explanation {
         Explanation {
             scene: self.scene,
             slips: self.slips.clone(),
@@ -269,8 +291,8 @@ impl Hypothesis {
             but: self.degradation.map(But::Degraded).into_iter().collect(),
             seen: None,
             name: self.name,
-            left: Left::of_some(reading, drawn, self.shown(reading)),
-            mark: hasher.finish(),
+            left,
+            mark,
         }
     }
 
@@ -292,6 +314,16 @@ impl Hypothesis {
         }
         Some(bits)
     }
+}
+
+/// The same for pictures that are the same.
+fn mark(drawn: &[Pixel]) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for &[red, green, blue] in drawn {
+        let [red, green, blue] = [red, green, blue].map(|level| u64::from(level as u16));
+        hasher.write_u64(red << 32 | green << 16 | blue);
+    }
+    hasher.finish()
 }
 
 /// About how many bits a pixel costs to one who expects another: that chooses what is
