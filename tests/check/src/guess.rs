@@ -39,7 +39,7 @@ pub fn scene(reading: &Reading) -> Scene {
             let length = it.estimated(reading, &places[1], f64::INFINITY);
             (length, it.scene.probe)
         });
-        let outlines = rights.iter();
+        let outlines = rights.iter().filter(|it| it.scene.probe.is_none());
         let outlines = outlines.map(|it| (outlined(it, reading, &places[1]), it.scene.probe));
         for (length, probe) in few.chain(outlines) {
             if let Some(length) = length

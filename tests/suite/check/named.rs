@@ -546,6 +546,18 @@ fn several_rays_a_pixel_are_the_next_chapter_and_no_mistake() {
     }
 }
 
+/// As version 3 has them in its rows from below, and as who counts rows from above has them.
+#[test]
+fn several_rays_are_right_by_an_edition_whichever_way_rows_are_counted() {
+    let program = scene(Chapter::HittableList)
+        .only_by(Edition::V3)
+        .program(&[]);
+    for lower in [-1.0, 0.0] {
+        let near = near(Chapter::HittableList, &with_rays(&program, 10, lower));
+        assert_eq!(near.scene.edition, Edition::V3);
+    }
+}
+
 #[test]
 fn several_rays_beside_the_pixel_are_a_mistake() {
     for chapter in [Chapter::RedSphere, Chapter::Normals, Chapter::HittableList] {
@@ -667,7 +679,10 @@ fn a_sky_with_its_outlines_is_known_whatever_colors_are_hit() {
         let finding = finding(Chapter::HittableList, &picture);
         assert_eq!(finding.is_shaded, is_shaded, "{:?}", finding.sights);
         let guessed = guess::scene(&reading).chapter;
-        assert!(guessed == Chapter::HittableList || !is_shaded, "{guessed:?}");
+        assert!(
+            guessed == Chapter::HittableList || !is_shaded,
+            "{guessed:?}"
+        );
     }
 }
 
@@ -885,6 +900,11 @@ fn with_rays(program: &Program, count: usize, lower: f64) -> Picture {
     let mut mean = |i: u32, j: u32| {
         let mut ray = || {
             let (x, y) = (f64::from(i) + anywhere(), f64::from(j) + lower + anywhere());
+            let [across, up] = (program.divisors)(200.0, camera.image_height.into());
+            let [x, y] = match program.edition.counts_from_below() {
+                true => [(x + 0.5) / across, 1.0 - (y + 0.5) / up],
+                false => [x, y],
+            };
             let point = camera.pixel00 + x * camera.pixel_delta_u + y * camera.pixel_delta_v;
             program.ray_color(&Ray::new(camera.center, point - camera.center))
         };

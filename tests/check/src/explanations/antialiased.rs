@@ -53,6 +53,12 @@ const WHOLE_PIXEL: Rectangle = Rectangle {
     size: [1, 1],
 };
 
+/// The same with rows from above, where the edition has them from below.
+const MIRRORED: Rectangle = Rectangle {
+    middle: [0, -2],
+    size: [1, 1],
+};
+
 impl Rectangle {
     /// Those that are looked for: a pixel anywhere near, a line across or up, four pixels.
     fn all() -> impl Iterator<Item = Self> {
@@ -75,12 +81,26 @@ impl Rectangle {
         ((twice / 2 - half) as usize, (twice / 2 + half) as usize)
     }
 
-    fn name(self) -> f64 {
-        if self == WHOLE_PIXEL { 0.0 } else { ELSEWHERE }
+    /// Its length beside the pixel of a program.
+    fn name(self, program: &Program) -> f64 {
+        match self.is_whole(program) {
+            true => 0.0,
+            false => ELSEWHERE,
+        }
+    }
+
+    /// Whether it is where the edition has it. Who counts rows from above, where the edition
+    /// counts from below, adds the same part of a row the other way.
+    fn is_whole(self, program: &Program) -> bool {
+        let is_mirrored = program.edition.counts_from_below() && self == MIRRORED;
+        self == WHOLE_PIXEL || is_mirrored
     }
 
     /// Where the rays lie, if that is not where they should.
-    fn said(self, counts_from_below: bool) -> Option<String> {
+    fn said(self, program: &Program) -> Option<String> {
+        if self.is_whole(program) {
+            return None;
+        }
         let [x, y] = self.middle.map(f64::from);
         let away = |by: f64, there: &str, back: &str| {
             let there = if by > 0.0 { there } else { back };
@@ -91,7 +111,7 @@ impl Rectangle {
             };
             format!("{by} too far {there}")
         };
-        let (up, down) = if counts_from_below {
+        let (up, down) = if program.edition.counts_from_below() {
             ("up", "down")
         } else {
             ("down", "up")
@@ -112,9 +132,9 @@ impl Rectangle {
             true => String::new(),
             false => format!(", {}", away.join(" and ")),
         };
-        (self != WHOLE_PIXEL).then(|| {
-            format!("Each pixel is the mean of several rays, {spread}{place}: they should be anywhere in the pixel.")
-        })
+        Some(format!(
+            "Each pixel is the mean of several rays, {spread}{place}: they should be anywhere in the pixel."
+        ))
     }
 }
 
@@ -138,7 +158,7 @@ pub(crate) fn antialiased<'a>(
         let rays = Rays::of(it, &program, reading, curve)?;
         let found = rays.are_like(&smooth).then(|| rays.rectangle(&edges))?;
         // Who makes a slip puts the rays where they should be.
-        let whole = found.iter().find(|(_, it)| *it == WHOLE_PIXEL)?.1;
+        let whole = found.iter().find(|(_, it)| it.is_whole(&program))?.1;
         let pixel = found.iter().find(|(_, it)| it.size == [1, 1])?.1;
         let mut rectangles = match it.slips.is_empty() {
             true => vec![whole, pixel, found[0].1],
@@ -159,13 +179,13 @@ pub(crate) fn antialiased<'a>(
         for rectangle in rectangles {
             let drawn = rays.through_the_middle(rectangle);
             let mut explanation = it.explaining(reading, &drawn);
-            explanation.name += NAME + rectangle.name() + curve.map_or(0.0, Curve::name);
+            explanation.name += NAME + rectangle.name(&program) + curve.map_or(0.0, Curve::name);
             explanation.left = rays.left(&drawn, &contrast, &smooth);
             let (bits, samples) = rays.at_edges(&edges, rectangle);
             explanation.left.bits += bits;
             explanation.but = vec![But::Antialiased { samples }];
             explanation.but.extend(curve.cloned().map(But::Curve));
-            let said = rectangle.said(program.edition.counts_from_below());
+            let said = rectangle.said(&program);
             explanation.seen = said.map(Seen::Said);
             explained.push(explanation);
         }
@@ -292,7 +312,7 @@ impl<'a> Rays<'a> {
     fn by_one(&self, n: u32, colors: &[[f64; 3]]) -> f64 {
         let found = self.reading.pixels[n as usize];
         let likely = |color: &[f64; 3]| {
-            let levels = color.map(|component| (self.level)(component) as i16);
+            let levels = color.map(|component| (self.level)(component).clamp(0, 255) as i16);
             let levels = self.curve.map_or(levels, |curve| curve.of_pixel(levels));
             match distance(levels, found) {
                 0 => 0.5,
@@ -317,7 +337,7 @@ impl<'a> Rays<'a> {
                 .collect();
             let counts = [1.0, 4.0, 16.0, 64.0, 256.0];
             let bits = counts.map(|count| by_samples(&beside, count));
-            rectangle.name() + bits.into_iter().fold(f64::INFINITY, f64::min)
+            rectangle.name(self.program) + bits.into_iter().fold(f64::INFINITY, f64::min)
         };
         let mut all: Vec<_> = Rectangle::all().map(|it| (bits(&it), it)).collect();
         all.sort_by(|(one, _), (other, _)| one.total_cmp(other));
@@ -368,7 +388,7 @@ impl<'a> Rays<'a> {
         let (program, width, height) = (self.program, camera.image_width, camera.image_height);
         let (i, j) = (program.order)(n, width, height);
         let color = (program.color)(program, camera, i, j).to_array();
-        program.channels.map(|c| color[c].clamp(0.0, 1.0))
+        program.channels.map(|c| color[c])
     }
 
     /// How far each component of a pixel is from the mean, and the variance of one ray,
@@ -378,7 +398,7 @@ impl<'a> Rays<'a> {
         [0, 1, 2].map(|c| {
             let [mean, squares] = means[c];
             let mut deviation = 255.999 * (squares - mean * mean).max(0.0).sqrt();
-            let mut mean = f64::from((self.level)(mean));
+            let mut mean = f64::from((self.level)(mean).clamp(0, 255));
             if let Some(curve) = self.curve {
                 deviation = (curve.at(mean + deviation) - curve.at(mean - deviation)).abs() / 2.0;
                 mean = curve.at(mean + 0.5) - 0.5;

@@ -49,6 +49,10 @@ pub(crate) fn more(evidence: &Evidence, it: &Hypothesis) -> Vec<Explanation> {
     };
     let places: f64 = boxes.iter().map(|it| odd.place(it)).sum();
     let count = is_more.iter().filter(|is| **is).count();
+    // Where the scene has the smaller part, it is not what something was added to.
+    if 2 * count > drawn.len() {
+        return Vec::new();
+    }
     let bits = NAME + places + told(reading, |n| is_more[n]).min(ODD * count as f64);
     let of_the_rest = Evidence {
         reading: &rest,
