@@ -13,6 +13,7 @@ use crate::explanations::{
     typed,
 };
 use crate::scene::{Chosen, Scene};
+use crate::verdict::TOGETHER;
 use ::slips::Edition;
 
 /// What was found.
@@ -43,9 +44,9 @@ const PIXELS: usize = 540_000;
 /// several rays and curves: some thirty odd pixels. Less is told pixel by pixel anyway.
 const WORTH_A_SEARCH: f64 = 1000.0;
 
-/// What costs more bits a pixel, even to one who knows its neighbors, is noise: no picture
-/// of the book's becomes that on any way.
-const NOISE: f64 = 16.0;
+/// What costs more bits a pixel, even to one who knows its neighbors, is no smooth surface:
+/// where nothing explains it, no picture of the book's becomes that on any way.
+pub(crate) const GRAIN: f64 = 8.0;
 
 /// How many pixels are looked at where nothing is known of thousands of changes.
 const PEEK: u32 = 16;
@@ -90,9 +91,7 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     search.found.extend(silhouettes(evidence, &rights));
     let singles = rights.iter().cloned().chain(single(evidence));
     let likeliest = search.add(singles.collect::<Vec<_>>(), Some(&drawn), f64::INFINITY);
-    if unknown < NOISE * reading.pixels.len() as f64 {
-        search.add_others(&rights, &likeliest);
-    }
+    search.add_others(&rights, &likeliest);
     let mut found = search.found;
     drop_what_explains_little(&mut found, &evidence.scene);
     drop_losses_of_roundings(&mut found, &evidence.scene);
@@ -210,13 +209,19 @@ impl Search<'_> {
         let pictures = (PIXELS / reading.pixels.len()).clamp(FEWER / 4, FEWER);
         let left = |(length, it): &(f64, Hypothesis)| length - it.name;
         let least = some.first().map_or(0.0, left);
+        let is_least = |it: &(f64, Hypothesis)| {
+            (left(it) - least).abs() <= 1e-6 && it.1.scene.chosen == Chosen::default()
+        };
+        let names = some.iter().filter(|it| is_least(it)).map(|(_, it)| it.name);
+        let shortest = names.fold(f64::INFINITY, f64::min);
         let (mut others, mut known) = (0, HashMap::new());
         for it in &some {
-            // Who draws the same leaves the same, but for roundings. All slips that do are
-            // told; of numbers that a reader may have typed, the simplest.
-            let is_other =
-                (left(it) - least).abs() > 1e-6 || it.1.scene.chosen != Chosen::default();
-            others += usize::from(is_other);
+            // Who draws the same leaves the same, but for roundings. All slips that do and whose
+            // names are short enough are told; of numbers that a reader may have typed, the simplest.
+            if is_least(it) && it.1.name > shortest + TOGETHER {
+                continue;
+            }
+            others += usize::from(!is_least(it));
             let most = may_win(self.best().bits().min(self.unknown));
             if others >= pictures || it.0 > most && !is_lossy(&it.1) {
                 break;
@@ -228,6 +233,10 @@ impl Search<'_> {
 
     /// What is no single slip, the surest first.
     fn add_others(&mut self, rights: &[Hypothesis], likeliest: &[Hypothesis]) {
+        let grain = GRAIN * self.evidence.reading.pixels.len() as f64;
+        if self.unknown > grain && self.best().bits() >= self.unknown {
+            return;
+        }
         // No chapter draws grain inside right outlines, and no loss leaves their sky.
         let is_grainy = |it: &Explanation| {
             matches!(

@@ -148,7 +148,7 @@ pub struct Set {
 
 /// Explanations that are no more than three bits longer are told together: they are one
 /// in eight as likely.
-const TOGETHER: f64 = 3.0;
+pub(crate) const TOGETHER: f64 = 3.0;
 
 /// Compares the picture in `bytes` with the scene's, by each edition of the book that
 /// will do, and accepts components that are at most `tolerance` levels off.

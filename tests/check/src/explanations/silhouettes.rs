@@ -9,7 +9,7 @@ use ::slips::{Program, Room};
 use super::antialiased::WITH_SAMPLES;
 use super::{Evidence, Explanation, Hypothesis, Places, Seen, estimate, spread};
 use crate::bits::{Frequencies, Left, Pixel, class, commonest, distance, told};
-use crate::judge::is_same;
+use crate::judge::{GRAIN, is_same};
 use crate::reading::Reading;
 
 /// One mistake in four leaves one of a few such pictures. So a slip that draws one too is
@@ -23,9 +23,6 @@ const SHADED: f64 = 10.0;
 const MANY: usize = 16;
 /// About what a pixel costs of whose color nothing is known.
 const HIT: f64 = 12.0;
-/// What costs more bits a pixel is no smooth surface.
-const GRAIN: f64 = 8.0;
-
 /// How many pixels choose the edition.
 const LOOK: u32 = 300;
 
