@@ -234,7 +234,8 @@ impl<'a> Judged<'a> {
 
     /// What is seen, where nobody has said what it is and too little in it tells.
     fn unrecognized(&self) -> Option<String> {
-        if !self.is_guessed {
+        // Levels that are none are told first.
+        if !self.is_guessed || matches!(self.check, Check::NotAPicture { .. }) {
             return None;
         }
         if let Check::WrongShape { finding: None, .. } = self.check {

@@ -8,9 +8,9 @@ use std::collections::HashMap;
 use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
-    But, Degradation, Explanation, Hypothesis, Places, Seen, TWO, antialiased, degradations,
-    in_colors, more, mutants, on_a_curve, own_spheres, right, silhouettes, single, turned, two,
-    typed,
+    But, Degradation, Explanation, Hypothesis, Path, Places, Seen, TWO, antialiased,
+    chosen_beside_slips, chosen_otherwise, degradations, more, mutants, on_a_curve, right,
+    silhouettes, single, turned, two, typed,
 };
 use crate::scene::{Chosen, Scene};
 use crate::verdict::TOGETHER;
@@ -48,6 +48,10 @@ const WORTH_A_SEARCH: f64 = 1000.0;
 /// where nothing explains it, no picture of the book's becomes that on any way.
 pub(crate) const GRAIN: f64 = 8.0;
 
+/// Of a picture's bits a slip beside numbers of the reader's own leaves one in so many.
+const MIXED: f64 = 8.0;
+/// The same of several rays a pixel, whose scatter nothing tells.
+const SCATTERED: f64 = 1.5;
 /// How many pixels are looked at where nothing is known of thousands of changes.
 const PEEK: u32 = 16;
 /// What is shorter than this has been made: a slip that leaves some odd pixels.
@@ -105,17 +109,17 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
 }
 
 /// Neither a slip nor a sphere of the reader's own is told that leaves one in twenty of the
-/// pixels that are wrong without it, but for some odd ones.
+/// pixels that are wrong without it, or of the bits, but for some odd ones.
 fn drop_what_explains_little(found: &mut Vec<Explanation>, scene: &Scene) {
     let is_told = |it: &Explanation| !it.slips.is_empty() || it.scene.chosen.balls[0].is_some();
     let is_whole = |it: &Explanation| matches!(it.seen, None | Some(Seen::Little));
-    let without = found
-        .iter()
-        .filter(|it| !is_told(it) && is_whole(it) && is_same(&it.scene, scene));
-    let wrong = without.map(|it| it.left.far).min();
+    let is_without = |it: &&Explanation| !is_told(it) && is_whole(it) && is_same(&it.scene, scene);
+    let without = || found.iter().filter(is_without);
+    let wrong = without().map(|it| it.left.far).min();
+    let bits = without().map(Explanation::bits).reduce(f64::min);
     found.retain(|it| {
-        let explains = Some(20 * it.left.far) <= wrong || it.left.bits < WORTH_A_SEARCH;
-        !is_told(it) || !it.but.is_empty() || explains
+        let explains = Some(20 * it.left.far) <= wrong || Some(20.0 * it.bits()) <= bits;
+        !is_told(it) || !it.but.is_empty() || explains || it.left.bits < WORTH_A_SEARCH
     });
 }
 
@@ -254,12 +258,14 @@ impl Search<'_> {
         if self.is_degraded() {
             return;
         }
-        self.add_changed(rights, likeliest);
+        let nearest = self.nearest_of(rights);
+        let chosen = self.add_changed(rights, likeliest, &nearest);
         self.add_more();
         if !self.is_antialiased(self.unknown) {
             self.add_changes(typed);
             self.add_changes(mutants);
             self.add_pairs();
+            self.add_chosen_beside_slips(&nearest, &chosen);
         }
     }
 
@@ -371,40 +377,46 @@ impl Search<'_> {
         is_meant(best) && best.bits() < unknown && others.bits() > times * best.bits()
     }
 
-    /// What a reader chose, and no mistake.
-    fn add_changed(&mut self, rights: &[Hypothesis], wrong: &[Hypothesis]) {
-        // In a crate that our prelude paints, nothing is chosen that is not in the lines.
-        let sources = &self.evidence.known.sources;
-        let is_painted = sources.are_of_the_chapter() && !sources.have_a_prelude();
-        if self.best().left.bits < WORTH_A_SEARCH || is_painted {
-            return;
-        }
-        let (evidence, reading) = (self.evidence, self.evidence.reading);
-        let places = Places::new(reading, None, LOOK);
+    /// The scene by the edition that was asked for, by the nearest one, and the nearest other
+    /// scene.
+    fn nearest_of(&self, rights: &[Hypothesis]) -> Vec<Hypothesis> {
+        let evidence = self.evidence;
+        let places = Places::new(evidence.reading, None, LOOK);
         let is_own = |it: &&Hypothesis| is_same(&it.scene, &evidence.scene);
         let (own, others): (Vec<_>, Vec<_>) = rights.iter().partition(is_own);
-        // The edition that was asked for, the nearest one, and the nearest other scene.
         let mut nearest: Vec<Hypothesis> = own.first().map(|&it| it.clone()).into_iter().collect();
+        let asked = nearest.first().map(|it| it.scene.edition);
         for some in [own, others] {
-            let some = likeliest(
-                evidence,
-                some.into_iter().cloned(),
-                &places,
-                f64::INFINITY,
-                FEW,
-            );
-            let asked = nearest.first().map(|it| it.scene.edition);
-            let other = some.into_iter().map(|(_, it)| it);
-            nearest.extend(
-                other
-                    .filter(|it| {
-                        !is_same(&it.scene, &evidence.scene) || Some(it.scene.edition) != asked
-                    })
-                    .take(1),
-            );
+            let some = some.into_iter().cloned();
+            let some = likeliest(evidence, some, &places, f64::INFINITY, FEW);
+            let is_another = |it: &Hypothesis| !is_own(&it) || Some(it.scene.edition) != asked;
+            let other = some.into_iter().map(|(_, it)| it).find(is_another);
+            nearest.extend(other);
         }
+        nearest
+    }
+
+    /// Whether it is a picture of a crate that our prelude paints: nothing is chosen there that
+    /// is not in the lines.
+    fn is_painted(&self) -> bool {
+        let sources = &self.evidence.known.sources;
+        sources.are_of_the_chapter() && !sources.have_a_prelude()
+    }
+
+    /// What a reader chose, and no mistake. Returns what may be.
+    fn add_changed(
+        &mut self,
+        rights: &[Hypothesis],
+        wrong: &[Hypothesis],
+        nearest: &[Hypothesis],
+    ) -> Vec<Path> {
+        if self.best().left.bits < WORTH_A_SEARCH || self.is_painted() {
+            return Vec::new();
+        }
+        let (evidence, reading) = (self.evidence, self.evidence.reading);
+        let is_own = |it: &&Hypothesis| is_same(&it.scene, &evidence.scene);
         let Some(drawn) = nearest.first().and_then(|it| it.drawn(reading)) else {
-            return;
+            return Vec::new();
         };
         let slips = wrong.iter().filter(|it| !it.slips.is_empty()).take(SLIPS);
         // Without a fraction of a level, single precision is no edition of its own.
@@ -414,10 +426,10 @@ impl Search<'_> {
         let plain = rights_own.chain(others).chain(slips).map(|it| (it, None));
         self.found.extend(antialiased(evidence, &drawn, plain));
         if self.is_antialiased(f64::INFINITY) {
-            return;
+            return Vec::new();
         }
-        let mut own = Vec::new();
-        for right in &nearest {
+        let mut chosen = Vec::new();
+        for right in nearest {
             let Some(drawn) = right.drawn(reading) else {
                 continue;
             };
@@ -428,19 +440,43 @@ impl Search<'_> {
                 self.found.extend(antialiased(evidence, &drawn, curved));
             }
             self.found.extend(curved);
-            let colored = in_colors(evidence, right);
-            // Another scale looks like other colors of the sky, and the other way round.
-            let some = [Some(right), colored.as_ref()].into_iter().flatten();
-            own.extend(some.flat_map(|it| own_spheres(evidence, it)));
-            own.extend(colored);
+            chosen.extend(chosen_otherwise(evidence, right));
         }
-        let chosen = self.add(own, None, f64::INFINITY);
-        if let Some(chosen) = chosen.first()
-            && let Some(drawn) = chosen.drawn(reading)
+        let likeliest = self.add(chosen.iter().flatten().cloned(), None, f64::INFINITY);
+        self.add_antialiased(&likeliest);
+        chosen
+    }
+
+    /// The first of these with several rays a pixel.
+    fn add_antialiased(&mut self, likeliest: &[Hypothesis]) {
+        if let Some(first) = likeliest.first()
+            && let Some(drawn) = first.drawn(self.evidence.reading)
         {
-            let chosen = [(chosen, None)].into_iter();
-            self.found.extend(antialiased(evidence, &drawn, chosen));
+            let first = [(first, None)].into_iter();
+            self.found.extend(antialiased(self.evidence, &drawn, first));
         }
+    }
+
+    /// What a reader chose beside a slip or two, where nothing else explains the picture: that
+    /// draws much by chance, so it has to explain nearly all.
+    fn add_chosen_beside_slips(&mut self, nearest: &[Hypothesis], chosen: &[Path]) {
+        if MIXED * self.best().bits() < self.unknown || self.is_painted() {
+            return;
+        }
+        let beside = nearest
+            .iter()
+            .flat_map(|right| chosen_beside_slips(self.evidence, right, chosen));
+        let beside: Vec<Hypothesis> = beside.collect();
+        let before = self.found.len();
+        let beside = self.add(beside, None, f64::INFINITY);
+        self.add_antialiased(&beside);
+        let unknown = self.unknown;
+        let explains = |it: &Explanation| {
+            let times = if it.but.is_empty() { MIXED } else { SCATTERED };
+            times * it.bits() < unknown
+        };
+        let added = self.found.split_off(before).into_iter();
+        self.found.extend(added.filter(explains));
     }
 
     /// The same with something more in it.
@@ -456,10 +492,11 @@ impl Search<'_> {
         }
     }
 
-    /// The best program if nothing happened to its picture, and that.
+    /// The best program if nothing happened to its picture and nothing was chosen, and that.
     fn nearest_drawn(&self) -> Option<(Hypothesis, Vec<Pixel>)> {
-        let best = self.best_of(|it| it.degradation().is_none());
-        let best = best.program();
+        let is_its_own =
+            |it: &Explanation| it.degradation().is_none() && it.scene.chosen == Chosen::default();
+        let best = self.best_of(is_its_own).program();
         let drawn = best.drawn(self.evidence.reading)?;
         Some((best, drawn))
     }
@@ -478,6 +515,8 @@ impl Search<'_> {
         let places = Places::new(evidence.reading, Some(&drawn), GLANCE);
         let length = best.estimated(evidence.reading, &places, f64::INFINITY);
         let most = length.unwrap_or(f64::INFINITY) / 3.0;
+        // What the reader may have chosen, a pair may tell in fewer bits.
+        let most = most.min(may_win(self.best().bits()));
         if most > TWO {
             let editions = [evidence.scene.edition, best.scene.edition];
             let pairs = two(evidence).filter(|it| editions.contains(&it.scene.edition));

@@ -38,6 +38,8 @@ pub struct Chosen {
     pub blue: Option<f64>,
     /// The first and the second sphere.
     pub balls: [Option<Ball>; 2],
+    /// The width of the viewport one unit away, if it does not follow from its height.
+    pub viewport_width: Option<f64>,
     /// The height of the viewport one unit away, and with it the field of view.
     pub viewport_height: Option<f64>,
 }
@@ -236,6 +238,7 @@ impl Scene {
         program.blue = self.chosen.blue.unwrap_or(program.blue);
         let [sphere, ground] = self.chosen.balls;
         program.own = [sphere, ground, None];
+        program.viewport_width = self.chosen.viewport_width;
         program.viewport_height = self
             .chosen
             .viewport_height
@@ -280,7 +283,7 @@ impl Scene {
 const GLANCE: u32 = 64;
 
 /// Ratios of width to height that people choose.
-const USUAL_RATIOS: [f64; 7] = [
+pub(crate) const USUAL_RATIOS: [f64; 7] = [
     1.0,
     4.0 / 3.0,
     3.0 / 2.0,

@@ -273,7 +273,11 @@ impl Finding {
             true => best,
             false => judgement.nearest(&evidence, is_typed),
         };
-        let compared = explaining.scene.without_choices();
+        // A slip is told beside what the reader chose, which is no mistake.
+        let compared = match explaining.slips.is_empty() {
+            true => explaining.scene.without_choices(),
+            false => explaining.scene,
+        };
         let degradation = explaining.degradation();
         let right = match degradation {
             Some(degradation) => degradation.of_picture(&compared, reading),

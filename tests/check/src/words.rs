@@ -119,11 +119,13 @@ impl Chosen {
         });
         let ground = ground.map(|ground| format!("a ground {}", ball(ground)));
         let zoom = self.viewport_height.map(|height| {
-            format!(
-                "a viewport {} high one unit away, or a focal length of {} and one 2 high",
-                rounded(height),
-                rounded(2.0 / height)
-            )
+            let (high, focal_length) = (rounded(height), rounded(2.0 / height));
+            match self.viewport_width.map(rounded) {
+                Some(wide) => format!("a viewport {wide} wide and {high} high one unit away"),
+                None => format!(
+                    "a viewport {high} high one unit away, or a focal length of {focal_length} and one 2 high"
+                ),
+            }
         });
         let all: Vec<String> = [sphere, ground, zoom].into_iter().flatten().collect();
         (!all.is_empty()).then(|| format!("in a scene of your own: {}", all.join(" and ")))

@@ -89,6 +89,8 @@ pub struct Program {
     pub viewport_ratio: fn(f64, f64, f64) -> f64,
     /// Height of the viewport in units of space.
     pub viewport_height: f64,
+    /// Its width, if it has another ratio.
+    pub viewport_width: Option<f64>,
     /// The viewport's upper edge from left to right, given its width and height.
     pub viewport_u: fn(f64, f64) -> Vec3,
     /// The viewport's left edge from top to bottom, given its width and height.
@@ -232,7 +234,9 @@ impl Program {
         let center = Point3::ZERO;
 
         let viewport_ratio = (self.viewport_ratio)(width, height, self.aspect_ratio);
-        let viewport_width = self.viewport_height * viewport_ratio;
+        let viewport_width = self
+            .viewport_width
+            .unwrap_or(self.viewport_height * viewport_ratio);
         let viewport_u = (self.viewport_u)(viewport_width, self.viewport_height);
         let viewport_v = (self.viewport_v)(viewport_width, self.viewport_height);
         let divisors = (self.divisors)(width, height);
@@ -397,6 +401,7 @@ const HITTABLE_LIST: Program = Program {
     image_height: |width, aspect_ratio| ((width / aspect_ratio) as u32).max(1),
     viewport_ratio: |width, height, _| width / height,
     viewport_height: 2.0,
+    viewport_width: None,
     viewport_u: |width, _| Vec3::new(width, 0.0, 0.0),
     viewport_v: |_, height| Vec3::new(0.0, -height, 0.0),
     focal_length: 1.0,

@@ -39,7 +39,9 @@ fn on_viewport(program: &Program, camera: &Camera, i: u32, j: u32) -> [f32; 2] {
     } else {
         -high
     };
-    [axis(0, high * ratio), axis(1, down)]
+    let wide = program.viewport_width;
+    let wide = wide.map_or(high * ratio, |width| width as f32);
+    [axis(0, wide), axis(1, down)]
 }
 
 fn nearest(program: &Program, direction: Vector) -> Option<(f32, Ball)> {

@@ -221,7 +221,8 @@ impl<'a> Rays<'a> {
         let has_its_size =
             (camera.image_width, camera.image_height) == (reading.width, reading.height);
         let own = it.scene.program(&[]).level;
-        let is_same = |n: u8| own(f64::from(n) / 255.0) == (program.level)(f64::from(n) / 255.0);
+        let middle = |n: u8| (f64::from(n) + 0.5) / 256.0;
+        let is_same = |n: u8| own(middle(n)) == (program.level)(middle(n));
         let has_samples = program.edition >= Edition::V3_0 && (0..=255).all(is_same);
         (it.conversion == Conversion::Clamped && has_its_size).then_some(Self {
             program,

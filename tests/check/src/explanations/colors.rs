@@ -2,37 +2,45 @@
 
 use common::rtweekend::Color;
 
-use ::slips::{Chapter, Program};
+use ::slips::{Chapter, Program, Slip};
 
 use super::{Evidence, Hypothesis, spread};
 use crate::bits::number;
 use crate::reading::Reading;
 use crate::scene::{Chosen, Scene};
 
-/// How many pixels the colors are taken from.
-const LOOK: u32 = 4000;
-/// What a level may be off, since its fraction was cut off.
+/// How many pixels the colors are taken from, and how many while other numbers are searched.
+pub(super) const LOOK: u32 = 4000;
+pub(super) const GLANCE: u32 = 300;
+/// How many levels a pixel may be off, since fractions were cut off.
 const ROUNDING: f64 = 1.5;
-/// The share of pixels that have to follow the colors: the others may be edges.
-const MOST: f64 = 0.97;
+/// The share of pixels that have to follow the colors: the others may be anything.
+const MOST: f64 = 0.5;
+/// The share that one color has to have.
+const ALMOST_ALL: f64 = 0.97;
+/// Half a level, and a little more: at a level's lower end lie the components 0 and 1.
+const HALF: f64 = 0.51;
+/// How many halvings find a component to less than a rounding.
+const HALVINGS: u32 = 40;
+/// Two levels that are far from each other and from both ends.
+const LEVELS: [i32; 2] = [64, 192];
+/// How many lines are tried.
+const LINES: usize = 24;
 
 /// Components that people type: some forget where they end.
 const BEYOND: std::ops::RangeInclusive<f64> = -1.0..=3.0;
 
 /// That there are colors of the reader's own, beside their numbers.
 const NAME: f64 = 6.0;
+/// That a component is the book's.
+const KEPT: f64 = 1.0;
 
 /// The program in the reader's own colors, if those of the picture are not the book's.
 pub(crate) fn in_colors(evidence: &Evidence, right: &Hypothesis) -> Option<Hypothesis> {
     let scene = chosen(&right.scene, evidence.reading)?;
-    let Chosen {
-        sky, paint, blue, ..
-    } = scene.chosen;
-    let colors = sky.into_iter().flatten().chain(paint);
-    let numbers = colors.flat_map(|color| color.to_array()).chain(blue);
     Some(Hypothesis {
         scene,
-        name: right.name + NAME + numbers.map(number).sum::<f64>(),
+        name: right.name + name(&scene),
         ..right.clone()
     })
 }
@@ -43,39 +51,160 @@ pub(crate) fn chosen(scene: &Scene, reading: &Reading) -> Option<Scene> {
     if reading.is_plain() || reading.outside().is_some() {
         return None;
     }
-    let program = scene.program(&[]);
-    let pixels = Pixels::new(&program, reading);
+    let colored = with_slips(scene, &[], reading, LOOK);
+    (colored.chosen != scene.chosen).then_some(colored)
+}
+
+/// The program in the colors that so many pixels have, where these are not the book's.
+pub(super) fn colored(it: &Hypothesis, reading: &Reading, look: u32) -> Hypothesis {
+    Hypothesis {
+        scene: with_slips(&it.scene, &it.slips, reading, look),
+        ..it.clone()
+    }
+}
+
+/// The scene in the book's colors.
+pub(super) fn books(scene: &Scene) -> Scene {
+    scene.with(Chosen {
+        sky: None,
+        paint: None,
+        blue: None,
+        ..scene.chosen
+    })
+}
+
+/// The scene in colors near its own that have a digit less: where a level is not the book's
+/// multiple of a component, colors look a level darker or lighter than they are.
+pub(super) fn simple(scene: &Scene) -> Scene {
+    let simple = |color: Color| {
+        let components = color.to_array();
+        Color::from_array(components.map(|it| Scale::BOOK.simplest(it * Scale::BOOK.factor, 2.0)))
+    };
+    scene.with(Chosen {
+        sky: scene.chosen.sky.map(|sky| sky.map(simple)),
+        paint: scene.chosen.paint.map(simple),
+        ..scene.chosen
+    })
+}
+
+fn with_slips(scene: &Scene, slips: &[&Slip], reading: &Reading, look: u32) -> Scene {
+    let plain = books(scene);
+    let program = plain.program(slips);
     let chosen = match scene.chapter {
         Chapter::BuildTest => Chosen {
             blue: blue(reading).filter(|blue| *blue != program.blue),
-            ..Chosen::default()
+            ..plain.chosen
         },
-        _ => Chosen {
-            sky: pixels.sky().filter(|sky| *sky != program.sky),
-            paint: pixels
-                .paint(&program)
-                .filter(|paint| *paint != program.paint),
-            ..Chosen::default()
-        },
+        _ => {
+            let pixels = Pixels::new(&program, reading, look);
+            Chosen {
+                sky: pixels.sky().filter(|sky| *sky != program.sky),
+                paint: pixels
+                    .paint(&program)
+                    .filter(|paint| *paint != program.paint),
+                ..plain.chosen
+            }
+        }
     };
-    (chosen != Chosen::default()).then_some(scene.with(chosen))
+    plain.with(chosen)
+}
+
+/// Bits of the reader's own colors.
+pub(super) fn name(scene: &Scene) -> f64 {
+    let Chosen {
+        sky, paint, blue, ..
+    } = scene.chosen;
+    let book = scene.without_choices().program(&[]);
+    let components = |colors: Option<&[Color]>, book: &[Color]| -> f64 {
+        let colors = colors.unwrap_or_default().iter();
+        let pairs = colors
+            .zip(book)
+            .flat_map(|(own, book)| own.to_array().into_iter().zip(book.to_array()));
+        pairs
+            .map(|(own, book)| if own == book { KEPT } else { number(own) })
+            .sum()
+    };
+    let numbers = components(sky.as_ref().map(|it| &it[..]), &book.sky)
+        + components(paint.as_ref().map(std::slice::from_ref), &[book.paint])
+        + blue.map_or(0.0, number);
+    if numbers > 0.0 { NAME + numbers } else { 0.0 }
+}
+
+/// A straight line from components to levels: what a program does before it cuts off.
+#[derive(Clone, Copy)]
+struct Scale {
+    factor: f64,
+    offset: f64,
+}
+
+impl Scale {
+    const BOOK: Self = Self {
+        factor: 255.999,
+        offset: 0.0,
+    };
+
+    /// That of a function, by the least components that give two levels (bisection).
+    fn of(level: fn(f64) -> i32) -> Self {
+        let least = |wanted: i32| {
+            let (mut below, mut above) = (0.0, 1.0);
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (below + above);
+                match level(middle) < wanted {
+                    true => below = middle,
+                    false => above = middle,
+                }
+            }
+            above
+        };
+        let [low, high] = LEVELS.map(least);
+        let factor = f64::from(LEVELS[1] - LEVELS[0]) / (high - low);
+        Self {
+            factor,
+            offset: f64::from(LEVELS[0]) - factor * low,
+        }
+    }
+
+    /// The component with the fewest digits that gives this level.
+    fn component(&self, level: i16) -> f64 {
+        self.simplest(f64::from(level) + 0.5, HALF)
+    }
+
+    /// The same of the middle of a level, give or take so much.
+    fn simplest(&self, level: f64, give: f64) -> f64 {
+        let component = (level - self.offset) / self.factor;
+        let is_near = |simple: &f64| (simple - component).abs() * self.factor <= give;
+        [10.0, 20.0, 100.0, 255.0]
+            .into_iter()
+            .map(|parts: f64| (component * parts).round() / parts)
+            .find(is_near)
+            .unwrap_or(component)
+    }
+}
+
+/// Whether one program cuts off other multiples of a component than the other, near the book's.
+pub(super) fn is_rescaled(program: &Program, other: &Program) -> bool {
+    let [scale, other] = [program, other].map(|it| Scale::of(it.level));
+    let is_near = (other.factor - Scale::BOOK.factor).abs() < 2.0;
+    is_near && (scale.factor - other.factor).abs() + (scale.offset - other.offset).abs() > 1e-6
 }
 
 /// Where the right program sees sky and where it hits, and what the picture has there.
 struct Pixels {
+    scale: Scale,
     /// The weight of the upper color, and the levels.
     sky: Vec<(f64, [i16; 3])>,
     hits: Vec<[i16; 3]>,
 }
 
 impl Pixels {
-    fn new(program: &Program, reading: &Reading) -> Self {
+    fn new(program: &Program, reading: &Reading, look: u32) -> Self {
         let camera = program.camera(reading.width);
         let mut pixels = Self {
+            scale: Scale::of(program.level),
             sky: Vec::new(),
             hits: Vec::new(),
         };
-        for n in spread(LOOK, reading.pixels.len() as u32) {
+        for n in spread(look, reading.pixels.len() as u32) {
             let ray = (program.ray)(program, &camera, n % reading.width, n / reading.width);
             let found = reading.pixels[n as usize];
             match program.search(&ray) {
@@ -96,7 +225,7 @@ impl Pixels {
                 .iter()
                 .map(|(weight, levels)| (*weight, levels[channel].into()))
                 .collect();
-            line(points)
+            line(points, self.scale)
         });
         let [red, green, blue] = [ends[0]?, ends[1]?, ends[2]?];
         let color = |end: usize| Color::new(red[end], green[end], blue[end]);
@@ -110,7 +239,7 @@ impl Pixels {
         }
         let color = [0, 1, 2].map(|channel| {
             let levels = self.hits.iter().map(|levels| levels[channel]).collect();
-            constant(levels).map(component)
+            constant(levels).map(|level| self.scale.component(level))
         });
         Some(Color::new(color[0]?, color[1]?, color[2]?))
     }
@@ -118,7 +247,8 @@ impl Pixels {
 
 fn blue(reading: &Reading) -> Option<f64> {
     let places = spread(LOOK, reading.pixels.len() as u32);
-    constant(places.map(|n| reading.pixels[n as usize][2]).collect()).map(component)
+    let level = constant(places.map(|n| reading.pixels[n as usize][2]).collect())?;
+    Some(Scale::BOOK.component(level))
 }
 
 /// The level that almost all of these are.
@@ -126,49 +256,42 @@ fn constant(mut levels: Vec<i16>) -> Option<i16> {
     levels.sort_unstable();
     let middle = *levels.get(levels.len() / 2)?;
     let same = levels.iter().filter(|level| level.abs_diff(middle) <= 1);
-    (same.count() as f64 >= MOST * levels.len() as f64).then_some(middle)
+    (same.count() as f64 >= ALMOST_ALL * levels.len() as f64).then_some(middle)
 }
 
-/// The simplest component that gives this level.
-fn component(level: i16) -> f64 {
-    simplest(f64::from(level) + 0.5, 0.5)
-}
-
-/// The components at weight 0 and 1 of levels that lie on a line, if almost all do. The
-/// levels are components times 255.999 without their fraction, which is half a level on
-/// the average.
-fn line(mut points: Vec<(f64, f64)>) -> Option<[f64; 2]> {
+/// The components at weight 0 and 1 of levels that lie on a line, if most do (random sample
+/// consensus, Fischler and Bolles, 1981). Levels have lost their fraction, which is half a
+/// level on the average.
+fn line(mut points: Vec<(f64, f64)>, scale: Scale) -> Option<[f64; 2]> {
     let is_clipped = |point: &(f64, f64)| point.1 <= 0.0 || point.1 >= 255.0;
     // A component beyond 1 ends at 255, and the line is seen where it does not.
     if 4 * points.iter().filter(|point| !is_clipped(point)).count() > points.len() {
         points.retain(|point| !is_clipped(point));
     }
-    let all = points.len();
-    // What does not lie on the line is left out, and the line drawn again.
-    for _ in 0..4 {
-        let (start, slope) = least_squares(&points)?;
-        let off = |&(weight, level): &(f64, f64)| (start + slope * weight - level).abs();
-        let near = points.iter().filter(|point| off(point) <= ROUNDING).count();
-        if near as f64 >= MOST * all as f64 {
-            let ends = [start, start + slope].map(|level| simplest(level + 0.5, 0.5));
-            return ends.iter().all(|end| BEYOND.contains(end)).then_some(ends);
+    points.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+    let is_near = |[start, end]: [f64; 2]| {
+        move |&&(weight, level): &&(f64, f64)| {
+            (start + (end - start) * weight - level).abs() <= ROUNDING
         }
-        let mut offs: Vec<f64> = points.iter().map(off).collect();
-        offs.sort_by(f64::total_cmp);
-        let limit = offs[offs.len() * 9 / 10].max(ROUNDING);
-        points.retain(|point| off(point) <= limit);
+    };
+    let count = |line| points.iter().filter(is_near(line)).count();
+    // A few points tell nothing of a line.
+    let half = Some(points.len() / 2).filter(|half| *half > 0)?;
+    let through = |n: usize| {
+        let ((x, y), (to_x, to_y)) = (points[n], points[n + half]);
+        let slope = (to_y - y) / (to_x - x);
+        [y - slope * x, y + slope * (1.0 - x)]
+    };
+    let lines = (0..LINES).map(|n| through(n * half / LINES));
+    let mut best = lines.max_by_key(|line| count(*line))?;
+    for _ in 0..2 {
+        let near: Vec<(f64, f64)> = points.iter().filter(is_near(best)).copied().collect();
+        let (start, slope) = least_squares(&near)?;
+        best = [start, start + slope];
     }
-    None
-}
-
-/// The component with the fewest digits that gives this level, give or take so much.
-fn simplest(level: f64, give: f64) -> f64 {
-    let is_near = |component: &f64| (component * 255.999 - level).abs() <= give;
-    [10.0, 20.0, 100.0, 255.0]
-        .into_iter()
-        .map(|parts: f64| (level / 255.999 * parts).round() / parts)
-        .find(is_near)
-        .unwrap_or(level / 255.999)
+    let ends = best.map(|level| scale.simplest(level + 0.5, HALF));
+    let is_line = count(best) as f64 >= MOST * points.len() as f64;
+    (is_line && ends.iter().all(|end| BEYOND.contains(end))).then_some(ends)
 }
 
 /// The height at 0 and the slope of the line through points.

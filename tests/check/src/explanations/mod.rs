@@ -9,11 +9,11 @@ mod colors;
 mod curve;
 mod degraded;
 mod more;
+mod own;
 mod places;
 mod right;
 mod silhouettes;
 mod slips;
-mod spheres;
 mod turned;
 
 use std::collections::HashMap;
@@ -33,11 +33,11 @@ pub(crate) use curve::on_a_curve;
 pub(crate) use degraded::degradations;
 pub use degraded::{Degradation, Filter, Quality};
 pub(crate) use more::more;
+pub(crate) use own::{Path, chosen_beside_slips, chosen_otherwise};
 pub(crate) use places::{Places, spread};
 pub(crate) use right::right;
 pub(crate) use silhouettes::{outlined, silhouettes};
 pub(crate) use slips::{TWO, mutants, single, two, typed};
-pub(crate) use spheres::own_spheres;
 pub(crate) use turned::turned;
 
 /// A program that may have drawn a picture, before that is measured.

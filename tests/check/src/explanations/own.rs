@@ -1,0 +1,580 @@
+//! Pattern search (Hooke and Jeeves, 1961) and forward selection: the colors, the viewport and
+//! the spheres that a reader chose, with slips beside them, from the picture.
+//!
+//! One kind of number after the other is taken to be the reader's, each time the one that
+//! makes the picture shortest, and those that were found before are fitted again beside it.
+//! A search moves each of its numbers a step up or down as long as that brings the program's
+//! picture nearer to the reader's; then the steps are halved. It finds what is near the place
+//! where it begins, so that has to be good: a grid of viewports, the box around what is not
+//! background.
+
+use std::ops::Range;
+
+use common::rtweekend::Point3;
+
+use ::slips::{Ball, Chapter, Program, Room, Slip};
+
+use super::colors::{self, colored};
+use super::slips::{ONE, TWO};
+use super::{Evidence, Hypothesis, Places, spread};
+use crate::bits::{distance, number};
+use crate::reading::Reading;
+use crate::scene::{Chosen, Scene, USUAL_RATIOS};
+
+/// How many pixels are compared for each step, and to choose among simple numbers.
+const LOOK: u32 = 1000;
+const CHOICE: u32 = 600;
+/// A pixel that is off by more levels counts no more: it may be another color for any
+/// reason.
+const FAR: u16 = 24;
+
+/// How often steps are halved: to half a thousandth of a unit, from a tenth.
+const HALVINGS: u32 = 8;
+/// How often a kind of number is taken to be the reader's, or fitted again.
+const ROUNDS: usize = 6;
+/// How many slips are told together.
+const MOST_SLIPS: usize = 2;
+/// What leaves a greater part of what is unexplained is chance.
+const WORTH: f64 = 0.7;
+/// Numbers are simple if they are so many to the unit, the earlier the simpler.
+const GRIDS: [f64; 6] = [1.0, 2.0, 4.0, 10.0, 20.0, 100.0];
+/// How far away a sphere may be thought to be.
+const DISTANCES: [f64; 5] = [1.0, 2.0, 1.5, 3.0, 5.0];
+
+/// A sphere of no size, which is none.
+const NO_SPHERE: Ball = Ball::new(0.0, 0.0, -1.0, 0.0);
+/// The book's ground.
+const GROUND: Ball = Ball::new(0.0, -100.5, -1.0, 100.0);
+/// Radii of a ground that people type.
+const RADII: [f64; 8] = [1.0, 5.0, 10.0, 20.0, 30.0, 50.0, 100.0, 1000.0];
+
+/// That the scene is the reader's own, beside its numbers.
+const NAME: f64 = 8.0;
+/// Bits of a ratio that people choose.
+const RATIO: f64 = 5.0;
+
+/// Programs, each with more and more of the reader's own.
+pub(crate) type Path = Vec<Hypothesis>;
+
+/// The program with more and more of the reader's own, by one way and by another.
+pub(crate) fn chosen_otherwise(evidence: &Evidence, right: &Hypothesis) -> Vec<Path> {
+    match Fit::new(evidence, right) {
+        Some(fit) => fit.selected(&Kind::CHOSEN, &[right], &Kind::CHOSEN),
+        None => Vec::new(),
+    }
+}
+
+/// The same with a slip or two besides; `chosen` is what was found without.
+pub(crate) fn chosen_beside_slips(
+    evidence: &Evidence,
+    right: &Hypothesis,
+    chosen: &[Path],
+) -> Vec<Hypothesis> {
+    let Some(fit) = Fit::new(evidence, right) else {
+        return Vec::new();
+    };
+    let ends = chosen
+        .iter()
+        .flat_map(|path| path.first().into_iter().chain(path.last()));
+    let ends = ends.filter(|it| is_same_scene(it, right));
+    let mut starts: Vec<&Hypothesis> = ends.chain([right]).collect();
+    starts.dedup_by(|one, other| are_same(one, other));
+    let paths = fit.selected(&Kind::SLIPS, &starts, &Kind::ALL);
+    let mut found: Vec<Hypothesis> = paths.into_iter().flatten().collect();
+    // Slips by themselves are looked for elsewhere.
+    found.retain(|it| it.scene.chosen != Chosen::default() && !it.slips.is_empty());
+    found
+}
+
+/// What a reader may have chosen, or done besides.
+#[derive(Clone, Copy)]
+enum Kind {
+    Colors,
+    Viewport,
+    /// The viewport, with the colors that are seen through it.
+    Both,
+    FirstSphere,
+    NoFirstSphere,
+    Ground,
+    Levels,
+    Slips,
+}
+
+impl Kind {
+    const CHOSEN: [Self; 6] = [
+        Self::Colors,
+        Self::Viewport,
+        Self::Both,
+        Self::FirstSphere,
+        Self::NoFirstSphere,
+        Self::Ground,
+    ];
+    const SLIPS: [Self; 2] = [Self::Levels, Self::Slips];
+    const ALL: [Self; 8] = [
+        Self::Colors,
+        Self::Viewport,
+        Self::Both,
+        Self::FirstSphere,
+        Self::NoFirstSphere,
+        Self::Ground,
+        Self::Levels,
+        Self::Slips,
+    ];
+}
+
+/// A picture that programs are fitted to.
+struct Fit<'a> {
+    evidence: &'a Evidence<'a>,
+    right: &'a Hypothesis,
+    reading: &'a Reading,
+    looked: Vec<u32>,
+    places: Places,
+}
+
+impl<'a> Fit<'a> {
+    fn new(evidence: &'a Evidence, right: &'a Hypothesis) -> Option<Self> {
+        let reading = evidence.reading;
+        let says_something = !evidence.has_no_levels && !reading.is_plain();
+        says_something.then(|| Self {
+            evidence,
+            right,
+            reading,
+            looked: spread(LOOK, reading.pixels.len() as u32).collect(),
+            places: Places::new(reading, None, CHOICE),
+        })
+    }
+
+    /// What comes of the best of the first kinds, and of the second best, which may be what was
+    /// done: each with more and more of the others.
+    fn selected(&self, first: &[Kind], starts: &[&Hypothesis], others: &[Kind]) -> Vec<Path> {
+        let first = starts
+            .iter()
+            .flat_map(|start| first.iter().map(move |kind| (kind, start)));
+        let first = first.filter_map(|(&kind, start)| {
+            let (length, found) = self.shortest(self.fitted(kind, start), f64::INFINITY)?;
+            Some((length, kind, found))
+        });
+        let mut first: Vec<(f64, Kind, Hypothesis)> = first.collect();
+        first.sort_by(|(one, ..), (other, ..)| one.total_cmp(other));
+        first.dedup_by(|(_, _, one), (_, _, other)| are_same(one, other));
+        let mut paths: Vec<Path> = Vec::new();
+        for (_, kind, it) in first.into_iter().take(2) {
+            let path = self.select(kind, it, others, &paths);
+            paths.push(path);
+        }
+        paths
+    }
+
+    /// The program with what was fitted first, and what comes of it, up to where another path
+    /// came.
+    fn select(&self, kind: Kind, first: Hypothesis, others: &[Kind], paths: &[Path]) -> Path {
+        let mut path = Path::new();
+        let mut next = Some((kind, first));
+        while path.len() < ROUNDS
+            && let Some((kind, it)) = next
+        {
+            let simple = self.simplified(kind, &it).into_iter().chain([it]);
+            let Some((length, it)) = self.shortest(simple, f64::INFINITY) else {
+                break;
+            };
+            let mut known = paths.iter().flatten();
+            if known.any(|other| are_same(other, &it)) {
+                break;
+            }
+            let mut most = WORTH * length;
+            next = None;
+            for &kind in others {
+                if let Some((length, it)) = self.shortest(self.fitted(kind, &it), most) {
+                    most = length;
+                    next = Some((kind, it));
+                }
+            }
+            path.push(it);
+        }
+        path
+    }
+
+    /// Programs with numbers of a kind that are fitted to the picture, from one that may have
+    /// some.
+    fn fitted(&self, kind: Kind, it: &Hypothesis) -> Vec<Hypothesis> {
+        let has_spheres = it.scene.chapter.room() != Room::None && it.scene.probe.is_none();
+        let has_ground = has_spheres && it.scene.chapter.room() == Room::Many;
+        match kind {
+            Kind::Colors => vec![colored(it, self.reading, colors::LOOK)],
+            Kind::Viewport => self.viewport(it, |it| it),
+            Kind::Both => self.viewport(it, |it| self.with_colors(it)),
+            Kind::FirstSphere if has_spheres => self.first_sphere(it).into_iter().collect(),
+            Kind::NoFirstSphere if has_ground => vec![with_ball(it, 0, NO_SPHERE)],
+            Kind::Ground if has_ground => vec![self.ground(it)],
+            Kind::Levels => self.levels(it),
+            Kind::Slips => self.slips(it),
+            Kind::FirstSphere | Kind::NoFirstSphere | Kind::Ground => Vec::new(),
+        }
+    }
+
+    /// The same with simple numbers that are near.
+    fn simplified(&self, kind: Kind, it: &Hypothesis) -> Vec<Hypothesis> {
+        match kind {
+            Kind::Colors => vec![Hypothesis {
+                scene: colors::simple(&it.scene),
+                ..it.clone()
+            }],
+            Kind::Viewport => self.simple_viewports(it, |it| it),
+            Kind::Both | Kind::Levels => self.simple_viewports(it, |it| self.with_colors(it)),
+            Kind::FirstSphere => simple_spheres(it),
+            Kind::Ground => simple_grounds(it),
+            Kind::NoFirstSphere | Kind::Slips => Vec::new(),
+        }
+    }
+
+    /// The shortest of these as an explanation, if it is shorter than `most`, with its length
+    /// from some places.
+    fn shortest(
+        &self,
+        all: impl IntoIterator<Item = Hypothesis>,
+        mut most: f64,
+    ) -> Option<(f64, Hypothesis)> {
+        let mut shortest = None;
+        for it in all {
+            let it = self.named(it);
+            if let Some(length) = it.estimated(self.reading, &self.places, most) {
+                most = length;
+                shortest = Some((length, it));
+            }
+        }
+        shortest
+    }
+
+    fn named(&self, it: Hypothesis) -> Hypothesis {
+        let (scene, chosen) = (it.scene, it.scene.chosen);
+        let balls = chosen.balls.into_iter().flatten();
+        let width = chosen.viewport_width.map(|width| width_name(&scene, width));
+        let places: f64 = balls
+            .flat_map(|Ball { center, radius }| [center.x, center.y, center.z, radius])
+            .chain(chosen.viewport_height)
+            .map(number)
+            .chain(width)
+            .sum();
+        let own = if places > 0.0 { NAME + places } else { 0.0 };
+        let slips = [0.0, ONE, TWO][it.slips.len()] + self.evidence.besides(&it)
+            - self.evidence.besides(self.right);
+        Hypothesis {
+            name: self.right.name + own + slips + colors::name(&scene),
+            ..it
+        }
+    }
+
+    /// How far the picture of a program is from the reader's, in levels, as far as that is
+    /// less than `most`.
+    fn off(&self, it: &Hypothesis, most: u32) -> u32 {
+        let Some(output) = it.output(self.reading) else {
+            return u32::MAX;
+        };
+        let mut sum = 0;
+        for &n in &self.looked {
+            let drawn = it.pixel(&output, n);
+            sum += u32::from(distance(drawn, self.reading.pixels[n as usize]).min(FAR));
+            if sum >= most {
+                break;
+            }
+        }
+        sum
+    }
+
+    /// A slip, and perhaps a second one, in the reader's colors, in simpler ones and in the book's.
+    fn slips(&self, it: &Hypothesis) -> Vec<Hypothesis> {
+        if it.slips.len() == MOST_SLIPS {
+            return Vec::new();
+        }
+        let mut scenes = vec![
+            it.scene,
+            colors::simple(&it.scene),
+            colors::books(&it.scene),
+        ];
+        scenes.dedup_by_key(|scene| scene.chosen);
+        let is_new =
+            |slip: &&'static Slip| !it.slips.iter().any(|other| std::ptr::eq(*other, *slip));
+        let slips = self.evidence.slips(&it.scene).filter(is_new);
+        let with = |slip| {
+            let slips: Vec<_> = it.slips.iter().copied().chain([slip]).collect();
+            let of = move |&scene: &Scene| Hypothesis {
+                scene,
+                slips: slips.clone(),
+                ..it.clone()
+            };
+            scenes.iter().map(of).collect::<Vec<_>>()
+        };
+        slips.flat_map(with).collect()
+    }
+
+    /// A slip in the scale of the levels: what else is the reader's looks otherwise beside it.
+    fn levels(&self, it: &Hypothesis) -> Vec<Hypothesis> {
+        if !it.slips.is_empty() {
+            return Vec::new();
+        }
+        let program = it.scene.program(&[]);
+        let slips = self.evidence.slips(&it.scene);
+        let scales = slips.filter(|slip| colors::is_rescaled(&program, &slip.put_to(program)));
+        let with = |slip| {
+            let scaled = self.with_colors(Hypothesis {
+                slips: vec![slip],
+                ..it.clone()
+            });
+            match it.scene.chosen.viewport_height {
+                Some(_) => self.viewport(&scaled, |it| self.with_colors(it)),
+                None => vec![scaled],
+            }
+        };
+        scales.flat_map(with).collect()
+    }
+
+    fn with_colors(&self, it: Hypothesis) -> Hypothesis {
+        colored(&it, self.reading, colors::GLANCE)
+    }
+
+    /// The first sphere elsewhere or of another size.
+    fn first_sphere(&self, it: &Hypothesis) -> Option<Hypothesis> {
+        let with = |[x, y, radius]: [f64; 3]| with_ball(it, 0, Ball::new(x, y, -1.0, radius.abs()));
+        let near = |ball: Ball| {
+            let [x, y, z] = ball.center.to_array();
+            [x, y, ball.radius].map(|number| -number / z)
+        };
+        let own = it.scene.chosen.balls[0];
+        let start = near(own.or_else(|| self.seen_ball(it))?);
+        Some(with(self.searched(start, [0.1; 3], with)))
+    }
+
+    /// The second sphere of the list higher or lower, nearer or farther, or of another size.
+    fn ground(&self, it: &Hypothesis) -> Hypothesis {
+        let with =
+            |[top, z, radius]: [f64; 3]| with_ball(it, 1, Ball::new(0.0, top - radius, z, radius));
+        let Ball { center, radius } = it.scene.chosen.balls[1].unwrap_or(GROUND);
+        let start = [center.y + radius, center.z, radius];
+        with(self.searched(start, [0.4, 0.5, 0.6 * radius], with))
+    }
+
+    /// The same scene through a higher or lower, wider or narrower viewport; `seen` is what else
+    /// has to be fitted then.
+    fn viewport(
+        &self,
+        it: &Hypothesis,
+        seen: impl Fn(Hypothesis) -> Hypothesis,
+    ) -> Vec<Hypothesis> {
+        if it.scene.chapter == Chapter::BuildTest {
+            return Vec::new();
+        }
+        let with = |lengths: [f64; 2]| {
+            let [width, height] = lengths.map(f64::abs);
+            seen(with_viewport(it, Some(width), height))
+        };
+        let ratio = self.ratio();
+        let start = || {
+            let heights = (-8..=8).map(|n| 2.0 * (f64::from(n) / 4.0).exp());
+            let ratios = [1.0, 0.5, 0.75, 1.5, 2.0].map(|times| times * ratio);
+            let starts = heights.flat_map(|height| ratios.map(|ratio| [ratio * height, height]));
+            let off = |&start: &[f64; 2]| self.off(&with(start), u32::MAX);
+            starts.min_by_key(off).unwrap_or([2.0 * ratio, 2.0])
+        };
+        let chosen = it.scene.chosen;
+        let own = chosen.viewport_height.map(|height| {
+            let width = chosen.viewport_width.unwrap_or(height * ratio);
+            [width, height]
+        });
+        let start = own.unwrap_or_else(start);
+        let steps = start.map(|length| length / 8.0);
+        vec![with(self.searched(start, steps, with))]
+    }
+
+    /// Width over height of the picture.
+    fn ratio(&self) -> f64 {
+        f64::from(self.reading.width) / f64::from(self.reading.height)
+    }
+
+    /// Viewports of simple numbers. Who types a width, or a focal length, has a height with many
+    /// digits.
+    fn simple_viewports(
+        &self,
+        it: &Hypothesis,
+        seen: impl Fn(Hypothesis) -> Hypothesis,
+    ) -> Vec<Hypothesis> {
+        let chosen = it.scene.chosen;
+        let (Some(width), Some(height)) = (chosen.viewport_width, chosen.viewport_height) else {
+            return Vec::new();
+        };
+        let ratio = self.ratio();
+        let heights = GRIDS.into_iter().flat_map(|grid| {
+            let focal_length = to_grid(2.0 / height, grid);
+            let by_width = to_grid(width, grid) / ratio;
+            [to_grid(height, grid), 2.0 / focal_length, by_width]
+        });
+        let heights = heights.filter(|height| *height > 0.0 && height.is_finite());
+        let widths = |height: f64| {
+            let on_grids = GRIDS.map(|grid| to_grid(width, grid));
+            let by_ratios = USUAL_RATIOS.map(|ratio| ratio * height);
+            let all = on_grids.into_iter().chain(by_ratios).map(Some);
+            [None].into_iter().chain(all.filter(|it| *it > Some(0.0)))
+        };
+        let all = heights.flat_map(|height| widths(height).map(move |width| (width, height)));
+        all.map(|(width, height)| seen(with_viewport(it, width, height)))
+            .collect()
+    }
+
+    /// Moves numbers by smaller and smaller steps while that brings the picture nearer.
+    fn searched<const N: usize>(
+        &self,
+        start: [f64; N],
+        mut steps: [f64; N],
+        with: impl Fn([f64; N]) -> Hypothesis,
+    ) -> [f64; N] {
+        let (mut numbers, mut least) = (start, self.off(&with(start), u32::MAX));
+        let mut halvings = 0;
+        while halvings < HALVINGS {
+            let mut is_nearer = false;
+            for (n, way) in (0..N).flat_map(|n| [(n, 1.0), (n, -1.0)]) {
+                let mut moved = numbers;
+                moved[n] += way * steps[n];
+                let moved_off = self.off(&with(moved), least);
+                if moved_off < least {
+                    (numbers, least, is_nearer) = (moved, moved_off, true);
+                }
+            }
+            if !is_nearer {
+                steps = steps.map(|step| step / 2.0);
+                halvings += 1;
+            }
+        }
+        numbers
+    }
+
+    /// The sphere one unit away that fills the box around all that is not background.
+    fn seen_ball(&self, it: &Hypothesis) -> Option<Ball> {
+        let (width, height) = (self.reading.width, self.reading.height);
+        let program = it.scene.program(&it.slips);
+        let [_, ground, third] = program.own;
+        let background = Program {
+            world: &program.world[1..],
+            own: [ground, third, None],
+            ..program
+        };
+        let output = background.run(width);
+        let (mut columns, mut rows): (Option<Range<u32>>, Option<Range<u32>>) = (None, None);
+        for n in spread(BOX, self.reading.pixels.len() as u32) {
+            if distance(it.pixel(&output, n), self.reading.pixels[n as usize]) > 4 {
+                let (i, j) = (n % width, n / width);
+                let columns = columns.get_or_insert(i..i + 1);
+                *columns = columns.start.min(i)..columns.end.max(i + 1);
+                let rows = rows.get_or_insert(j..j + 1);
+                *rows = rows.start.min(j)..rows.end.max(j + 1);
+            }
+        }
+        let camera = program.camera(width);
+        let corner = |i: u32, j: u32| {
+            (program.ray)(&program, &camera, i.min(width - 1), j.min(height - 1)).direction
+        };
+        let (columns, rows) = (columns?, rows?);
+        let (from, to) = (
+            corner(columns.start, rows.start),
+            corner(columns.end, rows.end),
+        );
+        let middle: Point3 = 0.5 * (from + to);
+        // The disc's radius is the tangent of an angle whose sine is the sphere's.
+        let on_viewport = 0.25 * ((to.x - from.x).abs() + (to.y - from.y).abs());
+        let radius = on_viewport / on_viewport.hypot(1.0);
+        Some(Ball::new(middle.x, middle.y, -1.0, radius))
+    }
+}
+
+/// In how many pixels the box is looked for.
+const BOX: u32 = 20_000;
+
+fn to_grid(number: f64, grid: f64) -> f64 {
+    // A zero has no sign here.
+    (number * grid).round() / grid + 0.0
+}
+
+/// A first sphere of simple numbers. Farther away and as much larger it is the same picture, so
+/// any distance will do that makes all of them simple.
+fn simple_spheres(it: &Hypothesis) -> Vec<Hypothesis> {
+    let Some(Ball { center, radius }) = it.scene.chosen.balls[0] else {
+        return Vec::new();
+    };
+    let simple = |distance: f64, grid: f64| {
+        let simple = |number: f64| to_grid(-number / center.z * distance, grid);
+        let [x, y, radius] = [center.x, center.y, radius].map(simple);
+        (radius > 0.0).then(|| with_ball(it, 0, Ball::new(x, y, -distance, radius)))
+    };
+    // Somewhere a fine grid has a point near any number, so it is for one distance only.
+    let (coarse, fine) = GRIDS.split_at(4);
+    let all = DISTANCES
+        .into_iter()
+        .flat_map(|distance| coarse.iter().map(move |grid| (distance, *grid)))
+        .chain(fine.iter().map(|grid| (1.0, *grid)));
+    all.filter_map(|(distance, grid)| simple(distance, grid))
+        .collect()
+}
+
+/// A ground of simple numbers. Farther away and as much larger it is the same, but for what
+/// hides what.
+fn simple_grounds(it: &Hypothesis) -> Vec<Hypothesis> {
+    let Some(Ball { center, radius }) = it.scene.chosen.balls[1] else {
+        return Vec::new();
+    };
+    let simple = |scale: f64, fine: f64, coarse: f64| {
+        let top = to_grid((center.y + radius) * scale, fine);
+        let radius = to_grid(radius * scale, coarse);
+        let with = |z: f64| with_ball(it, 1, Ball::new(0.0, top - radius, z, radius));
+        let depths = [-1.0, to_grid(center.z * scale, fine)];
+        (radius > 0.0)
+            .then(|| depths.map(with))
+            .into_iter()
+            .flatten()
+    };
+    let scales = RADII.map(|simple| simple / radius);
+    let scales = [1.0].into_iter().chain(scales);
+    let all = scales.flat_map(|scale| GRIDS.map(|fine| (scale, fine)));
+    let all = all.flat_map(|(scale, fine)| {
+        let coarse = [0.1].into_iter().chain(GRIDS);
+        coarse.flat_map(move |coarse| simple(scale, fine, coarse))
+    });
+    all.collect()
+}
+
+/// Whether it is the same scene by the same edition, with whatever choices.
+fn is_same_scene(one: &Hypothesis, other: &Hypothesis) -> bool {
+    let place = |it: &Hypothesis| (it.scene.chapter, it.scene.probe, it.scene.edition);
+    place(one) == place(other)
+}
+
+/// Whether they are the same programs with the same numbers.
+fn are_same(one: &Hypothesis, other: &Hypothesis) -> bool {
+    one.is_same_program(other) && one.scene.chosen == other.scene.chosen
+}
+
+fn with_viewport(it: &Hypothesis, width: Option<f64>, height: f64) -> Hypothesis {
+    let chosen = Chosen {
+        viewport_width: width,
+        viewport_height: Some(height),
+        ..it.scene.chosen
+    };
+    with_chosen(it, chosen)
+}
+
+fn with_ball(it: &Hypothesis, n: usize, ball: Ball) -> Hypothesis {
+    let mut chosen = it.scene.chosen;
+    chosen.balls[n] = Some(ball);
+    with_chosen(it, chosen)
+}
+
+fn with_chosen(it: &Hypothesis, chosen: Chosen) -> Hypothesis {
+    Hypothesis {
+        scene: it.scene.with(chosen),
+        ..it.clone()
+    }
+}
+
+/// Bits of the viewport's width: a number, or a ratio to the height.
+fn width_name(scene: &Scene, width: f64) -> f64 {
+    let ratio = width / scene.program(&[]).viewport_height;
+    let is_usual = USUAL_RATIOS.iter().any(|it| (it - ratio).abs() < 1e-9);
+    number(width).min(if is_usual { RATIO } else { f64::INFINITY })
+}
