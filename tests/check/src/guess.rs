@@ -17,7 +17,7 @@ const LOOKS: [u32; 2] = [100, 1500];
 /// How many these are.
 const FEW: usize = 20;
 /// Of a picture's bits a scene that is near leaves one in so many.
-const MOST: f64 = 8.0;
+const CHOSEN: f64 = 4.0;
 
 /// The scene whose picture comes nearest: right, with one slip, in colors of the reader's own,
 /// or but for the colors of all that is hit. The first in the book of several that draw the
@@ -55,10 +55,13 @@ pub fn scene(reading: &Reading) -> Scene {
             }
         }
     }
-    // A sky that the reader chose otherwise is the same in all chapters.
-    if MOST * least > bits::alone(reading) {
-        for (length, chapter) in under_own_sky(reading, &known, &places[1]) {
-            if length < least {
+    // What a reader chose explains nearly all, or it was something else.
+    let alone = bits::alone(reading);
+    if CHOSEN * least > alone {
+        for chapter in Chapter::OF_THE_BOOK {
+            if let Some(length) = chosen_otherwise_in(chapter, reading, &known, &places[1])
+                && CHOSEN * length < alone.min(2.0 * least)
+            {
                 least = length;
                 nearest = Scene::new(chapter, None);
             }
@@ -67,28 +70,17 @@ pub fn scene(reading: &Reading) -> Scene {
     nearest.unwrap_or_else(|| Scene::new(Chapter::Gradient, None).expect("it has no probe"))
 }
 
-/// Each chapter with its length, under skies that are fitted to the picture.
-fn under_own_sky(reading: &Reading, known: &Known, places: &Places) -> Vec<(f64, Chapter)> {
-    let scene = |chapter| Scene::new(chapter, None).expect("every chapter has a scene of its own");
-    let gradient = scene(Chapter::Gradient);
-    let evidence = Evidence::new(&gradient, reading, known);
-    let rights = right(&evidence);
-    let paths = rights
-        .iter()
-        .take(1)
-        .flat_map(|it| chosen_otherwise(&evidence, it));
-    let skies: Vec<Hypothesis> = paths.filter_map(|mut path| path.pop()).collect();
-    let under = |(sky, chapter): (&Hypothesis, Chapter)| {
-        let scene = scene(chapter).fitting(reading.width, reading.height);
-        let under = Hypothesis {
-            scene: scene.with(sky.scene.chosen),
-            ..sky.clone()
-        };
-        Some((under.estimated(reading, places, f64::INFINITY)?, chapter))
-    };
-    let chapters = [Chapter::RedSphere, Chapter::Normals, Chapter::HittableList];
-    let all = skies
-        .iter()
-        .flat_map(|sky| chapters.map(|chapter| (sky, chapter)));
-    all.filter_map(under).collect()
+/// About how long a chapter is with all that a reader may have chosen.
+fn chosen_otherwise_in(
+    chapter: Chapter,
+    reading: &Reading,
+    known: &Known,
+    places: &Places,
+) -> Option<f64> {
+    let scene = Scene::new(chapter, None)?;
+    let evidence = Evidence::new(&scene, reading, known);
+    let paths = chosen_otherwise(&evidence, right(&evidence).first()?);
+    let ends = paths.iter().filter_map(|path| path.last());
+    let lengths = ends.filter_map(|it| it.estimated(reading, places, f64::INFINITY));
+    lengths.reduce(f64::min)
 }

@@ -447,13 +447,18 @@ impl Search<'_> {
         chosen
     }
 
-    /// The first of these with several rays a pixel.
+    /// The first of these with several rays a pixel. A single ray anywhere in it, beside numbers
+    /// of the reader's own, draws much by chance.
     fn add_antialiased(&mut self, likeliest: &[Hypothesis]) {
         if let Some(first) = likeliest.first()
             && let Some(drawn) = first.drawn(self.evidence.reading)
         {
             let first = [(first, None)].into_iter();
-            self.found.extend(antialiased(self.evidence, &drawn, first));
+            let found = antialiased(self.evidence, &drawn, first).into_iter();
+            let is_single = |it: &Explanation| matches!(it.but.first(), Some(But::Antialiased { samples: Some(count) }) if *count < 1.5);
+            let unknown = self.unknown;
+            self.found
+                .extend(found.filter(|it| !is_single(it) || MIXED * it.bits() < unknown));
         }
     }
 
@@ -483,7 +488,8 @@ impl Search<'_> {
     fn add_more(&mut self) {
         // A sphere elsewhere is like a part of anything.
         let is_own = |it: &Explanation| {
-            it.slips.is_empty() && it.seen.is_none() && it.scene.chosen.balls == [None; 2]
+            let is_plain = it.slips.is_empty() && it.seen.is_none() && it.but.is_empty();
+            is_plain && it.scene.chosen.balls == [None; 2]
         };
         let best = self.best_of(is_own).program();
         let nearest = self.found[0].program();

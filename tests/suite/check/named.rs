@@ -522,6 +522,47 @@ fn colors_and_scale_of_ones_own_are_no_mistake() {
         (wide.scene.chosen.viewport_height, wide.left.off),
         (Some(2.5), 0)
     );
+
+    let mut program = Program::right(Chapter::HittableList);
+    program.viewport_width = Some(4.0);
+    let stretched = near(Chapter::HittableList, &program.run(160).picture());
+    let chosen = stretched.scene.chosen;
+    assert_eq!(
+        (
+            chosen.viewport_width,
+            chosen.viewport_height,
+            stretched.left.off
+        ),
+        (Some(4.0), Some(2.0), 0)
+    );
+}
+
+#[test]
+fn a_sky_and_a_disc_of_ones_own_are_known_together() {
+    const DISC: Ball = Ball::new(-0.5, 0.2, -1.0, 0.3);
+    let mut program = Program::right(Chapter::RedSphere);
+    program.sky = [Color::new(1.0, 0.8, 0.6), Color::new(0.3, 0.2, 0.5)];
+    program.paint = Color::new(1.0, 1.0, 0.0);
+    program.own[0] = Some(DISC);
+    let near = near(Chapter::RedSphere, &program.run(200).picture());
+    let chosen = near.scene.chosen;
+    assert_eq!(
+        (chosen.sky, chosen.paint, chosen.balls[0], near.left.off),
+        (Some(program.sky), Some(program.paint), Some(DISC), 0)
+    );
+}
+
+#[test]
+fn a_slip_is_named_beside_colors_and_scale_of_ones_own() {
+    let mut program = Program::right(Chapter::HittableList);
+    program.sky = [Color::new(1.0, 0.9, 0.8), Color::new(0.2, 0.3, 0.8)];
+    program.viewport_height = 3.0;
+    let wrong = slip("times-255").put_to(program);
+    let finding = finding(Chapter::HittableList, &wrong.run(200).picture());
+    assert_eq!(names(&finding)[0], ["times-255"]);
+    assert_eq!(finding.sets[0].scene.chosen.sky, Some(program.sky));
+    // What the reader chose is no mistake, and a level is all that the slip takes.
+    assert_eq!(finding.levels, 1);
 }
 
 #[test]

@@ -16,8 +16,6 @@ pub(super) const GLANCE: u32 = 300;
 const ROUNDING: f64 = 1.5;
 /// The share of pixels that have to follow the colors: the others may be anything.
 const MOST: f64 = 0.5;
-/// The share that one color has to have.
-const ALMOST_ALL: f64 = 0.97;
 /// Half a level, and a little more: at a level's lower end lie the components 0 and 1.
 const HALF: f64 = 0.51;
 /// How many halvings find a component to less than a rounding.
@@ -32,8 +30,8 @@ const BEYOND: std::ops::RangeInclusive<f64> = -1.0..=3.0;
 
 /// That there are colors of the reader's own, beside their numbers.
 const NAME: f64 = 6.0;
-/// That a component is the book's.
-const KEPT: f64 = 1.0;
+/// That a number is the book's.
+pub(super) const KEPT: f64 = 1.0;
 
 /// The program in the reader's own colors, if those of the picture are not the book's.
 pub(crate) fn in_colors(evidence: &Evidence, right: &Hypothesis) -> Option<Hypothesis> {
@@ -251,12 +249,12 @@ fn blue(reading: &Reading) -> Option<f64> {
     Some(Scale::BOOK.component(level))
 }
 
-/// The level that almost all of these are.
+/// The level that most of these are.
 fn constant(mut levels: Vec<i16>) -> Option<i16> {
     levels.sort_unstable();
     let middle = *levels.get(levels.len() / 2)?;
     let same = levels.iter().filter(|level| level.abs_diff(middle) <= 1);
-    (same.count() as f64 >= ALMOST_ALL * levels.len() as f64).then_some(middle)
+    (same.count() as f64 >= MOST * levels.len() as f64).then_some(middle)
 }
 
 /// The components at weight 0 and 1 of levels that lie on a line, if most do (random sample

@@ -22,6 +22,8 @@ const NEAR: u32 = 3;
 const ODD: f64 = 24.0;
 /// What is in more pieces is no few things.
 const PIECES: usize = 64;
+/// Of what is odd in a sphere one pixel in so many lies beside it.
+const BESIDE: usize = 10;
 /// One pixel in so many that are odd may be what lies behind a sphere that is not there.
 const BEHIND: usize = 4;
 
@@ -34,7 +36,10 @@ pub(crate) fn more(evidence: &Evidence, it: &Hypothesis) -> Vec<Explanation> {
     let odd = Odd::of(reading, &drawn);
     let boxes = odd.boxes(&drawn);
     let runs: Vec<Range<usize>> = boxes.iter().flat_map(|it| odd.runs(it)).collect();
-    if runs.is_empty() || odd.shows_what_lies_behind(it, &runs) {
+    if runs.is_empty()
+        || odd.shows_what_lies_behind(it, &runs)
+        || odd.is_the_first_sphere(it, &runs)
+    {
         return Vec::new();
     }
     let mut is_more = vec![false; drawn.len()];
@@ -138,6 +143,21 @@ impl<'a> Odd<'a> {
     fn place(&self, [columns, rows]: &Box) -> f64 {
         let corners = 4.0 * f64::from(self.reading.width.max(self.reading.height)).log2();
         corners + 2.0 * rows.len() as f64 * (columns.len() as f64).log2()
+    }
+
+    /// Whether it is not that something more is there, but that the first sphere has other colors.
+    fn is_the_first_sphere(&self, it: &Hypothesis, runs: &[Range<usize>]) -> bool {
+        let program = it.scene.program(&it.slips);
+        let camera = program.camera(self.reading.width);
+        let first = program.balls().next();
+        let shows_it = |n: u32| {
+            let (i, j) = (n % self.reading.width, n / self.reading.width);
+            let hit = program.search(&(program.ray)(&program, &camera, i, j));
+            hit.is_some_and(|(_, ball)| Some(ball) == first)
+        };
+        let odd = runs.iter().cloned().flatten().filter(|&n| self.is_odd[n]);
+        let count = odd.clone().filter(|&n| !shows_it(n as u32)).count();
+        BESIDE * count < odd.count()
     }
 
     /// Whether it is not that something is there, but that the first sphere is not.

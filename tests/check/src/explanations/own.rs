@@ -14,7 +14,7 @@ use common::rtweekend::Point3;
 
 use ::slips::{Ball, Chapter, Program, Room, Slip};
 
-use super::colors::{self, colored};
+use super::colors::{self, KEPT, colored};
 use super::slips::{ONE, TWO};
 use super::{Evidence, Hypothesis, Places, spread};
 use crate::bits::{distance, number};
@@ -48,10 +48,13 @@ const GROUND: Ball = Ball::new(0.0, -100.5, -1.0, 100.0);
 /// Radii of a ground that people type.
 const RADII: [f64; 8] = [1.0, 5.0, 10.0, 20.0, 30.0, 50.0, 100.0, 1000.0];
 
+/// How far the middle of a ground may be thought to be.
+const DEPTHS: Range<f64> = 0.5..5.0;
+
 /// That the scene is the reader's own, beside its numbers.
 const NAME: f64 = 8.0;
-/// Bits of a ratio that people choose.
-const RATIO: f64 = 5.0;
+/// Bits of a ratio or a radius that people choose.
+const USUAL: f64 = 4.0;
 
 /// Programs, each with more and more of the reader's own.
 pub(crate) type Path = Vec<Hypothesis>;
@@ -110,6 +113,7 @@ impl Kind {
         Self::Ground,
     ];
     const SLIPS: [Self; 2] = [Self::Levels, Self::Slips];
+
     const ALL: [Self; 8] = [
         Self::Colors,
         Self::Viewport,
@@ -120,6 +124,10 @@ impl Kind {
         Self::Levels,
         Self::Slips,
     ];
+
+    fn is_slip(self) -> bool {
+        matches!(self, Self::Levels | Self::Slips)
+    }
 }
 
 /// A picture that programs are fitted to.
@@ -151,7 +159,13 @@ impl<'a> Fit<'a> {
             .iter()
             .flat_map(|start| first.iter().map(move |kind| (kind, start)));
         let first = first.filter_map(|(&kind, start)| {
-            let (length, found) = self.shortest(self.fitted(kind, start), f64::INFINITY)?;
+            let length = start.estimated(self.reading, &self.places, f64::INFINITY)?;
+            let most = if kind.is_slip() {
+                length
+            } else {
+                f64::INFINITY
+            };
+            let (length, found) = self.shortest(self.fitted(kind, start), most)?;
             Some((length, kind, found))
         });
         let mut first: Vec<(f64, Kind, Hypothesis)> = first.collect();
@@ -221,7 +235,10 @@ impl<'a> Fit<'a> {
             }],
             Kind::Viewport => self.simple_viewports(it, |it| it),
             Kind::Both | Kind::Levels => self.simple_viewports(it, |it| self.with_colors(it)),
-            Kind::FirstSphere => simple_spheres(it),
+            Kind::FirstSphere => {
+                let simple = simple_spheres(it).into_iter();
+                simple.map(|it| self.with_paint(it)).collect()
+            }
             Kind::Ground => simple_grounds(it),
             Kind::NoFirstSphere | Kind::Slips => Vec::new(),
         }
@@ -247,14 +264,16 @@ impl<'a> Fit<'a> {
 
     fn named(&self, it: Hypothesis) -> Hypothesis {
         let (scene, chosen) = (it.scene, it.scene.chosen);
-        let balls = chosen.balls.into_iter().flatten();
-        let width = chosen.viewport_width.map(|width| width_name(&scene, width));
-        let places: f64 = balls
-            .flat_map(|Ball { center, radius }| [center.x, center.y, center.z, radius])
-            .chain(chosen.viewport_height)
-            .map(number)
-            .chain(width)
-            .sum();
+        let [sphere, ground] = chosen.balls;
+        let places: f64 = [
+            sphere.map(sphere_name),
+            ground.map(ground_name),
+            chosen.viewport_width.map(|width| width_name(&scene, width)),
+            chosen.viewport_height.map(number),
+        ]
+        .into_iter()
+        .flatten()
+        .sum();
         let own = if places > 0.0 { NAME + places } else { 0.0 };
         let slips = [0.0, ONE, TWO][it.slips.len()] + self.evidence.besides(&it)
             - self.evidence.besides(self.right);
@@ -328,13 +347,27 @@ impl<'a> Fit<'a> {
         scales.flat_map(with).collect()
     }
 
+    /// A sphere that has only one color, in what is seen where it lies.
+    fn with_paint(&self, it: Hypothesis) -> Hypothesis {
+        match it.scene.chapter {
+            Chapter::RedSphere => {
+                let paint = self.with_colors(it.clone()).scene.chosen.paint;
+                let chosen = it.scene.chosen;
+                with_chosen(&it, Chosen { paint, ..chosen })
+            }
+            _ => it,
+        }
+    }
+
     fn with_colors(&self, it: Hypothesis) -> Hypothesis {
         colored(&it, self.reading, colors::GLANCE)
     }
 
     /// The first sphere elsewhere or of another size.
     fn first_sphere(&self, it: &Hypothesis) -> Option<Hypothesis> {
-        let with = |[x, y, radius]: [f64; 3]| with_ball(it, 0, Ball::new(x, y, -1.0, radius.abs()));
+        let with = |[x, y, radius]: [f64; 3]| {
+            self.with_paint(with_ball(it, 0, Ball::new(x, y, -1.0, radius.abs())))
+        };
         let near = |ball: Ball| {
             let [x, y, z] = ball.center.to_array();
             [x, y, ball.radius].map(|number| -number / z)
@@ -381,8 +414,11 @@ impl<'a> Fit<'a> {
             [width, height]
         });
         let start = own.unwrap_or_else(start);
-        let steps = start.map(|length| length / 8.0);
-        vec![with(self.searched(start, steps, with))]
+        // Where colors are free, a long valley leads to the best: the search begins again.
+        let found = (0..3).fold(start, |start, _| {
+            self.searched(start, start.map(|length| length / 8.0), with)
+        });
+        vec![with(found)]
     }
 
     /// Width over height of the picture.
@@ -529,8 +565,10 @@ fn simple_grounds(it: &Hypothesis) -> Vec<Hypothesis> {
             .into_iter()
             .flatten()
     };
-    let scales = RADII.map(|simple| simple / radius);
-    let scales = [1.0].into_iter().chain(scales);
+    // So near that it hides everything it tells nothing of the rest.
+    let is_usual = |scale: &f64| DEPTHS.contains(&(scale * center.z.abs()));
+    let scales = RADII.map(|simple| simple / radius).into_iter();
+    let scales = [1.0].into_iter().chain(scales.filter(is_usual));
     let all = scales.flat_map(|scale| GRIDS.map(|fine| (scale, fine)));
     let all = all.flat_map(|(scale, fine)| {
         let coarse = [0.1].into_iter().chain(GRIDS);
@@ -572,9 +610,29 @@ fn with_chosen(it: &Hypothesis, chosen: Chosen) -> Hypothesis {
     }
 }
 
+/// Bits of a number beside the book's.
+fn beside(book: f64, own: f64) -> f64 {
+    if own == book { KEPT } else { number(own) }
+}
+
+fn sphere_name(Ball { center, radius }: Ball) -> f64 {
+    let [x, y, z] = center.to_array();
+    beside(0.0, x) + beside(0.0, y) + beside(-1.0, z) + beside(0.5, radius)
+}
+
+/// A ground is thought of by its top.
+fn ground_name(Ball { center, radius }: Ball) -> f64 {
+    let radius_name = match RADII.contains(&radius) {
+        true => USUAL,
+        false => number(radius),
+    };
+    let top = to_grid(center.y + radius, 1000.0);
+    beside(-0.5, top) + beside(-1.0, center.z) + radius_name
+}
+
 /// Bits of the viewport's width: a number, or a ratio to the height.
 fn width_name(scene: &Scene, width: f64) -> f64 {
     let ratio = width / scene.program(&[]).viewport_height;
     let is_usual = USUAL_RATIOS.iter().any(|it| (it - ratio).abs() < 1e-9);
-    number(width).min(if is_usual { RATIO } else { f64::INFINITY })
+    number(width).min(if is_usual { USUAL } else { f64::INFINITY })
 }
