@@ -103,7 +103,11 @@ pub fn decoded(
 
 fn judged(name: &str, reading: Reading, asked: Asked, foreign: Option<Cause>) -> Answered {
     let scene = scene(asked, Some(&reading));
-    let check = verdict::judge(&scene, &reading, 0, &Known::default());
+    let known = Known::default();
+    let (scene, check) = match asked.chapter {
+        0 => verdict::judge_guessed(&scene, &reading, 0, &known),
+        _ => (scene, verdict::judge(&scene, &reading, 0, &known)),
+    };
     if let Some(cause) = foreign.clone()
         && is_lossy(&cause)
         && !is_explained(&check)

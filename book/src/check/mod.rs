@@ -112,12 +112,16 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         (None, Ok(reading)) => arguments.guessed(reading)?,
         (None, Err(_)) => arguments.scene(Chapter::BuildTest)?,
     };
-    let check = match &reading {
-        Ok(reading) => verdict::judge(&scene, reading, arguments.tolerance, &known),
-        Err(cause) => Check::NotAPicture {
-            cause: cause.clone(),
-            finding: None,
-        },
+    let tolerance = arguments.tolerance;
+    let (scene, check) = match &reading {
+        Ok(reading) if named.is_none() => {
+            verdict::judge_guessed(&scene, reading, tolerance, &known)
+        }
+        Ok(reading) => (scene, verdict::judge(&scene, reading, tolerance, &known)),
+        Err(cause) => {
+            let (cause, finding) = (cause.clone(), None);
+            (scene, Check::NotAPicture { cause, finding })
+        }
     };
     let judged = Judged {
         is_guessed: named.is_none(),

@@ -118,15 +118,25 @@ impl<'a> Judged<'a> {
 
     /// Right, wrong, or why it is no picture; and what it was taken for.
     pub fn headline(&self) -> Headline {
-        if let Some(seen) = self.unrecognized() {
-            return Headline {
+        let mut headline = match self.unrecognized() {
+            Some(seen) => Headline {
                 before: format!("{} is ", self.name),
                 verdict: "not recognized",
                 is_right: false,
                 after: format!(": {seen}. Later chapters are not known here."),
                 notes: vec!["To compare it with one, name the chapter.".to_owned()],
-            };
-        }
+            },
+            None => self.recognized(),
+        };
+        headline.notes.extend(self.encoding.iter().flat_map(|it| {
+            let besides = format!("Besides, {}.", it.problem);
+            [besides, it.fix.clone()]
+        }));
+        headline
+    }
+
+    /// The verdict, and what the picture was taken for.
+    fn recognized(&self) -> Headline {
         let mut headline = self.verdict();
         let is_no_picture = matches!(self.check, Check::NotAPicture { finding: None, .. });
         if self.is_guessed && !is_no_picture {
@@ -141,10 +151,6 @@ impl<'a> Judged<'a> {
             );
             headline.notes.insert(0, taken);
         }
-        headline.notes.extend(self.encoding.iter().flat_map(|it| {
-            let besides = format!("Besides, {}.", it.problem);
-            [besides, it.fix.clone()]
-        }));
         headline
     }
 
@@ -241,7 +247,15 @@ impl<'a> Judged<'a> {
         if let Check::WrongShape { finding: None, .. } = self.check {
             return Some("it has the shape of none of these chapters' pictures".to_owned());
         }
-        let finding = self.check.finding().filter(|it| it.sets.is_empty())?;
+        let finding = self.check.finding()?;
+        let mut colors = finding.yours.rgb().chunks_exact(3);
+        let first = colors.next()?;
+        if colors.all(|color| color == first) {
+            return Some(format!(
+                "it has one color everywhere, {first:?}, and many mistakes draw that"
+            ));
+        }
+        let finding = Some(finding).filter(|it| it.sets.is_empty())?;
         let scene = self.scene_name();
         if finding.is_shaded {
             return Some(format!(
@@ -291,8 +305,10 @@ impl<'a> Judged<'a> {
         };
         let (count, total) = (difference.count, difference.total);
         let share = 100.0 * count as f64 / total as f64;
+        let chosen = finding.scene.chosen.clause();
+        let chosen = chosen.map_or(String::new(), |chosen| format!(", {chosen}"));
         format!(
-            "{count} of {total} pixels ({share:.1} %) are not those of {name} at {width} × {height}{}",
+            "{count} of {total} pixels ({share:.1} %) are not those of {name} at {width} × {height}{}{chosen}",
             Edition::said(&finding.editions)
         )
     }
@@ -310,7 +326,9 @@ impl<'a> Judged<'a> {
             parts.push(Part::Title(unknown.to_owned()));
         }
         parts.push(Part::Rows(finding.rows(&self.known)));
-        parts.push(Part::Read(finding.single().to_vec()));
+        let single = finding.single().iter();
+        let has_a_page = |slip: &&&'static Slip| !slip.page.is_empty();
+        parts.push(Part::Read(single.filter(has_a_page).copied().collect()));
         let command = |probe| self.scene.probed_command(probe);
         let next = finding.how_to_tell(command).map(|next| ("next", next));
         let others = finding.others.iter().map(|other| {

@@ -424,7 +424,8 @@ impl Search<'_> {
         let rights_own = rights_own.filter(|it| it.scene.edition != Edition::V1);
         let others = nearest.iter().filter(|it| !is_own(it));
         let plain = rights_own.chain(others).chain(slips).map(|it| (it, None));
-        self.found.extend(antialiased(evidence, &drawn, plain));
+        let found = antialiased(evidence, &drawn, plain);
+        self.extend_antialiased(found);
         if self.is_antialiased(f64::INFINITY) {
             return Vec::new();
         }
@@ -447,19 +448,30 @@ impl Search<'_> {
         chosen
     }
 
-    /// The first of these with several rays a pixel. A single ray anywhere in it, beside numbers
-    /// of the reader's own, draws much by chance.
+    /// The first of these with several rays a pixel.
     fn add_antialiased(&mut self, likeliest: &[Hypothesis]) {
         if let Some(first) = likeliest.first()
             && let Some(drawn) = first.drawn(self.evidence.reading)
         {
             let first = [(first, None)].into_iter();
-            let found = antialiased(self.evidence, &drawn, first).into_iter();
-            let is_single = |it: &Explanation| matches!(it.but.first(), Some(But::Antialiased { samples: Some(count) }) if *count < 1.5);
-            let unknown = self.unknown;
-            self.found
-                .extend(found.filter(|it| !is_single(it) || MIXED * it.bits() < unknown));
+            let found = antialiased(self.evidence, &drawn, first);
+            self.extend_antialiased(found);
         }
+    }
+
+    /// A single ray anywhere in a pixel, beside a slip or numbers of the reader's own, draws much
+    /// by chance, so it has to explain nearly all.
+    fn extend_antialiased(&mut self, found: Vec<Explanation>) {
+        let is_single = |it: &Explanation| match it.but.first() {
+            Some(But::Antialiased { samples }) => samples.is_some_and(|count| count < 1.5),
+            _ => false,
+        };
+        let is_plain =
+            |it: &Explanation| it.slips.is_empty() && it.scene.chosen == Chosen::default();
+        let unknown = self.unknown;
+        let explains =
+            |it: &Explanation| !is_single(it) || is_plain(it) || MIXED * it.bits() < unknown;
+        self.found.extend(found.into_iter().filter(explains));
     }
 
     /// What a reader chose beside a slip or two, where nothing else explains the picture: that
@@ -524,7 +536,8 @@ impl Search<'_> {
         // What the reader may have chosen, a pair may tell in fewer bits.
         let most = most.min(may_win(self.best().bits()));
         if most > TWO {
-            let editions = [evidence.scene.edition, best.scene.edition];
+            let nearest = self.found[0].scene.edition;
+            let editions = [evidence.scene.edition, best.scene.edition, nearest];
             let pairs = two(evidence).filter(|it| editions.contains(&it.scene.edition));
             let some = likeliest(evidence, pairs, &places, most, FEW);
             self.add(

@@ -19,6 +19,8 @@ pub struct Scene {
     pub edition: Edition,
     /// Whether no other edition will do.
     insists: bool,
+    /// Whether nobody has said which chapter it is.
+    is_guessed: bool,
     /// A step on the way to the chapter, counted from 0, if it is not the last.
     step: Option<usize>,
     /// Width and height in pixels, if they are not the chapter's own.
@@ -55,6 +57,7 @@ impl Scene {
             probe,
             edition: Edition::V4,
             insists: false,
+            is_guessed: false,
             step: None,
             shape: None,
             chosen: Chosen::default(),
@@ -68,6 +71,19 @@ impl Scene {
             insists: true,
             ..self
         }
+    }
+
+    /// The same scene if nobody has said which it is.
+    pub fn guessed(self) -> Self {
+        Self {
+            is_guessed: true,
+            ..self
+        }
+    }
+
+    /// Whether nobody has.
+    pub(crate) fn is_guessed(&self) -> bool {
+        self.is_guessed
     }
 
     /// The same with that probe, or `None` if the chapter has no place for its spheres.

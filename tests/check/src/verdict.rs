@@ -239,6 +239,31 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> 
     }
 }
 
+/// The same where the scene was guessed: as another one, if it is a picture of that. Returns
+/// also which it is.
+pub fn judge_guessed(
+    scene: &Scene,
+    reading: &Reading,
+    tolerance: u8,
+    known: &Known,
+) -> (Scene, Check) {
+    let guessed = scene.guessed();
+    let check = judge(&guessed, reading, tolerance, known);
+    let other = check
+        .others()
+        .first()
+        .filter(|_| matches!(check, Check::Another { .. }));
+    let other = other.map(|it| {
+        let chapter = guessed.of_chapter(it.chapter);
+        let probed = it.probe.and_then(|probe| chapter.with_probe(probe));
+        probed.unwrap_or(chapter)
+    });
+    match other {
+        Some(other) => (other, judge(&other, reading, tolerance, known)),
+        None => (guessed, check),
+    }
+}
+
 /// What the shortest explanation says.
 enum Answer {
     /// It is a picture of these scenes.

@@ -30,6 +30,8 @@ const BEYOND: std::ops::RangeInclusive<f64> = -1.0..=3.0;
 
 /// That there are colors of the reader's own, beside their numbers.
 const NAME: f64 = 6.0;
+/// That a component is none that a color has: a slip in the blend is likelier.
+const TOO_FAR: f64 = 8.0;
 /// That a number is the book's.
 pub(super) const KEPT: f64 = 1.0;
 
@@ -119,7 +121,11 @@ pub(super) fn name(scene: &Scene) -> f64 {
             .zip(book)
             .flat_map(|(own, book)| own.to_array().into_iter().zip(book.to_array()));
         pairs
-            .map(|(own, book)| if own == book { KEPT } else { number(own) })
+            .map(|(own, book)| match own {
+                own if own == book => KEPT,
+                own if (0.0..=1.0).contains(&own) => number(own),
+                own => number(own) + TOO_FAR,
+            })
             .sum()
     };
     let numbers = components(sky.as_ref().map(|it| &it[..]), &book.sky)

@@ -574,7 +574,14 @@ fn simple_grounds(it: &Hypothesis) -> Vec<Hypothesis> {
         let coarse = [0.1].into_iter().chain(GRIDS);
         coarse.flat_map(move |coarse| simple(scale, fine, coarse))
     });
-    all.collect()
+    // Its top is seen well, and its radius is not.
+    let top = center.y + radius;
+    let tenths = (-15..=15).map(|tenths| to_grid(radius + f64::from(tenths) / 10.0, 10.0));
+    let near = tenths.filter(|radius| *radius > 0.0).flat_map(|radius| {
+        let tops = GRIDS.map(|fine| to_grid(top, fine));
+        tops.map(|top| with_ball(it, 1, Ball::new(0.0, top - radius, -1.0, radius)))
+    });
+    all.chain(near).collect()
 }
 
 /// Whether it is the same scene by the same edition, with whatever choices.

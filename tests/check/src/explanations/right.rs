@@ -53,7 +53,10 @@ pub(crate) fn right(evidence: &Evidence) -> Vec<Hypothesis> {
         .into_iter()
         .filter(|&chapter| chapter != own.chapter)
         .map(|chapter| {
-            let name = ANOTHER_CHAPTER + evidence.unfound();
+            let name = match own.is_guessed() {
+                true => ITSELF,
+                false => ANOTHER_CHAPTER + evidence.unfound(),
+            };
             (own.of_chapter(chapter), name)
         });
     // A reader who types the chapter has no other picture at hand.

@@ -4,7 +4,7 @@
 //! Those with no color, or with one, say little: many mistakes draw them. Those with many
 //! colors are drawn by materials, which come in later chapters.
 
-use ::slips::{Program, Room};
+use ::slips::{Chapter, Program, Room};
 
 use super::antialiased::WITH_SAMPLES;
 use super::{Evidence, Explanation, Hypothesis, Places, Seen, estimate, spread};
@@ -59,10 +59,13 @@ pub(crate) fn silhouettes(evidence: &Evidence, rights: &[Hypothesis]) -> Vec<Exp
             .map(|(sky, it)| sky != it)
             .collect();
         let (spheres, bits) = painted(&empty, &is_hit, reading);
-        all.extend([
-            sky.little(reading, &empty, 0.0),
-            sky.little(reading, &spheres, bits),
-        ]);
+        all.push(sky.little(reading, &empty, 0.0));
+        let hit = spheres.iter().zip(&is_hit).find(|(_, is_hit)| **is_hit);
+        let is_gray = hit.is_none_or(|([red, green, blue], _)| red == green && green == blue);
+        // A sphere of one color in another one is the reader's own.
+        if is_gray || sky.it.scene.chapter != Chapter::RedSphere {
+            all.push(sky.little(reading, &spheres, bits));
+        }
         shaded = sky.shaded(reading, &is_hit);
     }
     // Who leaves many pixels has drawn something else.

@@ -171,13 +171,19 @@ impl Token<'_> {
             Cause::new(
                 "fractions",
                 problem("is not a whole number"),
-                "Scale and cut off before printing: int(255.999 * r).",
+                "Print integers alone, as sizes and as levels: int(255.999 * r).",
             )
         } else if text.contains("\\n") {
             Cause::new(
                 "line-endings",
                 problem("has the two characters \\ and n in it instead of a new line"),
                 "Write \"\\n\" between double quotes, in the language's own way.",
+            )
+        } else if text.contains('\u{a0}') {
+            Cause::new(
+                "separators",
+                problem("has a no-break space in it, which looks like a space"),
+                "Type ordinary spaces between the numbers, in the header too.",
             )
         } else if text.contains([',', ';', '(', '[', '{']) {
             Cause::new(
