@@ -520,7 +520,7 @@ impl Search<'_> {
     }
 
     /// Two slips explain a lot by chance, so they have to explain most of what is left, in
-    /// the edition that was asked for or in the one that comes nearest.
+    /// the edition that was asked for, in the nearest or in that of what the reader may have chosen.
     fn add_pairs(&mut self) {
         let evidence = self.evidence;
         // Many pairs draw one color everywhere, which says nothing about any of them.
@@ -536,8 +536,8 @@ impl Search<'_> {
         // What the reader may have chosen, a pair may tell in fewer bits.
         let most = most.min(may_win(self.best().bits()));
         if most > TWO {
-            let nearest = self.found[0].scene.edition;
-            let editions = [evidence.scene.edition, best.scene.edition, nearest];
+            let chosen = self.best().scene.edition;
+            let editions = [evidence.scene.edition, best.scene.edition, chosen];
             let pairs = two(evidence).filter(|it| editions.contains(&it.scene.edition));
             let some = likeliest(evidence, pairs, &places, most, FEW);
             self.add(

@@ -231,9 +231,9 @@ impl Curve {
     }
 }
 
-/// To a thousandth.
+/// To a thousandth. A zero has no sign here.
 fn rounded(number: f64) -> f64 {
-    (number * 1000.0).round() / 1000.0
+    (number * 1000.0).round() / 1000.0 + 0.0
 }
 
 /// With one digit that counts: nobody could tell 90 samples from 100.

@@ -61,10 +61,9 @@ pub(crate) type Path = Vec<Hypothesis>;
 
 /// The program with more and more of the reader's own, by one way and by another.
 pub(crate) fn chosen_otherwise(evidence: &Evidence, right: &Hypothesis) -> Vec<Path> {
-    match Fit::new(evidence, right) {
-        Some(fit) => fit.selected(&Kind::CHOSEN, &[right], &Kind::CHOSEN),
-        None => Vec::new(),
-    }
+    let (chosen, _) = Kind::chosen_and_slips();
+    let fit = Fit::new(evidence, right);
+    fit.map_or(Vec::new(), |fit| fit.selected(&chosen, &[right], &chosen))
 }
 
 /// The same with a slip or two besides; `chosen` is what was found without.
@@ -82,7 +81,8 @@ pub(crate) fn chosen_beside_slips(
     let ends = ends.filter(|it| is_same_scene(it, right));
     let mut starts: Vec<&Hypothesis> = ends.chain([right]).collect();
     starts.dedup_by(|one, other| are_same(one, other));
-    let paths = fit.selected(&Kind::SLIPS, &starts, &Kind::ALL);
+    let (_, slips) = Kind::chosen_and_slips();
+    let paths = fit.selected(&slips, &starts, &Kind::ALL);
     let mut found: Vec<Hypothesis> = paths.into_iter().flatten().collect();
     // Slips by themselves are looked for elsewhere.
     found.retain(|it| it.scene.chosen != Chosen::default() && !it.slips.is_empty());
@@ -104,16 +104,6 @@ enum Kind {
 }
 
 impl Kind {
-    const CHOSEN: [Self; 6] = [
-        Self::Colors,
-        Self::Viewport,
-        Self::Both,
-        Self::FirstSphere,
-        Self::NoFirstSphere,
-        Self::Ground,
-    ];
-    const SLIPS: [Self; 2] = [Self::Levels, Self::Slips];
-
     const ALL: [Self; 8] = [
         Self::Colors,
         Self::Viewport,
@@ -127,6 +117,11 @@ impl Kind {
 
     fn is_slip(self) -> bool {
         matches!(self, Self::Levels | Self::Slips)
+    }
+
+    /// What a reader chooses, and what nobody does.
+    fn chosen_and_slips() -> (Vec<Self>, Vec<Self>) {
+        Self::ALL.into_iter().partition(|kind| !kind.is_slip())
     }
 }
 
