@@ -58,7 +58,9 @@ pub fn scene(reading: &Reading) -> Scene {
     // What a reader chose explains nearly all, or it was something else.
     let alone = bits::alone(reading);
     if CHOSEN * least > alone {
-        for chapter in Chapter::OF_THE_BOOK {
+        // Chapter 4 draws what chapter 3 does.
+        let others = Chapter::OF_THE_BOOK.into_iter();
+        for chapter in others.filter(|it| *it != Chapter::HalfBSphere) {
             if let Some(length) = chosen_otherwise_in(chapter, reading, &known, &places[1])
                 && CHOSEN * length < alone.min(2.0 * least)
             {

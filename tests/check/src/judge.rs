@@ -52,6 +52,8 @@ pub(crate) const GRAIN: f64 = 8.0;
 const MIXED: f64 = 8.0;
 /// The same of several rays a pixel, whose scatter nothing tells.
 const SCATTERED: f64 = 1.5;
+/// The means of so many rays are no reduced picture's.
+const MANY_RAYS: f64 = 36.0;
 /// How many pixels are looked at where nothing is known of thousands of changes.
 const PEEK: u32 = 16;
 /// What is shorter than this has been made: a slip that leaves some odd pixels.
@@ -254,12 +256,17 @@ impl Search<'_> {
         if self.is_shorter(self.unknown, 1.2, is_grainy) {
             return;
         }
+        let nearest = self.nearest_of(rights);
+        self.add_several_rays(rights, likeliest, &nearest);
+        if self.is_of_many_rays() {
+            self.add_more();
+            return;
+        }
         self.add_degraded(rights, likeliest);
         if self.is_degraded() {
             return;
         }
-        let nearest = self.nearest_of(rights);
-        let chosen = self.add_changed(rights, likeliest, &nearest);
+        let chosen = self.add_changed(&nearest);
         self.add_more();
         if !self.is_antialiased(self.unknown) {
             self.add_changes(typed);
@@ -403,20 +410,20 @@ impl Search<'_> {
         sources.are_of_the_chapter() && !sources.have_a_prelude()
     }
 
-    /// What a reader chose, and no mistake. Returns what may be.
-    fn add_changed(
+    /// Several rays a pixel, by right programs and by the likeliest wrong ones.
+    fn add_several_rays(
         &mut self,
         rights: &[Hypothesis],
         wrong: &[Hypothesis],
         nearest: &[Hypothesis],
-    ) -> Vec<Path> {
-        if self.best().left.bits < WORTH_A_SEARCH || self.is_painted() {
-            return Vec::new();
+    ) {
+        if !self.is_worth_a_search() {
+            return;
         }
-        let (evidence, reading) = (self.evidence, self.evidence.reading);
+        let evidence = self.evidence;
         let is_own = |it: &&Hypothesis| is_same(&it.scene, &evidence.scene);
-        let Some(drawn) = nearest.first().and_then(|it| it.drawn(reading)) else {
-            return Vec::new();
+        let Some(drawn) = nearest.first().and_then(|it| it.drawn(evidence.reading)) else {
+            return;
         };
         let slips = wrong.iter().filter(|it| !it.slips.is_empty()).take(SLIPS);
         // Without a fraction of a level, single precision is no edition of its own.
@@ -426,9 +433,28 @@ impl Search<'_> {
         let plain = rights_own.chain(others).chain(slips).map(|it| (it, None));
         let found = antialiased(evidence, &drawn, plain);
         self.extend_antialiased(found);
-        if self.is_antialiased(f64::INFINITY) {
+    }
+
+    fn is_worth_a_search(&self) -> bool {
+        self.best().left.bits >= WORTH_A_SEARCH && !self.is_painted()
+    }
+
+    /// Whether it is by so many rays as no reduced picture is, and nothing happened to it besides.
+    fn is_of_many_rays(&self) -> bool {
+        let best = self.best();
+        let is_many = |but: &But| match but {
+            But::Antialiased { samples } => samples.is_some_and(|samples| samples > MANY_RAYS),
+            _ => false,
+        };
+        self.is_antialiased(self.unknown) && best.but.iter().any(is_many) && best.left.off == 0
+    }
+
+    /// What a reader chose, and no mistake. Returns what may be.
+    fn add_changed(&mut self, nearest: &[Hypothesis]) -> Vec<Path> {
+        if !self.is_worth_a_search() || self.is_antialiased(f64::INFINITY) {
             return Vec::new();
         }
+        let (evidence, reading) = (self.evidence, self.evidence.reading);
         let mut chosen = Vec::new();
         for right in nearest {
             let Some(drawn) = right.drawn(reading) else {

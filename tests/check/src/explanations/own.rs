@@ -21,15 +21,16 @@ use crate::bits::{distance, number};
 use crate::reading::Reading;
 use crate::scene::{Chosen, Scene, USUAL_RATIOS};
 
-/// How many pixels are compared for each step, and to choose among simple numbers.
-const LOOK: u32 = 1000;
+/// How many pixels are compared for each step, first and where steps are small; and how many
+/// to choose among simple numbers.
+const LOOKS: [usize; 2] = [250, 1000];
 const CHOICE: u32 = 600;
 /// A pixel that is off by more levels counts no more: it may be another color for any
 /// reason.
 const FAR: u16 = 24;
 
 /// How often steps are halved: to half a thousandth of a unit, from a tenth.
-const HALVINGS: u32 = 8;
+const HALVINGS: [i32; 2] = [8, 4];
 /// How often a kind of number is taken to be the reader's, or fitted again.
 const ROUNDS: usize = 6;
 /// How many slips are told together.
@@ -119,6 +120,17 @@ impl Kind {
         matches!(self, Self::Levels | Self::Slips)
     }
 
+    /// Whether it is worth a look beside what was found: colors are seen through the viewport, so
+    /// where they are the reader's own, both are fitted.
+    fn is_next_of(self, it: &Hypothesis) -> bool {
+        let has_colors = colors::books(&it.scene).chosen != it.scene.chosen;
+        match self {
+            Self::Viewport => !has_colors,
+            Self::Both => has_colors,
+            _ => true,
+        }
+    }
+
     /// What a reader chooses, and what nobody does.
     fn chosen_and_slips() -> (Vec<Self>, Vec<Self>) {
         Self::ALL.into_iter().partition(|kind| !kind.is_slip())
@@ -142,7 +154,7 @@ impl<'a> Fit<'a> {
             evidence,
             right,
             reading,
-            looked: spread(LOOK, reading.pixels.len() as u32).collect(),
+            looked: spread(LOOKS[1] as u32, reading.pixels.len() as u32).collect(),
             places: Places::new(reading, None, CHOICE),
         })
     }
@@ -192,6 +204,7 @@ impl<'a> Fit<'a> {
             }
             let mut most = WORTH * length;
             next = None;
+            let others = others.iter().filter(|kind| kind.is_next_of(&it));
             for &kind in others {
                 if let Some((length, it)) = self.shortest(self.fitted(kind, &it), most) {
                     most = length;
@@ -280,12 +293,12 @@ impl<'a> Fit<'a> {
 
     /// How far the picture of a program is from the reader's, in levels, as far as that is
     /// less than `most`.
-    fn off(&self, it: &Hypothesis, most: u32) -> u32 {
+    fn off(&self, it: &Hypothesis, look: usize, most: u32) -> u32 {
         let Some(output) = it.output(self.reading) else {
             return u32::MAX;
         };
         let mut sum = 0;
-        for &n in &self.looked {
+        for &n in self.looked.iter().take(look) {
             let drawn = it.pixel(&output, n);
             sum += u32::from(distance(drawn, self.reading.pixels[n as usize]).min(FAR));
             if sum >= most {
@@ -330,16 +343,21 @@ impl<'a> Fit<'a> {
         let slips = self.evidence.slips(&it.scene);
         let scales = slips.filter(|slip| colors::is_rescaled(&program, &slip.put_to(program)));
         let with = |slip| {
-            let scaled = self.with_colors(Hypothesis {
+            self.with_colors(Hypothesis {
                 slips: vec![slip],
                 ..it.clone()
-            });
-            match it.scene.chosen.viewport_height {
-                Some(_) => self.viewport(&scaled, |it| self.with_colors(it)),
-                None => vec![scaled],
-            }
+            })
         };
-        scales.flat_map(with).collect()
+        let scaled: Vec<Hypothesis> = scales.map(with).collect();
+        let off = |it: &&Hypothesis| self.off(it, LOOKS[1], u32::MAX);
+        let nearest = scaled.iter().min_by_key(off);
+        let refitted = nearest.filter(|it| it.scene.chosen.viewport_height.is_some());
+        let refitted = refitted.map(|it| self.viewport(it, |it| self.with_colors(it)));
+        refitted
+            .into_iter()
+            .flatten()
+            .chain(scaled.clone())
+            .collect()
     }
 
     /// A sphere that has only one color, in what is seen where it lies.
@@ -400,20 +418,24 @@ impl<'a> Fit<'a> {
             let heights = (-8..=8).map(|n| 2.0 * (f64::from(n) / 4.0).exp());
             let ratios = [1.0, 0.5, 0.75, 1.5, 2.0].map(|times| times * ratio);
             let starts = heights.flat_map(|height| ratios.map(|ratio| [ratio * height, height]));
-            let off = |&start: &[f64; 2]| self.off(&with(start), u32::MAX);
-            starts.min_by_key(off).unwrap_or([2.0 * ratio, 2.0])
+            let nearest = |(least, best), start| match self.off(&with(start), LOOKS[0], least) {
+                off if off < least => (off, start),
+                _ => (least, best),
+            };
+            starts.fold((u32::MAX, [2.0 * ratio, 2.0]), nearest).1
         };
         let chosen = it.scene.chosen;
         let own = chosen.viewport_height.map(|height| {
             let width = chosen.viewport_width.unwrap_or(height * ratio);
             [width, height]
         });
-        let start = own.unwrap_or_else(start);
+        let mut from = own.unwrap_or_else(start);
+        let steps = from.map(|length| length / 8.0);
         // Where colors are free, a long valley leads to the best: the search begins again.
-        let found = (0..3).fold(start, |start, _| {
-            self.searched(start, start.map(|length| length / 8.0), with)
-        });
-        vec![with(found)]
+        if own.is_none() {
+            from = self.walked(from, steps, LOOKS[0], HALVINGS[0], with);
+        }
+        vec![with(self.searched(from, steps, with))]
     }
 
     /// Width over height of the picture.
@@ -450,28 +472,42 @@ impl<'a> Fit<'a> {
             .collect()
     }
 
-    /// Moves numbers by smaller and smaller steps while that brings the picture nearer.
+    /// The numbers nearby that bring the picture nearest: by few pixels, then by more.
     fn searched<const N: usize>(
         &self,
         start: [f64; N],
+        steps: [f64; N],
+        with: impl Fn([f64; N]) -> Hypothesis + Copy,
+    ) -> [f64; N] {
+        let near = self.walked(start, steps, LOOKS[0], HALVINGS[0], with);
+        let small = steps.map(|step| step / f64::from(HALVINGS[0] - HALVINGS[1]).exp2());
+        self.walked(near, small, LOOKS[1], HALVINGS[1], with)
+    }
+
+    /// Moves numbers by smaller and smaller steps while that brings the picture nearer.
+    fn walked<const N: usize>(
+        &self,
+        start: [f64; N],
         mut steps: [f64; N],
+        look: usize,
+        halvings: i32,
         with: impl Fn([f64; N]) -> Hypothesis,
     ) -> [f64; N] {
-        let (mut numbers, mut least) = (start, self.off(&with(start), u32::MAX));
-        let mut halvings = 0;
-        while halvings < HALVINGS {
+        let (mut numbers, mut least) = (start, self.off(&with(start), look, u32::MAX));
+        let mut halved = 0;
+        while halved < halvings {
             let mut is_nearer = false;
             for (n, way) in (0..N).flat_map(|n| [(n, 1.0), (n, -1.0)]) {
                 let mut moved = numbers;
                 moved[n] += way * steps[n];
-                let moved_off = self.off(&with(moved), least);
+                let moved_off = self.off(&with(moved), look, least);
                 if moved_off < least {
                     (numbers, least, is_nearer) = (moved, moved_off, true);
                 }
             }
             if !is_nearer {
                 steps = steps.map(|step| step / 2.0);
-                halvings += 1;
+                halved += 1;
             }
         }
         numbers
@@ -516,7 +552,7 @@ impl<'a> Fit<'a> {
 }
 
 /// In how many pixels the box is looked for.
-const BOX: u32 = 20_000;
+const BOX: u32 = 5000;
 
 fn to_grid(number: f64, grid: f64) -> f64 {
     // A zero has no sign here.
