@@ -9,7 +9,7 @@ use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
     But, Degradation, Explanation, Hypothesis, Path, Places, Seen, TWO, antialiased,
-    chosen_beside_slips, chosen_otherwise, degradations, more, mutants, on_a_curve, right,
+    chosen_beside_slips, chosen_otherwise, degradations, more, mutants, on_a_curve, palette, right,
     silhouettes, single, turned, two, typed,
 };
 use crate::scene::{Chosen, Scene};
@@ -243,7 +243,7 @@ impl Search<'_> {
         if self.unknown > grain && self.best().bits() >= self.unknown {
             return;
         }
-        // No chapter draws grain inside right outlines, and no loss leaves their sky.
+        // No chapter draws grain inside right outlines, and no loss leaves their sky but few colors.
         let is_grainy = |it: &Explanation| {
             matches!(
                 it.seen,
@@ -253,7 +253,8 @@ impl Search<'_> {
                 })
             )
         };
-        if self.is_shorter(self.unknown, 1.2, is_grainy) {
+        let is_of_few = palette(self.evidence.reading).is_some();
+        if !is_of_few && self.is_shorter(self.unknown, 1.2, is_grainy) {
             return;
         }
         let nearest = self.nearest_of(rights);
@@ -262,7 +263,8 @@ impl Search<'_> {
             self.add_more();
             return;
         }
-        self.add_degraded(rights, likeliest);
+        let tried = self.tried(rights, likeliest);
+        self.add_degraded(&tried, degradations(self.evidence, &tried));
         if self.is_degraded() {
             return;
         }
@@ -273,7 +275,16 @@ impl Search<'_> {
             self.add_changes(mutants);
             self.add_pairs();
             self.add_chosen_beside_slips(&nearest, &chosen);
+            // A sky has few colors by itself.
+            if !self.is_well_explained() {
+                self.add_degraded(&tried, palette(self.evidence.reading).into_iter());
+            }
         }
+    }
+
+    /// Whether the best leaves so little of the picture as no chance does.
+    fn is_well_explained(&self) -> bool {
+        MIXED * self.best().bits() < self.unknown
     }
 
     /// Changes that nobody has thought of, where nothing else explains it all.
@@ -317,8 +328,8 @@ impl Search<'_> {
         self.add(some, Some(&drawn), f64::INFINITY);
     }
 
-    /// Right pictures, and slips', to which something happened between program and file.
-    fn add_degraded(&mut self, rights: &[Hypothesis], likeliest: &[Hypothesis]) {
+    /// Programs with which it is looked for what happened to the file.
+    fn tried(&self, rights: &[Hypothesis], likeliest: &[Hypothesis]) -> Vec<Hypothesis> {
         // What right pictures tell of a size or a place is told first, in any shape.
         let (own, others): (Vec<_>, Vec<_>) = likeliest
             .iter()
@@ -328,9 +339,12 @@ impl Search<'_> {
             scene: it.scene.in_own_shape(),
             ..it.clone()
         });
-        let tried: Vec<Hypothesis> = tried.collect();
+        tried.collect()
+    }
+
+    /// Right pictures, and slips', to which something happened between program and file.
+    fn add_degraded(&mut self, tried: &[Hypothesis], mut found: impl Iterator<Item = Degradation>) {
         let evidence = self.evidence;
-        let mut found = degradations(evidence, &tried);
         let places = Places::new(evidence.reading, None, LOOK);
         while self.best().left.bits >= WORTH_A_SEARCH
             && let Some(degradation) = found.next()
@@ -503,7 +517,7 @@ impl Search<'_> {
     /// What a reader chose beside a slip or two, where nothing else explains the picture: that
     /// draws much by chance, so it has to explain nearly all.
     fn add_chosen_beside_slips(&mut self, nearest: &[Hypothesis], chosen: &[Path]) {
-        if MIXED * self.best().bits() < self.unknown || self.is_painted() {
+        if self.is_well_explained() || self.is_painted() {
             return;
         }
         let beside = nearest

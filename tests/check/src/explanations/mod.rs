@@ -30,8 +30,8 @@ pub(crate) use antialiased::antialiased;
 pub(crate) use colors::{chosen, in_colors};
 pub use curve::Curve;
 pub(crate) use curve::on_a_curve;
-pub(crate) use degraded::degradations;
 pub use degraded::{Degradation, Filter, Quality};
+pub(crate) use degraded::{degradations, palette};
 pub(crate) use more::more;
 pub(crate) use own::{Path, chosen_beside_slips, chosen_otherwise};
 pub(crate) use places::{Places, spread};
@@ -265,6 +265,9 @@ impl Hypothesis {
     ) -> Option<Explanation> {
         let before = self.before(&self.output(reading)?);
         let measure = || match self.degradation {
+            Some(Degradation::Palette { .. }) => {
+                (degraded::left_in_palette(reading, &before), mark(&before))
+            }
             Some(degradation) => self.left(reading, &degradation.of(&before, reading)),
             None => self.left(reading, &before),
         };

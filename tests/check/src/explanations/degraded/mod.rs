@@ -13,13 +13,14 @@ use std::slice;
 use common::rtweekend::Picture;
 
 use super::{Hypothesis, Places, right, single};
-use crate::bits::{Pixel, distance, told};
+use crate::bits::{Left, Pixel, distance, told};
 use crate::evidence::Evidence;
 use crate::reading::Reading;
 use crate::scene::Scene;
 
 pub use jpeg::Quality;
 pub use resampled::Filter;
+pub(crate) use traces::palette;
 
 /// What happened to a picture on its way.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,14 +77,13 @@ const COLOR: f64 = 24.0;
 type Search = fn(&Evidence, &[Hypothesis]) -> Option<Degradation>;
 
 /// The surest first.
-const SEARCHES: [Search; 9] = [
+const SEARCHES: [Search; 8] = [
     |evidence, _| traces::gray(evidence.reading, traces::REC_601),
     |evidence, _| traces::gray(evidence.reading, traces::REC_709),
     |evidence, _| traces::gray(evidence.reading, [1.0 / 3.0; 3]),
     |evidence, _| traces::framed(evidence),
     resampled::cropped,
     resampled::scaled,
-    |evidence, _| traces::palette(evidence.reading),
     |evidence, likeliest| jpeg::compressed(evidence.reading, likeliest).map(Degradation::Jpeg),
     framed_and_compressed,
 ];
@@ -263,20 +263,52 @@ impl Degradation {
     }
 }
 
-/// Each pixel in the nearest color that the file has, if a program may have chosen that: so
-/// many colors evenly spread over all leave none farther away than half of what is between
-/// two, those chosen for a picture are no worse, and dithering adds no more than that.
+/// What a picture leaves of a file of few colors: how many of these are nearer to each pixel than
+/// the one that it has. Whoever chose them, and however they were mixed, few are.
+pub(super) fn left_in_palette(reading: &Reading, drawn: &[Pixel]) -> Left {
+    let palette: Vec<Pixel> = traces::colors(reading).into_iter().collect();
+    let mut known: HashMap<(Pixel, Pixel), usize> = HashMap::new();
+    let mut counts = [0_u32; 9];
+    let (mut bits, mut far) = (0.0, 0);
+    for pair in drawn.iter().copied().zip(reading.pixels.iter().copied()) {
+        let rank = *known.entry(pair).or_insert_with(|| rank(pair, &palette));
+        let digits = (usize::BITS - rank.leading_zeros()) as usize;
+        counts[digits] += 1;
+        bits += digits.saturating_sub(1) as f64;
+        far += usize::from(rank * rank > 4 * palette.len());
+    }
+    let all = drawn.len() as f64;
+    for count in counts.iter().filter(|count| **count > 0) {
+        bits += f64::from(*count) * (all / f64::from(*count)).log2() + all.log2();
+    }
+    Left {
+        bits,
+        off: far,
+        far,
+        is_both_ways: false,
+        is_one_by_one: false,
+    }
+}
+
+/// How many colors are nearer to a pixel than the one that was found.
+fn rank((drawn, found): (Pixel, Pixel), palette: &[Pixel]) -> usize {
+    let most = apart(drawn, found);
+    let is_nearer = |color: &&Pixel| apart(drawn, **color) < most;
+    palette.iter().filter(is_nearer).count()
+}
+
+/// The square of the distance of two colors.
+fn apart(one: Pixel, other: Pixel) -> i32 {
+    let off = [0, 1, 2].map(|c| i32::from(one[c] - other[c]));
+    off.map(|off| off * off).iter().sum()
+}
+
+/// Each pixel in the nearest color that the file has.
 fn in_palette(drawn: &[Pixel], reading: &Reading) -> Vec<Pixel> {
     let palette = traces::colors(reading);
-    let most = (256.0 / (palette.len() as f64).cbrt()) as u16;
     let mut known: HashMap<Pixel, Pixel> = HashMap::new();
     let nearest = |pixel: Pixel| {
-        let off = |color: &&Pixel| {
-            let off = [0, 1, 2].map(|c| i32::from(color[c] - pixel[c]));
-            off.map(|off| off * off).iter().sum::<i32>()
-        };
-        let nearest = palette.iter().min_by_key(off);
-        let nearest = nearest.filter(|color| distance(pixel, **color) <= most);
+        let nearest = palette.iter().min_by_key(|color| apart(**color, pixel));
         nearest.copied().unwrap_or(pixel)
     };
     let mut nearest = |pixel: Pixel| *known.entry(pixel).or_insert_with(|| nearest(pixel));

@@ -15,7 +15,7 @@ pub(super) const REC_601: [f64; 3] = [0.299, 0.587, 0.114];
 pub(super) const REC_709: [f64; 3] = [0.2126, 0.7152, 0.0722];
 /// As many colors as the smallest palettes have, and as a byte can tell apart: a picture
 /// of less was not made of one of the book's by choosing the nearest.
-const COLORS: RangeInclusive<usize> = 16..=256;
+const COLORS: RangeInclusive<usize> = 6..=256;
 /// How many of the sharpest edges may be a side of a frame.
 const SIDES: usize = 8;
 /// So many lines within an edge nothing of it is left, be it compressed.
@@ -31,7 +31,7 @@ pub(super) fn gray(reading: &Reading, weights: [f64; 3]) -> Option<Degradation> 
 }
 
 /// Whether there are as few colors as in a GIF.
-pub(super) fn palette(reading: &Reading) -> Option<Degradation> {
+pub(crate) fn palette(reading: &Reading) -> Option<Degradation> {
     let colors = colors(reading).len();
     COLORS
         .contains(&colors)
