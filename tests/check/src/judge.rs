@@ -100,7 +100,6 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     search.add_others(&rights, &likeliest);
     let mut found = search.found;
     drop_what_explains_little(&mut found, &evidence.scene);
-    drop_losses_of_roundings(&mut found, &evidence.scene);
     found.sort_by(|one, other| one.bits().total_cmp(&other.bits()));
     simplest_first(&mut found);
     Judgement {
@@ -123,16 +122,6 @@ fn drop_what_explains_little(found: &mut Vec<Explanation>, scene: &Scene) {
         let explains = Some(20 * it.left.far) <= wrong || Some(20.0 * it.bits()) <= bits;
         !is_told(it) || !it.but.is_empty() || explains || it.left.bits < WORTH_A_SEARCH
     });
-}
-
-/// Where all is right within a level, nothing was lost that leaves a quarter of that.
-fn drop_losses_of_roundings(found: &mut Vec<Explanation>, scene: &Scene) {
-    let is_right = |it: &&Explanation| it.slips.is_empty() && is_same(&it.scene, scene);
-    let is_rounded = |it: &&Explanation| it.left.far == 0 && it.but.is_empty();
-    let rounded = found.iter().filter(is_right).filter(is_rounded);
-    let rounded = rounded.map(Explanation::bits).fold(f64::INFINITY, f64::min);
-    let is_lossy = |it: &Explanation| it.degradation().is_some_and(Degradation::is_lossy);
-    found.retain(|it| !is_lossy(it) || 4.0 * it.bits() < rounded);
 }
 
 /// Puts first what has the shortest name of all that leave the same noise: lengths of
