@@ -190,7 +190,7 @@ impl<'a> Judged<'a> {
                     _ => "wrong",
                 };
                 let after = format!(": {}.", self.counts(finding));
-                let blurred = "Almost no pixel is off by more than a few levels, though many are by less: as in a file that was compressed or scaled. Is it the one that the program wrote?";
+                let blurred = "Almost no pixel is off by more than a few levels, though many are by less: as in a file that was compressed or scaled, or where numbers were rounded on the way. Is it the one that the program wrote?";
                 let blurred = finding.is_blurred.then(|| blurred.to_owned());
                 let notes = blurred
                     .into_iter()
@@ -266,6 +266,7 @@ impl<'a> Judged<'a> {
         let (wrong, total) = (difference.count, difference.total);
         let right = total - wrong;
         match finding.is_known {
+            _ if finding.is_blurred => None,
             false if finding.is_strange || PART * right < total => Some(
                 "it comes near to none of these chapters' pictures, with whatever mistake"
                     .to_owned(),

@@ -322,13 +322,14 @@ impl Frequencies {
 
 /// Bits of a number that somebody typed: the fewer digits, the fewer bits.
 pub(crate) fn number(number: f64) -> f64 {
-    const GRIDS: [(f64, f64); 6] = [
+    const GRIDS: [(f64, f64); 7] = [
         (1.0, 2.0),
         (2.0, 3.0),
         (10.0, 5.0),
         (20.0, 6.0),
         (100.0, 8.0),
         (255.0, 9.0),
+        (1000.0, 11.0),
     ];
     let is_on = |grid: f64| (number * grid - (number * grid).round()).abs() < 1e-9 * grid;
     let digits = GRIDS.into_iter().find(|&(grid, _)| is_on(grid));

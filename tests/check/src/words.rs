@@ -206,7 +206,14 @@ impl Degradation {
                     "{compressed}in a frame: it is the {width} × {height} pixels from column {left}, row {above} on"
                 )
             }
-            Self::Gray(_) => "in gray".to_owned(),
+            Self::Gray(weights) => {
+                let names = ["red", "green", "blue"].into_iter().zip(weights);
+                let alone = names
+                    .filter(|(_, weight)| **weight == 1.0)
+                    .map(|(name, _)| name);
+                let alone = alone.map(|name| format!(", each component as {name} should be"));
+                format!("in gray{}", alone.collect::<String>())
+            }
             Self::Palette { colors } => {
                 format!("in a palette of {colors} colors, as a GIF has it")
             }

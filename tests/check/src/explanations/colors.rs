@@ -18,6 +18,9 @@ const ROUNDING: f64 = 1.5;
 const MOST: f64 = 0.5;
 /// Half a level, and a little more: at a level's lower end lie the components 0 and 1.
 const HALF: f64 = 0.51;
+/// The same of the ends of a line, times the square root of how many levels it is fitted to: some
+/// three standard deviations.
+const FITTED: f64 = 2.0;
 /// How many halvings find a component to less than a rounding.
 const HALVINGS: u32 = 40;
 /// Two levels that are far from each other and from both ends.
@@ -177,7 +180,7 @@ impl Scale {
     fn simplest(&self, level: f64, give: f64) -> f64 {
         let component = (level - self.offset) / self.factor;
         let is_near = |simple: &f64| (simple - component).abs() * self.factor <= give;
-        [10.0, 20.0, 100.0, 255.0]
+        [10.0, 20.0, 100.0, 255.0, 1000.0]
             .into_iter()
             .map(|parts: f64| (component * parts).round() / parts)
             .find(is_near)
@@ -293,7 +296,8 @@ fn line(mut points: Vec<(f64, f64)>, scale: Scale) -> Option<[f64; 2]> {
         let (start, slope) = least_squares(&near)?;
         best = [start, start + slope];
     }
-    let ends = best.map(|level| scale.simplest(level + 0.5, HALF));
+    let give = FITTED / (points.len() as f64).sqrt();
+    let ends = best.map(|level| scale.simplest(level + 0.5, give));
     let is_line = count(best) as f64 >= MOST * points.len() as f64;
     (is_line && ends.iter().all(|end| BEYOND.contains(end))).then_some(ends)
 }

@@ -26,8 +26,9 @@ use crate::scene::{Chosen, Scene, USUAL_RATIOS};
 const LOOKS: [usize; 2] = [250, 1000];
 const CHOICE: u32 = 600;
 /// A pixel that is off by more levels counts no more: it may be another color for any
-/// reason.
+/// reason. Where only the sky is compared, all that lies before it is.
 const FAR: u16 = 24;
+const NO_SKY: u16 = 3;
 
 /// How often steps are halved: to half a thousandth of a unit, from a tenth.
 const HALVINGS: [i32; 2] = [8, 4];
@@ -87,7 +88,15 @@ pub(crate) fn chosen_beside_slips(
     let mut found: Vec<Hypothesis> = paths.into_iter().flatten().collect();
     // Slips by themselves are looked for elsewhere.
     found.retain(|it| it.scene.chosen != Chosen::default() && !it.slips.is_empty());
-    found
+    // Where the numbers that were fitted draw the same without them, none were made.
+    let without = found.iter().map(|it| {
+        fit.named(Hypothesis {
+            slips: Vec::new(),
+            ..it.clone()
+        })
+    });
+    let without: Vec<Hypothesis> = without.collect();
+    found.into_iter().chain(without).collect()
 }
 
 /// What a reader may have chosen, or done besides.
@@ -137,6 +146,13 @@ impl Kind {
     }
 }
 
+/// What is compared.
+#[derive(Clone, Copy)]
+enum Part {
+    All,
+    Sky,
+}
+
 /// A picture that programs are fitted to.
 struct Fit<'a> {
     evidence: &'a Evidence<'a>,
@@ -179,9 +195,17 @@ impl<'a> Fit<'a> {
         first.sort_by(|(one, ..), (other, ..)| one.total_cmp(other));
         first.dedup_by(|(_, _, one), (_, _, other)| are_same(one, other));
         let mut paths: Vec<Path> = Vec::new();
-        for (_, kind, it) in first.into_iter().take(2) {
-            let path = self.select(kind, it, others, &paths);
-            paths.push(path);
+        // Where what lies before the sky is the reader's too, its sky alone is of no use at first.
+        let of_sky = first
+            .iter()
+            .skip(1)
+            .position(|(_, kind, _)| matches!(kind, Kind::Both));
+        let second = of_sky.map_or(1, |at| at + 1);
+        for (at, (_, kind, it)) in first.into_iter().enumerate() {
+            if at == 0 || at == second {
+                let path = self.select(kind, it, others, &paths);
+                paths.push(path);
+            }
         }
         paths
     }
@@ -223,8 +247,8 @@ impl<'a> Fit<'a> {
         let has_ground = has_spheres && it.scene.chapter.room() == Room::Many;
         match kind {
             Kind::Colors => vec![colored(it, self.reading, colors::LOOK)],
-            Kind::Viewport => self.viewport(it, |it| it),
-            Kind::Both => self.viewport(it, |it| self.with_colors(it)),
+            Kind::Viewport => self.viewport(Part::All, it, |it| it),
+            Kind::Both => self.backdrop(it).into_iter().collect(),
             Kind::FirstSphere if has_spheres => self.first_sphere(it).into_iter().collect(),
             Kind::NoFirstSphere if has_ground => vec![with_ball(it, 0, NO_SPHERE)],
             Kind::Ground if has_ground => vec![self.ground(it)],
@@ -242,13 +266,13 @@ impl<'a> Fit<'a> {
                 ..it.clone()
             }],
             Kind::Viewport => self.simple_viewports(it, |it| it),
-            Kind::Both | Kind::Levels => self.simple_viewports(it, |it| self.with_colors(it)),
+            Kind::Levels => self.simple_viewports(it, |it| self.with_colors(it)),
             Kind::FirstSphere => {
                 let simple = simple_spheres(it).into_iter();
                 simple.map(|it| self.with_paint(it)).collect()
             }
             Kind::Ground => simple_grounds(it),
-            Kind::NoFirstSphere | Kind::Slips => Vec::new(),
+            Kind::Both | Kind::NoFirstSphere | Kind::Slips => Vec::new(),
         }
     }
 
@@ -293,14 +317,18 @@ impl<'a> Fit<'a> {
 
     /// How far the picture of a program is from the reader's, in levels, as far as that is
     /// less than `most`.
-    fn off(&self, it: &Hypothesis, look: usize, most: u32) -> u32 {
-        let Some(output) = it.output(self.reading) else {
+    fn off(&self, part: Part, it: &Hypothesis, look: usize, most: u32) -> u32 {
+        let (output, far) = match part {
+            Part::All => (it.output(self.reading), FAR),
+            Part::Sky => (Some(without_balls(it, 3).run(self.reading.width)), NO_SKY),
+        };
+        let Some(output) = output else {
             return u32::MAX;
         };
         let mut sum = 0;
         for &n in self.looked.iter().take(look) {
             let drawn = it.pixel(&output, n);
-            sum += u32::from(distance(drawn, self.reading.pixels[n as usize]).min(FAR));
+            sum += u32::from(distance(drawn, self.reading.pixels[n as usize]).min(far));
             if sum >= most {
                 break;
             }
@@ -349,10 +377,10 @@ impl<'a> Fit<'a> {
             })
         };
         let scaled: Vec<Hypothesis> = scales.map(with).collect();
-        let off = |it: &&Hypothesis| self.off(it, LOOKS[1], u32::MAX);
+        let off = |it: &&Hypothesis| self.off(Part::All, it, LOOKS[1], u32::MAX);
         let nearest = scaled.iter().min_by_key(off);
         let refitted = nearest.filter(|it| it.scene.chosen.viewport_height.is_some());
-        let refitted = refitted.map(|it| self.viewport(it, |it| self.with_colors(it)));
+        let refitted = refitted.map(|it| self.viewport(Part::All, it, |it| self.with_colors(it)));
         refitted
             .into_iter()
             .flatten()
@@ -387,7 +415,7 @@ impl<'a> Fit<'a> {
         };
         let own = it.scene.chosen.balls[0];
         let start = near(own.or_else(|| self.seen_ball(it))?);
-        Some(with(self.searched(start, [0.1; 3], with)))
+        Some(with(self.searched(Part::All, start, [0.1; 3], with)))
     }
 
     /// The second sphere of the list higher or lower, nearer or farther, or of another size.
@@ -396,46 +424,71 @@ impl<'a> Fit<'a> {
             |[top, z, radius]: [f64; 3]| with_ball(it, 1, Ball::new(0.0, top - radius, z, radius));
         let Ball { center, radius } = it.scene.chosen.balls[1].unwrap_or(GROUND);
         let start = [center.y + radius, center.z, radius];
-        with(self.searched(start, [0.4, 0.5, 0.6 * radius], with))
+        with(self.searched(Part::All, start, [0.4, 0.5, 0.6 * radius], with))
+    }
+
+    /// The viewport and the colors of the sky by the sky alone: what lies before it may be
+    /// anything. Of simple numbers those with which it is nearest.
+    fn backdrop(&self, it: &Hypothesis) -> Option<Hypothesis> {
+        let fitted = self.viewport(Part::Sky, it, |it| self.with_colors(it));
+        let simple = |it: &Hypothesis| self.simple_viewports(it, |it| self.with_colors(it));
+        let simple = fitted.iter().flat_map(simple).chain(fitted.clone());
+        let in_simple_colors = |it: Hypothesis| {
+            let scene = colors::simple(&it.scene);
+            [
+                Hypothesis {
+                    scene,
+                    ..it.clone()
+                },
+                it,
+            ]
+        };
+        let nearest = |(least, best), it| match self.off(Part::Sky, &it, LOOKS[1], least) {
+            off if off < least => (off, Some(it)),
+            _ => (least, best),
+        };
+        let all = simple.flat_map(in_simple_colors);
+        all.fold((u32::MAX, None), nearest).1
     }
 
     /// The same scene through a higher or lower, wider or narrower viewport; `seen` is what else
     /// has to be fitted then.
     fn viewport(
         &self,
+        part: Part,
         it: &Hypothesis,
         seen: impl Fn(Hypothesis) -> Hypothesis,
     ) -> Vec<Hypothesis> {
         if it.scene.chapter == Chapter::BuildTest {
             return Vec::new();
         }
-        let with = |lengths: [f64; 2]| {
-            let [width, height] = lengths.map(f64::abs);
-            seen(with_viewport(it, Some(width), height))
+        // Most have the picture's ratio: both lengths go down a valley together.
+        let with = |numbers: [f64; 2]| {
+            let [height, ratio] = numbers.map(f64::abs);
+            seen(with_viewport(it, Some(height * ratio), height))
         };
         let ratio = self.ratio();
         let start = || {
             let heights = (-8..=8).map(|n| 2.0 * (f64::from(n) / 4.0).exp());
             let ratios = [1.0, 0.5, 0.75, 1.5, 2.0].map(|times| times * ratio);
-            let starts = heights.flat_map(|height| ratios.map(|ratio| [ratio * height, height]));
-            let nearest = |(least, best), start| match self.off(&with(start), LOOKS[0], least) {
+            let starts = heights.flat_map(|height| ratios.map(|ratio| [height, ratio]));
+            let nearest = |(least, best), start| match self.off(part, &with(start), LOOKS[0], least)
+            {
                 off if off < least => (off, start),
                 _ => (least, best),
             };
-            starts.fold((u32::MAX, [2.0 * ratio, 2.0]), nearest).1
+            starts.fold((u32::MAX, [2.0, ratio]), nearest).1
         };
         let chosen = it.scene.chosen;
         let own = chosen.viewport_height.map(|height| {
             let width = chosen.viewport_width.unwrap_or(height * ratio);
-            [width, height]
+            [height, width / height]
         });
-        let mut from = own.unwrap_or_else(start);
-        let steps = from.map(|length| length / 8.0);
-        // Where colors are free, a long valley leads to the best: the search begins again.
-        if own.is_none() {
-            from = self.walked(from, steps, LOOKS[0], HALVINGS[0], with);
-        }
-        vec![with(self.searched(from, steps, with))]
+        let from = own.unwrap_or_else(start);
+        let steps = from.map(|number| number / 8.0);
+        // Where colors are free, the valley is long: the search begins again.
+        let from = self.walked(part, from, steps, 0, with);
+        vec![with(self.searched(part, from, steps, with))]
     }
 
     /// Width over height of the picture.
@@ -468,6 +521,10 @@ impl<'a> Fit<'a> {
             [None].into_iter().chain(all.filter(|it| *it > Some(0.0)))
         };
         let all = heights.flat_map(|height| widths(height).map(move |width| (width, height)));
+        let mut all: Vec<(Option<f64>, f64)> = all.collect();
+        all.sort_by(|one, other| one.partial_cmp(other).expect("lengths are numbers"));
+        all.dedup();
+        let all = all.into_iter();
         all.map(|(width, height)| seen(with_viewport(it, width, height)))
             .collect()
     }
@@ -475,32 +532,34 @@ impl<'a> Fit<'a> {
     /// The numbers nearby that bring the picture nearest: by few pixels, then by more.
     fn searched<const N: usize>(
         &self,
+        part: Part,
         start: [f64; N],
         steps: [f64; N],
         with: impl Fn([f64; N]) -> Hypothesis + Copy,
     ) -> [f64; N] {
-        let near = self.walked(start, steps, LOOKS[0], HALVINGS[0], with);
+        let near = self.walked(part, start, steps, 0, with);
         let small = steps.map(|step| step / f64::from(HALVINGS[0] - HALVINGS[1]).exp2());
-        self.walked(near, small, LOOKS[1], HALVINGS[1], with)
+        self.walked(part, near, small, 1, with)
     }
 
     /// Moves numbers by smaller and smaller steps while that brings the picture nearer.
     fn walked<const N: usize>(
         &self,
+        part: Part,
         start: [f64; N],
         mut steps: [f64; N],
-        look: usize,
-        halvings: i32,
+        stage: usize,
         with: impl Fn([f64; N]) -> Hypothesis,
     ) -> [f64; N] {
-        let (mut numbers, mut least) = (start, self.off(&with(start), look, u32::MAX));
+        let off = |numbers, most| self.off(part, &with(numbers), LOOKS[stage], most);
+        let (mut numbers, mut least) = (start, off(start, u32::MAX));
         let mut halved = 0;
-        while halved < halvings {
+        while halved < HALVINGS[stage] {
             let mut is_nearer = false;
             for (n, way) in (0..N).flat_map(|n| [(n, 1.0), (n, -1.0)]) {
                 let mut moved = numbers;
                 moved[n] += way * steps[n];
-                let moved_off = self.off(&with(moved), look, least);
+                let moved_off = off(moved, least);
                 if moved_off < least {
                     (numbers, least, is_nearer) = (moved, moved_off, true);
                 }
@@ -516,14 +575,7 @@ impl<'a> Fit<'a> {
     /// The sphere one unit away that fills the box around all that is not background.
     fn seen_ball(&self, it: &Hypothesis) -> Option<Ball> {
         let (width, height) = (self.reading.width, self.reading.height);
-        let program = it.scene.program(&it.slips);
-        let [_, ground, third] = program.own;
-        let background = Program {
-            world: &program.world[1..],
-            own: [ground, third, None],
-            ..program
-        };
-        let output = background.run(width);
+        let output = without_balls(it, 1).run(width);
         let (mut columns, mut rows): (Option<Range<u32>>, Option<Range<u32>>) = (None, None);
         for n in spread(BOX, self.reading.pixels.len() as u32) {
             if distance(it.pixel(&output, n), self.reading.pixels[n as usize]) > 4 {
@@ -534,6 +586,7 @@ impl<'a> Fit<'a> {
                 *rows = rows.start.min(j)..rows.end.max(j + 1);
             }
         }
+        let program = it.scene.program(&it.slips);
         let camera = program.camera(width);
         let corner = |i: u32, j: u32| {
             (program.ray)(&program, &camera, i.min(width - 1), j.min(height - 1)).direction
@@ -548,6 +601,17 @@ impl<'a> Fit<'a> {
         let on_viewport = 0.25 * ((to.x - from.x).abs() + (to.y - from.y).abs());
         let radius = on_viewport / on_viewport.hypot(1.0);
         Some(Ball::new(middle.x, middle.y, -1.0, radius))
+    }
+}
+
+/// The program without the first spheres of its scene.
+fn without_balls(it: &Hypothesis, count: usize) -> Program {
+    let program = it.scene.program(&it.slips);
+    let own = |n: usize| program.own.get(n + count).copied().flatten();
+    Program {
+        world: program.world.get(count..).unwrap_or_default(),
+        own: [0, 1, 2].map(own),
+        ..program
     }
 }
 
@@ -626,13 +690,24 @@ fn are_same(one: &Hypothesis, other: &Hypothesis) -> bool {
     one.is_same_program(other) && one.scene.chosen == other.scene.chosen
 }
 
+/// The same scene through another viewport: what was fitted to the picture stays where it is seen.
 fn with_viewport(it: &Hypothesis, width: Option<f64>, height: f64) -> Hypothesis {
+    let times = height / it.scene.program(&[]).viewport_height;
+    let [sphere, ground] = it.scene.chosen.balls;
+    let sphere = sphere.map(|ball| times_on_viewport(ball, times));
     let chosen = Chosen {
         viewport_width: width,
         viewport_height: Some(height),
+        balls: [sphere, ground],
         ..it.scene.chosen
     };
     with_chosen(it, chosen)
+}
+
+/// A sphere that is so much larger on the viewport, and so much farther from its middle.
+fn times_on_viewport(Ball { center, radius }: Ball, times: f64) -> Ball {
+    let [x, y, z] = center.to_array();
+    Ball::new(times * x, times * y, z, times * radius)
 }
 
 fn with_ball(it: &Hypothesis, n: usize, ball: Ball) -> Hypothesis {

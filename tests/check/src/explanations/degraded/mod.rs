@@ -77,10 +77,13 @@ const COLOR: f64 = 24.0;
 type Search = fn(&Evidence, &[Hypothesis]) -> Option<Degradation>;
 
 /// The surest first.
-const SEARCHES: [Search; 8] = [
+const SEARCHES: [Search; 11] = [
     |evidence, _| traces::gray(evidence.reading, traces::REC_601),
     |evidence, _| traces::gray(evidence.reading, traces::REC_709),
     |evidence, _| traces::gray(evidence.reading, [1.0 / 3.0; 3]),
+    |evidence, _| traces::gray(evidence.reading, [1.0, 0.0, 0.0]),
+    |evidence, _| traces::gray(evidence.reading, [0.0, 1.0, 0.0]),
+    |evidence, _| traces::gray(evidence.reading, [0.0, 0.0, 1.0]),
     |evidence, _| traces::framed(evidence),
     resampled::cropped,
     resampled::scaled,
