@@ -266,7 +266,7 @@ impl<'a> Judged<'a> {
         let (wrong, total) = (difference.count, difference.total);
         let right = total - wrong;
         match finding.is_known {
-            _ if finding.is_blurred => None,
+            _ if finding.is_blurred && matches!(self.check, Check::Wrong(_)) => None,
             false if finding.is_strange || PART * right < total => Some(
                 "it comes near to none of these chapters' pictures, with whatever mistake"
                     .to_owned(),

@@ -9,8 +9,8 @@ use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
     But, Degradation, Explanation, Hypothesis, Path, Places, Seen, TWO, antialiased,
-    chosen_beside_slips, chosen_otherwise, degradations, more, mutants, on_a_curve, palette, right,
-    silhouettes, single, turned, two, typed,
+    chosen_beside_slips, chosen_otherwise, degradations, doubtful, more, mutants, on_a_curve,
+    palette, right, silhouettes, single, turned, two, typed,
 };
 use crate::scene::{Chosen, Scene};
 use crate::verdict::TOGETHER;
@@ -100,6 +100,7 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     search.add_others(&rights, &likeliest);
     let mut found = search.found;
     drop_what_explains_little(&mut found, &evidence.scene);
+    drop_losses_of_roundings(&mut found, &evidence.scene);
     found.sort_by(|one, other| one.bits().total_cmp(&other.bits()));
     simplest_first(&mut found);
     Judgement {
@@ -122,6 +123,16 @@ fn drop_what_explains_little(found: &mut Vec<Explanation>, scene: &Scene) {
         let explains = Some(20 * it.left.far) <= wrong || Some(20.0 * it.bits()) <= bits;
         !is_told(it) || !it.but.is_empty() || explains || it.left.bits < WORTH_A_SEARCH
     });
+}
+
+/// Where all is right within a level, nothing was lost that leaves a quarter of that.
+fn drop_losses_of_roundings(found: &mut Vec<Explanation>, scene: &Scene) {
+    let is_right = |it: &&Explanation| it.slips.is_empty() && is_same(&it.scene, scene);
+    let is_rounded = |it: &&Explanation| it.left.far == 0 && it.but.is_empty() && it.seen.is_none();
+    let rounded = found.iter().filter(is_right).filter(is_rounded);
+    let rounded = rounded.map(Explanation::bits).fold(f64::INFINITY, f64::min);
+    let is_lossy = |it: &Explanation| it.degradation().is_some_and(Degradation::is_lossy);
+    found.retain(|it| !is_lossy(it) || 4.0 * it.bits() < rounded);
 }
 
 /// Puts first what has the shortest name of all that leave the same noise: lengths of
@@ -264,9 +275,8 @@ impl Search<'_> {
             self.add_changes(mutants);
             self.add_pairs();
             self.add_chosen_beside_slips(&nearest, &chosen);
-            // A sky has few colors by itself.
             if !self.is_well_explained() {
-                self.add_degraded(&tried, palette(self.evidence.reading).into_iter());
+                self.add_degraded(&tried, doubtful(self.evidence.reading));
             }
         }
     }
@@ -548,8 +558,7 @@ impl Search<'_> {
         Some((best, drawn))
     }
 
-    /// Two slips explain a lot by chance, so they have to explain most of what is left, in
-    /// the edition that was asked for, in the nearest or in that of what the reader may have chosen.
+    /// Two slips explain a lot by chance, so they have to explain most of what is left.
     fn add_pairs(&mut self) {
         let evidence = self.evidence;
         // Many pairs draw one color everywhere, which says nothing about any of them.
@@ -567,7 +576,12 @@ impl Search<'_> {
         if most > TWO {
             let chosen = self.best().scene.edition;
             let editions = [evidence.scene.edition, best.scene.edition, chosen];
-            let pairs = two(evidence).filter(|it| editions.contains(&it.scene.edition));
+            // One in whose own shape it is may be meant, unless it lasted for two weeks.
+            let is_meant = |it: &Hypothesis| {
+                let is_likely = it.scene.edition != Edition::V3_1_0;
+                is_likely && !it.scene.has_another_shape() || editions.contains(&it.scene.edition)
+            };
+            let pairs = two(evidence).filter(is_meant);
             let some = likeliest(evidence, pairs, &places, most, FEW);
             self.add(
                 some.into_iter().map(|(_, it)| evidence.weighed(it)),

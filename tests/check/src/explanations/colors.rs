@@ -101,7 +101,7 @@ fn with_slips(scene: &Scene, slips: &[&Slip], reading: &Reading, look: u32) -> S
         _ => {
             let pixels = Pixels::new(&program, reading, look);
             Chosen {
-                sky: pixels.sky().filter(|sky| *sky != program.sky),
+                sky: pixels.sky().filter(|sky| !are_near(*sky, program.sky)),
                 paint: pixels
                     .paint(&program)
                     .filter(|paint| *paint != program.paint),
@@ -110,6 +110,12 @@ fn with_slips(scene: &Scene, slips: &[&Slip], reading: &Reading, look: u32) -> S
         }
     };
     plain.with(chosen)
+}
+
+/// Whether they draw the same but for roundings: less than two levels apart.
+fn are_near(sky: [Color; 2], other: [Color; 2]) -> bool {
+    let mut pairs = sky.into_iter().zip(other);
+    pairs.all(|(one, other)| (one - other).abs().max_element() * Scale::BOOK.factor < 2.0)
 }
 
 /// Bits of the reader's own colors.

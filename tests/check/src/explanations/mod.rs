@@ -31,7 +31,7 @@ pub(crate) use colors::{chosen, in_colors};
 pub use curve::Curve;
 pub(crate) use curve::on_a_curve;
 pub use degraded::{Degradation, Filter, Quality};
-pub(crate) use degraded::{degradations, palette};
+pub(crate) use degraded::{degradations, doubtful, palette};
 pub(crate) use more::more;
 pub(crate) use own::{Path, chosen_beside_slips, chosen_otherwise};
 pub(crate) use places::{Places, spread};

@@ -486,8 +486,6 @@ impl<'a> Fit<'a> {
         });
         let from = own.unwrap_or_else(start);
         let steps = from.map(|number| number / 8.0);
-        // Where colors are free, the valley is long: the search begins again.
-        let from = self.walked(part, from, steps, 0, with);
         vec![with(self.searched(part, from, steps, with))]
     }
 
@@ -537,7 +535,9 @@ impl<'a> Fit<'a> {
         steps: [f64; N],
         with: impl Fn([f64; N]) -> Hypothesis + Copy,
     ) -> [f64; N] {
+        // A valley may be long: the search begins again.
         let near = self.walked(part, start, steps, 0, with);
+        let near = self.walked(part, near, steps, 0, with);
         let small = steps.map(|step| step / f64::from(HALVINGS[0] - HALVINGS[1]).exp2());
         self.walked(part, near, small, 1, with)
     }

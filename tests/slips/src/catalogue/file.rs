@@ -224,6 +224,12 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "Pixels are counted from 0. Counted from 1, the picture moves by a pixel to the \
                   left and upwards.",
         })
+        .before_4(Words {
+            wrong: "for j = image_height down to 1, for i = 1 to image_width",
+            right: "for j = image_height - 1 down to 0, for i = 0 to image_width - 1",
+            why: "Pixels are counted from 0. Counted from 1, the picture moves by a pixel to the \
+                  left and downwards.",
+        })
         .in_rust(
             EVERY,
             "for j in 1..=image_height { for i in 1..=image_width {",
@@ -233,7 +239,13 @@ pub(super) const SLIPS: &[Slip] = &[
             "for j in range(1, image_height + 1), for i in range(1, image_width + 1)",
             "for j in range(image_height), for i in range(image_width)",
         )
-        .alters(|p| p.order = |n, width, _| (n % width + 1, n / width + 1)),
+        .alters(|p| match p.edition.counts_from_below() {
+            true => {
+                a_row_above(p);
+                p.order = |n, width, _| (n % width + 1, n / width);
+            }
+            false => p.order = |n, width, _| (n % width + 1, n / width + 1),
+        }),
     slip("rows-from-one", EVERY, PIXELS)
         .says(Words {
             wrong: "for j = 1 to image_height",

@@ -7,7 +7,7 @@ mod jpeg;
 mod resampled;
 mod traces;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::slice;
 
 use common::rtweekend::Picture;
@@ -77,13 +77,10 @@ const COLOR: f64 = 24.0;
 type Search = fn(&Evidence, &[Hypothesis]) -> Option<Degradation>;
 
 /// The surest first.
-const SEARCHES: [Search; 11] = [
+const SEARCHES: [Search; 8] = [
     |evidence, _| traces::gray(evidence.reading, traces::REC_601),
     |evidence, _| traces::gray(evidence.reading, traces::REC_709),
     |evidence, _| traces::gray(evidence.reading, [1.0 / 3.0; 3]),
-    |evidence, _| traces::gray(evidence.reading, [1.0, 0.0, 0.0]),
-    |evidence, _| traces::gray(evidence.reading, [0.0, 1.0, 0.0]),
-    |evidence, _| traces::gray(evidence.reading, [0.0, 0.0, 1.0]),
     |evidence, _| traces::framed(evidence),
     resampled::cropped,
     resampled::scaled,
@@ -120,6 +117,16 @@ pub(crate) fn degradations<'a>(
     let is_told = has_a_way && is_large && !evidence.has_no_levels && !reading.is_plain();
     let searches = SEARCHES.iter().filter(move |_| is_told);
     searches.filter_map(|search| search(evidence, likeliest))
+}
+
+/// The same that leave traces which a program leaves as well: a sky has few colors by itself, and
+/// one without a color may be what was typed.
+pub(crate) fn doubtful(reading: &Reading) -> impl Iterator<Item = Degradation> {
+    let alone = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let gray = alone
+        .into_iter()
+        .filter_map(|weights| traces::gray(reading, weights));
+    traces::palette(reading).into_iter().chain(gray)
 }
 
 impl Degradation {
@@ -270,6 +277,9 @@ impl Degradation {
 /// the one that it has. Whoever chose them, and however they were mixed, few are.
 pub(super) fn left_in_palette(reading: &Reading, drawn: &[Pixel]) -> Left {
     let palette: Vec<Pixel> = traces::colors(reading).into_iter().collect();
+    // A picture that has no more colors by itself was not made one of few.
+    let own: HashSet<Pixel> = drawn.iter().copied().collect();
+    let is_of_few = own.len() <= 2 * palette.len();
     let mut known: HashMap<(Pixel, Pixel), usize> = HashMap::new();
     let mut counts = [0_u32; 9];
     let (mut bits, mut far) = (0.0, 0);
@@ -285,7 +295,7 @@ pub(super) fn left_in_palette(reading: &Reading, drawn: &[Pixel]) -> Left {
         bits += f64::from(*count) * (all / f64::from(*count)).log2() + all.log2();
     }
     Left {
-        bits,
+        bits: if is_of_few { f64::INFINITY } else { bits },
         off: far,
         far,
         is_both_ways: false,
