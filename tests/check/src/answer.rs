@@ -1,5 +1,6 @@
 //! The answer to a picture, part by part, in the words that terminal and page share.
 
+use common::rtweekend::Picture;
 use slips::{Chapter, Edition, Letters, Slip};
 
 use crate::blind_spots::BlindSpots;
@@ -267,6 +268,10 @@ impl<'a> Judged<'a> {
         let right = total - wrong;
         match finding.is_known {
             _ if finding.is_blurred && matches!(self.check, Check::Wrong(_)) => None,
+            false if is_framed(&finding.yours) => Some(
+                "it is framed in one color, as a screenshot is, and what is inside is not known: check the file that the program wrote"
+                    .to_owned(),
+            ),
             false if finding.is_strange || PART * right < total => Some(
                 "it comes near to none of these chapters' pictures, with whatever mistake"
                     .to_owned(),
@@ -351,6 +356,29 @@ impl Finding {
 }
 
 /// What may have given a picture its shape, if nobody chose it.
+/// Whether the outermost pixels have one color, on three sides at least.
+fn is_framed(picture: &Picture) -> bool {
+    let (pixels, _) = picture.rgb().as_chunks::<3>();
+    let (width, height) = (picture.width() as usize, picture.height() as usize);
+    let all = 0..pixels.len();
+    let is_on: [&dyn Fn(&usize) -> bool; 4] = [
+        &|n| n / width == 0,
+        &|n| n / width == height - 1,
+        &|n| n % width == 0,
+        &|n| n % width == width - 1,
+    ];
+    let color = |is_on: &dyn Fn(&usize) -> bool| {
+        let mut side = all.clone().filter(|n| is_on(n)).map(|n| pixels[n]);
+        let first = side.next()?;
+        side.all(|pixel| pixel == first).then_some(first)
+    };
+    let colors = is_on.map(color);
+    let alike = |color: &Option<[u8; 3]>| {
+        color.is_some() && colors.iter().filter(|it| *it == color).count() >= 3
+    };
+    colors.iter().any(alike)
+}
+
 fn given_by(slips: &[&Slip]) -> Option<String> {
     let said = |slip: &&Slip| {
         let words = slip.words(Letters::Book(Edition::V4), slip.chapters[0]);

@@ -6,7 +6,7 @@ use slips::Chapter;
 use crate::bits;
 use crate::evidence::{Evidence, Known};
 use crate::explanations::{
-    Hypothesis, Places, chosen_otherwise, in_colors, outlined, right, single,
+    Hypothesis, Places, chosen_otherwise, in_colors, outlined, ramps, right, single,
 };
 use crate::judge::likeliest;
 use crate::reading::Reading;
@@ -46,7 +46,9 @@ pub fn scene(reading: &Reading) -> Scene {
         });
         let outlines = rights.iter().filter(|it| it.scene.probe.is_none());
         let outlines = outlines.map(|it| (outlined(it, reading, &places[1]), it.scene.probe));
-        for (length, probe) in few.chain(outlines) {
+        let ramps = rights.first().and_then(|it| ramps(&evidence, it));
+        let ramps = ramps.map(|it| (Some(it.bits()), None));
+        for (length, probe) in few.chain(outlines).chain(ramps) {
             if let Some(length) = length
                 && length < least
             {

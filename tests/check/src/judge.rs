@@ -3,18 +3,19 @@
 //! First all are estimated from some pixels, then the likeliest from more, and the few that
 //! may win are measured by all of them.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
     But, Degradation, Explanation, Hypothesis, Path, Places, Seen, TWO, antialiased,
     chosen_beside_slips, chosen_otherwise, degradations, doubtful, more, mutants, on_a_curve,
-    palette, right, silhouettes, single, turned, two, typed,
+    palette, ramps, right, silhouettes, single, turned, two, typed,
 };
 use crate::scene::{Chosen, Scene};
 use crate::verdict::TOGETHER;
 use ::slips::Edition;
+use common::rtweekend::Color;
 
 /// What was found.
 pub(crate) struct Judgement {
@@ -101,6 +102,7 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     let mut found = search.found;
     drop_what_explains_little(&mut found, &evidence.scene);
     drop_losses_of_roundings(&mut found, &evidence.scene);
+    drop_changes_like_choices(&mut found);
     found.sort_by(|one, other| one.bits().total_cmp(&other.bits()));
     simplest_first(&mut found);
     Judgement {
@@ -133,6 +135,21 @@ fn drop_losses_of_roundings(found: &mut Vec<Explanation>, scene: &Scene) {
     let rounded = rounded.map(Explanation::bits).fold(f64::INFINITY, f64::min);
     let is_lossy = |it: &Explanation| it.degradation().is_some_and(Degradation::is_lossy);
     found.retain(|it| !is_lossy(it) || 4.0 * it.bits() < rounded);
+}
+
+/// A change that nobody has thought of is none, where it draws what a reader chose: a color that is
+/// none was not, and a sky that ends in black may have lost a term.
+fn drop_changes_like_choices(found: &mut Vec<Explanation>) {
+    let is_chosen = |it: &&Explanation| {
+        let ends = it.scene.chosen.sky.unwrap_or([Color::ONE; 2]);
+        let is_color = |it: &Color| it.min_element() >= 0.0 && it.max_element() <= 1.0;
+        let are_typed = ends.iter().all(|it| is_color(it) && *it != Color::ZERO);
+        let is_own = it.scene.chosen != Chosen::default() && are_typed;
+        it.slips.is_empty() && is_own
+    };
+    let chosen: HashSet<u64> = found.iter().filter(is_chosen).map(|it| it.mark).collect();
+    let is_unnamed = |it: &Explanation| it.slips.iter().any(|slip| slip.name.is_empty());
+    found.retain(|it| !is_unnamed(it) || !chosen.contains(&it.mark));
 }
 
 /// Puts first what has the shortest name of all that leave the same noise: lengths of
@@ -269,6 +286,9 @@ impl Search<'_> {
             return;
         }
         let chosen = self.add_changed(&nearest);
+        if self.is_worth_a_search() {
+            self.found.extend(ramps(self.evidence, &rights[0]));
+        }
         self.add_more();
         if !self.is_antialiased(self.unknown) {
             self.add_changes(typed);

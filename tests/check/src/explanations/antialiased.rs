@@ -7,8 +7,9 @@
 
 use common::rtweekend::Camera;
 
-use ::slips::{Edition, Program};
+use ::slips::{Edition, Program, Slip};
 
+use super::colors::is_rescaled;
 use super::{But, Conversion, Curve, Evidence, Explanation, Hypothesis, Seen, spread};
 use crate::bits::{Frequencies, Left, Pixel, class, distance};
 use crate::reading::Reading;
@@ -157,10 +158,13 @@ pub(crate) fn antialiased<'a>(
         let program = it.scene.program(&it.slips);
         let rays = Rays::of(it, &program, reading, curve)?;
         let found = rays.are_like(&smooth).then(|| rays.rectangle(&edges))?;
-        // Who makes a slip puts the rays where they should be.
+        // Who makes a slip puts the rays where they should be, unless it is in the scale of levels.
+        let right = it.scene.program(&[]);
+        let is_of_scale = |slip: &&&Slip| is_rescaled(&right, &slip.put_to(right));
+        let is_anywhere = it.slips.iter().filter(is_of_scale).count() == it.slips.len();
         let whole = found.iter().find(|(_, it)| it.is_whole(&program))?.1;
         let pixel = found.iter().find(|(_, it)| it.size == [1, 1])?.1;
-        let mut rectangles = match it.slips.is_empty() {
+        let mut rectangles = match is_anywhere {
             true => vec![whole, pixel, found[0].1],
             false => vec![whole],
         };
@@ -199,6 +203,7 @@ struct Rays<'a> {
     camera: Camera,
     reading: &'a Reading,
     level: fn(f64) -> i32,
+    conversion: Conversion,
     curve: Option<&'a Curve>,
 }
 
@@ -221,10 +226,12 @@ impl<'a> Rays<'a> {
         let has_its_size =
             (camera.image_width, camera.image_height) == (reading.width, reading.height);
         let own = it.scene.program(&[]).level;
-        let middle = |n: u8| (f64::from(n) + 0.5) / 256.0;
-        let is_same = |n: u8| own(middle(n)) == (program.level)(middle(n));
-        let has_samples = program.edition >= Edition::V3_0 && (0..=255).all(is_same);
-        (it.conversion == Conversion::Clamped && has_its_size).then_some(Self {
+        // Two places in each level tell cutting off from rounding.
+        let mut places = (0..512).map(|n| (f64::from(n) + 0.5) / 512.0);
+        let is_same = |it: f64| own(it) == (program.level)(it);
+        let has_samples = program.edition >= Edition::V3_0 && places.all(is_same);
+        (it.conversion != Conversion::Wrapped && has_its_size).then_some(Self {
+            conversion: it.conversion,
             program,
             camera,
             reading,
@@ -267,6 +274,10 @@ impl<'a> Rays<'a> {
         }
     }
 
+    fn level(&self, component: f64) -> i16 {
+        self.conversion.apply((self.level)(component))
+    }
+
     fn middle(&self, rectangle: Rectangle) -> Camera {
         let [x, y] = rectangle
             .middle
@@ -276,7 +287,7 @@ impl<'a> Rays<'a> {
 
     fn pixel(&self, n: u32, camera: &Camera) -> Pixel {
         let color = self.color(n, camera);
-        let pixel = color.map(|component| (self.level)(component).clamp(0, 255) as i16);
+        let pixel = color.map(|component| self.level(component));
         self.curve.map_or(pixel, |curve| curve.of_pixel(pixel))
     }
 
@@ -313,7 +324,7 @@ impl<'a> Rays<'a> {
     fn by_one(&self, n: u32, colors: &[[f64; 3]]) -> f64 {
         let found = self.reading.pixels[n as usize];
         let likely = |color: &[f64; 3]| {
-            let levels = color.map(|component| (self.level)(component).clamp(0, 255) as i16);
+            let levels = color.map(|component| self.level(component));
             let levels = self.curve.map_or(levels, |curve| curve.of_pixel(levels));
             match distance(levels, found) {
                 0 => 0.5,
@@ -399,7 +410,7 @@ impl<'a> Rays<'a> {
         [0, 1, 2].map(|c| {
             let [mean, squares] = means[c];
             let mut deviation = 255.999 * (squares - mean * mean).max(0.0).sqrt();
-            let mut mean = f64::from((self.level)(mean).clamp(0, 255));
+            let mut mean = f64::from(self.level(mean));
             if let Some(curve) = self.curve {
                 deviation = (curve.at(mean + deviation) - curve.at(mean - deviation)).abs() / 2.0;
                 mean = curve.at(mean + 0.5) - 0.5;

@@ -43,6 +43,9 @@ const GRIDS: [f64; 6] = [1.0, 2.0, 4.0, 10.0, 20.0, 100.0];
 /// How far away a sphere may be thought to be.
 const DISTANCES: [f64; 5] = [1.0, 2.0, 1.5, 3.0, 5.0];
 
+/// What part of the book's length a viewport of another one differs by at least.
+const NEAR: f64 = 0.01;
+
 /// A sphere of no size, which is none.
 const NO_SPHERE: Ball = Ball::new(0.0, 0.0, -1.0, 0.0);
 /// The book's ground.
@@ -295,6 +298,7 @@ impl<'a> Fit<'a> {
     }
 
     fn named(&self, it: Hypothesis) -> Hypothesis {
+        let it = self.without_the_books_viewport(it);
         let (scene, chosen) = (it.scene, it.scene.chosen);
         let [sphere, ground] = chosen.balls;
         let places: f64 = [
@@ -312,6 +316,31 @@ impl<'a> Fit<'a> {
         Hypothesis {
             name: self.right.name + own + slips + colors::name(&scene),
             ..it
+        }
+    }
+
+    /// Nobody chooses a viewport that is nearly the book's: it makes up for something else.
+    fn without_the_books_viewport(&self, it: Hypothesis) -> Hypothesis {
+        let chosen = it.scene.chosen;
+        let Some(height) = chosen.viewport_height else {
+            return it;
+        };
+        let book = it.scene.without_choices().program(&[]);
+        let [across, down] = [self.reading.width, self.reading.height].map(f64::from);
+        let ratio = (book.viewport_ratio)(across, down, book.aspect_ratio);
+        let width = chosen.viewport_width.unwrap_or(height * ratio);
+        let is_near = |own: f64, book: f64| (own / book - 1.0).abs() < NEAR;
+        let book = book.viewport_height;
+        match is_near(height, book) && is_near(width, book * ratio) {
+            true => with_chosen(
+                &it,
+                Chosen {
+                    viewport_width: None,
+                    viewport_height: None,
+                    ..chosen
+                },
+            ),
+            false => it,
         }
     }
 

@@ -69,7 +69,7 @@ fn pixels(image: DynamicImage) -> Result<Vec<[i16; 3]>, Cause> {
         other => Err(Cause::new(
             "png-kind",
             format!("this PNG has pixels of the kind {:?}", other.color()),
-            "Save it with three bytes a pixel (8-bit RGB) and without transparency.",
+            "Save it with three bytes a pixel (8-bit RGB) and without transparency. If it is a screenshot, check the file that the program wrote instead.",
         )),
     }
 }
