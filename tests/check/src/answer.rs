@@ -356,27 +356,26 @@ impl Finding {
 }
 
 /// What may have given a picture its shape, if nobody chose it.
-/// Whether the outermost pixels have one color, on three sides at least.
+/// Whether a rectangle lies in pixels of one color, with these on three sides of it at least.
 fn is_framed(picture: &Picture) -> bool {
     let (pixels, _) = picture.rgb().as_chunks::<3>();
     let (width, height) = (picture.width() as usize, picture.height() as usize);
-    let all = 0..pixels.len();
-    let is_on: [&dyn Fn(&usize) -> bool; 4] = [
-        &|n| n / width == 0,
-        &|n| n / width == height - 1,
-        &|n| n % width == 0,
-        &|n| n % width == width - 1,
-    ];
-    let color = |is_on: &dyn Fn(&usize) -> bool| {
-        let mut side = all.clone().filter(|n| is_on(n)).map(|n| pixels[n]);
-        let first = side.next()?;
-        side.all(|pixel| pixel == first).then_some(first)
+    let others = || (0..pixels.len()).filter(|&n| pixels[n] != pixels[0]);
+    let columns = || others().map(|n| n % width);
+    let (Some(top), Some(bottom)) = (others().next(), others().next_back()) else {
+        return false;
     };
-    let colors = is_on.map(color);
-    let alike = |color: &Option<[u8; 3]>| {
-        color.is_some() && colors.iter().filter(|it| *it == color).count() >= 3
+    let (top, bottom) = (top / width, bottom / width);
+    let (left, right) = (columns().min().unwrap_or(0), columns().max().unwrap_or(0));
+    let is_inside = [top > 0, bottom + 1 < height, left > 0, right + 1 < width];
+    let is_on_a_side = |&n: &usize| {
+        let (i, j) = (n % width, n / width);
+        i == left || i == right || j == top || j == bottom
     };
-    colors.iter().any(alike)
+    // What is round has few pixels on the sides of its box.
+    let sides = 2 * (right - left + bottom - top);
+    let is_filled = 4 * others().filter(is_on_a_side).count() > 3 * sides;
+    is_filled && is_inside.iter().filter(|is| **is).count() >= 3
 }
 
 fn given_by(slips: &[&Slip]) -> Option<String> {

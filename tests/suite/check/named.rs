@@ -332,6 +332,21 @@ fn a_loss_is_no_evidence_for_a_slip() {
     }
 }
 
+/// In the colors of the web, as many of each around a pixel as make up its own.
+#[test]
+fn a_palette_is_told_though_its_colors_are_mixed() {
+    let right = Program::right(Chapter::Normals).run(300).picture();
+    let (pixels, _) = right.rgb().as_chunks::<3>();
+    let mixed = changed(&right, |i, j| {
+        let more = [0.1, 0.6, 0.9, 0.4][(2 * (j % 2) + i % 2) as usize];
+        let pixel = pixels[(j * 300 + i) as usize];
+        Some(pixel.map(|level| 51 * (f64::from(level) / 51.0 + more) as u8))
+    });
+    let near = near(Chapter::Normals, &mixed);
+    let palette = |but: &But| matches!(but, But::Degraded(Degradation::Palette { .. }));
+    assert!(near.but.iter().any(palette), "{:?}", near.but);
+}
+
 /// White, with boxes and writing: nothing of a chapter, though white is the color of many.
 #[test]
 fn a_drawing_on_white_is_no_picture_of_a_chapter() {
@@ -550,6 +565,45 @@ fn a_sky_and_a_disc_of_ones_own_are_known_together() {
         (chosen.sky, chosen.paint, chosen.balls[0], near.left.off),
         (Some(program.sky), Some(program.paint), Some(DISC), 0)
     );
+}
+
+/// With colors of the sky free, another viewport brings the book's sphere nearer to a small one.
+#[test]
+fn a_scene_of_ones_own_is_known_by_its_sky_first() {
+    const SMALL: Ball = Ball::new(0.0, 0.0, -1.0, 0.3);
+    let mut program = Program::right(Chapter::HittableList);
+    program.sky = [Color::ONE, Color::new(0.3, 0.6, 0.9)];
+    program.viewport_height = 1.2;
+    program.own[0] = Some(SMALL);
+    let near = near(Chapter::HittableList, &program.run(300).picture());
+    let chosen = near.scene.chosen;
+    assert_eq!(
+        (chosen.sky, chosen.viewport_height, chosen.balls),
+        (Some(program.sky), Some(1.2), [Some(SMALL), None])
+    );
+    assert!(near.left.is_nothing(), "{:?}", near.left);
+}
+
+#[test]
+fn a_build_test_of_ones_own_is_told_as_ramps() {
+    let right = Program::right(Chapter::BuildTest).run(100).picture();
+    let levels = |n: u32| (255.999 * f64::from(n) / 99.0) as u8;
+    let own = changed(&right, |i, j| Some([255, levels(99 - j), levels(i)]));
+    let sights = finding(Chapter::BuildTest, &own).sights;
+    let told = "red is 255 everywhere, green rises upwards from 0/99 to 99/99, and blue rises to the right from 0/99 to 99/99";
+    assert!(sights[0].contains(told), "{sights:?}");
+}
+
+#[test]
+fn pixels_are_counted_from_one_in_every_edition() {
+    for edition in [Edition::V4, Edition::V1InDouble] {
+        let right = edition.program(Chapter::Gradient);
+        let from_one = slip("loops-from-one").put_to(right);
+        let wrong = slip("times-255").put_to(from_one);
+        let finding = finding(Chapter::Gradient, &wrong.run(200).picture());
+        let pair = ["loops-from-one and times-255"];
+        assert_eq!(names(&finding)[0], pair, "{edition:?}");
+    }
 }
 
 #[test]
