@@ -423,7 +423,13 @@ impl Search<'_> {
         let evidence = self.evidence;
         let places = Places::new(evidence.reading, None, LOOK);
         let is_own = |it: &&Hypothesis| is_same(&it.scene, &evidence.scene);
-        let (own, others): (Vec<_>, Vec<_>) = rights.iter().partition(is_own);
+        // With a viewport of one's own the edition of two weeks is the next one's.
+        let is_meant = |it: &&Hypothesis| {
+            let is_asked = it.scene.edition == evidence.scene.edition;
+            is_asked || it.scene.edition != Edition::V3_1_0
+        };
+        let rights = rights.iter().filter(is_meant);
+        let (own, others): (Vec<_>, Vec<_>) = rights.partition(is_own);
         let mut nearest: Vec<Hypothesis> = own.first().map(|&it| it.clone()).into_iter().collect();
         let asked = nearest.first().map(|it| it.scene.edition);
         for some in [own, others] {

@@ -594,11 +594,19 @@ fn a_build_test_of_ones_own_is_told_as_ramps() {
     assert!(sights[0].contains(told), "{sights:?}");
 }
 
+/// Whoever counts rows from below and both loops from one draws what lies to the right and above.
 #[test]
-fn pixels_are_counted_from_one_in_every_edition() {
-    for edition in [Edition::V4, Edition::V1InDouble] {
+fn both_loops_from_one_are_a_slip_in_every_edition() {
+    for (edition, up) in [(Edition::V4, -1), (Edition::V1InDouble, 1)] {
         let right = edition.program(Chapter::Gradient);
         let from_one = slip("loops-from-one").put_to(right);
+        let [expected, drawn] = [right, from_one].map(|it| it.run(200).picture());
+        let pixel = |picture: &Picture, i: usize, j: usize| {
+            let (pixels, _) = picture.rgb().as_chunks::<3>();
+            pixels[j * 200 + i]
+        };
+        let above = 50_usize.checked_add_signed(-up).expect("a row inside");
+        assert_eq!(pixel(&drawn, 30, 50), pixel(&expected, 31, above));
         let wrong = slip("times-255").put_to(from_one);
         let finding = finding(Chapter::Gradient, &wrong.run(200).picture());
         let pair = ["loops-from-one and times-255"];
