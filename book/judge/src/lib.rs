@@ -8,10 +8,12 @@
 mod exports;
 mod html;
 
+use std::convert::Infallible;
 use std::iter;
 
 use check::answer::Judged;
 use check::evidence::Known;
+use check::frame;
 use check::guess;
 use check::reading::{self, Cause, MOST_PIXELS, Reading};
 use check::report::difference_picture;
@@ -102,12 +104,15 @@ pub fn decoded(
 }
 
 fn judged(name: &str, reading: Reading, asked: Asked, foreign: Option<Cause>) -> Answered {
-    let scene = scene(asked, Some(&reading));
     let known = Known::default();
-    let (scene, check) = match asked.chapter {
-        0 => verdict::judge_guessed(&scene, &reading, 0, &known),
-        _ => (scene, verdict::judge(&scene, &reading, 0, &known)),
+    let judge = |reading: &Reading| {
+        let scene = scene(asked, Some(reading));
+        Ok::<_, Infallible>(match asked.chapter {
+            0 => verdict::judge_guessed(&scene, reading, 0, &known),
+            _ => (scene, verdict::judge(&scene, reading, 0, &known)),
+        })
     };
+    let Ok((scene, check, reading)) = frame::judge_inside(reading, judge);
     if let Some(cause) = foreign.clone()
         && is_lossy(&cause)
         && !is_explained(&check)

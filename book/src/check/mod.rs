@@ -13,6 +13,7 @@ use std::time::Duration;
 
 use check::answer::Judged;
 use check::evidence::Known;
+use check::frame;
 use check::guess;
 use check::names::{self, companion};
 use check::reading::{self, Reading};
@@ -107,25 +108,28 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     };
     let bytes = source.read(arguments.timeout);
     let reading = bytes.and_then(|bytes| reading::read(&bytes));
-    let scene = match (named, &reading) {
-        (Some(scene), _) => scene,
-        (None, Ok(reading)) => arguments.guessed(reading)?,
-        (None, Err(_)) => arguments.scene(Chapter::BuildTest)?,
-    };
     let tolerance = arguments.tolerance;
-    let (scene, check) = match &reading {
-        Ok(reading) if named.is_none() => {
-            verdict::judge_guessed(&scene, reading, tolerance, &known)
+    let judge = |reading: &Reading| match named {
+        Some(scene) => Ok((scene, verdict::judge(&scene, reading, tolerance, &known))),
+        None => {
+            let guessed = arguments.guessed(reading)?;
+            Ok::<_, Box<dyn Error>>(verdict::judge_guessed(&guessed, reading, tolerance, &known))
         }
-        Ok(reading) => (scene, verdict::judge(&scene, reading, tolerance, &known)),
+    };
+    let (scene, check, encoding) = match reading {
+        Ok(reading) => {
+            let (scene, check, reading) = frame::judge_inside(reading, judge)?;
+            (scene, check, reading.encoding)
+        }
         Err(cause) => {
-            let (cause, finding) = (cause.clone(), None);
-            (scene, Check::NotAPicture { cause, finding })
+            let scene = named.map_or_else(|| arguments.scene(Chapter::BuildTest), Ok)?;
+            let finding = None;
+            (scene, Check::NotAPicture { cause, finding }, None)
         }
     };
     let judged = Judged {
         is_guessed: named.is_none(),
-        encoding: reading.ok().and_then(|reading| reading.encoding),
+        encoding,
         ..Judged::new(scene, source.to_string(), known, check)
     };
     let report = arguments.report.as_ref();

@@ -1,6 +1,5 @@
 //! The answer to a picture, part by part, in the words that terminal and page share.
 
-use common::rtweekend::Picture;
 use slips::{Chapter, Edition, Letters, Slip};
 
 use crate::blind_spots::BlindSpots;
@@ -268,10 +267,6 @@ impl<'a> Judged<'a> {
         let right = total - wrong;
         match finding.is_known {
             _ if finding.is_blurred && matches!(self.check, Check::Wrong(_)) => None,
-            false if is_framed(&finding.yours) => Some(
-                "it is framed in one color, as a screenshot is, and what is inside is not known: check the file that the program wrote"
-                    .to_owned(),
-            ),
             false if finding.is_strange || PART * right < total => Some(
                 "it comes near to none of these chapters' pictures, with whatever mistake"
                     .to_owned(),
@@ -356,28 +351,6 @@ impl Finding {
 }
 
 /// What may have given a picture its shape, if nobody chose it.
-/// Whether a rectangle lies in pixels of one color, with these on three sides of it at least.
-fn is_framed(picture: &Picture) -> bool {
-    let (pixels, _) = picture.rgb().as_chunks::<3>();
-    let (width, height) = (picture.width() as usize, picture.height() as usize);
-    let others = || (0..pixels.len()).filter(|&n| pixels[n] != pixels[0]);
-    let columns = || others().map(|n| n % width);
-    let (Some(top), Some(bottom)) = (others().next(), others().next_back()) else {
-        return false;
-    };
-    let (top, bottom) = (top / width, bottom / width);
-    let (left, right) = (columns().min().unwrap_or(0), columns().max().unwrap_or(0));
-    let is_inside = [top > 0, bottom + 1 < height, left > 0, right + 1 < width];
-    let is_on_a_side = |&n: &usize| {
-        let (i, j) = (n % width, n / width);
-        i == left || i == right || j == top || j == bottom
-    };
-    // What is round has few pixels on the sides of its box.
-    let sides = 2 * (right - left + bottom - top);
-    let is_filled = 4 * others().filter(is_on_a_side).count() > 3 * sides;
-    is_filled && is_inside.iter().filter(|is| **is).count() >= 3
-}
-
 fn given_by(slips: &[&Slip]) -> Option<String> {
     let said = |slip: &&Slip| {
         let words = slip.words(Letters::Book(Edition::V4), slip.chapters[0]);

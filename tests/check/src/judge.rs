@@ -144,8 +144,9 @@ fn drop_changes_like_choices(found: &mut Vec<Explanation>) {
         let ends = it.scene.chosen.sky.unwrap_or([Color::ONE; 2]);
         let is_color = |it: &Color| it.min_element() >= 0.0 && it.max_element() <= 1.0;
         let are_typed = ends.iter().all(|it| is_color(it) && *it != Color::ZERO);
-        let is_own = it.scene.chosen != Chosen::default() && are_typed;
-        it.slips.is_empty() && is_own
+        // Nor is what a hit's color is made of.
+        let is_own = it.scene.chosen != Chosen::default() && it.scene.chosen.shade.is_none();
+        it.slips.is_empty() && are_typed && is_own
     };
     let chosen: HashSet<u64> = found.iter().filter(is_chosen).map(|it| it.mark).collect();
     let is_unnamed = |it: &Explanation| it.slips.iter().any(|slip| slip.name.is_empty());
@@ -542,7 +543,8 @@ impl Search<'_> {
     /// What a reader chose beside a slip or two, where nothing else explains the picture: that
     /// draws much by chance, so it has to explain nearly all.
     fn add_chosen_beside_slips(&mut self, nearest: &[Hypothesis], chosen: &[Path]) {
-        if self.is_well_explained() || self.is_painted() {
+        let is_shaded = self.best().scene.chosen.shade.is_some();
+        if self.is_well_explained() && !is_shaded || self.is_painted() {
             return;
         }
         let beside = nearest
@@ -568,9 +570,14 @@ impl Search<'_> {
             let is_plain = it.slips.is_empty() && it.seen.is_none() && it.but.is_empty();
             is_plain && it.scene.chosen.balls == [None; 2]
         };
-        let best = self.best_of(is_own).program();
         let nearest = self.found[0].program();
-        for it in [nearest, best] {
+        let is_chosen =
+            |it: &&Explanation| it.slips.is_empty() && it.seen.is_none() && it.but.is_empty();
+        let chosen = Some(self.best())
+            .filter(is_chosen)
+            .map(Explanation::program);
+        let best = self.best_of(is_own).program();
+        for it in [nearest, best].into_iter().chain(chosen) {
             self.found.extend(more(self.evidence, &it));
         }
     }

@@ -4,7 +4,7 @@
 //! bytes that may be anything, [`explanations`] are measured in [`bits`] and the shortest
 //! is the [`verdict`], which [`answer`] puts into words and [`report`] shows on a page. If the
 //! picture is right, [`blind_spots`] says what it can't show. Of a picture that nobody has named
-//! [`guess`] says which chapter it is.
+//! [`guess`] says which chapter it is, and [`frame`] looks into a screenshot.
 
 pub mod answer;
 pub mod bits;
@@ -13,6 +13,7 @@ mod causes;
 pub mod comparison;
 pub mod evidence;
 pub mod explanations;
+pub mod frame;
 pub mod guess;
 pub mod html;
 mod judge;

@@ -6,7 +6,7 @@ use common::rtweekend::{Color, Picture};
 use crate::bits::distance;
 use crate::explanations::spread;
 use crate::reading::Reading;
-use slips::{Ball, Chapter, Edition, Probe, Program, Slip, steps};
+use slips::{Ball, Chapter, Edition, Ends, Probe, Program, Slip, steps};
 
 /// A chapter's scene, or a probe's in that chapter, by one edition of the book.
 #[derive(Clone, Copy, Debug)]
@@ -36,6 +36,8 @@ pub struct Chosen {
     pub sky: Option<[Color; 2]>,
     /// The color of the sphere where it has only one.
     pub paint: Option<Color>,
+    /// What the color of a hit is made of, if it has more than one.
+    pub shade: Option<[Ends; 3]>,
     /// Blue in every pixel of the build test.
     pub blue: Option<f64>,
     /// The first and the second sphere.
@@ -225,6 +227,19 @@ impl Scene {
         }
     }
 
+    /// The same in another shape with the viewport of 4 × 2 all the same, if its edition prints
+    /// that as numbers.
+    pub(crate) fn with_printed_viewport(self) -> Option<Self> {
+        let has_rays = self.chapter != Chapter::BuildTest;
+        let is_printed = self.edition < Edition::V3_1_0 && has_rays && self.has_another_shape();
+        let chosen = Chosen {
+            viewport_width: Some(4.0),
+            viewport_height: Some(2.0),
+            ..self.chosen
+        };
+        is_printed.then(|| self.with(chosen))
+    }
+
     /// Whether the shape is not that of the chapter.
     pub fn has_another_shape(&self) -> bool {
         self.shape.is_some()
@@ -237,12 +252,21 @@ impl Scene {
             program.image_height = |width, ratio| ((width / ratio) as u32).max(1);
             program.aspect_ratio = ratio(width, height);
             program.viewport_ratio = |width, height, _| width / height;
-            // Before version 4 the viewport has the ratio that was wished for.
-            let wished = USUAL_RATIOS.into_iter().find(|ratio| {
-                self.edition.counts_from_below() && (f64::from(width) / ratio) as u32 == height
-            });
-            if let Some(wished) = wished {
-                program.aspect_ratio = wished;
+            // Before version 4 the viewport has the ratio that was wished for, and the height or
+            // the width follows from it.
+            let by_width = |ratio: &&f64| (f64::from(width) / **ratio) as u32 == height;
+            let by_height = |ratio: &&f64| (f64::from(height) * **ratio) as u32 == width;
+            let heights: fn(f64, f64) -> u32 = |width, ratio| (width / ratio).ceil() as u32;
+            let ratios = USUAL_RATIOS.iter();
+            let wished = ratios
+                .clone()
+                .find(by_width)
+                .map(|it| (*it, program.image_height));
+            let wished = wished.or(ratios.clone().find(by_height).map(|it| (*it, heights)));
+            if let Some((ratio, image_height)) = wished.filter(|_| self.edition.counts_from_below())
+            {
+                program.image_height = image_height;
+                program.aspect_ratio = ratio;
                 program.viewport_ratio = |_, _, aspect_ratio| aspect_ratio;
             }
         }
@@ -251,6 +275,7 @@ impl Scene {
         }
         program.sky = self.chosen.sky.unwrap_or(program.sky);
         program.paint = self.chosen.paint.unwrap_or(program.paint);
+        program.own_shade = self.chosen.shade;
         program.blue = self.chosen.blue.unwrap_or(program.blue);
         let [sphere, ground] = self.chosen.balls;
         program.own = [sphere, ground, None];
@@ -272,8 +297,10 @@ impl Scene {
 
     /// The slips that can be made here.
     pub fn slips(&self) -> impl Iterator<Item = &'static Slip> + use<> {
-        let chapter = self.chapter;
-        slips::all().filter(move |slip| slip.chapters.contains(&chapter))
+        let (chapter, has_sizes) = (self.chapter, self.edition >= Edition::V3_1_0);
+        slips::all().filter(move |slip| {
+            slip.chapters.contains(&chapter) && (has_sizes || !slip.is_of_the_size())
+        })
     }
 
     /// The height of the right picture that is `width` pixels wide.

@@ -228,7 +228,7 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> 
                 scenes,
             },
             (Answer::Of(finding), _) if finding.near.is_some() => Check::Near(*finding),
-            (Answer::Of(finding), Some(cause)) if finding.degradation.is_none() => {
+            (Answer::Of(finding), Some(cause)) if !finding.tells_of_the_shape() => {
                 Check::WrongShape {
                     cause,
                     finding: Some(finding),
@@ -373,6 +373,12 @@ impl Finding {
         let pixels = self.right.rgb().len() / 3;
         let near = self.near.as_ref();
         near.map_or(String::new(), |near| near.clause(pixels))
+    }
+
+    /// Whether it says what gave the picture another shape than the book's, or who chose it.
+    fn tells_of_the_shape(&self) -> bool {
+        let is_chosen = self.scene.has_another_shape() && !self.sets.is_empty();
+        self.degradation.is_some() || is_chosen
     }
 
     /// Whether one mistake alone draws the picture, to the last bit.

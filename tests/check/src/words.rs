@@ -2,7 +2,7 @@
 
 use common::rtweekend::Color;
 
-use slips::{Ball, Letters, Slip};
+use slips::{Ball, Ends, Letters, Slip};
 
 use crate::bits::Left;
 use crate::explanations::{But, Conversion, Curve, Degradation};
@@ -148,8 +148,25 @@ impl Chosen {
             .paint
             .map(|paint| format!("a sphere of {}", color(paint)));
         let blue = self.blue.map(|blue| format!("blue {}", rounded(blue)));
-        let all: Vec<String> = [sky, paint, blue].into_iter().flatten().collect();
+        let shade = self.shade.map(|shade| {
+            if shade.iter().all(|(_, [low, high])| low == high) {
+                return format!("hits of {}", color(shade.map(|(_, [low, _])| low).into()));
+            }
+            let all = ["red", "green", "blue"].into_iter().zip(shade);
+            let all: Vec<String> = all.map(made_of).collect();
+            format!("hits with {} by the normal N", all.join(", "))
+        });
+        let all: Vec<String> = [sky, paint, shade, blue].into_iter().flatten().collect();
         (!all.is_empty()).then(|| format!("in colors of your own: {}", all.join(" and ")))
+    }
+}
+
+/// Of what a component of a hit's color is made.
+fn made_of((component, (axis, [low, high])): (&str, Ends)) -> String {
+    let (times, plus) = (rounded((high - low) / 2.0), rounded((low + high) / 2.0));
+    match times {
+        0.0 => format!("{component} {plus}"),
+        _ => format!("{component} {times} * N.{} + {plus}", ["x", "y", "z"][axis]),
     }
 }
 
@@ -191,7 +208,7 @@ impl Degradation {
                 ..
             } => {
                 format!(
-                    "cropped on its way: of {width} × {height} pixels rows or columns are missing"
+                    "cropped on its way, or by loops that end early: of {width} × {height} pixels rows or columns are missing"
                 )
             }
             Self::Framed {

@@ -28,6 +28,8 @@ impl Edition {
             Self::V1 | Self::V1InDouble => {
                 make_two_to_one(p);
                 p.level = |component| (255.99 * component) as i32;
+                // Front and back are of version 3.
+                p.face = |_, _, outward| outward;
             }
         }
         if self == Self::V1 && chapter != Chapter::BuildTest {

@@ -26,6 +26,10 @@ impl Ball {
     }
 }
 
+/// A component of a hit's color from one of its normal: which one, and what it gives where that
+/// is -1 and where it is 1.
+pub type Ends = (usize, [f64; 2]);
+
 /// The sphere of chapters 2 to 4.
 pub(super) const BALL: Ball = Ball::new(0.0, 0.0, -1.0, 0.5);
 
@@ -190,6 +194,8 @@ pub struct Program {
     pub paint: Color,
     /// The color of a hit, from the one above or from the normal.
     pub shade: fn(Color, Vec3) -> Color,
+    /// What the color of a hit is made of, if not by the step above.
+    pub own_shade: Option<[Ends; 3]>,
     /// An integer for the file, from a color's component.
     pub level: fn(f64) -> i32,
     /// Which component is printed first, second and third.
@@ -272,13 +278,26 @@ impl Program {
         if let Some(code) = self.code {
             return code.ray_color(ray);
         }
-        match self.search(ray) {
-            Some((t, ball)) => {
-                let outward = (self.outward)(self, (self.hit_point)(self, ray, t), ball);
-                (self.shade)(self.paint, (self.face)(self, ray.direction, outward))
-            }
+        match self.normal(ray) {
+            Some(normal) => self.shaded(normal),
             None => (self.lerp)(self.sky, (self.blend)(self, ray.direction)),
         }
+    }
+
+    /// The color of a hit, from the normal that is colored.
+    fn shaded(&self, normal: Vec3) -> Color {
+        let Some(shade) = self.own_shade else {
+            return (self.shade)(self.paint, normal);
+        };
+        let component = |(axis, [low, high]): Ends| low + (high - low) * 0.5 * (normal[axis] + 1.0);
+        Color::from_array(shade.map(component))
+    }
+
+    /// The normal of a hit that is colored, if the ray hits anything.
+    pub fn normal(&self, ray: &Ray) -> Option<Vec3> {
+        let (t, ball) = self.search(ray)?;
+        let outward = (self.outward)(self, (self.hit_point)(self, ray, t), ball);
+        Some((self.face)(self, ray.direction, outward))
     }
 
     /// What there is to hit.
@@ -460,6 +479,7 @@ const HITTABLE_LIST: Program = Program {
     },
     paint: Color::new(1.0, 0.0, 0.0),
     shade: |_, normal| 0.5 * (normal + Vec3::ONE),
+    own_shade: None,
     level: |component| (255.999 * component) as i32,
     channels: [0, 1, 2],
     header: |width, height| (width, height),

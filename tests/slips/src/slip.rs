@@ -36,6 +36,9 @@ pub struct Slip {
     unseen: Option<(&'static [Chapter], Unseen)>,
 }
 
+/// The heading about the sizes of picture and viewport.
+pub(super) const SIZES: &str = "gradient#how-large-is-the-picture";
+
 /// Where a line is right: see the fields of [`Slip`].
 pub(super) struct Place {
     pub(super) page: &'static str,
@@ -335,6 +338,12 @@ impl Slip {
     /// Whether it is made in the camera, which no two editions have the same.
     pub fn is_of_the_camera(&self) -> bool {
         self.source.ends_with("camera.rs")
+    }
+
+    /// Whether it is made where version 3.1 and later ones compute sizes, and earlier ones print
+    /// them as numbers.
+    pub fn is_of_the_size(&self) -> bool {
+        self.page == SIZES
     }
 
     /// The file that has the line right, if it is in that workspace.

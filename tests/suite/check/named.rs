@@ -372,7 +372,7 @@ fn a_drawing_on_white_is_no_picture_of_a_chapter() {
 #[test]
 fn a_viewport_of_the_books_shape_is_named_in_a_picture_of_another() {
     let slip = slip("ideal-viewport-ratio");
-    for edition in [Edition::V4, Edition::V3, Edition::V1InDouble] {
+    for edition in [Edition::V4, Edition::V3] {
         let scene = scene(Chapter::Normals);
         let chosen = Program {
             image_height: |width, _| (0.75 * width) as u32,

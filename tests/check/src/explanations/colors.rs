@@ -1,8 +1,8 @@
 //! Least squares: the colors that a reader chose, from the picture.
 
-use common::rtweekend::Color;
+use common::rtweekend::{Color, Vec3};
 
-use ::slips::{Chapter, Program, Slip};
+use ::slips::{Chapter, Ends, Program, Room, Slip};
 
 use super::{Evidence, Hypothesis, spread};
 use crate::bits::number;
@@ -25,6 +25,10 @@ const FITTED: f64 = 2.0;
 const HALVINGS: u32 = 40;
 /// Two levels that are far from each other and from both ends.
 const LEVELS: [i32; 2] = [64, 192];
+/// Of what is hit there is at most so many times as much as of the sky.
+const SKY: usize = 8;
+/// A pixel that is off by more levels may be anything.
+const FAR: f64 = 24.0;
 /// How many lines are tried.
 const LINES: usize = 24;
 
@@ -35,6 +39,10 @@ const BEYOND: std::ops::RangeInclusive<f64> = -1.0..=3.0;
 const NAME: f64 = 6.0;
 /// That a component is none that a color has: a slip in the blend is likelier.
 const TOO_FAR: f64 = 8.0;
+/// Which component of three.
+const AXIS: f64 = 1.6;
+/// What a component of a color is where that of the normal is -1, and where it is 1.
+const BOOKS_ENDS: [f64; 2] = [0.0, 1.0];
 /// That a number is the book's.
 pub(super) const KEPT: f64 = 1.0;
 
@@ -79,13 +87,13 @@ pub(super) fn books(scene: &Scene) -> Scene {
 /// The scene in colors near its own that have a digit less: where a level is not the book's
 /// multiple of a component, colors look a level darker or lighter than they are.
 pub(super) fn simple(scene: &Scene) -> Scene {
-    let simple = |color: Color| {
-        let components = color.to_array();
-        Color::from_array(components.map(|it| Scale::BOOK.simplest(it * Scale::BOOK.factor, 2.0)))
-    };
+    let number = |it: f64| Scale::BOOK.simplest(it * Scale::BOOK.factor, 2.0);
+    let simple = |color: Color| Color::from_array(color.to_array().map(number));
+    let ends = |(axis, ends): Ends| (axis, ends.map(number));
     scene.with(Chosen {
         sky: scene.chosen.sky.map(|sky| sky.map(simple)),
         paint: scene.chosen.paint.map(simple),
+        shade: scene.chosen.shade.map(|shade| shade.map(ends)),
         ..scene.chosen
     })
 }
@@ -112,6 +120,25 @@ fn with_slips(scene: &Scene, slips: &[&Slip], reading: &Reading, look: u32) -> S
     plain.with(chosen)
 }
 
+/// The program with a color of what is hit that is made of the normal otherwise, each component of
+/// one of the normal's.
+pub(super) fn shaded(it: &Hypothesis, reading: &Reading, look: u32) -> Option<Hypothesis> {
+    let plain = Chosen {
+        shade: None,
+        ..it.scene.chosen
+    };
+    let program = it.scene.with(plain).program(&it.slips);
+    let shade = Pixels::new(&program, reading, look).shade(&program)?;
+    let chosen = Chosen {
+        shade: Some(shade),
+        ..plain
+    };
+    Some(Hypothesis {
+        scene: it.scene.with(chosen),
+        ..it.clone()
+    })
+}
+
 /// Whether they draw the same but for roundings: less than two levels apart.
 fn are_near(sky: [Color; 2], other: [Color; 2]) -> bool {
     let mut pairs = sky.into_iter().zip(other);
@@ -121,7 +148,11 @@ fn are_near(sky: [Color; 2], other: [Color; 2]) -> bool {
 /// Bits of the reader's own colors.
 pub(super) fn name(scene: &Scene) -> f64 {
     let Chosen {
-        sky, paint, blue, ..
+        sky,
+        paint,
+        shade,
+        blue,
+        ..
     } = scene.chosen;
     let book = scene.without_choices().program(&[]);
     let components = |colors: Option<&[Color]>, book: &[Color]| -> f64 {
@@ -139,8 +170,22 @@ pub(super) fn name(scene: &Scene) -> f64 {
     };
     let numbers = components(sky.as_ref().map(|it| &it[..]), &book.sky)
         + components(paint.as_ref().map(std::slice::from_ref), &[book.paint])
+        + shade
+            .iter()
+            .flatten()
+            .enumerate()
+            .map(end_name)
+            .sum::<f64>()
         + blue.map_or(0.0, number);
     if numbers > 0.0 { NAME + numbers } else { 0.0 }
+}
+
+/// Bits of what a component of a hit's color is made of.
+fn end_name((channel, &(axis, ends)): (usize, &Ends)) -> f64 {
+    match (channel, ends) {
+        book if book == (axis, BOOKS_ENDS) => KEPT,
+        _ => AXIS + ends.map(number).iter().sum::<f64>(),
+    }
 }
 
 /// A straight line from components to levels: what a program does before it cuts off.
@@ -206,7 +251,7 @@ struct Pixels {
     scale: Scale,
     /// The weight of the upper color, and the levels.
     sky: Vec<(f64, [i16; 3])>,
-    hits: Vec<[i16; 3]>,
+    hits: Vec<(Vec3, [i16; 3])>,
 }
 
 impl Pixels {
@@ -220,8 +265,8 @@ impl Pixels {
         for n in spread(look, reading.pixels.len() as u32) {
             let ray = (program.ray)(program, &camera, n % reading.width, n / reading.width);
             let found = reading.pixels[n as usize];
-            match program.search(&ray) {
-                Some(_) => pixels.hits.push(found),
+            match program.normal(&ray) {
+                Some(normal) => pixels.hits.push((normal, found)),
                 None => pixels
                     .sky
                     .push(((program.blend)(program, ray.direction), found)),
@@ -245,13 +290,48 @@ impl Pixels {
         Some([color(0), color(1)])
     }
 
+    /// Of which component of the normal each one of the color is made, and what of it.
+    fn shade(&self, program: &Program) -> Option<[Ends; 3]> {
+        let has_normals =
+            program.chapter.room() != Room::None && program.chapter != Chapter::RedSphere;
+        // Without a sky beside it, it may be anything.
+        if !has_normals || SKY * self.sky.len() < self.hits.len() {
+            return None;
+        }
+        let along = |channel: usize, axis: usize| {
+            let weighted = self
+                .hits
+                .iter()
+                .map(|(normal, levels)| (0.5 * (normal[axis] + 1.0), levels[channel].into()));
+            let ends = line(weighted.collect(), self.scale)?;
+            let drawn = |normal: &Vec3| ends[0] + (ends[1] - ends[0]) * 0.5 * (normal[axis] + 1.0);
+            let off = |(normal, levels): &(Vec3, [i16; 3])| {
+                let level = self.scale.factor * drawn(normal) + self.scale.offset;
+                (level.clamp(0.0, 255.0) - f64::from(levels[channel]))
+                    .abs()
+                    .min(FAR)
+            };
+            Some((self.hits.iter().map(off).sum::<f64>(), (axis, ends)))
+        };
+        let nearest = |channel: usize| {
+            let all = (0..3).filter_map(|axis| along(channel, axis));
+            all.min_by(|(one, _), (other, _)| one.total_cmp(other))
+                .map(|(_, found)| found)
+        };
+        Some([nearest(0)?, nearest(1)?, nearest(2)?])
+    }
+
     /// The one color of all that is hit, where the chapter has only one.
     fn paint(&self, program: &Program) -> Option<Color> {
         if program.chapter != Chapter::RedSphere {
             return None;
         }
         let color = [0, 1, 2].map(|channel| {
-            let levels = self.hits.iter().map(|levels| levels[channel]).collect();
+            let levels = self
+                .hits
+                .iter()
+                .map(|(_, levels)| levels[channel])
+                .collect();
             constant(levels).map(|level| self.scale.component(level))
         });
         Some(Color::new(color[0]?, color[1]?, color[2]?))
@@ -303,7 +383,13 @@ fn line(mut points: Vec<(f64, f64)>, scale: Scale) -> Option<[f64; 2]> {
         best = [start, start + slope];
     }
     let give = FITTED / (points.len() as f64).sqrt();
-    let ends = best.map(|level| scale.simplest(level + 0.5, give));
+    // At either end levels stop.
+    let end = |level: f64| match level {
+        level if level.abs() < give => 0.0,
+        level if (level - 255.0).abs() < give => 1.0,
+        level => scale.simplest(level + 0.5, give),
+    };
+    let ends = best.map(end);
     let is_line = count(best) as f64 >= MOST * points.len() as f64;
     (is_line && ends.iter().all(|end| BEYOND.contains(end))).then_some(ends)
 }

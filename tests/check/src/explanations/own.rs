@@ -83,8 +83,10 @@ pub(crate) fn chosen_beside_slips(
     let ends = chosen
         .iter()
         .flat_map(|path| path.first().into_iter().chain(path.last()));
-    let ends = ends.filter(|it| is_same_scene(it, right));
-    let mut starts: Vec<&Hypothesis> = ends.chain([right]).collect();
+    // What a hit's color is made of, a slip may tell in fewer bits.
+    let ends = ends.map(|it| without_shade(it.clone()));
+    let ends: Vec<Hypothesis> = ends.filter(|it| is_same_scene(it, right)).collect();
+    let mut starts: Vec<&Hypothesis> = ends.iter().chain([right]).collect();
     starts.dedup_by(|one, other| are_same(one, other));
     let (_, slips) = Kind::chosen_and_slips();
     let paths = fit.selected(&slips, &starts, &Kind::ALL);
@@ -112,18 +114,21 @@ enum Kind {
     FirstSphere,
     NoFirstSphere,
     Ground,
+    /// What the color of a hit is made of.
+    Shade,
     Levels,
     Slips,
 }
 
 impl Kind {
-    const ALL: [Self; 8] = [
+    const ALL: [Self; 9] = [
         Self::Colors,
         Self::Viewport,
         Self::Both,
         Self::FirstSphere,
         Self::NoFirstSphere,
         Self::Ground,
+        Self::Shade,
         Self::Levels,
         Self::Slips,
     ];
@@ -198,14 +203,22 @@ impl<'a> Fit<'a> {
         first.sort_by(|(one, ..), (other, ..)| one.total_cmp(other));
         first.dedup_by(|(_, _, one), (_, _, other)| are_same(one, other));
         let mut paths: Vec<Path> = Vec::new();
-        // Where what lies before the sky is the reader's too, its sky alone is of no use at first.
-        let of_sky = first
-            .iter()
-            .skip(1)
-            .position(|(_, kind, _)| matches!(kind, Kind::Both));
-        let second = of_sky.map_or(1, |at| at + 1);
+        // Where what lies before the sky is the reader's too, its sky alone is of no use at first,
+        // and what is not where it is thought to be has any color.
+        let after = |is_meant: fn(Kind) -> bool| {
+            let mut others = first.iter().skip(1);
+            let at = others.position(|(_, kind, _)| is_meant(*kind));
+            at.map(|at| at + 1)
+        };
+        let of_sky = after(|kind| matches!(kind, Kind::Both));
+        let of_places = after(|kind| !matches!(kind, Kind::Both | Kind::Shade));
+        let is_shaded = matches!(first.first(), Some((_, Kind::Shade, _)));
+        let further = match is_shaded {
+            true => [of_sky, of_places],
+            false => [of_sky.or(of_places), None],
+        };
         for (at, (_, kind, it)) in first.into_iter().enumerate() {
-            if at == 0 || at == second {
+            if at == 0 || further.contains(&Some(at)) {
                 let path = self.select(kind, it, others, &paths);
                 paths.push(path);
             }
@@ -255,6 +268,9 @@ impl<'a> Fit<'a> {
             Kind::FirstSphere if has_spheres => self.first_sphere(it).into_iter().collect(),
             Kind::NoFirstSphere if has_ground => vec![with_ball(it, 0, NO_SPHERE)],
             Kind::Ground if has_ground => vec![self.ground(it)],
+            Kind::Shade => colors::shaded(it, self.reading, colors::LOOK)
+                .into_iter()
+                .collect(),
             Kind::Levels => self.levels(it),
             Kind::Slips => self.slips(it),
             Kind::FirstSphere | Kind::NoFirstSphere | Kind::Ground => Vec::new(),
@@ -264,7 +280,7 @@ impl<'a> Fit<'a> {
     /// The same with simple numbers that are near.
     fn simplified(&self, kind: Kind, it: &Hypothesis) -> Vec<Hypothesis> {
         match kind {
-            Kind::Colors => vec![Hypothesis {
+            Kind::Colors | Kind::Shade => vec![Hypothesis {
                 scene: colors::simple(&it.scene),
                 ..it.clone()
             }],
@@ -367,7 +383,8 @@ impl<'a> Fit<'a> {
 
     /// A slip, and perhaps a second one, in the reader's colors, in simpler ones and in the book's.
     fn slips(&self, it: &Hypothesis) -> Vec<Hypothesis> {
-        if it.slips.len() == MOST_SLIPS {
+        let is_shaded = usize::from(it.scene.chosen.shade.is_some());
+        if it.slips.len() + is_shaded >= MOST_SLIPS {
             return Vec::new();
         }
         let mut scenes = vec![
@@ -386,7 +403,9 @@ impl<'a> Fit<'a> {
                 slips: slips.clone(),
                 ..it.clone()
             };
-            scenes.iter().map(of).collect::<Vec<_>>()
+            let shaded = colors::shaded(&of(&it.scene), self.reading, colors::GLANCE);
+            let shaded = shaded.filter(|_| it.slips.is_empty());
+            scenes.iter().map(of).chain(shaded).collect::<Vec<_>>()
         };
         slips.flat_map(with).collect()
     }
@@ -737,6 +756,14 @@ fn with_viewport(it: &Hypothesis, width: Option<f64>, height: f64) -> Hypothesis
 fn times_on_viewport(Ball { center, radius }: Ball, times: f64) -> Ball {
     let [x, y, z] = center.to_array();
     Ball::new(times * x, times * y, z, times * radius)
+}
+
+fn without_shade(it: Hypothesis) -> Hypothesis {
+    let chosen = Chosen {
+        shade: None,
+        ..it.scene.chosen
+    };
+    with_chosen(&it, chosen)
 }
 
 fn with_ball(it: &Hypothesis, n: usize, ball: Ball) -> Hypothesis {

@@ -21,6 +21,9 @@ const STILL_THERE: f64 = 9.0;
 /// The picture of another chapter: the wrong file.
 const ANOTHER_CHAPTER: f64 = 10.0;
 
+/// The viewport as the book prints it, in another shape.
+const AS_PRINTED: f64 = 2.0;
+
 /// What an edition costs beside version 4.
 pub(super) fn edition(edition: Edition) -> f64 {
     match edition {
@@ -32,10 +35,11 @@ pub(super) fn edition(edition: Edition) -> f64 {
     }
 }
 
-/// A shape that the reader chose: as much as the slip that gives one, so both are told.
+/// A shape that the reader chose: with the bit that says it is right a little less than the slip
+/// that gives one.
 pub(super) fn shape(scene: &Scene) -> f64 {
     match scene.has_another_shape() {
-        true => 7.0,
+        true => 6.0,
         false => 0.0,
     }
 }
@@ -105,14 +109,19 @@ pub(super) fn by_editions(evidence: &Evidence, scene: Scene, name: f64) -> Vec<H
         true => Conversion::Printed,
         false => Conversion::Clamped,
     };
-    scene
-        .by_editions(width, height)
-        .map(|scene| Hypothesis {
-            scene,
-            slips: Vec::new(),
-            conversion,
-            degradation,
-            name: degraded.unwrap_or_default() + name + edition(scene.edition) + shape(&scene),
-        })
-        .collect()
+    let by = |(scene, other): (Scene, f64)| Hypothesis {
+        scene,
+        slips: Vec::new(),
+        conversion,
+        degradation,
+        name: degraded.unwrap_or_default() + name + edition(scene.edition) + shape(&scene) + other,
+    };
+    let as_printed = |scene: Scene| {
+        [
+            Some((scene, 0.0)),
+            scene.with_printed_viewport().map(|it| (it, AS_PRINTED)),
+        ]
+    };
+    let scenes = scene.by_editions(width, height).flat_map(as_printed);
+    scenes.flatten().map(by).collect()
 }

@@ -31,11 +31,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     let decoder = PngDecoder::with_limits(Cursor::new(bytes), limits).map_err(cause)?;
     let (width, height) = decoder.dimensions();
     let image = DynamicImage::from_decoder(decoder).map_err(cause)?;
+    let (pixels, encoding) = pixels(image)?;
     Ok(Reading {
         width,
         height,
-        pixels: pixels(image)?,
-        encoding: None,
+        pixels,
+        encoding,
     })
 }
 
@@ -47,31 +48,35 @@ fn size(bytes: &[u8]) -> Option<[u32; 2]> {
     Some([width, height].map(|number| u32::from_be_bytes(*number)))
 }
 
-/// The levels, if nothing is lost by taking three bytes a pixel.
-fn pixels(image: DynamicImage) -> Result<Vec<[i16; 3]>, Cause> {
-    match image {
-        DynamicImage::ImageRgb8(image) => {
-            Ok(image.pixels().map(|pixel| pixel.0.map(i16::from)).collect())
-        }
-        // The upper byte is the level, both where 8 bits became 16 and where a component
-        // was scaled by 65535.999.
-        DynamicImage::ImageRgb16(image) => Ok(image
-            .pixels()
-            .map(|pixel| pixel.0.map(|level| i16::from((level >> 8) as u8)))
-            .collect()),
-        DynamicImage::ImageLuma8(image) => {
-            Ok(image.pixels().map(|pixel| [pixel.0[0].into(); 3]).collect())
-        }
-        DynamicImage::ImageRgba8(image) if image.pixels().all(|pixel| pixel.0[3] == 255) => {
-            let opaque = |[red, green, blue, _]: [u8; 4]| [red, green, blue].map(i16::from);
-            Ok(image.pixels().map(|pixel| opaque(pixel.0)).collect())
-        }
-        other => Err(Cause::new(
-            "png-kind",
-            format!("this PNG has pixels of the kind {:?}", other.color()),
-            "Save it with three bytes a pixel (8-bit RGB) and without transparency. If it is a screenshot, check the file that the program wrote instead.",
-        )),
+/// The levels, with what is lost by taking three bytes a pixel.
+fn pixels(image: DynamicImage) -> Result<(Vec<[i16; 3]>, Option<Cause>), Cause> {
+    // The upper byte is the level, both where 8 bits became 16 and where a component was scaled
+    // by 65535.999.
+    if let DynamicImage::ImageRgb16(image) = image {
+        let upper = |level: u16| i16::from((level >> 8) as u8);
+        return Ok((
+            image.pixels().map(|pixel| pixel.0.map(upper)).collect(),
+            None,
+        ));
     }
+    let kind = image.color();
+    let image = image.into_rgba8();
+    let transparent = image.pixels().filter(|pixel| pixel.0[3] < 255).count();
+    let cause = Cause::new(
+        "png-kind",
+        format!(
+            "this PNG has pixels of the kind {kind:?}, and {transparent} of them are transparent, here as on black"
+        ),
+        "Save it with three bytes a pixel (8-bit RGB) and without transparency. If it is a screenshot, check the file that the program wrote instead.",
+    );
+    if 2 * transparent > image.pixels().len() {
+        return Err(cause);
+    }
+    let on_black = |[red, green, blue, alpha]: [u8; 4]| {
+        [red, green, blue].map(|level| (u16::from(level) * u16::from(alpha) / 255) as i16)
+    };
+    let pixels = image.pixels().map(|pixel| on_black(pixel.0)).collect();
+    Ok((pixels, (transparent > 0).then_some(cause)))
 }
 
 fn cause(error: ImageError) -> Cause {

@@ -7,7 +7,7 @@ use crate::chapter::Chapter;
 use crate::edition::Edition;
 use crate::letters::Letters;
 use crate::program::Program;
-use crate::slip::{Place, Slip, Words, slip};
+use crate::slip::{Place, SIZES, Slip, Words, slip};
 
 const SKY: Place = Place {
     page: "gradient#the-color-of-the-sky",
@@ -34,7 +34,7 @@ const CAMERA: Place = Place {
     source: "common/src/camera.rs",
 };
 const SIZE: Place = Place {
-    page: "gradient#how-large-is-the-picture",
+    page: SIZES,
     source: "common/src/camera.rs",
 };
 
