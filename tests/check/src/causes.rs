@@ -85,13 +85,21 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
         (true, false) => format!("below 0, down to {}", outside.lowest),
         _ => format!("above 255, up to {}", outside.highest),
     };
+    let none = match outside.lowest {
+        i16::MIN => {
+            " So far below 0 is what a number becomes that is none: what is divided by 0, or has never been set?"
+        }
+        _ => "",
+    };
     Some(Cause::new(
         "levels-outside",
         format!(
             "{} pixels have numbers {range}; the first is column {column}, row {row}: {:?}",
             outside.count, outside.pixel
         ),
-        "A component of a color must be from 0 to 1 before it is scaled: int(255.999 * r). If a mistake is named, it gives these very numbers.",
+        format!(
+            "A component of a color must be from 0 to 1 before it is scaled: int(255.999 * r). If a mistake is named, it gives these very numbers.{none}"
+        ),
     ))
 }
 

@@ -6,7 +6,7 @@ use slips::Chapter;
 use crate::bits;
 use crate::evidence::{Evidence, Known};
 use crate::explanations::{
-    Hypothesis, Places, chosen_otherwise, in_colors, outlined, ramps, right, single,
+    Hypothesis, Places, chosen_otherwise, in_colors, outlined, ramps, right, single, two,
 };
 use crate::judge::likeliest;
 use crate::reading::Reading;
@@ -63,7 +63,7 @@ pub fn scene(reading: &Reading) -> Scene {
         // Chapter 4 draws what chapter 3 does.
         let others = Chapter::OF_THE_BOOK.into_iter();
         for chapter in others.filter(|it| *it != Chapter::HalfBSphere) {
-            if let Some(length) = chosen_otherwise_in(chapter, reading, &known, &places[1])
+            if let Some(length) = chosen_otherwise_in(chapter, reading, &known, &places)
                 && CHOSEN * length < alone.min(2.0 * least)
             {
                 least = length;
@@ -74,17 +74,21 @@ pub fn scene(reading: &Reading) -> Scene {
     nearest.unwrap_or_else(|| Scene::new(Chapter::Gradient, None).expect("it has no probe"))
 }
 
-/// About how long a chapter is with all that a reader may have chosen.
+/// About how long a chapter is with all that a reader may have chosen, or with two slips.
 fn chosen_otherwise_in(
     chapter: Chapter,
     reading: &Reading,
     known: &Known,
-    places: &Places,
+    [few, many]: &[Places; 2],
 ) -> Option<f64> {
     let scene = Scene::new(chapter, None)?;
     let evidence = Evidence::new(&scene, reading, known);
     let paths = chosen_otherwise(&evidence, right(&evidence).first()?);
-    let ends = paths.iter().filter_map(|path| path.last());
-    let lengths = ends.filter_map(|it| it.estimated(reading, places, f64::INFINITY));
+    let ends = paths.iter().filter_map(|path| path.last().cloned());
+    // Only what explains nearly all is worth another look.
+    let most = bits::alone(reading) / CHOSEN;
+    let pairs = likeliest(&evidence, two(&evidence), few, most, FEW);
+    let all = ends.chain(pairs.into_iter().map(|(_, it)| it));
+    let lengths = all.filter_map(|it| it.estimated(reading, many, f64::INFINITY));
     lengths.reduce(f64::min)
 }

@@ -9,8 +9,8 @@ use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
     But, Degradation, Explanation, Hypothesis, Path, Places, Seen, TWO, antialiased,
-    chosen_beside_slips, chosen_otherwise, degradations, doubtful, more, mutants, on_a_curve,
-    palette, ramps, right, silhouettes, single, turned, two, typed,
+    chosen_beside_slips, chosen_otherwise, degradations, doubtful, in_colors, more, mutants,
+    on_a_curve, palette, ramps, right, silhouettes, single, turned, two, typed,
 };
 use crate::scene::{Chosen, Scene};
 use crate::verdict::TOGETHER;
@@ -99,6 +99,7 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     let singles = rights.iter().cloned().chain(single(evidence));
     let likeliest = search.add(singles.collect::<Vec<_>>(), Some(&drawn), f64::INFINITY);
     search.add_others(&rights, &likeliest);
+    search.add_other_editions(&rights);
     let mut found = search.found;
     drop_what_explains_little(&mut found, &evidence.scene);
     drop_losses_of_roundings(&mut found, &evidence.scene);
@@ -113,17 +114,25 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
 }
 
 /// Neither a slip nor a sphere of the reader's own is told that leaves one in twenty of the
-/// pixels that are wrong without it, or of the bits, but for some odd ones.
+/// pixels that are wrong without it, or of the bits, but for some odd ones; nor a change of the
+/// whole that leaves one in four.
 fn drop_what_explains_little(found: &mut Vec<Explanation>, scene: &Scene) {
-    let is_told = |it: &Explanation| !it.slips.is_empty() || it.scene.chosen.balls[0].is_some();
+    let part = |it: &Explanation| match it.seen {
+        _ if !it.slips.is_empty() || it.scene.chosen.balls[0].is_some() => Some(20),
+        Some(Seen::Said(_)) => Some(4),
+        _ => None,
+    };
     let is_whole = |it: &Explanation| matches!(it.seen, None | Some(Seen::Little));
-    let is_without = |it: &&Explanation| !is_told(it) && is_whole(it) && is_same(&it.scene, scene);
+    let is_without =
+        |it: &&Explanation| part(it).is_none() && is_whole(it) && is_same(&it.scene, scene);
     let without = || found.iter().filter(is_without);
     let wrong = without().map(|it| it.left.far).min();
     let bits = without().map(Explanation::bits).reduce(f64::min);
     found.retain(|it| {
-        let explains = Some(20 * it.left.far) <= wrong || Some(20.0 * it.bits()) <= bits;
-        !is_told(it) || !it.but.is_empty() || explains || it.left.bits < WORTH_A_SEARCH
+        let explains = |part: usize| {
+            Some(part * it.left.far) <= wrong || Some(part as f64 * it.bits()) <= bits
+        };
+        part(it).is_none_or(explains) || !it.but.is_empty() || it.left.bits < WORTH_A_SEARCH
     });
 }
 
@@ -400,9 +409,13 @@ impl Search<'_> {
     }
 
     /// Whether something happened to the file, and to think so is so much shorter that
-    /// nothing else is looked for.
+    /// nothing else is looked for. Rows and columns are missing by slips as well.
     fn is_degraded(&self) -> bool {
-        self.is_shorter(self.unknown, 4.0, |it| it.degradation().is_some())
+        let is_changed = |it: &Explanation| {
+            let way = it.degradation();
+            way.is_some_and(|way| !matches!(way, Degradation::Cropped { .. }))
+        };
+        self.is_shorter(self.unknown, 4.0, is_changed)
     }
 
     /// The same of several rays a pixel that lie where they should.
@@ -434,11 +447,13 @@ impl Search<'_> {
         let mut nearest: Vec<Hypothesis> = own.first().map(|&it| it.clone()).into_iter().collect();
         let asked = nearest.first().map(|it| it.scene.edition);
         for some in [own, others] {
-            let some = some.into_iter().cloned();
+            // Colors of the reader's own hide which edition is near.
+            let colored = some.iter().filter_map(|it| in_colors(evidence, it));
+            let some = some.iter().map(|&it| it.clone()).chain(colored);
             let some = likeliest(evidence, some, &places, f64::INFINITY, FEW);
             let is_another = |it: &Hypothesis| !is_own(&it) || Some(it.scene.edition) != asked;
             let other = some.into_iter().map(|(_, it)| it).find(is_another);
-            nearest.extend(other);
+            nearest.extend(other.map(Hypothesis::in_the_books_colors));
         }
         nearest
     }
@@ -448,6 +463,35 @@ impl Search<'_> {
     fn is_painted(&self) -> bool {
         let sources = &self.evidence.known.sources;
         sources.are_of_the_chapter() && !sources.have_a_prelude()
+    }
+
+    /// What the reader chose in the best, by other editions: they may draw the same.
+    fn add_other_editions(&mut self, rights: &[Hypothesis]) {
+        let best = self.best().program();
+        let chosen = best.scene.chosen;
+        let is_like = |it: &&Hypothesis| {
+            is_same(&it.scene, &best.scene) && it.scene.chosen == Chosen::default()
+        };
+        let own = rights.iter().filter(is_like);
+        let own = own
+            .clone()
+            .find(|it| it.scene.edition == best.scene.edition)
+            .zip(Some(own));
+        let Some((own, others)) = own.filter(|_| chosen != Chosen::default()) else {
+            return;
+        };
+        let others = others.filter(|it| it.scene.edition != best.scene.edition);
+        let chosen = others.map(|it| Hypothesis {
+            scene: it.scene.with(chosen),
+            name: best.name + it.name - own.name,
+            ..best.clone()
+        });
+        let mark = self.best().mark;
+        let reading = self.evidence.reading;
+        let same = chosen
+            .filter_map(|it| it.measured(reading))
+            .filter(|it| it.mark == mark);
+        self.found.extend(same);
     }
 
     /// Several rays a pixel, by right programs and by the likeliest wrong ones.
@@ -543,8 +587,8 @@ impl Search<'_> {
     /// What a reader chose beside a slip or two, where nothing else explains the picture: that
     /// draws much by chance, so it has to explain nearly all.
     fn add_chosen_beside_slips(&mut self, nearest: &[Hypothesis], chosen: &[Path]) {
-        let is_shaded = self.best().scene.chosen.shade.is_some();
-        if self.is_well_explained() && !is_shaded || self.is_painted() {
+        let is_chosen = !self.best().scene.chosen.looks_like_a_slip();
+        if self.is_well_explained() && is_chosen || self.is_painted() {
             return;
         }
         let beside = nearest

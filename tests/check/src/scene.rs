@@ -48,6 +48,17 @@ pub struct Chosen {
     pub viewport_height: Option<f64>,
 }
 
+impl Chosen {
+    /// Whether nobody chooses that, and slips draw it: what a hit's color is made of, the book's
+    /// sky upside down, a color that is none.
+    pub(crate) fn looks_like_a_slip(&self) -> bool {
+        let [white, blue] = Program::right(Chapter::Gradient).sky;
+        let is_no_color = |it: Color| it.min_element() < 0.0 || it.max_element() > 1.0;
+        let is_like = |sky: [Color; 2]| sky == [blue, white] || sky.into_iter().any(is_no_color);
+        self.shade.is_some() || self.sky.is_some_and(is_like)
+    }
+}
+
 impl Scene {
     /// The scene, or `None` if the chapter has no place for the probe's spheres.
     pub fn new(chapter: Chapter, probe: Option<Probe>) -> Option<Self> {

@@ -5,6 +5,7 @@ use std::{fmt, iter};
 use slips::{Probe, Slip};
 
 use crate::evidence::Known;
+use crate::explanations::But;
 use crate::scene::Scene;
 use crate::sources::{Line, Unlike};
 use crate::verdict::{Finding, Set};
@@ -36,6 +37,7 @@ impl Finding {
             [(set, mistake)] => in_full(mistake, label, &set.scene, known),
             several => [unlike(&self.scene, known), in_short(several, label, known)].concat(),
         });
+        rows.extend(self.sets.first().and_then(or_by_offsets));
         let sights = self.sights.iter().filter(|_| !mistakes.is_empty());
         let mut seen = sights.map(|sight| ("seen", sight.clone()));
         let (first, last) = (seen.next(), seen.next_back());
@@ -108,6 +110,16 @@ fn rows_of(unlike: &Unlike) -> Vec<Row> {
         )],
         false => vec![("yours", yours.to_string()), ("the page", chapter.clone())],
     }
+}
+
+/// What else moves the rays of a pixel, where that is what the slip does.
+fn or_by_offsets(set: &Set) -> Option<Row> {
+    let right = set.scene.program(&[]);
+    let moves = |slip: &&Slip| slip.put_to(right).inset != right.inset;
+    let is_mean = |but: &But| matches!(but, But::Antialiased { .. });
+    let is_moved = set.but.iter().any(is_mean) && set.mistakes[0].iter().any(moves);
+    let said = "the offsets of the rays run from 0 to 1, or to -1, and not from -0.5 to 0.5";
+    is_moved.then(|| ("or", said.to_owned()))
 }
 
 /// Slips that were made together, with the reader's own lines if these are found.

@@ -178,9 +178,7 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> 
     let another_width = causes::not_as_wide(scene, reading);
     let may_be_right = another_width.is_none();
     let shape = another_width.or_else(|| causes::wrong_shape(scene, width, height));
-    if shape.is_none()
-        && let Some(cause) = causes::no_levels(reading)
-    {
+    if let Some(cause) = causes::no_levels(reading) {
         let finding = match Finding::of(scene, reading, known) {
             Answer::Of(finding) => finding,
             Answer::Another(_) => {
@@ -435,7 +433,13 @@ impl Judgement {
                 && are_alike(&it.slips, &explaining.slips, it.scene.chapter)
         };
         let like = self.found.iter().filter(is_like);
-        like.map(|it| it.scene.edition).collect()
+        let mut editions: Vec<Edition> = like.map(|it| it.scene.edition).collect();
+        // The mean of several rays doesn't show in which precision they were.
+        let is_mean = |but: &But| matches!(but, But::Antialiased { .. });
+        if explaining.but.iter().any(is_mean) && editions.contains(&Edition::V1InDouble) {
+            editions.push(Edition::V1);
+        }
+        editions
     }
 
     /// How many bits the shortest is shorter than any that tells another picture. None if
@@ -459,6 +463,8 @@ fn sets(judgement: &Judgement) -> Vec<Set> {
     let mut sets: Vec<(u64, Set)> = Vec::new();
     for it in told.filter(|it| !it.slips.is_empty()) {
         match sets.iter_mut().find(|(mark, _)| *mark == it.mark) {
+            // A slip is another line in another edition.
+            Some((_, set)) if set.scene.edition != it.scene.edition => {}
             Some((_, set)) => {
                 let chapter = set.scene.chapter;
                 let mut known = set.mistakes.iter_mut();

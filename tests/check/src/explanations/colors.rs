@@ -29,8 +29,9 @@ const LEVELS: [i32; 2] = [64, 192];
 const SKY: usize = 8;
 /// A pixel that is off by more levels may be anything.
 const FAR: f64 = 24.0;
-/// How many lines are tried.
-const LINES: usize = 24;
+/// How many lines are tried, one for so many points.
+const LINES: std::ops::RangeInclusive<usize> = 8..=24;
+const POINTS: usize = 100;
 
 /// Components that people type: some forget where they end.
 const BEYOND: std::ops::RangeInclusive<f64> = -1.0..=3.0;
@@ -246,11 +247,14 @@ pub(super) fn is_rescaled(program: &Program, other: &Program) -> bool {
     is_near && (scale.factor - other.factor).abs() + (scale.offset - other.offset).abs() > 1e-6
 }
 
+/// A weight, and the levels that are there.
+type Point = (f64, [i16; 3]);
+
 /// Where the right program sees sky and where it hits, and what the picture has there.
 struct Pixels {
     scale: Scale,
     /// The weight of the upper color, and the levels.
-    sky: Vec<(f64, [i16; 3])>,
+    sky: Vec<Point>,
     hits: Vec<(Vec3, [i16; 3])>,
 }
 
@@ -277,14 +281,8 @@ impl Pixels {
 
     /// The two colors that the sky blends between, if it does.
     fn sky(&self) -> Option<[Color; 2]> {
-        let ends = [0, 1, 2].map(|channel| {
-            let points: Vec<(f64, f64)> = self
-                .sky
-                .iter()
-                .map(|(weight, levels)| (*weight, levels[channel].into()))
-                .collect();
-            line(points, self.scale)
-        });
+        let mut sky = self.sky.clone();
+        let ends = lines(&mut sky, self.scale);
         let [red, green, blue] = [ends[0]?, ends[1]?, ends[2]?];
         let color = |end: usize| Color::new(red[end], green[end], blue[end]);
         Some([color(0), color(1)])
@@ -298,27 +296,32 @@ impl Pixels {
         if !has_normals || SKY * self.sky.len() < self.hits.len() {
             return None;
         }
-        let along = |channel: usize, axis: usize| {
-            let weighted = self
-                .hits
-                .iter()
-                .map(|(normal, levels)| (0.5 * (normal[axis] + 1.0), levels[channel].into()));
-            let ends = line(weighted.collect(), self.scale)?;
-            let drawn = |normal: &Vec3| ends[0] + (ends[1] - ends[0]) * 0.5 * (normal[axis] + 1.0);
-            let off = |(normal, levels): &(Vec3, [i16; 3])| {
-                let level = self.scale.factor * drawn(normal) + self.scale.offset;
-                (level.clamp(0.0, 255.0) - f64::from(levels[channel]))
-                    .abs()
-                    .min(FAR)
-            };
-            Some((self.hits.iter().map(off).sum::<f64>(), (axis, ends)))
-        };
+        let along = [0, 1, 2].map(|axis| {
+            let weight = |normal: &Vec3| 0.5 * (normal[axis] + 1.0);
+            let hits = self.hits.iter();
+            let mut hits: Vec<Point> = hits.map(|(normal, it)| (weight(normal), *it)).collect();
+            (lines(&mut hits, self.scale), hits)
+        });
         let nearest = |channel: usize| {
-            let all = (0..3).filter_map(|axis| along(channel, axis));
-            all.min_by(|(one, _), (other, _)| one.total_cmp(other))
-                .map(|(_, found)| found)
+            let all = (0..).zip(&along).filter_map(|(axis, (ends, hits))| {
+                let ends = ends[channel]?;
+                Some((self.off(hits, channel, ends), (axis, ends)))
+            });
+            let nearest = all.min_by(|(one, _), (other, _)| one.total_cmp(other));
+            nearest.map(|(_, found)| found)
         };
         Some([nearest(0)?, nearest(1)?, nearest(2)?])
+    }
+
+    /// How far levels are from a line.
+    fn off(&self, points: &[Point], channel: usize, [start, end]: [f64; 2]) -> f64 {
+        let off = |(weight, levels): &Point| {
+            let component = start + (end - start) * weight;
+            let level = self.scale.factor * component + self.scale.offset;
+            let off = level.clamp(0.0, 255.0) - f64::from(levels[channel]);
+            off.abs().min(FAR)
+        };
+        points.iter().map(off).sum()
     }
 
     /// The one color of all that is hit, where the chapter has only one.
@@ -352,8 +355,19 @@ fn constant(mut levels: Vec<i16>) -> Option<i16> {
     (same.count() as f64 >= MOST * levels.len() as f64).then_some(middle)
 }
 
+/// The ends of each channel's line.
+fn lines(points: &mut [Point], scale: Scale) -> [Option<[f64; 2]>; 3] {
+    points.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+    [0, 1, 2].map(|channel| {
+        let points = points
+            .iter()
+            .map(|(weight, levels)| (*weight, levels[channel].into()));
+        line(points.collect(), scale)
+    })
+}
+
 /// The components at weight 0 and 1 of levels that lie on a line, if most do (random sample
-/// consensus, Fischler and Bolles, 1981). Levels have lost their fraction, which is half a
+/// consensus, Fischler and Bolles, 1981); points in the order of their weights. Levels have lost their fraction, which is half a
 /// level on the average.
 fn line(mut points: Vec<(f64, f64)>, scale: Scale) -> Option<[f64; 2]> {
     let is_clipped = |point: &(f64, f64)| point.1 <= 0.0 || point.1 >= 255.0;
@@ -361,7 +375,6 @@ fn line(mut points: Vec<(f64, f64)>, scale: Scale) -> Option<[f64; 2]> {
     if 4 * points.iter().filter(|point| !is_clipped(point)).count() > points.len() {
         points.retain(|point| !is_clipped(point));
     }
-    points.sort_by(|(one, _), (other, _)| one.total_cmp(other));
     let is_near = |[start, end]: [f64; 2]| {
         move |&&(weight, level): &&(f64, f64)| {
             (start + (end - start) * weight - level).abs() <= ROUNDING
@@ -375,7 +388,8 @@ fn line(mut points: Vec<(f64, f64)>, scale: Scale) -> Option<[f64; 2]> {
         let slope = (to_y - y) / (to_x - x);
         [y - slope * x, y + slope * (1.0 - x)]
     };
-    let lines = (0..LINES).map(|n| through(n * half / LINES));
+    let count_of_lines = (points.len() / POINTS).clamp(*LINES.start(), *LINES.end());
+    let lines = (0..count_of_lines).map(|n| through(n * half / count_of_lines));
     let mut best = lines.max_by_key(|line| count(*line))?;
     for _ in 0..2 {
         let near: Vec<(f64, f64)> = points.iter().filter(is_near(best)).copied().collect();

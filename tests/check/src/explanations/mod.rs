@@ -206,6 +206,15 @@ impl Hypothesis {
         place(self) == place(other) && names(self) == names(other)
     }
 
+    /// The same scene as the book has it.
+    pub(crate) fn in_the_books_colors(self) -> Self {
+        Self {
+            scene: colors::books(&self.scene),
+            name: self.name - colors::name(&self.scene),
+            ..self
+        }
+    }
+
     /// What the program prints, if its picture has the reader's size.
     pub(crate) fn output(&self, reading: &Reading) -> Option<Output> {
         let own = (reading.width, reading.height);

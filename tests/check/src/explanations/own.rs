@@ -403,9 +403,13 @@ impl<'a> Fit<'a> {
                 slips: slips.clone(),
                 ..it.clone()
             };
-            let shaded = colors::shaded(&of(&it.scene), self.reading, colors::GLANCE);
-            let shaded = shaded.filter(|_| it.slips.is_empty());
-            scenes.iter().map(of).chain(shaded).collect::<Vec<_>>()
+            let plain = of(&it.scene);
+            let all: Vec<Hypothesis> = scenes.iter().map(of).collect();
+            // Beside a slip other colors are seen.
+            let shaded = colors::shaded(&plain, self.reading, colors::GLANCE);
+            let seen = shaded.into_iter().chain([self.with_colors(plain)]);
+            let seen = seen.filter(|_| it.slips.is_empty());
+            all.into_iter().chain(seen).collect::<Vec<_>>()
         };
         slips.flat_map(with).collect()
     }
@@ -518,6 +522,8 @@ impl<'a> Fit<'a> {
         let ratio = self.ratio();
         let start = || {
             let heights = (-8..=8).map(|n| 2.0 * (f64::from(n) / 4.0).exp());
+            // Some take the picture for the viewport.
+            let heights = heights.chain([f64::from(self.reading.height)]);
             let ratios = [1.0, 0.5, 0.75, 1.5, 2.0].map(|times| times * ratio);
             let starts = heights.flat_map(|height| ratios.map(|ratio| [height, ratio]));
             let nearest = |(least, best), start| match self.off(part, &with(start), LOOKS[0], least)

@@ -100,12 +100,19 @@ fn orders(drawn: &[Pixel]) -> impl Iterator<Item = Way<'_>> {
 fn moves(program: &Program, camera: Camera) -> impl Iterator<Item = Way<'_>> {
     let steps = [-1.0, -0.5, 0.0, 0.5, 1.0];
     let all = steps.into_iter().flat_map(move |x| steps.map(|y| (x, y)));
+    let (width, height) = (camera.image_width, camera.image_height);
+    // Editions before version 4 divide the whole edges, and the left one points up.
+    let ([across, down], up) = match program.edition.counts_from_below() {
+        true => ((program.divisors)(width.into(), height.into()), -1.0),
+        false => ([1.0; 2], 1.0),
+    };
     all.filter(|&way| way != (0.0, 0.0)).map(move |(x, y)| {
         let moved = Camera {
-            pixel00: camera.pixel00 + x * camera.pixel_delta_u + y * camera.pixel_delta_v,
+            pixel00: camera.pixel00
+                + x / across * camera.pixel_delta_u
+                + y / down * camera.pixel_delta_v,
             ..camera
         };
-        let (width, height) = (camera.image_width, camera.image_height);
         // Rays that go further right make the scene move to the left.
         let along = |distance: f64, to: &str, from: &str| {
             let direction = if distance > 0.0 { to } else { from };
@@ -113,7 +120,7 @@ fn moves(program: &Program, camera: Camera) -> impl Iterator<Item = Way<'_>> {
         };
         let ways = [
             along(x, "to the left", "to the right"),
-            along(y, "up", "down"),
+            along(up * y, "up", "down"),
         ];
         let ways: Vec<String> = ways.into_iter().flatten().collect();
         Way {

@@ -207,6 +207,12 @@ impl Token<'_> {
                 problem("is not text"),
                 "P3 is followed by numbers as text. For bytes the header is P6.",
             )
+        } else if let [b'0'..=b'9', .., b'n'] = self.word[..] {
+            Cause::new(
+                "text-in-body",
+                problem("stands among the numbers"),
+                "A line ends with \\n: is the backslash missing?",
+            )
         } else {
             Cause::new("text-in-body", problem("stands among the numbers"), NO_TEXT)
         }

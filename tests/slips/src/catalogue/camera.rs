@@ -812,6 +812,23 @@ pub(super) const SLIPS: &[Slip] = &[
             p.blend =
                 |program, direction| 0.5 * ((program.sky_direction)(program, direction).z + 1.0);
         }),
+    slip("blend-along-diagonal", RAYS, SKY)
+        .says(Words {
+            wrong: "a = 0.25 * (unit_direction.x() + unit_direction.y() + 2)",
+            right: "a = 0.5 * (unit_direction.y() + 1)",
+            why: "The sky grows bluer to the right as well as upwards.",
+        })
+        .in_rust(
+            RAYS,
+            "a = 0.25 * (unit_direction.x + unit_direction.y + 2.0)",
+            "a = 0.5 * (unit_direction.y + 1.0)",
+        )
+        .alters(|p| {
+            p.blend = |program, direction| {
+                let direction = (program.sky_direction)(program, direction);
+                0.25 * (direction.x + direction.y + 2.0)
+            };
+        }),
     slip("white-and-blue-swapped", RAYS, SKY)
         .says(Words {
             wrong: "(1 - a) * blue + a * white",

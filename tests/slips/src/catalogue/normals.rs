@@ -37,6 +37,10 @@ const POINT_IN_RECORD: Place = Place {
     page: "hittable_list#anything-that-a-ray-can-hit",
     source: "chapters/5_hittable_list/src/sphere.rs",
 };
+const Z: Place = Place {
+    page: "gradient#the-camera",
+    source: "common/src/camera.rs",
+};
 const SHADE: Place = Place {
     page: "normals#a-color-for-each-direction",
     source: "chapters/3_normals/src/lib.rs",
@@ -464,6 +468,27 @@ pub(super) const SLIPS: &[Slip] = &[
         .alters(|p| {
             p.shade = |_, normal| 0.5 * (Vec3::new(normal.z, normal.y, normal.x) + Vec3::ONE);
         }),
+    slip("z-forward", ROOTS, Z)
+        .says(Words {
+            wrong: "center + (0, 0, focal_length) - …, and the spheres at z = 1",
+            right: "center - (0, 0, focal_length) - …, and the spheres at z = -1",
+            why: "z points away from the eye then, and so does the normals' blue. All else is the \
+                  same.",
+        })
+        .in_rust(
+            ROOTS,
+            "center + Vec3::new(0.0, 0.0, focal_length), and the spheres at z = 1.0",
+            "center - Vec3::new(0.0, 0.0, focal_length), and the spheres at z = -1.0",
+        )
+        .alters(|p| {
+            p.face = match p.chapter {
+                Chapter::HittableList => |program, direction, outward| {
+                    let is_front = (program.front_face)(program, direction, outward);
+                    mirrored(if is_front { outward } else { -outward })
+                },
+                _ => |_, _, outward| mirrored(outward),
+            }
+        }),
     slip("normal-in-gray", ROOTS, SHADE)
         .says(Words {
             wrong: "0.5 * color(N.x() + 1, N.x() + 1, N.x() + 1)",
@@ -502,6 +527,11 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .alters(|p| p.shade = |_, normal| normal.abs()),
 ];
+
+/// The same as seen with z the other way.
+fn mirrored(normal: Vec3) -> Vec3 {
+    normal.with_z(-normal.z)
+}
 
 /// A vector as long as the sphere's radius made one of length 1, in the way of
 /// the chapter: by its own length, or from chapter 5 on by the radius.
