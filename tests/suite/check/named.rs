@@ -9,6 +9,7 @@ use std::thread;
 
 use check::evidence::Known;
 use check::explanations::{But, Degradation};
+use check::frame;
 use check::guess;
 use check::png;
 use check::reading::Reading;
@@ -582,6 +583,74 @@ fn a_scene_of_ones_own_is_known_by_its_sky_first() {
         (Some(program.sky), Some(1.2), [Some(SMALL), None])
     );
     assert!(near.left.is_nothing(), "{:?}", near.left);
+}
+
+/// Each component of a hit's color may be a line in any of the normal's, where no slip is.
+#[test]
+fn what_a_hit_is_colored_by_is_found_and_a_slip_that_does_it_is_named() {
+    let mut program = Program::right(Chapter::HittableList);
+    program.own_shade = Some([(0, [-0.25, 0.75]), (2, [0.0, 1.0]), (1, [1.0, 0.0])]);
+    let near = near(Chapter::HittableList, &program.run(200).picture());
+    assert_eq!(near.scene.chosen.shade, program.own_shade);
+    assert!(near.left.is_nothing(), "{:?}", near.left);
+
+    let mut program = Program::right(Chapter::HittableList);
+    program.sky = [Color::splat(0.8); 2];
+    let wrong = slip("viewport-mirrored").put_to(program);
+    let finding = finding(Chapter::HittableList, &wrong.run(200).picture());
+    assert_eq!(names(&finding)[0], ["viewport-mirrored"]);
+}
+
+/// Who follows edition 1 in another shape has its viewport as it is printed, and no aspect ratio.
+#[test]
+fn a_printed_viewport_is_no_slip_in_another_shape() {
+    let mut program = Edition::V1InDouble.program(Chapter::Normals);
+    program.aspect_ratio = 1.0;
+    let near = near(Chapter::Normals, &program.run(150).picture());
+    let chosen = near.scene.chosen;
+    assert_eq!(chosen.viewport_width, Some(4.0));
+    assert!(near.left.is_nothing(), "{:?}", near.left);
+}
+
+/// Scaled, and in a border with a line in it; with a slip; and with nothing of the book's.
+#[test]
+fn what_lies_in_a_frame_is_judged_by_itself() {
+    let known = Known::default();
+    let judged = |inside: &RgbImage| {
+        let (width, height) = inside.dimensions();
+        let mut border = RgbImage::from_pixel(width + 30, height + 40, Rgb([90; 3]));
+        let line = RgbImage::from_pixel(width + 10, height + 10, Rgb([240; 3]));
+        imageops::replace(&mut border, &line, 10, 12);
+        let gap = RgbImage::from_pixel(width + 6, height + 6, Rgb([90; 3]));
+        imageops::replace(&mut border, &gap, 12, 14);
+        imageops::replace(&mut border, inside, 15, 17);
+        let (width, height) = border.dimensions();
+        let picture = Picture::from_rgb(width, height, border.into_raw()).expect("its size");
+        let judge = |reading: &Reading| {
+            let guessed = guess::scene(reading);
+            Ok::<_, ()>(judge_guessed(&guessed, reading, 0, &known))
+        };
+        frame::judge_inside(Reading::of(&picture), judge).expect("no error")
+    };
+    let drawn = |program: Program| {
+        let picture = program.run(160).picture();
+        let image = RgbImage::from_raw(160, 90, picture.rgb().to_vec()).expect("its size");
+        imageops::resize(&image, 320, 180, FilterType::Nearest)
+    };
+    let right = Program::right(Chapter::Normals);
+    let (_, check, reading) = judged(&drawn(right));
+    assert!(matches!(check, Check::Near(_)), "{check:?}");
+    assert_eq!((reading.width, reading.height), (320, 180));
+    let (_, check, _) = judged(&drawn(slip("far-root").put_to(right)));
+    assert_eq!(
+        names(check.finding().expect("it is wrong"))[0],
+        ["far-root"]
+    );
+    let (_, check, reading) = judged(&RgbImage::from_fn(320, 180, |i, j| {
+        Rgb([(i * j) as u8, (i + j) as u8, 0])
+    }));
+    assert!(!matches!(check, Check::Right(_) | Check::Near(_)));
+    assert_eq!(reading.width, 350);
 }
 
 #[test]
