@@ -609,21 +609,20 @@ impl Search<'_> {
 
     /// The same with something more in it.
     fn add_more(&mut self) {
-        // A sphere elsewhere is like a part of anything.
-        let is_own = |it: &Explanation| {
-            let is_plain = it.slips.is_empty() && it.seen.is_none() && it.but.is_empty();
-            is_plain && it.scene.chosen.balls == [None; 2]
-        };
+        let is_plain =
+            |it: &Explanation| it.slips.is_empty() && it.seen.is_none() && it.but.is_empty();
+        // A sphere elsewhere is like a part of anything, unless nothing else is left.
+        let is_own = |it: &Explanation| is_plain(it) && it.scene.chosen.balls == [None; 2];
         let nearest = self.found[0].program();
-        let is_chosen =
-            |it: &&Explanation| it.slips.is_empty() && it.seen.is_none() && it.but.is_empty();
-        let chosen = Some(self.best())
-            .filter(is_chosen)
-            .map(Explanation::program);
+        let chosen = Some(self.best()).filter(|it| is_plain(it) && !is_own(it));
+        let chosen = chosen.map(Explanation::program);
         let best = self.best_of(is_own).program();
-        for it in [nearest, best].into_iter().chain(chosen) {
+        for it in [nearest, best] {
             self.found.extend(more(self.evidence, &it));
         }
+        let chosen = chosen.map_or(Vec::new(), |it| more(self.evidence, &it));
+        let is_whole = |it: &Explanation| it.left.far == 0 && it.but.is_empty();
+        self.found.extend(chosen.into_iter().filter(is_whole));
     }
 
     /// The best program if nothing happened to its picture and nothing was chosen, and that.

@@ -283,8 +283,9 @@ impl Finding {
         });
         // Where levels were lost, one level names no mistake.
         let is_lossy = best.degradation().is_some_and(Degradation::is_lossy);
-        let is_a_rounding =
-            is_lossy && !is_right && judgement.nearest(&evidence, is_typed).left.far == 0;
+        let nearest = judgement.nearest(&evidence, is_typed);
+        let is_near = nearest.left.far == 0 && nearest.but.is_empty();
+        let is_a_rounding = is_lossy && !is_right && is_near;
         // A table of differences may be short, but who is far off in every pixel has drawn none.
         let is_somewhere = best.left.far < reading.pixels.len();
         let is_known =
@@ -294,10 +295,10 @@ impl Finding {
         }
         let explaining = match is_known {
             true => best,
-            false => judgement.nearest(&evidence, is_typed),
+            false => nearest,
         };
-        // A slip is told beside what the reader chose, which is no mistake.
-        let compared = match explaining.slips.is_empty() {
+        // A slip, or what is seen, is told beside what the reader chose, which is no mistake.
+        let compared = match explaining.slips.is_empty() && explaining.seen.is_none() {
             true => explaining.scene.without_choices(),
             false => explaining.scene,
         };
