@@ -128,27 +128,16 @@ pub(super) const SLIPS: &[Slip] = &[
             "outward_normal = (p - center) / radius",
         )
         .alters(|p| p.outward = |program, point, _| (program.unit)(point)),
-    slip("normal-from-first-center", ROOTS, NORMAL)
+    slip("normal-from-first-center", HITTABLE_LIST, NORMAL_BY_RADIUS)
         .says(Words {
-            wrong: "N = unit_vector(r.at(t) - vec3(0, 0, -1))",
-            right: "N = unit_vector(r.at(t) - center)",
-            why: "Right for the first sphere only: any other one, or the same elsewhere, has its \
-                  normals from its own center.",
+            wrong: "outward_normal = unit_vector(p - vec3(0, 0, -1))",
+            right: "outward_normal = (p - center) / radius",
+            why: "With one sphere that was right. Any other has its normals from its own center.",
         })
-        .in_rust(
-            ONE_SPHERE,
-            "normal = (ray.at(t) - Point3::new(0.0, 0.0, -1.0)).normalize()",
-            "normal = (ray.at(t) - center).normalize()",
-        )
         .in_rust(
             HITTABLE_LIST,
             "outward_normal = (record.point - Point3::new(0.0, 0.0, -1.0)).normalize()",
             "outward_normal = (record.point - self.center) * (1.0 / self.radius)",
-        )
-        .in_book(
-            HITTABLE_LIST,
-            "outward_normal = unit_vector(p - vec3(0, 0, -1))",
-            "outward_normal = (p - center) / radius",
         )
         .alters(|p| p.outward = |program, point, _| (program.unit)(point - BALL.center)),
     slip("center-added", ROOTS, NORMAL)
