@@ -4,6 +4,7 @@ use slips::{Chapter, Edition, Letters, Slip};
 
 use crate::blind_spots::BlindSpots;
 use crate::evidence::Known;
+use crate::frame::FRAMED;
 use crate::map::map;
 use crate::names_of;
 use crate::reading::Cause;
@@ -13,6 +14,8 @@ use crate::verdict::{Check, Finding, Near, Right};
 
 /// One pixel in so many is a part.
 const PART: usize = 8;
+/// How many of many mistakes are told.
+const AMONG: usize = 3;
 
 /// A picture after it has been judged.
 pub struct Judged<'a> {
@@ -120,7 +123,7 @@ impl<'a> Judged<'a> {
     pub fn headline(&self) -> Headline {
         let mut headline = match self.unrecognized() {
             Some(seen) => Headline {
-                before: format!("{} is ", self.name),
+                before: format!("{} is ", self.subject()),
                 verdict: "not recognized",
                 is_right: false,
                 after: format!(": {seen}. Later chapters are not known here."),
@@ -133,6 +136,13 @@ impl<'a> Judged<'a> {
             [besides, it.fix.clone()]
         }));
         headline
+    }
+
+    /// What was judged.
+    fn subject(&self) -> String {
+        let is_framed = self.encoding.as_ref().is_some_and(|it| it.name == FRAMED);
+        let place = if is_framed { ", inside its frame," } else { "" };
+        self.name.clone() + place
     }
 
     /// The verdict, and what the picture was taken for.
@@ -155,9 +165,9 @@ impl<'a> Judged<'a> {
     }
 
     fn verdict(&self) -> Headline {
-        let name = &self.name;
+        let subject = self.subject();
         let is = |way: &str, verdict, is_right, after: String, notes| Headline {
-            before: format!("{name} is {way}"),
+            before: format!("{subject} is {way}"),
             verdict,
             is_right,
             after,
@@ -251,8 +261,14 @@ impl<'a> Judged<'a> {
         let mut colors = finding.yours.rgb().chunks_exact(3);
         let first = colors.next()?;
         if colors.all(|color| color == first) {
+            let sets = finding.sets.iter().flat_map(|set| &set.mistakes);
+            let names: Vec<String> = sets.take(AMONG).map(|it| names_of(it)).collect();
+            let among = match names.is_empty() {
+                true => String::new(),
+                false => format!(", among them {}", names.join(", ")),
+            };
             return Some(format!(
-                "it has one color everywhere, {first:?}, and many mistakes draw that"
+                "it has one color everywhere, {first:?}, and many mistakes draw that{among}"
             ));
         }
         let finding = Some(finding).filter(|it| it.sets.is_empty())?;

@@ -5,6 +5,8 @@ use crate::reading::{Cause, Reading};
 use crate::scene::{Scene, USUAL_RATIOS};
 use crate::verdict::Check;
 
+/// What is said of it is called.
+pub(crate) const FRAMED: &str = "framed";
 /// How many of the sharpest lines each way may be a side.
 const SIDES: usize = 12;
 /// Pixels that are this far from each other lie on either side of one.
@@ -18,8 +20,8 @@ const NEAR: f64 = 0.02;
 /// A smaller part of the width or height holds no picture.
 const LEAST: u32 = 4;
 
-/// Judges what was read, or what lies in a frame of it, where only that is known. Returns also
-/// which of the two was judged.
+/// Judges what lies in a frame of what was read, where that is known, or else all of it. Returns
+/// also which of the two was judged.
 ///
 /// # Errors
 /// Those of `judge`.
@@ -27,15 +29,13 @@ pub fn judge_inside<E>(
     reading: Reading,
     judge: impl Fn(&Reading) -> Result<(Scene, Check), E>,
 ) -> Result<(Scene, Check, Reading), E> {
-    let (scene, check) = judge(&reading)?;
-    if !is_known(&check)
-        && let Some(inside) = inside(&reading)
-    {
+    if let Some(inside) = inside(&reading) {
         let (scene, check) = judge(&inside)?;
         if is_known(&check) {
             return Ok((scene, check, inside));
         }
     }
+    let (scene, check) = judge(&reading)?;
     Ok((scene, check, reading))
 }
 
@@ -93,7 +93,7 @@ fn inside(reading: &Reading) -> Option<Reading> {
         height: down,
         pixels: pixels.map(|n| reading.pixels[n as usize]).collect(),
         encoding: Some(Cause::new(
-            "framed",
+            FRAMED,
             format!(
                 "it lies in a frame, as in a screenshot: the {across} × {down} pixels from column {left}, row {above} on were judged"
             ),

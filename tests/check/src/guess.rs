@@ -1,7 +1,7 @@
 //! Classification by the nearest program: which chapter a picture is meant to be, where
 //! nobody says so.
 
-use slips::Chapter;
+use slips::{Chapter, Edition};
 
 use crate::bits;
 use crate::evidence::{Evidence, Known};
@@ -33,7 +33,7 @@ pub fn scene(reading: &Reading) -> Scene {
         let evidence = Evidence::new(&own, reading, &known);
         let rights: Vec<Hypothesis> = right(&evidence)
             .into_iter()
-            .filter(|it| it.scene.chapter == chapter)
+            .filter(|it| it.scene.chapter == chapter && is_likely(it))
             .collect();
         let own = rights.iter().filter(|it| it.scene.probe.is_none());
         let colored = own.filter_map(|it| in_colors(&evidence, it));
@@ -74,6 +74,11 @@ pub fn scene(reading: &Reading) -> Scene {
     nearest.unwrap_or_else(|| Scene::new(Chapter::Gradient, None).expect("it has no probe"))
 }
 
+/// Nobody who follows an earlier edition draws a probe.
+fn is_likely(it: &Hypothesis) -> bool {
+    it.scene.probe.is_none() || it.scene.edition == Edition::V4
+}
+
 /// About how long a chapter is with all that a reader may have chosen, or with two slips.
 fn chosen_otherwise_in(
     chapter: Chapter,
@@ -83,7 +88,11 @@ fn chosen_otherwise_in(
 ) -> Option<f64> {
     let scene = Scene::new(chapter, None)?;
     let evidence = Evidence::new(&scene, reading, known);
-    let paths = chosen_otherwise(&evidence, right(&evidence).first()?);
+    let of_chapter = |it: &Hypothesis| it.scene.chapter == chapter && it.scene.probe.is_none();
+    let rights = right(&evidence).into_iter().filter(of_chapter);
+    let nearest = likeliest(&evidence, rights, few, f64::INFINITY, 1);
+    let (_, nearest) = nearest.first()?;
+    let paths = chosen_otherwise(&evidence, nearest);
     let ends = paths.iter().filter_map(|path| path.last().cloned());
     // Only what explains nearly all is worth another look.
     let most = bits::alone(reading) / CHOSEN;

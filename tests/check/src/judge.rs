@@ -55,6 +55,8 @@ const MIXED: f64 = 8.0;
 const SCATTERED: f64 = 1.5;
 /// The means of so many rays are no reduced picture's.
 const MANY_RAYS: f64 = 36.0;
+/// Where more than one pixel in so many is off, hits are not colored by the normal.
+const SHADED: usize = 50;
 /// How many pixels are looked at where nothing is known of thousands of changes.
 const PEEK: u32 = 16;
 /// What is shorter than this has been made: a slip that leaves some odd pixels.
@@ -101,6 +103,8 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     search.add_others(&rights, &likeliest);
     search.add_other_editions(&rights);
     let mut found = search.found;
+    let is_shaded = |it: &Explanation| it.scene.chosen.shade.is_some();
+    found.retain(|it| !is_shaded(it) || SHADED * it.left.far <= reading.pixels.len());
     drop_what_explains_little(&mut found, &evidence.scene);
     drop_losses_of_roundings(&mut found, &evidence.scene);
     drop_changes_like_choices(&mut found);
@@ -440,7 +444,8 @@ impl Search<'_> {
         // With a viewport of one's own the edition of two weeks is the next one's.
         let is_meant = |it: &&Hypothesis| {
             let is_asked = it.scene.edition == evidence.scene.edition;
-            is_asked || it.scene.edition != Edition::V3_1_0
+            let is_likely = is_asked || it.scene.edition != Edition::V3_1_0;
+            is_likely && it.scene.chosen == Chosen::default()
         };
         let rights = rights.iter().filter(is_meant);
         let (own, others): (Vec<_>, Vec<_>) = rights.partition(is_own);
@@ -558,12 +563,15 @@ impl Search<'_> {
         chosen
     }
 
-    /// The first of these with several rays a pixel.
+    /// The first of these with several rays a pixel, and the first by another edition.
     fn add_antialiased(&mut self, likeliest: &[Hypothesis]) {
         if let Some(first) = likeliest.first()
             && let Some(drawn) = first.drawn(self.evidence.reading)
         {
-            let first = [(first, None)].into_iter();
+            // Where rays are anywhere in a pixel, its middle tells no edition.
+            let is_another = |it: &&Hypothesis| it.scene.edition != first.scene.edition;
+            let other = likeliest.iter().find(is_another);
+            let first = [first].into_iter().chain(other).map(|it| (it, None));
             let found = antialiased(self.evidence, &drawn, first);
             self.extend_antialiased(found);
         }
@@ -579,8 +587,15 @@ impl Search<'_> {
         let is_plain =
             |it: &Explanation| it.slips.is_empty() && it.scene.chosen == Chosen::default();
         let unknown = self.unknown;
-        let explains =
-            |it: &Explanation| !is_single(it) || is_plain(it) || MIXED * it.bits() < unknown;
+        // Numbers of the reader's own make up for rays that lie elsewhere.
+        let is_fitted = |it: &Explanation| {
+            let chosen = it.scene.chosen;
+            let is_placed = chosen.viewport_height.is_some() || chosen.balls != [None; 2];
+            is_placed && it.seen.is_some()
+        };
+        let explains = |it: &Explanation| {
+            !is_fitted(it) && (!is_single(it) || is_plain(it)) || MIXED * it.bits() < unknown
+        };
         self.found.extend(found.into_iter().filter(explains));
     }
 

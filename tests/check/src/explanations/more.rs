@@ -8,7 +8,7 @@ use std::ops::Range;
 use ::slips::Program;
 
 use super::antialiased::{EDGE, contrast};
-use super::{Evidence, Explanation, Hypothesis, Seen, antialiased};
+use super::{But, Evidence, Explanation, Hypothesis, Seen, antialiased};
 use crate::bits::{Pixel, distance, told};
 use crate::reading::Reading;
 use crate::verdict::Near;
@@ -67,10 +67,16 @@ pub(crate) fn more(evidence: &Evidence, it: &Hypothesis) -> Vec<Explanation> {
     let explained = explained.into_iter().filter(|it| it.seen.is_none());
     let explained = explained.chain([it.explaining(&rest, &drawn)]);
     explained
-        .map(|it| Explanation {
-            name: it.name + bits,
-            seen: Some(Seen::Said(said(&it, &boxes, drawn.len()))),
-            ..it
+        .map(|mut it| {
+            // What was left out has no mixed edges.
+            if let [But::Antialiased { samples }, ..] = &mut it.but[..] {
+                *samples = samples.filter(|samples| *samples < 1.5);
+            }
+            Explanation {
+                name: it.name + bits,
+                seen: Some(Seen::Said(said(&it, &boxes, drawn.len()))),
+                ..it
+            }
         })
         .collect()
 }

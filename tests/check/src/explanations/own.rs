@@ -321,7 +321,9 @@ impl<'a> Fit<'a> {
             sphere.map(sphere_name),
             ground.map(ground_name),
             chosen.viewport_width.map(|width| width_name(&scene, width)),
-            chosen.viewport_height.map(number),
+            chosen
+                .viewport_height
+                .map(|height| self.height_name(height)),
         ]
         .into_iter()
         .flatten()
@@ -333,6 +335,13 @@ impl<'a> Fit<'a> {
             name: self.right.name + own + slips + colors::name(&scene),
             ..it
         }
+    }
+
+    /// Bits of a viewport's height: who types a width, or a focal length, types no height.
+    fn height_name(&self, height: f64) -> f64 {
+        let typed = [height, height * self.ratio(), 2.0 / height];
+        let typed = typed.map(|it| number(to_grid(it, 1e6)));
+        typed.into_iter().fold(f64::INFINITY, f64::min)
     }
 
     /// Nobody chooses a viewport that is nearly the book's: it makes up for something else.

@@ -117,7 +117,13 @@ pub(crate) fn two(evidence: &Evidence) -> impl Iterator<Item = Hypothesis> {
 
 /// The scene by each edition, in the chapter's own shape too where the picture has another.
 fn scenes(evidence: &Evidence) -> Vec<Hypothesis> {
+    // Who follows an edition of two weeks is rare, and who has its viewport has chosen it.
+    let is_likely = |it: &Hypothesis| {
+        let edition = it.scene.edition;
+        edition != Edition::V3_1_0 || evidence.scene.edition == edition
+    };
     let mut scenes = by_editions(evidence, evidence.scene, 0.0);
+    scenes.retain(is_likely);
     let own_shape = scenes.iter().filter(|it| it.scene.has_another_shape());
     // A slip may give the shape.
     let own_shape = own_shape.map(|it| Hypothesis {

@@ -155,6 +155,29 @@ pub(super) const SLIPS: &[Slip] = &[
                     false => Some(far),
                 }
         }),
+    slip("near-root-passed-over", HITTABLE_LIST, BOTH_ROOTS)
+        .says(Words {
+            wrong: "if (range.surrounds(root)) { root = (h + sqrtd) / a; if \
+                    (!range.surrounds(root)) return false }",
+            right: "if (!range.surrounds(root)) { root = (h + sqrtd) / a; if \
+                    (!range.surrounds(root)) return false }",
+            why: "A nearer root that is in the range is passed over, and one that is behind the \
+                  camera is taken.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "t = if t_min < roots[0] && roots[0] < t_max { Some(roots[1]).filter(|&t| t_min < t && t < t_max)? } else { roots[0] }",
+            "t = roots.into_iter().find(|&t| t_min < t && t < t_max)?",
+        )
+        .alters(|p| {
+            p.choice = |program, [near, far], t_min, t_max| {
+                let is_in_range = |&t: &f64| (program.in_range)(t_min, t, t_max);
+                match is_in_range(&near) {
+                    true => Some(far).filter(is_in_range),
+                    false => Some(near),
+                }
+            }
+        }),
     slip("range-not-tested", HITTABLE_LIST, RANGE_OF_A_SPHERE)
         .says(Words {
             wrong: "root = (h - sqrtd) / a; rec.t = root",
