@@ -367,8 +367,8 @@ fn lines(points: &mut [Point], scale: Scale) -> [Option<[f64; 2]>; 3] {
 }
 
 /// The components at weight 0 and 1 of levels that lie on a line, if most do (random sample
-/// consensus, Fischler and Bolles, 1981); points in the order of their weights. Levels have lost their fraction, which is half a
-/// level on the average.
+/// consensus, Fischler and Bolles, 1981), from points in the order of their weights. Levels have
+/// lost their fraction, which is half a level on the average.
 fn line(mut points: Vec<(f64, f64)>, scale: Scale) -> Option<[f64; 2]> {
     let is_clipped = |point: &(f64, f64)| point.1 <= 0.0 || point.1 >= 255.0;
     // A component beyond 1 ends at 255, and the line is seen where it does not.
