@@ -263,9 +263,10 @@ impl<'a> Judged<'a> {
         if colors.all(|color| color == first) {
             let sets = finding.sets.iter().flat_map(|set| &set.mistakes);
             let names: Vec<String> = sets.take(AMONG).map(|it| names_of(it)).collect();
-            let among = match names.is_empty() {
-                true => String::new(),
-                false => format!(", among them {}", names.join(", ")),
+            // One by itself would be taken for the one.
+            let among = match names.len() {
+                0 | 1 => String::new(),
+                _ => format!(", among them {}", names.join(", ")),
             };
             return Some(format!(
                 "it has one color everywhere, {first:?}, and many mistakes draw that{among}"
