@@ -55,8 +55,9 @@ const MIXED: f64 = 8.0;
 const SCATTERED: f64 = 1.5;
 /// The means of so many rays are no reduced picture's.
 const MANY_RAYS: f64 = 36.0;
-/// Where more than one pixel in so many is off, hits are not colored by the normal.
-const SHADED: usize = 50;
+/// Where more than one pixel in so many is off, hits are not colored by the normal, nor is it a
+/// part of a larger picture.
+const LOSSLESS: usize = 50;
 /// How many pixels are looked at where nothing is known of thousands of changes.
 const PEEK: u32 = 16;
 /// What is shorter than this has been made: a slip that leaves some odd pixels.
@@ -103,8 +104,11 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     search.add_others(&rights, &likeliest);
     search.add_other_editions(&rights);
     let mut found = search.found;
-    let is_shaded = |it: &Explanation| it.scene.chosen.shade.is_some();
-    found.retain(|it| !is_shaded(it) || SHADED * it.left.far <= reading.pixels.len());
+    let is_lossless = |it: &Explanation| {
+        let is_cropped = matches!(it.degradation(), Some(Degradation::Cropped { .. }));
+        is_cropped || it.scene.chosen.shade.is_some()
+    };
+    found.retain(|it| !is_lossless(it) || LOSSLESS * it.left.far <= reading.pixels.len());
     drop_what_explains_little(&mut found, &evidence.scene);
     drop_losses_of_roundings(&mut found, &evidence.scene);
     drop_changes_like_choices(&mut found);
@@ -559,20 +563,20 @@ impl Search<'_> {
             chosen.extend(chosen_otherwise(evidence, right));
         }
         let likeliest = self.add(chosen.iter().flatten().cloned(), None, f64::INFINITY);
-        self.add_antialiased(&likeliest);
+        // What was fitted first makes up for less.
+        let firsts = chosen.iter().filter_map(|path| path.first().cloned());
+        let tried: Vec<Hypothesis> = likeliest.into_iter().take(1).chain(firsts).collect();
+        self.add_antialiased(&tried);
         chosen
     }
 
-    /// The first of these with several rays a pixel, and the first by another edition.
-    fn add_antialiased(&mut self, likeliest: &[Hypothesis]) {
-        if let Some(first) = likeliest.first()
+    /// These with several rays a pixel.
+    fn add_antialiased(&mut self, tried: &[Hypothesis]) {
+        if let Some(first) = tried.first()
             && let Some(drawn) = first.drawn(self.evidence.reading)
         {
-            // Where rays are anywhere in a pixel, its middle tells no edition.
-            let is_another = |it: &&Hypothesis| it.scene.edition != first.scene.edition;
-            let other = likeliest.iter().find(is_another);
-            let first = [first].into_iter().chain(other).map(|it| (it, None));
-            let found = antialiased(self.evidence, &drawn, first);
+            let tried = tried.iter().map(|it| (it, None));
+            let found = antialiased(self.evidence, &drawn, tried);
             self.extend_antialiased(found);
         }
     }
@@ -612,7 +616,7 @@ impl Search<'_> {
         let beside: Vec<Hypothesis> = beside.collect();
         let before = self.found.len();
         let beside = self.add(beside, None, f64::INFINITY);
-        self.add_antialiased(&beside);
+        self.add_antialiased(beside.get(..1).unwrap_or_default());
         let unknown = self.unknown;
         let explains = |it: &Explanation| {
             let times = if it.but.is_empty() { MIXED } else { SCATTERED };

@@ -86,6 +86,10 @@ fn advice(width: usize, height: usize, count: usize) -> String {
     }
     if pixels.is_multiple_of(width) {
         let rows = pixels / width;
+        // The loops know the book's shape, and the header doesn't.
+        if rows == width * 9 / 16 {
+            return format!("That is {rows} rows, and the header should say so: {width} {rows}.");
+        }
         return format!(
             "That is {rows} rows: let the loop over rows run from 0 to below image_height, and let the program end by itself."
         );

@@ -133,7 +133,8 @@ pub(super) fn cropped(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<D
     let [glance, least] = places.as_it_is(likeliest);
     let mut least = least * 4 / 5;
     let mut best = None;
-    for it in likeliest.iter() {
+    // With a slip in it a part of a larger picture is like many.
+    for it in likeliest.iter().filter(|it| it.slips.is_empty()) {
         for wide in width..=width + MARGINS {
             for high in evidence.heights(wide) {
                 let from = (wide, high);

@@ -50,6 +50,11 @@ pub(super) fn framed(evidence: &Evidence) -> Option<Degradation> {
         Edges::between_columns(reading),
         Edges::between_rows(reading),
     ];
+    let is_plain = |[left, right, above, below]: [u32; 4]| {
+        let pixel = |i: u32, j: u32| reading.pixels[(j * reading.width + i) as usize];
+        let mut places = (above..below).flat_map(|j| (left..right).map(move |i| (i, j)));
+        places.all(|(i, j)| pixel(i, j) == pixel(left, above))
+    };
     let mut best = None;
     for (left, right) in columns.pairs() {
         let width = right - left;
@@ -58,7 +63,8 @@ pub(super) fn framed(evidence: &Evidence) -> Option<Degradation> {
                 let sharp = columns.sharp(left) + columns.sharp(right);
                 let sharp = sharp + rows.sharp(above) + rows.sharp(above + height);
                 let is_sharper = best.is_none_or(|(most, _)| sharp > most);
-                if is_sharper && (width, height) != (reading.width, reading.height) {
+                let is_part = (width, height) != (reading.width, reading.height);
+                if is_sharper && is_part && !is_plain([left, right, above, above + height]) {
                     let (size, corner) = ((width, height), (left, above));
                     let quality = None;
                     best = Some((
