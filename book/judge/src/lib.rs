@@ -98,6 +98,7 @@ pub fn decoded(
         width,
         height,
         pixels: pixels.iter().map(levels).collect(),
+        before: (0, 0),
         encoding: None,
     };
     judged(name, reading, asked, Some(cause))

@@ -34,14 +34,9 @@ const MANY: usize = 16;
 impl Left {
     /// What is left of `reading` beside `drawn`, a picture of the same size.
     pub(crate) fn of(reading: &Reading, drawn: &[Pixel]) -> Self {
-        Self::of_some(reading, drawn, drawn.len())
-    }
-
-    /// The same where only so many of the pixels are an explanation's.
-    pub(crate) fn of_some(reading: &Reading, drawn: &[Pixel], count: usize) -> Self {
         let odd = Odd::of(reading, drawn);
         // Who tells many pixels one by one has no explanation of the picture.
-        let one_by_one = match MANY * odd.places.len() > count {
+        let one_by_one = match MANY * odd.places.len() > drawn.len() {
             true => f64::INFINITY,
             false => odd.one_by_one(reading),
         };

@@ -82,7 +82,10 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
             "below 0 and above 255, from {} to {}",
             outside.lowest, outside.highest
         ),
-        (true, false) => format!("below 0, down to {}", outside.lowest),
+        (true, false) => match outside.lowest {
+            i16::MIN => format!("below 0, down to {} or less", i16::MIN),
+            lowest => format!("below 0, down to {lowest}"),
+        },
         _ => format!("above 255, up to {}", outside.highest),
     };
     let none = match outside.lowest {

@@ -172,7 +172,7 @@ impl<'a> Evidence<'a> {
     /// The same, if that happened to the picture.
     pub(crate) fn degraded(&self, degradation: Degradation) -> Self {
         Self {
-            degradation: Some((degradation, degradation.name(self.reading))),
+            degradation: Some((degradation, degradation.name())),
             ..*self
         }
     }

@@ -1,5 +1,7 @@
 //! Rectangles with sharp sides: a picture in the window of a screenshot.
 
+use std::cmp::Reverse;
+
 use crate::bits::distance;
 use crate::reading::{Cause, Reading};
 use crate::scene::{Scene, USUAL_RATIOS};
@@ -8,20 +10,22 @@ use crate::verdict::Check;
 /// What is said of it is called.
 pub(crate) const FRAMED: &str = "framed";
 /// How many of the sharpest lines each way may be a side.
-const SIDES: usize = 12;
-/// Pixels that are this far from each other lie on either side of one.
-const SHARP: u16 = 4;
-/// How many of a hundred have to.
-const MOST: u32 = 90;
+const SIDES: usize = 40;
+/// Pixels that are so many levels from each other lie on either side of one, and so many of a
+/// hundred do.
+const SHARP: u32 = 4;
+const MOST: u32 = 60;
+/// Levels that count at most.
+const FAR: u32 = 24;
 /// How many sides have to be seen: the others may be the file's own.
 const SEEN: usize = 2;
-/// How near a ratio of width to height is to one that people choose.
-const NEAR: f64 = 0.02;
 /// A smaller part of the width or height holds no picture.
 const LEAST: u32 = 4;
+/// How many rectangles are judged.
+const TRIED: usize = 3;
 
-/// Judges what lies in a frame of what was read, where that is known, or else all of it. Returns
-/// also which of the two was judged.
+/// Judges what was read, or what lies in a frame of it, where only that is known. Returns also
+/// which of the two was judged.
 ///
 /// # Errors
 /// Those of `judge`.
@@ -29,13 +33,14 @@ pub fn judge_inside<E>(
     reading: Reading,
     judge: impl Fn(&Reading) -> Result<(Scene, Check), E>,
 ) -> Result<(Scene, Check, Reading), E> {
-    if let Some(inside) = inside(&reading) {
+    let (scene, check) = judge(&reading)?;
+    let insides = insides(&reading).filter(|_| !is_known(&check));
+    for inside in insides {
         let (scene, check) = judge(&inside)?;
         if is_known(&check) {
             return Ok((scene, check, inside));
         }
     }
-    let (scene, check) = judge(&reading)?;
     Ok((scene, check, reading))
 }
 
@@ -48,8 +53,9 @@ fn is_known(check: &Check) -> bool {
     }
 }
 
-/// What lies in the smallest rectangle with sharp sides.
-fn inside(reading: &Reading) -> Option<Reading> {
+/// What lies in the rectangles of a usual shape with the sharpest sides, the smallest of those
+/// first.
+fn insides(reading: &Reading) -> impl Iterator<Item = Reading> {
     let (width, height) = (reading.width, reading.height);
     let columns = Side::all(reading, width, height, |at, along| along * width + at);
     let rows = Side::all(reading, height, width, |at, along| at * width + along);
@@ -62,36 +68,41 @@ fn inside(reading: &Reading) -> Option<Reading> {
     let all = across
         .iter()
         .flat_map(|pair| down.iter().map(move |other| (pair, other)));
-    let all = all.map(|(&(left, right), &(above, below))| {
-        [&columns[left], &columns[right], &rows[above], &rows[below]]
-    });
-    let is_framed = |[left, right, above, below]: &[&Side; 4]| {
-        let seen = [
-            left.is_seen(above.at, below.at),
-            right.is_seen(above.at, below.at),
-            above.is_seen(left.at, right.at),
-            below.is_seen(left.at, right.at),
+    let framed = all.filter_map(|(&(left, right), &(above, below))| {
+        let [left, right] = [left, right].map(|n| &columns[n]);
+        let [above, below] = [above, below].map(|n| &rows[n]);
+        let sharp = [
+            left.sharp(above, below),
+            right.sharp(above, below),
+            above.sharp(left, right),
+            below.sharp(left, right),
         ];
-        let count = seen.iter().filter(|it| **it == Some(true)).count();
-        count >= SEEN && !seen.contains(&Some(false))
-    };
-    // A window has other rectangles too.
-    let of_usual_shape = |[left, right, above, below]: &[&Side; 4]| {
         let [across, down] = [right.at - left.at, below.at - above.at];
-        let ratio = f64::from(across) / f64::from(down);
-        let is_usual = USUAL_RATIOS
-            .iter()
-            .any(|it| (it / ratio - 1.0).abs() < NEAR);
-        (!is_usual, u64::from(across) * u64::from(down))
-    };
-    let framed = all.filter(is_framed).min_by_key(of_usual_shape)?;
-    let [left, right, above, below] = framed.map(|it| it.at);
+        let seen = sharp.iter().flatten();
+        let is_sharp = seen.clone().all(|[_, share]| *share >= MOST);
+        let is_framed = is_sharp && seen.clone().count() >= SEEN && is_usual(across, down);
+        let levels: u32 = seen.map(|[levels, _]| levels).sum();
+        let rank = (levels, Reverse(u64::from(across) * u64::from(down)));
+        is_framed.then_some((rank, [left.at, right.at, above.at, below.at]))
+    });
+    let mut framed: Vec<(_, [u32; 4])> = framed.collect();
+    framed.sort_unstable_by_key(|(rank, _)| Reverse(*rank));
+    let framed = framed.into_iter().take(TRIED);
+    // One color tells nothing of a picture.
+    framed
+        .map(|(_, sides)| part(reading, sides))
+        .filter(|it| !it.is_plain())
+}
+
+fn part(reading: &Reading, [left, right, above, below]: [u32; 4]) -> Reading {
     let (across, down) = (right - left, below - above);
+    let width = reading.width;
     let pixels = (above..below).flat_map(|j| (left..right).map(move |i| j * width + i));
-    Some(Reading {
+    Reading {
         width: across,
         height: down,
         pixels: pixels.map(|n| reading.pixels[n as usize]).collect(),
+        before: (left, above),
         encoding: Some(Cause::new(
             FRAMED,
             format!(
@@ -99,14 +110,23 @@ fn inside(reading: &Reading) -> Option<Reading> {
             ),
             "Check the file that the program wrote.",
         )),
-    })
+    }
+}
+
+/// Whether people choose that shape, a row more or less.
+fn is_usual(width: u32, height: u32) -> bool {
+    let [width, height] = [width, height].map(f64::from);
+    USUAL_RATIOS
+        .iter()
+        .any(|ratio| (width / ratio - height).abs() < 1.0)
 }
 
 /// A line between two columns, or two rows.
 struct Side {
     at: u32,
-    /// How many pixels before each along the line are sharp; nothing at the file's own side.
-    before: Vec<u32>,
+    /// How many levels lie between the pixels on either side of it, and whether enough, summed over
+    /// all before each; nothing at the file's own side.
+    before: Vec<[u32; 2]>,
 }
 
 impl Side {
@@ -119,12 +139,16 @@ impl Side {
     ) -> Vec<Self> {
         let pixel = |at: u32, along: u32| reading.pixels[place(at, along) as usize];
         let before = |at: u32| {
-            let mut sum = 0;
-            let sums = (0..length).map(|along| {
-                sum += u32::from(distance(pixel(at - 1, along), pixel(at, along)) >= SHARP);
-                sum
+            let mut sums = [0; 2];
+            let before = (0..length).map(|along| {
+                let levels = u32::from(distance(pixel(at - 1, along), pixel(at, along)));
+                sums = [
+                    sums[0] + levels.min(FAR),
+                    sums[1] + u32::from(levels >= SHARP),
+                ];
+                sums
             });
-            [0].into_iter().chain(sums).collect()
+            [[0; 2]].into_iter().chain(before).collect()
         };
         let mut sides: Vec<Self> = (1..count)
             .map(|at| Self {
@@ -132,20 +156,25 @@ impl Side {
                 before: before(at),
             })
             .collect();
-        sides.sort_by_key(|it| std::cmp::Reverse(it.before.last().copied()));
+        sides.sort_by_key(|it| Reverse(it.before.last().copied()));
         sides.truncate(SIDES);
-        let own = [0, count].map(|at| Self {
+        sides.extend([0, count].map(|at| Self {
             at,
             before: Vec::new(),
-        });
-        sides.extend(own);
+        }));
         sides.sort_by_key(|it| it.at);
         sides
     }
 
-    /// Whether it is sharp between two others, unless it is the file's own.
-    fn is_seen(&self, from: u32, to: u32) -> Option<bool> {
-        let [first, last] = [from, to].map(|at| self.before.get(at as usize));
-        Some(100 * (last? - first?) >= MOST * (to - from))
+    /// How many levels lie there between two others on the average, and how many of a hundred
+    /// pixels are sharp, unless it is the file's own.
+    fn sharp(&self, from: &Self, to: &Self) -> Option<[u32; 2]> {
+        let [first, last] = [from, to].map(|side| self.before.get(side.at as usize));
+        let ([levels, count], [past_levels, past]) = (first?, last?);
+        let length = to.at - from.at;
+        Some([
+            (past_levels - levels) / length,
+            100 * (past - count) / length,
+        ])
     }
 }

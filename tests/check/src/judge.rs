@@ -55,9 +55,10 @@ const MIXED: f64 = 8.0;
 const SCATTERED: f64 = 1.5;
 /// The means of so many rays are no reduced picture's.
 const MANY_RAYS: f64 = 36.0;
-/// Where more than one pixel in so many is off, hits are not colored by the normal, nor is it a
+/// Where more than one pixel in so many is off by more than a level, numbers that were fitted make
+/// up for something else: hits are not colored by the normal, spheres are not there, nor is it a
 /// part of a larger picture.
-const LOSSLESS: usize = 50;
+const LOSSLESS: usize = 500;
 /// How many pixels are looked at where nothing is known of thousands of changes.
 const PEEK: u32 = 16;
 /// What is shorter than this has been made: a slip that leaves some odd pixels.
@@ -106,7 +107,7 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     let mut found = search.found;
     let is_lossless = |it: &Explanation| {
         let is_cropped = matches!(it.degradation(), Some(Degradation::Cropped { .. }));
-        is_cropped || it.scene.chosen.shade.is_some()
+        is_cropped || it.scene.chosen.is_placed() || it.scene.chosen.shade.is_some()
     };
     found.retain(|it| !is_lossless(it) || LOSSLESS * it.left.far <= reading.pixels.len());
     drop_what_explains_little(&mut found, &evidence.scene);
@@ -592,11 +593,7 @@ impl Search<'_> {
             |it: &Explanation| it.slips.is_empty() && it.scene.chosen == Chosen::default();
         let unknown = self.unknown;
         // Numbers of the reader's own make up for rays that lie elsewhere.
-        let is_fitted = |it: &Explanation| {
-            let chosen = it.scene.chosen;
-            let is_placed = chosen.viewport_height.is_some() || chosen.balls != [None; 2];
-            is_placed && it.seen.is_some()
-        };
+        let is_fitted = |it: &Explanation| it.scene.chosen.is_placed() && it.seen.is_some();
         let explains = |it: &Explanation| {
             !is_fitted(it) && (!is_single(it) || is_plain(it)) || MIXED * it.bits() < unknown
         };

@@ -49,6 +49,11 @@ pub struct Chosen {
 }
 
 impl Chosen {
+    /// Whether spheres or the viewport are the reader's own.
+    pub(crate) fn is_placed(&self) -> bool {
+        self.viewport_height.is_some() || self.balls != [None; 2]
+    }
+
     /// Whether nobody chooses that, and slips draw it: what a hit's color is made of, the book's
     /// sky upside down, a color that is none.
     pub(crate) fn looks_like_a_slip(&self) -> bool {

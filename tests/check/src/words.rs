@@ -211,18 +211,6 @@ impl Degradation {
                     "cropped on its way, or by loops that end early: of {width} × {height} pixels rows or columns are missing"
                 )
             }
-            Self::Framed {
-                size: (width, height),
-                corner: (left, above),
-                quality,
-            } => {
-                let compressed = quality.map_or(String::new(), |quality| {
-                    format!("{}, and ", Self::Jpeg(quality).clause())
-                });
-                format!(
-                    "{compressed}in a frame: it is the {width} × {height} pixels from column {left}, row {above} on"
-                )
-            }
             Self::Gray(weights) => {
                 let names = ["red", "green", "blue"].into_iter().zip(weights);
                 let alone = names

@@ -12,7 +12,7 @@ use check::explanations::{But, Degradation};
 use check::frame;
 use check::guess;
 use check::png;
-use check::reading::Reading;
+use check::reading::{self, Reading};
 use check::scene::Scene;
 use check::verdict::{Check, Finding, check, judge, judge_guessed};
 use common::rtweekend::*;
@@ -161,8 +161,7 @@ fn a_picture_is_judged_beyond_what_happened_to_its_file() {
     let right = scene(Chapter::Normals).program(&[]);
     let far_root = slip("far-root").program(Chapter::Normals);
     type Way = fn(&RgbImage) -> RgbImage;
-    let ways: [(&str, Way); 5] = [
-        ("a frame", framed),
+    let ways: [(&str, Way); 4] = [
         ("missing rows", |it| {
             imageops::crop_imm(it, 0, 0, 160, 88).to_image()
         }),
@@ -281,6 +280,7 @@ fn a_slip_is_named_through_jpeg() {
     use Chapter::{HittableList, Normals};
     for (chapter, slip, name, percent, is_framed) in [
         (Normals, "far-root", "far_root_jpeg_75.png", 75, false),
+        // Its blocks begin where the window does.
         (Normals, "far-root", "far_root_framed_jpeg_85.png", 85, true),
         // What is left of the right picture may not choose the quality.
         (
@@ -295,21 +295,18 @@ fn a_slip_is_named_through_jpeg() {
             .join("check")
             .join(name);
         let bytes = fs::read(path).expect("it is committed");
-        let Check::Wrong(finding) = check(&scene(chapter), &bytes, 0) else {
-            panic!("it is wrong");
+        let reading = reading::read(&bytes).expect("it is a picture");
+        let (check, reading) = judged_inside(reading, Some(chapter));
+        let Check::Wrong(finding) = check else {
+            panic!("{name}: it is wrong, and judged as {check:?}");
         };
+        assert_eq!(reading.before == (6, 21), is_framed, "{name}");
         let named = finding.sets.first().map(|set| set.mistakes[0][0].name);
         assert_eq!(named, Some(slip), "{name}");
-        let (framed, quality) = match finding.degradation {
-            Some(Degradation::Jpeg(quality)) => (false, Some(quality)),
-            Some(Degradation::Framed { quality, .. }) => (true, quality),
-            other => panic!("{other:?}"),
+        let Some(Degradation::Jpeg(quality)) = finding.degradation else {
+            panic!("{name}: {:?}", finding.degradation);
         };
-        let quality = quality.expect("it was compressed");
-        assert_eq!(
-            (framed, quality.percent, quality.has_half_colors),
-            (is_framed, percent, true)
-        );
+        assert_eq!((quality.percent, quality.has_half_colors), (percent, true));
     }
 }
 
@@ -601,56 +598,116 @@ fn what_a_hit_is_colored_by_is_found_and_a_slip_that_does_it_is_named() {
     assert_eq!(names(&finding)[0], ["viewport-mirrored"]);
 }
 
+/// In editions before version 4 a step of the grid is the whole edge.
+#[test]
+fn a_scene_that_is_a_whole_picture_away_is_not_told_as_moved_by_a_pixel() {
+    let mut program = Edition::V3.program(Chapter::Gradient);
+    program.corner = [0.5, -0.5];
+    let finding = finding(Chapter::Gradient, &program.run(160).picture());
+    assert!(
+        !finding.sights.iter().any(|sight| sight.contains("moved")),
+        "{:?}",
+        finding.sights
+    );
+}
+
+/// It draws what the middle of a larger picture shows, or one with another focal length.
+#[test]
+fn a_viewport_of_ones_own_is_no_part_of_a_larger_picture() {
+    let mut program = Program::right(Chapter::Gradient);
+    program.viewport_height = 0.9;
+    let near = near(Chapter::Gradient, &program.run(480).picture());
+    assert_eq!(near.scene.chosen.viewport_height, Some(0.9));
+    assert!(near.left.is_nothing(), "{:?}", near.left);
+}
+
+/// Of three small spheres none is the chapter's, and all are told.
+#[test]
+fn a_scene_of_ones_own_with_more_in_it_is_not_right() {
+    const WORLD: &[Ball] = &[
+        Ball::new(-0.6, 0.0, -1.0, 0.1),
+        Ball::new(0.0, -20.1, -1.0, 20.0),
+        Ball::new(0.0, 0.1, -1.0, 0.1),
+        Ball::new(0.6, 0.0, -1.0, 0.1),
+    ];
+    let world = WORLD;
+    let right = Program::right(Chapter::HittableList);
+    let finding = finding(
+        Chapter::HittableList,
+        &Program { world, ..right }.run(200).picture(),
+    );
+    assert!(finding.near.is_none(), "{}", finding.but());
+    assert!(
+        finding
+            .sights
+            .iter()
+            .any(|sight| sight.contains("other spheres")),
+        "{:?}",
+        finding.sights
+    );
+}
+
+/// A line of one edition may be right in the next one: red downwards, green to the right, blue 63.
+#[test]
+fn mistakes_that_are_told_together_are_of_one_edition() {
+    let right = Program::right(Chapter::BuildTest);
+    let both = slip("quarter-blue").put_to(slip("red-and-green-swapped").put_to(right));
+    let finding = finding(Chapter::BuildTest, &both.run(100).picture());
+    let set = &finding.sets[0];
+    let drawn = both.run(100).picture();
+    for mistake in &set.mistakes {
+        let picture = set.scene.program(mistake).run(100).picture();
+        assert!(picture == drawn, "{:?}", names(&finding));
+    }
+}
+
 /// Who follows edition 1 in another shape has its viewport as it is printed, and no aspect ratio.
 #[test]
 fn a_printed_viewport_is_no_slip_in_another_shape() {
-    let mut program = Edition::V1InDouble.program(Chapter::Normals);
-    program.aspect_ratio = 1.0;
-    let near = near(Chapter::Normals, &program.run(150).picture());
+    let mut program = Edition::V1InDouble.program(Chapter::Gradient);
+    program.aspect_ratio = 1.5;
+    let near = near(Chapter::Gradient, &program.run(300).picture());
     let chosen = near.scene.chosen;
     assert_eq!(chosen.viewport_width, Some(4.0));
     assert!(near.left.is_nothing(), "{:?}", near.left);
 }
 
-/// Scaled, and in a border with a line in it; with a slip; and with nothing of the book's.
+/// Scaled in a border with a line in it, and in a window; with a slip, and with nothing of the
+/// book's.
 #[test]
 fn what_lies_in_a_frame_is_judged_by_itself() {
-    let known = Known::default();
-    let judged = |inside: &RgbImage| {
-        let (width, height) = inside.dimensions();
-        let mut border = RgbImage::from_pixel(width + 30, height + 40, Rgb([90; 3]));
-        let line = RgbImage::from_pixel(width + 10, height + 10, Rgb([240; 3]));
-        imageops::replace(&mut border, &line, 10, 12);
-        let gap = RgbImage::from_pixel(width + 6, height + 6, Rgb([90; 3]));
-        imageops::replace(&mut border, &gap, 12, 14);
-        imageops::replace(&mut border, inside, 15, 17);
-        let (width, height) = border.dimensions();
-        let picture = Picture::from_rgb(width, height, border.into_raw()).expect("its size");
-        let judge = |reading: &Reading| {
-            let guessed = guess::scene(reading);
-            Ok::<_, ()>(judge_guessed(&guessed, reading, 0, &known))
-        };
-        frame::judge_inside(Reading::of(&picture), judge).expect("no error")
-    };
     let drawn = |program: Program| {
         let picture = program.run(160).picture();
-        let image = RgbImage::from_raw(160, 90, picture.rgb().to_vec()).expect("its size");
-        imageops::resize(&image, 320, 180, FilterType::Nearest)
+        RgbImage::from_raw(160, 90, picture.rgb().to_vec()).expect("its size")
+    };
+    let enlarged = |image: RgbImage| imageops::resize(&image, 320, 180, FilterType::Nearest);
+    let judged = |image: RgbImage| {
+        let (width, height) = image.dimensions();
+        let picture = Picture::from_rgb(width, height, image.into_raw()).expect("its size");
+        let (check, reading) = judged_inside(Reading::of(&picture), None);
+        (check, (reading.width, reading.height))
     };
     let right = Program::right(Chapter::Normals);
-    let (_, check, reading) = judged(&drawn(right));
+    let far_root = slip("far-root").put_to(right);
+    let (check, size) = judged(bordered(&enlarged(drawn(right))));
     assert!(matches!(check, Check::Near(_)), "{check:?}");
-    assert_eq!((reading.width, reading.height), (320, 180));
-    let (_, check, _) = judged(&drawn(slip("far-root").put_to(right)));
-    assert_eq!(
-        names(check.finding().expect("it is wrong"))[0],
-        ["far-root"]
-    );
-    let (_, check, reading) = judged(&RgbImage::from_fn(320, 180, |i, j| {
+    assert_eq!(size, (320, 180));
+    let (check, size) = judged(framed(&drawn(right)));
+    assert!(matches!(check, Check::Right(_)), "{check:?}");
+    assert_eq!(size, (160, 90));
+    for wrong in [
+        bordered(&enlarged(drawn(far_root))),
+        framed(&drawn(far_root)),
+    ] {
+        let (check, _) = judged(wrong);
+        let finding = check.finding().expect("it is wrong");
+        assert_eq!(names(finding)[0], ["far-root"]);
+    }
+    let (check, size) = judged(bordered(&RgbImage::from_fn(320, 180, |i, j| {
         Rgb([(i * j) as u8, (i + j) as u8, 0])
-    }));
+    })));
     assert!(!matches!(check, Check::Right(_) | Check::Near(_)));
-    assert_eq!(reading.width, 350);
+    assert_eq!(size, (350, 220), "what is not known is judged as a whole");
 }
 
 #[test]
@@ -923,6 +980,7 @@ fn no_shape_and_no_numbers_are_too_odd_for_an_answer() {
             width,
             height,
             pixels: vec![pixel; (width * height) as usize],
+            before: (0, 0),
             encoding: None,
         };
         let code = judge(&scene(chapter), &reading, 0, &Known::default()).exit_code();
@@ -1030,6 +1088,34 @@ fn near(chapter: Chapter, picture: &Picture) -> check::verdict::Near {
 
 fn scene(chapter: Chapter) -> Scene {
     Scene::new(chapter, None).expect("every chapter has the book's scene")
+}
+
+/// Judged as the command does it, and what was judged.
+fn judged_inside(reading: Reading, named: Option<Chapter>) -> (Check, Reading) {
+    let known = Known::default();
+    let judge = |reading: &Reading| {
+        Ok::<_, ()>(match named {
+            Some(chapter) => {
+                let scene = scene(chapter);
+                (scene, judge(&scene, reading, 0, &known))
+            }
+            None => judge_guessed(&guess::scene(reading), reading, 0, &known),
+        })
+    };
+    let (_, check, reading) = frame::judge_inside(reading, judge).expect("no error");
+    (check, reading)
+}
+
+/// In a border with a line in it.
+fn bordered(picture: &RgbImage) -> RgbImage {
+    let (width, height) = picture.dimensions();
+    let mut border = RgbImage::from_pixel(width + 30, height + 40, Rgb([90; 3]));
+    let line = RgbImage::from_pixel(width + 10, height + 10, Rgb([240; 3]));
+    let gap = RgbImage::from_pixel(width + 6, height + 6, Rgb([90; 3]));
+    imageops::replace(&mut border, &line, 10, 12);
+    imageops::replace(&mut border, &gap, 12, 14);
+    imageops::replace(&mut border, picture, 15, 17);
+    border
 }
 
 /// In a window with a title and a thin border.

@@ -118,7 +118,7 @@ fn numbers_that_are_no_levels_are_kept_and_found() {
 }
 
 #[test]
-fn a_gray_or_opaque_png_is_read_and_a_transparent_one_is_not() {
+fn a_png_is_read_with_its_transparent_pixels_on_black_if_most_are_opaque() {
     use image::{DynamicImage, ImageFormat};
     let encoded = |image: DynamicImage| {
         let mut bytes = std::io::Cursor::new(Vec::new());
@@ -138,6 +138,11 @@ fn a_gray_or_opaque_png_is_read_and_a_transparent_one_is_not() {
         [[1, 2, 3]]
     );
     assert_eq!(cause(&encoded(rgba(254).into())), "png-kind");
+    let mut window = image::RgbaImage::from_pixel(2, 2, image::Rgba([9, 9, 9, 255]));
+    window.put_pixel(0, 0, image::Rgba([200, 100, 50, 51]));
+    let read = read(&encoded(window.into())).expect("most are opaque");
+    assert_eq!(read.pixels[..2], [[40, 20, 10], [9, 9, 9]]);
+    assert_eq!(read.encoding.expect("it is told").name, "png-kind");
 }
 
 #[test]
@@ -272,7 +277,8 @@ fn a_wrong_count_says_what_it_looks_like() {
     let text = |count: usize| format!("P3\n4 3\n255\n{}", "9 ".repeat(count));
     for (count, hint) in [
         (12, "one number a pixel"),
-        (24, "2 rows"),
+        (24, "the header should say so: 4 2"),
+        (12 * 4, "4 rows: let the loop"),
         (27, "3 columns"),
         (60, "<="),
         (18, "loop from 0"),

@@ -267,7 +267,7 @@ impl<'a> Rays<'a> {
             for (c, (drawn, found)) in pairs.enumerate() {
                 let difference = found - drawn;
                 code.add(c, class(drawn, contrast[at] as u16), difference);
-                off += usize::from(difference.abs() > 2);
+                off += usize::from(difference.abs() > 1);
             }
         }
         Left {

@@ -222,17 +222,6 @@ impl Hypothesis {
         self.of_size(self.degradation.map_or(own, before))
     }
 
-    /// How many pixels of the file it draws: what frames them is told besides.
-    fn shown(&self, reading: &Reading) -> usize {
-        match self.degradation {
-            Some(Degradation::Framed {
-                size: (width, height),
-                ..
-            }) => width as usize * height as usize,
-            _ => reading.pixels.len(),
-        }
-    }
-
     fn of_size(&self, size: (u32, u32)) -> Option<Output> {
         let program = self.scene.program(&self.slips);
         // A header may swap the two, and then the width that was asked for
@@ -293,7 +282,7 @@ impl Hypothesis {
     }
 
     fn left(&self, reading: &Reading, drawn: &[Pixel]) -> (Left, u64) {
-        let left = Left::of_some(reading, drawn, self.shown(reading));
+        let left = Left::of(reading, drawn);
         (left, mark(drawn))
     }
 

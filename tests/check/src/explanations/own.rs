@@ -531,8 +531,6 @@ impl<'a> Fit<'a> {
         let ratio = self.ratio();
         let start = || {
             let heights = (-8..=8).map(|n| 2.0 * (f64::from(n) / 4.0).exp());
-            // Some take the picture for the viewport.
-            let heights = heights.chain([f64::from(self.reading.height)]);
             let ratios = [1.0, 0.5, 0.75, 1.5, 2.0].map(|times| times * ratio);
             let starts = heights.flat_map(|height| ratios.map(|ratio| [height, ratio]));
             let nearest = |(least, best), start| match self.off(part, &with(start), LOOKS[0], least)

@@ -48,26 +48,18 @@ const BLOCKS: u32 = 60;
 
 /// The quality with which a program comes nearest.
 pub(super) fn compressed(reading: &Reading, likeliest: &[Hypothesis]) -> Option<Quality> {
-    let luma = luma(&reading.pixels, reading.width);
-    // What frames the picture would tell of any quality.
-    let is_drawn = |n: u32| {
-        let mut all = likeliest.iter().filter_map(|it| it.degradation);
-        all.all(|it| it.source(n, reading).is_some())
-    };
-    let some = luma.some(is_drawn);
+    let grid = Grid::of(reading);
+    let luma = luma(&grid.filled(&reading.pixels), grid.width);
+    let some = luma.some(&grid);
     let found: Vec<_> = some.map(|at| (at, cosines(&luma.block(at)))).collect();
     let (mut best, mut without): (Option<(f32, u8, &Hypothesis)>, f32) = (None, f32::MAX);
     for it in likeliest {
         let Some(output) = it.output(reading) else {
             continue;
         };
-        let pixel = |n: u32| {
-            let source = it.degradation.map_or(Some(n), |it| it.source(n, reading));
-            it.pixel(&output, source.unwrap_or_default())
-        };
         let block = |(i, j): (usize, usize)| -> Block {
-            let at = |n: usize| luma.place(i + n % 8, j + n / 8) as u32;
-            std::array::from_fn(|n| brightness(pixel(at(n))))
+            let at = |n: usize| grid.place(luma.place(i + n % 8, j + n / 8) as u32);
+            std::array::from_fn(|n| brightness(it.pixel(&output, at(n))))
         };
         let luma: Vec<Block> = found.iter().map(|(at, _)| cosines(&block(*at))).collect();
         let off = |percent: u8| -> f32 {
@@ -98,7 +90,7 @@ pub(super) fn compressed(reading: &Reading, likeliest: &[Hypothesis]) -> Option<
         })
     });
     let left = |quality: &Quality| {
-        let bits = Left::of(reading, &through(&drawn, reading.width, *quality)).bits;
+        let bits = Left::of(reading, &through(&drawn, reading, *quality)).bits;
         bits as u64
     };
     all.min_by_key(left)
@@ -116,7 +108,53 @@ fn kept(cosine: f32, step: f32) -> f32 {
 }
 
 /// A picture as JPEG gives it back.
-pub(super) fn through(drawn: &[Pixel], width: u32, quality: Quality) -> Vec<Pixel> {
+pub(super) fn through(drawn: &[Pixel], reading: &Reading, quality: Quality) -> Vec<Pixel> {
+    let grid = Grid::of(reading);
+    let filled = (0..).zip(through_blocks(&grid.filled(drawn), grid.width, quality));
+    let inside = filled.filter(|(n, _)| grid.is_inside(*n));
+    inside.map(|(_, pixel)| pixel).collect()
+}
+
+/// The blocks of a file, as far as a picture lies in them that may begin within the first.
+struct Grid {
+    /// Columns and rows of the first block that lie before the picture.
+    before: (u32, u32),
+    width: u32,
+    height: u32,
+}
+
+/// Where colors are halved, four blocks are one.
+const BLOCK: u32 = 16;
+
+impl Grid {
+    fn of(reading: &Reading) -> Self {
+        let (left, above) = reading.before;
+        let before = (left % BLOCK, above % BLOCK);
+        Self {
+            before,
+            width: reading.width + before.0,
+            height: reading.height + before.1,
+        }
+    }
+
+    /// The picture's pixel at the nth place, or the nearest to it.
+    fn place(&self, n: u32) -> u32 {
+        let (left, above) = self.before;
+        let (i, j) = (n % self.width, n / self.width);
+        j.saturating_sub(above) * (self.width - left) + i.saturating_sub(left)
+    }
+
+    fn is_inside(&self, n: u32) -> bool {
+        n % self.width >= self.before.0 && n / self.width >= self.before.1
+    }
+
+    fn filled(&self, pixels: &[Pixel]) -> Vec<Pixel> {
+        let all = 0..self.width * self.height;
+        all.map(|n| pixels[self.place(n) as usize]).collect()
+    }
+}
+
+fn through_blocks(drawn: &[Pixel], width: u32, quality: Quality) -> Vec<Pixel> {
     let luma = luma(drawn, width).kept(&table(luma_at, quality.percent));
     let [blue, red] = chroma(drawn, width).map(|plane| {
         let table = table(chroma_at, quality.percent);
@@ -236,15 +274,10 @@ impl Plane {
         rows.flat_map(move |j| (0..width).step_by(8).map(move |i| (i, j)))
     }
 
-    /// Blocks of a program's to look at, half of them with the most contrast.
-    fn some(&self, is_drawn: impl Fn(u32) -> bool) -> impl Iterator<Item = (usize, usize)> {
-        let is_within = |&(i, j): &(usize, usize)| {
-            let last = (j + 7).min(self.height - 1) * self.width + (i + 7).min(self.width - 1);
-            [j * self.width + i, last]
-                .into_iter()
-                .all(|n| is_drawn(n as u32))
-        };
-        let mut all: Vec<_> = self.blocks().filter(is_within).collect();
+    /// Blocks to look at that are all of the picture, half of them with the most contrast.
+    fn some(&self, grid: &Grid) -> impl Iterator<Item = (usize, usize)> {
+        let is_inside = |&(i, j): &(usize, usize)| grid.is_inside((j * self.width + i) as u32);
+        let mut all: Vec<_> = self.blocks().filter(is_inside).collect();
         let contrast = |at: &(usize, usize)| {
             let block = self.block(*at);
             let [low, high] = [f32::min as fn(f32, f32) -> f32, f32::max]

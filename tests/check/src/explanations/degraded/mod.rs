@@ -8,12 +8,11 @@ mod resampled;
 mod traces;
 
 use std::collections::{HashMap, HashSet};
-use std::slice;
 
 use common::rtweekend::Picture;
 
-use super::{Hypothesis, Places, right, single};
-use crate::bits::{Left, Pixel, distance, told};
+use super::Hypothesis;
+use crate::bits::{Left, Pixel, distance};
 use crate::evidence::Evidence;
 use crate::reading::Reading;
 use crate::scene::Scene;
@@ -39,15 +38,6 @@ pub enum Degradation {
         /// Columns that are missing on the left, rows above.
         corner: (u32, u32),
     },
-    /// It is only a part of the file's picture: the rest is a window or a border.
-    Framed {
-        /// Its own width and height.
-        size: (u32, u32),
-        /// The column and row where it begins.
-        corner: (u32, u32),
-        /// How the whole was compressed, if it was.
-        quality: Option<Quality>,
-    },
     /// Red, green and blue of each pixel were mixed with these weights.
     Gray([f64; 3]),
     /// Each pixel has the nearest of some colors, as in a GIF.
@@ -67,8 +57,6 @@ const SIZE: f64 = 5.0;
 const QUALITY: f64 = 8.0;
 /// A picture of fewer pixels across tells nothing of its way.
 const SMALLEST: u32 = 16;
-/// How many pixels choose a program.
-const LOOK: u32 = 600;
 /// Bits of a color of a palette.
 const COLOR: f64 = 24.0;
 
@@ -77,32 +65,14 @@ const COLOR: f64 = 24.0;
 type Search = fn(&Evidence, &[Hypothesis]) -> Option<Degradation>;
 
 /// The surest first.
-const SEARCHES: [Search; 8] = [
+const SEARCHES: [Search; 6] = [
     |evidence, _| traces::gray(evidence.reading, traces::REC_601),
     |evidence, _| traces::gray(evidence.reading, traces::REC_709),
     |evidence, _| traces::gray(evidence.reading, [1.0 / 3.0; 3]),
-    |evidence, _| traces::framed(evidence),
     resampled::cropped,
     resampled::scaled,
     |evidence, likeliest| jpeg::compressed(evidence.reading, likeliest).map(Degradation::Jpeg),
-    framed_and_compressed,
 ];
-
-/// A window that was compressed with what is around it.
-fn framed_and_compressed(evidence: &Evidence, _: &[Hypothesis]) -> Option<Degradation> {
-    let framed = evidence.degraded(traces::framed(evidence)?);
-    let reading = evidence.reading;
-    let places = Places::new(reading, None, LOOK);
-    let (mut least, mut nearest) = (f64::INFINITY, None);
-    for it in right(&framed).into_iter().chain(single(&framed)) {
-        if let Some(length) = it.estimated(reading, &places, least) {
-            (least, nearest) = (length, Some(it));
-        }
-    }
-    let nearest = nearest?;
-    let quality = jpeg::compressed(reading, slice::from_ref(&nearest))?;
-    nearest.degradation.map(|framed| framed.with(quality))
-}
 
 /// Degradations that the picture may have gone through, each looked for when it is asked
 /// for.
@@ -134,7 +104,6 @@ impl Degradation {
     pub(crate) fn size(self, reading: &Reading) -> (u32, u32) {
         match self {
             Self::Scaled { from, .. } | Self::Cropped { from, .. } => from,
-            Self::Framed { size, .. } => size,
             Self::Gray(_) | Self::Palette { .. } | Self::Jpeg(_) => (reading.width, reading.height),
         }
     }
@@ -143,7 +112,6 @@ impl Degradation {
     pub(crate) fn is_lossy(self) -> bool {
         match self {
             Self::Scaled { .. } | Self::Palette { .. } | Self::Jpeg(_) => true,
-            Self::Framed { quality, .. } => quality.is_some(),
             Self::Cropped { .. } | Self::Gray(_) => false,
         }
     }
@@ -157,38 +125,21 @@ impl Degradation {
         }
     }
 
-    /// The same in a file that was compressed.
-    fn with(self, quality: Quality) -> Self {
-        match self {
-            Self::Framed { size, corner, .. } => Self::Framed {
-                size,
-                corner,
-                quality: Some(quality),
-            },
-            _ => Self::Jpeg(quality),
-        }
-    }
-
     /// How it was compressed, if it was.
     fn quality(self) -> Option<Quality> {
         match self {
             Self::Jpeg(quality) => Some(quality),
-            Self::Framed { quality, .. } => quality,
             _ => None,
         }
     }
 
     /// Bits that tell it.
-    pub(crate) fn name(self, reading: &Reading) -> f64 {
+    pub(crate) fn name(self) -> f64 {
         let compressed = self.quality().map_or(0.0, |_| QUALITY);
         NAME + compressed
             + match self {
                 Self::Scaled { .. } => SIZE + 2.0,
                 Self::Cropped { .. } => 3.0 * SIZE,
-                Self::Framed { .. } => {
-                    let is_outside = |n: usize| self.source(n as u32, reading).is_none();
-                    4.0 * f64::from(reading.width).log2() + told(reading, is_outside)
-                }
                 Self::Gray(_) => 2.0,
                 Self::Palette { colors } => COLOR * colors as f64,
                 Self::Jpeg(_) => 0.0,
@@ -212,14 +163,6 @@ impl Degradation {
                 from: (width, _),
                 corner: (left, above),
             } => Some((j + above) * width + i + left),
-            Self::Framed {
-                size: (width, height),
-                corner: (left, above),
-                ..
-            } => {
-                let (i, j) = (i.checked_sub(left)?, j.checked_sub(above)?);
-                (i < width && j < height).then_some(j * width + i)
-            }
             Self::Gray(_) | Self::Palette { .. } | Self::Jpeg(_) => Some(n),
         }
     }
@@ -264,12 +207,7 @@ impl Degradation {
         let Some(quality) = self.quality() else {
             return placed;
         };
-        let compressed = jpeg::through(&placed, reading.width, quality);
-        // What frames it has been compressed already.
-        let pixels = (0..).zip(compressed.into_iter().zip(&reading.pixels));
-        pixels
-            .map(|(n, (pixel, found))| self.source(n, reading).map_or(*found, |_| pixel))
-            .collect()
+        jpeg::through(&placed, reading, quality)
     }
 }
 
