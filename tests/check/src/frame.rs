@@ -5,7 +5,7 @@ use std::cmp::Reverse;
 use crate::bits::distance;
 use crate::reading::{Cause, Reading};
 use crate::scene::{Scene, USUAL_RATIOS};
-use crate::verdict::Check;
+use crate::verdict::{Check, MOST_MISSHAPEN};
 
 /// What is said of it is called.
 pub(crate) const FRAMED: &str = "framed";
@@ -34,8 +34,10 @@ pub fn judge_inside<E>(
     judge: impl Fn(&Reading) -> Result<(Scene, Check), E>,
 ) -> Result<(Scene, Check, Reading), E> {
     let (scene, check) = judge(&reading)?;
-    let insides = insides(&reading).filter(|_| !is_known(&check));
-    for inside in insides {
+    if is_known(&check) {
+        return Ok((scene, check, reading));
+    }
+    for inside in insides(&reading) {
         let (scene, check) = judge(&inside)?;
         if is_known(&check) {
             return Ok((scene, check, inside));
@@ -80,9 +82,11 @@ fn insides(reading: &Reading) -> impl Iterator<Item = Reading> {
         let [across, down] = [right.at - left.at, below.at - above.at];
         let seen = sharp.iter().flatten();
         let is_sharp = seen.clone().all(|[_, share]| *share >= MOST);
-        let is_framed = is_sharp && seen.clone().count() >= SEEN && is_usual(across, down);
+        let area = u64::from(across) * u64::from(down);
+        let is_picture = is_usual(across, down) && area <= MOST_MISSHAPEN;
+        let is_framed = is_sharp && seen.clone().count() >= SEEN && is_picture;
         let levels: u32 = seen.map(|[levels, _]| levels).sum();
-        let rank = (levels, Reverse(u64::from(across) * u64::from(down)));
+        let rank = (levels, Reverse(area));
         is_framed.then_some((rank, [left.at, right.at, above.at, below.at]))
     });
     let mut framed: Vec<(_, [u32; 4])> = framed.collect();
@@ -138,26 +142,27 @@ impl Side {
         place: impl Fn(u32, u32) -> u32,
     ) -> Vec<Self> {
         let pixel = |at: u32, along: u32| reading.pixels[place(at, along) as usize];
+        let levels = |at: u32| {
+            (0..length)
+                .map(move |along| u32::from(distance(pixel(at - 1, along), pixel(at, along))))
+        };
+        let mut sharpest: Vec<u32> = (1..count).collect();
+        let sharp = |at: &u32| Reverse(levels(*at).map(|it| it.min(FAR)).sum::<u32>());
+        sharpest.sort_by_cached_key(sharp);
+        sharpest.truncate(SIDES);
         let before = |at: u32| {
             let mut sums = [0; 2];
-            let before = (0..length).map(|along| {
-                let levels = u32::from(distance(pixel(at - 1, along), pixel(at, along)));
-                sums = [
-                    sums[0] + levels.min(FAR),
-                    sums[1] + u32::from(levels >= SHARP),
-                ];
+            let before = levels(at).map(|it| {
+                sums = [sums[0] + it.min(FAR), sums[1] + u32::from(it >= SHARP)];
                 sums
             });
             [[0; 2]].into_iter().chain(before).collect()
         };
-        let mut sides: Vec<Self> = (1..count)
-            .map(|at| Self {
-                at,
-                before: before(at),
-            })
-            .collect();
-        sides.sort_by_key(|it| Reverse(it.before.last().copied()));
-        sides.truncate(SIDES);
+        let sides = sharpest.into_iter().map(|at| Self {
+            at,
+            before: before(at),
+        });
+        let mut sides: Vec<Self> = sides.collect();
         sides.extend([0, count].map(|at| Self {
             at,
             before: Vec::new(),

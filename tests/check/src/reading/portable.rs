@@ -63,21 +63,24 @@ fn pixels(image: DynamicImage) -> Result<(Vec<[i16; 3]>, Option<Cause>), Cause> 
     let kind = image.color();
     let image = image.into_rgba8();
     let transparent = image.pixels().filter(|pixel| pixel.0[3] < 255).count();
-    let cause = Cause::new(
-        "png-kind",
-        format!(
-            "this PNG has pixels of the kind {kind:?}, and {transparent} of them are transparent, here as on black"
-        ),
-        "Save it with three bytes a pixel (8-bit RGB) and without transparency. If it is a screenshot, check the file that the program wrote instead.",
-    );
+    let cause = |taken| {
+        Cause::new(
+            "png-kind",
+            format!(
+                "this PNG has pixels of the kind {kind:?}, {transparent} of them transparent{taken}"
+            ),
+            "Save it with three bytes a pixel (8-bit RGB) and without transparency. If it is a screenshot, check the file that the program wrote instead.",
+        )
+    };
     if 2 * transparent > image.pixels().len() {
-        return Err(cause);
+        return Err(cause(""));
     }
     let on_black = |[red, green, blue, alpha]: [u8; 4]| {
         [red, green, blue].map(|level| (u16::from(level) * u16::from(alpha) / 255) as i16)
     };
     let pixels = image.pixels().map(|pixel| on_black(pixel.0)).collect();
-    Ok((pixels, (transparent > 0).then_some(cause)))
+    let taken = (transparent > 0).then(|| cause(", which were taken as on black"));
+    Ok((pixels, taken))
 }
 
 fn cause(error: ImageError) -> Cause {
