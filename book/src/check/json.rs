@@ -72,7 +72,7 @@ fn but(finding: &Finding, near: &Near) -> Value {
     let color = |color: Color| color.to_array();
     let colors = |sky: [Color; 2]| sky.map(color);
     let but = near.but.iter().map(|but| match but {
-        But::Antialiased { samples } => json!({ "name": "antialiased", "samples": samples }),
+        But::Antialiased { samples, .. } => json!({ "name": "antialiased", "samples": samples }),
         But::Curve(curve) => json!({ "name": "curve", "power": curve.power }),
         But::Degraded(degradation) => json!({ "name": "degraded", "said": degradation.clause() }),
     });

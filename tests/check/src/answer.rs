@@ -245,6 +245,10 @@ impl<'a> Judged<'a> {
             }
             self.explain(finding, &mut parts);
         }
+        if let Some(finding) = self.check.finding() {
+            let shown = finding.shown.iter();
+            parts.push(Part::Rows(shown.map(|it| ("seen", it.clone())).collect()));
+        }
         parts
     }
 
@@ -285,8 +289,7 @@ impl<'a> Judged<'a> {
         match finding.is_known {
             _ if finding.is_blurred && matches!(self.check, Check::Wrong(_)) => None,
             false if finding.is_strange || PART * right < total => Some(
-                "it comes near to none of these chapters' pictures, with whatever mistake"
-                    .to_owned(),
+                "none of these chapters draws it, with whatever mistake that is known".to_owned(),
             ),
             false if right < wrong => Some(format!(
                 "{right} of {total} pixels are those of {scene}, but no mistake that is known draws the others"

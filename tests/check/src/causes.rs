@@ -77,31 +77,34 @@ pub(crate) fn wrong_shape(scene: &Scene, width: u32, height: u32) -> Option<Caus
 pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
     let outside = reading.outside()?;
     let (column, row) = outside.first;
-    let range = match (outside.lowest < 0, outside.highest > 255) {
-        (true, true) => format!(
-            "below 0 and above 255, from {} to {}",
-            outside.lowest, outside.highest
-        ),
-        (true, false) => match outside.lowest {
-            i16::MIN => format!("below 0, down to {} or less", i16::MIN),
-            lowest => format!("below 0, down to {lowest}"),
-        },
-        _ => format!("above 255, up to {}", outside.highest),
+    // What 16 bits can't hold was cut off.
+    let said = |level: i16| match level {
+        i16::MIN => format!("{level} or less"),
+        i16::MAX => format!("{level} or more"),
+        _ => level.to_string(),
     };
-    let none = match outside.lowest {
-        i16::MIN => {
+    let (lowest, highest) = (said(outside.lowest), said(outside.highest));
+    let range = match (outside.lowest < 0, outside.highest > 255) {
+        (true, true) => format!("below 0 and above 255, from {lowest} to {highest}"),
+        (true, false) => format!("below 0, down to {lowest}"),
+        _ => format!("above 255, up to {highest}"),
+    };
+    let far = match (outside.lowest, outside.highest) {
+        (i16::MIN, _) => {
             " So far below 0 is what a number becomes that is none: what is divided by 0, or has never been set?"
         }
+        (_, i16::MAX) => " So far above 255 is what was scaled twice, or what has never been set.",
         _ => "",
     };
     Some(Cause::new(
         "levels-outside",
         format!(
-            "{} pixels have numbers {range}; the first is column {column}, row {row}: {:?}",
-            outside.count, outside.pixel
+            "{} pixels have numbers {range}; the first is column {column}, row {row}: [{}]",
+            outside.count,
+            outside.pixel.map(said).join(", ")
         ),
         format!(
-            "A component of a color must be from 0 to 1 before it is scaled: int(255.999 * r). If a mistake is named, it gives these very numbers.{none}"
+            "A component of a color must be from 0 to 1 before it is scaled: int(255.999 * r). If a mistake is named, it gives these very numbers.{far}"
         ),
     ))
 }

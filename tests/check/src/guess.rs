@@ -91,7 +91,7 @@ fn chosen_otherwise_in(
     let of_chapter = |it: &Hypothesis| it.scene.chapter == chapter && it.scene.probe.is_none();
     let rights = right(&evidence).into_iter().filter(of_chapter);
     let colored = rights.map(|it| in_colors(&evidence, &it).unwrap_or(it));
-    let nearest = likeliest(&evidence, colored, few, f64::INFINITY, 1);
+    let nearest = likeliest(&evidence, colored, many, f64::INFINITY, 1);
     let (_, nearest) = nearest.into_iter().next()?;
     let paths = chosen_otherwise(&evidence, &nearest.in_the_books_colors());
     let ends = paths.iter().filter_map(|path| path.last().cloned());

@@ -8,13 +8,13 @@ use std::collections::{HashMap, HashSet};
 use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
-    But, Degradation, Explanation, Hypothesis, Path, Places, Seen, TWO, antialiased,
+    But, Degradation, Explanation, Hypothesis, Path, Places, SINGLE, Seen, TWO, antialiased,
     chosen_beside_slips, chosen_otherwise, degradations, doubtful, in_colors, more, mutants,
     on_a_curve, palette, ramps, right, silhouettes, single, turned, two, typed,
 };
 use crate::scene::{Chosen, Scene};
 use crate::verdict::TOGETHER;
-use ::slips::Edition;
+use ::slips::{Edition, Slip};
 use common::rtweekend::Color;
 
 /// What was found.
@@ -104,6 +104,7 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     let likeliest = search.add(singles.collect::<Vec<_>>(), Some(&drawn), f64::INFINITY);
     search.add_others(&rights, &likeliest);
     search.add_other_editions(&rights);
+    search.add_other_slips();
     let mut found = search.found;
     let is_lossless = |it: &Explanation| {
         let is_cropped = matches!(it.degradation(), Some(Degradation::Cropped { .. }));
@@ -491,16 +492,61 @@ impl Search<'_> {
             return;
         };
         let others = others.filter(|it| it.scene.edition != best.scene.edition);
-        let chosen = others.map(|it| Hypothesis {
-            scene: it.scene.with(chosen),
-            name: best.name + it.name - own.name,
-            ..best.clone()
+        // What a slip was needed for, another edition may have by itself.
+        let has_slips = usize::from(!best.slips.is_empty());
+        let slips = &[best.slips.clone(), Vec::new()][..=has_slips];
+        let chosen = others.flat_map(|it| {
+            slips.iter().map(|slips| Hypothesis {
+                scene: it.scene.with(chosen),
+                slips: slips.clone(),
+                name: best.name + it.name - own.name,
+                ..best.clone()
+            })
         });
-        let mark = self.best().mark;
+        let (mark, shortest) = (self.best().mark, self.best().bits());
         let reading = self.evidence.reading;
         let same = chosen
             .filter_map(|it| it.measured(reading))
-            .filter(|it| it.mark == mark);
+            .filter(|it| it.mark == mark || it.bits() < shortest);
+        self.found.extend(same);
+    }
+
+    /// Slips that draw the same as one of the best beside what the reader chose.
+    fn add_other_slips(&mut self) {
+        let (evidence, best) = (self.evidence, self.best().program());
+        if best.scene.chosen == Chosen::default() || best.slips.is_empty() {
+            return;
+        }
+        let is_like = |it: &Hypothesis| {
+            is_same(&it.scene, &best.scene)
+                && it.scene.edition == best.scene.edition
+                && it.conversion == best.conversion
+        };
+        let singles = single(evidence).into_iter().filter(is_like);
+        let singles: Vec<Hypothesis> = singles.collect();
+        let name = |slip: &Slip| {
+            let mut named = singles.iter();
+            let named = named.find(|it| it.slips[0].name == slip.name);
+            named.map_or(f64::INFINITY, |it| it.name)
+        };
+        let others = (0..best.slips.len()).flat_map(|n| {
+            let (best, name) = (&best, &name);
+            singles.iter().map(move |other| {
+                let mut slips = best.slips.clone();
+                let own = std::mem::replace(&mut slips[n], other.slips[0]);
+                Hypothesis {
+                    slips,
+                    name: best.name + other.name - name(own),
+                    ..best.clone()
+                }
+            })
+        });
+        let (mark, reading) = (self.best().mark, evidence.reading);
+        let places = Places::new(reading, None, PEEK);
+        let most = self.best().bits() + TOGETHER;
+        let others = others.filter(|it| it.estimated(reading, &places, may_win(most)).is_some());
+        let same = others.filter_map(|it| it.measured(reading));
+        let same: Vec<Explanation> = same.filter(|it| it.mark == mark).collect();
         self.found.extend(same);
     }
 
@@ -537,7 +583,7 @@ impl Search<'_> {
     fn is_of_many_rays(&self) -> bool {
         let best = self.best();
         let is_many = |but: &But| match but {
-            But::Antialiased { samples } => samples.is_some_and(|samples| samples > MANY_RAYS),
+            But::Antialiased { samples, .. } => samples.is_some_and(|samples| samples > MANY_RAYS),
             _ => false,
         };
         self.is_antialiased(self.unknown) && best.but.iter().any(is_many) && best.left.off == 0
@@ -586,7 +632,7 @@ impl Search<'_> {
     /// by chance, so it has to explain nearly all.
     fn extend_antialiased(&mut self, found: Vec<Explanation>) {
         let is_single = |it: &Explanation| match it.but.first() {
-            Some(But::Antialiased { samples }) => samples.is_some_and(|count| count < 1.5),
+            Some(But::Antialiased { samples, .. }) => samples.is_some_and(|count| count < SINGLE),
             _ => false,
         };
         let is_plain =

@@ -26,6 +26,7 @@ pub mod report;
 pub mod scene;
 mod seen;
 pub mod sources;
+mod surfaces;
 pub mod telling;
 pub mod told;
 pub mod verdict;

@@ -15,7 +15,7 @@ use crate::scene::Scene;
 use crate::sources::is_same_line;
 use crate::telling::{self, Telling};
 use crate::told::TOLD;
-use crate::{causes, seen};
+use crate::{causes, seen, surfaces};
 
 /// What there is to say about a picture.
 #[derive(Debug)]
@@ -95,6 +95,8 @@ pub struct Finding {
     pub sets: Vec<Set>,
     /// What can be seen, where nothing known explains it.
     pub sights: Vec<String>,
+    /// What the picture shows by itself, where nothing known draws it.
+    pub shown: Vec<String>,
     /// Whether something explains it.
     pub is_known: bool,
     /// Whether nothing explains it, and it has nothing of the scene's picture.
@@ -332,6 +334,13 @@ impl Finding {
             (false, _) if is_typed => Vec::new(),
             (_, _) => seen::sights(&compared, reading),
         };
+        // Whoever is off in most pixels is not right, whatever the edges are like.
+        let is_far = !is_lossy && 2 * best.left.far > reading.pixels.len();
+        let is_near = is_known && is_right && !is_far;
+        let shown = match sets.is_empty() && !is_near {
+            true => surfaces::said(reading),
+            false => Vec::new(),
+        };
         let others = judgement.scenes_like(best).into_iter();
         let is_a_probe = |it: &Scene| {
             let is_as_wide = it.probe.is_some_and(|probe| probe.width == reading.width);
@@ -347,13 +356,14 @@ impl Finding {
                 .as_ref()
                 .map_or(0, |difference| difference.levels),
             difference,
-            near: (is_known && is_right).then(|| Near {
+            near: is_near.then(|| Near {
                 scene: best.scene,
                 but: best.but.clone(),
                 left: best.left,
             }),
             sets,
             sights,
+            shown,
             is_blurred: !is_known && !is_typed && seen::is_blurred(&compared, reading),
             is_shaded: is_known && matches!(best.seen, Some(Seen::Shaded { .. })),
             is_known,

@@ -5,7 +5,7 @@ use common::rtweekend::Color;
 use slips::{Ball, Ends, Letters, Slip};
 
 use crate::bits::Left;
-use crate::explanations::{But, Conversion, Curve, Degradation};
+use crate::explanations::{But, Conversion, Curve, Degradation, SINGLE};
 use crate::scene::Chosen;
 use crate::verdict::{Near, Set};
 
@@ -138,11 +138,14 @@ impl Chosen {
         };
         let sky = self.sky.map(|[below, above]| match below == above {
             true => format!("a sky of {}", color(below)),
-            false => format!(
-                "a sky from {} below to {} above",
-                color(below),
-                color(above)
-            ),
+            false => {
+                let (low, high) = (color(below), color(above));
+                let unless = match above {
+                    Color::ONE => " (or upside down)",
+                    _ => "",
+                };
+                format!("a sky from {low} below to {high} above{unless}")
+            }
         });
         let paint = self
             .paint
@@ -173,9 +176,11 @@ fn made_of((component, (axis, [low, high])): (&str, Ends)) -> String {
 impl But {
     fn clause(&self) -> String {
         match self {
-            Self::Antialiased { samples } => {
+            Self::Antialiased { samples, is_lower } => {
                 let count = match samples {
-                    Some(samples) if *samples < 1.5 => "one ray a pixel, anywhere in it".to_owned(),
+                    Some(samples) if *samples < SINGLE => {
+                        "one ray a pixel, anywhere in it".to_owned()
+                    }
                     Some(samples) if *samples < 150.0 => {
                         format!(
                             "about {} samples a pixel, or fewer on a grid",
@@ -185,7 +190,11 @@ impl But {
                     Some(_) => "a hundred samples a pixel or more".to_owned(),
                     None => "several samples a pixel".to_owned(),
                 };
-                format!("antialiased, with {count}: that is the next chapter of the book")
+                let lower = match is_lower {
+                    true => ", up to a row lower, as where rows are counted from above",
+                    false => "",
+                };
+                format!("antialiased, with {count}{lower}: that is the next chapter of the book")
             }
             Self::Curve(curve) => curve.clause(),
             Self::Degraded(degradation) => degradation.clause(),

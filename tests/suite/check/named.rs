@@ -595,7 +595,10 @@ fn what_a_hit_is_colored_by_is_found_and_a_slip_that_does_it_is_named() {
     program.sky = [Color::splat(0.8); 2];
     let wrong = slip("viewport-mirrored").put_to(program);
     let finding = finding(Chapter::HittableList, &wrong.run(200).picture());
-    assert_eq!(names(&finding)[0], ["viewport-mirrored"]);
+    assert_eq!(
+        names(&finding)[0],
+        ["viewport-mirrored", "columns-backwards"]
+    );
 }
 
 /// In editions before version 4 a step of the grid is the whole edge.
@@ -747,7 +750,8 @@ fn a_slip_is_named_beside_colors_and_scale_of_ones_own() {
     program.viewport_height = 3.0;
     let wrong = slip("times-255").put_to(program);
     let finding = finding(Chapter::HittableList, &wrong.run(200).picture());
-    assert_eq!(names(&finding)[0], ["times-255"]);
+    // No white shows whether 1.0 becomes 255.
+    assert_eq!(names(&finding)[0], ["times-255", "times-255-clamped"]);
     assert_eq!(finding.sets[0].scene.chosen.sky, Some(program.sky));
     // What the reader chose is no mistake, and a level is all that the slip takes.
     assert_eq!(finding.levels, 1);
@@ -761,6 +765,7 @@ fn several_rays_a_pixel_are_the_next_chapter_and_no_mistake() {
             let [
                 But::Antialiased {
                     samples: Some(told),
+                    is_lower: false,
                 },
             ] = near.but[..]
             else {
@@ -784,6 +789,8 @@ fn several_rays_are_right_by_an_edition_whichever_way_rows_are_counted() {
     for lower in [-1.0, 0.0] {
         let near = near(Chapter::HittableList, &with_rays(&program, 10, lower));
         assert_eq!(near.scene.edition, Edition::V3);
+        let said = near.clause(1);
+        assert_eq!(said.contains("up to a row lower"), lower == 0.0, "{said}");
     }
 }
 
@@ -793,11 +800,11 @@ fn several_rays_beside_the_pixel_are_a_mistake() {
         let corner = slip("grid-not-inset").program(chapter);
         let named = names(&finding(chapter, &with_rays(&corner, 10, 0.0)));
         assert!(named[0].contains(&"grid-not-inset".to_owned()), "{named:?}");
-        let lower = finding(chapter, &with_rays(&Program::right(chapter), 10, 0.5));
+        let lower = finding(chapter, &with_rays(&Program::right(chapter), 10, -0.5));
         assert!(lower.near.is_none(), "{chapter:?}: {}", lower.but());
         let said = lower.sights.join(" ");
         assert!(
-            said.contains("half a pixel too far down"),
+            said.contains("half a pixel too far up"),
             "{chapter:?}: {said}"
         );
     }
@@ -808,7 +815,7 @@ fn one_ray_anywhere_in_a_pixel_is_no_mistake() {
     for chapter in [Chapter::Normals, Chapter::HittableList] {
         let near = near(chapter, &with_rays(&Program::right(chapter), 1, 0.0));
         assert!(
-            matches!(near.but[..], [But::Antialiased { samples: Some(told) }] if told < 1.5),
+            matches!(near.but[..], [But::Antialiased { samples: Some(told), .. }] if told < 1.5),
             "{chapter:?}: {:?}",
             near.but
         );
@@ -874,6 +881,52 @@ fn what_nothing_known_draws_is_described() {
             "{chapter:?}: {said}; {names:?}; {near}"
         );
     }
+}
+
+/// Whatever the program is, what can be measured in its picture is told.
+#[test]
+fn a_picture_of_ones_own_is_described_surface_by_surface() {
+    const TWO: &[Ball] = &[
+        Ball::new(-0.6, 0.2, -1.0, 0.4),
+        Ball::new(0.5, -0.1, -1.0, 0.3),
+    ];
+    let own = Program {
+        world: TWO,
+        ..Program::right(Chapter::HittableList)
+    };
+    let shown = |picture: &Picture| finding(Chapter::Gradient, picture).shown.join(" ");
+    let sky = gradient::picture(400);
+    let under = |picture: &Picture, sky_of: fn(u32, u32) -> u32| {
+        changed(picture, |i, j| {
+            let at = 3 * (j * 400 + i) as usize;
+            let is_sky = picture.rgb()[at..at + 3] == sky.rgb()[at..at + 3];
+            let level = sky_of(i, j) as u8;
+            is_sky.then_some([255 - level, 10, level])
+        })
+    };
+    let two = shown(&under(&own.run(400).picture(), |_, j| j));
+    for words in [
+        "changes in equal steps from row to row",
+        "as if around (-0.6, 0.2, -1) with the radius 0.4, is colored by its normal",
+        "as if around (0.5, -0.1, -1) with the radius 0.3, is colored by its normal",
+    ] {
+        assert!(two.contains(words), "{two}");
+    }
+    let books = shown(&under(&hittable_list::picture(400), |i, j| (i + j) / 3));
+    assert!(
+        books.contains("in equal steps along rows and columns"),
+        "{books}"
+    );
+    assert!(books.contains("is what hittable_list has there"), "{books}");
+    assert!(
+        books.contains("The book's sphere, in the columns 135 to 264"),
+        "{books}"
+    );
+    // What a viewer makes of a header whose width and height are exchanged.
+    let right = hittable_list::picture(400);
+    let exchanged = Picture::from_rgb(225, 400, right.rgb().to_vec()).expect("its size");
+    let rows = shown(&exchanged);
+    assert!(rows.contains("Rows of 400 pixels would fit"), "{rows}");
 }
 
 /// As a material of a later chapter draws what is hit, before and after gamma correction.

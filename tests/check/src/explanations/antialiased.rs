@@ -43,6 +43,9 @@ const GRID: f64 = 0.0019;
 /// Components at edges that are enough to count rays.
 const ENOUGH: usize = 60;
 
+/// Fewer rays are one.
+pub(crate) const SINGLE: f64 = 1.5;
+
 /// Where the rays of a pixel lie: a rectangle, in parts of the pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Rectangle {
@@ -103,7 +106,7 @@ impl Rectangle {
     }
 
     /// Where the rays lie, if that is not where they should.
-    fn said(self, program: &Program) -> Option<String> {
+    fn said(self, program: &Program, samples: Option<f64>) -> Option<String> {
         if self.is_whole(program) {
             return None;
         }
@@ -138,8 +141,12 @@ impl Rectangle {
             true => String::new(),
             false => format!(", {}", away.join(" and ")),
         };
+        let rays = match samples {
+            Some(samples) if samples < SINGLE => "one ray",
+            _ => "the mean of several rays",
+        };
         Some(format!(
-            "Each pixel is the mean of several rays, {spread}{place}: they should be anywhere in the pixel."
+            "Each pixel is {rays}, {spread}{place}: they should be anywhere in the pixel."
         ))
     }
 }
@@ -192,9 +199,10 @@ pub(crate) fn antialiased<'a>(
             explanation.left = rays.left(&drawn, &contrast, &smooth);
             let (bits, samples) = rays.at_edges(&edges, rectangle);
             explanation.left.bits += bits;
-            explanation.but = vec![But::Antialiased { samples }];
+            let is_lower = rectangle != WHOLE_PIXEL && rectangle.is_whole(&program);
+            explanation.but = vec![But::Antialiased { samples, is_lower }];
             explanation.but.extend(curve.cloned().map(But::Curve));
-            let said = rectangle.said(&program);
+            let said = rectangle.said(&program, samples);
             explanation.seen = said.map(Seen::Said);
             explained.push(explanation);
         }
@@ -263,12 +271,11 @@ impl<'a> Rays<'a> {
     fn left(&self, drawn: &[Pixel], contrast: &[i16], smooth: &[u32]) -> Left {
         let (mut code, mut off) = (Frequencies::of_noise(), 0);
         for at in smooth.iter().map(|&n| n as usize) {
-            let pairs = drawn[at].into_iter().zip(self.reading.pixels[at]);
-            for (c, (drawn, found)) in pairs.enumerate() {
-                let difference = found - drawn;
-                code.add(c, class(drawn, contrast[at] as u16), difference);
-                off += usize::from(difference.abs() > 1);
+            let (drawn, found) = (drawn[at], self.reading.pixels[at]);
+            for c in 0..3 {
+                code.add(c, class(drawn[c], contrast[at] as u16), found[c] - drawn[c]);
             }
+            off += usize::from(distance(drawn, found) > 1);
         }
         Left {
             bits: code.bits(),

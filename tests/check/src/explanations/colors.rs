@@ -49,22 +49,17 @@ pub(super) const KEPT: f64 = 1.0;
 
 /// The program in the reader's own colors, if those of the picture are not the book's.
 pub(crate) fn in_colors(evidence: &Evidence, right: &Hypothesis) -> Option<Hypothesis> {
-    let scene = chosen(&right.scene, evidence.reading)?;
-    Some(Hypothesis {
-        scene,
-        name: right.name + name(&scene),
-        ..right.clone()
-    })
-}
-
-/// The scene in those colors.
-pub(crate) fn chosen(scene: &Scene, reading: &Reading) -> Option<Scene> {
+    let reading = evidence.reading;
     // A picture of one color says nothing about a sky.
     if reading.is_plain() || reading.outside().is_some() {
         return None;
     }
-    let colored = with_slips(scene, &[], reading, LOOK);
-    (colored.chosen != scene.chosen).then_some(colored)
+    let scene = with_slips(&right.scene, &[], reading, LOOK);
+    (scene.chosen != right.scene.chosen).then(|| Hypothesis {
+        scene,
+        name: right.name + name(&scene),
+        ..right.clone()
+    })
 }
 
 /// The program in the colors that so many pixels have, where these are not the book's.

@@ -27,8 +27,8 @@ use crate::evidence::Evidence;
 use crate::reading::Reading;
 use crate::scene::Scene;
 
-pub(crate) use antialiased::antialiased;
-pub(crate) use colors::{chosen, in_colors};
+pub(crate) use antialiased::{SINGLE, antialiased};
+pub(crate) use colors::in_colors;
 pub use curve::Curve;
 pub(crate) use curve::on_a_curve;
 pub use degraded::{Degradation, Filter, Quality};
@@ -106,6 +106,9 @@ pub enum But {
     Antialiased {
         /// About how many, if there are edges enough to tell.
         samples: Option<f64>,
+        /// Whether they lie up to a row lower than the book's, as where the same part of a row is
+        /// added and rows are counted from above.
+        is_lower: bool,
     },
     /// All levels went through the same curve, as gamma correction does it.
     Curve(Curve),

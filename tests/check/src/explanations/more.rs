@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use ::slips::Program;
 
-use super::antialiased::{EDGE, contrast};
+use super::antialiased::{EDGE, SINGLE, contrast};
 use super::{But, Evidence, Explanation, Hypothesis, Seen, antialiased};
 use crate::bits::{Pixel, distance, told};
 use crate::reading::Reading;
@@ -69,8 +69,8 @@ pub(crate) fn more(evidence: &Evidence, it: &Hypothesis) -> Vec<Explanation> {
     explained
         .map(|mut it| {
             // What was left out has no mixed edges.
-            if let [But::Antialiased { samples }, ..] = &mut it.but[..] {
-                *samples = samples.filter(|samples| *samples < 1.5);
+            if let [But::Antialiased { samples, .. }, ..] = &mut it.but[..] {
+                *samples = samples.filter(|samples| *samples < SINGLE);
             }
             Explanation {
                 name: it.name + bits,

@@ -29,6 +29,11 @@ const CHOICE: u32 = 600;
 /// reason. Where only the sky is compared, all that lies before it is.
 const FAR: u16 = 24;
 const NO_SKY: u16 = 3;
+/// The same picture may be so many levels off.
+const RIGHT: u16 = 2;
+
+/// Where one pixel in so many is another, it is another picture.
+const MANY_FAR: usize = 100;
 
 /// How often steps are halved: to half a thousandth of a unit, from a tenth.
 const HALVINGS: [i32; 2] = [8, 4];
@@ -93,6 +98,8 @@ pub(crate) fn chosen_beside_slips(
     let mut found: Vec<Hypothesis> = paths.into_iter().flatten().collect();
     // Slips by themselves are looked for elsewhere.
     found.retain(|it| it.scene.chosen != Chosen::default() && !it.slips.is_empty());
+    // Nor does a slip count that numbers were fitted to undo.
+    found.retain(|it| !fit.draws_the_right_picture(it));
     // Where the numbers that were fitted draw the same without them, none were made.
     let without = found.iter().map(|it| {
         fit.named(Hypothesis {
@@ -388,6 +395,21 @@ impl<'a> Fit<'a> {
             }
         }
         sum
+    }
+
+    /// Whether almost all that it draws is within two levels of what the book draws.
+    fn draws_the_right_picture(&self, it: &Hypothesis) -> bool {
+        let right = Hypothesis {
+            scene: it.scene.without_choices(),
+            slips: Vec::new(),
+            ..it.clone()
+        };
+        let [Some(own), Some(books)] = [it, &right].map(|it| it.output(self.reading)) else {
+            return false;
+        };
+        let is_far = |&&n: &&u32| distance(it.pixel(&own, n), right.pixel(&books, n)) > RIGHT;
+        let far = self.looked.iter().filter(is_far).count();
+        MANY_FAR * far <= self.looked.len()
     }
 
     /// A slip, and perhaps a second one, in the reader's colors, in simpler ones and in the book's.

@@ -4,6 +4,8 @@ use super::cause::Cause;
 use super::header;
 use super::numbers::Reading;
 use super::tokens::Tokens;
+use crate::bits::Pixel;
+use crate::surfaces::rows_differ;
 
 /// No pixel takes less text than `0 0 0` and a space.
 const LEAST_TEXT: usize = 6;
@@ -41,12 +43,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
             encoding: None,
         })
     } else {
-        Err(miscounted(width as usize, height as usize, count))
+        Err(miscounted(width as usize, height as usize, count, &pixels))
     }
 }
 
 /// Why there are `count` numbers, and not three a pixel.
-fn miscounted(width: usize, height: usize, count: usize) -> Cause {
+fn miscounted(width: usize, height: usize, count: usize, found: &[Pixel]) -> Cause {
     let wanted = 3 * width * height;
     let name = match count {
         0 => "no-pixels",
@@ -57,11 +59,11 @@ fn miscounted(width: usize, height: usize, count: usize) -> Cause {
     Cause::new(
         name,
         format!("{width} × {height} pixels are {wanted} numbers, but the file has {count}"),
-        advice(width, height, count),
+        advice(width, height, count, found),
     )
 }
 
-fn advice(width: usize, height: usize, count: usize) -> String {
+fn advice(width: usize, height: usize, count: usize, found: &[Pixel]) -> String {
     if count == 0 {
         return "The header is there and nothing after it: did the program stop with an error?"
             .to_owned();
@@ -97,6 +99,11 @@ fn advice(width: usize, height: usize, count: usize) -> String {
     }
     if pixels.is_multiple_of(height) {
         let columns = pixels / height;
+        if rows_differ(found, height) < rows_differ(found, columns) {
+            return format!(
+                "That is {columns} rows of {height} pixels: width and height are exchanged, in the header or in the loops, and the loop over rows does not run from 0 to below image_height."
+            );
+        }
         return format!(
             "That is {columns} columns: let the loop over columns run from 0 to below image_width."
         );

@@ -3,12 +3,11 @@
 //! These are observations: each sentence is true of the pixels, and says nothing
 //! about the code.
 
-mod disc;
 mod pixel;
 mod tinted;
 mod view;
 
-use slips::Room;
+use slips::{Chapter, Room};
 
 use crate::reading::Reading;
 use crate::scene::Scene;
@@ -33,11 +32,10 @@ pub(crate) fn sights(scene: &Scene, reading: &Reading) -> Vec<String> {
         Some(plain) => vec![plain],
         None => [
             view.unscaled(),
-            view.disc(),
+            view.only_sky(),
             view.gray(),
             view.gamma(),
             view.where_it_differs(),
-            view.sky(),
         ]
         .into_iter()
         .flatten()
@@ -74,6 +72,21 @@ impl View<'_> {
             }
             color => format!("{all} has the same color, {color:?}."),
         })
+    }
+
+    fn only_sky(&self) -> Option<String> {
+        if self.scene.chapter.room() != Room::One || self.scene.probe.is_some() {
+            return None;
+        }
+        let (width, height) = (self.reading.width, self.reading.height);
+        let sky = self
+            .scene
+            .of_chapter(Chapter::Gradient)
+            .right(width, height);
+        let (sky, _) = sky.rgb().as_chunks::<3>();
+        let is_sky = |n: &u32| distance(sky[*n as usize].map(i16::from), self.found(*n)) <= 1;
+        let is_all = self.places.iter().all(is_sky);
+        is_all.then(|| "There is only sky: no sphere is to be seen.".to_owned())
     }
 
     fn unscaled(&self) -> Option<String> {

@@ -1,10 +1,8 @@
 //! Colors that are off in the same way everywhere.
 
-use common::rtweekend::Color;
 use slips::Chapter;
 
 use super::view::View;
-use crate::explanations::chosen;
 
 impl View<'_> {
     pub(super) fn gray(&self) -> Option<String> {
@@ -28,20 +26,6 @@ impl View<'_> {
         (8 * sky.filter(is_raised).count() > self.places.len()).then(|| {
             "Its sky is the book's after gamma correction, as later chapters have it.".to_owned()
         })
-    }
-
-    /// Between which two colors the sky blends, if it does and they are not the book's.
-    pub(super) fn sky(&self) -> Option<String> {
-        let sky = chosen(self.scene, self.reading)?.chosen.sky?;
-        let own = self.scene.program(&[]).sky;
-        let mut colors = sky.into_iter().zip(own);
-        // A level or two may be due to what lies before it.
-        let is_near = |(one, other): (Color, Color)| (one - other).length() < 4.0 / 256.0;
-        let [[r0, g0, b0], [r1, g1, b1]] = sky.map(|color| color.to_array());
-        let is_own = colors.all(is_near);
-        (!is_own).then(|| format!(
-            "The sky blends from ({r0:.2}, {g0:.2}, {b0:.2}) below to ({r1:.2}, {g1:.2}, {b1:.2}) above, instead of (1, 1, 1) and (0.5, 0.7, 1)."
-        ))
     }
 
     /// Components that are off in the same way everywhere, for sky and spheres.

@@ -141,6 +141,30 @@ pub(super) const SLIPS: &[Slip] = &[
             "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
         )
         .alters(|p| p.inset = [1.0, 1.0]),
+    slip("inset-whole-down", RAYS, GRID)
+        .says(Words {
+            wrong: "pixel00 = viewport_upper_left + 0.5 * pixel_delta_u + pixel_delta_v",
+            right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+            why: "Only one of the two is halved, so everything moves by half a pixel up.",
+        })
+        .in_rust(
+            RAYS,
+            "pixel00 = viewport_upper_left + 0.5 * pixel_delta_u + pixel_delta_v",
+            "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+        )
+        .alters(|p| p.inset = [0.5, 1.0]),
+    slip("inset-whole-to-the-right", RAYS, GRID)
+        .says(Words {
+            wrong: "pixel00 = viewport_upper_left + pixel_delta_u + 0.5 * pixel_delta_v",
+            right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+            why: "Only one of the two is halved, so everything moves by half a pixel to the left.",
+        })
+        .in_rust(
+            RAYS,
+            "pixel00 = viewport_upper_left + pixel_delta_u + 0.5 * pixel_delta_v",
+            "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
+        )
+        .alters(|p| p.inset = [1.0, 0.5]),
     slip("first-pixel-on-axis", RAYS, GRID)
         .says(Words {
             wrong: "pixel00 = center - (0, 0, focal_length), or … + 0.5 * (viewport_u + \

@@ -382,6 +382,19 @@ pub(super) const SLIPS: &[Slip] = &[
             "(255.999 * component) as u8",
         )
         .alters(|p| p.level = |component| (256.0 * component.clamp(0.0, 0.999)) as i32),
+    slip("times-255-clamped", EVERY, LEVELS)
+        .says(Words {
+            wrong: "int(255 * clamp(r, 0.000, 0.999))",
+            right: "int(255.999 * r)",
+            why: "Either of the two keeps 1.0 from becoming 256. With both it becomes 254, and \
+                  there is no white.",
+        })
+        .in_rust(
+            EVERY,
+            "(255.0 * component.clamp(0.0, 0.999)) as u8",
+            "(255.999 * component) as u8",
+        )
+        .alters(|p| p.level = |component| (255.0 * component.clamp(0.0, 0.999)) as i32),
     slip("rounded", EVERY, LEVELS)
         .says(Words {
             wrong: "round(255 * r)",

@@ -249,8 +249,8 @@ fn rank((drawn, found): (Pixel, Pixel), palette: &[Pixel]) -> usize {
 }
 
 /// The square of the distance of two colors.
-fn apart(one: Pixel, other: Pixel) -> i32 {
-    let off = [0, 1, 2].map(|c| i32::from(one[c] - other[c]));
+fn apart(one: Pixel, other: Pixel) -> i64 {
+    let off = [0, 1, 2].map(|c| i64::from(one[c]) - i64::from(other[c]));
     off.map(|off| off * off).iter().sum()
 }
 

@@ -1,0 +1,93 @@
+//! Least squares: of what the levels of a surface are made, as sums of up to four terms.
+
+use glam::{DMat4, DVec4};
+
+/// Levels have lost their fraction, which is half of one on the average.
+const LOST: f64 = 0.5;
+/// How many levels all but some may be off, and how many these are: one in so many.
+const OFF: f64 = 2.5;
+const SOME: usize = 50;
+/// What part of a term is as good as none of it.
+pub(super) const LITTLE: f64 = 0.015;
+/// Levels of a whole component.
+const WHOLE: f64 = 256.0;
+
+/// What of each term a component has.
+pub(super) struct Fit {
+    pub(super) components: [DVec4; 3],
+    /// How far all but some are off, in levels.
+    pub(super) off: f64,
+}
+
+impl Fit {
+    /// The sums of terms that come nearest to levels, if they come near.
+    pub(super) fn of(points: &[(DVec4, [i16; 3])]) -> Option<Self> {
+        let sums = [0, 1, 2].map(|channel| sum(points, channel));
+        let mut off: Vec<f64> = points
+            .iter()
+            .flat_map(|(terms, levels)| {
+                [0, 1, 2].map(|channel| {
+                    let level = sums[channel].dot(*terms) - LOST;
+                    let found = levels[channel];
+                    let level = if is_end(found) {
+                        level.clamp(0.0, 255.0)
+                    } else {
+                        level
+                    };
+                    (level - f64::from(found)).abs()
+                })
+            })
+            .collect();
+        let most = (off.len() - 1) - off.len() / SOME;
+        let (_, off, _) = off.select_nth_unstable_by(most, f64::total_cmp);
+        let off = *off;
+        (off <= OFF).then(|| Self {
+            components: sums.map(|sum| sum / WHOLE),
+            off,
+        })
+    }
+
+    /// Whether each component is made of no more than one of the terms after the first.
+    pub(super) fn is_simple(&self) -> bool {
+        self.components.iter().all(|it| {
+            let [_, parts @ ..] = it.to_array();
+            parts.iter().filter(|part| part.abs() >= LITTLE).count() < 2
+        })
+    }
+
+    /// Whether each component is that of a normal, from 0 to 1.
+    pub(super) fn is_the_normal(&self) -> bool {
+        let book = [DVec4::Y, DVec4::Z, DVec4::W].map(|axis| 0.5 * (DVec4::X + axis));
+        let mut pairs = self.components.iter().zip(book);
+        pairs.all(|(it, book)| (*it - book).abs().max_element() < LITTLE)
+    }
+
+    /// The color of some terms.
+    pub(super) fn color(&self, terms: DVec4) -> [f64; 3] {
+        self.components.map(|it| it.dot(terms))
+    }
+}
+
+/// The sum for one channel, from those levels that did not end at 0 or 255, unless most did.
+fn sum(points: &[(DVec4, [i16; 3])], channel: usize) -> DVec4 {
+    let inside = points.iter().filter(|(_, levels)| !is_end(levels[channel]));
+    let is_most = 4 * inside.count() > points.len();
+    // What no term tells apart has none of it.
+    let mut matrix = DMat4::from_diagonal(DVec4::splat(1e-9));
+    let mut vector = DVec4::ZERO;
+    for (terms, levels) in points {
+        let level = levels[channel];
+        if !is_end(level) || !is_most {
+            let column = |term: f64| *terms * term;
+            let [x, y, z, w] = terms.to_array();
+            matrix += DMat4::from_cols(column(x), column(y), column(z), column(w));
+            vector += *terms * (f64::from(level) + LOST);
+        }
+    }
+    matrix.inverse() * vector
+}
+
+/// What is beyond the first or the last level may be cut off there.
+fn is_end(level: i16) -> bool {
+    matches!(level, 0 | 255)
+}

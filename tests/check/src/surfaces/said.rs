@@ -1,0 +1,432 @@
+//! Surfaces in words: measured, and true of the pixels whatever the program was.
+
+use std::ops::Range;
+
+use glam::DVec4;
+use slips::{Chapter, Edition};
+
+use common::rtweekend::{Point3, Vec3};
+
+use super::cone::{Cone, Eye};
+use super::fit::{Fit, LITTLE};
+use super::{Surface, surfaces, wrapped};
+use crate::bits::distance;
+use crate::explanations::spread;
+use crate::reading::Reading;
+use crate::scene::Scene;
+
+/// What has more surfaces is no picture of these chapters, with whatever mistake.
+const MANY: usize = 8;
+/// How many surfaces are described.
+const SAID: usize = 5;
+/// How many pixels of a surface tell what colors it.
+const LOOK: u32 = 600;
+/// A surface is a chapter's if no more than one pixel in so many is off by more levels.
+const ODD: usize = 30;
+const LEVELS: u16 = 1;
+/// What is larger is ground, and only its edge is seen.
+const LARGE: f64 = 10.0;
+/// Through one viewport or another much looks like a blend that is none.
+const EXACT: f64 = 1.0;
+/// How near numbers are the same, in units of space or of a component.
+const NEAR: f64 = 0.015;
+/// The sphere of the book, and its ground.
+const SPHERE: (Point3, f64) = (Point3::new(0.0, 0.0, -1.0), 0.5);
+const GROUND: (Point3, f64) = (Point3::new(0.0, -100.5, -1.0), 100.0);
+
+/// What can be seen in a picture, surface by surface; nothing of one that has too few smooth ones.
+pub(crate) fn said(reading: &Reading) -> Vec<String> {
+    let mut all = surfaces(reading);
+    let covered: usize = all.iter().map(|it| it.inner.len()).sum();
+    if 2 * covered < reading.pixels.len() {
+        return wrapped(reading).into_iter().collect();
+    }
+    if all.len() > MANY {
+        let count = all.len();
+        return vec![format!(
+            "There are {count} surfaces, and more than three in no picture of these chapters."
+        )];
+    }
+    // What lies behind reaches the top.
+    let behind = all.iter().position(|it| it.rows.start == 0);
+    let behind = all.remove(behind.unwrap_or(0));
+    let (behind, eye) = as_background(&behind, reading);
+    let others = all.iter().take(SAID - 1);
+    let others = others.map(|it| Seen::new(it, reading, eye).with_its_outline().as_a_thing());
+    [behind].into_iter().chain(others).collect()
+}
+
+/// Told as what lies behind all else, and the viewport through which it is told most simply.
+fn as_background(surface: &Surface, reading: &Reading) -> (String, Eye) {
+    let share = 100.0 * surface.count as f64 / reading.pixels.len() as f64;
+    let subject = format!("The background, {share:.0} % of the picture,");
+    let [books, others @ ..] = viewports(reading).map(|viewport| Eye::new(reading, viewport));
+    let seen = |eye| Seen::new(surface, reading, eye);
+    if let Some((_, edition)) = seen(books).chapter([Chapter::Gradient, Chapter::BuildTest]) {
+        let by = Edition::said(&[edition]);
+        return (format!("{subject} is the book's{by}."), books);
+    }
+    let tried = [books].into_iter().chain(others);
+    let mut fits = tried.map(|eye| (seen(eye).fitted(&Terms::BEHIND), eye));
+    let found = fits.find(|(found, _)| found.is_some());
+    let through_any = || {
+        let tried = zooms(reading).map(|it| Eye::new(reading, it));
+        let fits = tried.filter_map(|eye| Some((seen(eye).fitted(&[Terms::UnitY])?, eye)));
+        let nearest = fits.min_by(|((_, one), _), ((_, other), _)| one.off.total_cmp(&other.off));
+        let nearest = nearest.filter(|((_, fit), _)| fit.off <= EXACT);
+        nearest.map(|(found, eye)| (Some(found), eye))
+    };
+    let (found, eye) = found
+        .or_else(through_any)
+        .or_else(|| Some((seen(books).fitted(&[Terms::Red]), books)))
+        .unwrap_or((None, books));
+    let unlike = match found {
+        Some((Terms::Rows, _)) => {
+            ", as where a direction is not divided by its length, or in a narrow view".to_owned()
+        }
+        Some((Terms::Columns | Terms::Both, _)) => {
+            "; the book's follows the direction's y".to_owned()
+        }
+        Some((Terms::UnitY | Terms::Unit | Terms::Absolute, _))
+            if eye.viewport != books.viewport =>
+        {
+            let [width, height] = eye.viewport.map(about);
+            format!(", seen through a viewport about {width} wide and {height} high")
+        }
+        _ => String::new(),
+    };
+    (
+        format!("{subject} {}{unlike}.", seen(eye).colors(found)),
+        eye,
+    )
+}
+
+/// The book's, and others that people type, also by the width or by an integer ratio.
+fn viewports(reading: &Reading) -> [[f64; 2]; 7] {
+    let ratio = f64::from(reading.width) / f64::from(reading.height);
+    let by_height = |height: f64| [height * ratio, height];
+    let by_width = |width: f64| [width, width / ratio];
+    [
+        by_height(2.0),
+        by_height(1.0),
+        by_height(4.0),
+        by_width(2.0),
+        by_width(4.0),
+        by_width(1.0),
+        [2.0 * ratio.floor().max(1.0), 2.0],
+    ]
+}
+
+/// Viewports of any size.
+fn zooms(reading: &Reading) -> impl Iterator<Item = [f64; 2]> {
+    let ratio = f64::from(reading.width) / f64::from(reading.height);
+    let heights = (-20..=60).map(|n| (f64::from(n) / 8.0).exp2());
+    heights.map(move |height| [height * ratio, height])
+}
+
+/// A surface, and some of its pixels.
+struct Seen<'a> {
+    reading: &'a Reading,
+    surface: &'a Surface,
+    eye: Eye,
+    places: Vec<u32>,
+    cone: Option<Cone>,
+}
+
+/// The terms of which levels are sums.
+#[derive(Clone, Copy, PartialEq)]
+enum Terms {
+    One,
+    Rows,
+    Columns,
+    /// The y of the direction, divided by its length.
+    UnitY,
+    Both,
+    Unit,
+    Absolute,
+    Normal,
+    /// The red component itself, so colors lie on a line.
+    Red,
+}
+
+impl<'a> Seen<'a> {
+    fn new(surface: &'a Surface, reading: &'a Reading, eye: Eye) -> Self {
+        let places = spread(LOOK, surface.inner.len() as u32);
+        Self {
+            reading,
+            surface,
+            eye,
+            places: places.map(|n| surface.inner[n as usize]).collect(),
+            cone: None,
+        }
+    }
+
+    fn with_its_outline(self) -> Self {
+        Self {
+            cone: Cone::of(self.surface, &self.eye),
+            ..self
+        }
+    }
+
+    fn as_a_thing(&self) -> String {
+        let chapters = [
+            Chapter::Gradient,
+            Chapter::RedSphere,
+            Chapter::Normals,
+            Chapter::HittableList,
+        ];
+        let colors = match self.chapter(chapters) {
+            Some((Chapter::Gradient, _)) => "is the book's sky".to_owned(),
+            Some((chapter, edition)) => {
+                let by = Edition::said(&[edition]);
+                format!("is what {} has there{by}", chapter.name())
+            }
+            None => self.colors(self.fitted(&Terms::OF_A_THING)),
+        };
+        format!("{} {colors}.", self.place())
+    }
+
+    /// Where it lies, and of what it is an image.
+    fn place(&self) -> String {
+        let Surface { columns, rows, .. } = self.surface;
+        let place = format!(
+            "columns {} to {} and rows {} to {}",
+            columns.start,
+            columns.end - 1,
+            rows.start,
+            rows.end - 1
+        );
+        let Some((center, radius)) = self.cone.as_ref().map(Cone::sphere) else {
+            return format!("Something in the {place}");
+        };
+        let off = (center - SPHERE.0).abs().max_element();
+        if off.max((radius - SPHERE.1).abs()) < NEAR {
+            return format!("The book's sphere, in the {place},");
+        }
+        if radius > LARGE {
+            return format!("A ground in the {place}");
+        }
+        let [x, y, radius] = [center.x, center.y, radius].map(number);
+        format!("A sphere in the {place}, as if around ({x}, {y}, -1) with the radius {radius},")
+    }
+
+    /// The first of these chapters that has the surface's pixels, and the edition.
+    fn chapter(&self, chapters: impl IntoIterator<Item = Chapter>) -> Option<(Chapter, Edition)> {
+        let (width, height) = (self.reading.width, self.reading.height);
+        let scenes = chapters
+            .into_iter()
+            .filter_map(|chapter| Scene::new(chapter, None))
+            .flat_map(|it| it.by_editions(width, height));
+        let is_same = |scene: &Scene| {
+            let program = scene.program(&[]);
+            let camera = program.camera(width);
+            let is_odd = |n: &&u32| {
+                let (i, j) = (*n % width, *n / width);
+                let color = (program.color)(&program, &camera, i, j).to_array();
+                let drawn = color.map(|it| (program.level)(it) as i16);
+                distance(drawn, self.reading.pixels[**n as usize]) > LEVELS
+            };
+            ODD * self.places.iter().filter(is_odd).count() <= self.places.len()
+        };
+        let scene = scenes.into_iter().find(is_same)?;
+        Some((scene.chapter, scene.edition))
+    }
+
+    /// The fewest terms that make its levels, of as many the nearest.
+    fn fitted(&self, terms: &[Terms]) -> Option<(Terms, Fit)> {
+        let fits = terms.iter().filter_map(|&terms| {
+            let values = self.places.iter().map(|&n| {
+                let found = self.reading.pixels[n as usize];
+                Some((self.values(terms, n)?, found))
+            });
+            let points: Option<Vec<_>> = values.collect();
+            let fit = Fit::of(&points?)?;
+            (!terms.is_a_vector() || fit.is_simple()).then_some((terms, fit))
+        });
+        fits.min_by(|(one, fit), (other, than)| {
+            let by_count = one.count().cmp(&other.count());
+            by_count.then(fit.off.total_cmp(&than.off))
+        })
+    }
+
+    fn values(&self, terms: Terms, n: u32) -> Option<DVec4> {
+        let direction = self.eye.direction(n);
+        let unit = direction.normalize();
+        let (width, height) = (self.reading.width, self.reading.height);
+        let x = f64::from(n % width) / f64::from(width);
+        let y = 1.0 - f64::from(n / width) / f64::from(height);
+        let of = |it: Vec3| DVec4::new(1.0, it.x, it.y, it.z);
+        Some(match terms {
+            Terms::One => of(Vec3::ZERO),
+            Terms::Rows => of(Vec3::new(0.0, y, 0.0)),
+            Terms::Columns => of(Vec3::new(x, 0.0, 0.0)),
+            Terms::UnitY => of(Vec3::new(0.0, unit.y, 0.0)),
+            Terms::Both => of(Vec3::new(x, y, 0.0)),
+            Terms::Unit => of(unit),
+            Terms::Absolute => of(unit.abs()),
+            Terms::Normal => of(self.normal(unit)?),
+            Terms::Red => {
+                let [red, ..] = self.reading.pixels[n as usize];
+                of(Vec3::new((f64::from(red) + 0.5) / 256.0, 0.0, 0.0))
+            }
+        })
+    }
+
+    /// Of the sphere that is seen, or of the nearest place to it.
+    fn normal(&self, unit: Vec3) -> Option<Vec3> {
+        let seen = self.cone.as_ref()?.sphere();
+        let (center, radius) = if seen.1 > LARGE { GROUND } else { seen };
+        let along = unit.dot(center);
+        let inside = radius * radius - center.length_squared() + along * along;
+        let hit = (along - inside.max(0.0).sqrt()) * unit;
+        Some((hit - center).normalize())
+    }
+
+    fn places_and_colors(&self) -> String {
+        let width = self.reading.width;
+        let inner = self.surface.inner.iter().copied();
+        let middle = |range: &Range<u32>| (range.start + range.end) / 2;
+        let (i, j) = (middle(&self.surface.columns), middle(&self.surface.rows));
+        let off = |n: &u32| (n % width).abs_diff(i).pow(2) + (n / width).abs_diff(j).pow(2);
+        let places = [
+            ("at its top", inner.clone().next()),
+            ("at its bottom", inner.clone().next_back()),
+            ("at its left", inner.clone().min_by_key(|n| n % width)),
+            ("at its right", inner.clone().max_by_key(|n| n % width)),
+            ("in its middle", inner.min_by_key(off)),
+        ];
+        let said = places.iter().filter_map(|(place, n)| {
+            let color = self.reading.pixels[(*n)? as usize];
+            Some(format!("{color:?} {place}"))
+        });
+        said.collect::<Vec<_>>().join(", ")
+    }
+
+    fn colors(&self, found: Option<(Terms, Fit)>) -> String {
+        let Some((terms, fit)) = found else {
+            return format!("is {}", self.places_and_colors());
+        };
+        let at = |x: f64, y: f64, z: f64| fit.color(DVec4::new(1.0, x, y, z));
+        let level = |it: f64| (256.0 * it - 0.5).round().clamp(0.0, 255.0) as u8;
+        let levels = |x: f64, y: f64| at(x, y, 0.0).map(level);
+        match terms {
+            Terms::One => format!("has one color, {:?}", levels(0.0, 0.0)),
+            Terms::Rows => format!(
+                "changes in equal steps from row to row, from {:?} at the bottom of the picture to {:?} at its top",
+                levels(0.0, 0.0),
+                levels(0.0, 1.0)
+            ),
+            Terms::Columns => format!(
+                "changes in equal steps from column to column, from {:?} at the left of the picture to {:?} at its right",
+                levels(0.0, 0.0),
+                levels(1.0, 0.0)
+            ),
+            Terms::Both => format!(
+                "changes in equal steps along rows and columns, from {:?} and {:?} in the picture's upper corners to {:?} and {:?} in the lower ones",
+                levels(0.0, 1.0),
+                levels(1.0, 1.0),
+                levels(0.0, 0.0),
+                levels(1.0, 0.0)
+            ),
+            Terms::UnitY => format!(
+                "is a blend by the y of the unit direction, from {} where that is -1 to {} where it is 1",
+                color(at(0.0, -1.0, 0.0)),
+                color(at(0.0, 1.0, 0.0))
+            ),
+            Terms::Red if is_books(&fit) => {
+                "blends the book's two colors, but not where the book does".to_owned()
+            }
+            Terms::Red => format!("blends two colors: {}", self.places_and_colors()),
+            Terms::Unit => format!("is made of the unit direction u: {}", sums(&fit, "u")),
+            Terms::Absolute => format!(
+                "is made of the unit direction without its signs, |u|: {}",
+                sums(&fit, "|u|")
+            ),
+            Terms::Normal if fit.is_the_normal() => {
+                "is colored by its normal as in the book".to_owned()
+            }
+            Terms::Normal => format!("is made of the normal N: {}", sums(&fit, "N")),
+        }
+    }
+}
+
+/// Whether colors that are told by their red lie between the two of the book's sky.
+fn is_books(fit: &Fit) -> bool {
+    let is_near = |red: f64, book: [f64; 3]| {
+        let color = fit.color(DVec4::new(1.0, red, 0.0, 0.0));
+        color
+            .iter()
+            .zip(book)
+            .all(|(it, book)| (it - book).abs() < NEAR)
+    };
+    is_near(1.0, [1.0; 3]) && is_near(0.5, [0.5, 0.7, 1.0])
+}
+
+impl Terms {
+    const BEHIND: [Self; 7] = [
+        Self::One,
+        Self::Rows,
+        Self::Columns,
+        Self::UnitY,
+        Self::Both,
+        Self::Unit,
+        Self::Absolute,
+    ];
+    const OF_A_THING: [Self; 6] = [
+        Self::One,
+        Self::UnitY,
+        Self::Rows,
+        Self::Columns,
+        Self::Both,
+        Self::Normal,
+    ];
+
+    fn is_a_vector(self) -> bool {
+        matches!(self, Self::Unit | Self::Absolute | Self::Normal)
+    }
+
+    fn count(self) -> u32 {
+        match self {
+            Self::One => 1,
+            Self::Rows | Self::Columns | Self::UnitY | Self::Normal => 2,
+            Self::Both => 3,
+            Self::Unit | Self::Absolute => 4,
+            Self::Red => 5,
+        }
+    }
+}
+
+fn color(color: [f64; 3]) -> String {
+    let [red, green, blue] = color.map(number);
+    format!("({red}, {green}, {blue})")
+}
+
+/// Each component as a sum of those of a vector.
+fn sums(fit: &Fit, vector: &str) -> String {
+    let sum = |sum: DVec4| {
+        let [same, parts @ ..] = sum.to_array();
+        let parts = parts.iter().zip(["x", "y", "z"]);
+        let parts = parts.filter(|(part, _)| part.abs() >= LITTLE);
+        let mut terms: Vec<String> = parts
+            .map(|(part, axis)| format!("{} {vector}.{axis}", number(*part)))
+            .collect();
+        if same.abs() >= LITTLE || terms.is_empty() {
+            terms.push(number(same));
+        }
+        terms.join(" + ").replace("+ -", "- ")
+    };
+    let [red, green, blue] = fit.components.map(sum);
+    format!("red {red}, green {green}, blue {blue}")
+}
+
+/// With two digits that count.
+fn about(length: f64) -> String {
+    let scale = 10_f64.powf(length.log10().floor() - 1.0);
+    number((length / scale).round() * scale)
+}
+
+/// With two digits, of which a last zero is not said.
+fn number(number: f64) -> String {
+    let number = (100.0 * number).round() / 100.0;
+    format!("{}", number + 0.0)
+}
