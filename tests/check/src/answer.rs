@@ -272,8 +272,13 @@ impl<'a> Judged<'a> {
                 0 | 1 => String::new(),
                 _ => format!(", among them {}", names.join(", ")),
             };
+            let is_unscaled = first != [0; 3] && first.iter().all(|level| *level < 2);
+            let scale = match is_unscaled {
+                true => ", or levels that were not multiplied by 255.999",
+                false => "",
+            };
             return Some(format!(
-                "it has one color everywhere, {first:?}, and many mistakes draw that{among}"
+                "it has one color everywhere, {first:?}, and many mistakes draw that{among}{scale}"
             ));
         }
         let finding = Some(finding).filter(|it| it.sets.is_empty())?;

@@ -93,7 +93,9 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
         (i16::MIN, _) => {
             " So far below 0 is what a number becomes that is none: what is divided by 0, or has never been set?"
         }
-        (_, i16::MAX) => " So far above 255 is what was scaled twice, or what has never been set.",
+        (_, i16::MAX) => {
+            " So far above 255 may be what was scaled twice, or divided by what is no length, or has never been set."
+        }
         _ => "",
     };
     Some(Cause::new(

@@ -13,6 +13,7 @@ use crate::explanations::{
     on_a_curve, palette, ramps, right, silhouettes, single, turned, two, typed,
 };
 use crate::scene::{Chosen, Scene};
+use crate::surfaces;
 use crate::verdict::TOGETHER;
 use ::slips::{Edition, Slip};
 use common::rtweekend::Color;
@@ -671,10 +672,17 @@ impl Search<'_> {
 
     /// The same with something more in it.
     fn add_more(&mut self) {
+        if surfaces::are_many(self.evidence.reading) {
+            return;
+        }
         let is_plain =
             |it: &Explanation| it.slips.is_empty() && it.seen.is_none() && it.but.is_empty();
-        // A sphere elsewhere is like a part of anything, unless nothing else is left.
-        let is_own = |it: &Explanation| is_plain(it) && it.scene.chosen.balls == [None; 2];
+        // A sphere elsewhere is like a part of anything, unless nothing else is left, and so is one
+        // of a color that may be any, or seen through any viewport.
+        let is_own = |it: &Explanation| {
+            let chosen = it.scene.chosen;
+            is_plain(it) && !chosen.is_placed() && chosen.paint.is_none()
+        };
         let nearest = self.found[0].program();
         let chosen = Some(self.best()).filter(|it| is_plain(it) && !is_own(it));
         let chosen = chosen.map(Explanation::program);
@@ -683,7 +691,9 @@ impl Search<'_> {
             self.found.extend(more(self.evidence, &it));
         }
         let chosen = chosen.map_or(Vec::new(), |it| more(self.evidence, &it));
-        let is_whole = |it: &Explanation| it.left.far == 0 && it.but.is_empty();
+        let is_whole = |it: &Explanation| {
+            it.left.far == 0 && it.but.is_empty() && it.scene.chosen.paint.is_none()
+        };
         self.found.extend(chosen.into_iter().filter(is_whole));
     }
 

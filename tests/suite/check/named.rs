@@ -929,6 +929,27 @@ fn a_picture_of_ones_own_is_described_surface_by_surface() {
     assert!(rows.contains("Rows of 400 pixels would fit"), "{rows}");
 }
 
+/// As a list that keeps no hit farther than its first sphere's.
+#[test]
+fn where_a_hit_is_missing_nothing_more_is_drawn() {
+    let program = Program {
+        in_range: |t_min, t, t_max| t_min < t && t < t_max.min(1.0),
+        ..Program::right(Chapter::HittableList)
+    };
+    let said = finding(Chapter::HittableList, &program.run(400).picture());
+    let said = said.sights.join(" ");
+    assert!(said.contains("the sky is seen there"), "{said}");
+}
+
+#[test]
+fn a_picture_of_many_surfaces_is_told_as_that() {
+    let grid = changed(&gradient::picture(200), |i, j| {
+        (i % 40 < 20 && j % 40 < 20).then_some([(i % 256) as u8, 90, 20])
+    });
+    let shown = finding(Chapter::Gradient, &grid).shown.join(" ");
+    assert!(shown.contains("16 surfaces"), "{shown}");
+}
+
 /// As a material of a later chapter draws what is hit, before and after gamma correction.
 #[test]
 fn a_sky_with_its_outlines_is_known_whatever_colors_are_hit() {

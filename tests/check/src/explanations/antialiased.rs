@@ -52,31 +52,32 @@ struct Rectangle {
     /// Its middle, in halves of a pixel from where it should be, along the two edges of
     /// the viewport.
     middle: [i8; 2],
-    /// Its width and height in pixels.
+    /// Its width and height in thirds of a pixel.
     size: [u8; 2],
 }
 
 /// As the next chapter of the book has it.
 const WHOLE_PIXEL: Rectangle = Rectangle {
     middle: [0, 0],
-    size: [1, 1],
+    size: [3, 3],
 };
 
 /// The same with rows from above, where the edition has them from below.
 const MIRRORED: Rectangle = Rectangle {
     middle: [0, -2],
-    size: [1, 1],
+    size: [3, 3],
 };
 
 impl Rectangle {
-    /// Those that are looked for: a pixel anywhere near, a line across or up, four pixels.
+    /// Those that are looked for: a pixel anywhere near, a line across or up, part of a pixel, four pixels.
     fn all() -> impl Iterator<Item = Self> {
         let places = (-2..=2).flat_map(|x| (-2..=2).map(move |y| [x, y]));
-        let pixels = places.map(|middle| (middle, [1, 1]));
+        let pixels = places.map(|middle| (middle, [3, 3]));
         let near = || (-1..=1).flat_map(|x| (-1..=1).map(move |y| [x, y]));
-        let across = near().map(|middle| (middle, [1, 0]));
-        let up = near().map(|middle| (middle, [0, 1]));
-        let all = pixels.chain(across).chain(up).chain([([0, 0], [2, 2])]);
+        let across = near().map(|middle| (middle, [3, 0]));
+        let up = near().map(|middle| (middle, [0, 3]));
+        let others = [[2, 2], [6, 6]].map(|size| ([0, 0], size));
+        let all = pixels.chain(across).chain(up).chain(others);
         all.map(|(middle, size)| Self { middle, size })
     }
 
@@ -85,7 +86,7 @@ impl Rectangle {
         let twice = PARTS as i32 + FINE as i32 * i32::from(self.middle[along]);
         let half = match self.size[along] {
             0 => 1,
-            size => i32::from(size) * FINE as i32 / 2,
+            size => i32::from(size) * FINE as i32 / 6,
         };
         ((twice / 2 - half) as usize, (twice / 2 + half) as usize)
     }
@@ -132,7 +133,8 @@ impl Rectangle {
             .map(|(by, there, back)| away(by, there, back))
             .collect();
         let spread = match self.size {
-            [1, 1] => "anywhere in a square as large as a pixel",
+            [3, 3] => "anywhere in a square as large as a pixel",
+            [2, 2] => "anywhere in a part of it, about two thirds wide and high",
             [_, 0] => "beside each other, all at one height",
             [0, _] => "above each other, all in one column",
             _ => "anywhere in a square of two by two pixels",
@@ -175,7 +177,7 @@ pub(crate) fn antialiased<'a>(
         let is_of_scale = |slip: &&&Slip| is_rescaled(&right, &slip.put_to(right));
         let is_anywhere = it.slips.iter().filter(is_of_scale).count() == it.slips.len();
         let whole = found.iter().find(|(_, it)| it.is_whole(&program))?.1;
-        let pixel = found.iter().find(|(_, it)| it.size == [1, 1])?.1;
+        let pixel = found.iter().find(|(_, it)| it.size == [3, 3])?.1;
         let mut rectangles = match is_anywhere {
             true => vec![whole, pixel, found[0].1],
             false => vec![whole],

@@ -125,6 +125,13 @@ pub(super) fn shaded(it: &Hypothesis, reading: &Reading, look: u32) -> Option<Hy
     };
     let program = it.scene.with(plain).program(&it.slips);
     let shade = Pixels::new(&program, reading, look).shade(&program)?;
+    let is_the_books = |(channel, &(axis, ends)): (usize, &Ends)| {
+        let mut pairs = ends.iter().zip(BOOKS_ENDS);
+        axis == channel && pairs.all(|(end, book)| (end - book).abs() * Scale::BOOK.factor < 2.0)
+    };
+    if shade.iter().enumerate().all(is_the_books) {
+        return None;
+    }
     let chosen = Chosen {
         shade: Some(shade),
         ..plain

@@ -42,6 +42,7 @@ pub(crate) fn more(evidence: &Evidence, it: &Hypothesis) -> Vec<Explanation> {
     {
         return Vec::new();
     }
+    let is_missing = odd.shows_the_sky(it, &runs);
     let mut is_more = vec![false; drawn.len()];
     let mut rest = reading.pixels.clone();
     for n in runs.into_iter().flatten() {
@@ -74,7 +75,7 @@ pub(crate) fn more(evidence: &Evidence, it: &Hypothesis) -> Vec<Explanation> {
             }
             Explanation {
                 name: it.name + bits,
-                seen: Some(Seen::Said(said(&it, &boxes, drawn.len()))),
+                seen: Some(Seen::Said(said(&it, &boxes, is_missing, drawn.len()))),
                 ..it
             }
         })
@@ -175,12 +176,26 @@ impl<'a> Odd<'a> {
             own: [second, third, None],
             ..program
         };
-        let behind = behind.run(self.reading.width);
+        BEHIND * self.count_of(it, &behind, runs) > self.count(runs.iter().cloned()) as usize
+    }
+
+    /// Whether nothing is there, where something should be.
+    fn shows_the_sky(&self, it: &Hypothesis, runs: &[Range<usize>]) -> bool {
+        let sky = Program {
+            world: &[],
+            own: [None; 3],
+            ..it.scene.program(&it.slips)
+        };
+        2 * self.count_of(it, &sky, runs) > self.count(runs.iter().cloned()) as usize
+    }
+
+    /// How many odd pixels are those of a program.
+    fn count_of(&self, it: &Hypothesis, program: &Program, runs: &[Range<usize>]) -> usize {
+        let drawn = program.run(self.reading.width);
         let odd = runs.iter().cloned().flatten().filter(|&n| self.is_odd[n]);
-        let is_behind =
-            |&n: &usize| distance(it.pixel(&behind, n as u32), self.reading.pixels[n]) <= 1;
-        let count = odd.clone().filter(is_behind).count();
-        BEHIND * count > odd.count()
+        let is_drawn =
+            |&n: &usize| distance(it.pixel(&drawn, n as u32), self.reading.pixels[n]) <= 1;
+        odd.filter(is_drawn).count()
     }
 }
 
@@ -211,7 +226,7 @@ fn joined(boxes: impl Iterator<Item = Box>) -> Vec<Box> {
     joined
 }
 
-fn said(it: &Explanation, boxes: &[Box], pixels: usize) -> String {
+fn said(it: &Explanation, boxes: &[Box], is_missing: bool, pixels: usize) -> String {
     let near = Near {
         scene: it.scene,
         but: it.but.clone(),
@@ -222,10 +237,6 @@ fn said(it: &Explanation, boxes: &[Box], pixels: usize) -> String {
         but => format!(", but {but}"),
     };
     let chapter = it.scene.chapter.name();
-    let what = match boxes.len() {
-        1 => "is it another sphere",
-        _ => "are they other spheres",
-    };
     let place = |[columns, rows]: &Box| {
         let (right, below) = (columns.end - 1, rows.end - 1);
         format!(
@@ -234,8 +245,17 @@ fn said(it: &Explanation, boxes: &[Box], pixels: usize) -> String {
         )
     };
     let places: Vec<String> = boxes.iter().map(place).collect();
-    format!(
-        "Beside what {chapter} has, something more is drawn in {}: {what}? All else is right{but}.",
-        places.join(", and in ")
-    )
+    let places = places.join(", and in ");
+    let what = match (is_missing, boxes.len()) {
+        (true, _) => format!(
+            "Of what {chapter} has, something is missing in {places}: the sky is seen there. Is a hit thrown away?"
+        ),
+        (_, 1) => format!(
+            "Beside what {chapter} has, something more is drawn in {places}: is it another sphere?"
+        ),
+        _ => format!(
+            "Beside what {chapter} has, something more is drawn in {places}: are they other spheres?"
+        ),
+    };
+    format!("{what} All else is right{but}.")
 }

@@ -19,6 +19,9 @@ const FEW: usize = 12;
 /// So near a cone a point lies on it, in pixels, and such a part of them has to.
 const NEAR: f64 = 1.1;
 const MOST: f64 = 0.5;
+/// The same of one as wide as a ground's, which much looks like.
+const MOST_WIDE: f64 = 0.9;
+const WIDE: f64 = 0.7;
 /// Of what lies in a cone one pixel in so many may be beside it.
 const BESIDE: usize = 30;
 /// What is smaller may be anything, in pixels.
@@ -60,8 +63,9 @@ impl Cone {
         let is_inside = BESIDE * beside.count() <= surface.inner.len().min(LOOK as usize);
         let has_a_size = best.cosine.acos() > SMALLEST * eye.angle();
         let is_ahead = best.middle.z < -1e-3;
-        (on(&best) as f64 >= MOST * count as f64 && is_inside && has_a_size && is_ahead)
-            .then_some(best)
+        let most = if best.cosine < WIDE { MOST_WIDE } else { MOST };
+        let is_round = on(&best) as f64 >= most * count as f64;
+        (is_round && is_inside && has_a_size && is_ahead).then_some(best)
     }
 
     /// Whether a direction is on it.

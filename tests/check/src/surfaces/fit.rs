@@ -4,8 +4,7 @@ use glam::{DMat4, DVec4};
 
 /// Levels have lost their fraction, which is half of one on the average.
 const LOST: f64 = 0.5;
-/// How many levels all but some may be off, and how many these are: one in so many.
-const OFF: f64 = 2.5;
+/// One pixel in so many may be off by more levels than the others.
 const SOME: usize = 50;
 /// What part of a term is as good as none of it.
 pub(super) const LITTLE: f64 = 0.015;
@@ -20,8 +19,8 @@ pub(super) struct Fit {
 }
 
 impl Fit {
-    /// The sums of terms that come nearest to levels, if they come near.
-    pub(super) fn of(points: &[(DVec4, [i16; 3])]) -> Option<Self> {
+    /// The sums of terms that come nearest to levels, if all but some are off by at most so much.
+    pub(super) fn of(points: &[(DVec4, [i16; 3])], most: f64) -> Option<Self> {
         let sums = [0, 1, 2].map(|channel| sum(points, channel));
         let mut off: Vec<f64> = points
             .iter()
@@ -38,10 +37,10 @@ impl Fit {
                 })
             })
             .collect();
-        let most = (off.len() - 1) - off.len() / SOME;
-        let (_, off, _) = off.select_nth_unstable_by(most, f64::total_cmp);
+        let at = (off.len() - 1) - off.len() / SOME;
+        let (_, off, _) = off.select_nth_unstable_by(at, f64::total_cmp);
         let off = *off;
-        (off <= OFF).then(|| Self {
+        (off <= most).then(|| Self {
             components: sums.map(|sum| sum / WHOLE),
             off,
         })

@@ -38,6 +38,14 @@ struct Surface {
     outline: Vec<(f64, f64)>,
 }
 
+/// What has more surfaces is no picture of these chapters, with whatever mistake.
+const MANY: usize = 8;
+
+/// Whether a picture has more surfaces than any of these chapters'.
+pub(crate) fn are_many(reading: &Reading) -> bool {
+    Grown::seeds(reading).seeds.len() > MANY
+}
+
 /// The surfaces of a picture, the largest first.
 fn surfaces(reading: &Reading) -> Vec<Surface> {
     let mut grown = Grown::seeds(reading);

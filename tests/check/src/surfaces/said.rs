@@ -9,16 +9,16 @@ use common::rtweekend::{Point3, Vec3};
 
 use super::cone::{Cone, Eye};
 use super::fit::{Fit, LITTLE};
-use super::{Surface, surfaces, wrapped};
+use super::{MANY, Surface, surfaces, wrapped};
 use crate::bits::distance;
 use crate::explanations::spread;
 use crate::reading::Reading;
 use crate::scene::Scene;
 
-/// What has more surfaces is no picture of these chapters, with whatever mistake.
-const MANY: usize = 8;
 /// How many surfaces are described.
 const SAID: usize = 5;
+/// Of how many percent that lie in no surface it is told.
+const REST: usize = 5;
 /// How many pixels of a surface tell what colors it.
 const LOOK: u32 = 600;
 /// A surface is a chapter's if no more than one pixel in so many is off by more levels.
@@ -53,18 +53,22 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
     let (behind, eye) = as_background(&behind, reading);
     let others = all.iter().take(SAID - 1);
     let others = others.map(|it| Seen::new(it, reading, eye).with_its_outline().as_a_thing());
-    [behind].into_iter().chain(others).collect()
+    let rest = 100 * (reading.pixels.len() - covered) / reading.pixels.len();
+    let rest = (rest >= REST).then(|| {
+        format!("The rest, {rest} % of the picture, are edges and pieces that are too small.")
+    });
+    [behind].into_iter().chain(others).chain(rest).collect()
 }
 
 /// Told as what lies behind all else, and the viewport through which it is told most simply.
 fn as_background(surface: &Surface, reading: &Reading) -> (String, Eye) {
-    let share = 100.0 * surface.count as f64 / reading.pixels.len() as f64;
-    let subject = format!("The background, {share:.0} % of the picture,");
+    let share = 100 * surface.inner.len() / reading.pixels.len();
+    let subject = format!("What reaches the top, {share} % of the picture,");
     let [books, others @ ..] = viewports(reading).map(|viewport| Eye::new(reading, viewport));
     let seen = |eye| Seen::new(surface, reading, eye);
-    if let Some((_, edition)) = seen(books).chapter([Chapter::Gradient, Chapter::BuildTest]) {
-        let by = Edition::said(&[edition]);
-        return (format!("{subject} is the book's{by}."), books);
+    if let Some((chapter, edition)) = seen(books).chapter([Chapter::Gradient, Chapter::BuildTest]) {
+        let (said, by) = (what(chapter), Edition::said(&[edition]));
+        return (format!("{subject} is {said}{by}."), books);
     }
     let tried = [books].into_iter().chain(others);
     let mut fits = tried.map(|eye| (seen(eye).fitted(&Terms::BEHIND), eye));
@@ -120,7 +124,7 @@ fn viewports(reading: &Reading) -> [[f64; 2]; 7] {
 /// Viewports of any size.
 fn zooms(reading: &Reading) -> impl Iterator<Item = [f64; 2]> {
     let ratio = f64::from(reading.width) / f64::from(reading.height);
-    let heights = (-20..=60).map(|n| (f64::from(n) / 8.0).exp2());
+    let heights = (-20..=48).map(|n| (f64::from(n) / 8.0).exp2());
     heights.map(move |height| [height * ratio, height])
 }
 
@@ -176,10 +180,9 @@ impl<'a> Seen<'a> {
             Chapter::HittableList,
         ];
         let colors = match self.chapter(chapters) {
-            Some((Chapter::Gradient, _)) => "is the book's sky".to_owned(),
             Some((chapter, edition)) => {
                 let by = Edition::said(&[edition]);
-                format!("is what {} has there{by}", chapter.name())
+                format!("is {}{by}", what(chapter))
             }
             None => self.colors(self.fitted(&Terms::OF_A_THING)),
         };
@@ -240,7 +243,7 @@ impl<'a> Seen<'a> {
                 Some((self.values(terms, n)?, found))
             });
             let points: Option<Vec<_>> = values.collect();
-            let fit = Fit::of(&points?)?;
+            let fit = Fit::of(&points?, terms.most_off())?;
             (!terms.is_a_vector() || fit.is_simple()).then_some((terms, fit))
         });
         fits.min_by(|(one, fit), (other, than)| {
@@ -282,7 +285,8 @@ impl<'a> Seen<'a> {
         Some((hit - center).normalize())
     }
 
-    fn places_and_colors(&self) -> String {
+    /// Some of the colors at its ends and in its middle.
+    fn places_and_colors(&self, shown: Range<usize>) -> String {
         let width = self.reading.width;
         let inner = self.surface.inner.iter().copied();
         let middle = |range: &Range<u32>| (range.start + range.end) / 2;
@@ -295,7 +299,7 @@ impl<'a> Seen<'a> {
             ("at its right", inner.clone().max_by_key(|n| n % width)),
             ("in its middle", inner.min_by_key(off)),
         ];
-        let said = places.iter().filter_map(|(place, n)| {
+        let said = places[shown].iter().filter_map(|(place, n)| {
             let color = self.reading.pixels[(*n)? as usize];
             Some(format!("{color:?} {place}"))
         });
@@ -304,30 +308,24 @@ impl<'a> Seen<'a> {
 
     fn colors(&self, found: Option<(Terms, Fit)>) -> String {
         let Some((terms, fit)) = found else {
-            return format!("is {}", self.places_and_colors());
+            return format!("is {}", self.places_and_colors(0..5));
         };
         let at = |x: f64, y: f64, z: f64| fit.color(DVec4::new(1.0, x, y, z));
         let level = |it: f64| (256.0 * it - 0.5).round().clamp(0.0, 255.0) as u8;
-        let levels = |x: f64, y: f64| at(x, y, 0.0).map(level);
         match terms {
-            Terms::One => format!("has one color, {:?}", levels(0.0, 0.0)),
-            Terms::Rows => format!(
-                "changes in equal steps from row to row, from {:?} at the bottom of the picture to {:?} at its top",
-                levels(0.0, 0.0),
-                levels(0.0, 1.0)
-            ),
-            Terms::Columns => format!(
-                "changes in equal steps from column to column, from {:?} at the left of the picture to {:?} at its right",
-                levels(0.0, 0.0),
-                levels(1.0, 0.0)
-            ),
-            Terms::Both => format!(
-                "changes in equal steps along rows and columns, from {:?} and {:?} in the picture's upper corners to {:?} and {:?} in the lower ones",
-                levels(0.0, 1.0),
-                levels(1.0, 1.0),
-                levels(0.0, 0.0),
-                levels(1.0, 0.0)
-            ),
+            Terms::One => {
+                let nearly = if fit.off > EXACT { "nearly " } else { "" };
+                format!("has {nearly}one color, {:?}", at(0.0, 0.0, 0.0).map(level))
+            }
+            Terms::Rows | Terms::Columns | Terms::Both => {
+                let (ways, shown) = match terms {
+                    Terms::Rows => ("from row to row", 0..2),
+                    Terms::Columns => ("from column to column", 2..4),
+                    _ => ("along rows and columns", 0..5),
+                };
+                let colors = self.places_and_colors(shown);
+                format!("changes in equal steps {ways}: it is {colors}")
+            }
             Terms::UnitY => format!(
                 "is a blend by the y of the unit direction, from {} where that is -1 to {} where it is 1",
                 color(at(0.0, -1.0, 0.0)),
@@ -336,7 +334,7 @@ impl<'a> Seen<'a> {
             Terms::Red if is_books(&fit) => {
                 "blends the book's two colors, but not where the book does".to_owned()
             }
-            Terms::Red => format!("blends two colors: {}", self.places_and_colors()),
+            Terms::Red => format!("blends two colors: {}", self.places_and_colors(0..5)),
             Terms::Unit => format!("is made of the unit direction u: {}", sums(&fit, "u")),
             Terms::Absolute => format!(
                 "is made of the unit direction without its signs, |u|: {}",
@@ -381,6 +379,15 @@ impl Terms {
         Self::Normal,
     ];
 
+    /// How many levels all but some pixels may be off.
+    fn most_off(self) -> f64 {
+        match self {
+            Self::One => 4.0,
+            _ if self.is_a_vector() => 2.5,
+            _ => 1.75,
+        }
+    }
+
     fn is_a_vector(self) -> bool {
         matches!(self, Self::Unit | Self::Absolute | Self::Normal)
     }
@@ -399,6 +406,14 @@ impl Terms {
 fn color(color: [f64; 3]) -> String {
     let [red, green, blue] = color.map(number);
     format!("({red}, {green}, {blue})")
+}
+
+/// What a surface is if it is a chapter's.
+fn what(chapter: Chapter) -> String {
+    match chapter {
+        Chapter::Gradient => "the book's sky".to_owned(),
+        _ => format!("what {} has there", chapter.name()),
+    }
 }
 
 /// Each component as a sum of those of a vector.
