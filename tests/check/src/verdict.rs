@@ -334,8 +334,9 @@ impl Finding {
             (false, _) if is_typed => Vec::new(),
             (_, _) => seen::sights(&compared, reading),
         };
-        // Whoever is off in most pixels is not right, whatever the edges are like.
-        let is_far = !is_lossy && 2 * best.left.far > reading.pixels.len();
+        // Whoever is off away from edges in most pixels is not right, whatever edges are like.
+        let is_mean = |but: &But| matches!(but, But::Antialiased { .. });
+        let is_far = best.but.iter().any(is_mean) && 2 * best.left.far > reading.pixels.len();
         let is_near = is_known && is_right && !is_far;
         let shown = match sets.is_empty() && !is_near {
             true => surfaces::said(reading),
