@@ -20,7 +20,7 @@ const FAR: u32 = 24;
 /// How many sides have to be seen: the others may be the file's own.
 const SEEN: usize = 2;
 /// A smaller part of the width or height holds no picture.
-const LEAST: u32 = 4;
+const LEAST: u32 = 3;
 /// How many rectangles are judged.
 const TRIED: usize = 3;
 

@@ -181,6 +181,13 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> 
     let may_be_right = another_width.is_none();
     let shape = another_width.or_else(|| causes::wrong_shape(scene, width, height));
     if let Some(cause) = causes::no_levels(reading) {
+        // Nothing is seen in numbers that were cut off.
+        if reading.is_cut() {
+            return Check::NotAPicture {
+                cause,
+                finding: None,
+            };
+        }
         let finding = match Finding::of(scene, reading, known) {
             Answer::Of(finding) => finding,
             Answer::Another(_) => {
@@ -334,11 +341,19 @@ impl Finding {
             (false, _) if is_typed => Vec::new(),
             (_, _) => seen::sights(&compared, reading),
         };
-        // Whoever is off away from edges in most pixels is not right, whatever edges are like.
-        let is_mean = |but: &But| matches!(but, But::Antialiased { .. });
-        let is_far = best.but.iter().any(is_mean) && 2 * best.left.far > reading.pixels.len();
+        // Whoever is off away from edges in most pixels is not right, whatever edges are like, nor is
+        // who is far from the nearest color of a palette.
+        let keeps_most = |but: &But| {
+            matches!(
+                but,
+                But::Antialiased { .. } | But::Degraded(Degradation::Palette { .. })
+            )
+        };
+        let is_far = best.but.iter().any(keeps_most) && 2 * best.left.far > reading.pixels.len();
         let is_near = is_known && is_right && !is_far;
-        let shown = match sets.is_empty() && !is_near {
+        // What is seen through a viewport of the reader's own, is told beside that.
+        let is_through_another = compared.chosen.viewport_height.is_some();
+        let shown = match sets.is_empty() && !is_near && !is_through_another {
             true => surfaces::said(reading),
             false => Vec::new(),
         };

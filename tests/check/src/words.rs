@@ -81,9 +81,13 @@ fn left(left: &Left, pixels: usize) -> String {
         _ if left.is_noise(pixels) => format!(
             "with noise: {off} of {pixels} pixels are off, {far} of them by more than a level"
         ),
-        (_, 0) => format!(
-            "not to the last bit: {off} of {pixels} pixels are a level off, as by another way of rounding"
-        ),
+        (_, 0) => {
+            let by = match left.is_both_ways {
+                true => "up and down, as by one random ray a pixel, or less precision",
+                false => "as by another way of rounding",
+            };
+            format!("not to the last bit: {off} of {pixels} pixels are a level off, {by}")
+        }
         _ if left.is_one_by_one => format!("for {off} of {pixels} pixels"),
         _ => format!(
             "not to the last bit: {off} of {pixels} pixels are off, {far} of them by more than a level, as with less precision, noise, or a file that does not keep each level"

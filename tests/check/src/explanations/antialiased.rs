@@ -76,8 +76,9 @@ impl Rectangle {
         let near = || (-1..=1).flat_map(|x| (-1..=1).map(move |y| [x, y]));
         let across = near().map(|middle| (middle, [3, 0]));
         let up = near().map(|middle| (middle, [0, 3]));
-        let others = [[2, 2], [6, 6]].map(|size| ([0, 0], size));
-        let all = pixels.chain(across).chain(up).chain(others);
+        let four = near().map(|middle| (middle, [6, 6]));
+        let all = pixels.chain(across).chain(up).chain(four);
+        let all = all.chain([([0, 0], [2, 2])]);
         all.map(|(middle, size)| Self { middle, size })
     }
 

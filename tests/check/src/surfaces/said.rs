@@ -26,7 +26,7 @@ const ODD: usize = 30;
 const LEVELS: u16 = 1;
 /// What is larger is ground, and only its edge is seen.
 const LARGE: f64 = 10.0;
-/// Through one viewport or another much looks like a blend that is none.
+/// Who is off by no more is off by roundings.
 const EXACT: f64 = 1.0;
 /// How near numbers are the same, in units of space or of a component.
 const NEAR: f64 = 0.015;
@@ -70,26 +70,35 @@ fn as_background(surface: &Surface, reading: &Reading) -> (String, Eye) {
         let (said, by) = (what(chapter), Edition::said(&[edition]));
         return (format!("{subject} is {said}{by}."), books);
     }
-    let tried = [books].into_iter().chain(others);
-    let mut fits = tried.map(|eye| (seen(eye).fitted(&Terms::BEHIND), eye));
-    let found = fits.find(|(found, _)| found.is_some());
-    let through_any = || {
-        let tried = zooms(reading).map(|it| Eye::new(reading, it));
-        let fits = tried.filter_map(|eye| Some((seen(eye).fitted(&[Terms::UnitY])?, eye)));
-        let nearest = fits.min_by(|((_, one), _), ((_, other), _)| one.off.total_cmp(&other.off));
-        let nearest = nearest.filter(|((_, fit), _)| fit.off <= EXACT);
-        nearest.map(|(found, eye)| (Some(found), eye))
+    let fitted = |eye: Eye, terms: &[Terms]| {
+        let found = seen(eye).fitted(terms)?;
+        Some((found, eye))
     };
-    let (found, eye) = found
-        .or_else(through_any)
-        .or_else(|| Some((seen(books).fitted(&[Terms::Red]), books)))
-        .unwrap_or((None, books));
+    let own = fitted(books, &Terms::BEHIND);
+    let is_exact = |((_, fit), _): &((Terms, Fit), Eye)| fit.off <= EXACT;
+    let found = own.filter(is_exact).or_else(|| {
+        // Through one viewport or another much looks nearly like a blend that is none.
+        let typed = others.iter().filter_map(|eye| fitted(*eye, &Terms::BEHIND));
+        let zooms = zooms(reading).map(|it| Eye::new(reading, it));
+        let zooms = zooms.filter_map(|eye| fitted(eye, &[Terms::UnitY]));
+        let all = typed.chain(zooms).filter(is_exact);
+        let nearest = all.min_by(|((_, one), _), ((_, other), _)| one.off.total_cmp(&other.off));
+        let vectors = [Terms::Unit, Terms::Absolute];
+        nearest
+            .or_else(|| fitted(books, &Terms::BEHIND))
+            .or_else(|| others.iter().find_map(|eye| fitted(*eye, &vectors)))
+            .or_else(|| fitted(books, &[Terms::Red]))
+    });
+    let (found, eye) = match found {
+        Some((found, eye)) => (Some(found), eye),
+        None => (None, books),
+    };
     let unlike = match found {
         Some((Terms::Rows, _)) => {
             ", as where a direction is not divided by its length, or in a narrow view".to_owned()
         }
         Some((Terms::Columns | Terms::Both, _)) => {
-            "; the book's follows the direction's y".to_owned()
+            "; the book's sky follows the direction's y".to_owned()
         }
         Some((Terms::UnitY | Terms::Unit | Terms::Absolute, _))
             if eye.viewport != books.viewport =>
@@ -124,7 +133,7 @@ fn viewports(reading: &Reading) -> [[f64; 2]; 7] {
 /// Viewports of any size.
 fn zooms(reading: &Reading) -> impl Iterator<Item = [f64; 2]> {
     let ratio = f64::from(reading.width) / f64::from(reading.height);
-    let heights = (-20..=48).map(|n| (f64::from(n) / 8.0).exp2());
+    let heights = (-80..=192).map(|n| (f64::from(n) / 32.0).exp2());
     heights.map(move |height| [height * ratio, height])
 }
 
