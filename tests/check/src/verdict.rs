@@ -181,13 +181,6 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> 
     let may_be_right = another_width.is_none();
     let shape = another_width.or_else(|| causes::wrong_shape(scene, width, height));
     if let Some(cause) = causes::no_levels(reading) {
-        // Nothing is seen in numbers that were cut off.
-        if reading.is_cut() {
-            return Check::NotAPicture {
-                cause,
-                finding: None,
-            };
-        }
         let finding = match Finding::of(scene, reading, known) {
             Answer::Of(finding) => finding,
             Answer::Another(_) => {

@@ -56,7 +56,11 @@ impl Near {
     pub fn clause(&self, pixels: usize) -> String {
         let chosen = self.scene.chosen.clause();
         let buts = self.but.iter().map(But::clause);
-        let left = self.is_for_pixels().then(|| left(&self.left, pixels));
+        let is_on_its_way = |but: &But| matches!(but, But::Degraded(_));
+        let is_by_rays = self.left.is_both_ways && !self.but.iter().any(is_on_its_way);
+        let left = self
+            .is_for_pixels()
+            .then(|| left(&self.left, is_by_rays, pixels));
         let all: Vec<String> = chosen.into_iter().chain(buts).chain(left).collect();
         all.join(", and ")
     }
@@ -74,7 +78,7 @@ impl Near {
 }
 
 /// The pixels that an explanation leaves: single ones, or a rounding or noise everywhere.
-fn left(left: &Left, pixels: usize) -> String {
+fn left(left: &Left, is_by_rays: bool, pixels: usize) -> String {
     let (off, far) = (left.off, left.far);
     match (off, far) {
         (1, _) if left.is_one_by_one => format!("for 1 of {pixels} pixels"),
@@ -82,7 +86,7 @@ fn left(left: &Left, pixels: usize) -> String {
             "with noise: {off} of {pixels} pixels are off, {far} of them by more than a level"
         ),
         (_, 0) => {
-            let by = match left.is_both_ways {
+            let by = match is_by_rays {
                 true => "up and down, as by one random ray a pixel, or less precision",
                 false => "as by another way of rounding",
             };

@@ -64,11 +64,6 @@ impl Reading {
         self.pixels.iter().all(|pixel| *pixel == self.pixels[0])
     }
 
-    /// Whether all numbers are too large to be held.
-    pub fn is_cut(&self) -> bool {
-        self.pixels.iter().all(|pixel| *pixel == [i16::MAX; 3])
-    }
-
     /// The numbers that are no levels, if there are any.
     pub fn outside(&self) -> Option<Outside> {
         let is_outside = |pixel: &[i16; 3]| pixel.iter().any(|level| !(0..256).contains(level));

@@ -77,7 +77,9 @@ impl View<'_> {
             true => "Every pixel",
             false => "Nearly every pixel",
         };
-        is_plain.then(|| match first {
+        // Numbers that were cut off may have been any.
+        let is_cut = first.contains(&i16::MAX);
+        (is_plain && !is_cut).then(|| match first {
             [0, 0, 0] => {
                 format!("{all} is black: is a component NaN, or is no color ever set?")
             }
