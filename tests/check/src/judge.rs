@@ -147,13 +147,17 @@ fn drop_what_explains_little(found: &mut Vec<Explanation>, scene: &Scene) {
     });
 }
 
-/// Where all is right within a level, nothing was lost that leaves a quarter of that.
+/// Where all is right within a level, edges too, nothing was lost that leaves a quarter of that, nor
+/// are there several rays.
 fn drop_losses_of_roundings(found: &mut Vec<Explanation>, scene: &Scene) {
     let is_right = |it: &&Explanation| it.slips.is_empty() && is_same(&it.scene, scene);
     let is_rounded = |it: &&Explanation| it.left.far == 0 && it.but.is_empty() && it.seen.is_none();
     let rounded = found.iter().filter(is_right).filter(is_rounded);
     let rounded = rounded.map(Explanation::bits).fold(f64::INFINITY, f64::min);
-    let is_lossy = |it: &Explanation| it.degradation().is_some_and(Degradation::is_lossy);
+    let is_mean = |but: &But| matches!(but, But::Antialiased { .. });
+    let is_lossy = |it: &Explanation| {
+        it.degradation().is_some_and(Degradation::is_lossy) || it.but.iter().any(is_mean)
+    };
     found.retain(|it| !is_lossy(it) || 4.0 * it.bits() < rounded);
 }
 

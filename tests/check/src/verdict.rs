@@ -334,15 +334,12 @@ impl Finding {
             (false, _) if is_typed => Vec::new(),
             (_, _) => seen::sights(&compared, reading),
         };
-        // Whoever is off away from edges in most pixels is not right, whatever edges are like, nor is
-        // who is far from the nearest color of a palette.
-        let keeps_most = |but: &But| {
-            matches!(
-                but,
-                But::Antialiased { .. } | But::Degraded(Degradation::Palette { .. })
-            )
-        };
-        let is_far = best.but.iter().any(keeps_most) && 2 * best.left.far > reading.pixels.len();
+        // Whoever is off by more than a level in most pixels is not right, unless that is noise or a
+        // loss; levels of a palette are not far from its nearest color.
+        let is_of_few = |but: &But| matches!(but, But::Degraded(Degradation::Palette { .. }));
+        let is_excused =
+            best.left.is_noise(reading.pixels.len()) || is_lossy && !best.but.iter().any(is_of_few);
+        let is_far = !is_excused && 2 * best.left.far > reading.pixels.len();
         let is_near = is_known && is_right && !is_far;
         // What is seen through a viewport of the reader's own, is told beside that.
         let is_through_another = compared.chosen.viewport_height.is_some();

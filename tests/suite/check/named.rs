@@ -810,6 +810,33 @@ fn several_rays_beside_the_pixel_are_a_mistake() {
     }
 }
 
+/// A clamp at 0.99 takes two levels from the blue of all the sky.
+#[test]
+fn several_rays_excuse_no_surface_that_is_off() {
+    let right = with_rays(&Program::right(Chapter::HittableList), 30, 0.0);
+    let clamped = changed_all(&right, |level| level.min(253));
+    let found = finding(Chapter::HittableList, &clamped);
+    assert!(found.near.is_none(), "right, but {}", found.but());
+}
+
+/// A sky that a doubled weight makes the book's again.
+#[test]
+fn a_slip_that_numbers_of_ones_own_undo_is_none() {
+    let program = scene(Chapter::Normals).only_by(Edition::V3_0).program(&[]);
+    let program = Program {
+        level: |component| (255.0 * component).ceil() as i32,
+        ..program
+    };
+    let found = finding(Chapter::Normals, &program.run(200).picture());
+    let own = |it: &&check::verdict::Set| it.scene.chosen.sky.is_some();
+    assert_eq!(
+        found.sets.iter().filter(own).count(),
+        0,
+        "{:?}",
+        names(&found)
+    );
+}
+
 #[test]
 fn one_ray_anywhere_in_a_pixel_is_no_mistake() {
     for chapter in [Chapter::Normals, Chapter::HittableList] {

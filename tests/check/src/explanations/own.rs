@@ -98,8 +98,6 @@ pub(crate) fn chosen_beside_slips(
     let mut found: Vec<Hypothesis> = paths.into_iter().flatten().collect();
     // Slips by themselves are looked for elsewhere.
     found.retain(|it| it.scene.chosen != Chosen::default() && !it.slips.is_empty());
-    // Nor does a slip count that numbers were fitted to undo.
-    found.retain(|it| !fit.draws_the_right_picture(it));
     // Where the numbers that were fitted draw the same without them, none were made.
     let without = found.iter().map(|it| {
         fit.named(Hypothesis {
@@ -108,6 +106,8 @@ pub(crate) fn chosen_beside_slips(
         })
     });
     let without: Vec<Hypothesis> = without.collect();
+    // Nor does a slip count that numbers were fitted to undo.
+    found.retain(|it| !fit.draws_the_right_picture(it));
     found.into_iter().chain(without).collect()
 }
 
