@@ -30,6 +30,8 @@ pub struct Left {
 const FEW: usize = 50;
 /// One pixel in so many is many.
 const MANY: usize = 16;
+/// One in so many may be a level off by a rounding.
+const ROUNDED: usize = 1000;
 
 impl Left {
     /// What is left of `reading` beside `drawn`, a picture of the same size.
@@ -51,6 +53,11 @@ impl Left {
             is_both_ways: odd.is_both_ways(reading, drawn),
             is_one_by_one: one_by_one <= by_frequency,
         }
+    }
+
+    /// Whether nothing but single roundings is left, in one pixel of a thousand at most.
+    pub(crate) fn is_rounding(&self, pixels: usize) -> bool {
+        self.far == 0 && ROUNDED * self.off <= pixels
     }
 
     /// Whether levels are off everywhere and both ways, which no program's rounding does.

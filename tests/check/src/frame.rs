@@ -15,6 +15,12 @@ const SIDES: usize = 40;
 /// hundred do.
 const SHARP: u32 = 4;
 const MOST: u32 = 60;
+/// So many pixels beside it may be blurred.
+const BLURRED: u32 = 2;
+/// Levels within which a border has one color.
+const BORDER: u16 = 2;
+/// One row in so many is a thin one.
+const THIN: u32 = 25;
 /// Levels that count at most.
 const FAR: u32 = 24;
 /// How many sides have to be seen: the others may be the file's own.
@@ -43,6 +49,14 @@ pub fn judge_inside<E>(
             return Ok((scene, check, inside));
         }
     }
+    // Whatever it is, a border is no part of it.
+    if let Some(inside) = inside_of_a_border(&reading) {
+        let (of_inside, inner) = judge(&inside)?;
+        let is_misshapen = |check: &Check| matches!(check, Check::WrongShape { .. });
+        if !is_misshapen(&inner) || is_misshapen(&check) {
+            return Ok((of_inside, inner, inside));
+        }
+    }
     Ok((scene, check, reading))
 }
 
@@ -53,6 +67,49 @@ fn is_known(check: &Check) -> bool {
             .finding()
             .is_some_and(|it| it.near.is_some() || !it.sets.is_empty()),
     }
+}
+
+/// What lies in a border of one color, whose sides may be blurred.
+fn inside_of_a_border(reading: &Reading) -> Option<Reading> {
+    let (width, height) = (reading.width, reading.height);
+    let off = |n: u32| distance(reading.pixels[0], reading.pixels[n as usize]);
+    let all = 0..width * height;
+    let inside = all.filter(|&n| off(n) > BORDER);
+    let [mut left, mut right, mut above, mut below] = [width, 0, height, 0];
+    for n in inside {
+        let (i, j) = (n % width, n / width);
+        (left, right) = (left.min(i), right.max(i + 1));
+        (above, below) = (above.min(j), below.max(j + 1));
+    }
+    let is_border = [left > 0, right < width, above > 0, below < height];
+    let (across, down) = (right.saturating_sub(left), below.saturating_sub(above));
+    // One side alone is that of something else, unless it is a row or a few.
+    let is_thin = THIN * (width - across) <= width && THIN * (height - down) <= height;
+    let count = is_border.iter().filter(|it| **it).count();
+    let is_large = LEAST * across >= width && LEAST * down >= height && across.min(down) > BLURRED;
+    if !is_large || count == 0 || count < SEEN && !is_thin {
+        return None;
+    }
+    // Beside a border most are others, or it is the end of something that is none.
+    let row = |j: u32| (left..right).map(move |i| j * width + i).collect();
+    let column = |i: u32| (above..below).map(move |j| j * width + i).collect();
+    let sides: [Vec<u32>; 4] = [
+        column(left + BLURRED),
+        column(right - 1 - BLURRED),
+        row(above + BLURRED),
+        row(below - 1 - BLURRED),
+    ];
+    let is_another = |n: &&u32| u32::from(off(**n)) >= FAR;
+    let mut sides = sides
+        .iter()
+        .zip(is_border)
+        .filter(|(_, is_border)| *is_border);
+    let are_sharp = sides.all(|(side, _)| 2 * side.iter().filter(is_another).count() > side.len());
+    let color = reading.pixels[0];
+    let why = format!(
+        "its border is {color:?} everywhere, as in a screenshot, or where rows are never drawn"
+    );
+    are_sharp.then(|| part(reading, [left, right, above, below], &why))
 }
 
 /// What lies in the rectangles of a usual shape with the sharpest sides, the smallest of those
@@ -94,11 +151,11 @@ fn insides(reading: &Reading) -> impl Iterator<Item = Reading> {
     let framed = framed.into_iter().take(TRIED);
     // One color tells nothing of a picture.
     framed
-        .map(|(_, sides)| part(reading, sides))
+        .map(|(_, sides)| part(reading, sides, "it lies in a frame, as in a screenshot"))
         .filter(|it| !it.is_plain())
 }
 
-fn part(reading: &Reading, [left, right, above, below]: [u32; 4]) -> Reading {
+fn part(reading: &Reading, [left, right, above, below]: [u32; 4], why: &str) -> Reading {
     let (across, down) = (right - left, below - above);
     let width = reading.width;
     let pixels = (above..below).flat_map(|j| (left..right).map(move |i| j * width + i));
@@ -110,7 +167,7 @@ fn part(reading: &Reading, [left, right, above, below]: [u32; 4]) -> Reading {
         encoding: Some(Cause::new(
             FRAMED,
             format!(
-                "it lies in a frame, as in a screenshot: the {across} × {down} pixels from column {left}, row {above} on were judged"
+                "{why}: the {across} × {down} pixels from column {left}, row {above} on were judged"
             ),
             "Check the file that the program wrote.",
         )),

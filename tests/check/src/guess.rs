@@ -11,6 +11,7 @@ use crate::explanations::{
 use crate::judge::likeliest;
 use crate::reading::Reading;
 use crate::scene::Scene;
+use crate::surfaces;
 
 /// How many pixels are looked at to find those that may be the nearest, and these.
 const LOOKS: [u32; 2] = [100, 1500];
@@ -25,6 +26,7 @@ const CHOSEN: f64 = 4.0;
 pub fn scene(reading: &Reading) -> Scene {
     let known = Known::default();
     let places = LOOKS.map(|count| Places::new(reading, None, count));
+    let is_one = surfaces::is_one(reading);
     let mut least = f64::INFINITY;
     let mut nearest = None;
     for chapter in Chapter::OF_THE_BOOK {
@@ -37,8 +39,14 @@ pub fn scene(reading: &Reading) -> Scene {
             .collect();
         let own = rights.iter().filter(|it| it.scene.probe.is_none());
         let colored = own.filter_map(|it| in_colors(&evidence, it));
+        let singles = single(&evidence);
+        // What shows nothing but a sky may be that in colors of one's own, with a slip.
+        let is_sky = chapter == Chapter::Gradient && is_one;
+        let skies = singles.iter().filter(|_| is_sky);
+        let skies = skies.filter_map(|it| in_colors(&evidence, it));
+        let skies: Vec<Hypothesis> = skies.collect();
         let all = rights.iter().cloned().chain(colored);
-        let all = all.chain(single(&evidence));
+        let all = all.chain(singles).chain(skies);
         let few = likeliest(&evidence, all, &places[0], f64::INFINITY, FEW);
         let few = few.iter().map(|(_, it)| {
             let length = it.estimated(reading, &places[1], f64::INFINITY);

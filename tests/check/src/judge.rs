@@ -10,7 +10,7 @@ use crate::evidence::Evidence;
 use crate::explanations::{
     But, Degradation, Explanation, Hypothesis, Path, Places, SINGLE, Seen, TWO, antialiased,
     chosen_beside_slips, chosen_otherwise, degradations, doubtful, in_colors, more, mutants,
-    on_a_curve, palette, ramps, right, silhouettes, single, turned, two, typed,
+    on_a_curve, palette, ramps, right, silhouettes, single, spread, turned, two, typed,
 };
 use crate::scene::{Chosen, Scene};
 use crate::surfaces;
@@ -42,6 +42,8 @@ const FEW: usize = 80;
 const FEWER: usize = 16;
 /// How many pixels of these are measured: those of 6 pictures 400 wide.
 const PIXELS: usize = 540_000;
+/// The same of those that draw what the first one does: so many times as many.
+const ALIKE: usize = 4;
 /// What more than this is left of is worth a search for numbers of the reader's own, for
 /// several rays and curves: some thirty odd pixels. Less is told pixel by pixel anyway.
 const WORTH_A_SEARCH: f64 = 1000.0;
@@ -60,6 +62,8 @@ const MANY_RAYS: f64 = 36.0;
 /// up for something else: hits are not colored by the normal, spheres are not there, nor is it a
 /// part of a larger picture.
 const LOSSLESS: usize = 500;
+/// What is nearly a picture is off in one pixel of so many.
+const NEARLY: usize = 50;
 /// How many pixels are looked at where nothing is known of thousands of changes.
 const PEEK: u32 = 16;
 /// What is shorter than this has been made: a slip that leaves some odd pixels.
@@ -115,6 +119,13 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     drop_what_explains_little(&mut found, &evidence.scene);
     drop_losses_of_roundings(&mut found, &evidence.scene);
     drop_changes_like_choices(&mut found);
+    // Nor is a change told that nobody has thought of, where it draws only nearly what is there.
+    let is_nearly = |it: &Explanation| {
+        let is_unnamed = it.slips.iter().any(|slip| slip.name.is_empty());
+        is_unnamed && it.but.is_empty() && NEARLY * it.left.off > reading.pixels.len()
+    };
+    let has_sources = !evidence.known.sources.is_empty();
+    found.retain(|it| has_sources || !is_nearly(it));
     found.sort_by(|one, other| one.bits().total_cmp(&other.bits()));
     simplest_first(&mut found);
     Judgement {
@@ -254,7 +265,7 @@ impl Search<'_> {
         }
         // Where levels were lost, estimates tell only which is the likeliest.
         let is_lossy = |it: &Hypothesis| it.degradation.is_some_and(Degradation::is_lossy);
-        let pictures = (PIXELS / reading.pixels.len()).clamp(FEWER / 4, FEWER);
+        let pictures = (PIXELS / reading.pixels.len()).clamp(1, FEWER);
         let left = |(length, it): &(f64, Hypothesis)| length - it.name;
         let least = some.first().map_or(0.0, left);
         let is_least = |it: &(f64, Hypothesis)| {
@@ -262,7 +273,7 @@ impl Search<'_> {
         };
         let names = some.iter().filter(|it| is_least(it)).map(|(_, it)| it.name);
         let shortest = names.fold(f64::INFINITY, f64::min);
-        let (mut others, mut known) = (0, HashMap::new());
+        let (mut others, mut all_measured, mut known) = (0, 0, HashMap::new());
         for it in &some {
             // Who draws the same leaves the same, but for roundings. All slips that do and whose
             // names are short enough are told; of numbers that a reader may have typed, the simplest.
@@ -270,8 +281,10 @@ impl Search<'_> {
                 continue;
             }
             others += usize::from(!is_least(it));
+            all_measured += 1;
             let most = may_win(self.best().bits().min(self.unknown));
-            if others >= pictures || it.0 > most && !is_lossy(&it.1) {
+            let are_enough = others >= pictures || all_measured > ALIKE * pictures;
+            if are_enough || it.0 > most && !is_lossy(&it.1) {
                 break;
             }
             self.found.extend(it.1.measured_among(&mut known, reading));
@@ -297,6 +310,14 @@ impl Search<'_> {
         };
         let is_of_few = palette(self.evidence.reading).is_some();
         if !is_of_few && self.is_shorter(self.unknown, 1.2, is_grainy) {
+            return;
+        }
+        // Roundings of a right picture are those of another precision.
+        let is_rounded = |it: &Explanation| {
+            let is_right = it.slips.is_empty() && it.seen.is_none();
+            is_right && it.left.is_rounding(self.evidence.reading.pixels.len())
+        };
+        if self.evidence.known.sources.is_empty() && is_rounded(self.best()) {
             return;
         }
         let nearest = self.nearest_of(rights);
@@ -547,10 +568,18 @@ impl Search<'_> {
             })
         });
         let (mark, reading) = (self.best().mark, evidence.reading);
-        let places = Places::new(reading, None, PEEK);
-        let most = self.best().bits() + TOGETHER;
-        let others = others.filter(|it| it.estimated(reading, &places, may_win(most)).is_some());
-        let same = others.filter_map(|it| it.measured(reading));
+        let Some(drawn) = best.output(reading) else {
+            return;
+        };
+        let is_same = |it: &Hypothesis| {
+            let (width, height) = drawn.size();
+            let mut places = spread(PEEK, width * height);
+            let output = it.output(reading);
+            output.is_some_and(|it| places.all(|n| it.pixel(n) == drawn.pixel(n)))
+        };
+        let mut known = HashMap::new();
+        let same = others.filter(is_same);
+        let same = same.filter_map(|it| it.measured_among(&mut known, reading));
         let same: Vec<Explanation> = same.filter(|it| it.mark == mark).collect();
         self.found.extend(same);
     }
@@ -664,7 +693,10 @@ impl Search<'_> {
         let beside: Vec<Hypothesis> = beside.collect();
         let before = self.found.len();
         let beside = self.add(beside, None, f64::INFINITY);
-        self.add_antialiased(beside.get(..1).unwrap_or_default());
+        // The mean of several rays is scaled otherwise, so a slip in that may be none.
+        let without = beside.iter().find(|it| it.slips.is_empty());
+        let tried: Vec<Hypothesis> = beside.first().into_iter().chain(without).cloned().collect();
+        self.add_antialiased(&tried);
         let unknown = self.unknown;
         let explains = |it: &Explanation| {
             let times = if it.but.is_empty() { MIXED } else { SCATTERED };

@@ -8,7 +8,7 @@ use slips::{Chapter, Edition, Letters, Slip};
 use crate::bits::Left;
 use crate::comparison::{Comparison, Difference};
 use crate::evidence::{Evidence, Known};
-use crate::explanations::{But, Conversion, Degradation, Explanation, Seen};
+use crate::explanations::{But, Conversion, Curve, Degradation, Explanation, Seen};
 use crate::judge::{Judgement, is_same, shortest};
 use crate::reading::{self, Cause, Reading};
 use crate::scene::Scene;
@@ -290,8 +290,9 @@ impl Finding {
         let is_a_rounding = is_lossy && !is_right && is_near;
         // A table of differences may be short, but who is far off in every pixel has drawn none.
         let is_somewhere = best.left.far < reading.pixels.len();
-        let is_known =
-            best.bits() < judgement.unknown && !is_typed && !is_a_rounding && is_somewhere;
+        let is_rounded = is_right && best.left.is_rounding(reading.pixels.len());
+        let is_shorter = best.bits() < judgement.unknown || is_rounded;
+        let is_known = is_shorter && !is_typed && !is_a_rounding && is_somewhere;
         if is_known && is_right && !is_same(&best.scene, scene) {
             return Answer::Another(judgement.scenes_like(best));
         }
@@ -323,13 +324,20 @@ impl Finding {
         let told: usize = sets.iter().map(|set| set.mistakes.len()).sum();
         let says_little = is_known && judgement.says_little();
         let is_vague = best.slips.len() > 1 || told > TOLD || says_little;
+        let curve = best.but.iter().find_map(|it| match it {
+            But::Curve(curve) => Some(curve),
+            _ => None,
+        });
         let sights = match (is_known, &best.seen) {
             (true, Some(seen @ Seen::Little)) => {
                 let mut sights = seen::sights(&compared, reading).into_iter();
                 let (first, last) = (sights.next(), sights.next_back());
                 first.into_iter().chain([seen.said()]).chain(last).collect()
             }
-            (true, Some(seen)) => vec![seen.said()],
+            (true, Some(seen)) => {
+                let curve = curve.map(Curve::said);
+                [seen.said()].into_iter().chain(curve).collect()
+            }
             (true, None) if !is_vague => Vec::new(),
             (false, _) if is_typed => Vec::new(),
             (_, _) => seen::sights(&compared, reading),
@@ -341,9 +349,11 @@ impl Finding {
             best.left.is_noise(reading.pixels.len()) || is_lossy && !best.but.iter().any(is_of_few);
         let is_far = !is_excused && 2 * best.left.far > reading.pixels.len();
         let is_near = is_known && is_right && !is_far;
-        // What is seen through a viewport of the reader's own, is told beside that.
-        let is_through_another = compared.chosen.viewport_height.is_some();
-        let shown = match sets.is_empty() && !is_near && !is_through_another {
+        // What is seen through a viewport of the reader's own, or on a curve, is told beside that.
+        let is_through_another =
+            compared.chosen.viewport_height.is_some() || is_known && curve.is_some();
+        let is_told = !sets.is_empty() || is_through_another;
+        let shown = match reading.is_plain() || !is_told && !is_near {
             true => surfaces::said(reading),
             false => Vec::new(),
         };

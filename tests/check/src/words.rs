@@ -87,6 +87,9 @@ fn left(left: &Left, is_by_rays: bool, pixels: usize) -> String {
         ),
         (_, 0) => {
             let by = match is_by_rays {
+                _ if left.is_rounding(pixels) => {
+                    "as with single precision, or another order of operations"
+                }
                 true => "up and down, as by one random ray a pixel, or less precision",
                 false => "as by another way of rounding",
             };
@@ -249,6 +252,15 @@ impl Degradation {
 
 impl Curve {
     fn clause(&self) -> String {
+        format!("with all levels on a curve{}", self.points())
+    }
+
+    /// The same beside what is seen.
+    pub(crate) fn said(&self) -> String {
+        format!("All levels are on a curve{}.", self.points())
+    }
+
+    fn points(&self) -> String {
         let ends = self.examples();
         let ends: Vec<String> = ends
             .map(|(level, found)| format!("{level} is {found}"))
@@ -256,7 +268,7 @@ impl Curve {
         let power = self.power.map_or(String::new(), |power| {
             format!(", near the power {power:.2}, as gamma correction has it")
         });
-        format!("with all levels on a curve{power}: {}", ends.join(", "))
+        format!("{power}: {}", ends.join(", "))
     }
 }
 

@@ -138,7 +138,7 @@ impl Edition {
         matches!(self, Self::V3_1_0 | Self::V3 | Self::V4)
     }
 
-    /// The row that the loop counts as it draws the `j`th row from above.
+    /// The row that the right loop counts as it draws the `j`th row from above.
     pub(super) fn row(self, j: u32, image_height: u32) -> f64 {
         match self.counts_from_below() {
             true => f64::from(image_height) - 1.0 - f64::from(j),

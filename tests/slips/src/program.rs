@@ -114,6 +114,8 @@ pub struct Program {
     /// The column and row of the nth printed pixel, given the picture's width
     /// and height.
     pub order: fn(u32, u32, u32) -> (u32, u32),
+    /// How many rows higher each one is seen than it is printed.
+    pub rows_above: f64,
     /// Blue in every pixel of the build test.
     pub blue: f64,
     /// The color of the pixel in a column and row.
@@ -348,12 +350,17 @@ impl Program {
         })
     }
 
+    /// The row that the loop counts as it draws the `j`th row from above.
+    pub(super) fn row(&self, j: u32, camera: &Camera) -> f64 {
+        self.edition.row(j, camera.image_height) + self.rows_above
+    }
+
     /// The ray of a program without a slip in it.
     pub(super) fn right_ray(&self, camera: &Camera, i: u32, j: u32) -> Ray {
         if let Some(ray) = self.code.and_then(|code| code.ray(camera, i, j)) {
             return ray;
         }
-        let row = self.edition.row(j, camera.image_height);
+        let row = self.row(j, camera);
         self.ray_of(camera, i.into(), row)
     }
 
@@ -431,6 +438,7 @@ const HITTABLE_LIST: Program = Program {
     },
     inset: [0.5, 0.5],
     order: |n, width, _| (n % width, n / width),
+    rows_above: 0.0,
     blue: 0.0,
     color: |program, camera, i, j| program.ray_color(&(program.ray)(program, camera, i, j)),
     ray: Program::right_ray,
@@ -525,13 +533,7 @@ const BUILD_TEST: Program = Program {
     chapter: Chapter::BuildTest,
     image_height: |width, _| width as u32,
     divisors: |width, height| [(width - 1.0).max(1.0), (height - 1.0).max(1.0)],
-    color: |program, camera, i, j| {
-        program.ramp(
-            camera,
-            i.into(),
-            program.edition.row(j, camera.image_height),
-        )
-    },
+    color: |program, camera, i, j| program.ramp(camera, i.into(), program.row(j, camera)),
     ..GRADIENT
 };
 

@@ -25,7 +25,7 @@ fn on_viewport(program: &Program, camera: &Camera, i: u32, j: u32) -> [f32; 2] {
     let [width, height] = [camera.image_width, camera.image_height].map(f64::from);
     let ratio = (program.viewport_ratio)(width, height, program.aspect_ratio) as f32;
     let divisors = (program.divisors)(width, height).map(|divisor| divisor as f32);
-    let at = [i as f32, program.edition.row(j, camera.image_height) as f32];
+    let at = [i as f32, program.row(j, camera) as f32];
     let axis = |n: usize, viewport: f32| match program.edition.counts_from_below() {
         true => -0.5 * viewport + at[n] / divisors[n] * viewport,
         false => {

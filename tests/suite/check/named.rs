@@ -711,6 +711,11 @@ fn what_lies_in_a_frame_is_judged_by_itself() {
     })));
     assert!(!matches!(check, Check::Right(_) | Check::Near(_)));
     assert_eq!(size, (350, 220), "what is not known is judged as a whole");
+    // Whose sides are blurred.
+    let mut unknown = RgbImage::from_fn(320, 180, |i, j| Rgb([i as u8, 90, (i + j) as u8]));
+    unknown = imageops::blur(&bordered_plainly(&unknown), 1.0);
+    let (_, (width, height)) = judged(unknown);
+    assert!(width < 330 && height < 190, "its border is no part of it");
 }
 
 #[test]
@@ -726,7 +731,11 @@ fn a_build_test_of_ones_own_is_told_as_ramps() {
 /// Whoever counts rows from below and both loops from one draws what lies to the right and above.
 #[test]
 fn both_loops_from_one_are_a_slip_in_every_edition() {
-    for (edition, up) in [(Edition::V4, -1), (Edition::V1InDouble, 1)] {
+    for (edition, up) in [
+        (Edition::V4, -1),
+        (Edition::V1InDouble, 1),
+        (Edition::V1, 1),
+    ] {
         let right = edition.program(Chapter::Gradient);
         let from_one = slip("loops-from-one").put_to(right);
         let [expected, drawn] = [right, from_one].map(|it| it.run(200).picture());
@@ -863,6 +872,56 @@ fn levels_on_a_curve_are_told_with_its_power() {
         let power = curve.power.expect("it is one");
         assert!((power - 1.0 / 2.2).abs() < 0.03, "{power}");
     }
+    // The mean of several rays had fractions of levels before.
+    let rooted = Program {
+        level: |mean| (255.0 * mean.sqrt()) as i32,
+        ..Program::right(Chapter::HittableList)
+    };
+    let but = near(Chapter::HittableList, &with_rays(&rooted, 20, 0.0)).but;
+    assert!(
+        matches!(but[..], [But::Antialiased { .. }, But::Curve(_)]),
+        "{but:?}"
+    );
+}
+
+/// As through the corner of a viewport, by divisions of integers; and as of nothing but normals.
+#[test]
+fn one_color_is_told_as_the_book_has_it() {
+    for (color, words) in [
+        ([155, 195, 255], "a corner of a viewport 2 wide"),
+        ([191, 217, 255], "straight ahead"),
+        ([255, 0, 0], "Every ray counts as a hit"),
+        ([127, 255, 127], "a normal of (0, 1, 0)"),
+        ([201, 201, 201], "is each division"),
+    ] {
+        let picture = Picture::from_rgb(20, 20, color.repeat(400)).expect("its size");
+        let shown = finding(Chapter::Gradient, &picture).shown.join(" ");
+        assert!(shown.contains(words), "{color:?}: {shown}");
+    }
+}
+
+/// Rows that rise to the right, and a picture that is moved by a part of its width.
+#[test]
+fn a_sky_is_known_through_whatever_camera() {
+    let right = Program::right(Chapter::Gradient);
+    let rising = Program {
+        viewport_u: |width, _| Vec3::new(width, 0.5 * width, 0.0),
+        ..right
+    };
+    let moved = Program {
+        corner: [0.55, 0.5],
+        ..right
+    };
+    for (program, words) in [
+        (rising, "a row led along (3.5, 1.8)"),
+        (moved, "moved by 20 pixels to the"),
+    ] {
+        let shown = finding(Chapter::Gradient, &program.run(400).picture())
+            .shown
+            .join(" ");
+        assert!(shown.contains("is the book's sky"), "{shown}");
+        assert!(shown.contains(words), "{shown}");
+    }
 }
 
 #[test]
@@ -974,7 +1033,7 @@ fn a_picture_of_many_surfaces_is_told_as_that() {
         (i % 40 < 20 && j % 40 < 20).then_some([(i % 256) as u8, 90, 20])
     });
     let shown = finding(Chapter::Gradient, &grid).shown.join(" ");
-    assert!(shown.contains("16 surfaces"), "{shown}");
+    assert!(shown.contains("into 16 pieces"), "{shown}");
 }
 
 /// As a material of a later chapter draws what is hit, before and after gamma correction.
@@ -1219,6 +1278,13 @@ fn bordered(picture: &RgbImage) -> RgbImage {
     border
 }
 
+fn bordered_plainly(picture: &RgbImage) -> RgbImage {
+    let (width, height) = picture.dimensions();
+    let mut border = RgbImage::from_pixel(width + 30, height + 40, Rgb([255; 3]));
+    imageops::replace(&mut border, picture, 15, 17);
+    border
+}
+
 /// In a window with a title and a thin border.
 fn framed(picture: &RgbImage) -> RgbImage {
     let mut window = RgbImage::from_pixel(164, 112, Rgb([60, 63, 70]));
@@ -1287,7 +1353,7 @@ fn with_rays(program: &Program, count: usize, lower: f64) -> Picture {
         };
         let sum = (0..count).fold(Color::ZERO, |sum, _| sum + ray());
         sum.to_array()
-            .map(|component| (255.999 * component / count as f64) as u8)
+            .map(|component| (program.level)(component / count as f64) as u8)
     };
     let (width, height) = (camera.image_width, camera.image_height);
     let pixels = (0..width * height).flat_map(|n| mean(n % width, n / width));

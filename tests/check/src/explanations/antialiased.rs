@@ -301,9 +301,14 @@ impl<'a> Rays<'a> {
     }
 
     fn pixel(&self, n: u32, camera: &Camera) -> Pixel {
-        let color = self.color(n, camera);
-        let pixel = color.map(|component| self.level(component));
-        self.curve.map_or(pixel, |curve| curve.of_pixel(pixel))
+        self.levels(self.color(n, camera))
+    }
+
+    fn levels(&self, color: [f64; 3]) -> Pixel {
+        match self.curve {
+            Some(curve) => color.map(|component| curve.of_component(component)),
+            None => color.map(|component| self.level(component)),
+        }
     }
 
     /// The picture with one ray through the middle of each rectangle.
@@ -338,14 +343,10 @@ impl<'a> Rays<'a> {
     /// Bits of a pixel that one of these rays may have seen, or one nearby.
     fn by_one(&self, n: u32, colors: &[[f64; 3]]) -> f64 {
         let found = self.reading.pixels[n as usize];
-        let likely = |color: &[f64; 3]| {
-            let levels = color.map(|component| self.level(component));
-            let levels = self.curve.map_or(levels, |curve| curve.of_pixel(levels));
-            match distance(levels, found) {
-                0 => 0.5,
-                1..=4 => 0.5 / 9_f64.powi(3),
-                _ => 0.0,
-            }
+        let likely = |color: &[f64; 3]| match distance(self.levels(*color), found) {
+            0 => 0.5,
+            1..=4 => 0.5 / 9_f64.powi(3),
+            _ => 0.0,
         };
         let seen = colors.iter().map(likely).sum::<f64>() / colors.len() as f64;
         -((1.0 - ANYTHING) * seen + ANYTHING / 256_f64.powi(3)).log2()

@@ -54,7 +54,7 @@ pub(crate) fn in_colors(evidence: &Evidence, right: &Hypothesis) -> Option<Hypot
     if reading.is_plain() || reading.outside().is_some() {
         return None;
     }
-    let scene = with_slips(&right.scene, &[], reading, LOOK);
+    let scene = with_slips(&right.scene, &right.slips, reading, LOOK);
     (scene.chosen != right.scene.chosen).then(|| Hypothesis {
         scene,
         name: right.name + name(&scene),

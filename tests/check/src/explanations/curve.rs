@@ -1,6 +1,9 @@
 //! Tone curves: levels that all went through the same function, as gamma correction
 //! does it.
 
+use std::ops::Range;
+
+use super::antialiased::{EDGE, contrast};
 use super::{But, Conversion, Evidence, Explanation, Hypothesis};
 use crate::bits::Pixel;
 use crate::reading::Reading;
@@ -14,6 +17,8 @@ pub struct Curve {
     known: Vec<i16>,
     /// The power that it is near, if components were raised to one.
     pub power: Option<f64>,
+    /// The power that was typed then, and by what components were multiplied after it.
+    raised: Option<[f64; 2]>,
 }
 
 /// That there is a curve.
@@ -21,7 +26,13 @@ const NAME: f64 = 6.0;
 /// What each level has become, beside what the one before it has.
 const POINT: f64 = 3.0;
 /// Two points make a line; so many different levels make a curve.
-const LEVELS: usize = 12;
+const MANY: usize = 12;
+/// Levels that tell of a power.
+const USABLE: Range<i16> = 16..240;
+/// Powers that components are raised to.
+const POWERS: [f64; 4] = [0.5, 1.0 / 2.2, 2.0, 2.2];
+/// Levels of a whole component.
+const LEVELS: f64 = 255.999;
 
 /// The program's picture on the curve that fits, if there is one.
 pub(crate) fn on_a_curve(
@@ -41,10 +52,13 @@ pub(crate) fn on_a_curve(
 }
 
 impl Curve {
-    /// The curve between two pictures: what most pixels of each level have become.
+    /// The curve between two pictures: what most pixels of each level have become, but at edges,
+    /// where they may be mixed.
     fn between(drawn: &[Pixel], reading: &Reading) -> Option<Self> {
         let mut becomes = vec![[0_u32; 256]; 256];
-        for (drawn, found) in drawn.iter().zip(&reading.pixels) {
+        let contrast = contrast(drawn, reading.width as usize);
+        let pairs = drawn.iter().zip(&reading.pixels).zip(contrast);
+        for ((drawn, found), _) in pairs.filter(|(_, contrast)| *contrast <= EDGE) {
             for (level, found) in drawn.iter().zip(found) {
                 becomes[*level as usize][*found as usize] += 1;
             }
@@ -56,8 +70,14 @@ impl Curve {
         let rises = curve.windows(2).all(|pair| pair[1].1 >= pair[0].1 - 1);
         let mut found: Vec<i16> = curve.iter().map(|point| point.1).collect();
         found.dedup();
-        (rises && found.len() >= LEVELS).then(|| Self {
-            power: power(&curve),
+        let power = power(&curve);
+        let bent = curve
+            .iter()
+            .filter(|(level, found)| level.abs_diff(*found) > 1);
+        let is_bent = 2 * bent.count() > curve.len();
+        (is_bent && rises && found.len() >= MANY).then(|| Self {
+            power,
+            raised: power.and_then(|power| raised(&curve, power)),
             levels: filled(&curve),
             known: curve.iter().map(|(level, _)| *level).collect(),
         })
@@ -84,6 +104,15 @@ impl Curve {
 
     pub(super) fn of_pixel(&self, pixel: Pixel) -> Pixel {
         pixel.map(|level| self.apply(level))
+    }
+
+    /// What became of a component of the mean of several rays, which had a fraction of a level.
+    pub(super) fn of_component(&self, component: f64) -> i16 {
+        let raised = self.raised.map(|[power, factor]| {
+            let raised = factor * component.max(0.0).powf(power);
+            raised.min(255.0)
+        });
+        raised.unwrap_or_else(|| self.at(LEVELS * component)) as i16
     }
 
     /// What became of a component between levels, with the fraction that was cut off.
@@ -122,10 +151,26 @@ fn filled(curve: &[(i16, i16)]) -> Vec<i16> {
     (0..256).map(between).collect()
 }
 
+fn component(level: i16) -> f64 {
+    (f64::from(level) + 0.5) / 256.0
+}
+
+/// The power that people type near one, and 255 or the book's factor, whichever is nearer.
+fn raised(curve: &[(i16, i16)], power: f64) -> Option<[f64; 2]> {
+    let power = POWERS.into_iter().find(|it| (it - power).abs() < 0.02)?;
+    let usable = curve.iter().filter(|point| USABLE.contains(&point.0));
+    let factors =
+        usable.map(|&(level, found)| (f64::from(found) + 0.5) / component(level).powf(power));
+    let mut factors: Vec<f64> = factors.collect();
+    factors.sort_by(f64::total_cmp);
+    let factor = *factors.get(factors.len() / 2)?;
+    let is_the_books = factor > 0.5 * (255.0 + LEVELS);
+    Some([power, if is_the_books { LEVELS } else { 255.0 }])
+}
+
 /// The power that components were raised to, if they were and it is well away from 1.
 fn power(curve: &[(i16, i16)]) -> Option<f64> {
-    let component = |level: i16| (f64::from(level) + 0.5) / 256.0;
-    let usable = curve.iter().filter(|point| (16..240).contains(&point.0));
+    let usable = curve.iter().filter(|point| USABLE.contains(&point.0));
     let mut powers: Vec<f64> = usable
         .map(|&(level, found)| component(found).ln() / component(level).ln())
         .collect();
@@ -133,6 +178,6 @@ fn power(curve: &[(i16, i16)]) -> Option<f64> {
     let power = *powers.get(powers.len() / 2)?;
     let raised = |level: i16| 256.0 * component(level).powf(power);
     let is_near = |&(level, found): &(i16, i16)| (raised(level) - f64::from(found)).abs() <= 3.5;
-    let mut usable = curve.iter().filter(|point| (16..240).contains(&point.0));
+    let mut usable = curve.iter().filter(|point| USABLE.contains(&point.0));
     ((power - 1.0).abs() > 0.1 && usable.all(is_near)).then_some(power)
 }

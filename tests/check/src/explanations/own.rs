@@ -8,6 +8,7 @@
 //! where it begins, so that has to be good: a grid of viewports, the box around what is not
 //! background.
 
+use std::cell::RefCell;
 use std::ops::Range;
 
 use common::rtweekend::Point3;
@@ -175,6 +176,8 @@ struct Fit<'a> {
     reading: &'a Reading,
     looked: Vec<u32>,
     places: Places,
+    /// What is chosen of the sky with some slips, where it was looked for.
+    backdrops: RefCell<Vec<(Hypothesis, Option<Chosen>)>>,
 }
 
 impl<'a> Fit<'a> {
@@ -187,6 +190,7 @@ impl<'a> Fit<'a> {
             reading,
             looked: spread(LOOKS[1] as u32, reading.pixels.len() as u32).collect(),
             places: Places::new(reading, None, CHOICE),
+            backdrops: RefCell::default(),
         })
     }
 
@@ -511,8 +515,35 @@ impl<'a> Fit<'a> {
     }
 
     /// The viewport and the colors of the sky by the sky alone: what lies before it may be
-    /// anything. Of simple numbers those with which it is nearest.
+    /// anything, and is the same whatever was found of it.
     fn backdrop(&self, it: &Hypothesis) -> Option<Hypothesis> {
+        let plain = Hypothesis {
+            scene: it.scene.without_choices(),
+            ..it.clone()
+        };
+        let mut known = self.backdrops.borrow_mut();
+        let found = match known.iter().find(|(of, _)| of.is_same_program(&plain)) {
+            Some((_, found)) => *found,
+            None => {
+                let found = self.seen_backdrop(&plain).map(|it| it.scene.chosen);
+                known.push((plain, found));
+                found
+            }
+        }?;
+        let height = found.viewport_height.unwrap_or_default();
+        let seen = with_viewport(it, found.viewport_width, height);
+        let chosen = Chosen {
+            viewport_width: found.viewport_width,
+            viewport_height: found.viewport_height,
+            sky: found.sky,
+            ..seen.scene.chosen
+        };
+        Some(self.with_paint(with_chosen(it, chosen)))
+    }
+
+    /// The same of a program in which nothing is the reader's. Of simple numbers those with which
+    /// it is nearest.
+    fn seen_backdrop(&self, it: &Hypothesis) -> Option<Hypothesis> {
         let fitted = self.viewport(Part::Sky, it, |it| self.with_colors(it));
         let simple = |it: &Hypothesis| self.simple_viewports(it, |it| self.with_colors(it));
         let simple = fitted.iter().flat_map(simple).chain(fitted.clone());

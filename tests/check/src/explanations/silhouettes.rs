@@ -20,7 +20,7 @@ const COLOR: f64 = 24.0;
 /// One picture in a thousand that a reader of these chapters judges is a later one's.
 const SHADED: f64 = 10.0;
 /// One pixel in so many is many: sky where something should be hit, or none where it should be.
-const MANY: usize = 16;
+const MANY: usize = 24;
 /// About what a pixel costs of whose color nothing is known.
 const HIT: f64 = 12.0;
 /// How many pixels choose the edition.

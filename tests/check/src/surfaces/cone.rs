@@ -108,26 +108,53 @@ impl Cone {
     }
 }
 
-/// A camera at the origin, with a viewport one unit away.
+/// A camera at the origin, whose pixels lie in a plane one unit away.
 #[derive(Clone, Copy)]
 pub(super) struct Eye {
-    /// The width and height of the viewport.
-    pub(super) viewport: [f64; 2],
     width: u32,
-    middle: [f64; 2],
-    /// The lengths of a pixel's sides.
-    pixel: [f64; 2],
+    height: u32,
+    /// The direction of the first pixel's ray, and what it changes by from column to column, and
+    /// from row to row.
+    pub(super) first: Vec3,
+    across: Vec3,
+    down: Vec3,
 }
 
 impl Eye {
-    pub(super) fn new(reading: &Reading, viewport: [f64; 2]) -> Self {
-        let size = [reading.width, reading.height].map(f64::from);
+    /// One that looks straight ahead through a viewport of a width and a height.
+    pub(super) fn new(reading: &Reading, [wide, high]: [f64; 2]) -> Self {
+        let [columns, rows] = [reading.width, reading.height].map(f64::from);
+        let across = Vec3::new(wide / columns, 0.0, 0.0);
+        let down = Vec3::new(0.0, -high / rows, 0.0);
+        let corner = Vec3::new(-0.5 * wide, 0.5 * high, -1.0);
+        Self::of(reading, corner + 0.5 * (across + down), across, down)
+    }
+
+    pub(super) fn of(reading: &Reading, first: Vec3, across: Vec3, down: Vec3) -> Self {
         Self {
-            viewport,
             width: reading.width,
-            middle: size.map(|it| 0.5 * (it - 1.0)),
-            pixel: [viewport[0] / size[0], viewport[1] / size[1]],
+            height: reading.height,
+            first,
+            across,
+            down,
         }
+    }
+
+    /// What directions change by from one side of the picture to the other, and from the top to
+    /// the bottom.
+    pub(super) fn sides(&self) -> [Vec3; 2] {
+        [
+            f64::from(self.width) * self.across,
+            f64::from(self.height) * self.down,
+        ]
+    }
+
+    /// By how many columns and rows the picture is to the left of where its middle would be
+    /// straight ahead, and above.
+    pub(super) fn middle(&self) -> [f64; 2] {
+        let [columns, rows] = [self.width, self.height].map(|size| 0.5 * f64::from(size - 1));
+        let middle = self.through(columns, rows);
+        [middle.x / self.across.x, middle.y / self.down.y]
     }
 
     /// Of the ray through a pixel.
@@ -144,12 +171,11 @@ impl Eye {
     }
 
     fn through(&self, column: f64, row: f64) -> Vec3 {
-        let [x, y] = [column - self.middle[0], self.middle[1] - row];
-        Vec3::new(x * self.pixel[0], y * self.pixel[1], -1.0)
+        self.first + column * self.across + row * self.down
     }
 
     /// About the angle that a pixel takes in the middle.
     fn angle(&self) -> f64 {
-        self.pixel[0].max(self.pixel[1])
+        self.across.length().max(self.down.length())
     }
 }

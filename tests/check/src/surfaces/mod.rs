@@ -6,6 +6,8 @@
 mod cone;
 mod fit;
 mod said;
+mod uniform;
+mod view;
 mod wrapped;
 
 use std::cmp::Reverse;
@@ -44,6 +46,15 @@ const MANY: usize = 8;
 /// Whether a picture has more surfaces than any of these chapters'.
 pub(crate) fn are_many(reading: &Reading) -> bool {
     Grown::seeds(reading).seeds.len() > MANY
+}
+
+/// Whether almost all of a picture is one surface, so it shows nothing before a sky.
+pub(crate) fn is_one(reading: &Reading) -> bool {
+    let seeds = Grown::seeds(reading).seeds;
+    let total = reading.pixels.len();
+    seeds
+        .first()
+        .is_some_and(|it| total - it.len() < total / PART)
 }
 
 /// The surfaces of a picture, the largest first.

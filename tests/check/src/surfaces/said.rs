@@ -1,5 +1,7 @@
 //! Surfaces in words: measured, and true of the pixels whatever the program was.
 
+use std::cmp::Reverse;
+use std::collections::HashMap;
 use std::ops::Range;
 
 use glam::DVec4;
@@ -9,8 +11,8 @@ use common::rtweekend::{Point3, Vec3};
 
 use super::cone::{Cone, Eye};
 use super::fit::{Fit, LITTLE};
-use super::{MANY, Surface, surfaces, wrapped};
-use crate::bits::distance;
+use super::{MANY, Surface, surfaces, uniform, view, wrapped};
+use crate::bits::{Pixel, distance};
 use crate::explanations::spread;
 use crate::reading::Reading;
 use crate::scene::Scene;
@@ -24,28 +26,33 @@ const LOOK: u32 = 600;
 /// A surface is a chapter's if no more than one pixel in so many is off by more levels.
 const ODD: usize = 30;
 const LEVELS: u16 = 1;
+/// One pixel in so many has a common color.
+const COMMON: usize = 12;
 /// What is larger is ground, and only its edge is seen.
 const LARGE: f64 = 10.0;
 /// Who is off by no more is off by roundings.
 const EXACT: f64 = 1.0;
 /// How near numbers are the same, in units of space or of a component.
 const NEAR: f64 = 0.015;
+/// Levels a half too dark move a sky by less than so many pixels, and change its size by less.
+const MOVED: f64 = 3.0;
+const LARGER: f64 = 0.03;
 /// The sphere of the book, and its ground.
 const SPHERE: (Point3, f64) = (Point3::new(0.0, 0.0, -1.0), 0.5);
 const GROUND: (Point3, f64) = (Point3::new(0.0, -100.5, -1.0), 100.0);
 
 /// What can be seen in a picture, surface by surface; nothing of one that has too few smooth ones.
 pub(crate) fn said(reading: &Reading) -> Vec<String> {
+    if reading.is_plain() {
+        return uniform::everywhere(reading).into_iter().collect();
+    }
     let mut all = surfaces(reading);
     let covered: usize = all.iter().map(|it| it.inner.len()).sum();
     if 2 * covered < reading.pixels.len() {
         return wrapped(reading).into_iter().collect();
     }
     if all.len() > MANY {
-        let count = all.len();
-        return vec![format!(
-            "There are {count} surfaces, and more than three in no picture of these chapters."
-        )];
+        return in_pieces(all.len(), reading);
     }
     // What lies behind reaches the top.
     let behind = all.iter().position(|it| it.rows.start == 0);
@@ -60,13 +67,38 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
     [behind].into_iter().chain(others).chain(rest).collect()
 }
 
+/// What falls into many pieces, by its commonest colors.
+fn in_pieces(count: usize, reading: &Reading) -> Vec<String> {
+    let mut counts: HashMap<Pixel, usize> = HashMap::new();
+    for pixel in &reading.pixels {
+        *counts.entry(*pixel).or_default() += 1;
+    }
+    let mut common: Vec<(usize, Pixel)> =
+        counts.into_iter().map(|(it, count)| (count, it)).collect();
+    common.retain(|(count, _)| COMMON * count >= reading.pixels.len());
+    common.sort_by_key(|it| Reverse(*it));
+    let pieces = format!(
+        "It falls into {count} pieces or more, and the pictures of these chapters into three at most."
+    );
+    let colors = common.into_iter().map(|(count, color)| {
+        let share = 100 * count / reading.pixels.len();
+        let meant = uniform::of_a_normal(color).map_or(String::new(), |it| format!(", {it}"));
+        format!("{share} % of its pixels are {color:?}{meant}.")
+    });
+    [pieces].into_iter().chain(colors).collect()
+}
+
 /// Told as what lies behind all else, and the viewport through which it is told most simply.
 fn as_background(surface: &Surface, reading: &Reading) -> (String, Eye) {
     let share = 100 * surface.inner.len() / reading.pixels.len();
     let subject = format!("What reaches the top, {share} % of the picture,");
     let [books, others @ ..] = viewports(reading).map(|viewport| Eye::new(reading, viewport));
     let seen = |eye| Seen::new(surface, reading, eye);
-    if let Some((chapter, edition)) = seen(books).chapter([Chapter::Gradient, Chapter::BuildTest]) {
+    let sky = view::of(surface, reading).map(|eye| (through(&eye, &books), eye));
+    let chapter = seen(books).chapter([Chapter::Gradient, Chapter::BuildTest]);
+    // What is moved by a few pixels, may be off by no more than a level.
+    let moved = sky.as_ref().filter(|(through, _)| !through.is_empty());
+    if let (Some((chapter, edition)), None) = (chapter, moved) {
         let (said, by) = (what(chapter), Edition::said(&[edition]));
         return (format!("{subject} is {said}{by}."), books);
     }
@@ -75,6 +107,10 @@ fn as_background(surface: &Surface, reading: &Reading) -> (String, Eye) {
         Some((found, eye))
     };
     let own = fitted(books, &Terms::BEHIND);
+    let is_told = own.as_ref().is_some_and(|((_, fit), _)| fit.off <= EXACT);
+    if let Some((through, eye)) = sky.filter(|_| !is_told || chapter.is_some()) {
+        return (format!("{subject} is the book's sky{through}."), eye);
+    }
     let is_exact = |((_, fit), _): &((Terms, Fit), Eye)| fit.off <= EXACT;
     let found = own.filter(is_exact).or_else(|| {
         // Through one viewport or another much looks nearly like a blend that is none.
@@ -100,11 +136,8 @@ fn as_background(surface: &Surface, reading: &Reading) -> (String, Eye) {
         Some((Terms::Columns | Terms::Both, _)) => {
             "; the book's sky follows the direction's y".to_owned()
         }
-        Some((Terms::UnitY | Terms::Unit | Terms::Absolute, _))
-            if eye.viewport != books.viewport =>
-        {
-            let [width, height] = eye.viewport.map(about);
-            format!(", seen through a viewport about {width} wide and {height} high")
+        Some((Terms::UnitY | Terms::Unit | Terms::Absolute, _)) if eye.sides() != books.sides() => {
+            through(&eye, &books)
         }
         _ => String::new(),
     };
@@ -114,8 +147,53 @@ fn as_background(surface: &Surface, reading: &Reading) -> (String, Eye) {
     )
 }
 
+/// Where an eye's pixels lie, if that is not where they are in the book.
+fn through(eye: &Eye, books: &Eye) -> String {
+    let ([across, down], [books_across, books_down]) = (eye.sides(), books.sides());
+    let leans = across.y.abs().max(down.x.abs()) > NEAR;
+    let off = eye.middle();
+    let [width, height] = [across.x, down.y.abs()];
+    let is_as_large = (width / books_across.x - 1.0)
+        .abs()
+        .max((height / -books_down.y - 1.0).abs())
+        < LARGER;
+    let moved = [
+        (off[0], ["to the left", "to the right"]),
+        (off[1], ["upwards", "downwards"]),
+    ];
+    let moved = moved.into_iter().filter(|(by, _)| by.abs() > MOVED);
+    let moved = moved.map(|(by, [one, other])| {
+        let way = if by > 0.0 { one } else { other };
+        format!("{} pixels {way}", number((10.0 * by.abs()).round() / 10.0))
+    });
+    let moved: Vec<String> = moved.collect();
+    if leans || width < 0.0 {
+        let [first, across, down] = [eye.first, across, down].map(|it| {
+            let [x, y] = [it.x, it.y].map(about);
+            format!("({x}, {y})")
+        });
+        return format!(
+            ", seen as if on the viewport the first pixel lay at {first}, a row led along {across} and a column along {down}"
+        );
+    }
+    let mut all = Vec::new();
+    if !is_as_large {
+        let [width, height] = [width, height].map(about);
+        all.push(format!(
+            "through a viewport about {width} wide and {height} high"
+        ));
+    }
+    if down.y > 0.0 {
+        all.push("seen upside down".to_owned());
+    }
+    if !moved.is_empty() {
+        all.push(format!("moved by {}", moved.join(" and ")));
+    }
+    all.iter().map(|it| format!(", {it}")).collect()
+}
+
 /// The book's, and others that people type, also by the width or by an integer ratio.
-fn viewports(reading: &Reading) -> [[f64; 2]; 7] {
+pub(super) fn viewports(reading: &Reading) -> [[f64; 2]; 7] {
     let ratio = f64::from(reading.width) / f64::from(reading.height);
     let by_height = |height: f64| [height * ratio, height];
     let by_width = |width: f64| [width, width / ratio];
@@ -324,7 +402,14 @@ impl<'a> Seen<'a> {
         match terms {
             Terms::One => {
                 let nearly = if fit.off > EXACT { "nearly " } else { "" };
-                format!("has {nearly}one color, {:?}", at(0.0, 0.0, 0.0).map(level))
+                let color = at(0.0, 0.0, 0.0).map(level);
+                let pixel = color.map(i16::from);
+                let meant = match self.cone {
+                    Some(_) => uniform::of_a_thing(pixel),
+                    None => uniform::of_the_sky(pixel).or_else(|| uniform::of_a_normal(pixel)),
+                };
+                let meant = meant.map_or(String::new(), |it| format!(", {it}"));
+                format!("has {nearly}one color, {color:?}{meant}")
             }
             Terms::Rows | Terms::Columns | Terms::Both => {
                 let (ways, shown) = match terms {
@@ -445,12 +530,15 @@ fn sums(fit: &Fit, vector: &str) -> String {
 
 /// With two digits that count.
 fn about(length: f64) -> String {
-    let scale = 10_f64.powf(length.log10().floor() - 1.0);
+    if length.abs() < NEAR {
+        return number(0.0);
+    }
+    let scale = 10_f64.powf(length.abs().log10().floor() - 1.0);
     number((length / scale).round() * scale)
 }
 
 /// With two digits, of which a last zero is not said.
-fn number(number: f64) -> String {
+pub(super) fn number(number: f64) -> String {
     let number = (100.0 * number).round() / 100.0;
     format!("{}", number + 0.0)
 }

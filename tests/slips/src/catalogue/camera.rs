@@ -639,7 +639,7 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .alters(|p| {
             p.ray = |program, camera, i, j| {
-                let row = program.edition.row(j, camera.image_height);
+                let row = program.row(j, camera);
                 program.ray_of(camera, row, i.into())
             }
         }),

@@ -3,9 +3,7 @@
 use common::rtweekend::*;
 
 use super::chapters::{BUILD_TEST, EVERY, GRADIENT, RAYS};
-use crate::chapter::Chapter;
 use crate::edition::Edition;
-use crate::program::Program;
 use crate::single;
 use crate::slip::{Place, Slip, Words, slip};
 
@@ -42,7 +40,7 @@ pub(super) const SLIPS: &[Slip] = &[
         .in_python("r = i // (image_width - 1)", "r = i / (image_width - 1)")
         .alters(|p| {
             p.color = |program, camera, i, j| {
-                let row = program.edition.row(j, camera.image_height);
+                let row = program.row(j, camera);
                 let right = program.ramp(camera, i.into(), row);
                 Color::new(right.x.floor(), right.y.floor(), right.z)
             }
@@ -86,7 +84,7 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .alters(|p| {
             p.color = |program, camera, i, j| {
-                let row = program.edition.row(j, camera.image_height);
+                let row = program.row(j, camera);
                 program.ramp(camera, row, i.into())
             }
         }),
@@ -123,7 +121,7 @@ pub(super) const SLIPS: &[Slip] = &[
         .reported(&["#879"])
         .alters(|p| {
             p.color = |program, camera, i, j| {
-                let row = program.edition.row(j, camera.image_height);
+                let row = program.row(j, camera);
                 let turned = f64::from(camera.image_height) - 1.0 - row;
                 program.ramp(camera, i.into(), turned)
             }
@@ -141,7 +139,7 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .alters(|p| {
             p.color = |program, camera, i, j| {
-                let row = program.edition.row(j, camera.image_height);
+                let row = program.row(j, camera);
                 let turned = f64::from(camera.image_width) - 1.0 - f64::from(i);
                 program.ramp(camera, turned, row)
             }
@@ -241,7 +239,7 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .alters(|p| match p.edition.counts_from_below() {
             true => {
-                a_row_above(p);
+                p.rows_above = 1.0;
                 p.order = |n, width, _| (n % width + 1, n / width);
             }
             false => p.order = |n, width, _| (n % width + 1, n / width + 1),
@@ -267,7 +265,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "for j in range(image_height)",
         )
         .alters(|p| match p.edition.counts_from_below() {
-            true => a_row_above(p),
+            true => p.rows_above = 1.0,
             false => p.order = |n, width, _| (n % width, n / width + 1),
         }),
     slip("header-swapped", EVERY, PIXELS)
@@ -492,18 +490,3 @@ pub(super) const SLIPS: &[Slip] = &[
             };
         }),
 ];
-
-/// Rows that are counted from below, each of them a row above its place. `order` counts
-/// from above, and has no row above the first one.
-fn a_row_above(p: &mut Program) {
-    if p.chapter == Chapter::BuildTest {
-        p.color = |program, camera, i, j| {
-            let row = program.edition.row(j, camera.image_height);
-            program.ramp(camera, i.into(), row + 1.0)
-        };
-    }
-    p.ray = |program, camera, i, j| {
-        let row = program.edition.row(j, camera.image_height);
-        program.ray_of(camera, i.into(), row + 1.0)
-    };
-}
