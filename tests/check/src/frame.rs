@@ -43,21 +43,25 @@ pub fn judge_inside<E>(
     if is_known(&check) {
         return Ok((scene, check, reading));
     }
-    for inside in insides(&reading) {
+    // Whatever it is, a border is no part of it.
+    let mut bordered = None;
+    if let Some(inside) = inside_of_a_border(&reading) {
+        let (scene, check) = judge(&inside)?;
+        if is_known(&check) {
+            return Ok((scene, check, inside));
+        }
+        bordered = Some((scene, check, inside));
+    }
+    let count = TRIED - usize::from(bordered.is_some());
+    for inside in insides(&reading).take(count) {
         let (scene, check) = judge(&inside)?;
         if is_known(&check) {
             return Ok((scene, check, inside));
         }
     }
-    // Whatever it is, a border is no part of it.
-    if let Some(inside) = inside_of_a_border(&reading) {
-        let (of_inside, inner) = judge(&inside)?;
-        let is_misshapen = |check: &Check| matches!(check, Check::WrongShape { .. });
-        if !is_misshapen(&inner) || is_misshapen(&check) {
-            return Ok((of_inside, inner, inside));
-        }
-    }
-    Ok((scene, check, reading))
+    let is_misshapen = |check: &Check| matches!(check, Check::WrongShape { .. });
+    let bordered = bordered.filter(|(_, inner, _)| !is_misshapen(inner) || is_misshapen(&check));
+    Ok(bordered.unwrap_or((scene, check, reading)))
 }
 
 fn is_known(check: &Check) -> bool {

@@ -273,11 +273,16 @@ impl Scene {
             let by_width = |ratio: &&f64| (f64::from(width) / **ratio) as u32 == height;
             let by_height = |ratio: &&f64| (f64::from(height) * **ratio) as u32 == width;
             let heights: fn(f64, f64) -> u32 = |width, ratio| (width / ratio).ceil() as u32;
+            // A ratio in single precision may be a little larger, and a row is missing.
+            let in_single: fn(f64, f64) -> u32 =
+                |width, ratio| (width / f64::from(ratio as f32)) as u32;
+            let by_single = |ratio: &&f64| in_single(width.into(), **ratio) == height;
             let ratios = USUAL_RATIOS.iter();
             let wished = ratios
                 .clone()
                 .find(by_width)
                 .map(|it| (*it, program.image_height));
+            let wished = wished.or(ratios.clone().find(by_single).map(|it| (*it, in_single)));
             let wished = wished.or(ratios.clone().find(by_height).map(|it| (*it, heights)));
             if let Some((ratio, image_height)) = wished.filter(|_| self.edition.counts_from_below())
             {

@@ -136,7 +136,7 @@ impl Seen {
     /// The same in a sentence.
     pub(crate) fn said(&self) -> String {
         match self {
-            Self::Little => "Many mistakes draw this picture, so it says little.".to_owned(),
+            Self::Little => "Many mistakes draw nearly this, so it says little.".to_owned(),
             Self::Shaded { is_corrected, .. } => {
                 let gamma = if *is_corrected {
                     " with gamma correction"

@@ -149,7 +149,7 @@ impl View<'_> {
                 "Where spheres should be all is right; only beside them it is wrong.".to_owned(),
             ),
             _ if share < 0.03 && self.wrong.iter().all(|&n| self.is_at_rim(n)) => {
-                Some("Only the rim of the spheres is wrong.".to_owned())
+                Some("Only the rim of the spheres is wrong by more than a level.".to_owned())
             }
             _ => None,
         }

@@ -150,11 +150,13 @@ impl Eye {
     }
 
     /// By how many columns and rows the picture is to the left of where its middle would be
-    /// straight ahead, and above.
-    pub(super) fn middle(&self) -> [f64; 2] {
-        let [columns, rows] = [self.width, self.height].map(|size| 0.5 * f64::from(size - 1));
+    /// straight ahead, and above, and which part of its sides that is.
+    pub(super) fn middle(&self) -> [(f64, f64); 2] {
+        let sizes = [self.width, self.height].map(f64::from);
+        let [columns, rows] = sizes.map(|size| 0.5 * (size - 1.0));
         let middle = self.through(columns, rows);
-        [middle.x / self.across.x, middle.y / self.down.y]
+        let off = [middle.x / self.across.x, middle.y / self.down.y];
+        [0, 1].map(|n| (off[n], off[n] / sizes[n]))
     }
 
     /// Of the ray through a pixel.

@@ -3,9 +3,11 @@
 //! What is smooth is a surface, and the pixels of an edge belong to the surface that is nearer in
 //! color. Of each it is told where it lies, what colors it, and whether a chapter has it so.
 
+mod background;
 mod cone;
 mod fit;
 mod said;
+mod terms;
 mod uniform;
 mod view;
 mod wrapped;

@@ -9,9 +9,11 @@ use slips::{Chapter, Edition};
 
 use common::rtweekend::{Point3, Vec3};
 
+use super::background::{Background, EXACT};
 use super::cone::{Cone, Eye};
-use super::fit::{Fit, LITTLE};
-use super::{MANY, Surface, surfaces, uniform, view, wrapped};
+use super::fit::Fit;
+use super::terms::{Terms, color, is_books, sums};
+use super::{MANY, Surface, surfaces, uniform, wrapped};
 use crate::bits::{Pixel, distance};
 use crate::explanations::spread;
 use crate::reading::Reading;
@@ -30,13 +32,15 @@ const LEVELS: u16 = 1;
 const COMMON: usize = 12;
 /// What is larger is ground, and only its edge is seen.
 const LARGE: f64 = 10.0;
-/// Who is off by no more is off by roundings.
-const EXACT: f64 = 1.0;
 /// How near numbers are the same, in units of space or of a component.
-const NEAR: f64 = 0.015;
-/// Levels a half too dark move a sky by less than so many pixels, and change its size by less.
-const MOVED: f64 = 3.0;
-const LARGER: f64 = 0.03;
+pub(super) const NEAR: f64 = 0.015;
+/// Chapters that may have what is seen before a background.
+const THINGS: [Chapter; 4] = [
+    Chapter::Gradient,
+    Chapter::RedSphere,
+    Chapter::Normals,
+    Chapter::HittableList,
+];
 /// The sphere of the book, and its ground.
 const SPHERE: (Point3, f64) = (Point3::new(0.0, 0.0, -1.0), 0.5);
 const GROUND: (Point3, f64) = (Point3::new(0.0, -100.5, -1.0), 100.0);
@@ -56,15 +60,31 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
     }
     // What lies behind reaches the top.
     let behind = all.iter().position(|it| it.rows.start == 0);
-    let behind = all.remove(behind.unwrap_or(0));
-    let (behind, eye) = as_background(&behind, reading);
+    let background = all.remove(behind.unwrap_or(0));
+    let behind = Background::of(&background, reading);
     let others = all.iter().take(SAID - 1);
-    let others = others.map(|it| Seen::new(it, reading, eye).with_its_outline().as_a_thing());
-    let rest = 100 * (reading.pixels.len() - covered) / reading.pixels.len();
-    let rest = (rest >= REST).then(|| {
-        format!("The rest, {rest} % of the picture, are edges and pieces that are too small.")
+    let others = others.map(|it| Seen::new(it, reading, behind.eye).with_its_outline());
+    let others: Vec<Seen> = others.collect();
+    let background = Seen::new(&background, reading, behind.eye);
+    let mut chapters = THINGS.into_iter().skip(1);
+    let are_books = chapters.any(|chapter| {
+        let mut all = others.iter().chain([&background]);
+        all.all(|it| it.chapter([chapter]).is_some())
     });
-    [behind].into_iter().chain(others).chain(rest).collect()
+    let rest = 100 * (reading.pixels.len() - covered) / reading.pixels.len();
+    let rest = match rest >= REST {
+        _ if are_books => Some("So only edges are off, as where several rays are taken, or a picture was enlarged or smoothed.".to_owned()),
+        true => Some(format!(
+            "The rest, {rest} % of the picture, are edges and pieces that are too small."
+        )),
+        false => None,
+    };
+    let others = others.iter().map(Seen::as_a_thing);
+    [behind.said]
+        .into_iter()
+        .chain(others)
+        .chain(rest)
+        .collect()
 }
 
 /// What falls into many pieces, by its commonest colors.
@@ -88,135 +108,8 @@ fn in_pieces(count: usize, reading: &Reading) -> Vec<String> {
     [pieces].into_iter().chain(colors).collect()
 }
 
-/// Told as what lies behind all else, and the viewport through which it is told most simply.
-fn as_background(surface: &Surface, reading: &Reading) -> (String, Eye) {
-    let share = 100 * surface.inner.len() / reading.pixels.len();
-    let subject = format!("What reaches the top, {share} % of the picture,");
-    let [books, others @ ..] = viewports(reading).map(|viewport| Eye::new(reading, viewport));
-    let seen = |eye| Seen::new(surface, reading, eye);
-    let sky = view::of(surface, reading).map(|eye| (through(&eye, &books), eye));
-    let chapter = seen(books).chapter([Chapter::Gradient, Chapter::BuildTest]);
-    // What is moved by a few pixels, may be off by no more than a level.
-    let moved = sky.as_ref().filter(|(through, _)| !through.is_empty());
-    if let (Some((chapter, edition)), None) = (chapter, moved) {
-        let (said, by) = (what(chapter), Edition::said(&[edition]));
-        return (format!("{subject} is {said}{by}."), books);
-    }
-    let fitted = |eye: Eye, terms: &[Terms]| {
-        let found = seen(eye).fitted(terms)?;
-        Some((found, eye))
-    };
-    let own = fitted(books, &Terms::BEHIND);
-    let is_told = own.as_ref().is_some_and(|((_, fit), _)| fit.off <= EXACT);
-    if let Some((through, eye)) = sky.filter(|_| !is_told || chapter.is_some()) {
-        return (format!("{subject} is the book's sky{through}."), eye);
-    }
-    let is_exact = |((_, fit), _): &((Terms, Fit), Eye)| fit.off <= EXACT;
-    let found = own.filter(is_exact).or_else(|| {
-        // Through one viewport or another much looks nearly like a blend that is none.
-        let typed = others.iter().filter_map(|eye| fitted(*eye, &Terms::BEHIND));
-        let zooms = zooms(reading).map(|it| Eye::new(reading, it));
-        let zooms = zooms.filter_map(|eye| fitted(eye, &[Terms::UnitY]));
-        let all = typed.chain(zooms).filter(is_exact);
-        let nearest = all.min_by(|((_, one), _), ((_, other), _)| one.off.total_cmp(&other.off));
-        let vectors = [Terms::Unit, Terms::Absolute];
-        nearest
-            .or_else(|| fitted(books, &Terms::BEHIND))
-            .or_else(|| others.iter().find_map(|eye| fitted(*eye, &vectors)))
-            .or_else(|| fitted(books, &[Terms::Red]))
-    });
-    let (found, eye) = match found {
-        Some((found, eye)) => (Some(found), eye),
-        None => (None, books),
-    };
-    let unlike = match found {
-        Some((Terms::Rows, _)) => {
-            ", as where a direction is not divided by its length, or in a narrow view".to_owned()
-        }
-        Some((Terms::Columns | Terms::Both, _)) => {
-            "; the book's sky follows the direction's y".to_owned()
-        }
-        Some((Terms::UnitY | Terms::Unit | Terms::Absolute, _)) if eye.sides() != books.sides() => {
-            through(&eye, &books)
-        }
-        _ => String::new(),
-    };
-    (
-        format!("{subject} {}{unlike}.", seen(eye).colors(found)),
-        eye,
-    )
-}
-
-/// Where an eye's pixels lie, if that is not where they are in the book.
-fn through(eye: &Eye, books: &Eye) -> String {
-    let ([across, down], [books_across, books_down]) = (eye.sides(), books.sides());
-    let leans = across.y.abs().max(down.x.abs()) > NEAR;
-    let off = eye.middle();
-    let [width, height] = [across.x, down.y.abs()];
-    let is_as_large = (width / books_across.x - 1.0)
-        .abs()
-        .max((height / -books_down.y - 1.0).abs())
-        < LARGER;
-    let moved = [
-        (off[0], ["to the left", "to the right"]),
-        (off[1], ["upwards", "downwards"]),
-    ];
-    let moved = moved.into_iter().filter(|(by, _)| by.abs() > MOVED);
-    let moved = moved.map(|(by, [one, other])| {
-        let way = if by > 0.0 { one } else { other };
-        format!("{} pixels {way}", number((10.0 * by.abs()).round() / 10.0))
-    });
-    let moved: Vec<String> = moved.collect();
-    if leans || width < 0.0 {
-        let [first, across, down] = [eye.first, across, down].map(|it| {
-            let [x, y] = [it.x, it.y].map(about);
-            format!("({x}, {y})")
-        });
-        return format!(
-            ", seen as if on the viewport the first pixel lay at {first}, a row led along {across} and a column along {down}"
-        );
-    }
-    let mut all = Vec::new();
-    if !is_as_large {
-        let [width, height] = [width, height].map(about);
-        all.push(format!(
-            "through a viewport about {width} wide and {height} high"
-        ));
-    }
-    if down.y > 0.0 {
-        all.push("seen upside down".to_owned());
-    }
-    if !moved.is_empty() {
-        all.push(format!("moved by {}", moved.join(" and ")));
-    }
-    all.iter().map(|it| format!(", {it}")).collect()
-}
-
-/// The book's, and others that people type, also by the width or by an integer ratio.
-pub(super) fn viewports(reading: &Reading) -> [[f64; 2]; 7] {
-    let ratio = f64::from(reading.width) / f64::from(reading.height);
-    let by_height = |height: f64| [height * ratio, height];
-    let by_width = |width: f64| [width, width / ratio];
-    [
-        by_height(2.0),
-        by_height(1.0),
-        by_height(4.0),
-        by_width(2.0),
-        by_width(4.0),
-        by_width(1.0),
-        [2.0 * ratio.floor().max(1.0), 2.0],
-    ]
-}
-
-/// Viewports of any size.
-fn zooms(reading: &Reading) -> impl Iterator<Item = [f64; 2]> {
-    let ratio = f64::from(reading.width) / f64::from(reading.height);
-    let heights = (-80..=192).map(|n| (f64::from(n) / 32.0).exp2());
-    heights.map(move |height| [height * ratio, height])
-}
-
 /// A surface, and some of its pixels.
-struct Seen<'a> {
+pub(super) struct Seen<'a> {
     reading: &'a Reading,
     surface: &'a Surface,
     eye: Eye,
@@ -224,24 +117,8 @@ struct Seen<'a> {
     cone: Option<Cone>,
 }
 
-/// The terms of which levels are sums.
-#[derive(Clone, Copy, PartialEq)]
-enum Terms {
-    One,
-    Rows,
-    Columns,
-    /// The y of the direction, divided by its length.
-    UnitY,
-    Both,
-    Unit,
-    Absolute,
-    Normal,
-    /// The red component itself, so colors lie on a line.
-    Red,
-}
-
 impl<'a> Seen<'a> {
-    fn new(surface: &'a Surface, reading: &'a Reading, eye: Eye) -> Self {
+    pub(super) fn new(surface: &'a Surface, reading: &'a Reading, eye: Eye) -> Self {
         let places = spread(LOOK, surface.inner.len() as u32);
         Self {
             reading,
@@ -260,13 +137,7 @@ impl<'a> Seen<'a> {
     }
 
     fn as_a_thing(&self) -> String {
-        let chapters = [
-            Chapter::Gradient,
-            Chapter::RedSphere,
-            Chapter::Normals,
-            Chapter::HittableList,
-        ];
-        let colors = match self.chapter(chapters) {
+        let colors = match self.chapter(THINGS) {
             Some((chapter, edition)) => {
                 let by = Edition::said(&[edition]);
                 format!("is {}{by}", what(chapter))
@@ -301,7 +172,10 @@ impl<'a> Seen<'a> {
     }
 
     /// The first of these chapters that has the surface's pixels, and the edition.
-    fn chapter(&self, chapters: impl IntoIterator<Item = Chapter>) -> Option<(Chapter, Edition)> {
+    pub(super) fn chapter(
+        &self,
+        chapters: impl IntoIterator<Item = Chapter>,
+    ) -> Option<(Chapter, Edition)> {
         let (width, height) = (self.reading.width, self.reading.height);
         let scenes = chapters
             .into_iter()
@@ -323,7 +197,7 @@ impl<'a> Seen<'a> {
     }
 
     /// The fewest terms that make its levels, of as many the nearest.
-    fn fitted(&self, terms: &[Terms]) -> Option<(Terms, Fit)> {
+    pub(super) fn fitted(&self, terms: &[Terms]) -> Option<(Terms, Fit)> {
         let fits = terms.iter().filter_map(|&terms| {
             let values = self.places.iter().map(|&n| {
                 let found = self.reading.pixels[n as usize];
@@ -353,7 +227,6 @@ impl<'a> Seen<'a> {
             Terms::UnitY => of(Vec3::new(0.0, unit.y, 0.0)),
             Terms::Both => of(Vec3::new(x, y, 0.0)),
             Terms::Unit => of(unit),
-            Terms::Absolute => of(unit.abs()),
             Terms::Normal => of(self.normal(unit)?),
             Terms::Red => {
                 let [red, ..] = self.reading.pixels[n as usize];
@@ -393,7 +266,7 @@ impl<'a> Seen<'a> {
         said.collect::<Vec<_>>().join(", ")
     }
 
-    fn colors(&self, found: Option<(Terms, Fit)>) -> String {
+    pub(super) fn colors(&self, found: Option<(Terms, Fit)>) -> String {
         let Some((terms, fit)) = found else {
             return format!("is {}", self.places_and_colors(0..5));
         };
@@ -430,10 +303,6 @@ impl<'a> Seen<'a> {
             }
             Terms::Red => format!("blends two colors: {}", self.places_and_colors(0..5)),
             Terms::Unit => format!("is made of the unit direction u: {}", sums(&fit, "u")),
-            Terms::Absolute => format!(
-                "is made of the unit direction without its signs, |u|: {}",
-                sums(&fit, "|u|")
-            ),
             Terms::Normal if fit.is_the_normal() => {
                 "is colored by its normal as in the book".to_owned()
             }
@@ -442,94 +311,16 @@ impl<'a> Seen<'a> {
     }
 }
 
-/// Whether colors that are told by their red lie between the two of the book's sky.
-fn is_books(fit: &Fit) -> bool {
-    let is_near = |red: f64, book: [f64; 3]| {
-        let color = fit.color(DVec4::new(1.0, red, 0.0, 0.0));
-        color
-            .iter()
-            .zip(book)
-            .all(|(it, book)| (it - book).abs() < NEAR)
-    };
-    is_near(1.0, [1.0; 3]) && is_near(0.5, [0.5, 0.7, 1.0])
-}
-
-impl Terms {
-    const BEHIND: [Self; 7] = [
-        Self::One,
-        Self::Rows,
-        Self::Columns,
-        Self::UnitY,
-        Self::Both,
-        Self::Unit,
-        Self::Absolute,
-    ];
-    const OF_A_THING: [Self; 6] = [
-        Self::One,
-        Self::UnitY,
-        Self::Rows,
-        Self::Columns,
-        Self::Both,
-        Self::Normal,
-    ];
-
-    /// How many levels all but some pixels may be off.
-    fn most_off(self) -> f64 {
-        match self {
-            Self::One => 4.0,
-            _ if self.is_a_vector() => 2.5,
-            _ => 1.75,
-        }
-    }
-
-    fn is_a_vector(self) -> bool {
-        matches!(self, Self::Unit | Self::Absolute | Self::Normal)
-    }
-
-    fn count(self) -> u32 {
-        match self {
-            Self::One => 1,
-            Self::Rows | Self::Columns | Self::UnitY | Self::Normal => 2,
-            Self::Both => 3,
-            Self::Unit | Self::Absolute => 4,
-            Self::Red => 5,
-        }
-    }
-}
-
-fn color(color: [f64; 3]) -> String {
-    let [red, green, blue] = color.map(number);
-    format!("({red}, {green}, {blue})")
-}
-
 /// What a surface is if it is a chapter's.
-fn what(chapter: Chapter) -> String {
+pub(super) fn what(chapter: Chapter) -> String {
     match chapter {
         Chapter::Gradient => "the book's sky".to_owned(),
         _ => format!("what {} has there", chapter.name()),
     }
 }
 
-/// Each component as a sum of those of a vector.
-fn sums(fit: &Fit, vector: &str) -> String {
-    let sum = |sum: DVec4| {
-        let [same, parts @ ..] = sum.to_array();
-        let parts = parts.iter().zip(["x", "y", "z"]);
-        let parts = parts.filter(|(part, _)| part.abs() >= LITTLE);
-        let mut terms: Vec<String> = parts
-            .map(|(part, axis)| format!("{} {vector}.{axis}", number(*part)))
-            .collect();
-        if same.abs() >= LITTLE || terms.is_empty() {
-            terms.push(number(same));
-        }
-        terms.join(" + ").replace("+ -", "- ")
-    };
-    let [red, green, blue] = fit.components.map(sum);
-    format!("red {red}, green {green}, blue {blue}")
-}
-
 /// With two digits that count.
-fn about(length: f64) -> String {
+pub(super) fn about(length: f64) -> String {
     if length.abs() < NEAR {
         return number(0.0);
     }

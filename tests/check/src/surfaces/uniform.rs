@@ -2,7 +2,8 @@
 
 use common::rtweekend::{Color, Vec3};
 
-use super::said::{number, viewports};
+use super::background::viewports;
+use super::said::number;
 use crate::bits::Pixel;
 use crate::reading::Reading;
 

@@ -137,10 +137,10 @@ fn step(points: &[Point], numbers: &Numbers, damping: f64) -> Numbers {
 fn solved(mut matrix: [[f64; 6]; 6], mut vector: Numbers) -> Numbers {
     for n in 0..6 {
         for m in n + 1..6 {
-            let times = matrix[m][n] / matrix[n][n];
-            for k in n..6 {
-                matrix[m][k] -= times * matrix[n][k];
-            }
+            let (above, below) = matrix.split_at_mut(m);
+            let times = below[0][n] / above[n][n];
+            let row = below[0].iter_mut().zip(&above[n]);
+            row.for_each(|(it, pivot)| *it -= times * pivot);
             vector[m] -= times * vector[n];
         }
     }

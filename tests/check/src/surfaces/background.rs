@@ -1,0 +1,166 @@
+//! What lies behind all else, and the camera through which it is told most simply.
+
+use slips::{Chapter, Edition};
+
+use super::cone::Eye;
+use super::fit::Fit;
+use super::said::{NEAR, Seen, about, number, what};
+use super::terms::Terms;
+use super::{Surface, view};
+use crate::reading::Reading;
+
+/// Who is off by no more is off by roundings.
+pub(super) const EXACT: f64 = 1.0;
+/// Levels that are a little too dark move a sky up or down by less than such a part of its height,
+/// and change its size by less; it is its own mirror image, so they don't move it aside.
+const ASIDE: f64 = 0.01;
+const MOVED: f64 = 0.03;
+
+/// What lies behind all else.
+pub(super) struct Background {
+    /// What it is, in words.
+    pub(super) said: String,
+    pub(super) eye: Eye,
+}
+
+impl Background {
+    /// A chapter's, the book's sky through another camera, or else what it is.
+    pub(super) fn of(surface: &Surface, reading: &Reading) -> Self {
+        let share = 100 * surface.inner.len() / reading.pixels.len();
+        let subject = format!("What reaches the top, {share} % of the picture,");
+        let [books, ..] = viewports(reading).map(|viewport| Eye::new(reading, viewport));
+        let seen = Seen::new(surface, reading, books);
+        let sky = view::of(surface, reading).map(|eye| (through(&eye, &books), eye));
+        let chapter = seen.chapter([Chapter::Gradient, Chapter::BuildTest]);
+        // What is moved by a few pixels, may be off by no more than a level.
+        let moved = sky.as_ref().filter(|(through, _)| !through.is_empty());
+        if let (Some((chapter, edition)), None) = (chapter, moved) {
+            let (said, by) = (what(chapter), Edition::said(&[edition]));
+            return Self {
+                said: format!("{subject} is {said}{by}."),
+                eye: books,
+            };
+        }
+        let own = seen
+            .fitted(&Terms::BEHIND)
+            .filter(|(_, fit)| fit.off <= EXACT);
+        let (said, eye) = match sky.filter(|_| own.is_none() || chapter.is_some()) {
+            Some((through, eye)) => (format!("is the book's sky{through}"), eye),
+            None => otherwise(surface, reading, own),
+        };
+        Self {
+            said: format!("{subject} {said}."),
+            eye,
+        }
+    }
+}
+
+/// What makes its colors, through the book's viewport or another.
+fn otherwise(surface: &Surface, reading: &Reading, own: Option<(Terms, Fit)>) -> (String, Eye) {
+    let [books, others @ ..] = viewports(reading).map(|viewport| Eye::new(reading, viewport));
+    let fitted = |eye: Eye, terms: &[Terms]| {
+        let found = Seen::new(surface, reading, eye).fitted(terms)?;
+        Some((found, eye))
+    };
+    let own = own.map(|found| (found, books));
+    let found = own.or_else(|| {
+        // Through one viewport or another much looks nearly like a blend that is none.
+        let typed = others.iter().filter_map(|eye| fitted(*eye, &Terms::BEHIND));
+        let zooms = zooms(reading).map(|it| Eye::new(reading, it));
+        let zooms = zooms.filter_map(|eye| fitted(eye, &[Terms::UnitY]));
+        let exact = typed.chain(zooms).filter(|((_, fit), _)| fit.off <= EXACT);
+        let nearest = exact.min_by(|((_, one), _), ((_, other), _)| one.off.total_cmp(&other.off));
+        nearest
+            .or_else(|| fitted(books, &Terms::BEHIND))
+            .or_else(|| others.iter().find_map(|eye| fitted(*eye, &[Terms::Unit])))
+            .or_else(|| fitted(books, &[Terms::Red]))
+    });
+    let (found, eye) = match found {
+        Some((found, eye)) => (Some(found), eye),
+        None => (None, books),
+    };
+    let unlike = match found {
+        Some((Terms::Rows, _)) => {
+            ", as where a direction is not divided by its length, or in a narrow view".to_owned()
+        }
+        Some((Terms::Columns | Terms::Both, _)) => {
+            "; the book's sky follows the direction's y".to_owned()
+        }
+        Some((Terms::UnitY | Terms::Unit, _)) if eye.sides() != books.sides() => {
+            through(&eye, &books)
+        }
+        _ => String::new(),
+    };
+    let colors = Seen::new(surface, reading, eye).colors(found);
+    (format!("{colors}{unlike}"), eye)
+}
+
+/// Where an eye's pixels lie, if that is not where they are in the book.
+fn through(eye: &Eye, books: &Eye) -> String {
+    let ([across, down], [books_across, books_down]) = (eye.sides(), books.sides());
+    let leans = across.y.abs().max(down.x.abs()) > NEAR;
+    let off = eye.middle();
+    let [width, height] = [across.x, down.y.abs()];
+    let is_as_large = (width / books_across.x - 1.0)
+        .abs()
+        .max((height / -books_down.y - 1.0).abs())
+        < MOVED;
+    let moved = [
+        (off[0], ASIDE, ["to the left", "to the right"]),
+        (off[1], MOVED, ["upwards", "downwards"]),
+    ];
+    let moved = moved
+        .into_iter()
+        .filter(|((_, part), least, _)| part.abs() > *least);
+    let moved = moved.map(|((by, _), _, [one, other])| {
+        let way = if by > 0.0 { one } else { other };
+        format!("{} pixels {way}", number((10.0 * by.abs()).round() / 10.0))
+    });
+    let moved: Vec<String> = moved.collect();
+    if leans || width < 0.0 {
+        let [first, across, down] = [eye.first, across, down].map(|it| {
+            let [x, y] = [it.x, it.y].map(about);
+            format!("({x}, {y})")
+        });
+        return format!(
+            ", seen as if on the viewport the first pixel lay at {first}, a row led along {across} and a column along {down}"
+        );
+    }
+    let mut all = Vec::new();
+    if !is_as_large {
+        let [width, height] = [width, height].map(about);
+        all.push(format!(
+            "seen through a viewport about {width} wide and {height} high"
+        ));
+    }
+    if down.y > 0.0 {
+        all.push("seen upside down".to_owned());
+    }
+    if !moved.is_empty() {
+        all.push(format!("moved by {}", moved.join(" and ")));
+    }
+    all.iter().map(|it| format!(", {it}")).collect()
+}
+
+/// The book's, and others that people type, also by the width or by an integer ratio.
+pub(super) fn viewports(reading: &Reading) -> [[f64; 2]; 7] {
+    let ratio = f64::from(reading.width) / f64::from(reading.height);
+    let by_height = |height: f64| [height * ratio, height];
+    let by_width = |width: f64| [width, width / ratio];
+    [
+        by_height(2.0),
+        by_height(1.0),
+        by_height(4.0),
+        by_width(2.0),
+        by_width(4.0),
+        by_width(1.0),
+        [2.0 * ratio.floor().max(1.0), 2.0],
+    ]
+}
+
+/// Viewports of any size.
+fn zooms(reading: &Reading) -> impl Iterator<Item = [f64; 2]> {
+    let ratio = f64::from(reading.width) / f64::from(reading.height);
+    let heights = (-80..=192).map(|n| (f64::from(n) / 32.0).exp2());
+    heights.map(move |height| [height * ratio, height])
+}
