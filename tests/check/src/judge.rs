@@ -59,9 +59,10 @@ const SCATTERED: f64 = 1.5;
 /// The means of so many rays are no reduced picture's.
 const MANY_RAYS: f64 = 36.0;
 /// Where more than one pixel in so many is off by more than a level, numbers that were fitted make
-/// up for something else: hits are not colored by the normal, spheres are not there, nor is it a
-/// part of a larger picture.
+/// up for something else: hits are not colored by the normal, spheres are not there.
 const LOSSLESS: usize = 500;
+/// The same of a part of a larger picture, which keeps each level, but for a cursor.
+const CUT: usize = 2000;
 /// What is nearly a picture is off in one pixel of so many.
 const NEARLY: usize = 50;
 /// How many pixels are looked at where nothing is known of thousands of changes.
@@ -111,11 +112,12 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     search.add_other_editions(&rights);
     search.add_other_slips();
     let mut found = search.found;
-    let is_lossless = |it: &Explanation| {
-        let is_cropped = matches!(it.degradation(), Some(Degradation::Cropped { .. }));
-        is_cropped || it.scene.chosen.is_placed() || it.scene.chosen.shade.is_some()
+    let one_in = |it: &Explanation| match it.degradation() {
+        Some(Degradation::Cropped { .. }) => Some(CUT),
+        _ => (it.scene.chosen.is_placed() || it.scene.chosen.shade.is_some()).then_some(LOSSLESS),
     };
-    found.retain(|it| !is_lossless(it) || LOSSLESS * it.left.far <= reading.pixels.len());
+    let is_kept = |parts: usize, far: usize| parts * far <= reading.pixels.len();
+    found.retain(|it| one_in(it).is_none_or(|parts| is_kept(parts, it.left.far)));
     drop_what_explains_little(&mut found, &evidence.scene);
     drop_losses_of_roundings(&mut found, &evidence.scene);
     drop_changes_like_choices(&mut found);

@@ -343,11 +343,15 @@ impl Finding {
             (_, _) => seen::sights(&compared, reading),
         };
         // Whoever is off by more than a level in most pixels is not right, unless that is noise or a
-        // loss; levels of a palette are not far from its nearest color.
+        // loss; levels of a palette are seldom far from its nearest color.
         let is_of_few = |but: &But| matches!(but, But::Degraded(Degradation::Palette { .. }));
-        let is_excused =
-            best.left.is_noise(reading.pixels.len()) || is_lossy && !best.but.iter().any(is_of_few);
-        let is_far = !is_excused && 2 * best.left.far > reading.pixels.len();
+        let is_excused = best.left.is_noise(reading.pixels.len()) || is_lossy;
+        let most = match is_excused {
+            _ if best.but.iter().any(is_of_few) => reading.pixels.len() / 5,
+            true => reading.pixels.len(),
+            false => reading.pixels.len() / 2,
+        };
+        let is_far = best.left.far > most;
         let is_near = is_known && is_right && !is_far;
         // What is seen through a viewport of the reader's own, or on a curve, is told beside that.
         let is_through_another =

@@ -1005,8 +1005,17 @@ fn a_picture_of_ones_own_is_described_surface_by_surface() {
         books.contains("The book's sphere, in the columns 135 to 264"),
         "{books}"
     );
-    // What a viewer makes of a header whose width and height are exchanged.
     let right = hittable_list::picture(400);
+    // As by a sum of vectors with a wrong letter.
+    let own = under(&right, |i, j| (i + j) / 3);
+    let (pixels, _) = own.rgb().as_chunks::<3>();
+    let twice = pixels
+        .iter()
+        .flat_map(|[_, green, blue]| [*blue, *green, *blue]);
+    let twice = Picture::from_rgb(400, 225, twice.collect()).expect("its size");
+    let twice = shown(&twice);
+    assert!(twice.contains("Red and blue are equal"), "{twice}");
+    // What a viewer makes of a header whose width and height are exchanged.
     let exchanged = Picture::from_rgb(225, 400, right.rgb().to_vec()).expect("its size");
     let rows = shown(&exchanged);
     assert!(rows.contains("Rows of 400 pixels would fit"), "{rows}");

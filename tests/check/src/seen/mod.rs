@@ -140,10 +140,10 @@ impl View<'_> {
                     .to_owned(),
             ),
             (_, 0) => {
-                Some("Only where spheres should be is anything wrong; the sky is right.".to_owned())
+                Some("Only where spheres should be is anything wrong by more than a level.".to_owned())
             }
             (_, rim) if 8 * rim < self.wrong.len() && sky.iter().all(|&n| self.is_at_rim(n)) => Some(
-                "Only where spheres should be and at their rim is anything wrong; the sky is right. Several rays a pixel, and materials, come in later chapters.".to_owned(),
+                "Only where spheres should be and at their rim is anything wrong by more than a level. Several rays a pixel, and materials, come in later chapters.".to_owned(),
             ),
             (0, _) => Some(
                 "Where spheres should be all is right; only beside them it is wrong.".to_owned(),

@@ -84,7 +84,7 @@ fn otherwise(surface: &Surface, reading: &Reading, own: Option<(Terms, Fit)>) ->
             ", as where a direction is not divided by its length, or in a narrow view".to_owned()
         }
         Some((Terms::Columns | Terms::Both, _)) => {
-            "; the book's sky follows the direction's y".to_owned()
+            "; of the book's pictures only build_test does so, in red and green".to_owned()
         }
         Some((Terms::UnitY | Terms::Unit, _)) if eye.sides() != books.sides() => {
             through(&eye, &books)
@@ -98,7 +98,8 @@ fn otherwise(surface: &Surface, reading: &Reading, own: Option<(Terms, Fit)>) ->
 /// Where an eye's pixels lie, if that is not where they are in the book.
 fn through(eye: &Eye, books: &Eye) -> String {
     let ([across, down], [books_across, books_down]) = (eye.sides(), books.sides());
-    let leans = across.y.abs().max(down.x.abs()) > NEAR;
+    let leans = across.y.abs() > 2.0 * NEAR * across.length();
+    let leans = leans || down.x.abs() > 2.0 * NEAR * down.length();
     let off = eye.middle();
     let [width, height] = [across.x, down.y.abs()];
     let is_as_large = (width / books_across.x - 1.0)
@@ -119,7 +120,8 @@ fn through(eye: &Eye, books: &Eye) -> String {
     let moved: Vec<String> = moved.collect();
     if leans || width < 0.0 {
         let [first, across, down] = [eye.first, across, down].map(|it| {
-            let [x, y] = [it.x, it.y].map(about);
+            let least = 2.0 * NEAR * it.x.abs().max(it.y.abs());
+            let [x, y] = [it.x, it.y].map(|it| about(if it.abs() < least { 0.0 } else { it }));
             format!("({x}, {y})")
         });
         return format!(

@@ -28,6 +28,8 @@ const LOOK: u32 = 600;
 /// A surface is a chapter's if no more than one pixel in so many is off by more levels.
 const ODD: usize = 30;
 const LEVELS: u16 = 1;
+/// Components are equal if they differ in no more than one pixel of so many.
+const UNEQUAL: usize = 50;
 /// One pixel in so many has a common color.
 const COMMON: usize = 12;
 /// What is larger is ground, and only its edge is seen.
@@ -80,11 +82,30 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
         false => None,
     };
     let others = others.iter().map(Seen::as_a_thing);
-    [behind.said]
-        .into_iter()
-        .chain(others)
-        .chain(rest)
-        .collect()
+    let all = [behind.said].into_iter().chain(others).chain(rest);
+    all.chain(equal_components(reading)).collect()
+}
+
+/// That two components are one, and not only black or brightest.
+fn equal_components(reading: &Reading) -> Option<String> {
+    let names = ["Red", "Green", "Blue"];
+    let pairs = [(0, 1), (1, 2), (0, 2)];
+    let is_end = |level: i16| level <= 0 || level >= 255;
+    let mut equal = pairs.into_iter().filter(|&(one, other)| {
+        let is_another = |it: &&Pixel| it[one] != it[other];
+        let others = reading.pixels.iter().filter(is_another).count();
+        let says_something = reading.pixels.iter().any(|it| !is_end(it[one]));
+        says_something && UNEQUAL * others <= reading.pixels.len()
+    });
+    let (one, other) = equal.next()?;
+    // All three are gray.
+    equal.next().is_none().then(|| {
+        format!(
+            "{} and {} are equal almost everywhere: is a component of a vector taken twice?",
+            names[one],
+            names[other].to_lowercase()
+        )
+    })
 }
 
 /// What falls into many pieces, by its commonest colors.
@@ -102,7 +123,9 @@ fn in_pieces(count: usize, reading: &Reading) -> Vec<String> {
     );
     let colors = common.into_iter().map(|(count, color)| {
         let share = 100 * count / reading.pixels.len();
-        let meant = uniform::of_a_normal(color).map_or(String::new(), |it| format!(", {it}"));
+        // What reaches the top has no normal.
+        let meant = uniform::of_a_normal(color).filter(|_| color != reading.pixels[0]);
+        let meant = meant.map_or(String::new(), |it| format!(", {it}"));
         format!("{share} % of its pixels are {color:?}{meant}.")
     });
     [pieces].into_iter().chain(colors).collect()
@@ -252,12 +275,22 @@ impl<'a> Seen<'a> {
         let middle = |range: &Range<u32>| (range.start + range.end) / 2;
         let (i, j) = (middle(&self.surface.columns), middle(&self.surface.rows));
         let off = |n: &u32| (n % width).abs_diff(i).pow(2) + (n / width).abs_diff(j).pow(2);
+        let corner = |down: i64| {
+            let along = move |n: &u32| i64::from(n % width) + down * i64::from(n / width);
+            let inner = inner.clone();
+            [inner.clone().min_by_key(along), inner.max_by_key(along)]
+        };
+        let ([upper_left, lower_right], [lower_left, upper_right]) = (corner(1), corner(-1));
         let places = [
             ("at its top", inner.clone().next()),
             ("at its bottom", inner.clone().next_back()),
             ("at its left", inner.clone().min_by_key(|n| n % width)),
             ("at its right", inner.clone().max_by_key(|n| n % width)),
-            ("in its middle", inner.min_by_key(off)),
+            ("in its middle", inner.clone().min_by_key(off)),
+            ("at its upper left", upper_left),
+            ("at its upper right", upper_right),
+            ("at its lower left", lower_left),
+            ("at its lower right", lower_right),
         ];
         let said = places[shown].iter().filter_map(|(place, n)| {
             let color = self.reading.pixels[(*n)? as usize];
@@ -271,24 +304,22 @@ impl<'a> Seen<'a> {
             return format!("is {}", self.places_and_colors(0..5));
         };
         let at = |x: f64, y: f64, z: f64| fit.color(DVec4::new(1.0, x, y, z));
-        let level = |it: f64| (256.0 * it - 0.5).round().clamp(0.0, 255.0) as u8;
         match terms {
             Terms::One => {
                 let nearly = if fit.off > EXACT { "nearly " } else { "" };
-                let color = at(0.0, 0.0, 0.0).map(level);
-                let pixel = color.map(i16::from);
+                let pixel = at(0.0, 0.0, 0.0).map(|it| (256.0 * it - 0.5).round() as i16);
                 let meant = match self.cone {
                     Some(_) => uniform::of_a_thing(pixel),
                     None => uniform::of_the_sky(pixel).or_else(|| uniform::of_a_normal(pixel)),
                 };
                 let meant = meant.map_or(String::new(), |it| format!(", {it}"));
-                format!("has {nearly}one color, {color:?}{meant}")
+                format!("has {nearly}one color, {pixel:?}{meant}")
             }
             Terms::Rows | Terms::Columns | Terms::Both => {
                 let (ways, shown) = match terms {
                     Terms::Rows => ("from row to row", 0..2),
                     Terms::Columns => ("from column to column", 2..4),
-                    _ => ("along rows and columns", 0..5),
+                    _ => ("along rows and columns", 5..9),
                 };
                 let colors = self.places_and_colors(shown);
                 format!("changes in equal steps {ways}: it is {colors}")

@@ -19,6 +19,8 @@ const SOME: usize = 50;
 const LEVEL: f64 = 2.0 * 2.0 / 256.0;
 /// What has fewer lies in a corner.
 const FEW: usize = 50;
+/// How much longer a pixel may be one way than the other.
+const LONG: f64 = 4.0;
 /// How often numbers are moved.
 const STEPS: usize = 300;
 
@@ -64,12 +66,15 @@ pub(super) fn of(surface: &Surface, reading: &Reading) -> Option<Eye> {
             -1.0,
         )
     };
-    (SOME * far.count() <= points.len()).then(|| {
-        let corner = direction(-1.0, 1.0);
-        let across = (direction(1.0, 1.0) - corner) / (2.0 * middle[0]);
-        let down = (direction(-1.0, -1.0) - corner) / (2.0 * middle[1]);
-        Eye::of(reading, corner, across, down)
-    })
+    let corner = direction(-1.0, 1.0);
+    let across = (direction(1.0, 1.0) - corner) / (2.0 * middle[0]);
+    let down = (direction(-1.0, -1.0) - corner) / (2.0 * middle[1]);
+    // Nobody's pixels are much longer one way than the other, nor do rows lead along columns.
+    let [one, other] = [across.length(), down.length()];
+    let is_a_grid = one < LONG * other && other < LONG * one;
+    let is_a_grid = is_a_grid && across.cross(down).length() > 0.5 * one * other;
+    let is_near = SOME * far.count() <= points.len();
+    (is_near && is_a_grid).then(|| Eye::of(reading, corner, across, down))
 }
 
 /// The sky is its own mirror image, and rows that lead to the right are likelier.
