@@ -21,6 +21,8 @@ pub(super) struct Background {
     /// What it is, in words.
     pub(super) said: String,
     pub(super) eye: Eye,
+    /// Whether it is a chapter's, seen as there.
+    pub(super) is_a_chapters: bool,
 }
 
 impl Background {
@@ -34,23 +36,26 @@ impl Background {
         let chapter = seen.chapter([Chapter::Gradient, Chapter::BuildTest]);
         // What is moved by a few pixels, may be off by no more than a level.
         let moved = sky.as_ref().filter(|(through, _)| !through.is_empty());
-        if let (Some((chapter, edition)), None) = (chapter, moved) {
-            let (said, by) = (what(chapter), Edition::said(&[edition]));
+        let is_like_one = chapter.is_some();
+        if let (Some((chapter, editions)), None) = (chapter, moved) {
+            let (said, by) = (what(chapter), Edition::said(&editions));
             return Self {
                 said: format!("{subject} is {said}{by}."),
                 eye: books,
+                is_a_chapters: true,
             };
         }
         let own = seen
             .fitted(&Terms::BEHIND)
             .filter(|(_, fit)| fit.off <= EXACT);
-        let (said, eye) = match sky.filter(|_| own.is_none() || chapter.is_some()) {
+        let (said, eye) = match sky.filter(|_| own.is_none() || is_like_one) {
             Some((through, eye)) => (format!("is the book's sky{through}"), eye),
             None => otherwise(surface, reading, own),
         };
         Self {
             said: format!("{subject} {said}."),
             eye,
+            is_a_chapters: false,
         }
     }
 }

@@ -69,10 +69,11 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
     let others: Vec<Seen> = others.collect();
     let background = Seen::new(&background, reading, behind.eye);
     let mut chapters = THINGS.into_iter().skip(1);
-    let are_books = chapters.any(|chapter| {
-        let mut all = others.iter().chain([&background]);
-        all.all(|it| it.chapter([chapter]).is_some())
-    });
+    let are_books = behind.is_a_chapters
+        && chapters.any(|chapter| {
+            let mut all = others.iter().chain([&background]);
+            all.all(|it| it.chapter([chapter]).is_some())
+        });
     let rest = 100 * (reading.pixels.len() - covered) / reading.pixels.len();
     let rest = match rest >= REST {
         _ if are_books => Some("So only edges are off, as where several rays are taken, or a picture was enlarged or smoothed.".to_owned()),
@@ -161,8 +162,8 @@ impl<'a> Seen<'a> {
 
     fn as_a_thing(&self) -> String {
         let colors = match self.chapter(THINGS) {
-            Some((chapter, edition)) => {
-                let by = Edition::said(&[edition]);
+            Some((chapter, editions)) => {
+                let by = Edition::said(&editions);
                 format!("is {}{by}", what(chapter))
             }
             None => self.colors(self.fitted(&Terms::OF_A_THING)),
@@ -194,16 +195,12 @@ impl<'a> Seen<'a> {
         format!("A sphere in the {place}, as if around ({x}, {y}, -1) with the radius {radius},")
     }
 
-    /// The first of these chapters that has the surface's pixels, and the edition.
+    /// The first of these chapters that has the surface's pixels, and by which editions.
     pub(super) fn chapter(
         &self,
         chapters: impl IntoIterator<Item = Chapter>,
-    ) -> Option<(Chapter, Edition)> {
+    ) -> Option<(Chapter, Vec<Edition>)> {
         let (width, height) = (self.reading.width, self.reading.height);
-        let scenes = chapters
-            .into_iter()
-            .filter_map(|chapter| Scene::new(chapter, None))
-            .flat_map(|it| it.by_editions(width, height));
         let is_same = |scene: &Scene| {
             let program = scene.program(&[]);
             let camera = program.camera(width);
@@ -215,8 +212,12 @@ impl<'a> Seen<'a> {
             };
             ODD * self.places.iter().filter(is_odd).count() <= self.places.len()
         };
-        let scene = scenes.into_iter().find(is_same)?;
-        Some((scene.chapter, scene.edition))
+        let mut found = chapters.into_iter().filter_map(|chapter| {
+            let same = Scene::new(chapter, None)?.by_editions(width, height);
+            let same: Vec<Edition> = same.filter(is_same).map(|it| it.edition).collect();
+            (!same.is_empty()).then_some((chapter, same))
+        });
+        found.next()
     }
 
     /// The fewest terms that make its levels, of as many the nearest.
