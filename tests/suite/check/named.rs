@@ -887,7 +887,7 @@ fn one_color_is_told_as_the_book_has_it() {
     for (color, words) in [
         ([155, 195, 255], "a corner of a viewport 2 wide"),
         ([191, 217, 255], "straight ahead"),
-        ([255, 0, 0], "Every ray counts as a hit"),
+        ([255, 0, 0], "does every ray count as a hit"),
         ([127, 255, 127], "a normal of (0, 1, 0)"),
         ([201, 201, 201], "is each division"),
     ] {

@@ -530,8 +530,7 @@ impl<'a> Fit<'a> {
                 found
             }
         }?;
-        let height = found.viewport_height.unwrap_or_default();
-        let seen = with_viewport(it, found.viewport_width, height);
+        let seen = with_viewport(it, found.viewport_width, found.viewport_height?);
         let chosen = Chosen {
             viewport_width: found.viewport_width,
             viewport_height: found.viewport_height,

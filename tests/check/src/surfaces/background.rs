@@ -4,7 +4,7 @@ use slips::{Chapter, Edition};
 
 use super::cone::Eye;
 use super::fit::Fit;
-use super::said::{NEAR, Seen, about, number, what};
+use super::said::{NEAR, Seen, about, what};
 use super::terms::Terms;
 use super::{Surface, view};
 use crate::reading::Reading;
@@ -104,49 +104,44 @@ fn otherwise(surface: &Surface, reading: &Reading, own: Option<(Terms, Fit)>) ->
 fn through(eye: &Eye, books: &Eye) -> String {
     let ([across, down], [books_across, books_down]) = (eye.sides(), books.sides());
     let leans = across.y.abs() > 2.0 * NEAR * across.length();
-    let leans = leans || down.x.abs() > 2.0 * NEAR * down.length();
-    let off = eye.middle();
+    if leans || down.x.abs() > 2.0 * NEAR * down.length() || across.x < 0.0 {
+        return leaning(eye);
+    }
     let [width, height] = [across.x, down.y.abs()];
-    let is_as_large = (width / books_across.x - 1.0)
-        .abs()
-        .max((height / -books_down.y - 1.0).abs())
-        < MOVED;
+    let larger = [width / books_across.x, -height / books_down.y];
+    let is_as_large = larger.iter().all(|it| (it - 1.0).abs() < MOVED);
+    let size = (!is_as_large).then(|| {
+        let [width, height] = [width, height].map(about);
+        format!("seen through a viewport about {width} wide and {height} high")
+    });
+    let turned = (down.y > 0.0).then(|| "seen upside down".to_owned());
+    let [aside, along] = eye.middle();
     let moved = [
-        (off[0], ASIDE, ["to the left", "to the right"]),
-        (off[1], MOVED, ["upwards", "downwards"]),
+        (aside, ASIDE, ["to the left", "to the right"]),
+        (along, MOVED, ["upwards", "downwards"]),
     ];
     let moved = moved
         .into_iter()
-        .filter(|((_, part), least, _)| part.abs() > *least);
-    let moved = moved.map(|((by, _), _, [one, other])| {
-        let way = if by > 0.0 { one } else { other };
-        format!("{} pixels {way}", number((10.0 * by.abs()).round() / 10.0))
-    });
-    let moved: Vec<String> = moved.collect();
-    if leans || width < 0.0 {
-        let [first, across, down] = [eye.first, across, down].map(|it| {
-            let least = 2.0 * NEAR * it.x.abs().max(it.y.abs());
-            let [x, y] = [it.x, it.y].map(|it| about(if it.abs() < least { 0.0 } else { it }));
-            format!("({x}, {y})")
+        .filter_map(|((by, part), least, [one, other])| {
+            let way = if by > 0.0 { one } else { other };
+            let pixels = (10.0 * by.abs()).round() / 10.0;
+            (part.abs() > least).then(|| format!("moved by {pixels} pixels {way}"))
         });
-        return format!(
-            ", seen as if on the viewport the first pixel lay at {first}, a row led along {across} and a column along {down}"
-        );
-    }
-    let mut all = Vec::new();
-    if !is_as_large {
-        let [width, height] = [width, height].map(about);
-        all.push(format!(
-            "seen through a viewport about {width} wide and {height} high"
-        ));
-    }
-    if down.y > 0.0 {
-        all.push("seen upside down".to_owned());
-    }
-    if !moved.is_empty() {
-        all.push(format!("moved by {}", moved.join(" and ")));
-    }
-    all.iter().map(|it| format!(", {it}")).collect()
+    let all = size.into_iter().chain(turned).chain(moved);
+    all.map(|it| format!(", {it}")).collect()
+}
+
+/// Where pixels lie on the viewport, if not in level rows.
+fn leaning(eye: &Eye) -> String {
+    let [across, down] = eye.sides();
+    let [first, across, down] = [eye.first, across, down].map(|it| {
+        let least = 2.0 * NEAR * it.x.abs().max(it.y.abs());
+        let [x, y] = [it.x, it.y].map(|it| about(if it.abs() < least { 0.0 } else { it }));
+        format!("({x}, {y})")
+    });
+    format!(
+        ", seen as if on the viewport the first pixel lay at {first}, a row led along {across} and a column along {down}"
+    )
 }
 
 /// The book's, and others that people type, also by the width or by an integer ratio.

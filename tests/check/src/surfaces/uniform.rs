@@ -20,7 +20,8 @@ pub(super) fn everywhere(reading: &Reading) -> Option<String> {
     let pixel = *reading.pixels.first()?;
     if pixel == RED {
         return Some(
-            "Every ray counts as a hit of red_sphere, whatever its discriminant.".to_owned(),
+            "It is the red of red_sphere: does every ray count as a hit, whatever its discriminant?"
+                .to_owned(),
         );
     }
     let Some(y) = height(pixel) else {

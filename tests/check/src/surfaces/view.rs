@@ -21,8 +21,9 @@ const LEVEL: f64 = 2.0 * 2.0 / 256.0;
 const FEW: usize = 50;
 /// How much longer a pixel may be one way than the other.
 const LONG: f64 = 4.0;
-/// How often numbers are moved.
+/// How often numbers are moved, unless no step is small enough to bring them nearer.
 const STEPS: usize = 300;
+const MOST_DAMPED: f64 = 1e9;
 
 /// The x and y of a pixel's direction, each a sum of 1, its column and its row.
 type Numbers = [f64; 6];
@@ -92,6 +93,9 @@ fn fitted(points: &[Point], start: Numbers) -> Numbers {
     let (mut numbers, mut damping) = (start, 1e-3);
     let mut least = off(points, &numbers);
     for _ in 0..STEPS {
+        if damping > MOST_DAMPED {
+            break;
+        }
         let step = step(points, &numbers, damping);
         let moved = std::array::from_fn(|n| numbers[n] - step[n]);
         match off(points, &moved) {
