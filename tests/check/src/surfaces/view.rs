@@ -34,48 +34,52 @@ type Point = ([f64; 3], f64);
 /// The eye that sees a surface as the book's sky, if one does.
 pub(super) fn of(surface: &Surface, reading: &Reading) -> Option<Eye> {
     let middle = [reading.width, reading.height].map(|size| 0.5 * f64::from(size - 1));
-    let terms = |n: u32| {
-        let [i, j] = [n % reading.width, n / reading.width].map(f64::from);
-        [1.0, i / middle[0] - 1.0, 1.0 - j / middle[1]]
-    };
-    let places = spread(LOOK, surface.inner.len() as u32);
-    let count = surface.inner.len().min(LOOK as usize);
-    let point = |at: u32| {
-        let n = surface.inner[at as usize];
-        Some((terms(n), uniform::height(reading.pixels[n as usize])?))
-    };
-    let points: Vec<Point> = places.filter_map(point).collect();
-    if points.len() < FEW || SOME * (count - points.len()) > count {
-        return None;
-    }
+    let points = points(surface, reading, middle)?;
     let ratio = middle[0] / middle[1];
-    let straight = [0.0, ratio, 0.0, 0.0, 0.0, 1.0];
-    let upside_down = [0.0, ratio, 0.0, 0.0, 0.0, -1.0];
-    let transposed = [0.0, 0.0, 1.0, 0.0, ratio, 0.0];
-    let mirrored = [0.0, 0.0, 1.0, 0.0, -ratio, 0.0];
-    let starts = [straight, upside_down, transposed, mirrored];
+    let starts = [
+        [0.0, ratio, 0.0, 0.0, 0.0, 1.0],
+        // Upside down, and with rows and columns exchanged.
+        [0.0, ratio, 0.0, 0.0, 0.0, -1.0],
+        [0.0, 0.0, 1.0, 0.0, ratio, 0.0],
+        [0.0, 0.0, 1.0, 0.0, -ratio, 0.0],
+    ];
     let found = starts.into_iter().map(|it| fitted(&points, it));
     let found = found.min_by(|one, other| off(&points, one).total_cmp(&off(&points, other)))?;
-    let far = points
-        .iter()
-        .filter(|it| residual(&found, it).abs() > 1.5 * LEVEL);
-    let [x, right, up, y, rising, high] = mirrored_back(found);
+    let is_far = |it: &&Point| residual(&found, it).abs() > 1.5 * LEVEL;
+    let is_near = SOME * points.iter().filter(is_far).count() <= points.len();
+    eye(mirrored_back(found), reading, middle).filter(|_| is_near)
+}
+
+/// Some pixels of a surface, if almost all of them have colors of the sky.
+fn points(surface: &Surface, reading: &Reading, middle: [f64; 2]) -> Option<Vec<Point>> {
+    let point = |at: u32| {
+        let n = surface.inner[at as usize];
+        let [i, j] = [n % reading.width, n / reading.width].map(f64::from);
+        let terms = [1.0, i / middle[0] - 1.0, 1.0 - j / middle[1]];
+        Some((terms, uniform::height(reading.pixels[n as usize])?))
+    };
+    let count = surface.inner.len().min(LOOK as usize);
+    let points: Vec<Point> = spread(LOOK, surface.inner.len() as u32)
+        .filter_map(point)
+        .collect();
+    let are_most = SOME * (count - points.len()) <= count;
+    (are_most && points.len() >= FEW).then_some(points)
+}
+
+/// The eye with those numbers, if its pixels lie in a grid: nobody's are much longer one way than
+/// the other, nor do rows lead along columns.
+fn eye(numbers: Numbers, reading: &Reading, middle: [f64; 2]) -> Option<Eye> {
     let direction = |column: f64, row: f64| {
-        Vec3::new(
-            x + column * right + row * up,
-            y + column * rising + row * high,
-            -1.0,
-        )
+        let [x, y] = plane(&numbers, &[1.0, column, row]);
+        Vec3::new(x, y, -1.0)
     };
     let corner = direction(-1.0, 1.0);
     let across = (direction(1.0, 1.0) - corner) / (2.0 * middle[0]);
     let down = (direction(-1.0, -1.0) - corner) / (2.0 * middle[1]);
-    // Nobody's pixels are much longer one way than the other, nor do rows lead along columns.
     let [one, other] = [across.length(), down.length()];
-    let is_a_grid = one < LONG * other && other < LONG * one;
-    let is_a_grid = is_a_grid && across.cross(down).length() > 0.5 * one * other;
-    let is_near = SOME * far.count() <= points.len();
-    (is_near && is_a_grid).then(|| Eye::of(reading, corner, across, down))
+    let are_alike = one < LONG * other && other < LONG * one;
+    let is_a_grid = are_alike && across.cross(down).length() > 0.5 * one * other;
+    is_a_grid.then(|| Eye::of(reading, corner, across, down))
 }
 
 /// The sky is its own mirror image, and rows that lead to the right are likelier.
