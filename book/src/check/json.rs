@@ -42,7 +42,7 @@ pub(crate) fn json(judged: &Judged, report: Option<&Path>) -> String {
         "but": finding.and_then(|finding| Some(but(finding, finding.near.as_ref()?))),
         "difference": finding.map(difference),
         "diagnosis": sets.iter().map(|set| diagnosis(&judged.known, &judged.scene, set)).collect::<Value>(),
-        "sights": finding.map(|finding| &finding.sights),
+        "sights": finding.map(|finding| finding.seen().collect::<Vec<_>>()),
         "lead_in_bits": finding.map(|finding| finding.lead.round()),
         "report": report.map(names::spelled),
     });

@@ -1,4 +1,4 @@
-//! Rectangles with sharp sides: a picture in the window of a screenshot.
+//! Rectangles with sharp sides, and borders of one color: a picture in the window of a screenshot.
 
 use std::cmp::Reverse;
 

@@ -76,11 +76,12 @@ pub fn remarks(scene: &Scene, finding: &Finding, book: &Path) -> String {
     if let Some(told) = finding.how_to_tell(|probe| scene.probed_command(probe)) {
         html += &format!("<p>{}</p>\n", escaped(told));
     }
-    if !finding.sights.is_empty() {
-        html += "<h2>What can be seen</h2>\n";
-        for sight in &finding.sights {
-            html += &format!("<p>{}</p>\n", escaped(sight));
-        }
+    let seen: String = finding
+        .seen()
+        .map(|it| format!("<p>{}</p>\n", escaped(it)))
+        .collect();
+    if !seen.is_empty() {
+        html += &format!("<h2>What can be seen</h2>\n{seen}");
     }
     html
 }

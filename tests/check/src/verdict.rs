@@ -404,6 +404,11 @@ impl Finding {
         near.map_or(String::new(), |near| near.clause(pixels))
     }
 
+    /// What can be seen beside the scene, and in the picture by itself.
+    pub fn seen(&self) -> impl Iterator<Item = &String> {
+        self.sights.iter().chain(&self.shown)
+    }
+
     /// Whether it says what gave the picture another shape than the book's, or who chose it.
     fn tells_of_the_shape(&self) -> bool {
         let is_chosen = self.scene.has_another_shape() && !self.sets.is_empty();

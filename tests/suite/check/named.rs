@@ -13,6 +13,7 @@ use check::frame;
 use check::guess;
 use check::png;
 use check::reading::{self, Reading};
+use check::report;
 use check::scene::Scene;
 use check::verdict::{Check, Finding, check, judge, judge_guessed};
 use common::rtweekend::*;
@@ -1033,6 +1034,70 @@ fn where_a_hit_is_missing_nothing_more_is_drawn() {
     assert!(said.contains("the sky is seen there"), "{said}");
 }
 
+/// As a graphics card or another order of operations rounds.
+#[test]
+fn single_roundings_are_no_mistake_whatever_else_may_draw_them() {
+    let right = hittable_list::picture(400);
+    let rounded = changed(&right, |i, j| {
+        let at = 3 * (j * 400 + i) as usize;
+        let [red, green, blue] = [0, 1, 2].map(|c| right.rgb()[at + c]);
+        let one_in_many = (j * 400 + i) % 1951 == 7;
+        one_in_many.then_some([red ^ 1, green, blue])
+    });
+    let near = near(Chapter::HittableList, &rounded);
+    assert!(near.but.is_empty() && near.left.off > 40, "{near:?}");
+    let said = near.clause(90_000);
+    assert!(said.contains("another order of operations"), "{said}");
+}
+
+/// Who holds a ratio in single precision may lose a row: 400 / 1.7777778 is below 225.
+#[test]
+fn a_row_that_a_ratio_in_single_precision_loses_is_no_crop() {
+    let program = Program {
+        image_height: |_, _| 224,
+        divisors: |width, height| [width, height],
+        level: |component| (255.0 * component) as i32,
+        ..Edition::V3.program(Chapter::Normals)
+    };
+    let found = finding(Chapter::Normals, &program.run(400).picture());
+    assert!(found.degradation.is_none(), "{:?}", found.degradation);
+    assert_eq!(names(&found)[0], ["times-255"]);
+}
+
+/// The next chapter scales by 256, after a clamp.
+#[test]
+fn the_scale_of_several_rays_is_no_mistake_in_a_scene_of_ones_own() {
+    const ELSEWHERE: &[Ball] = &[
+        Ball::new(0.3, 0.1, -1.0, 0.6),
+        Ball::new(0.0, -100.5, -1.0, 100.0),
+    ];
+    let program = Program {
+        world: ELSEWHERE,
+        level: |mean| (256.0 * mean.clamp(0.0, 0.999)) as i32,
+        ..Program::right(Chapter::HittableList)
+    };
+    let found = finding(Chapter::HittableList, &with_rays(&program, 50, 0.0));
+    assert!(found.near.is_some(), "{:?}", names(&found));
+}
+
+/// As by several rays that lie beside the pixel, which change nothing else.
+#[test]
+fn where_only_edges_are_off_it_is_said() {
+    let right = Program::right(Chapter::HittableList);
+    let shown = |width, lower| {
+        let beside = wide_with_rays(width, &right, 8, lower);
+        finding(Chapter::HittableList, &beside).shown.join(" ")
+    };
+    let edges = shown(600, -0.5);
+    assert!(edges.contains("So only edges are off"), "{edges}");
+    // Of so small a sphere the normals are others, too.
+    let more = shown(100, -0.5);
+    assert!(
+        !more.is_empty() && !more.contains("So only edges"),
+        "{more}"
+    );
+}
+
 #[test]
 fn a_picture_of_many_surfaces_is_told_as_that() {
     let grid = changed(&gradient::picture(200), |i, j| {
@@ -1343,13 +1408,17 @@ fn with_noise(picture: &Picture) -> Picture {
 /// A picture 200 pixels wide, each of which is the mean of so many rays anywhere in it, or
 /// in a square that much lower.
 fn with_rays(program: &Program, count: usize, lower: f64) -> Picture {
-    let camera = program.camera(200);
+    wide_with_rays(200, program, count, lower)
+}
+
+fn wide_with_rays(width: u32, program: &Program, count: usize, lower: f64) -> Picture {
+    let camera = program.camera(width);
     let mut random = Random(7);
     let mut anywhere = || random.below(1 << 20) as f64 / f64::from(1 << 20) - 0.5;
     let mut mean = |i: u32, j: u32| {
         let mut ray = || {
             let (x, y) = (f64::from(i) + anywhere(), f64::from(j) + lower + anywhere());
-            let [across, up] = (program.divisors)(200.0, camera.image_height.into());
+            let [across, up] = (program.divisors)(width.into(), camera.image_height.into());
             let [x, y] = match program.edition.counts_from_below() {
                 true => [(x + 0.5) / across, 1.0 - (y + 0.5) / up],
                 false => [x, y],
