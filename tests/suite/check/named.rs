@@ -13,7 +13,6 @@ use check::frame;
 use check::guess;
 use check::png;
 use check::reading::{self, Reading};
-use check::report;
 use check::scene::Scene;
 use check::verdict::{Check, Finding, check, judge, judge_guessed};
 use common::rtweekend::*;
