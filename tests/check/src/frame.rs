@@ -3,6 +3,7 @@
 use std::cmp::Reverse;
 
 use crate::bits::distance;
+use crate::guess::is_near_a_chapter;
 use crate::reading::{Cause, Reading};
 use crate::scene::{Scene, USUAL_RATIOS};
 use crate::verdict::{Check, MOST_MISSHAPEN};
@@ -39,6 +40,12 @@ pub fn judge_inside<E>(
     reading: Reading,
     judge: impl Fn(&Reading) -> Result<(Scene, Check), E>,
 ) -> Result<(Scene, Check, Reading), E> {
+    if let Some(inside) = nearly_a_chapters(&reading) {
+        let (scene, check) = judge(&inside)?;
+        if is_known(&check) {
+            return Ok((scene, check, inside));
+        }
+    }
     let (scene, check) = judge(&reading)?;
     if is_known(&check) {
         return Ok((scene, check, reading));
@@ -62,6 +69,14 @@ pub fn judge_inside<E>(
     let is_misshapen = |check: &Check| matches!(check, Check::WrongShape { .. });
     let bordered = bordered.filter(|(_, inner, _)| !is_misshapen(inner) || is_misshapen(&check));
     Ok(bordered.unwrap_or((scene, check, reading)))
+}
+
+/// What is nearly a chapter's picture, inside of what is none.
+fn nearly_a_chapters(reading: &Reading) -> Option<Reading> {
+    let bordered = inside_of_a_border(reading).into_iter();
+    let mut all = bordered.chain(insides(reading).take(TRIED));
+    let inside = all.find(is_near_a_chapter)?;
+    (!is_near_a_chapter(reading)).then_some(inside)
 }
 
 fn is_known(check: &Check) -> bool {

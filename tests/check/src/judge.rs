@@ -35,15 +35,18 @@ const UNKNOWN: f64 = 10.0;
 const LOOKS: [(u32, usize); 3] = [(300, MANY), (LOOK, FEW), (6000, FEW)];
 /// How many tell a little.
 const LOOK: u32 = 1500;
-/// More explanations than draw the right picture, and than draw any other picture.
-const MANY: usize = 400;
-const FEW: usize = 80;
+const MANY: usize = 160;
+/// More explanations than draw any picture but the right one.
+const FEW: usize = 40;
 /// How many pictures beside the first one's are measured.
 const FEWER: usize = 16;
 /// How many pixels of these are measured: those of 6 pictures 400 wide.
 const PIXELS: usize = 540_000;
 /// The same of those that draw what the first one does: so many times as many.
 const ALIKE: usize = 4;
+/// After so many pictures that leave so many times as much as the best none is measured.
+const MISSES: usize = 3;
+const WORSE: f64 = 1.5;
 /// What more than this is left of is worth a search for numbers of the reader's own, for
 /// several rays and curves: some thirty odd pixels. Less is told pixel by pixel anyway.
 const WORTH_A_SEARCH: f64 = 1000.0;
@@ -265,18 +268,27 @@ impl Search<'_> {
             all = some.iter().map(|(_, it)| it.clone()).collect();
             most = f64::INFINITY;
         }
+        self.measure(&some);
+        all
+    }
+
+    /// Measures what may win of these, the likeliest first.
+    fn measure(&mut self, some: &[(f64, Hypothesis)]) {
+        let reading = self.evidence.reading;
         // Where levels were lost, estimates tell only which is the likeliest.
         let is_lossy = |it: &Hypothesis| it.degradation.is_some_and(Degradation::is_lossy);
         let pictures = (PIXELS / reading.pixels.len()).clamp(1, FEWER);
         let left = |(length, it): &(f64, Hypothesis)| length - it.name;
+        let are_alike = |one: f64, other: f64| (one - other).abs() <= 1e-6;
         let least = some.first().map_or(0.0, left);
         let is_least = |it: &(f64, Hypothesis)| {
-            (left(it) - least).abs() <= 1e-6 && it.1.scene.chosen == Chosen::default()
+            are_alike(left(it), least) && it.1.scene.chosen == Chosen::default()
         };
         let names = some.iter().filter(|it| is_least(it)).map(|(_, it)| it.name);
         let shortest = names.fold(f64::INFINITY, f64::min);
-        let (mut others, mut all_measured, mut known) = (0, 0, HashMap::new());
-        for it in &some {
+        let (mut others, mut all_measured, mut worse) = (0, 0, 0);
+        let mut known: Vec<(f64, Explanation)> = Vec::new();
+        for it in some {
             // Who draws the same leaves the same, but for roundings. All slips that do and whose
             // names are short enough are told; of numbers that a reader may have typed, the simplest.
             if is_least(it) && it.1.name > shortest + TOGETHER {
@@ -286,12 +298,22 @@ impl Search<'_> {
             all_measured += 1;
             let most = may_win(self.best().bits().min(self.unknown));
             let are_enough = others >= pictures || all_measured > ALIKE * pictures;
-            if are_enough || it.0 > most && !is_lossy(&it.1) {
+            if are_enough || worse == MISSES || it.0 > most && !is_lossy(&it.1) {
                 break;
             }
-            self.found.extend(it.1.measured_among(&mut known, reading));
+            // Of noise nobody tells by single pixels who drew it.
+            let mut alike = known
+                .iter()
+                .filter(|(other, _)| are_alike(*other, left(it)));
+            if let Some((_, by)) = alike.find(|(_, by)| !by.left.is_one_by_one) {
+                self.found.push(it.1.leaving(by.left, by.mark));
+            } else if let Some(measured) = it.1.measured(reading) {
+                let is_worse = measured.bits() > WORSE * self.best().bits();
+                worse = if is_worse { worse + 1 } else { 0 };
+                known.push((left(it), measured.clone()));
+                self.found.push(measured);
+            }
         }
-        all
     }
 
     /// What is no single slip, the surest first.
@@ -418,12 +440,12 @@ impl Search<'_> {
         {
             let evidence = evidence.degraded(degradation);
             let all = right(&evidence).into_iter().chain(single(&evidence));
+            let all: Vec<Hypothesis> = all.collect();
             let best = self.best().program();
-            let is_tried = |it: &Hypothesis| {
+            let is_tried = |it: &&Hypothesis| {
                 let mut tried = tried.iter().chain([&best]);
                 tried.any(|tried| tried.is_same_program(it))
             };
-            let (surest, others): (Vec<_>, Vec<_>) = all.partition(is_tried);
             let shortest = self.best().bits();
             // What tells the loss is known, and estimates are wrong in the rest alone.
             let name = evidence.degradation.map_or(0.0, |(_, name)| name);
@@ -433,16 +455,22 @@ impl Search<'_> {
             };
             let may_win =
                 |it: &&Hypothesis| it.estimated(evidence.reading, &places, most).is_some();
-            let surest = surest.iter().filter(may_win);
-            let surest: Vec<_> = surest
-                .filter_map(|it| it.measured(evidence.reading))
-                .collect();
+            let surest = all.iter().filter(is_tried).filter(may_win);
+            let surest = surest.filter_map(|it| it.measured(evidence.reading));
+            let surest: Vec<Explanation> = surest.collect();
             // A loss that brings none of the likeliest programs nearer has not happened.
             if degradation.is_lossy() && surest.iter().all(|it| it.bits() >= shortest) {
                 continue;
             }
-            self.found.extend(surest);
-            self.add(others, None, most);
+            self.found.extend(surest.iter().cloned());
+            let before = self.found.len();
+            self.add(all, None, most);
+            let added = self.found.split_off(before);
+            let is_new = |it: &Explanation| {
+                let mut surest = surest.iter().map(Explanation::program);
+                !surest.any(|surest| surest.is_same_program(&it.program()))
+            };
+            self.found.extend(added.into_iter().filter(is_new));
         }
     }
 
@@ -487,7 +515,7 @@ impl Search<'_> {
         let asked = nearest.first().map(|it| it.scene.edition);
         for some in [own, others] {
             // Colors of the reader's own hide which edition is near.
-            let colored = some.iter().filter_map(|it| in_colors(evidence, it));
+            let colored = some.iter().filter_map(|it| in_colors(evidence, it, LOOK));
             let some = some.iter().map(|&it| it.clone()).chain(colored);
             let some = likeliest(evidence, some, &places, f64::INFINITY, FEW);
             let is_another = |it: &Hypothesis| !is_own(&it) || Some(it.scene.edition) != asked;
@@ -784,7 +812,8 @@ fn may_win(bits: f64) -> f64 {
     2.0 * bits + 64.0
 }
 
-/// Those of the hypotheses that look shortest, the shortest first, with their lengths.
+/// Those of the hypotheses that look shortest, the shortest first, with their lengths; but no slip
+/// that draws, at all these places, what a program before it draws without one.
 pub(crate) fn likeliest(
     evidence: &Evidence,
     all: impl IntoIterator<Item = Hypothesis>,
@@ -799,6 +828,14 @@ pub(crate) fn likeliest(
             last.min(may_win(*length) + places.give())
         });
         if let Some(length) = it.estimated(evidence.reading, places, most) {
+            let is_without = |(other, without): &(f64, Hypothesis)| {
+                let is_like = (length - it.name - other + without.name).abs() <= 1e-6;
+                let is_right = without.slips.is_empty() && !without.scene.has_another_shape();
+                is_like && is_right && without.name <= it.name
+            };
+            if !it.slips.is_empty() && best.iter().any(is_without) {
+                continue;
+            }
             let at = best.partition_point(|(other, _)| *other <= length);
             best.insert(at, (length, it));
             best.truncate(few);

@@ -5,12 +5,14 @@
 //! falls with their number. So the mean position of the edges tells where the rays of a
 //! pixel lie, and how far pixels are from it, how many they are.
 
+use std::collections::HashMap;
+
 use common::rtweekend::Camera;
 
 use ::slips::{Edition, Program, Slip};
 
 use super::colors::is_rescaled;
-use super::{But, Conversion, Curve, Evidence, Explanation, Hypothesis, Seen, spread};
+use super::{But, Conversion, Curve, Evidence, Explanation, Hypothesis, Seen, mark, spread};
 use crate::bits::{Frequencies, Left, Pixel, class, distance};
 use crate::reading::Reading;
 
@@ -28,6 +30,8 @@ const FINE: usize = 6;
 const PARTS: usize = 3 * FINE;
 /// How many pixels at edges, and how many others, choose what is measured.
 const LOOK: u32 = 100;
+/// How many pixels at edges count rays.
+const COUNTED: u32 = 1500;
 /// How many programs are measured.
 const MEASURED: usize = 3;
 /// The variance that cutting off the fraction of a level adds, and that 36 rays are not
@@ -47,7 +51,7 @@ const ENOUGH: usize = 60;
 pub(crate) const SINGLE: f64 = 1.5;
 
 /// Where the rays of a pixel lie: a rectangle, in parts of the pixel.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Rectangle {
     /// Its middle, in halves of a pixel from where it should be, along the two edges of
     /// the viewport.
@@ -185,23 +189,31 @@ pub(crate) fn antialiased<'a>(
         };
         rectangles.dedup();
         let least = found.iter().find(|(_, it)| rectangles.contains(it))?.0;
-        Some((least + it.name, rectangles, it, curve))
+        Some((least, rectangles, it, curve))
     });
     let mut near: Vec<_> = near.collect();
-    near.sort_by(|(one, ..), (other, ..)| one.total_cmp(other));
-    let mut explained = Vec::new();
-    for (_, rectangles, it, curve) in near.into_iter().take(MEASURED) {
+    near.sort_by(|(one, _, it, _), (other, _, than, _)| {
+        (one + it.name).total_cmp(&(other + than.name))
+    });
+    let (mut explained, mut known) = (Vec::new(), HashMap::new());
+    for (least, rectangles, it, curve) in near.into_iter().take(MEASURED) {
         let program = it.scene.program(&it.slips);
         let Some(rays) = Rays::of(it, &program, reading, curve) else {
             continue;
         };
         for rectangle in rectangles {
-            let drawn = rays.through_the_middle(rectangle);
-            let mut explanation = it.explaining(reading, &drawn);
+            let measure = || {
+                let drawn = rays.through_the_middle(rectangle);
+                let mut left = rays.left(&drawn, &contrast, &smooth);
+                let (bits, samples) = rays.at_edges(&edges, rectangle);
+                left.bits += bits;
+                (left, mark(&drawn), samples)
+            };
+            // Who is as long to the last bit at those edges draws the same.
+            let measured = known.entry((least.to_bits(), rectangle));
+            let (left, mark, samples) = *measured.or_insert_with(measure);
+            let mut explanation = it.leaving(left, mark);
             explanation.name += NAME + rectangle.name(&program) + curve.map_or(0.0, Curve::name);
-            explanation.left = rays.left(&drawn, &contrast, &smooth);
-            let (bits, samples) = rays.at_edges(&edges, rectangle);
-            explanation.left.bits += bits;
             let is_lower = rectangle != WHOLE_PIXEL && rectangle.is_whole(&program);
             explanation.but = vec![But::Antialiased { samples, is_lower }];
             explanation.but.extend(curve.cloned().map(But::Curve));
@@ -318,7 +330,7 @@ impl<'a> Rays<'a> {
         all.map(|n| self.pixel(n, &camera)).collect()
     }
 
-    /// Bits of the pixels at edges, and about how many rays they are the means of.
+    /// Bits of the pixels at edges, by some of them, and about how many rays they are the means of.
     fn at_edges(&self, edges: &[u32], rectangle: Rectangle) -> (f64, Option<f64>) {
         let ((left, right), (first, last)) = (rectangle.parts(0), rectangle.parts(1));
         let parts = (first..last).flat_map(|y| (left..right).map(move |x| (x, y)));
@@ -326,7 +338,8 @@ impl<'a> Rays<'a> {
             .map(|(x, y)| self.moved(x as f64 + 0.5, y as f64 + 0.5))
             .collect();
         let (mut beside, mut one) = (Vec::new(), 0.0);
-        for &n in edges {
+        let all = edges.len() as u32;
+        for n in spread(COUNTED, all).map(|at| edges[at as usize]) {
             let colors: Vec<[f64; 3]> = cameras.iter().map(|it| self.color(n, it)).collect();
             one += self.by_one(n, &colors);
             beside.extend(self.beside(n, &means(&colors)));
@@ -334,9 +347,10 @@ impl<'a> Rays<'a> {
         let bits = (0..=10)
             .map(|twice| by_samples(&beside, f64::from(twice).exp2()))
             .fold(f64::INFINITY, f64::min);
+        let times = f64::from(all) / f64::from(all.min(COUNTED));
         match one < bits {
-            true => (one, Some(1.0)),
-            false => (bits, samples(&beside)),
+            true => (times * one, Some(1.0)),
+            false => (times * bits, samples(&beside)),
         }
     }
 

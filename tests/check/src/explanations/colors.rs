@@ -47,14 +47,15 @@ const BOOKS_ENDS: [f64; 2] = [0.0, 1.0];
 /// That a number is the book's.
 pub(super) const KEPT: f64 = 1.0;
 
-/// The program in the reader's own colors, if those of the picture are not the book's.
-pub(crate) fn in_colors(evidence: &Evidence, right: &Hypothesis) -> Option<Hypothesis> {
+/// The program in the reader's own colors, if those of so many of the picture's pixels are not the
+/// book's.
+pub(crate) fn in_colors(evidence: &Evidence, right: &Hypothesis, look: u32) -> Option<Hypothesis> {
     let reading = evidence.reading;
     // A picture of one color says nothing about a sky.
     if reading.is_plain() || reading.outside().is_some() {
         return None;
     }
-    let scene = with_slips(&right.scene, &right.slips, reading, LOOK);
+    let scene = with_slips(&right.scene, &right.slips, reading, look);
     (scene.chosen != right.scene.chosen).then(|| Hypothesis {
         scene,
         name: right.name + name(&scene),

@@ -250,7 +250,8 @@ impl Hypothesis {
             .collect()
     }
 
-    fn pixel(&self, output: &Output, n: u32) -> Pixel {
+    /// The nth pixel of what it prints, before anything happened to it.
+    pub(crate) fn pixel(&self, output: &Output, n: u32) -> Pixel {
         output.pixel(n).map(|level| self.conversion.apply(level))
     }
 
@@ -289,7 +290,8 @@ impl Hypothesis {
         (left, mark(drawn))
     }
 
-    fn leaving(&self, left: Left, mark: u64) -> Explanation {
+    /// The same where it is known what it leaves.
+    pub(crate) fn leaving(&self, left: Left, mark: u64) -> Explanation {
         Explanation {
             scene: self.scene,
             slips: self.slips.clone(),

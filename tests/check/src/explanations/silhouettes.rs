@@ -7,7 +7,7 @@
 use ::slips::{Chapter, Program, Room};
 
 use super::antialiased::WITH_SAMPLES;
-use super::{Evidence, Explanation, Hypothesis, Places, Seen, estimate, spread};
+use super::{Evidence, Explanation, Hypothesis, Places, Seen, estimate, mark, spread};
 use crate::bits::{Frequencies, Left, Pixel, class, commonest, distance, told};
 use crate::judge::{GRAIN, is_same};
 use crate::reading::Reading;
@@ -23,8 +23,10 @@ const SHADED: f64 = 10.0;
 const MANY: usize = 24;
 /// About what a pixel costs of whose color nothing is known.
 const HIT: f64 = 12.0;
-/// How many pixels choose the edition.
+/// How many pixels choose the edition, and of these one in so many may be off in a picture that says
+/// little.
 const LOOK: u32 = 300;
+const FEW: usize = 8;
 
 /// The picture as one of these, by the edition whose sky comes nearest.
 pub(crate) fn silhouettes(evidence: &Evidence, rights: &[Hypothesis]) -> Vec<Explanation> {
@@ -49,7 +51,7 @@ pub(crate) fn silhouettes(evidence: &Evidence, rights: &[Hypothesis]) -> Vec<Exp
     };
     let everywhere = vec![true; reading.pixels.len()];
     let (plain, bits) = painted(&reading.pixels, &everywhere, reading);
-    let mut all = vec![sky.little(reading, &plain, bits)];
+    let mut all: Vec<Explanation> = sky.little(reading, &plain, bits).into_iter().collect();
     let mut shaded = None;
     if sky.it.scene.chapter.room() != Room::None {
         let empty = Sky::of(sky.it).drawn(reading);
@@ -59,17 +61,15 @@ pub(crate) fn silhouettes(evidence: &Evidence, rights: &[Hypothesis]) -> Vec<Exp
             .map(|(sky, it)| sky != it)
             .collect();
         let (spheres, bits) = painted(&empty, &is_hit, reading);
-        all.push(sky.little(reading, &empty, 0.0));
+        all.extend(sky.little(reading, &empty, 0.0));
         let hit = spheres.iter().zip(&is_hit).find(|(_, is_hit)| **is_hit);
         let is_gray = hit.is_none_or(|([red, green, blue], _)| red == green && green == blue);
         // A sphere of one color in another one is the reader's own.
         if is_gray || sky.it.scene.chapter != Chapter::RedSphere {
-            all.push(sky.little(reading, &spheres, bits));
+            all.extend(sky.little(reading, &spheres, bits));
         }
         shaded = sky.shaded(reading, &is_hit);
     }
-    // Who leaves many pixels has drawn something else.
-    all.retain(|it| it.left.is_one_by_one);
     all.extend(shaded);
     all
 }
@@ -143,13 +143,17 @@ impl<'a> Sky<'a> {
         self.it.before(&self.program.run(reading.width))
     }
 
-    /// That the picture says little, beside so many bits of its color.
-    fn little(&self, reading: &Reading, drawn: &[Pixel], bits: f64) -> Explanation {
-        Explanation {
+    /// That the picture says little, beside so many bits of its color. Who leaves many pixels has
+    /// drawn something else.
+    fn little(&self, reading: &Reading, drawn: &[Pixel], bits: f64) -> Option<Explanation> {
+        let is_off = |n: &u32| drawn[*n as usize] != reading.pixels[*n as usize];
+        let off = spread(LOOK, drawn.len() as u32).filter(is_off).count();
+        let explained = (FEW * off <= LOOK as usize).then(|| self.it.explaining(reading, drawn))?;
+        explained.left.is_one_by_one.then_some(Explanation {
             name: self.it.name + LITTLE + bits,
             seen: Some(Seen::Little),
-            ..self.it.explaining(reading, drawn)
-        }
+            ..explained
+        })
     }
 
     /// That nothing is known of what is hit, nor of what lies beside it, which may be a mixture.
@@ -168,7 +172,6 @@ impl<'a> Sky<'a> {
         let is_near: Vec<bool> = (0..drawn.len()).map(is_near).collect();
         let all = 0..drawn.len();
         let (near, sky): (Vec<usize>, Vec<usize>) = all.partition(|&n| is_near[n]);
-        let bits = told(reading, |n| is_near[n]);
         let is_sky = |n: &&usize| is_hit[**n] && drawn[**n] == reading.pixels[**n];
         let missed = near.iter().filter(is_sky).count();
         let (mut code, mut off, mut far) = (Frequencies::of_noise(), 0, 0);
@@ -183,21 +186,21 @@ impl<'a> Sky<'a> {
         if MANY * (missed + far) > near.len() {
             return None;
         }
-        let explained = self.it.explaining(reading, &drawn);
+        let bits = told(reading, |n| is_near[n]);
+        let left = Left {
+            bits: code.bits() + bits,
+            off,
+            far,
+            is_both_ways: false,
+            is_one_by_one: false,
+        };
         Some(Explanation {
             name: self.it.name + SHADED,
             seen: Some(Seen::Shaded {
                 is_corrected: self.is_corrected,
                 is_grainy: bits > GRAIN * near.len() as f64,
             }),
-            left: Left {
-                bits: code.bits() + bits,
-                off,
-                far,
-                is_both_ways: false,
-                is_one_by_one: false,
-            },
-            ..explained
+            ..self.it.leaving(left, mark(&drawn))
         })
     }
 }
