@@ -28,7 +28,7 @@ const FAR: u32 = 24;
 const SEEN: usize = 2;
 /// A smaller part of the width or height holds no picture.
 const LEAST: u32 = 3;
-/// How many rectangles are judged.
+/// How many rectangles may hold a picture.
 const TRIED: usize = 3;
 
 /// Judges what was read, or what lies in a frame of it, where only that is known. Returns also
@@ -51,24 +51,17 @@ pub fn judge_inside<E>(
         return Ok((scene, check, reading));
     }
     // Whatever it is, a border is no part of it.
-    let mut bordered = None;
-    if let Some(inside) = inside_of_a_border(&reading) {
-        let (scene, check) = judge(&inside)?;
-        if is_known(&check) {
-            return Ok((scene, check, inside));
-        }
-        bordered = Some((scene, check, inside));
-    }
-    let count = TRIED - usize::from(bordered.is_some());
-    for inside in insides(&reading).take(count) {
-        let (scene, check) = judge(&inside)?;
-        if is_known(&check) {
-            return Ok((scene, check, inside));
+    let border = inside_of_a_border(&reading);
+    let has_border = border.is_some();
+    if let Some(inside) = border.or_else(|| insides(&reading).next()) {
+        let (of, inner) = judge(&inside)?;
+        let is_misshapen = |check: &Check| matches!(check, Check::WrongShape { .. });
+        let is_all = has_border && (!is_misshapen(&inner) || is_misshapen(&check));
+        if is_known(&inner) || is_all {
+            return Ok((of, inner, inside));
         }
     }
-    let is_misshapen = |check: &Check| matches!(check, Check::WrongShape { .. });
-    let bordered = bordered.filter(|(_, inner, _)| !is_misshapen(inner) || is_misshapen(&check));
-    Ok(bordered.unwrap_or((scene, check, reading)))
+    Ok((scene, check, reading))
 }
 
 /// What is nearly a chapter's picture, inside of what is none.

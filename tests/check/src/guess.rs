@@ -1,14 +1,14 @@
 //! Classification by the nearest program: which chapter a picture is meant to be, where
 //! nobody says so.
 
-use slips::{Chapter, Edition};
+use slips::{Chapter, Edition, Room};
 
 use crate::bits::{self, distance};
 use crate::evidence::{Evidence, Known};
 use crate::explanations::{
     Hypothesis, Places, chosen_otherwise, in_colors, outlined, ramps, right, single, two,
 };
-use crate::judge::likeliest;
+use crate::judge::{is_same, likeliest};
 use crate::reading::Reading;
 use crate::scene::Scene;
 use crate::surfaces;
@@ -19,6 +19,8 @@ const LOOKS: [u32; 2] = [100, 1500];
 const FEW: usize = 20;
 /// Of a picture's bits a scene that is near leaves one in so many.
 const CHOSEN: f64 = 4.0;
+/// What leaves one in so many is the scene.
+const ALL: f64 = 64.0;
 /// By levels that were lost a slip's or a probe's picture may be so much nearer than the right one.
 const CHANCE: f64 = 1.1;
 /// A pixel that is off by more levels is far off, unless one of the program's own, so many columns
@@ -32,25 +34,53 @@ const SOME: usize = 100;
 /// or but for the colors of all that is hit. The first in the book of several that draw the
 /// same, as chapters 3 and 4 do.
 pub fn scene(reading: &Reading) -> Scene {
-    let (mut least, mut nearest, is_near) = nearest(reading);
+    let (least, nearest, is_near) = nearest(reading);
     // What a reader chose explains nearly all, or it was something else; and it is not near a
     // picture in which nothing is the reader's.
     let alone = bits::alone(reading);
-    if CHOSEN * least > alone && !is_near {
-        let known = Known::default();
-        let places = LOOKS.map(|count| Places::new(reading, None, count));
-        // Chapter 4 draws what chapter 3 does.
-        let others = Chapter::OF_THE_BOOK.into_iter();
-        for chapter in others.filter(|it| *it != Chapter::HalfBSphere) {
-            if let Some(length) = chosen_otherwise_in(chapter, reading, &known, &places)
-                && CHOSEN * length < alone.min(2.0 * least)
+    let is_unknown = CHOSEN * least > alone && !is_near;
+    let most = alone.min(2.0 * least) / CHOSEN;
+    let explained = || explained(reading, most, alone);
+    let chosen = is_unknown.then(explained).flatten();
+    let first = || Scene::new(Chapter::Gradient, None).expect("it has no probe");
+    chosen.or(nearest).unwrap_or_else(first)
+}
+
+/// The chapter that explains nearly all with what a reader may have chosen, or with two slips.
+fn explained(reading: &Reading, mut most: f64, alone: f64) -> Option<Scene> {
+    let known = Known::default();
+    let places = LOOKS.map(|count| Places::new(reading, None, count));
+    // Chapter 4 draws what chapter 3 does, and no sphere is seen where all is one surface.
+    let surfaces = surfaces::count(reading);
+    let may_be = |it: &Chapter| match it {
+        Chapter::HalfBSphere => false,
+        it => (it.room() == Room::None) == (surfaces == 1),
+    };
+    let mut chapters: Vec<Chapter> = Chapter::OF_THE_BOOK.into_iter().filter(may_be).collect();
+    // Where two lie before the sky, the list is the likeliest.
+    if surfaces > 2 {
+        chapters.reverse();
+    }
+    for length_of in [with_choices, with_pairs] {
+        let mut found = None;
+        for &chapter in &chapters {
+            let scene = Scene::new(chapter, None)?;
+            let evidence = Evidence::new(&scene, reading, &known);
+            if let Some(length) = length_of(&evidence, &places, alone)
+                && length < most
             {
-                least = length;
-                nearest = Scene::new(chapter, None);
+                found = Some(scene);
+                most = 2.0 * length / CHOSEN;
+                if ALL * length < alone {
+                    return found;
+                }
             }
         }
+        if found.is_some() {
+            return found;
+        }
     }
-    nearest.unwrap_or_else(|| Scene::new(Chapter::Gradient, None).expect("it has no probe"))
+    None
 }
 
 /// Whether a picture is nearly one of a chapter, right or with a slip.
@@ -135,26 +165,25 @@ fn is_near(program: &Hypothesis, reading: &Reading, places: &Places) -> bool {
     SOME * far.count() <= places.iter().count()
 }
 
-/// About how long a chapter is with all that a reader may have chosen, or with two slips.
-fn chosen_otherwise_in(
-    chapter: Chapter,
-    reading: &Reading,
-    known: &Known,
-    [few, many]: &[Places; 2],
-) -> Option<f64> {
-    let scene = Scene::new(chapter, None)?;
-    let evidence = Evidence::new(&scene, reading, known);
-    let of_chapter = |it: &Hypothesis| it.scene.chapter == chapter && it.scene.probe.is_none();
-    let rights = right(&evidence).into_iter().filter(of_chapter);
-    let colored = rights.map(|it| in_colors(&evidence, &it, LOOKS[1]).unwrap_or(it));
-    let nearest = likeliest(&evidence, colored, many, f64::INFINITY, 1);
+/// About how long a chapter is with all that a reader may have chosen.
+fn with_choices(evidence: &Evidence, [_, many]: &[Places; 2], _: f64) -> Option<f64> {
+    let own = |it: &Hypothesis| is_same(&it.scene, &evidence.scene);
+    let rights = right(evidence).into_iter().filter(own);
+    let colored = rights.map(|it| in_colors(evidence, &it, LOOKS[1]).unwrap_or(it));
+    let nearest = likeliest(evidence, colored, many, f64::INFINITY, 1);
     let (_, nearest) = nearest.into_iter().next()?;
-    let paths = chosen_otherwise(&evidence, &nearest.in_the_books_colors());
-    let ends = paths.iter().filter_map(|path| path.last().cloned());
-    // Only what explains nearly all is worth another look.
-    let most = bits::alone(reading) / CHOSEN;
-    let pairs = likeliest(&evidence, two(&evidence), few, most, FEW);
-    let all = ends.chain(pairs.into_iter().map(|(_, it)| it));
-    let lengths = all.filter_map(|it| it.estimated(reading, many, f64::INFINITY));
+    let paths = chosen_otherwise(evidence, &nearest.in_the_books_colors());
+    let ends = paths.iter().filter_map(|path| path.last());
+    let lengths = ends.filter_map(|it| it.estimated(evidence.reading, many, f64::INFINITY));
+    lengths.reduce(f64::min)
+}
+
+/// The same with two slips. Only what explains nearly all is worth another look.
+fn with_pairs(evidence: &Evidence, [few, many]: &[Places; 2], alone: f64) -> Option<f64> {
+    let pairs = two(evidence).filter(|it| !it.scene.has_another_shape());
+    let pairs = likeliest(evidence, pairs, few, alone / CHOSEN, FEW);
+    let lengths = pairs
+        .iter()
+        .filter_map(|(_, it)| it.estimated(evidence.reading, many, f64::INFINITY));
     lengths.reduce(f64::min)
 }

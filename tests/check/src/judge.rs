@@ -55,6 +55,8 @@ const WORTH_A_SEARCH: f64 = 1000.0;
 /// where nothing explains it, no picture of the book's becomes that on any way.
 pub(crate) const GRAIN: f64 = 8.0;
 
+/// Names of numbers that are no longer are simple.
+const SIMPLE: f64 = 48.0;
 /// Of a picture's bits a slip beside numbers of the reader's own leaves one in so many.
 const MIXED: f64 = 8.0;
 /// The same of several rays a pixel, whose scatter nothing tells.
@@ -180,17 +182,20 @@ fn drop_losses_of_roundings(found: &mut Vec<Explanation>, scene: &Scene) {
 /// A change that nobody has thought of is none, where it draws what a reader chose: a color that is
 /// none was not, and a sky that ends in black may have lost a term.
 fn drop_changes_like_choices(found: &mut Vec<Explanation>) {
-    let is_chosen = |it: &&Explanation| {
-        let ends = it.scene.chosen.sky.unwrap_or([Color::ONE; 2]);
-        let is_color = |it: &Color| it.min_element() >= 0.0 && it.max_element() <= 1.0;
-        let are_typed = ends.iter().all(|it| is_color(it) && *it != Color::ZERO);
-        // Nor is what a hit's color is made of.
-        let is_own = it.scene.chosen != Chosen::default() && it.scene.chosen.shade.is_none();
-        it.slips.is_empty() && are_typed && is_own
-    };
-    let chosen: HashSet<u64> = found.iter().filter(is_chosen).map(|it| it.mark).collect();
+    let chosen = found.iter().filter(|it| is_choice(it));
+    let chosen: HashSet<u64> = chosen.map(|it| it.mark).collect();
     let is_unnamed = |it: &Explanation| it.slips.iter().any(|slip| slip.name.is_empty());
     found.retain(|it| !is_unnamed(it) || !chosen.contains(&it.mark));
+}
+
+/// Whether it is what a reader chose, and nobody else would have.
+fn is_choice(it: &Explanation) -> bool {
+    let ends = it.scene.chosen.sky.unwrap_or([Color::ONE; 2]);
+    let is_color = |it: &Color| it.min_element() >= 0.0 && it.max_element() <= 1.0;
+    let are_typed = ends.iter().all(|it| is_color(it) && *it != Color::ZERO);
+    // Nor is what a hit's color is made of.
+    let is_own = it.scene.chosen != Chosen::default() && it.scene.chosen.shade.is_none();
+    it.slips.is_empty() && are_typed && is_own
 }
 
 /// Puts first what has the shortest name of all that leave the same noise: lengths of
@@ -388,7 +393,9 @@ impl Search<'_> {
             let is_asked = it.scene.edition == evidence.scene.edition;
             is_asked && it.scene.chosen == Chosen::default() && it.bits() < enough
         };
-        if self.found.iter().any(is_enough) {
+        // Of changes that draw what a reader chose none is told.
+        let is_chosen = is_choice(self.best()) && self.best().left.is_nothing();
+        if is_chosen || self.found.iter().any(is_enough) {
             return;
         }
         // A single change that is found has to explain most of what is left.
@@ -659,6 +666,7 @@ impl Search<'_> {
             return Vec::new();
         }
         let (evidence, reading) = (self.evidence, self.evidence.reading);
+        let places = Places::new(reading, None, LOOK);
         let mut chosen = Vec::new();
         for right in nearest {
             let Some(drawn) = right.drawn(reading) else {
@@ -671,7 +679,15 @@ impl Search<'_> {
                 self.found.extend(antialiased(evidence, &drawn, curved));
             }
             self.found.extend(curved);
-            chosen.extend(chosen_otherwise(evidence, right));
+            let paths = chosen_otherwise(evidence, right);
+            let mut ends = paths.iter().filter_map(|path| path.last());
+            // Nor is it by another edition, or of another chapter, where simple numbers leave nothing.
+            let is_explained = ends
+                .any(|it| it.name < SIMPLE && it.estimated(reading, &places, it.name).is_some());
+            chosen.extend(paths);
+            if is_explained {
+                break;
+            }
         }
         let likeliest = self.add(chosen.iter().flatten().cloned(), None, f64::INFINITY);
         // What was fitted first makes up for less.
@@ -683,7 +699,8 @@ impl Search<'_> {
 
     /// These with several rays a pixel.
     fn add_antialiased(&mut self, tried: &[Hypothesis]) {
-        if let Some(first) = tried.first()
+        if self.is_worth_a_search()
+            && let Some(first) = tried.first()
             && let Some(drawn) = first.drawn(self.evidence.reading)
         {
             let tried = tried.iter().map(|it| (it, None));

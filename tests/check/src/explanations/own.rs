@@ -255,7 +255,10 @@ impl<'a> Fit<'a> {
             }
             let mut most = WORTH * length;
             next = None;
-            let others = others.iter().filter(|kind| kind.is_next_of(&it));
+            // Where nothing is left, nothing else was done.
+            let is_explained = length <= it.name;
+            let others = others.iter().filter(|_| !is_explained);
+            let others = others.filter(|kind| kind.is_next_of(&it));
             for &kind in others {
                 if let Some((length, it)) = self.shortest(self.fitted(kind, &it), most) {
                     most = length;

@@ -50,6 +50,12 @@ pub(crate) fn are_many(reading: &Reading) -> bool {
     Grown::seeds(reading).seeds.len() > MANY
 }
 
+/// How many surfaces a picture shows; one, where it has little besides.
+pub(crate) fn count(reading: &Reading) -> usize {
+    let count = Grown::seeds(reading).seeds.len();
+    if is_one(reading) { 1 } else { count }
+}
+
 /// Whether almost all of a picture is one surface, so it shows nothing before a sky.
 pub(crate) fn is_one(reading: &Reading) -> bool {
     let seeds = Grown::seeds(reading).seeds;
