@@ -67,9 +67,10 @@ pub fn judge_inside<E>(
 /// What is nearly a chapter's picture, inside of what is none.
 fn nearly_a_chapters(reading: &Reading) -> Option<Reading> {
     let bordered = inside_of_a_border(reading).into_iter();
-    let mut all = bordered.chain(insides(reading).take(TRIED));
-    let inside = all.find(is_near_a_chapter)?;
-    (!is_near_a_chapter(reading)).then_some(inside)
+    let mut all = bordered.chain(insides(reading).take(TRIED)).peekable();
+    all.peek()?;
+    let is_framed = !is_near_a_chapter(reading);
+    all.find(|inside| is_framed && is_near_a_chapter(inside))
 }
 
 fn is_known(check: &Check) -> bool {

@@ -20,6 +20,8 @@ use crate::reading::Reading;
 const NAME: f64 = 9.0;
 /// That the rays lie elsewhere: one of some forty places, and less likely than a slip.
 const ELSEWHERE: f64 = 12.0;
+/// By how much longer what lies where it should is not measured.
+const ELSE: f64 = 1.05;
 /// Components that differ by more within a pixel and its neighbors make an edge.
 pub(super) const EDGE: i16 = 16;
 /// How far neighbors are: an edge may lie a pixel beside where it should.
@@ -181,10 +183,12 @@ pub(crate) fn antialiased<'a>(
         let right = it.scene.program(&[]);
         let is_of_scale = |slip: &&&Slip| is_rescaled(&right, &slip.put_to(right));
         let is_anywhere = it.slips.iter().filter(is_of_scale).count() == it.slips.len();
-        let whole = found.iter().find(|(_, it)| it.is_whole(&program))?.1;
-        let pixel = found.iter().find(|(_, it)| it.size == [3, 3])?.1;
-        let mut rectangles = match is_anywhere {
-            true => vec![whole, pixel, found[0].1],
+        let (bits, whole) = *found.iter().find(|(_, it)| it.is_whole(&program))?;
+        let (_, pixel) = *found.iter().find(|(_, it)| it.size == [3, 3])?;
+        let (least, first) = found[0];
+        // By chance rays that lie elsewhere are a little shorter.
+        let mut rectangles = match is_anywhere && bits > ELSE * least {
+            true => vec![pixel, first],
             false => vec![whole],
         };
         rectangles.dedup();
