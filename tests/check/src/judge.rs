@@ -360,6 +360,10 @@ impl Search<'_> {
         if self.is_degraded() {
             return;
         }
+        if self.is_grain() {
+            self.add_degraded(&tried, doubtful(self.evidence.reading));
+            return;
+        }
         let chosen = self.add_changed(&nearest);
         if self.is_worth_a_search() {
             self.found.extend(ramps(self.evidence, &rights[0]));
@@ -374,6 +378,15 @@ impl Search<'_> {
                 self.add_degraded(&tried, doubtful(self.evidence.reading));
             }
         }
+    }
+
+    /// Whether many pixels are off, and nothing but chance tells which.
+    fn is_grain(&self) -> bool {
+        let (best, reading) = (self.best(), self.evidence.reading);
+        let is_right = best.slips.is_empty() && best.but.is_empty() && best.seen.is_none();
+        let is_noise = is_right && best.left.is_noise(reading.pixels.len());
+        let drawn = || best.program().drawn(reading);
+        is_noise && drawn().is_some_and(|drawn| bits::is_grain(reading, &drawn))
     }
 
     /// Whether the best leaves so little of the picture as no chance does.
