@@ -283,9 +283,10 @@ impl<'a> Judged<'a> {
         }
         let finding = Some(finding).filter(|it| it.sets.is_empty())?;
         let scene = self.scene_name();
-        if finding.is_shaded {
+        if let Some(shaded) = &finding.shaded {
+            let gamma = shaded.gamma();
             return Some(format!(
-                "it has the sky and the outlines of {scene}, but other colors of all that is hit, by a material or a mistake that is not known"
+                "it has the sky{gamma} and the outlines of {scene}, but other colors of all that is hit, by a material or a mistake that is not known"
             ));
         }
         let difference = finding.difference.as_ref()?;

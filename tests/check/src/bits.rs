@@ -149,9 +149,9 @@ fn choice(all: f64, some: f64) -> f64 {
     all * (entropy(some / all) + entropy(1.0 - some / all))
 }
 
-/// Whether pixels are off one by one, whatever their neighbors are: so no other numbers of the
-/// program bring it nearer.
-pub(crate) fn is_grain(reading: &Reading, drawn: &[Pixel]) -> bool {
+/// Whether pixels are off whatever others, so many places before them, are: so no other numbers of
+/// the program bring it nearer.
+pub(crate) fn is_grain(reading: &Reading, drawn: &[Pixel], before: usize) -> bool {
     let pairs = drawn.iter().zip(&reading.pixels);
     let off = pairs.map(|(drawn, found)| {
         [0, 1, 2].map(|c| i64::from(difference(drawn[c], found[c]).clamp(-NOISE, NOISE)))
@@ -159,8 +159,13 @@ pub(crate) fn is_grain(reading: &Reading, drawn: &[Pixel]) -> bool {
     let off: Vec<[i64; 3]> = off.collect();
     let product = |one: &[i64; 3], other: &[i64; 3]| (0..3).map(|c| one[c] * other[c]).sum::<i64>();
     let squares: i64 = off.iter().map(|it| product(it, it)).sum();
-    let beside: i64 = off.windows(2).map(|it| product(&it[0], &it[1])).sum();
-    squares > 0 && 4 * beside < squares
+    let others = off.iter().skip(before);
+    let together: i64 = off
+        .iter()
+        .zip(others)
+        .map(|(one, it)| product(one, it))
+        .sum();
+    squares > 0 && 4 * together < squares
 }
 
 /// The largest difference of two pixels in a component, in levels.

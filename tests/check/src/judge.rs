@@ -68,6 +68,8 @@ const MANY_RAYS: f64 = 36.0;
 const LOSSLESS: usize = 500;
 /// The same of a part of a larger picture, which keeps each level, but for a cursor.
 const CUT: usize = 2000;
+/// Of a mean of several rays one pixel in so many may be off, away from edges.
+const SMOOTH: usize = 10;
 /// What is nearly a picture is off in one pixel of so many.
 const NEARLY: usize = 50;
 /// How many pixels are looked at where nothing is known of thousands of changes.
@@ -123,6 +125,8 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     };
     let is_kept = |parts: usize, far: usize| parts * far <= reading.pixels.len();
     found.retain(|it| one_in(it).is_none_or(|parts| is_kept(parts, it.left.far)));
+    let ratio = f64::from(reading.width) / f64::from(reading.height);
+    found.retain(|it| it.scene.chosen.has_a_typed_viewport(ratio));
     drop_what_explains_little(&mut found, &evidence.scene);
     drop_losses_of_roundings(&mut found, &evidence.scene);
     drop_changes_like_choices(&mut found);
@@ -302,7 +306,7 @@ impl Search<'_> {
             others += usize::from(!is_least(it));
             all_measured += 1;
             let most = may_win(self.best().bits().min(self.unknown));
-            let are_enough = others >= pictures || all_measured > ALIKE * pictures;
+            let are_enough = others > pictures || all_measured > ALIKE * pictures;
             if are_enough || worse == MISSES || it.0 > most && !is_lossy(&it.1) {
                 break;
             }
@@ -386,7 +390,7 @@ impl Search<'_> {
         let is_right = best.slips.is_empty() && best.but.is_empty() && best.seen.is_none();
         let is_noise = is_right && best.left.is_noise(reading.pixels.len());
         let drawn = || best.program().drawn(reading);
-        is_noise && drawn().is_some_and(|drawn| bits::is_grain(reading, &drawn))
+        is_noise && drawn().is_some_and(|drawn| bits::is_grain(reading, &drawn, 1))
     }
 
     /// Whether the best leaves so little of the picture as no chance does.
@@ -506,12 +510,20 @@ impl Search<'_> {
 
     /// The same of several rays a pixel that lie where they should.
     fn is_antialiased(&self, unknown: f64) -> bool {
+        // Away from edges it is right, or it makes up for what lies elsewhere.
+        let all = self.evidence.reading.pixels.len();
         self.is_shorter(unknown, 1.2, |it| {
-            it.seen.is_none() && matches!(it.but.first(), Some(But::Antialiased { .. }))
+            let is_mean = matches!(it.but.first(), Some(But::Antialiased { .. }));
+            is_mean && it.seen.is_none() && SMOOTH * it.left.off <= all
         })
     }
 
-    fn is_shorter(&self, unknown: f64, times: f64, is_meant: fn(&Explanation) -> bool) -> bool {
+    fn is_shorter(
+        &self,
+        unknown: f64,
+        times: f64,
+        is_meant: impl Fn(&Explanation) -> bool,
+    ) -> bool {
         let best = self.best();
         let others = self.best_of(|it| !is_meant(it));
         is_meant(best) && best.bits() < unknown && others.bits() > times * best.bits()

@@ -54,6 +54,18 @@ impl Chosen {
         self.viewport_height.is_some() || self.balls != [None; 2]
     }
 
+    /// Whether somebody may have typed the viewport of a picture of that ratio: one of its lengths,
+    /// the focal length or the angle has few digits.
+    pub(crate) fn has_a_typed_viewport(&self, ratio: f64) -> bool {
+        let is_round = |it: f64| (it - it.round()).abs() < 1e-3;
+        self.viewport_height.is_none_or(|height| {
+            let width = self.viewport_width.unwrap_or(height * ratio);
+            let angle = 2.0 * (0.5 * height).atan().to_degrees();
+            let mut lengths = [height, width, 2.0 / height, 2.0 / width].into_iter();
+            lengths.any(|it| is_round(100.0 * it)) || is_round(angle)
+        })
+    }
+
     /// Whether nobody chooses that, and slips draw it: what a hit's color is made of, the book's
     /// sky upside down, a color that is none.
     pub(crate) fn looks_like_a_slip(&self) -> bool {

@@ -116,17 +116,14 @@ impl Chosen {
         let ball = |ball: Ball| {
             let [x, y, z, radius] =
                 [ball.center.x, ball.center.y, ball.center.z, ball.radius].map(rounded);
-            format!("of radius {radius} at ({x}, {y}, {z})")
+            format!("of radius {radius} at ({x}, {y}, {z}), or farther away and as much larger")
         };
         let [sphere, ground] = self.balls;
         let sphere = sphere.map(|sphere| {
             if sphere.radius == 0.0 {
                 return "no small sphere".to_owned();
             }
-            format!(
-                "a sphere {}, or farther away and as much larger",
-                ball(sphere)
-            )
+            format!("a sphere {}", ball(sphere))
         });
         let ground = ground.map(|ground| format!("a ground {}", ball(ground)));
         let zoom = self.viewport_height.map(|height| {
@@ -139,7 +136,7 @@ impl Chosen {
             }
         });
         let all: Vec<String> = [sphere, ground, zoom].into_iter().flatten().collect();
-        (!all.is_empty()).then(|| format!("in a scene of your own: {}", all.join(" and ")))
+        (!all.is_empty()).then(|| format!("in a scene of your own: {}", all.join(", and ")))
     }
 
     fn colors(&self) -> Option<String> {

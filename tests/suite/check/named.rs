@@ -506,9 +506,10 @@ fn levels_that_wrap_around_do_not_hide_the_mistake() {
 fn a_sphere_elsewhere_is_the_readers_own() {
     const SMALL: &[Ball] = &[Ball::new(0.0, 0.0, -1.0, 0.4)];
     const ASIDE: &[Ball] = &[Ball::new(0.3, 0.0, -1.0, 0.5)];
-    for world in [SMALL, ASIDE] {
+    // In a large picture few programs are measured.
+    for (world, width) in [(SMALL, 160), (ASIDE, 160), (ASIDE, 800)] {
         let right = Program::right(Chapter::Normals);
-        let picture = Program { world, ..right }.run(160).picture();
+        let picture = Program { world, ..right }.run(width).picture();
         let near = near(Chapter::Normals, &picture);
         assert!(near.left.is_nothing());
         assert_eq!(near.scene.chosen.balls, [Some(world[0]), None]);
@@ -620,6 +621,30 @@ fn a_viewport_of_ones_own_is_no_part_of_a_larger_picture() {
     let near = near(Chapter::Gradient, &program.run(480).picture());
     assert_eq!(near.scene.chosen.viewport_height, Some(0.9));
     assert!(near.left.is_nothing(), "{:?}", near.left);
+}
+
+/// A length of directions that is none draws a sky as through a narrower viewport.
+#[test]
+fn numbers_that_nobody_types_are_not_taken_for_the_readers_own() {
+    let mut program = Program::right(Chapter::Gradient);
+    program.viewport_height = 1.4253;
+    let found = finding(Chapter::Gradient, &program.run(400).picture());
+    assert!(found.near.is_none());
+    let shown = found.shown.join(" ");
+    assert!(shown.contains("viewport about 2.5 wide"), "{shown}");
+}
+
+/// As by other numbers; what a file lost is alike only in a block.
+#[test]
+fn what_is_off_in_waves_is_not_nearly_right() {
+    let right = gradient::picture(200);
+    let (pixels, _) = right.rgb().as_chunks::<3>();
+    let waves = changed(&right, |i, j| {
+        let higher = (5.0 * (f64::from(i) / 40.0).sin()) as i16;
+        let pixel = pixels[(j * 200 + i) as usize];
+        Some(pixel.map(|level| (i16::from(level) + higher).clamp(0, 255) as u8))
+    });
+    assert!(!finding(Chapter::Gradient, &waves).is_blurred);
 }
 
 /// Of three small spheres none is the chapter's, and all are told.
@@ -1136,7 +1161,7 @@ fn a_sky_with_its_outlines_is_known_whatever_colors_are_hit() {
         });
         let reading = check::reading::read(&png::encode(&picture)).expect("it is a picture");
         let finding = finding(Chapter::HittableList, &picture);
-        assert_eq!(finding.is_shaded, is_shaded, "{:?}", finding.sights);
+        assert_eq!(finding.shaded.is_some(), is_shaded, "{:?}", finding.sights);
         let guessed = guess::scene(&reading).chapter;
         assert!(
             guessed == Chapter::HittableList || !is_shaded,

@@ -133,20 +133,28 @@ pub enum Seen {
 }
 
 impl Seen {
+    pub(crate) fn is_shaded(&self) -> bool {
+        matches!(self, Self::Shaded { .. })
+    }
+
+    /// What a sky has that went through gamma correction.
+    pub(crate) fn gamma(&self) -> &'static str {
+        match self {
+            Self::Shaded {
+                is_corrected: true, ..
+            } => " with gamma correction",
+            _ => "",
+        }
+    }
+
     /// The same in a sentence.
     pub(crate) fn said(&self) -> String {
         match self {
             Self::Little => "Many mistakes draw nearly this, so it says little.".to_owned(),
-            Self::Shaded { is_corrected, .. } => {
-                let gamma = if *is_corrected {
-                    " with gamma correction"
-                } else {
-                    ""
-                };
-                format!(
-                    "Sky{gamma} and outlines are right; only what is hit has other colors, as with the materials of later chapters."
-                )
-            }
+            Self::Shaded { .. } => format!(
+                "Sky{} and outlines are right; only what is hit has other colors, as with the materials of later chapters.",
+                self.gamma()
+            ),
             Self::Said(said) => said.clone(),
         }
     }

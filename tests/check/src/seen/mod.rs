@@ -12,14 +12,14 @@ use slips::{Chapter, Room};
 use crate::reading::Reading;
 use crate::scene::Scene;
 
-use crate::bits::distance;
+use crate::bits::{distance, is_grain};
 use view::View;
 
 /// Compression and scaling change most pixels by no more than so many levels.
 const LITTLE: u16 = 12;
 
-/// Where so many times as many pixels are higher as are lower, they are off one way.
-const ONE_WAY: usize = 8;
+/// So many pixels are two of JPEG's blocks of half colors.
+const BLOCKS: usize = 32;
 
 /// Where one pixel in so many is another, nearly all are the same.
 const ODD: usize = 32;
@@ -48,24 +48,17 @@ pub(crate) fn sights(scene: &Scene, reading: &Reading) -> Vec<String> {
     seen.into_iter().chain(view.first_pixel()).collect()
 }
 
-/// Whether much is off up and down, and almost all of it by little.
+/// Whether much is off, almost all of it by little, and not alike so far away as another block is.
 pub(crate) fn is_blurred(scene: &Scene, reading: &Reading) -> bool {
-    let right = scene.right(reading.width, reading.height);
-    let view = View::new(scene, reading, &right);
+    let right = Reading::of(&scene.right(reading.width, reading.height)).pixels;
     let off = |least: u16| {
-        let places = view.places.iter();
-        let is_off = |n: &&u32| distance(view.expected(**n), view.found(**n)) > least;
-        places.filter(is_off).count()
+        let pairs = right.iter().zip(&reading.pixels);
+        pairs
+            .filter(|(right, it)| distance(**right, **it) > least)
+            .count()
     };
-    let sum = |levels: [i16; 3]| levels.map(i32::from).iter().sum::<i32>();
-    let higher = |n: &&u32| sum(view.found(**n)) > sum(view.expected(**n));
-    let lower = |n: &&u32| sum(view.found(**n)) < sum(view.expected(**n));
-    let [higher, lower] = [
-        view.places.iter().filter(higher).count(),
-        view.places.iter().filter(lower).count(),
-    ];
-    let is_both_ways = ONE_WAY * higher.min(lower) > higher.max(lower);
-    4 * off(0) > view.places.len() && 32 * off(LITTLE) < view.places.len() && is_both_ways
+    let is_much = 4 * off(0) > right.len() && 32 * off(LITTLE) < right.len();
+    is_much && is_grain(reading, &right, BLOCKS)
 }
 
 impl View<'_> {

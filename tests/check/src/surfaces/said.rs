@@ -269,7 +269,7 @@ impl<'a> Seen<'a> {
         Some((hit - center).normalize())
     }
 
-    /// Some of the colors at its ends and in its middle.
+    /// Some of the colors at its ends and in its middle; where these are one, also another.
     fn places_and_colors(&self, shown: Range<usize>) -> String {
         let width = self.reading.width;
         let inner = self.surface.inner.iter().copied();
@@ -293,10 +293,17 @@ impl<'a> Seen<'a> {
             ("at its lower left", lower_left),
             ("at its lower right", lower_right),
         ];
-        let said = places[shown].iter().filter_map(|(place, n)| {
-            let color = self.reading.pixels[(*n)? as usize];
-            Some(format!("{color:?} {place}"))
-        });
+        let color = |n: u32| self.reading.pixels[n as usize];
+        let shown = places[shown].iter();
+        let shown = shown.filter_map(|&(place, n)| Some((place.to_owned(), color(n?))));
+        let mut shown: Vec<(String, Pixel)> = shown.collect();
+        let (_, first) = shown[0];
+        let farthest = inner.clone().max_by_key(|&n| distance(first, color(n)));
+        if let Some(n) = farthest.filter(|_| shown.iter().all(|(_, it)| *it == first)) {
+            let place = format!("in column {}, row {}", n % width, n / width);
+            shown.push((place, color(n)));
+        }
+        let said = shown.iter().map(|(place, it)| format!("{it:?} {place}"));
         said.collect::<Vec<_>>().join(", ")
     }
 
