@@ -40,10 +40,9 @@ pub fn scene(reading: &Reading) -> Scene {
     let alone = bits::alone(reading);
     let is_unknown = CHOSEN * least > alone && !is_near;
     let most = alone.min(2.0 * least) / CHOSEN;
-    let explained = || explained(reading, most, alone);
-    let chosen = is_unknown.then(explained).flatten();
+    let chosen = is_unknown.then(|| explained(reading, most, alone));
     let first = || Scene::new(Chapter::Gradient, None).expect("it has no probe");
-    chosen.or(nearest).unwrap_or_else(first)
+    chosen.flatten().or(nearest).unwrap_or_else(first)
 }
 
 /// The chapter that explains nearly all with what a reader may have chosen, or with two slips.

@@ -35,6 +35,7 @@ const UNKNOWN: f64 = 10.0;
 const LOOKS: [(u32, usize); 3] = [(300, MANY), (LOOK, FEW), (6000, FEW)];
 /// How many tell a little.
 const LOOK: u32 = 1500;
+/// More than come near a picture by few pixels.
 const MANY: usize = 160;
 /// More explanations than draw any picture but the right one.
 const FEW: usize = 40;
@@ -192,7 +193,7 @@ fn drop_changes_like_choices(found: &mut Vec<Explanation>) {
     found.retain(|it| !is_unnamed(it) || !chosen.contains(&it.mark));
 }
 
-/// Whether it is what a reader chose, and nobody else would have.
+/// Whether it is the scene in numbers that a reader may well have chosen.
 fn is_choice(it: &Explanation) -> bool {
     let ends = it.scene.chosen.sky.unwrap_or([Color::ONE; 2]);
     let is_color = |it: &Color| it.min_element() >= 0.0 && it.max_element() <= 1.0;
@@ -593,7 +594,10 @@ impl Search<'_> {
         });
         let (mark, shortest) = (self.best().mark, self.best().bits());
         let reading = self.evidence.reading;
+        let places = Places::new(reading, None, LOOK);
+        let may_be = |it: &Hypothesis| it.estimated(reading, &places, may_win(shortest)).is_some();
         let same = chosen
+            .filter(may_be)
             .filter_map(|it| it.measured(reading))
             .filter(|it| it.mark == mark || it.bits() < shortest);
         self.found.extend(same);
@@ -872,7 +876,8 @@ pub(crate) fn likeliest(
         if let Some(length) = it.estimated(evidence.reading, places, most) {
             let is_without = |(other, without): &(f64, Hypothesis)| {
                 let is_like = (length - it.name - other + without.name).abs() <= 1e-6;
-                let is_right = without.slips.is_empty() && !without.scene.has_another_shape();
+                let is_whole = without.scene.step().is_none() && !without.scene.has_another_shape();
+                let is_right = without.slips.is_empty() && is_whole;
                 is_like && is_right && without.name <= it.name
             };
             if !it.slips.is_empty() && best.iter().any(is_without) {
