@@ -3,7 +3,7 @@
 //! First all are estimated from some pixels, then the likeliest from more, and the few that
 //! may win are measured by all of them.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
@@ -643,9 +643,8 @@ impl Search<'_> {
             let output = it.output(reading);
             output.is_some_and(|it| places.all(|n| it.pixel(n) == drawn.pixel(n)))
         };
-        let mut known = HashMap::new();
         let same = others.filter(is_same);
-        let same = same.filter_map(|it| it.measured_among(&mut known, reading));
+        let same = same.filter_map(|it| it.measured(reading));
         let same: Vec<Explanation> = same.filter(|it| it.mark == mark).collect();
         self.found.extend(same);
     }

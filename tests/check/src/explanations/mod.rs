@@ -17,7 +17,6 @@ mod silhouettes;
 mod slips;
 mod turned;
 
-use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hasher};
 
 use ::slips::{Output, Slip};
@@ -265,25 +264,14 @@ impl Hypothesis {
 
     /// How long it is, by all pixels.
     pub(crate) fn measured(&self, reading: &Reading) -> Option<Explanation> {
-        self.measured_among(&mut HashMap::new(), reading)
-    }
-
-    /// The same beside others to which the same happened: of all that draw one picture the
-    /// first is measured.
-    pub(crate) fn measured_among(
-        &self,
-        known: &mut HashMap<u64, (Left, u64)>,
-        reading: &Reading,
-    ) -> Option<Explanation> {
         let before = self.before(&self.output(reading)?);
-        let measure = || match self.degradation {
+        let (left, mark) = match self.degradation {
             Some(Degradation::Palette { .. }) => {
                 (degraded::left_in_palette(reading, &before), mark(&before))
             }
             Some(degradation) => self.left(reading, &degradation.of(&before, reading)),
             None => self.left(reading, &before),
         };
-        let (left, mark) = *known.entry(mark(&before)).or_insert_with(measure);
         Some(self.leaving(left, mark))
     }
 
