@@ -4,6 +4,7 @@ use slips::{Chapter, Edition, Letters, Slip};
 
 use crate::blind_spots::BlindSpots;
 use crate::evidence::Known;
+use crate::explanations::Seen;
 use crate::frame::FRAMED;
 use crate::map::map;
 use crate::names_of;
@@ -197,6 +198,7 @@ impl<'a> Judged<'a> {
                 let verdict = match finding.levels {
                     0 | 1 => "right within one level, but not to the last bit",
                     _ if finding.is_blurred => "nearly right",
+                    _ if finding.has_more() => "right but for something more",
                     _ => "wrong",
                 };
                 let after = format!(": {}.", self.counts(finding));
@@ -283,7 +285,7 @@ impl<'a> Judged<'a> {
         }
         let finding = Some(finding).filter(|it| it.sets.is_empty())?;
         let scene = self.scene_name();
-        if let Some(shaded) = &finding.shaded {
+        if let Some(shaded @ Seen::Shaded { .. }) = &finding.sight {
             let gamma = shaded.gamma();
             return Some(format!(
                 "it has the sky{gamma} and the outlines of {scene}, but other colors of all that is hit, by a material or a mistake that is not known"
@@ -342,7 +344,7 @@ impl<'a> Judged<'a> {
 
     fn explain(&self, finding: &Finding, parts: &mut Vec<Part>) {
         let pixels = finding.right.rgb().len() / 3;
-        let is_unknown = finding.near.is_none() && finding.sets.is_empty();
+        let is_unknown = finding.near.is_none() && finding.sets.is_empty() && !finding.has_more();
         if let Some(set) = finding.sets.first() {
             parts.push(Part::Title(set.title(pixels)));
             if let [mistake] = &set.mistakes[..] {
@@ -367,6 +369,11 @@ impl<'a> Judged<'a> {
 }
 
 impl Finding {
+    /// Whether all of the scene is there, and something more.
+    fn has_more(&self) -> bool {
+        matches!(self.sight, Some(Seen::More(_)))
+    }
+
     /// The slips that draw it together, if nothing else does.
     pub(crate) fn single(&self) -> &[&'static Slip] {
         match &self.sets[..] {

@@ -24,6 +24,8 @@ pub struct Left {
     pub is_both_ways: bool,
     /// Whether they are so few, or in so small a box, that each is told by itself.
     pub is_one_by_one: bool,
+    /// The first and last column and row of a small part in which all of them lie.
+    pub part: Option<[[u32; 2]; 2]>,
 }
 
 /// Below so many pixels a table of frequencies costs more than it saves.
@@ -32,6 +34,8 @@ const FEW: usize = 50;
 const MANY: usize = 16;
 /// One in so many may be a level off by a rounding.
 const ROUNDED: usize = 1000;
+/// A part of the picture is small that has one pixel in so many.
+const SMALL: f64 = 8.0;
 
 impl Left {
     /// What is left of `reading` beside `drawn`, a picture of the same size.
@@ -52,6 +56,7 @@ impl Left {
             far: odd.far,
             is_both_ways: odd.is_both_ways(reading, drawn),
             is_one_by_one: one_by_one <= by_frequency,
+            part: odd.part(reading),
         }
     }
 
@@ -125,16 +130,32 @@ impl Odd {
     /// How many there are, and where: anywhere, or in a box.
     fn place(&self, reading: &Reading) -> f64 {
         let (all, count) = (reading.pixels.len() as f64, self.places.len() as f64);
-        let width = reading.width;
-        let columns = || self.places.iter().map(|n| n % width);
-        let rows = || self.places.iter().map(|n| n / width);
-        let length = |from: Option<u32>, to: Option<u32>| {
-            f64::from(to.unwrap_or_default() - from.unwrap_or_default() + 1)
-        };
-        let boxed = length(columns().min(), columns().max()) * length(rows().min(), rows().max());
-        let corners = 4.0 * f64::from(width.max(reading.height)).log2();
+        let boxed = self.bounds(reading).map_or(0.0, area);
+        let corners = 4.0 * f64::from(reading.width.max(reading.height)).log2();
         all.log2() + choice(all, count).min(corners + choice(boxed, count))
     }
+
+    /// The first and last column and row, if that is a small part of the picture.
+    fn part(&self, reading: &Reading) -> Option<[[u32; 2]; 2]> {
+        let is_small = |it: &[[u32; 2]; 2]| SMALL * area(*it) <= reading.pixels.len() as f64;
+        self.bounds(reading).filter(is_small)
+    }
+
+    /// The first and last column and row, if there are any.
+    fn bounds(&self, reading: &Reading) -> Option<[[u32; 2]; 2]> {
+        let columns = || self.places.iter().map(|n| n % reading.width);
+        let rows = || self.places.iter().map(|n| n / reading.width);
+        Some([
+            [columns().min()?, columns().max()?],
+            [rows().min()?, rows().max()?],
+        ])
+    }
+}
+
+/// How many pixels lie between these columns and rows.
+fn area(bounds: [[u32; 2]; 2]) -> f64 {
+    let [columns, rows] = bounds.map(|[first, last]| f64::from(last - first + 1));
+    columns * rows
 }
 
 /// Bits of a color: eight for each component.

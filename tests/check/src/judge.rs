@@ -153,7 +153,7 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
 fn drop_what_explains_little(found: &mut Vec<Explanation>, scene: &Scene) {
     let part = |it: &Explanation| match it.seen {
         _ if !it.slips.is_empty() || it.scene.chosen.balls[0].is_some() => Some(20),
-        Some(Seen::Said(_)) => Some(4),
+        Some(Seen::More(_) | Seen::Said(_)) => Some(4),
         _ => None,
     };
     let is_whole = |it: &Explanation| matches!(it.seen, None | Some(Seen::Little));

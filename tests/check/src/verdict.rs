@@ -101,8 +101,8 @@ pub struct Finding {
     pub is_known: bool,
     /// Whether nothing explains it, and it has nothing of the scene's picture.
     pub is_strange: bool,
-    /// That it has the scene's sky and outlines, and other colors of all that is hit.
-    pub shaded: Option<Seen>,
+    /// What is seen, where that explains it and no line of a program is known that does it.
+    pub sight: Option<Seen>,
     /// Whether nothing explains it, and it is off by little everywhere.
     pub is_blurred: bool,
     /// Whether the few lines that are not as the chapter has them explain it.
@@ -385,11 +385,7 @@ impl Finding {
             sights,
             shown,
             is_blurred: !is_known && !is_typed && seen::is_blurred(&compared, reading),
-            shaded: best
-                .seen
-                .clone()
-                .filter(|_| is_known)
-                .filter(Seen::is_shaded),
+            sight: best.seen.clone().filter(|_| is_known),
             is_known,
             is_strange: !is_known && !is_typed && judgement.is_strange,
             is_typed,

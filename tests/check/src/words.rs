@@ -39,9 +39,26 @@ impl Set {
         match (off, far) {
             (0, _) => "exactly this picture".to_owned(),
             (_, 0) => format!("this picture, but for one level in {off} of {pixels} pixels"),
-            (1, _) => "this picture, but for 1 pixel".to_owned(),
-            _ => format!("this picture, but for {off} of {pixels} pixels"),
+            (1, _) => format!("this picture, but for 1 pixel{}", self.left.place()),
+            _ => {
+                let place = self.left.place();
+                format!("this picture, but for {off} of {pixels} pixels{place}")
+            }
         }
+    }
+}
+
+impl Left {
+    /// Where they lie, if that is in a small part.
+    fn place(&self) -> String {
+        let said = |[columns, rows]: [[u32; 2]; 2]| {
+            let span = |name: &str, [first, last]: [u32; 2]| match first == last {
+                true => format!("{name} {first}"),
+                false => format!("{name}s {first} to {last}"),
+            };
+            format!(" in {}, {}", span("column", columns), span("row", rows))
+        };
+        self.part.map_or(String::new(), said)
     }
 }
 
@@ -81,7 +98,7 @@ impl Near {
 fn left(left: &Left, is_by_rays: bool, pixels: usize) -> String {
     let (off, far) = (left.off, left.far);
     match (off, far) {
-        (1, _) if left.is_one_by_one => format!("for 1 of {pixels} pixels"),
+        (1, _) if left.is_one_by_one => format!("for 1 of {pixels} pixels{}", left.place()),
         _ if left.is_noise(pixels) => format!(
             "with noise: {off} of {pixels} pixels are off, {far} of them by more than a level"
         ),
@@ -95,7 +112,7 @@ fn left(left: &Left, is_by_rays: bool, pixels: usize) -> String {
             };
             format!("not to the last bit: {off} of {pixels} pixels are a level off, {by}")
         }
-        _ if left.is_one_by_one => format!("for {off} of {pixels} pixels"),
+        _ if left.is_one_by_one => format!("for {off} of {pixels} pixels{}", left.place()),
         _ => format!(
             "not to the last bit: {off} of {pixels} pixels are off, {far} of them by more than a level, as with less precision, noise, or a file that does not keep each level"
         ),
@@ -136,7 +153,12 @@ impl Chosen {
             }
         });
         let all: Vec<String> = [sphere, ground, zoom].into_iter().flatten().collect();
-        (!all.is_empty()).then(|| format!("in a scene of your own: {}", all.join(", and ")))
+        (!all.is_empty()).then(|| {
+            format!(
+                "in a scene of your own, if you chose it: {}",
+                all.join(", and ")
+            )
+        })
     }
 
     fn colors(&self) -> Option<String> {
@@ -168,7 +190,12 @@ impl Chosen {
             format!("hits with {} by the normal N", all.join(", "))
         });
         let all: Vec<String> = [sky, paint, shade, blue].into_iter().flatten().collect();
-        (!all.is_empty()).then(|| format!("in colors of your own: {}", all.join(" and ")))
+        (!all.is_empty()).then(|| {
+            format!(
+                "in colors of your own, if you chose them: {}",
+                all.join(" and ")
+            )
+        })
     }
 }
 

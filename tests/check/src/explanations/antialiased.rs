@@ -302,6 +302,7 @@ impl<'a> Rays<'a> {
             far: off,
             is_both_ways: false,
             is_one_by_one: false,
+            part: None,
         }
     }
 

@@ -127,15 +127,13 @@ pub enum Seen {
         /// Whether these are as uneven as means of few rays.
         is_grainy: bool,
     },
+    /// All of a scene, and something more.
+    More(String),
     /// Something that was done to all of it.
     Said(String),
 }
 
 impl Seen {
-    pub(crate) fn is_shaded(&self) -> bool {
-        matches!(self, Self::Shaded { .. })
-    }
-
     /// What a sky has that went through gamma correction.
     pub(crate) fn gamma(&self) -> &'static str {
         match self {
@@ -154,7 +152,7 @@ impl Seen {
                 "Sky{} and outlines are right; only what is hit has other colors, as with the materials of later chapters.",
                 self.gamma()
             ),
-            Self::Said(said) => said.clone(),
+            Self::More(said) | Self::Said(said) => said.clone(),
         }
     }
 }
@@ -214,6 +212,14 @@ impl Hypothesis {
             )
         };
         place(self) == place(other) && names(self) == names(other)
+    }
+
+    /// The same scene without the slips.
+    pub(crate) fn without_slips(&self) -> Self {
+        Self {
+            slips: Vec::new(),
+            ..self.clone()
+        }
     }
 
     /// The same scene as the book has it.

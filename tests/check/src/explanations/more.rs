@@ -67,6 +67,7 @@ pub(crate) fn more(evidence: &Evidence, it: &Hypothesis) -> Vec<Explanation> {
     let explained = antialiased(&of_the_rest, &drawn, [(it, None)].into_iter());
     let explained = explained.into_iter().filter(|it| it.seen.is_none());
     let explained = explained.chain([it.explaining(&rest, &drawn)]);
+    let seen = if is_missing { Seen::Said } else { Seen::More };
     explained
         .map(|mut it| {
             // What was left out has no mixed edges.
@@ -75,7 +76,7 @@ pub(crate) fn more(evidence: &Evidence, it: &Hypothesis) -> Vec<Explanation> {
             }
             Explanation {
                 name: it.name + bits,
-                seen: Some(Seen::Said(said(&it, &boxes, is_missing, drawn.len()))),
+                seen: Some(seen(said(&it, &boxes, is_missing, drawn.len()))),
                 ..it
             }
         })

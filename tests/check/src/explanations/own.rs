@@ -100,12 +100,7 @@ pub(crate) fn chosen_beside_slips(
     // Slips by themselves are looked for elsewhere.
     found.retain(|it| it.scene.chosen != Chosen::default() && !it.slips.is_empty());
     // Where the numbers that were fitted draw the same without them, none were made.
-    let without = found.iter().map(|it| {
-        fit.named(Hypothesis {
-            slips: Vec::new(),
-            ..it.clone()
-        })
-    });
+    let without = found.iter().map(|it| fit.named(it.without_slips()));
     let without: Vec<Hypothesis> = without.collect();
     // Nor does a slip count that numbers were fitted to undo.
     found.retain(|it| !fit.draws_the_right_picture(it));

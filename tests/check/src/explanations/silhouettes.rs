@@ -193,6 +193,7 @@ impl<'a> Sky<'a> {
             far,
             is_both_ways: false,
             is_one_by_one: false,
+            part: None,
         };
         Some(Explanation {
             name: self.it.name + SHADED,

@@ -72,7 +72,7 @@ pub(super) const SLIPS: &[Slip] = &[
         ),
     slip("red-and-green-swapped", BUILD_TEST, THE_CODE)
         .says(Words {
-            wrong: "r = j / (height - 1), g = i / (width - 1)",
+            wrong: "r = j / (width - 1), g = i / (height - 1)",
             right: "r = i / (width - 1), g = j / (height - 1)",
             why: "Columns run to the right and carry red; here they carry green. The picture is \
                   transposed.",
@@ -100,7 +100,31 @@ pub(super) const SLIPS: &[Slip] = &[
             "Color::new(f64::from(i) / last, f64::from(i) / last, 0.0)",
             "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)",
         )
-        .alters(|p| p.color = |program, camera, i, _| program.ramp(camera, i.into(), i.into())),
+        .alters(|p| {
+            p.color = |program, camera, i, j| {
+                let color = program.ramp(camera, i.into(), j.into());
+                color.with_y(color.x)
+            }
+        }),
+    slip("row-twice", BUILD_TEST, THE_CODE)
+        .says(Words {
+            wrong: "r = j / (height - 1)",
+            right: "r = i / (width - 1)",
+            why: "A copied term keeps its letter: red runs down as green does, and every column is \
+                  the same.",
+        })
+        .in_rust(
+            BUILD_TEST,
+            "Color::new(f64::from(j) / last, f64::from(j) / last, 0.0)",
+            "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)",
+        )
+        .alters(|p| {
+            p.color = |program, camera, i, j| {
+                let row = program.row(j, camera);
+                let color = program.ramp(camera, i.into(), row);
+                color.with_x(color.y)
+            }
+        }),
     slip("green-upwards", BUILD_TEST, THE_CODE)
         .says(Words {
             wrong: "g = 1 - j / (height - 1)",

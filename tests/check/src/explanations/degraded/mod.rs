@@ -238,6 +238,7 @@ pub(super) fn left_in_palette(reading: &Reading, drawn: &[Pixel]) -> Left {
         far,
         is_both_ways: false,
         is_one_by_one: false,
+        part: None,
     }
 }
 

@@ -134,7 +134,9 @@ pub(super) fn cropped(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<D
     let mut least = least * 4 / 5;
     let mut best = None;
     // With a slip in it a part of a larger picture is like many.
-    for it in likeliest.iter().filter(|it| it.slips.is_empty()) {
+    let mut rights: Vec<Hypothesis> = likeliest.iter().map(Hypothesis::without_slips).collect();
+    rights.dedup_by(|one, other| one.is_same_program(other));
+    for it in &rights {
         for wide in width..=width + MARGINS {
             for high in evidence.heights(wide) {
                 let from = (wide, high);
