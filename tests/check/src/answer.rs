@@ -291,6 +291,10 @@ impl<'a> Judged<'a> {
                 "it has the sky{gamma} and the outlines of {scene}, but other colors of all that is hit, by a material or a mistake that is not known"
             ));
         }
+        // What is off by a level is no other picture.
+        if finding.levels <= 1 && matches!(self.check, Check::Wrong(_)) {
+            return None;
+        }
         let difference = finding.difference.as_ref()?;
         let (wrong, total) = (difference.count, difference.total);
         let right = total - wrong;

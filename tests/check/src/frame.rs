@@ -161,11 +161,34 @@ fn insides(reading: &Reading) -> impl Iterator<Item = Reading> {
     });
     let mut framed: Vec<(_, [u32; 4])> = framed.collect();
     framed.sort_unstable_by_key(|(rank, _)| Reverse(*rank));
-    let framed = framed.into_iter().take(TRIED);
+    let framed = framed.into_iter().filter(|(_, it)| are_steps(reading, *it));
+    let framed = framed.take(TRIED);
     // One color tells nothing of a picture.
     framed
         .map(|(_, sides)| part(reading, sides, "it lies in a frame, as in a screenshot"))
         .filter(|it| !it.is_plain())
+}
+
+/// Whether pixels on either side of each line differ more than those a little farther inside do: in
+/// grain all differ.
+fn are_steps(reading: &Reading, [left, right, above, below]: [u32; 4]) -> bool {
+    const FARTHER: u32 = BLURRED + 1;
+    let pixel = |i: u32, j: u32| reading.pixels[(j * reading.width + i) as usize];
+    let levels = |one, other| u32::from(distance(one, other)).min(FAR);
+    let column = |i: u32| -> u32 {
+        let rows = above..below;
+        rows.map(|j| levels(pixel(i - 1, j), pixel(i, j))).sum()
+    };
+    let row = |j: u32| -> u32 {
+        let columns = left..right;
+        columns.map(|i| levels(pixel(i, j - 1), pixel(i, j))).sum()
+    };
+    let (width, height) = (reading.width, reading.height);
+    let is_step = |side: u32, farther: u32| side > 2 * farther;
+    (left == 0 || is_step(column(left), column(left + FARTHER)))
+        && (right == width || is_step(column(right), column(right - FARTHER)))
+        && (above == 0 || is_step(row(above), row(above + FARTHER)))
+        && (below == height || is_step(row(below), row(below - FARTHER)))
 }
 
 fn part(reading: &Reading, [left, right, above, below]: [u32; 4], why: &str) -> Reading {

@@ -127,7 +127,7 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     let is_kept = |parts: usize, far: usize| parts * far <= reading.pixels.len();
     found.retain(|it| one_in(it).is_none_or(|parts| is_kept(parts, it.left.far)));
     let ratio = f64::from(reading.width) / f64::from(reading.height);
-    found.retain(|it| it.scene.chosen.has_a_typed_viewport(ratio));
+    found.retain(|it| it.scene.chosen.is_typed(ratio));
     drop_what_explains_little(&mut found, &evidence.scene);
     drop_losses_of_roundings(&mut found, &evidence.scene);
     drop_changes_like_choices(&mut found);

@@ -54,10 +54,21 @@ impl Chosen {
         self.viewport_height.is_some() || self.balls != [None; 2]
     }
 
-    /// Whether somebody may have typed the viewport of a picture of that ratio: one of its lengths,
-    /// the focal length or the angle has few digits.
-    pub(crate) fn has_a_typed_viewport(&self, ratio: f64) -> bool {
-        let is_round = |it: f64| (it - it.round()).abs() < 1e-3;
+    /// Whether somebody may have typed the numbers of a picture of that ratio.
+    pub(crate) fn is_typed(&self, ratio: f64) -> bool {
+        self.has_a_typed_sky() && self.has_a_typed_viewport(ratio)
+    }
+
+    /// Whether all components are hundredths, or all are levels.
+    fn has_a_typed_sky(&self) -> bool {
+        let all = self.sky.iter().flatten();
+        let all: Vec<f64> = all.flat_map(|it| it.to_array()).collect();
+        let are_parts = |parts: f64| all.iter().all(|it| is_round(parts * it));
+        are_parts(100.0) || are_parts(255.0)
+    }
+
+    /// Whether one of the viewport's lengths, the focal length or the angle has few digits.
+    fn has_a_typed_viewport(&self, ratio: f64) -> bool {
         self.viewport_height.is_none_or(|height| {
             let width = self.viewport_width.unwrap_or(height * ratio);
             let angle = 2.0 * (0.5 * height).atan().to_degrees();
@@ -74,6 +85,11 @@ impl Chosen {
         let is_like = |sky: [Color; 2]| sky == [blue, white] || sky.into_iter().any(is_no_color);
         self.shade.is_some() || self.sky.is_some_and(is_like)
     }
+}
+
+/// Whether a number is an integer but for what fits leave.
+fn is_round(number: f64) -> bool {
+    (number - number.round()).abs() < 1e-3
 }
 
 impl Scene {

@@ -185,9 +185,16 @@ impl Chosen {
             if shade.iter().all(|(_, [low, high])| low == high) {
                 return format!("hits of {}", color(shade.map(|(_, [low, _])| low).into()));
             }
+            let [(red, [left, right]), (green, [low, high]), _] = shade;
+            let mirrored = match (red == 0 && left > right, green == 1 && low > high) {
+                (true, true) => " (or turned by half a turn)",
+                (true, false) => " (or mirrored)",
+                (false, true) => " (or upside down)",
+                (false, false) => "",
+            };
             let all = ["red", "green", "blue"].into_iter().zip(shade);
             let all: Vec<String> = all.map(made_of).collect();
-            format!("hits with {} by the normal N", all.join(", "))
+            format!("hits with {} by the normal N{mirrored}", all.join(", "))
         });
         let all: Vec<String> = [sky, paint, shade, blue].into_iter().flatten().collect();
         (!all.is_empty()).then(|| {

@@ -151,7 +151,9 @@ impl fmt::Display for Edition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::V1 => "version 1 or 2 of the book (2016 to 2019)",
-            Self::V1InDouble => "version 1 or 2 of the book (2016 to 2019), in double precision",
+            Self::V1InDouble => {
+                "version 1 or 2 of the book (2016 to 2019), as with double precision"
+            }
             Self::V3_0 => "version 3.0 of the book (March 2020)",
             Self::V3_1_0 => "version 3.1.0 of the book (May 2020)",
             Self::V3 => "version 3 of the book (2020 to 2023)",

@@ -10,7 +10,7 @@ use super::{Surface, view};
 use crate::reading::Reading;
 
 /// Who is off by no more is off by roundings.
-pub(super) const EXACT: f64 = 1.0;
+const EXACT: f64 = 1.0;
 /// Levels that are a little too dark move a sky up or down by less than such a part of its height,
 /// and change its size by less; it is its own mirror image, so they don't move it aside.
 const ASIDE: f64 = 0.01;

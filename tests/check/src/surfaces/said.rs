@@ -9,7 +9,7 @@ use slips::{Chapter, Edition};
 
 use common::rtweekend::{Point3, Vec3};
 
-use super::background::{Background, EXACT};
+use super::background::Background;
 use super::cone::{Cone, Eye};
 use super::fit::Fit;
 use super::terms::{Terms, color, is_books, sums};
@@ -30,6 +30,8 @@ const ODD: usize = 30;
 const LEVELS: u16 = 1;
 /// Components are equal if they differ in no more than one pixel of so many.
 const UNEQUAL: usize = 50;
+/// Levels that differ by less are made of one color, or of nobody knows what.
+const CONTRAST: u16 = 12;
 /// One pixel in so many has a common color.
 const COMMON: usize = 12;
 /// What is larger is ground, and only its edge is seen.
@@ -222,7 +224,14 @@ impl<'a> Seen<'a> {
 
     /// The fewest terms that make its levels, of as many the nearest.
     pub(super) fn fitted(&self, terms: &[Terms]) -> Option<(Terms, Fit)> {
-        let fits = terms.iter().filter_map(|&terms| {
+        let [first, rest @ ..] = &self.places[..] else {
+            return None;
+        };
+        let color = |n: &u32| self.reading.pixels[*n as usize];
+        let contrast = rest.iter().map(|n| distance(color(first), color(n))).max();
+        let is_flat = contrast < Some(CONTRAST);
+        let terms = terms.iter().filter(|&&it| it == Terms::One || !is_flat);
+        let fits = terms.filter_map(|&terms| {
             let values = self.places.iter().map(|&n| {
                 let found = self.reading.pixels[n as usize];
                 Some((self.values(terms, n)?, found))
@@ -273,25 +282,24 @@ impl<'a> Seen<'a> {
     fn places_and_colors(&self, shown: Range<usize>) -> String {
         let width = self.reading.width;
         let inner = self.surface.inner.iter().copied();
-        let middle = |range: &Range<u32>| (range.start + range.end) / 2;
-        let (i, j) = (middle(&self.surface.columns), middle(&self.surface.rows));
-        let off = |n: &u32| (n % width).abs_diff(i).pow(2) + (n / width).abs_diff(j).pow(2);
-        let corner = |down: i64| {
-            let along = move |n: &u32| i64::from(n % width) + down * i64::from(n / width);
-            let inner = inner.clone();
-            [inner.clone().min_by_key(along), inner.max_by_key(along)]
+        let nearest = |i: u32, j: u32| {
+            let off =
+                move |n: &u32| (n % width).abs_diff(i).pow(2) + (n / width).abs_diff(j).pow(2);
+            inner.clone().min_by_key(off)
         };
-        let ([upper_left, lower_right], [lower_left, upper_right]) = (corner(1), corner(-1));
+        let all = |range: &Range<u32>| [range.start, (range.start + range.end) / 2, range.end - 1];
+        let [left, middle, right] = all(&self.surface.columns);
+        let [top, center, bottom] = all(&self.surface.rows);
         let places = [
-            ("at its top", inner.clone().next()),
-            ("at its bottom", inner.clone().next_back()),
-            ("at its left", inner.clone().min_by_key(|n| n % width)),
-            ("at its right", inner.clone().max_by_key(|n| n % width)),
-            ("in its middle", inner.clone().min_by_key(off)),
-            ("at its upper left", upper_left),
-            ("at its upper right", upper_right),
-            ("at its lower left", lower_left),
-            ("at its lower right", lower_right),
+            ("at its top", nearest(middle, top)),
+            ("at its bottom", nearest(middle, bottom)),
+            ("at its left", nearest(left, center)),
+            ("at its right", nearest(right, center)),
+            ("in its middle", nearest(middle, center)),
+            ("at its upper left", nearest(left, top)),
+            ("at its upper right", nearest(right, top)),
+            ("at its lower left", nearest(left, bottom)),
+            ("at its lower right", nearest(right, bottom)),
         ];
         let color = |n: u32| self.reading.pixels[n as usize];
         let shown = places[shown].iter();
@@ -309,13 +317,21 @@ impl<'a> Seen<'a> {
 
     pub(super) fn colors(&self, found: Option<(Terms, Fit)>) -> String {
         let Some((terms, fit)) = found else {
-            return format!("is {}", self.places_and_colors(0..5));
+            // What fills a rectangle has corners.
+            let Surface { columns, rows, .. } = self.surface;
+            let is_round = 10 * self.surface.count < 9 * columns.len() * rows.len();
+            return format!(
+                "is {}",
+                self.places_and_colors(0..if is_round { 5 } else { 9 })
+            );
         };
         let at = |x: f64, y: f64, z: f64| fit.color(DVec4::new(1.0, x, y, z));
         match terms {
             Terms::One => {
-                let nearly = if fit.off > EXACT { "nearly " } else { "" };
                 let pixel = at(0.0, 0.0, 0.0).map(|it| (256.0 * it - 0.5).round() as i16);
+                let mut inner = self.surface.inner.iter();
+                let is_it = |n: &u32| distance(pixel, self.reading.pixels[*n as usize]) <= LEVELS;
+                let nearly = if inner.all(is_it) { "" } else { "nearly " };
                 let meant = match self.cone {
                     Some(_) => uniform::of_a_thing(pixel),
                     None => uniform::of_the_sky(pixel).or_else(|| uniform::of_a_normal(pixel)),

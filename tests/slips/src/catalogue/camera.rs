@@ -911,6 +911,18 @@ pub(super) const SLIPS: &[Slip] = &[
             "white = Color::new(1.0, 1.0, 1.0); blue = Color::new(0.5, 0.7, 1.0)",
         )
         .alters(|p| p.sky = [[255.0, 255.0, 255.0], [127.0, 178.0, 255.0]].map(Color::from_array)),
+    slip("blue-with-exchanged-numbers", RAYS, SKY)
+        .says(Words {
+            wrong: "blue = (0.7, 0.5, 1)",
+            right: "blue = (0.5, 0.7, 1)",
+            why: "Red has less of it than green. Exchanged, the sky is violet.",
+        })
+        .in_rust(
+            RAYS,
+            "blue = Color::new(0.7, 0.5, 1.0)",
+            "blue = Color::new(0.5, 0.7, 1.0)",
+        )
+        .alters(|p| p.sky = [Color::ONE, Color::new(0.7, 0.5, 1.0)]),
     slip("background-missing", SPHERES, SKY)
         .says(Words {
             wrong: "if (…) return color(1, 0, 0); return color(0, 0, 0)",

@@ -461,6 +461,24 @@ pub(super) const SLIPS: &[Slip] = &[
                 (((1.0 - a) * below).floor() + (a * above).floor()) / 255.0
             }
         }),
+    slip("terms-cut-off", RAYS, SKY)
+        .says(Words {
+            wrong: "int(255.999 * (1 - a)) + int(255.999 * a * 0.5)",
+            right: "int(255.999 * ((1 - a) * 1.0 + a * 0.5))",
+            why: "Each term is cut off to an integer before the sum, so half of the levels are one \
+                  too low.",
+        })
+        .in_rust(
+            RAYS,
+            "(255.999 * (1.0 - a)) as u8 + (255.999 * a * 0.5) as u8",
+            "(255.999 * ((1.0 - a) + a * 0.5)) as u8",
+        )
+        .alters(|p| {
+            p.lerp = |sky, a| {
+                let [below, above] = sky.map(|color| 255.999 * color);
+                (((1.0 - a) * below).floor() + (a * above).floor()) / 255.0
+            }
+        }),
     slip("cast-too-early", EVERY, LEVELS)
         .says(Words {
             wrong: "255 * int(r)",
