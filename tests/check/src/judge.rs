@@ -8,7 +8,7 @@ use std::collections::HashSet;
 use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
-    But, Degradation, Explanation, Hypothesis, Path, Places, SINGLE, Seen, TWO, antialiased,
+    But, Degradation, Explanation, Hypothesis, ONE, Path, Places, SINGLE, Seen, TWO, antialiased,
     chosen_beside_slips, chosen_otherwise, degradations, doubtful, in_colors, more, mutants,
     on_a_curve, palette, ramps, right, silhouettes, single, spread, turned, two, typed,
 };
@@ -552,8 +552,14 @@ impl Search<'_> {
             let some = some.iter().map(|&it| it.clone()).chain(colored);
             let some = likeliest(evidence, some, &places, f64::INFINITY, FEW);
             let is_another = |it: &Hypothesis| !is_own(&it) || Some(it.scene.edition) != asked;
-            let other = some.into_iter().map(|(_, it)| it).find(is_another);
-            nearest.extend(other.map(Hypothesis::in_the_books_colors));
+            let mut others = some.into_iter().map(|(_, it)| it).filter(is_another);
+            let other = others.next();
+            // Who draws in an edition's own shape may follow that.
+            let is_shaped = |it: &Hypothesis| !it.scene.has_another_shape();
+            let has_one = nearest.iter().chain(&other).any(is_shaped);
+            let shaped = others.find(|it| !has_one && is_shaped(it));
+            let others = other.into_iter().chain(shaped);
+            nearest.extend(others.map(Hypothesis::in_the_books_colors));
         }
         nearest
     }
@@ -588,7 +594,7 @@ impl Search<'_> {
             slips.iter().map(|slips| Hypothesis {
                 scene: it.scene.with(chosen),
                 slips: slips.clone(),
-                name: best.name + it.name - own.name,
+                name: best.name + it.name - own.name + name_of(slips) - name_of(&best.slips),
                 ..best.clone()
             })
         });
@@ -849,6 +855,11 @@ impl Search<'_> {
             );
         }
     }
+}
+
+/// Bits of slips beside numbers of the reader's own.
+fn name_of(slips: &[&Slip]) -> f64 {
+    [0.0, ONE, TWO][slips.len()]
 }
 
 /// The longest estimate with which an explanation may still be as short as this one:

@@ -746,7 +746,7 @@ fn simple_spheres(it: &Hypothesis) -> Vec<Hypothesis> {
         (radius > 0.0).then(|| with_ball(it, 0, Ball::new(x, y, -distance, radius)))
     };
     // Somewhere a fine grid has a point near any number, so it is for one distance only.
-    let (coarse, fine) = GRIDS.split_at(4);
+    let (coarse, fine) = GRIDS.split_at(5);
     let all = DISTANCES
         .into_iter()
         .flat_map(|distance| coarse.iter().map(move |grid| (distance, *grid)))

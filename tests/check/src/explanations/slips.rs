@@ -7,7 +7,7 @@ use crate::sources::Said;
 use ::slips::{Edition, Slip};
 
 /// One of some hundred slips, where one program in two has one.
-pub(super) const ONE: f64 = 8.0;
+pub(crate) const ONE: f64 = 8.0;
 /// Two slips are twice as much, and a little more: whoever made one looks for it.
 pub(crate) const TWO: f64 = 18.0;
 /// The formula of the neighboring chapter in its place.

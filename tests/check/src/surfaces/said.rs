@@ -21,6 +21,8 @@ use crate::scene::Scene;
 
 /// How many surfaces are described.
 const SAID: usize = 5;
+/// What is smooth is described where it is one pixel in so many.
+const PART: usize = 8;
 /// Of how many percent that lie in no surface it is told.
 const REST: usize = 5;
 /// How many pixels of a surface tell what colors it.
@@ -56,8 +58,13 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
     }
     let mut all = surfaces(reading);
     let covered: usize = all.iter().map(|it| it.inner.len()).sum();
-    if 2 * covered < reading.pixels.len() {
-        return wrapped(reading).into_iter().collect();
+    if 2 * covered < reading.pixels.len()
+        && let Some(wrapped) = wrapped(reading)
+    {
+        return vec![wrapped];
+    }
+    if PART * covered < reading.pixels.len() {
+        return Vec::new();
     }
     if all.len() > MANY {
         return in_pieces(all.len(), reading);
@@ -80,7 +87,7 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
     let rest = match rest >= REST {
         _ if are_books => Some("So only edges are off, as where several rays are taken, or a picture was enlarged or smoothed.".to_owned()),
         true => Some(format!(
-            "The rest, {rest} % of the picture, are edges and pieces that are too small."
+            "The rest, {rest} % of the picture, are edges, grain and pieces that are too small."
         )),
         false => None,
     };
