@@ -465,13 +465,13 @@ pub(super) const SLIPS: &[Slip] = &[
         .says(Words {
             wrong: "int(255.999 * (1 - a)) + int(255.999 * a * 0.5)",
             right: "int(255.999 * ((1 - a) * 1.0 + a * 0.5))",
-            why: "Each term is cut off to an integer before the sum, so half of the levels are one \
-                  too low.",
+            why: "Each term is cut off to an integer before the sum, so many levels are one too \
+                  low.",
         })
         .in_rust(
             RAYS,
             "(255.999 * (1.0 - a)) as u8 + (255.999 * a * 0.5) as u8",
-            "(255.999 * ((1.0 - a) + a * 0.5)) as u8",
+            "(1.0 - a) * white + a * blue",
         )
         .alters(|p| {
             p.lerp = |sky, a| {
