@@ -247,10 +247,8 @@ impl<'a> Judged<'a> {
             }
             self.explain(finding, &mut parts);
         }
-        if let Some(finding) = self.check.finding() {
-            let shown = finding.shown.iter();
-            parts.push(Part::Rows(shown.map(|it| ("seen", it.clone())).collect()));
-        }
+        let shown = self.check.shown().iter();
+        parts.push(Part::Rows(shown.map(|it| ("seen", it.clone())).collect()));
         parts
     }
 

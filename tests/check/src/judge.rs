@@ -12,6 +12,7 @@ use crate::explanations::{
     chosen_beside_slips, chosen_otherwise, degradations, doubtful, in_colors, more, mutants,
     on_a_curve, palette, ramps, right, silhouettes, single, spread, turned, two, typed,
 };
+use crate::reading::Reading;
 use crate::scene::{Chosen, Scene};
 use crate::surfaces;
 use crate::verdict::TOGETHER;
@@ -111,9 +112,9 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
         found: vec![nearest.explaining(reading, &drawn)],
     };
     if nearest.scene.step().is_some() || nearest.scene.edition != evidence.scene.edition {
-        search.found.extend(rights[0].measured(reading));
+        search.keep(rights[0].measured(reading));
     }
-    search.found.extend(silhouettes(evidence, &rights));
+    search.keep(silhouettes(evidence, &rights));
     let singles = rights.iter().cloned().chain(single(evidence));
     let likeliest = search.add(singles.collect::<Vec<_>>(), Some(&drawn), f64::INFINITY);
     search.add_others(&rights, &likeliest);
@@ -126,8 +127,6 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     };
     let is_kept = |parts: usize, far: usize| parts * far <= reading.pixels.len();
     found.retain(|it| one_in(it).is_none_or(|parts| is_kept(parts, it.left.far)));
-    let ratio = f64::from(reading.width) / f64::from(reading.height);
-    found.retain(|it| it.scene.chosen.is_typed(ratio));
     drop_what_explains_little(&mut found, &evidence.scene);
     drop_losses_of_roundings(&mut found, &evidence.scene);
     drop_changes_like_choices(&mut found);
@@ -253,6 +252,15 @@ impl Search<'_> {
         self.best_of(|_| true)
     }
 
+    /// Keeps these, but for numbers that nobody types: they make up for something else.
+    fn keep(&mut self, some: impl IntoIterator<Item = Explanation>) {
+        let Reading { width, height, .. } = *self.evidence.reading;
+        let ratio = f64::from(width) / f64::from(height);
+        let some = some.into_iter();
+        let typed = some.filter(|it| it.scene.chosen.is_typed(ratio));
+        self.found.extend(typed);
+    }
+
     fn best_of(&self, is_meant: impl Fn(&Explanation) -> bool) -> &Explanation {
         let shortest =
             |one: &&Explanation, other: &&Explanation| one.bits().total_cmp(&other.bits());
@@ -316,12 +324,12 @@ impl Search<'_> {
                 .iter()
                 .filter(|(other, _)| are_alike(*other, left(it)));
             if let Some((_, by)) = alike.find(|(_, by)| !by.left.is_one_by_one) {
-                self.found.push(it.1.leaving(by.left, by.mark));
+                self.keep([it.1.leaving(by.left, by.mark)]);
             } else if let Some(measured) = it.1.measured(reading) {
                 let is_worse = measured.bits() > WORSE * self.best().bits();
                 worse = if is_worse { worse + 1 } else { 0 };
                 known.push((left(it), measured.clone()));
-                self.found.push(measured);
+                self.keep([measured]);
             }
         }
     }
@@ -371,7 +379,7 @@ impl Search<'_> {
         }
         let chosen = self.add_changed(&nearest);
         if self.is_worth_a_search() {
-            self.found.extend(ramps(self.evidence, &rights[0]));
+            self.keep(ramps(self.evidence, &rights[0]));
         }
         self.add_more();
         if !self.is_antialiased(self.unknown) {
@@ -487,7 +495,7 @@ impl Search<'_> {
             if degradation.is_lossy() && surest.iter().all(|it| it.bits() >= shortest) {
                 continue;
             }
-            self.found.extend(surest.iter().cloned());
+            self.keep(surest.iter().cloned());
             let before = self.found.len();
             self.add(all, None, most);
             let added = self.found.split_off(before);
@@ -495,7 +503,7 @@ impl Search<'_> {
                 let mut surest = surest.iter().map(Explanation::program);
                 !surest.any(|surest| surest.is_same_program(&it.program()))
             };
-            self.found.extend(added.into_iter().filter(is_new));
+            self.keep(added.into_iter().filter(is_new));
         }
     }
 
@@ -606,7 +614,7 @@ impl Search<'_> {
             .filter(may_be)
             .filter_map(|it| it.measured(reading))
             .filter(|it| it.mark == mark || it.bits() < shortest);
-        self.found.extend(same);
+        self.keep(same);
     }
 
     /// Slips that draw the same as one of the best beside what the reader chose.
@@ -652,7 +660,7 @@ impl Search<'_> {
         let same = others.filter(is_same);
         let same = same.filter_map(|it| it.measured(reading));
         let same: Vec<Explanation> = same.filter(|it| it.mark == mark).collect();
-        self.found.extend(same);
+        self.keep(same);
     }
 
     /// Several rays a pixel, by right programs and by the likeliest wrong ones.
@@ -706,13 +714,13 @@ impl Search<'_> {
             let Some(drawn) = right.drawn(reading) else {
                 continue;
             };
-            self.found.extend(turned(evidence, right, &drawn));
+            self.keep(turned(evidence, right, &drawn));
             let curved = on_a_curve(evidence, right, &drawn);
             if let Some(But::Curve(curve)) = curved.as_ref().and_then(|it| it.but.first()) {
                 let curved = [(right, Some(curve))].into_iter();
-                self.found.extend(antialiased(evidence, &drawn, curved));
+                self.keep(antialiased(evidence, &drawn, curved));
             }
-            self.found.extend(curved);
+            self.keep(curved);
             let paths = chosen_otherwise(evidence, right);
             let mut ends = paths.iter().filter_map(|path| path.last());
             // Nor is it by another edition, or of another chapter, where simple numbers leave nothing.
@@ -758,7 +766,7 @@ impl Search<'_> {
         let explains = |it: &Explanation| {
             !is_fitted(it) && (!is_single(it) || is_plain(it)) || MIXED * it.bits() < unknown
         };
-        self.found.extend(found.into_iter().filter(explains));
+        self.keep(found.into_iter().filter(explains));
     }
 
     /// What a reader chose beside a slip or two, where nothing else explains the picture: that
@@ -784,7 +792,7 @@ impl Search<'_> {
             times * it.bits() < unknown
         };
         let added = self.found.split_off(before).into_iter();
-        self.found.extend(added.filter(explains));
+        self.keep(added.filter(explains));
     }
 
     /// The same with something more in it.
@@ -805,13 +813,13 @@ impl Search<'_> {
         let chosen = chosen.map(Explanation::program);
         let best = self.best_of(is_own).program();
         for it in [nearest, best] {
-            self.found.extend(more(self.evidence, &it));
+            self.keep(more(self.evidence, &it));
         }
         let chosen = chosen.map_or(Vec::new(), |it| more(self.evidence, &it));
         let is_whole = |it: &Explanation| {
             it.left.far == 0 && it.but.is_empty() && it.scene.chosen.paint.is_none()
         };
-        self.found.extend(chosen.into_iter().filter(is_whole));
+        self.keep(chosen.into_iter().filter(is_whole));
     }
 
     /// The best program if nothing happened to its picture and nothing was chosen, and that.

@@ -59,10 +59,11 @@ impl Chosen {
         self.has_a_typed_sky() && self.has_a_typed_viewport(ratio)
     }
 
-    /// Whether all components are hundredths, or all are levels.
+    /// Whether all components are hundredths, or all are levels; where the sky is a blend, for one
+    /// color is known to a level only.
     fn has_a_typed_sky(&self) -> bool {
-        let all = self.sky.iter().flatten();
-        let all: Vec<f64> = all.flat_map(|it| it.to_array()).collect();
+        let all = self.sky.iter().filter(|[below, above]| below != above);
+        let all: Vec<f64> = all.flatten().flat_map(|it| it.to_array()).collect();
         let are_parts = |parts: f64| all.iter().all(|it| is_round(parts * it));
         are_parts(100.0) || are_parts(255.0)
     }

@@ -40,6 +40,8 @@ pub enum Check {
         cause: Cause,
         /// What its pixels tell, unless there are more than [`MOST_MISSHAPEN`].
         finding: Option<Box<Finding>>,
+        /// What it shows by itself, if there are.
+        shown: Vec<String>,
     },
     /// It is no picture, or not a valid one.
     NotAPicture {
@@ -221,6 +223,7 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> 
         Some(cause) if size > MOST_MISSHAPEN && !has_own_shape => Check::WrongShape {
             cause,
             finding: None,
+            shown: surfaces::said(reading),
         },
         shape => match (Finding::of(scene, reading, known), shape) {
             (Answer::Another(scenes), _) => Check::Another {
@@ -232,6 +235,7 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> 
                 Check::WrongShape {
                     cause,
                     finding: Some(finding),
+                    shown: Vec::new(),
                 }
             }
             (Answer::Of(finding), _) => Check::Wrong(*finding),
@@ -617,6 +621,18 @@ impl Check {
         match self {
             Self::Another { scenes, .. } => scenes,
             other => other.finding().map_or(&[], |finding| &finding.others),
+        }
+    }
+
+    /// What the picture shows by itself, where nothing known draws it.
+    pub fn shown(&self) -> &[String] {
+        match self {
+            Self::WrongShape {
+                finding: None,
+                shown,
+                ..
+            } => shown,
+            other => other.finding().map_or(&[], |finding| &finding.shown),
         }
     }
 

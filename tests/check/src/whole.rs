@@ -165,7 +165,9 @@ impl Evidence<'_> {
                 next: cause.fix.split_whitespace().collect::<Vec<_>>().join(" "),
                 ..Verdict::default()
             },
-            Check::WrongShape { cause, finding } => self.of_no_picture("wrong", &cause, finding),
+            Check::WrongShape { cause, finding, .. } => {
+                self.of_no_picture("wrong", &cause, finding)
+            }
             Check::NotAPicture { cause, finding } => {
                 self.of_no_picture("no picture", &cause, finding)
             }

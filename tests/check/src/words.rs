@@ -9,6 +9,9 @@ use crate::explanations::{But, Conversion, Curve, Degradation, SINGLE};
 use crate::scene::Chosen;
 use crate::verdict::{Near, Set};
 
+/// One pixel in so many lies at a rim.
+const RIM: usize = 100;
+
 impl Set {
     /// How well the mistakes explain a picture of that many pixels.
     pub fn title(&self, pixels: usize) -> String {
@@ -75,9 +78,11 @@ impl Near {
         let buts = self.but.iter().map(But::clause);
         let is_on_its_way = |but: &But| matches!(but, But::Degraded(_));
         let is_by_rays = self.left.is_both_ways && !self.but.iter().any(is_on_its_way);
-        let left = self
-            .is_for_pixels()
-            .then(|| left(&self.left, is_by_rays, pixels));
+        // Rays that lie anywhere are off where colors change, at rims that are no edges.
+        let has_rays = |but: &But| matches!(but, But::Antialiased { .. });
+        let is_little = self.but.iter().any(has_rays) && RIM * self.left.off <= pixels;
+        let left =
+            (self.is_for_pixels() && !is_little).then(|| left(&self.left, is_by_rays, pixels));
         let all: Vec<String> = chosen.into_iter().chain(buts).chain(left).collect();
         all.join(", and ")
     }

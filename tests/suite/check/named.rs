@@ -449,7 +449,7 @@ fn a_wrong_shape_is_named_with_the_slips_that_give_it() {
     let torn = slip("header-swapped").program(Chapter::RedSphere).run(97);
     let wrong = check(&scene(Chapter::RedSphere), &p3(&torn.picture()), 0);
     assert_eq!(wrong.exit_code(), 1, "it is a picture");
-    let Check::WrongShape { cause, finding } = wrong else {
+    let Check::WrongShape { cause, finding, .. } = wrong else {
         panic!("its rows are torn as well");
     };
     assert_eq!(cause.name, "wrong-shape");

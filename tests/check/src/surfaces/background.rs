@@ -89,7 +89,7 @@ fn otherwise(surface: &Surface, reading: &Reading, own: Option<(Terms, Fit)>) ->
             ", as where a direction is not divided by its length, or in a narrow view".to_owned()
         }
         Some((Terms::Columns | Terms::Both, _)) => {
-            "; of the book's pictures only build_test does so, in red and green".to_owned()
+            "; of the book's pictures only build_test does so: there red grows to the right, and green downwards, or in older editions upwards".to_owned()
         }
         Some((Terms::UnitY | Terms::Unit, _)) if eye.sides() != books.sides() => {
             through(&eye, &books)

@@ -54,6 +54,20 @@ impl Fit {
         })
     }
 
+    /// Where each component grows, if in no more than one way.
+    pub(super) fn growing(&self) -> Option<String> {
+        let way = |it: &DVec4| match (it.y.abs() < LITTLE, it.z.abs() < LITTLE) {
+            (true, true) => Some("is the same everywhere"),
+            (false, true) => {
+                Some(["grows to the left", "grows to the right"][usize::from(it.y > 0.0)])
+            }
+            (true, false) => Some(["grows downwards", "grows upwards"][usize::from(it.z > 0.0)]),
+            (false, false) => None,
+        };
+        let [red, green, blue] = self.components.each_ref().map(way);
+        Some(format!("red {}, green {}, blue {}", red?, green?, blue?))
+    }
+
     /// Whether each component is that of a normal, from 0 to 1.
     pub(super) fn is_the_normal(&self) -> bool {
         let book = [DVec4::Y, DVec4::Z, DVec4::W].map(|axis| 0.5 * (DVec4::X + axis));

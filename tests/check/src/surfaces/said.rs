@@ -353,7 +353,9 @@ impl<'a> Seen<'a> {
                     _ => ("along rows and columns", 5..9),
                 };
                 let colors = self.places_and_colors(shown);
-                format!("changes in equal steps {ways}: it is {colors}")
+                let growing = fit.growing().filter(|_| terms == Terms::Both);
+                let growing = growing.map_or(String::new(), |it| format!("{it}; "));
+                format!("changes in equal steps {ways}: {growing}it is {colors}")
             }
             Terms::UnitY => format!(
                 "is a blend by the y of the unit direction, from {} where that is -1 to {} where it is 1",

@@ -313,8 +313,8 @@ pub(super) const SLIPS: &[Slip] = &[
         .says(Words {
             wrong: "print b, g, r",
             right: "print r, g, b",
-            why: "A pixel is red, green, blue. Reversed, red and blue change places all over the \
-                  picture.",
+            why: "A pixel is red, green, blue. Reversed, red and blue change places, where they are \
+                  printed or in every color that is typed.",
         })
         .in_rust(EVERY, "{b} {g} {r}", "{r} {g} {b}")
         .alters(|p| p.channels = [2, 1, 0]),
@@ -322,8 +322,8 @@ pub(super) const SLIPS: &[Slip] = &[
         .says(Words {
             wrong: "print g, r, b",
             right: "print r, g, b",
-            why: "A pixel is red, green, blue. Here red and green change places: a blue sky turns \
-                  violet.",
+            why: "A pixel is red, green, blue. Here red and green change places, where they are \
+                  printed or in every color that is typed: a blue sky turns violet.",
         })
         .in_rust(EVERY, "{g} {r} {b}", "{r} {g} {b}")
         .alters(|p| p.channels = [1, 0, 2]),
@@ -331,8 +331,8 @@ pub(super) const SLIPS: &[Slip] = &[
         .says(Words {
             wrong: "print r, b, g",
             right: "print r, g, b",
-            why: "A pixel is red, green, blue. Here green and blue change places: a blue sky turns \
-                  green.",
+            why: "A pixel is red, green, blue. Here green and blue change places, where they are \
+                  printed or in every color that is typed: a blue sky turns green.",
         })
         .in_rust(EVERY, "{r} {b} {g}", "{r} {g} {b}")
         .alters(|p| p.channels = [0, 2, 1]),

@@ -3,7 +3,7 @@
 use image::imageops::{self, FilterType};
 use image::{Rgb, RgbImage};
 
-use ::slips::Output;
+use ::slips::{Edition, Output};
 
 use super::{Degradation, FAR, Hypothesis, off};
 use crate::bits::{Left, Pixel};
@@ -134,9 +134,13 @@ pub(super) fn cropped(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<D
     let mut least = least * 4 / 5;
     let mut best = None;
     // With a slip in it a part of a larger picture is like many.
-    let mut rights: Vec<Hypothesis> = likeliest.iter().map(Hypothesis::without_slips).collect();
-    rights.dedup_by(|one, other| one.is_same_program(other));
-    for it in &rights {
+    let right = likeliest.first()?.without_slips();
+    let editions = evidence.scene.by_editions(width, 1);
+    for scene in editions.filter(|it| it.edition != Edition::V1) {
+        let it = &Hypothesis {
+            scene: scene.in_own_shape(),
+            ..right.clone()
+        };
         for wide in width..=width + MARGINS {
             for high in evidence.heights(wide) {
                 let from = (wide, high);
