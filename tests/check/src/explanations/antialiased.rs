@@ -216,6 +216,11 @@ pub(crate) fn antialiased<'a>(
             // Who is as long to the last bit at those edges draws the same.
             let measured = known.entry((least.to_bits(), rectangle));
             let (left, mark, samples) = *measured.or_insert_with(measure);
+            // A single one that lies elsewhere is like rows that are missing, or numbers that are off.
+            let is_elsewhere = !rectangle.is_whole(&program);
+            if is_elsewhere && samples.is_some_and(|it| it < SINGLE) {
+                continue;
+            }
             let mut explanation = it.leaving(left, mark);
             explanation.name += NAME + rectangle.name(&program) + curve.map_or(0.0, Curve::name);
             let is_lower = rectangle != WHOLE_PIXEL && rectangle.is_whole(&program);

@@ -3,7 +3,9 @@
 use common::rtweekend::*;
 
 use super::chapters::{BUILD_TEST, EVERY, GRADIENT, RAYS};
+use crate::chapter::Chapter;
 use crate::edition::Edition;
+use crate::program::Program;
 use crate::single;
 use crate::slip::{Place, Slip, Words, slip};
 
@@ -27,6 +29,10 @@ const DIGITS: Place = Place {
     page: "cpp_to_rust#small-words",
     source: "tests/suite/methods/stability.rs",
 };
+
+/// Why divisors of the build test are none of rays.
+const STEPS: &str =
+    "Rays of version 4 step by pixel_delta_u, which is the edge divided by image_width.";
 
 pub(super) const SLIPS: &[Slip] = &[
     slip("integer-division", BUILD_TEST, THE_CODE)
@@ -65,11 +71,53 @@ pub(super) const SLIPS: &[Slip] = &[
         .in_python("r = i / image_width", "r = i / (image_width - 1)")
         .reported(&["#923"])
         .alters(|p| p.divisors = |width, height| [width, height])
-        .equivalent(
-            RAYS,
-            "Rays of version 4 step by pixel_delta_u, which is the edge divided by \
-                 image_width.",
-        ),
+        .equivalent(RAYS, STEPS),
+    slip("width-plus-one", EVERY, THE_CODE)
+        .says(Words {
+            wrong: "r = double(i) / (image_width + 1)",
+            right: "r = double(i) / (image_width - 1)",
+            why: "The last column is number image_width - 1, so red stops short of full.",
+        })
+        .before_4(Words {
+            wrong: "u = double(i) / (image_width + 1)",
+            right: "u = double(i) / (image_width - 1)",
+            why: "The last column is number image_width - 1. With a plus all is stretched to the \
+                  right, by two columns at the end.",
+        })
+        .in_rust(
+            BUILD_TEST,
+            "f64::from(i) / f64::from(width + 1)",
+            "f64::from(i) / last",
+        )
+        .alters(|p| {
+            if has_last(p) {
+                p.divisors = |width, height| [width + 1.0, height - 1.0];
+            }
+        })
+        .equivalent(RAYS, STEPS),
+    slip("height-plus-one", EVERY, THE_CODE)
+        .says(Words {
+            wrong: "g = double(j) / (image_height + 1)",
+            right: "g = double(j) / (image_height - 1)",
+            why: "The last row is number image_height - 1, so green stops short of full.",
+        })
+        .before_4(Words {
+            wrong: "v = double(j) / (image_height + 1)",
+            right: "v = double(j) / (image_height - 1)",
+            why: "The last row is number image_height - 1. With a plus all is stretched upwards, \
+                  by two rows at the end.",
+        })
+        .in_rust(
+            BUILD_TEST,
+            "f64::from(j) / f64::from(width + 1)",
+            "f64::from(j) / last",
+        )
+        .alters(|p| {
+            if has_last(p) {
+                p.divisors = |width, height| [width - 1.0, height + 1.0];
+            }
+        })
+        .equivalent(RAYS, STEPS),
     slip("red-and-green-swapped", BUILD_TEST, THE_CODE)
         .says(Words {
             wrong: "r = j / (width - 1), g = i / (height - 1)",
@@ -532,3 +580,12 @@ pub(super) const SLIPS: &[Slip] = &[
             };
         }),
 ];
+
+/// Whether a program divides by the number of the last column or row.
+fn has_last(program: &Program) -> bool {
+    match program.edition {
+        Edition::V1 | Edition::V1InDouble | Edition::V3_0 => false,
+        Edition::V3_1_0 | Edition::V3 => true,
+        Edition::V4 => program.chapter == Chapter::BuildTest,
+    }
+}

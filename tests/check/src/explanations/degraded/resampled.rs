@@ -50,6 +50,8 @@ const FACTORS: [f64; 13] = [
     3.0,
     4.0,
 ];
+/// The largest of these.
+const MOST: u32 = 4;
 /// Widths that people draw.
 const WIDTHS: [u32; 9] = [200, 256, 400, 600, 640, 800, 1000, 1200, 1920];
 /// How many rows and columns may be missing each way.
@@ -74,7 +76,9 @@ pub(super) fn scaled(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<De
         let heights = evidence.heights(width).into_iter().filter(is_as_high);
         sizes.extend(heights.map(|height| (width, height)));
     }
-    sizes.retain(|&size| size != (reading.width, reading.height));
+    // Of what is reduced by more than any factor too little is left.
+    let may_be = |width: u32| width <= MOST * reading.width;
+    sizes.retain(|&size| size != (reading.width, reading.height) && may_be(size.0));
     let places = Sharp::of(reading);
     let [glance, least] = places.as_it_is(likeliest);
     let most = [glance, least * 5 / 6];
