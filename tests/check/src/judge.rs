@@ -120,6 +120,7 @@ pub(crate) fn shortest(evidence: &Evidence) -> Judgement {
     search.add_others(&rights, &likeliest);
     search.add_other_editions(&rights);
     search.add_other_slips();
+    search.add_colors(&rights);
     let mut found = search.found;
     let one_in = |it: &Explanation| match it.degradation() {
         Some(Degradation::Cropped { .. }) => Some(CUT),
@@ -193,7 +194,7 @@ fn drop_changes_like_choices(found: &mut Vec<Explanation>) {
 }
 
 /// Whether it is the scene in numbers that a reader may well have chosen.
-fn is_choice(it: &Explanation) -> bool {
+pub(crate) fn is_choice(it: &Explanation) -> bool {
     let ends = it.scene.chosen.sky.unwrap_or([Color::ONE; 2]);
     let is_color = |it: &Color| it.min_element() >= 0.0 && it.max_element() <= 1.0;
     let are_typed = ends.iter().all(|it| is_color(it) && *it != Color::ZERO);
@@ -661,6 +662,19 @@ impl Search<'_> {
         let same = same.filter_map(|it| it.measured(reading));
         let same: Vec<Explanation> = same.filter(|it| it.mark == mark).collect();
         self.keep(same);
+    }
+
+    /// Colors that a reader may have chosen instead of the slips that were found.
+    fn add_colors(&mut self, rights: &[Hypothesis]) {
+        let best = self.best().program();
+        let without = best.without_slips();
+        let mut rights = rights.iter().filter(|it| it.is_same_program(&without));
+        let is_told = !best.slips.is_empty() && self.evidence.known.sources.is_empty();
+        if let Some(right) = rights.next().filter(|_| is_told) {
+            let colored = in_colors(self.evidence, right, LOOK);
+            let measured = colored.and_then(|it| it.measured(self.evidence.reading));
+            self.keep(measured);
+        }
     }
 
     /// Several rays a pixel, by right programs and by the likeliest wrong ones.

@@ -9,7 +9,7 @@ use crate::bits::Left;
 use crate::comparison::{Comparison, Difference};
 use crate::evidence::{Evidence, Known};
 use crate::explanations::{But, Conversion, Curve, Degradation, Explanation, Seen};
-use crate::judge::{Judgement, is_same, shortest};
+use crate::judge::{Judgement, is_choice, is_same, shortest};
 use crate::reading::{self, Cause, Reading};
 use crate::scene::Scene;
 use crate::sources::is_same_line;
@@ -361,6 +361,10 @@ impl Finding {
         let is_through_another =
             compared.chosen.viewport_height.is_some() || is_known && curve.is_some();
         let is_told = !sets.is_empty() || is_through_another;
+        let sights = sights
+            .into_iter()
+            .chain(judgement.chosen_instead())
+            .collect();
         let shown = match reading.is_plain() || !is_told && !is_near {
             true => surfaces::said(reading),
             false => Vec::new(),
@@ -441,6 +445,18 @@ impl Judgement {
         let first = plain.peek().copied();
         let whole = plain.find(|it| is_whole && it.scene.step().is_none());
         whole.or(first).expect("the scene itself was measured")
+    }
+
+    /// What a right program draws the same with, in a sentence, where a mistake does.
+    fn chosen_instead(&self) -> Option<String> {
+        let best = &self.found[0];
+        let is_right = |it: &&Explanation| {
+            is_choice(it) && it.seen.is_none() && !it.scene.chosen.looks_like_a_slip()
+        };
+        let mut same = self.found.iter().filter(|it| it.mark == best.mark);
+        let right = same.find(|it| !best.slips.is_empty() && is_right(it))?;
+        let clause = right.scene.chosen.clause()?;
+        Some(format!("A right program draws the same {clause}."))
     }
 
     /// Whether it is a picture that many mistakes draw, as far as anybody can tell.

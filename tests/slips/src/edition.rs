@@ -52,12 +52,12 @@ impl Edition {
     pub fn differs_by(self) -> [&'static str; 2] {
         match self {
             Self::V1 | Self::V1InDouble => [
-                "200 × 100 pixels, a viewport of 4 × 2, u = i / nx, rows from below, int(255.99 * r)",
-                "200 × 100 pixels, r = i / nx, rows from below, int(255.99 * r), blue 0.2",
+                "twice as wide as high, a viewport of 4 × 2, u = i / nx, rows from below, int(255.99 * r)",
+                "twice as wide as high, r = i / nx, rows from below, int(255.99 * r), blue 0.2",
             ],
             Self::V3_0 => [
-                "200 × 100 pixels, a viewport of 4 × 2, u = i / image_width, rows from below",
-                "200 × 100 pixels, r = i / image_width, rows from below, blue 0.2",
+                "twice as wide as high, a viewport of 4 × 2, u = i / image_width, rows from below",
+                "twice as wide as high, r = i / image_width, rows from below, blue 0.2",
             ],
             Self::V3_1_0 => [
                 "u = i / (image_width - 1), rows from below, a viewport of 4 × 2.25 and for the list one of 4 × 2",

@@ -708,6 +708,21 @@ fn a_scene_of_ones_own_with_more_in_it_is_not_right() {
     );
 }
 
+/// A white sky is drawn by slips, and by who wants one.
+#[test]
+fn colors_that_a_reader_may_have_chosen_are_told_beside_slips() {
+    let mut program = Program::right(Chapter::RedSphere);
+    program.sky = [Color::ONE; 2];
+    let finding = finding(Chapter::RedSphere, &program.run(200).picture());
+    assert!(
+        names(&finding)
+            .concat()
+            .contains(&"white-in-full".to_owned())
+    );
+    let said = finding.sights.join(" ");
+    assert!(said.contains("a sky of (1, 1, 1)"), "{said}");
+}
+
 /// A line of one edition may be right in the next one: red downwards, green to the right, blue 63.
 #[test]
 fn mistakes_that_are_told_together_are_of_one_edition() {
