@@ -18,6 +18,8 @@ const SHARP: u32 = 4;
 const MOST: u32 = 60;
 /// So many pixels beside it may be blurred.
 const BLURRED: u32 = 2;
+/// A line so much farther inside is none.
+const FARTHER: u32 = BLURRED + 1;
 /// Levels within which a border has one color.
 const BORDER: u16 = 2;
 /// One row in so many is a thin one.
@@ -133,7 +135,10 @@ fn insides(reading: &Reading) -> impl Iterator<Item = Reading> {
     let rows = Side::all(reading, height, width, |at, along| at * width + along);
     let pairs = |sides: &[Side], all: u32| {
         let pairs = (0..sides.len()).flat_map(|n| (n + 1..sides.len()).map(move |m| (n, m)));
-        let is_long = |&(n, m): &(usize, usize)| LEAST * (sides[m].at - sides[n].at) >= all;
+        let is_long = |&(n, m): &(usize, usize)| {
+            let length = sides[m].at - sides[n].at;
+            LEAST * length >= all && length > 2 * FARTHER
+        };
         pairs.filter(is_long).collect::<Vec<_>>()
     };
     let (across, down) = (pairs(&columns, width), pairs(&rows, height));
@@ -172,7 +177,6 @@ fn insides(reading: &Reading) -> impl Iterator<Item = Reading> {
 /// Whether pixels on either side of each line differ more than those a little farther inside do: in
 /// grain all differ.
 fn are_steps(reading: &Reading, [left, right, above, below]: [u32; 4]) -> bool {
-    const FARTHER: u32 = BLURRED + 1;
     let pixel = |i: u32, j: u32| reading.pixels[(j * reading.width + i) as usize];
     let levels = |one, other| u32::from(distance(one, other)).min(FAR);
     let column = |i: u32| -> u32 {

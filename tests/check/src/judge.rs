@@ -8,9 +8,9 @@ use std::collections::HashSet;
 use crate::bits::{self, Pixel};
 use crate::evidence::Evidence;
 use crate::explanations::{
-    But, Degradation, Explanation, Hypothesis, ONE, Path, Places, SINGLE, Seen, TWO, antialiased,
+    But, Degradation, Explanation, Hypothesis, Path, Places, SINGLE, Seen, TWO, antialiased,
     chosen_beside_slips, chosen_otherwise, degradations, doubtful, in_colors, more, mutants,
-    on_a_curve, palette, ramps, right, silhouettes, single, spread, turned, two, typed,
+    name_of, on_a_curve, palette, ramps, right, silhouettes, single, spread, turned, two, typed,
 };
 use crate::reading::Reading;
 use crate::scene::{Chosen, Scene};
@@ -877,11 +877,6 @@ impl Search<'_> {
             );
         }
     }
-}
-
-/// Bits of slips beside numbers of the reader's own.
-fn name_of(slips: &[&Slip]) -> f64 {
-    [0.0, ONE, TWO][slips.len()]
 }
 
 /// The longest estimate with which an explanation may still be as short as this one:

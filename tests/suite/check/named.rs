@@ -1264,6 +1264,19 @@ fn a_turned_or_moved_picture_is_described() {
     );
 }
 
+/// Sharp lines a pixel or a few from each other.
+#[test]
+fn no_picture_is_too_small_to_be_in_a_frame() {
+    for (width, height) in (1..7).flat_map(|width| (1..7).map(move |height| (width, height))) {
+        let quarters = RgbImage::from_fn(width, height, |i, j| {
+            Rgb([255 * (2 * i / width) as u8, 255 * (2 * j / height) as u8, 0])
+        });
+        let picture = Picture::from_rgb(width, height, quarters.into_raw()).expect("its size");
+        let (_, judged) = judged_inside(Reading::of(&picture), None);
+        assert!(judged.width <= width && judged.height <= height);
+    }
+}
+
 #[test]
 fn no_shape_and_no_numbers_are_too_odd_for_an_answer() {
     let shapes = [

@@ -114,7 +114,7 @@ impl Rectangle {
     }
 
     /// Where the rays lie, if that is not where they should.
-    fn said(self, program: &Program, samples: Option<f64>) -> Option<String> {
+    fn said(self, program: &Program) -> Option<String> {
         if self.is_whole(program) {
             return None;
         }
@@ -150,12 +150,8 @@ impl Rectangle {
             true => String::new(),
             false => format!(", {}", away.join(" and ")),
         };
-        let rays = match samples {
-            Some(samples) if samples < SINGLE => "one ray",
-            _ => "the mean of several rays",
-        };
         Some(format!(
-            "Each pixel is {rays}, {spread}{place}: they should be anywhere in the pixel."
+            "Each pixel is the mean of several rays, {spread}{place}: they should be anywhere in the pixel."
         ))
     }
 }
@@ -226,7 +222,7 @@ pub(crate) fn antialiased<'a>(
             let is_lower = rectangle != WHOLE_PIXEL && rectangle.is_whole(&program);
             explanation.but = vec![But::Antialiased { samples, is_lower }];
             explanation.but.extend(curve.cloned().map(But::Curve));
-            let said = rectangle.said(&program, samples);
+            let said = rectangle.said(&program);
             explanation.seen = said.map(Seen::Said);
             explained.push(explanation);
         }

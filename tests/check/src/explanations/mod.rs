@@ -38,7 +38,7 @@ pub(crate) use places::{Places, spread};
 pub(crate) use ramps::ramps;
 pub(crate) use right::right;
 pub(crate) use silhouettes::{outlined, silhouettes};
-pub(crate) use slips::{ONE, TWO, mutants, single, two, typed};
+pub(crate) use slips::{TWO, mutants, name_of, single, two, typed};
 pub(crate) use turned::turned;
 
 /// A program that may have drawn a picture, before that is measured.

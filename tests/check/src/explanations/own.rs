@@ -16,7 +16,7 @@ use common::rtweekend::Point3;
 use ::slips::{Ball, Chapter, Program, Room, Slip};
 
 use super::colors::{self, KEPT, colored};
-use super::slips::{ONE, TWO};
+use super::slips::name_of;
 use super::{Evidence, Hypothesis, Places, spread};
 use crate::bits::{distance, number};
 use crate::reading::Reading;
@@ -338,8 +338,8 @@ impl<'a> Fit<'a> {
         .flatten()
         .sum();
         let own = if places > 0.0 { NAME + places } else { 0.0 };
-        let slips = [0.0, ONE, TWO][it.slips.len()] + self.evidence.besides(&it)
-            - self.evidence.besides(self.right);
+        let slips =
+            name_of(&it.slips) + self.evidence.besides(&it) - self.evidence.besides(self.right);
         Hypothesis {
             name: self.right.name + own + slips + colors::name(&scene),
             ..it

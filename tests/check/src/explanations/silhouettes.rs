@@ -21,6 +21,8 @@ const COLOR: f64 = 24.0;
 const SHADED: f64 = 10.0;
 /// One pixel in so many is many: sky where something should be hit, or none where it should be.
 const MANY: usize = 24;
+/// Levels within which most of what is hit has no other colors.
+const SAME: u16 = 8;
 /// About what a pixel costs of whose color nothing is known.
 const HIT: f64 = 12.0;
 /// How many pixels choose the edition, and of these one in so many may be off in a picture that says
@@ -68,9 +70,13 @@ pub(crate) fn silhouettes(evidence: &Evidence, rights: &[Hypothesis]) -> Vec<Exp
         if is_gray || sky.it.scene.chapter != Chapter::RedSphere {
             all.extend(sky.little(reading, &spheres, bits));
         }
-        shaded = sky.shaded(reading, &is_hit);
+        let hits = right.iter().zip(&reading.pixels).zip(&is_hit);
+        let hits = hits.filter(|(_, is_hit)| **is_hit);
+        let offs: Vec<u16> = hits.map(|((it, found), _)| distance(*it, *found)).collect();
+        let same = offs.iter().filter(|off| **off <= SAME).count();
+        shaded = (2 * same <= offs.len()).then(|| sky.shaded(reading, &is_hit));
     }
-    all.extend(shaded);
+    all.extend(shaded.flatten());
     all
 }
 

@@ -7,13 +7,18 @@ use crate::sources::Said;
 use ::slips::{Edition, Slip};
 
 /// One of some hundred slips, where one program in two has one.
-pub(crate) const ONE: f64 = 8.0;
+pub(super) const ONE: f64 = 8.0;
 /// Two slips are twice as much, and a little more: whoever made one looks for it.
 pub(crate) const TWO: f64 = 18.0;
 /// The formula of the neighboring chapter in its place.
 const OTHER_FORMULA: f64 = 4.0;
 /// A cast to a byte, as few programs have it.
 const WRAPPED: f64 = 4.0;
+
+/// Bits of slips beside what else there is.
+pub(crate) fn name_of(slips: &[&Slip]) -> f64 {
+    [0.0, ONE, TWO][slips.len()]
+}
 
 /// Programs with one slip.
 pub(crate) fn single(evidence: &Evidence) -> Vec<Hypothesis> {
