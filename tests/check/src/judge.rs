@@ -561,14 +561,8 @@ impl Search<'_> {
             let some = some.iter().map(|&it| it.clone()).chain(colored);
             let some = likeliest(evidence, some, &places, f64::INFINITY, FEW);
             let is_another = |it: &Hypothesis| !is_own(&it) || Some(it.scene.edition) != asked;
-            let mut others = some.into_iter().map(|(_, it)| it).filter(is_another);
-            let other = others.next();
-            // Who draws in an edition's own shape may follow that.
-            let is_shaped = |it: &Hypothesis| !it.scene.has_another_shape();
-            let has_one = nearest.iter().chain(&other).any(is_shaped);
-            let shaped = others.find(|it| !has_one && is_shaped(it));
-            let others = other.into_iter().chain(shaped);
-            nearest.extend(others.map(Hypothesis::in_the_books_colors));
+            let other = some.into_iter().map(|(_, it)| it).find(is_another);
+            nearest.extend(other.map(Hypothesis::in_the_books_colors));
         }
         nearest
     }

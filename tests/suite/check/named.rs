@@ -658,7 +658,7 @@ fn numbers_that_nobody_types_are_not_taken_for_the_readers_own() {
     assert!(found.near.is_none(), "it is right in {:?}", found.near);
 }
 
-/// In its shape, where version 4 comes nearer with the book's numbers.
+/// Three units away, in twentieths of one.
 #[test]
 fn numbers_of_ones_own_are_found_by_an_older_edition() {
     let mut program = Edition::V1InDouble.program(Chapter::RedSphere);
