@@ -177,22 +177,23 @@ fn insides(reading: &Reading) -> impl Iterator<Item = Reading> {
 /// Whether pixels on either side of each line differ more than those a little farther inside do: in
 /// grain all differ.
 fn are_steps(reading: &Reading, [left, right, above, below]: [u32; 4]) -> bool {
-    let pixel = |i: u32, j: u32| reading.pixels[(j * reading.width + i) as usize];
-    let levels = |one, other| u32::from(distance(one, other)).min(FAR);
+    let (width, height) = (reading.width, reading.height);
+    let levels = |one: u32, other: u32| {
+        let [one, other] = [one, other].map(|n| reading.pixels[n as usize]);
+        u32::from(distance(one, other)).min(FAR)
+    };
     let column = |i: u32| -> u32 {
-        let rows = above..below;
-        rows.map(|j| levels(pixel(i - 1, j), pixel(i, j))).sum()
+        let pixels = (above..below).map(|j| j * width + i);
+        pixels.map(|n| levels(n - 1, n)).sum()
     };
     let row = |j: u32| -> u32 {
-        let columns = left..right;
-        columns.map(|i| levels(pixel(i, j - 1), pixel(i, j))).sum()
+        let pixels = (left..right).map(|i| j * width + i);
+        pixels.map(|n| levels(n - width, n)).sum()
     };
-    let (width, height) = (reading.width, reading.height);
-    let is_step = |side: u32, farther: u32| side > 2 * farther;
-    (left == 0 || is_step(column(left), column(left + FARTHER)))
-        && (right == width || is_step(column(right), column(right - FARTHER)))
-        && (above == 0 || is_step(row(above), row(above + FARTHER)))
-        && (below == height || is_step(row(below), row(below - FARTHER)))
+    (left == 0 || column(left) > 2 * column(left + FARTHER))
+        && (right == width || column(right) > 2 * column(right - FARTHER))
+        && (above == 0 || row(above) > 2 * row(above + FARTHER))
+        && (below == height || row(below) > 2 * row(below - FARTHER))
 }
 
 fn part(reading: &Reading, [left, right, above, below]: [u32; 4], why: &str) -> Reading {

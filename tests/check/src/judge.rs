@@ -184,8 +184,7 @@ fn drop_losses_of_roundings(found: &mut Vec<Explanation>, scene: &Scene) {
     found.retain(|it| !is_lossy(it) || 4.0 * it.bits() < rounded);
 }
 
-/// A change that nobody has thought of is none, where it draws what a reader chose: a color that is
-/// none was not, and a sky that ends in black may have lost a term.
+/// A change that nobody has thought of is none, where it draws what a reader chose.
 fn drop_changes_like_choices(found: &mut Vec<Explanation>) {
     let chosen = found.iter().filter(|it| is_choice(it));
     let chosen: HashSet<u64> = chosen.map(|it| it.mark).collect();
@@ -193,14 +192,13 @@ fn drop_changes_like_choices(found: &mut Vec<Explanation>) {
     found.retain(|it| !is_unnamed(it) || !chosen.contains(&it.mark));
 }
 
-/// Whether it is the scene in numbers that a reader may well have chosen.
+/// Whether it is the scene in numbers that a reader may well have chosen: a sky that ends in black
+/// may have lost a term.
 pub(crate) fn is_choice(it: &Explanation) -> bool {
-    let ends = it.scene.chosen.sky.unwrap_or([Color::ONE; 2]);
-    let is_color = |it: &Color| it.min_element() >= 0.0 && it.max_element() <= 1.0;
-    let are_typed = ends.iter().all(|it| is_color(it) && *it != Color::ZERO);
-    // Nor is what a hit's color is made of.
-    let is_own = it.scene.chosen != Chosen::default() && it.scene.chosen.shade.is_none();
-    it.slips.is_empty() && are_typed && is_own
+    let chosen = it.scene.chosen;
+    let has_black = chosen.sky.is_some_and(|sky| sky.contains(&Color::ZERO));
+    let is_own = chosen != Chosen::default() && !chosen.looks_like_a_slip();
+    it.slips.is_empty() && is_own && !has_black
 }
 
 /// Puts first what has the shortest name of all that leave the same noise: lengths of

@@ -450,9 +450,7 @@ impl Judgement {
     /// What a right program draws the same with, in a sentence, where a mistake does.
     fn chosen_instead(&self) -> Option<String> {
         let best = &self.found[0];
-        let is_right = |it: &&Explanation| {
-            is_choice(it) && it.seen.is_none() && !it.scene.chosen.looks_like_a_slip()
-        };
+        let is_right = |it: &&Explanation| is_choice(it) && it.seen.is_none();
         let mut same = self.found.iter().filter(|it| it.mark == best.mark);
         let right = same.find(|it| !best.slips.is_empty() && is_right(it))?;
         let clause = right.scene.chosen.clause()?;

@@ -202,11 +202,14 @@ fn a_crop_is_known_by_every_edition() {
     let part = imageops::crop_imm(&image, 0, 1, 511, 255).to_image();
     let part = Picture::from_rgb(511, 255, part.into_raw()).expect("its size");
     let finding = finding(Chapter::Normals, &part);
-    assert!(matches!(
-        finding.degradation,
-        Some(Degradation::Cropped { corner: (0, 1), .. })
-    ));
-    assert_eq!(names(&finding)[0], [slip.name]);
+    let found = (finding.degradation, names(&finding));
+    let Some(Degradation::Cropped { corner, .. }) = found.0 else {
+        panic!("it is a part of a larger picture, and it is told as {found:?}");
+    };
+    assert_eq!(
+        (corner, &found.1),
+        ((0, 1), &vec![vec![slip.name.to_owned()]])
+    );
 }
 
 /// What is not in its scene is not passed over, be it that several rays a pixel explain the
@@ -720,7 +723,10 @@ fn colors_that_a_reader_may_have_chosen_are_told_beside_slips() {
             .contains(&"white-in-full".to_owned())
     );
     let said = finding.sights.join(" ");
-    assert!(said.contains("a sky of (1, 1, 1)"), "{said}");
+    assert!(
+        said.contains("a sky of (1, 1, 1)"),
+        "who wants a white sky is told of slips alone: {said}"
+    );
 }
 
 /// A line of one edition may be right in the next one: red downwards, green to the right, blue 63.

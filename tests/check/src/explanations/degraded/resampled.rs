@@ -129,7 +129,7 @@ pub(super) fn scaled(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<De
     best.map(|(_, filter)| Degradation::Scaled { from, filter })
 }
 
-/// The place in a slightly larger picture at which a program comes nearest.
+/// The place in a slightly larger picture at which a right program of some edition comes nearest.
 pub(super) fn cropped(evidence: &Evidence, likeliest: &[Hypothesis]) -> Option<Degradation> {
     let reading = evidence.reading;
     let (width, height) = (reading.width, reading.height);
