@@ -35,7 +35,7 @@ const MANY: usize = 16;
 /// One in so many may be a level off by a rounding.
 const ROUNDED: usize = 1000;
 /// A part of the picture is small that has one pixel in so many.
-const SMALL: f64 = 8.0;
+const SMALL: f64 = 4.0;
 
 impl Left {
     /// What is left of `reading` beside `drawn`, a picture of the same size.
@@ -56,7 +56,7 @@ impl Left {
             far: odd.far,
             is_both_ways: odd.is_both_ways(reading, drawn),
             is_one_by_one: one_by_one <= by_frequency,
-            part: odd.part(reading),
+            part: part(&odd.places, reading),
         }
     }
 
@@ -130,26 +130,26 @@ impl Odd {
     /// How many there are, and where: anywhere, or in a box.
     fn place(&self, reading: &Reading) -> f64 {
         let (all, count) = (reading.pixels.len() as f64, self.places.len() as f64);
-        let boxed = self.bounds(reading).map_or(0.0, area);
+        let boxed = bounds(&self.places, reading).map_or(0.0, area);
         let corners = 4.0 * f64::from(reading.width.max(reading.height)).log2();
         all.log2() + choice(all, count).min(corners + choice(boxed, count))
     }
+}
 
-    /// The first and last column and row, if that is a small part of the picture.
-    fn part(&self, reading: &Reading) -> Option<[[u32; 2]; 2]> {
-        let is_small = |it: &[[u32; 2]; 2]| SMALL * area(*it) <= reading.pixels.len() as f64;
-        self.bounds(reading).filter(is_small)
-    }
+/// The first and last column and row of some places, if that is a small part of the picture.
+pub(crate) fn part(places: &[u32], reading: &Reading) -> Option<[[u32; 2]; 2]> {
+    let is_small = |it: &[[u32; 2]; 2]| SMALL * area(*it) <= reading.pixels.len() as f64;
+    bounds(places, reading).filter(is_small)
+}
 
-    /// The first and last column and row, if there are any.
-    fn bounds(&self, reading: &Reading) -> Option<[[u32; 2]; 2]> {
-        let columns = || self.places.iter().map(|n| n % reading.width);
-        let rows = || self.places.iter().map(|n| n / reading.width);
-        Some([
-            [columns().min()?, columns().max()?],
-            [rows().min()?, rows().max()?],
-        ])
-    }
+/// The first and last column and row, if there are any.
+fn bounds(places: &[u32], reading: &Reading) -> Option<[[u32; 2]; 2]> {
+    let columns = || places.iter().map(|n| n % reading.width);
+    let rows = || places.iter().map(|n| n / reading.width);
+    Some([
+        [columns().min()?, columns().max()?],
+        [rows().min()?, rows().max()?],
+    ])
 }
 
 /// How many pixels lie between these columns and rows.

@@ -376,6 +376,10 @@ impl Search<'_> {
             self.add_degraded(&tried, doubtful(self.evidence.reading));
             return;
         }
+        // Where nobody named the chapter, others were tried before this one was taken.
+        let is_guessed = self.evidence.scene.is_guessed();
+        let is_meant = |it: &Hypothesis| !is_guessed || is_same(&it.scene, &self.evidence.scene);
+        let nearest: Vec<Hypothesis> = nearest.into_iter().filter(is_meant).collect();
         let chosen = self.add_changed(&nearest);
         if self.is_worth_a_search() {
             self.keep(ramps(self.evidence, &rights[0]));
@@ -818,7 +822,13 @@ impl Search<'_> {
         let chosen = Some(self.best()).filter(|it| is_plain(it) && !is_own(it));
         let chosen = chosen.map(Explanation::program);
         let best = self.best_of(is_own).program();
-        for it in [nearest, best] {
+        // Several rays a pixel are seen beside a slip as well.
+        let is_of_rays = |it: &&Explanation| {
+            it.left.part.is_some() && !it.slips.is_empty() && !it.but.is_empty()
+        };
+        let of_rays = Some(self.best()).filter(is_of_rays);
+        let of_rays = of_rays.map(Explanation::program);
+        for it in [nearest, best].into_iter().chain(of_rays) {
             self.keep(more(self.evidence, &it));
         }
         let chosen = chosen.map_or(Vec::new(), |it| more(self.evidence, &it));

@@ -56,7 +56,12 @@ impl Chosen {
 
     /// Whether somebody may have typed the numbers of a picture of that ratio.
     pub(crate) fn is_typed(&self, ratio: f64) -> bool {
-        self.has_a_typed_sky() && self.has_a_typed_viewport(ratio)
+        self.has_a_typed_sky() && self.has_a_typed_viewport(ratio) && self.has_a_typed_ground()
+    }
+
+    /// Whether the ground's radius has few digits: where it is, noise blurs.
+    fn has_a_typed_ground(&self) -> bool {
+        self.balls[1].is_none_or(|ground| is_round(100.0 * ground.radius))
     }
 
     /// Whether all components are hundredths, or all are levels; where the sky is a blend, for one
@@ -82,9 +87,13 @@ impl Chosen {
     /// sky upside down, a color that is none.
     pub(crate) fn looks_like_a_slip(&self) -> bool {
         let [white, blue] = Program::right(Chapter::Gradient).sky;
-        let is_no_color = |it: Color| it.min_element() < 0.0 || it.max_element() > 1.0;
-        let is_like = |sky: [Color; 2]| sky == [blue, white] || sky.into_iter().any(is_no_color);
-        self.shade.is_some() || self.sky.is_some_and(is_like)
+        self.shade.is_some() || self.sky == Some([blue, white]) || self.has_no_color()
+    }
+
+    /// Whether a color of the sky is none.
+    pub(crate) fn has_no_color(&self) -> bool {
+        let is_none = |it: Color| it.min_element() < 0.0 || it.max_element() > 1.0;
+        self.sky.is_some_and(|sky| sky.into_iter().any(is_none))
     }
 }
 

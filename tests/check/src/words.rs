@@ -37,21 +37,25 @@ impl Set {
     fn extent(&self, pixels: usize) -> String {
         let (far, off) = (self.left.far, self.left.off);
         if !self.but.is_empty() {
-            return format!("this picture, {}", buts(&self.but));
+            let left = (self.left.part).map(|_| format!(", but for {}", self.left.placed(pixels)));
+            let left = left.unwrap_or_default();
+            return format!("this picture, {}{left}", buts(&self.but));
         }
         match (off, far) {
             (0, _) => "exactly this picture".to_owned(),
             (_, 0) => format!("this picture, but for one level in {off} of {pixels} pixels"),
             (1, _) => format!("this picture, but for 1 pixel{}", self.left.place()),
-            _ => {
-                let place = self.left.place();
-                format!("this picture, but for {off} of {pixels} pixels{place}")
-            }
+            _ => format!("this picture, but for {}", self.left.placed(pixels)),
         }
     }
 }
 
 impl Left {
+    /// How many pixels are off, and where.
+    fn placed(&self, pixels: usize) -> String {
+        format!("{} of {pixels} pixels{}", self.off, self.place())
+    }
+
     /// Where they lie, if that is in a small part.
     fn place(&self) -> String {
         let said = |[columns, rows]: [[u32; 2]; 2]| {
@@ -80,9 +84,15 @@ impl Near {
         let is_by_rays = self.left.is_both_ways && !self.but.iter().any(is_on_its_way);
         // Rays that lie anywhere are off where colors change, at rims that are no edges.
         let has_rays = |but: &But| matches!(but, But::Antialiased { .. });
-        let is_little = self.but.iter().any(has_rays) && RIM * self.left.off <= pixels;
-        let left =
-            (self.is_for_pixels() && !is_little).then(|| left(&self.left, is_by_rays, pixels));
+        let has_rays = self.but.iter().any(has_rays);
+        let is_little = has_rays && RIM * self.left.off <= pixels;
+        let left = match (has_rays, self.left.part) {
+            (true, Some(_)) => Some(format!("for {}", self.left.placed(pixels))),
+            _ if is_little => None,
+            _ => self
+                .is_for_pixels()
+                .then(|| left(&self.left, is_by_rays, pixels)),
+        };
         let all: Vec<String> = chosen.into_iter().chain(buts).chain(left).collect();
         all.join(", and ")
     }
@@ -103,7 +113,7 @@ impl Near {
 fn left(left: &Left, is_by_rays: bool, pixels: usize) -> String {
     let (off, far) = (left.off, left.far);
     match (off, far) {
-        (1, _) if left.is_one_by_one => format!("for 1 of {pixels} pixels{}", left.place()),
+        (1, _) if left.is_one_by_one => format!("for {}", left.placed(pixels)),
         _ if left.is_noise(pixels) => format!(
             "with noise: {off} of {pixels} pixels are off, {far} of them by more than a level"
         ),
@@ -117,7 +127,7 @@ fn left(left: &Left, is_by_rays: bool, pixels: usize) -> String {
             };
             format!("not to the last bit: {off} of {pixels} pixels are a level off, {by}")
         }
-        _ if left.is_one_by_one => format!("for {off} of {pixels} pixels{}", left.place()),
+        _ if left.is_one_by_one => format!("for {}", left.placed(pixels)),
         _ => format!(
             "not to the last bit: {off} of {pixels} pixels are off, {far} of them by more than a level, as with less precision, noise, or a file that does not keep each level"
         ),

@@ -13,7 +13,7 @@ use ::slips::{Edition, Program, Slip};
 
 use super::colors::is_rescaled;
 use super::{But, Conversion, Curve, Evidence, Explanation, Hypothesis, Seen, mark, spread};
-use crate::bits::{Frequencies, Left, Pixel, class, distance};
+use crate::bits::{self, Frequencies, Left, Pixel, class, distance};
 use crate::reading::Reading;
 
 /// That it was done, and how often.
@@ -26,6 +26,8 @@ const ELSE: f64 = 1.05;
 pub(super) const EDGE: i16 = 16;
 /// How far neighbors are: an edge may lie a pixel beside where it should.
 const NEAR: usize = 2;
+/// What is off by more levels away from edges is of something else.
+const FAR: u16 = 24;
 /// How finely a pixel is divided to know what very many rays would see.
 const FINE: usize = 6;
 /// How many parts there are each way: a pixel, and a pixel on either side.
@@ -204,17 +206,19 @@ pub(crate) fn antialiased<'a>(
         for rectangle in rectangles {
             let measure = || {
                 let drawn = rays.through_the_middle(rectangle);
+                let is_grain = bits::is_grain(reading, &drawn, 1);
                 let mut left = rays.left(&drawn, &contrast, &smooth);
                 let (bits, samples) = rays.at_edges(&edges, rectangle);
                 left.bits += bits;
-                (left, mark(&drawn), samples)
+                (left, mark(&drawn), samples, is_grain)
             };
             // Who is as long to the last bit at those edges draws the same.
             let measured = known.entry((least.to_bits(), rectangle));
-            let (left, mark, samples) = *measured.or_insert_with(measure);
-            // A single one that lies elsewhere is like rows that are missing, or numbers that are off.
-            let is_elsewhere = !rectangle.is_whole(&program);
-            if is_elsewhere && samples.is_some_and(|it| it < SINGLE) {
+            let (left, mark, samples, is_grain) = *measured.or_insert_with(measure);
+            // A single one that lies elsewhere is like rows that are missing, or numbers that are off,
+            // and so is one whose place does not change from pixel to pixel.
+            let is_anywhere = rectangle.is_whole(&program) && is_grain;
+            if !is_anywhere && samples.is_some_and(|it| it < SINGLE) {
                 continue;
             }
             let mut explanation = it.leaving(left, mark);
@@ -289,13 +293,16 @@ impl<'a> Rays<'a> {
 
     /// What the picture leaves away from edges.
     fn left(&self, drawn: &[Pixel], contrast: &[i16], smooth: &[u32]) -> Left {
-        let (mut code, mut off) = (Frequencies::of_noise(), 0);
+        let (mut code, mut off, mut far) = (Frequencies::of_noise(), 0, Vec::new());
         for at in smooth.iter().map(|&n| n as usize) {
             let (drawn, found) = (drawn[at], self.reading.pixels[at]);
             for c in 0..3 {
                 code.add(c, class(drawn[c], contrast[at] as u16), found[c] - drawn[c]);
             }
             off += usize::from(distance(drawn, found) > 1);
+            if distance(drawn, found) > FAR {
+                far.push(at as u32);
+            }
         }
         Left {
             bits: code.bits(),
@@ -303,7 +310,7 @@ impl<'a> Rays<'a> {
             far: off,
             is_both_ways: false,
             is_one_by_one: false,
-            part: None,
+            part: bits::part(&far, self.reading),
         }
     }
 

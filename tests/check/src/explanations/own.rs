@@ -11,7 +11,7 @@
 use std::cell::RefCell;
 use std::ops::Range;
 
-use common::rtweekend::Point3;
+use common::rtweekend::{Point3, Vec3};
 
 use ::slips::{Ball, Chapter, Program, Room, Slip};
 
@@ -54,7 +54,8 @@ const NEAR: f64 = 0.01;
 
 /// A sphere of no size, which is none.
 const NO_SPHERE: Ball = Ball::new(0.0, 0.0, -1.0, 0.0);
-/// The book's ground.
+/// The book's sphere, and its ground.
+const SPHERE: Ball = Ball::new(0.0, 0.0, -1.0, 0.5);
 const GROUND: Ball = Ball::new(0.0, -100.5, -1.0, 100.0);
 /// Radii of a ground that people type.
 const RADII: [f64; 8] = [1.0, 5.0, 10.0, 20.0, 30.0, 50.0, 100.0, 1000.0];
@@ -104,6 +105,8 @@ pub(crate) fn chosen_beside_slips(
     let without: Vec<Hypothesis> = without.collect();
     // Nor does a slip count that numbers were fitted to undo.
     found.retain(|it| !fit.draws_the_right_picture(it));
+    // A color that is none makes up for a slip, and beside another for that.
+    found.retain(|it| !it.scene.chosen.has_no_color());
     found.into_iter().chain(without).collect()
 }
 
@@ -323,7 +326,7 @@ impl<'a> Fit<'a> {
     }
 
     fn named(&self, it: Hypothesis) -> Hypothesis {
-        let it = self.without_the_books_viewport(it);
+        let it = without_the_books_spheres(self.without_the_books_viewport(it));
         let (scene, chosen) = (it.scene, it.scene.chosen);
         let [sphere, ground] = chosen.balls;
         let places: f64 = [
@@ -819,6 +822,22 @@ fn with_viewport(it: &Hypothesis, width: Option<f64>, height: f64) -> Hypothesis
 fn times_on_viewport(Ball { center, radius }: Ball, times: f64) -> Ball {
     let [x, y, z] = center.to_array();
     Ball::new(times * x, times * y, z, times * radius)
+}
+
+/// Nor a sphere that is nearly the book's.
+fn without_the_books_spheres(it: Hypothesis) -> Hypothesis {
+    let mut chosen = it.scene.chosen;
+    for (own, book) in chosen.balls.iter_mut().zip([SPHERE, GROUND]) {
+        let top = |Ball { center, radius }: Ball| center + Vec3::new(0.0, radius, 0.0);
+        let is_near = |own: &mut Ball| {
+            let is_as_large = (own.radius - book.radius).abs() < NEAR * book.radius;
+            is_as_large && (top(*own) - top(book)).length() < NEAR
+        };
+        if own.as_mut().is_some_and(is_near) {
+            *own = None;
+        }
+    }
+    with_chosen(&it, chosen)
 }
 
 fn without_shade(it: Hypothesis) -> Hypothesis {

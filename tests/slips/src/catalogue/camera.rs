@@ -208,6 +208,12 @@ pub(super) const SLIPS: &[Slip] = &[
             why: "The viewport holds image_width whole pixels. With one less, each is a little \
                   too wide, and the last one lies half outside.",
         })
+        .before_4(Words {
+            wrong: "u = (i + 0.5) / …, v = (j + 0.5) / …",
+            right: "u = i / …, v = j / …",
+            why: "The first ray goes through the viewport's corner, since i and j begin at 0. With \
+                  half a pixel more, everything moves by half a pixel to the left and down.",
+        })
         .in_rust(
             RAYS,
             "pixel_delta_u = viewport_u * (1.0 / f64::from(image_width - 1)); pixel_delta_v = \
@@ -215,10 +221,12 @@ pub(super) const SLIPS: &[Slip] = &[
             "pixel_delta_u = viewport_u * (1.0 / f64::from(image_width)); pixel_delta_v = \
              viewport_v * (1.0 / f64::from(image_height))",
         )
-        .alters(|p| {
-            if p.edition == Edition::V4 {
-                p.divisors = |width, height| [width - 1.0, height - 1.0];
+        .alters(|p| match p.edition.counts_from_below() {
+            true => {
+                p.ray =
+                    |p, camera, i, j| p.ray_of(camera, f64::from(i) + 0.5, p.row(j, camera) + 0.5)
             }
+            false => p.divisors = |width, height| [width - 1.0, height - 1.0],
         }),
     slip("viewport-not-centered", RAYS, GRID)
         .says(Words {
@@ -746,6 +754,28 @@ pub(super) const SLIPS: &[Slip] = &[
                 _ => p.squared,
             };
         }),
+    slip("length-with-a-product", RAYS, LENGTH)
+        .says(Words {
+            wrong: "e[0]*e[0] + e[1]*e[1] * e[2]*e[2]",
+            right: "e[0]*e[0] + e[1]*e[1] + e[2]*e[2]",
+            why: "With a times for the second plus, z = -1 changes nothing: each length is that of \
+                  x and y alone.",
+        })
+        .in_rust(
+            RAYS,
+            "self.x * self.x + self.y * self.y * self.z * self.z",
+            "self.x * self.x + self.y * self.y + self.z * self.z",
+        )
+        .in_python("x*x + y*y * z*z", "x*x + y*y + z*z")
+        .alters(|p| {
+            p.unit = |v| v * (1.0 / length_squared_with_a_product(v).sqrt());
+            p.squared = match p.chapter {
+                Chapter::HalfBSphere | Chapter::HittableList => {
+                    |_, v| length_squared_with_a_product(v)
+                }
+                _ => p.squared,
+            };
+        }),
     slip("blend-not-mapped", RAYS, SKY)
         .says(Words {
             wrong: "a = unit_direction.y()",
@@ -935,6 +965,10 @@ pub(super) const SLIPS: &[Slip] = &[
 
 fn swapped_length_squared(v: Vec3) -> f64 {
     v.x * v.x + v.y * v.y + v.y * v.y
+}
+
+fn length_squared_with_a_product(v: Vec3) -> f64 {
+    v.x * v.x + v.y * v.y * v.z * v.z
 }
 
 fn swapped_plus(u: Vec3, v: Vec3) -> Vec3 {
