@@ -38,9 +38,10 @@ const LOOK: u32 = 100;
 const COUNTED: u32 = 1500;
 /// How many programs are measured.
 const MEASURED: usize = 3;
-/// The variance that cutting off the fraction of a level adds, and that 36 rays are not
-/// very many.
-const ROUNDING: f64 = 0.3;
+/// The variance of a fraction that is cut off.
+const ROUNDING: f64 = 1.0 / 12.0;
+/// The logistic function of so many times a number is nearly the normal distribution's (to 0.01).
+const LOGISTIC: f64 = 1.702;
 /// The share of pixels at edges that may be anything.
 const ANYTHING: f64 = 0.03;
 /// The variance of the difference of two levels that were cut off.
@@ -247,9 +248,24 @@ struct Rays<'a> {
 /// How the next chapter of the book scales a mean, since version 3.0.
 pub(super) const WITH_SAMPLES: fn(f64) -> i32 = |mean| (256.0 * mean.clamp(0.0, 0.999)) as i32;
 
-/// Sums of components and of their squares, of all parts before one each way: a summed
-/// area table (Crow, 1984).
-type Sums = Vec<[[f64; 2]; 3]>;
+/// The pairs of components, each with itself first.
+const PAIRS: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
+
+/// Three components, and the products of pairs of them: summed or on the average.
+#[derive(Clone, Copy, Default)]
+struct Moments {
+    components: [f64; 3],
+    products: [f64; PAIRS.len()],
+}
+
+/// Sums over all parts before one each way: a summed area table (Crow, 1984).
+type Sums = Vec<Moments>;
+
+/// How far a pixel is from the mean of very many rays, and the covariance of one ray, in levels.
+struct Beside {
+    off: [f64; 3],
+    covariance: [[f64; 3]; 3],
+}
 
 impl<'a> Rays<'a> {
     /// Those of a program whose picture has the reader's size.
@@ -355,7 +371,7 @@ impl<'a> Rays<'a> {
         for n in spread(COUNTED, all).map(|at| edges[at as usize]) {
             let colors: Vec<[f64; 3]> = cameras.iter().map(|it| self.color(n, it)).collect();
             one += self.by_one(n, &colors);
-            beside.extend(self.beside(n, &means(&colors)));
+            beside.push(self.beside(n, &Moments::mean(&colors)));
         }
         let bits = (0..=10)
             .map(|twice| by_samples(&beside, f64::from(twice).exp2()))
@@ -386,9 +402,9 @@ impl<'a> Rays<'a> {
         let cameras: Vec<Camera> = parts.map(|(x, y)| self.moved(x + 0.5, y + 0.5)).collect();
         let some: Vec<(u32, Sums)> = some.map(|n| (n, self.sums(n, &cameras))).collect();
         let bits = |rectangle: &Rectangle| {
-            let beside: Vec<(f64, f64)> = some
+            let beside: Vec<Beside> = some
                 .iter()
-                .flat_map(|(n, sums)| self.beside(*n, &in_sums(sums, *rectangle)))
+                .map(|(n, sums)| self.beside(*n, &in_sums(sums, *rectangle)))
                 .collect();
             let counts = [1.0, 4.0, 16.0, 64.0, 256.0];
             let bits = counts.map(|count| by_samples(&beside, count));
@@ -401,19 +417,13 @@ impl<'a> Rays<'a> {
 
     /// The colors in all parts of a pixel and around it.
     fn sums(&self, n: u32, cameras: &[Camera]) -> Sums {
-        let mut sums = vec![[[0.0; 2]; 3]; (PARTS + 1) * (PARTS + 1)];
+        let mut sums = vec![Moments::default(); (PARTS + 1) * (PARTS + 1)];
         for y in 0..PARTS {
-            let mut row = [[0.0; 2]; 3];
+            let mut row = Moments::default();
             for x in 0..PARTS {
-                let color = self.color(n, &cameras[y * PARTS + x]);
                 let at = (y + 1) * (PARTS + 1) + x + 1;
-                for c in 0..3 {
-                    row[c][0] += color[c];
-                    row[c][1] += color[c] * color[c];
-                    for sum in 0..2 {
-                        sums[at][c][sum] = sums[at - PARTS - 1][c][sum] + row[c][sum];
-                    }
-                }
+                row = row.plus(1.0, &Moments::of(self.color(n, &cameras[y * PARTS + x])));
+                sums[at] = row.plus(1.0, &sums[at - PARTS - 1]);
             }
         }
         sums
@@ -446,45 +456,73 @@ impl<'a> Rays<'a> {
         program.channels.map(|c| color[c])
     }
 
-    /// How far each component of a pixel is from the mean, and the variance of one ray,
-    /// from the means of components and of their squares.
-    fn beside(&self, n: u32, means: &[[f64; 2]; 3]) -> [(f64, f64); 3] {
+    /// How far a pixel is from such a mean.
+    fn beside(&self, n: u32, means: &Moments) -> Beside {
         let found = self.reading.pixels[n as usize];
-        [0, 1, 2].map(|c| {
-            let [mean, squares] = means[c];
-            let mut deviation = 255.999 * (squares - mean * mean).max(0.0).sqrt();
-            let mut mean = f64::from(self.level(mean));
+        let mut covariance = [[0.0; 3]; 3];
+        for ([c, d], product) in PAIRS.into_iter().zip(means.products) {
+            let both = product - means.components[c] * means.components[d];
+            covariance[c][d] = 255.999 * 255.999 * both;
+            covariance[d][c] = covariance[c][d];
+        }
+        let mut off = [0.0; 3];
+        for c in 0..3 {
+            let mut mean = f64::from(self.level(means.components[c]));
             if let Some(curve) = self.curve {
-                deviation = (curve.at(mean + deviation) - curve.at(mean - deviation)).abs() / 2.0;
+                let deviation = covariance[c][c].max(0.0).sqrt();
+                let along = curve.at(mean + deviation) - curve.at(mean - deviation);
+                let times = if deviation > 0.0 {
+                    along.abs() / 2.0 / deviation
+                } else {
+                    0.0
+                };
+                for d in 0..3 {
+                    covariance[c][d] *= times;
+                    covariance[d][c] *= times;
+                }
                 mean = curve.at(mean + 0.5) - 0.5;
             }
-            (f64::from(found[c]) - mean, deviation * deviation)
-        })
+            off[c] = f64::from(found[c]) - mean;
+        }
+        Beside { off, covariance }
     }
 }
 
-/// The means of components and of their squares.
-fn means(colors: &[[f64; 3]]) -> [[f64; 2]; 3] {
-    let count = colors.len() as f64;
-    [0, 1, 2].map(|c| {
-        let sum: f64 = colors.iter().map(|color| color[c]).sum();
-        let squares: f64 = colors.iter().map(|color| color[c] * color[c]).sum();
-        [sum / count, squares / count]
-    })
+impl Moments {
+    fn of(color: [f64; 3]) -> Self {
+        Self {
+            components: color,
+            products: PAIRS.map(|[c, d]| color[c] * color[d]),
+        }
+    }
+
+    fn plus(mut self, times: f64, other: &Self) -> Self {
+        let components = self.components.iter_mut().zip(other.components);
+        let products = self.products.iter_mut().zip(other.products);
+        components
+            .chain(products)
+            .for_each(|(it, other)| *it += times * other);
+        self
+    }
+
+    fn mean(colors: &[[f64; 3]]) -> Self {
+        let sum = colors.iter().fold(Self::default(), |sum, color| {
+            sum.plus(1.0, &Self::of(*color))
+        });
+        Self::default().plus(1.0 / colors.len() as f64, &sum)
+    }
 }
 
-/// The same in a rectangle.
-fn in_sums(sums: &Sums, rectangle: Rectangle) -> [[f64; 2]; 3] {
+/// The mean in a rectangle.
+fn in_sums(sums: &Sums, rectangle: Rectangle) -> Moments {
     let ((left, right), (first, last)) = (rectangle.parts(0), rectangle.parts(1));
-    let count = ((right - left) * (last - first)) as f64;
+    let part = 1.0 / ((right - left) * (last - first)) as f64;
     let at = |x: usize, y: usize| &sums[y * (PARTS + 1) + x];
-    let [a, b, c, d] = [
-        at(right, last),
-        at(left, last),
-        at(right, first),
-        at(left, first),
-    ];
-    [0, 1, 2].map(|n| [0, 1].map(|m| (a[n][m] - b[n][m] - c[n][m] + d[n][m]) / count))
+    Moments::default()
+        .plus(part, at(right, last))
+        .plus(-part, at(left, last))
+        .plus(-part, at(right, first))
+        .plus(part, at(left, first))
 }
 
 /// The largest step in a component among each pixel and its neighbors.
@@ -508,22 +546,43 @@ pub(super) fn contrast(drawn: &[Pixel], width: usize) -> Vec<i16> {
     (0..drawn.len()).map(step).collect()
 }
 
-/// Bits of components at edges, each by how far it is from the mean and the variance of
-/// one ray, if they are means of so many rays.
-fn by_samples(edges: &[(f64, f64)], samples: f64) -> f64 {
-    let bits = |&(off, variance): &(f64, f64)| {
-        let variance = variance / samples + ROUNDING;
-        let normal =
-            (-off * off / variance / 2.0).exp() / (std::f64::consts::TAU * variance).sqrt();
-        -((1.0 - ANYTHING) * normal + ANYTHING / 256.0).log2()
-    };
-    edges.iter().map(bits).sum()
+/// Bits of pixels at edges, if they are means of so many rays: of each component beside those
+/// before it, since what covers a part of a pixel changes all three together.
+fn by_samples(edges: &[Beside], samples: f64) -> f64 {
+    edges.iter().map(|it| it.bits(samples)).sum()
+}
+
+impl Beside {
+    /// Each component's normal distribution where those before it are known, by Cholesky's
+    /// factors without roots.
+    fn bits(&self, samples: f64) -> f64 {
+        let (mut factors, mut variances) = ([[0.0; 3]; 3], [0.0; 3]);
+        let (mut off, mut bits) = (self.off, 0.0);
+        for c in 0..3 {
+            variances[c] = self.covariance[c][c] / samples + ROUNDING;
+            for d in 0..c {
+                let known: f64 = (0..d)
+                    .map(|n| factors[c][n] * factors[d][n] * variances[n])
+                    .sum();
+                factors[c][d] = (self.covariance[c][d] / samples - known) / variances[d];
+                variances[c] -= factors[c][d] * factors[c][d] * variances[d];
+                off[c] -= factors[c][d] * off[d];
+            }
+            let deviation = variances[c].max(ROUNDING).sqrt();
+            let below = |off: f64| 1.0 / (1.0 + (-LOGISTIC * off / deviation).exp());
+            let in_level = below(off[c] + 0.5) - below(off[c] - 0.5);
+            bits -= ((1.0 - ANYTHING) * in_level + ANYTHING / 256.0).log2();
+        }
+        bits
+    }
 }
 
 /// About how many rays each pixel is the mean of: the variance of one over that of the
 /// mean. `None` if there are too few edges to tell.
-fn samples(edges: &[(f64, f64)]) -> Option<f64> {
-    let seen = edges.iter().filter(|(_, variance)| *variance > 16.0);
+fn samples(edges: &[Beside]) -> Option<f64> {
+    let components = |it: &Beside| [0, 1, 2].map(|c| (it.off[c], it.covariance[c][c]));
+    let seen = edges.iter().flat_map(components);
+    let seen = seen.filter(|(_, variance)| *variance > 16.0);
     let (mut of_one, mut of_mean, mut count) = (0.0, 0.0, 0);
     for (off, variance) in seen {
         of_one += variance;
