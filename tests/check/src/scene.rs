@@ -77,9 +77,8 @@ impl Chosen {
     fn has_a_typed_viewport(&self, ratio: f64) -> bool {
         self.viewport_height.is_none_or(|height| {
             let width = self.viewport_width.unwrap_or(height * ratio);
-            let angle = 2.0 * (0.5 * height).atan().to_degrees();
             let mut lengths = [height, width, 2.0 / height, 2.0 / width].into_iter();
-            lengths.any(|it| is_round(100.0 * it)) || is_round(angle)
+            lengths.any(|it| is_round(100.0 * it)) || is_round(angle(height))
         })
     }
 
@@ -97,8 +96,13 @@ impl Chosen {
     }
 }
 
+/// The degrees under which a viewport of that height one unit away is seen.
+pub(crate) fn angle(height: f64) -> f64 {
+    2.0 * (0.5 * height).atan().to_degrees()
+}
+
 /// Whether a number is an integer but for what fits leave.
-fn is_round(number: f64) -> bool {
+pub(crate) fn is_round(number: f64) -> bool {
     (number - number.round()).abs() < 1e-3
 }
 

@@ -6,7 +6,7 @@ use slips::{Ball, Ends, Letters, Slip};
 
 use crate::bits::Left;
 use crate::explanations::{But, Conversion, Curve, Degradation, SINGLE};
-use crate::scene::Chosen;
+use crate::scene::{Chosen, angle, is_round};
 use crate::verdict::{Near, Set};
 
 /// One pixel in so many lies at a rim.
@@ -162,6 +162,9 @@ impl Chosen {
             let (high, focal_length) = (rounded(height), rounded(2.0 / height));
             match self.viewport_width.map(rounded) {
                 Some(wide) => format!("a viewport {wide} wide and {high} high one unit away"),
+                None if is_round(angle(height)) => {
+                    format!("a field of view of {} degrees from above to below", angle(height).round())
+                }
                 None => format!(
                     "a viewport {high} high one unit away, or a focal length of {focal_length} and one 2 high"
                 ),

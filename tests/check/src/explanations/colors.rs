@@ -1,11 +1,14 @@
 //! Least squares: the colors that a reader chose, from the picture.
 
+use std::collections::HashSet;
+
 use common::rtweekend::{Color, Vec3};
 
 use ::slips::{Chapter, Ends, Program, Room, Slip};
 
+use super::slips::name_of;
 use super::{Evidence, Hypothesis, spread};
-use crate::bits::number;
+use crate::bits::{Pixel, number};
 use crate::reading::Reading;
 use crate::scene::{Chosen, Scene};
 
@@ -249,6 +252,42 @@ pub(super) fn is_rescaled(program: &Program, other: &Program) -> bool {
     let [scale, other] = [program, other].map(|it| Scale::of(it.level));
     let is_near = (other.factor - Scale::BOOK.factor).abs() < 2.0;
     is_near && (scale.factor - other.factor).abs() + (scale.offset - other.offset).abs() > 1e-6
+}
+
+/// Weights that show all colors of a sky.
+const WEIGHTS: u32 = 4096;
+const SOME: usize = 10;
+
+/// The same with a slip in the scale of levels, if its sky has one pixel's color in ten, and of those
+/// one in ten only so: colors tell that wherever they are seen.
+pub(super) fn rescaled(evidence: &Evidence, it: &Hypothesis) -> Option<Hypothesis> {
+    let reading = evidence.reading;
+    let right = it.scene.program(&it.slips);
+    if right.chapter == Chapter::BuildTest {
+        return None;
+    }
+    let places: Vec<u32> = spread(LOOK, reading.pixels.len() as u32).collect();
+    let count = |program: &Program| {
+        let color = |n: u32| (program.lerp)(program.sky, f64::from(n) / f64::from(WEIGHTS));
+        let levels = |n: u32| {
+            let color = color(n).to_array();
+            let level = |channel: usize| it.conversion.apply((program.level)(color[channel]));
+            program.channels.map(level)
+        };
+        let colors: HashSet<Pixel> = (0..=WEIGHTS).map(levels).collect();
+        let places = places.iter().map(|&n| reading.pixels[n as usize]);
+        places.filter(|pixel| colors.contains(pixel)).count()
+    };
+    let slips = evidence.slips(&it.scene);
+    let slips = slips.filter(|slip| is_rescaled(&right, &slip.put_to(right)));
+    let counted = slips.map(|slip| (count(&slip.put_to(right)), slip));
+    let (most, slip) = counted.max_by_key(|(count, _)| *count)?;
+    let is_sky = SOME * most > places.len();
+    (is_sky && SOME * (most - count(&right).min(most)) > most).then(|| Hypothesis {
+        slips: vec![slip],
+        name: it.name + name_of(&[slip]),
+        ..it.clone()
+    })
 }
 
 /// A weight, and the levels that are there.

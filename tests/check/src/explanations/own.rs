@@ -20,7 +20,7 @@ use super::slips::name_of;
 use super::{Evidence, Hypothesis, Places, spread};
 use crate::bits::{distance, number};
 use crate::reading::Reading;
-use crate::scene::{Chosen, Scene, USUAL_RATIOS};
+use crate::scene::{Chosen, Scene, USUAL_RATIOS, angle};
 
 /// How many pixels are compared for each step, first and where steps are small; and how many
 /// to choose among simple numbers.
@@ -74,8 +74,10 @@ pub(crate) type Path = Vec<Hypothesis>;
 /// The program with more and more of the reader's own, by one way and by another.
 pub(crate) fn chosen_otherwise(evidence: &Evidence, right: &Hypothesis) -> Vec<Path> {
     let (chosen, _) = Kind::chosen_and_slips();
+    let rescaled = colors::rescaled(evidence, right);
+    let start = rescaled.as_ref().unwrap_or(right);
     let fit = Fit::new(evidence, right);
-    fit.map_or(Vec::new(), |fit| fit.selected(&chosen, &[right], &chosen))
+    fit.map_or(Vec::new(), |fit| fit.selected(&chosen, &[start], &chosen))
 }
 
 /// The same with a slip or two besides; `chosen` is what was found without.
@@ -349,9 +351,9 @@ impl<'a> Fit<'a> {
         }
     }
 
-    /// Bits of a viewport's height: who types a width, or a focal length, types no height.
+    /// Bits of a viewport's height: who types a width, a focal length or an angle, types no height.
     fn height_name(&self, height: f64) -> f64 {
-        let typed = [height, height * self.ratio(), 2.0 / height];
+        let typed = [height, height * self.ratio(), 2.0 / height, angle(height)];
         let typed = typed.map(|it| number(to_grid(it, 1e6)));
         typed.into_iter().fold(f64::INFINITY, f64::min)
     }
@@ -608,8 +610,8 @@ impl<'a> Fit<'a> {
         f64::from(self.reading.width) / f64::from(self.reading.height)
     }
 
-    /// Viewports of simple numbers. Who types a width, or a focal length, has a height with many
-    /// digits.
+    /// Viewports of simple numbers. Who types a width, a focal length or an angle has a height with
+    /// many digits.
     fn simple_viewports(
         &self,
         it: &Hypothesis,
@@ -625,6 +627,7 @@ impl<'a> Fit<'a> {
             let by_width = to_grid(width, grid) / ratio;
             [to_grid(height, grid), 2.0 / focal_length, by_width]
         });
+        let heights = heights.chain([of_angle(angle(height).round())]);
         let heights = heights.filter(|height| *height > 0.0 && height.is_finite());
         let widths = |height: f64| {
             let on_grids = GRIDS.map(|grid| to_grid(width, grid));
@@ -731,6 +734,11 @@ fn without_balls(it: &Hypothesis, count: usize) -> Program {
 
 /// In how many pixels the box is looked for.
 const BOX: u32 = 5000;
+
+/// The height of a viewport one unit away that is seen under so many degrees.
+fn of_angle(angle: f64) -> f64 {
+    2.0 * (0.5 * angle).to_radians().tan()
+}
 
 fn to_grid(number: f64, grid: f64) -> f64 {
     // A zero has no sign here.
