@@ -349,9 +349,12 @@ impl Finding {
         // Whoever is off by more than a level in most pixels is not right, unless that is noise or a
         // loss; levels of a palette are seldom far from its nearest color.
         let is_of_few = |but: &But| matches!(but, But::Degraded(Degradation::Palette { .. }));
+        let is_mean = |but: &But| matches!(but, But::Antialiased { .. });
         let is_excused = best.left.is_noise(reading.pixels.len()) || is_lossy;
         let most = match is_excused {
             _ if best.but.iter().any(is_of_few) => reading.pixels.len() / 5,
+            // Away from edges a mean is exact.
+            _ if best.but.iter().any(is_mean) => reading.pixels.len() / 10,
             true => reading.pixels.len(),
             false => reading.pixels.len() / 2,
         };
