@@ -13,7 +13,7 @@ use check::frame;
 use check::guess;
 use check::png;
 use check::reading::{self, Reading};
-use check::scene::Scene;
+use check::scene::{Chosen, Scene};
 use check::verdict::{Check, Finding, check, judge, judge_guessed};
 use common::rtweekend::*;
 use image::imageops::{self, FilterType};
@@ -895,6 +895,61 @@ fn several_rays_beside_the_pixel_are_a_mistake() {
             "{chapter:?}: {said}"
         );
     }
+}
+
+/// Rays of version 3 through the middles of pixels: nothing there changes by chance.
+#[test]
+fn rays_that_all_lie_elsewhere_are_not_anywhere() {
+    let program = scene(Chapter::HittableList)
+        .only_by(Edition::V3)
+        .program(&[]);
+    let moved = slip("deltas-from-last-pixel").put_to(program);
+    let found = finding(Chapter::HittableList, &moved.run(200).picture());
+    assert_eq!(names(&found)[0], ["deltas-from-last-pixel"]);
+    let mut other = Program::right(Chapter::HittableList);
+    other.inset = [0.8, 0.1];
+    let found = finding(Chapter::HittableList, &other.run(200).picture());
+    assert!(found.near.is_none(), "right, but {}", found.but());
+}
+
+static WITH_ANOTHER: [Ball; 2] = [
+    Ball::new(0.0, 0.0, -1.0, 0.5),
+    Ball::new(2.0, 1.4, -2.0, 0.3),
+];
+
+/// A sphere more that is seen in a corner, beside a slip and several rays.
+#[test]
+fn what_is_more_is_told_beside_a_slip_and_several_rays() {
+    let mut program = slip("times-255").program(Chapter::Normals);
+    program.world = &WITH_ANOTHER;
+    let found = finding(Chapter::Normals, &with_rays(&program, 50, 0.0));
+    assert_eq!(names(&found)[0], ["times-255"]);
+    let said = found.sights.join(" ");
+    assert!(said.contains("something more is drawn"), "{said}");
+}
+
+/// A mean of rays a tenth of a pixel lower moves the ground by less than anybody would choose.
+#[test]
+fn nobody_chose_what_is_nearly_the_books_ground() {
+    let picture = wide_with_rays(400, &Program::right(Chapter::HittableList), 100, 0.1);
+    let near = near(Chapter::HittableList, &picture);
+    assert_eq!(near.scene.chosen, Chosen::default());
+}
+
+/// A narrow view, in which the sky's colors alone tell of the slip.
+#[test]
+fn the_scale_of_levels_is_known_whatever_the_viewport_is() {
+    let mut program = slip("times-255").program(Chapter::Normals);
+    program.viewport_height = 2.0 * f64::to_radians(10.0).tan();
+    program.own[0] = Some(Ball::new(0.0, 0.05, -3.0, 0.4));
+    let found = finding(Chapter::Normals, &program.run(200).picture());
+    assert!(
+        names(&found)[0].contains(&"times-255".to_owned()),
+        "{:?}",
+        names(&found)
+    );
+    let clause = found.sets[0].scene.chosen.clause().unwrap_or_default();
+    assert!(clause.contains("a field of view of 20 degrees"), "{clause}");
 }
 
 /// A clamp at 0.99 takes two levels from the blue of all the sky.
