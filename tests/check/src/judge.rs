@@ -376,10 +376,6 @@ impl Search<'_> {
             self.add_degraded(&tried, doubtful(self.evidence.reading));
             return;
         }
-        // Where nobody named the chapter, others were tried before this one was taken.
-        let is_guessed = self.evidence.scene.is_guessed();
-        let is_meant = |it: &Hypothesis| !is_guessed || is_same(&it.scene, &self.evidence.scene);
-        let nearest: Vec<Hypothesis> = nearest.into_iter().filter(is_meant).collect();
         let chosen = self.add_changed(&nearest);
         if self.is_worth_a_search() {
             self.keep(ramps(self.evidence, &rights[0]));

@@ -368,7 +368,9 @@ impl Finding {
             .into_iter()
             .chain(judgement.chosen_instead())
             .collect();
-        let shown = match reading.is_plain() || !is_told && !is_near {
+        // A part that is not explained may be a thing of its own.
+        let has_a_part = best.left.part.is_some() && best.left.off >= MANY;
+        let shown = match reading.is_plain() || !is_told && (!is_near || has_a_part) {
             true => surfaces::said(reading),
             false => Vec::new(),
         };
@@ -511,6 +513,9 @@ impl Judgement {
         }
     }
 }
+
+/// Pixels that are more than odd ones.
+const MANY: usize = 50;
 
 /// The sets of slips that are told.
 fn sets(judgement: &Judgement) -> Vec<Set> {

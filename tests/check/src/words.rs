@@ -2,13 +2,15 @@
 
 use common::rtweekend::Color;
 
-use slips::{Ball, Ends, Letters, Slip};
+use slips::{Ball, Chapter, Ends, Letters, Program, Slip};
 
 use crate::bits::Left;
 use crate::explanations::{But, Conversion, Curve, Degradation, SINGLE};
 use crate::scene::{Chosen, angle, is_round};
 use crate::verdict::{Near, Set};
 
+/// How near components are the same.
+const NEARLY: f64 = 0.01;
 /// One pixel in so many lies at a rim.
 const RIM: usize = 100;
 
@@ -179,7 +181,34 @@ impl Chosen {
         })
     }
 
+    /// By how much all that is drawn is brighter than the book's, if it is: a sum of rays that is
+    /// divided by another number than theirs.
+    fn times(&self) -> Option<f64> {
+        let [below, above] = self.sky?;
+        let times = below.x;
+        let is_near = |one: f64, other: f64| (one - times * other).abs() < NEARLY;
+        let [white, blue] = Program::right(Chapter::Gradient).sky;
+        let components = [below, above].into_iter().zip([white, blue]);
+        let mut pairs =
+            components.flat_map(|(own, book)| own.to_array().into_iter().zip(book.to_array()));
+        let are_scaled = |shade: [Ends; 3]| {
+            let mut ends = shade.into_iter().enumerate();
+            ends.all(|(n, (axis, [low, high]))| {
+                axis == n && is_near(low, 0.0) && is_near(high, 1.0)
+            })
+        };
+        // Where blue is full it can't be brighter.
+        let is_scaled = pairs.all(|(own, book)| is_near(own, book) || own == 1.0 && times > 1.0);
+        (is_scaled && self.shade.is_some_and(are_scaled)).then_some(times)
+    }
+
     fn colors(&self) -> Option<String> {
+        if let Some(times) = self.times() {
+            return Some(format!(
+                "with all colors {} times the book's, as where a sum of rays is divided by another number than theirs",
+                rounded(times)
+            ));
+        }
         let color = |color: Color| {
             let [r, g, b] = color.to_array().map(rounded);
             format!("({r}, {g}, {b})")

@@ -801,9 +801,48 @@ fn a_build_test_of_ones_own_is_told_as_ramps() {
     let right = Program::right(Chapter::BuildTest).run(100).picture();
     let levels = |n: u32| (255.999 * f64::from(n) / 99.0) as u8;
     let own = changed(&right, |i, j| Some([255, levels(99 - j), levels(i)]));
-    let sights = finding(Chapter::BuildTest, &own).sights;
-    let told = "red is 255 everywhere, green rises upwards from 0/99 to 99/99, and blue rises to the right from 0/99 to 99/99";
-    assert!(sights[0].contains(told), "{sights:?}");
+    // As high as half its width, and rows are divided by that.
+    let low = vec![0; 3 * 100 * 50];
+    let low = Picture::from_rgb(100, 50, low).expect("its size");
+    let low = changed(&low, |i, j| Some([levels(i), levels(49 - j), 51]));
+    for (picture, told) in [
+        (
+            own,
+            "red is 255 everywhere, green rises upwards from 0/99 to 99/99, and blue rises to the right from 0/99 to 99/99",
+        ),
+        (
+            low,
+            "green rises upwards from 0/99 to 49/99, and blue is 51 everywhere",
+        ),
+    ] {
+        let sights = finding(Chapter::BuildTest, &picture).sights;
+        assert!(sights[0].contains(told), "{sights:?}");
+    }
+}
+
+/// Eleven rays a pixel, divided by ten.
+#[test]
+fn a_sum_that_is_divided_wrongly_is_one_factor_on_all_colors() {
+    let mut program = Program::right(Chapter::HittableList);
+    program.level = |component| (255.999 * (1.1 * component).min(1.0)) as i32;
+    let near = near(Chapter::HittableList, &program.run(400).picture());
+    let said = near.clause(1);
+    assert!(
+        said.contains("with all colors 1.1 times the book's"),
+        "{said}"
+    );
+}
+
+/// One pixel in a hundred, so that all else is right.
+#[test]
+fn a_part_that_is_not_explained_is_described() {
+    let right = Program::right(Chapter::Gradient).run(400).picture();
+    let is_inside = |i, j| (100..130).contains(&i) && (50..80).contains(&j);
+    let changed = changed(&right, |i, j| is_inside(i, j).then_some([10, 200, 30]));
+    let found = finding(Chapter::Gradient, &changed);
+    assert!(found.near.is_some());
+    let said = found.shown.join(" ");
+    assert!(said.contains("has one color, [10, 200, 30]"), "{said}");
 }
 
 /// Whoever counts rows from below and both loops from one draws what lies to the right and above.

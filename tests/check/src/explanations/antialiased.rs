@@ -458,31 +458,26 @@ impl<'a> Rays<'a> {
 
     /// How far a pixel is from such a mean.
     fn beside(&self, n: u32, means: &Moments) -> Beside {
-        let found = self.reading.pixels[n as usize];
-        let mut covariance = [[0.0; 3]; 3];
-        for ([c, d], product) in PAIRS.into_iter().zip(means.products) {
-            let both = product - means.components[c] * means.components[d];
-            covariance[c][d] = 255.999 * 255.999 * both;
-            covariance[d][c] = covariance[c][d];
-        }
-        let mut off = [0.0; 3];
+        let Moments {
+            components,
+            products,
+        } = means;
+        let (mut off, mut times) = ([0.0; 3], [255.999; 3]);
         for c in 0..3 {
-            let mut mean = f64::from(self.level(means.components[c]));
+            let mut level = f64::from(self.level(components[c]));
             if let Some(curve) = self.curve {
-                let deviation = covariance[c][c].max(0.0).sqrt();
-                let along = curve.at(mean + deviation) - curve.at(mean - deviation);
-                let times = if deviation > 0.0 {
-                    along.abs() / 2.0 / deviation
-                } else {
-                    0.0
-                };
-                for d in 0..3 {
-                    covariance[c][d] *= times;
-                    covariance[d][c] *= times;
-                }
-                mean = curve.at(mean + 0.5) - 0.5;
+                let variance = products[c] - components[c] * components[c];
+                let deviation = 255.999 * variance.max(f64::EPSILON).sqrt();
+                let along = curve.at(level + deviation) - curve.at(level - deviation);
+                times[c] *= along.abs() / 2.0 / deviation;
+                level = curve.at(level + 0.5) - 0.5;
             }
-            off[c] = f64::from(found[c]) - mean;
+            off[c] = f64::from(self.reading.pixels[n as usize][c]) - level;
+        }
+        let mut covariance = [[0.0; 3]; 3];
+        for ([c, d], product) in PAIRS.into_iter().zip(products) {
+            let both = times[c] * times[d] * (product - components[c] * components[d]);
+            (covariance[c][d], covariance[d][c]) = (both, both);
         }
         Beside { off, covariance }
     }

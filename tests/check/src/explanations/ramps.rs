@@ -10,7 +10,7 @@ use crate::reading::Reading;
 
 /// That the components are others: less likely than a slip.
 const NAME: f64 = 14.0;
-/// One of two dozen ramps.
+/// One of some dozen ramps.
 const RAMP: f64 = 4.0;
 /// How many pixels choose the ramps.
 const LOOK: u32 = 400;
@@ -23,6 +23,8 @@ enum Component {
     Ramp {
         is_across: bool,
         is_falling: bool,
+        /// Whether it is divided by the other size.
+        is_by_other: bool,
         /// From which number on pixels are counted.
         first: u32,
         /// By how much less than their count they are divided.
@@ -80,7 +82,8 @@ fn nearest(reading: &Reading, channel: usize, level: fn(f64) -> i32) -> (usize, 
 
 impl Component {
     fn ramps() -> impl Iterator<Item = Self> {
-        (0..16).map(|n| Self::Ramp {
+        (0..32).map(|n| Self::Ramp {
+            is_by_other: n & 16 > 0,
             is_across: n & 1 == 0,
             is_falling: n & 2 > 0,
             first: u32::from(n & 4 > 0),
@@ -94,6 +97,7 @@ impl Component {
             Self::Ramp {
                 is_across,
                 is_falling,
+                is_by_other,
                 first,
                 less,
             } => {
@@ -101,8 +105,10 @@ impl Component {
                     true => (n % reading.width, reading.width),
                     false => (n / reading.width, reading.height),
                 };
+                let other = reading.width + reading.height - count;
+                let whole = if is_by_other { other } else { count };
                 let at = if is_falling { count - 1 - at } else { at };
-                let component = f64::from(at + first) / f64::from((count - less).max(1));
+                let component = f64::from(at + first) / f64::from((whole - less).max(1));
                 level(component).clamp(0, 255) as i16
             }
         }
@@ -121,6 +127,7 @@ impl Component {
             Self::Ramp {
                 is_across,
                 is_falling,
+                is_by_other,
                 first,
                 less,
             } => {
@@ -129,8 +136,10 @@ impl Component {
                     false => (["downwards", "upwards"], reading.height),
                 };
                 let way = ways[usize::from(is_falling)];
+                let other = reading.width + reading.height - count;
+                let whole = if is_by_other { other } else { count } - less;
                 let last = count - 1 + first;
-                format!("rises {way} from {first}/{0} to {last}/{0}", count - less)
+                format!("rises {way} from {first}/{whole} to {last}/{whole}")
             }
         }
     }

@@ -38,6 +38,8 @@ const CONTRAST: u16 = 12;
 const COMMON: usize = 12;
 /// What is larger is ground, and only its edge is seen.
 const LARGE: f64 = 10.0;
+/// More than edges have, in percent.
+const MUCH: usize = 30;
 /// How near numbers are the same, in units of space or of a component.
 pub(super) const NEAR: f64 = 0.015;
 /// Chapters that may have what is seen before a background.
@@ -85,7 +87,7 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
         });
     let rest = 100 * (reading.pixels.len() - covered) / reading.pixels.len();
     let rest = match rest >= REST {
-        _ if are_books => Some("So only edges are off, as where several rays are taken, or a picture was enlarged or smoothed.".to_owned()),
+        _ if are_books && rest < MUCH => Some("So only edges are off, as where several rays are taken, or a picture was enlarged or smoothed.".to_owned()),
         true => Some(format!(
             "The rest, {rest} % of the picture, are edges, grain and pieces that are too small."
         )),

@@ -222,10 +222,7 @@ pub(super) const SLIPS: &[Slip] = &[
              viewport_v * (1.0 / f64::from(image_height))",
         )
         .alters(|p| match p.edition.counts_from_below() {
-            true => {
-                p.ray =
-                    |p, camera, i, j| p.ray_of(camera, f64::from(i) + 0.5, p.row(j, camera) + 0.5)
-            }
+            true => p.ray = half_a_pixel_in,
             false => p.divisors = |width, height| [width - 1.0, height - 1.0],
         }),
     slip("viewport-not-centered", RAYS, GRID)
@@ -969,6 +966,10 @@ fn swapped_length_squared(v: Vec3) -> f64 {
 
 fn length_squared_with_a_product(v: Vec3) -> f64 {
     v.x * v.x + v.y * v.y * v.z * v.z
+}
+
+fn half_a_pixel_in(p: &Program, camera: &Camera, i: u32, j: u32) -> Ray {
+    p.ray_of(camera, f64::from(i) + 0.5, p.row(j, camera) + 0.5)
 }
 
 fn swapped_plus(u: Vec3, v: Vec3) -> Vec3 {
