@@ -124,12 +124,11 @@ enum Kind {
     Ground,
     /// What the color of a hit is made of.
     Shade,
-    Levels,
     Slips,
 }
 
 impl Kind {
-    const ALL: [Self; 9] = [
+    const ALL: [Self; 8] = [
         Self::Colors,
         Self::Viewport,
         Self::Both,
@@ -137,12 +136,11 @@ impl Kind {
         Self::NoFirstSphere,
         Self::Ground,
         Self::Shade,
-        Self::Levels,
         Self::Slips,
     ];
 
     fn is_slip(self) -> bool {
-        matches!(self, Self::Levels | Self::Slips)
+        matches!(self, Self::Slips)
     }
 
     /// Whether it is worth a look beside what was found: colors are seen through the viewport, so
@@ -285,7 +283,6 @@ impl<'a> Fit<'a> {
             Kind::Shade => colors::shaded(it, self.reading, colors::LOOK)
                 .into_iter()
                 .collect(),
-            Kind::Levels => self.levels(it),
             Kind::Slips => self.slips(it),
             Kind::FirstSphere | Kind::NoFirstSphere | Kind::Ground => Vec::new(),
         }
@@ -299,7 +296,6 @@ impl<'a> Fit<'a> {
                 ..it.clone()
             }],
             Kind::Viewport => self.simple_viewports(it, |it| it),
-            Kind::Levels => self.simple_viewports(it, |it| self.with_colors(it)),
             Kind::FirstSphere => {
                 let simple = simple_spheres(it).into_iter();
                 simple.map(|it| self.with_paint(it)).collect()
@@ -450,32 +446,6 @@ impl<'a> Fit<'a> {
             all.into_iter().chain(seen).collect::<Vec<_>>()
         };
         slips.flat_map(with).collect()
-    }
-
-    /// A slip in the scale of the levels: what else is the reader's looks otherwise beside it.
-    fn levels(&self, it: &Hypothesis) -> Vec<Hypothesis> {
-        if !it.slips.is_empty() {
-            return Vec::new();
-        }
-        let program = it.scene.program(&[]);
-        let slips = self.evidence.slips(&it.scene);
-        let scales = slips.filter(|slip| colors::is_rescaled(&program, &slip.put_to(program)));
-        let with = |slip| {
-            self.with_colors(Hypothesis {
-                slips: vec![slip],
-                ..it.clone()
-            })
-        };
-        let scaled: Vec<Hypothesis> = scales.map(with).collect();
-        let off = |it: &&Hypothesis| self.off(Part::All, it, LOOKS[1], u32::MAX);
-        let nearest = scaled.iter().min_by_key(off);
-        let refitted = nearest.filter(|it| it.scene.chosen.viewport_height.is_some());
-        let refitted = refitted.map(|it| self.viewport(Part::All, it, |it| self.with_colors(it)));
-        refitted
-            .into_iter()
-            .flatten()
-            .chain(scaled.clone())
-            .collect()
     }
 
     /// A sphere that has only one color, in what is seen where it lies.
