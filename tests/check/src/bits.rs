@@ -24,8 +24,17 @@ pub struct Left {
     pub is_both_ways: bool,
     /// Whether they are so few, or in so small a box, that each is told by itself.
     pub is_one_by_one: bool,
-    /// The first and last column and row of a small part in which all of them lie.
-    pub part: Option<[[u32; 2]; 2]>,
+    /// A small part in which all of them lie; of several rays, all that are far off.
+    pub part: Option<Part>,
+}
+
+/// A box of a picture.
+#[derive(Clone, Copy, Debug)]
+pub struct Part {
+    /// The first and last column and row.
+    pub bounds: [[u32; 2]; 2],
+    /// How many pixels are off there.
+    pub off: usize,
 }
 
 /// Below so many pixels a table of frequencies costs more than it saves.
@@ -136,10 +145,14 @@ impl Odd {
     }
 }
 
-/// The first and last column and row of some places, if that is a small part of the picture.
-pub(crate) fn part(places: &[u32], reading: &Reading) -> Option<[[u32; 2]; 2]> {
-    let is_small = |it: &[[u32; 2]; 2]| SMALL * area(*it) <= reading.pixels.len() as f64;
-    bounds(places, reading).filter(is_small)
+/// The part in which some places lie, if it is small.
+pub(crate) fn part(places: &[u32], reading: &Reading) -> Option<Part> {
+    let bounds = bounds(places, reading)?;
+    let is_small = SMALL * area(bounds) <= reading.pixels.len() as f64;
+    is_small.then_some(Part {
+        bounds,
+        off: places.len(),
+    })
 }
 
 /// The first and last column and row, if there are any.

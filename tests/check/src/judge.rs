@@ -820,7 +820,8 @@ impl Search<'_> {
         let best = self.best_of(is_own).program();
         // Several rays a pixel are seen beside a slip as well.
         let is_of_rays = |it: &&Explanation| {
-            let has_rays = it.left.part.is_some() && !it.but.is_empty();
+            let is_mean = |but: &But| matches!(but, But::Antialiased { .. });
+            let has_rays = it.left.part.is_some() && it.but.iter().any(is_mean);
             has_rays && !it.slips.is_empty() && it.scene.chosen == Chosen::default()
         };
         let of_rays = Some(self.best()).filter(is_of_rays);

@@ -369,7 +369,7 @@ impl Finding {
             .chain(judgement.chosen_instead())
             .collect();
         // A part that is not explained may be a thing of its own.
-        let has_a_part = best.left.part.is_some() && best.left.off >= MANY;
+        let has_a_part = best.left.part.is_some_and(|part| part.off >= MANY);
         let shown = match reading.is_plain() || !is_told && (!is_near || has_a_part) {
             true => surfaces::said(reading),
             false => Vec::new(),

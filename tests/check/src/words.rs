@@ -4,7 +4,7 @@ use common::rtweekend::Color;
 
 use slips::{Ball, Chapter, Ends, Letters, Program, Slip};
 
-use crate::bits::Left;
+use crate::bits::{Left, Part};
 use crate::explanations::{But, Conversion, Curve, Degradation, SINGLE};
 use crate::scene::{Chosen, angle, is_round};
 use crate::verdict::{Near, Set};
@@ -39,35 +39,37 @@ impl Set {
     fn extent(&self, pixels: usize) -> String {
         let (far, off) = (self.left.far, self.left.off);
         if !self.but.is_empty() {
-            let left = (self.left.part).map(|_| format!(", but for {}", self.left.placed(pixels)));
+            let left = self.left.part.filter(|_| has_rays(&self.but));
+            let left = left.map(|_| format!(", but for {}", self.left.placed(pixels)));
             let left = left.unwrap_or_default();
             return format!("this picture, {}{left}", buts(&self.but));
         }
         match (off, far) {
             (0, _) => "exactly this picture".to_owned(),
             (_, 0) => format!("this picture, but for one level in {off} of {pixels} pixels"),
-            (1, _) => format!("this picture, but for 1 pixel{}", self.left.place()),
             _ => format!("this picture, but for {}", self.left.placed(pixels)),
         }
     }
 }
 
 impl Left {
-    /// How many pixels are off, and where.
+    /// How many pixels are off, and where, if that is in a small part.
     fn placed(&self, pixels: usize) -> String {
-        format!("{} of {pixels} pixels{}", self.off, self.place())
-    }
-
-    /// Where they lie, if that is in a small part.
-    fn place(&self) -> String {
-        let said = |[columns, rows]: [[u32; 2]; 2]| {
-            let span = |name: &str, [first, last]: [u32; 2]| match first == last {
-                true => format!("{name} {first}"),
-                false => format!("{name}s {first} to {last}"),
-            };
-            format!(" in {}, {}", span("column", columns), span("row", rows))
+        let span = |name: &str, [first, last]: [u32; 2]| match first == last {
+            true => format!("{name} {first}"),
+            false => format!("{name}s {first} to {last}"),
         };
-        self.part.map_or(String::new(), said)
+        match self.part {
+            Some(Part {
+                bounds: [columns, rows],
+                off,
+            }) => format!(
+                "{off} of {pixels} pixels in {}, {}",
+                span("column", columns),
+                span("row", rows)
+            ),
+            None => format!("{} of {pixels} pixels", self.off),
+        }
     }
 }
 
@@ -75,6 +77,12 @@ impl Left {
 fn buts(but: &[But]) -> String {
     let all: Vec<String> = but.iter().map(But::clause).collect();
     all.join(", and ")
+}
+
+/// Whether there are several rays a pixel.
+fn has_rays(but: &[But]) -> bool {
+    let is_mean = |but: &But| matches!(but, But::Antialiased { .. });
+    but.iter().any(is_mean)
 }
 
 impl Near {
@@ -85,8 +93,7 @@ impl Near {
         let is_on_its_way = |but: &But| matches!(but, But::Degraded(_));
         let is_by_rays = self.left.is_both_ways && !self.but.iter().any(is_on_its_way);
         // Rays that lie anywhere are off where colors change, at rims that are no edges.
-        let has_rays = |but: &But| matches!(but, But::Antialiased { .. });
-        let has_rays = self.but.iter().any(has_rays);
+        let has_rays = has_rays(&self.but);
         let is_little = has_rays && RIM * self.left.off <= pixels;
         let left = match (has_rays, self.left.part) {
             (true, Some(_)) => Some(format!("for {}", self.left.placed(pixels))),
@@ -181,7 +188,7 @@ impl Chosen {
         })
     }
 
-    /// By how much all that is drawn is brighter than the book's, if it is: a sum of rays that is
+    /// How many times as bright as the book's all that is drawn is, if it is: a sum of rays that is
     /// divided by another number than theirs.
     fn times(&self) -> Option<f64> {
         let [below, above] = self.sky?;
@@ -199,7 +206,9 @@ impl Chosen {
         };
         // Where blue is full it can't be brighter.
         let is_scaled = pairs.all(|(own, book)| is_near(own, book) || own == 1.0 && times > 1.0);
-        (is_scaled && self.shade.is_some_and(are_scaled)).then_some(times)
+        let is_another = (times - 1.0).abs() > NEARLY;
+        let is_scaled = is_another && is_scaled && self.shade.is_some_and(are_scaled);
+        is_scaled.then_some(times)
     }
 
     fn colors(&self) -> Option<String> {

@@ -284,8 +284,14 @@ fn a_wrong_count_says_what_it_looks_like() {
         (18, "loop from 0"),
         (35, "multiple of three"),
         (39, "3 more follow"),
-        (51, "15 numbers follow it. Was an older, longer file"),
-        (50, "14 numbers follow it. Was an older, longer file"),
+        (
+            51,
+            "15 more than the header's size needs. Was an older, longer file",
+        ),
+        (
+            50,
+            "14 more than the header's size needs. Was an older, longer file",
+        ),
     ] {
         let refused = read(text(count).as_bytes()).expect_err("36 are wanted");
         assert!(refused.fix.contains(hint), "{count}: {refused}");

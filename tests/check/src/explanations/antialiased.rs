@@ -207,10 +207,11 @@ pub(crate) fn antialiased<'a>(
         for rectangle in rectangles {
             let measure = || {
                 let drawn = rays.through_the_middle(rectangle);
-                let is_grain = bits::is_grain(reading, &drawn, 1);
                 let mut left = rays.left(&drawn, &contrast, &smooth);
                 let (bits, samples) = rays.at_edges(&edges, rectangle);
                 left.bits += bits;
+                let is_one = samples.is_some_and(|it| it < SINGLE);
+                let is_grain = is_one && bits::is_grain(reading, &drawn, 1);
                 (left, mark(&drawn), samples, is_grain)
             };
             // Who is as long to the last bit at those edges draws the same.
@@ -477,6 +478,8 @@ impl<'a> Rays<'a> {
         let mut covariance = [[0.0; 3]; 3];
         for ([c, d], product) in PAIRS.into_iter().zip(products) {
             let both = times[c] * times[d] * (product - components[c] * components[d]);
+            // What is no number tells nothing.
+            let both = if both.is_finite() { both } else { 0.0 };
             (covariance[c][d], covariance[d][c]) = (both, both);
         }
         Beside { off, covariance }
@@ -563,7 +566,8 @@ impl Beside {
                 variances[c] -= factors[c][d] * factors[c][d] * variances[d];
                 off[c] -= factors[c][d] * off[d];
             }
-            let deviation = variances[c].max(ROUNDING).sqrt();
+            variances[c] = variances[c].max(ROUNDING);
+            let deviation = variances[c].sqrt();
             let below = |off: f64| 1.0 / (1.0 + (-LOGISTIC * off / deviation).exp());
             let in_level = below(off[c] + 0.5) - below(off[c] - 0.5);
             bits -= ((1.0 - ANYTHING) * in_level + ANYTHING / 256.0).log2();

@@ -256,6 +256,7 @@ pub(super) fn is_rescaled(program: &Program, other: &Program) -> bool {
 
 /// Weights that show all colors of a sky.
 const WEIGHTS: u32 = 4096;
+/// One in so many is no chance.
 const SOME: usize = 10;
 
 /// The same with a slip in the scale of levels, if its sky has one pixel's color in ten, and of those

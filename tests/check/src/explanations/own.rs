@@ -49,7 +49,8 @@ const GRIDS: [f64; 6] = [1.0, 2.0, 4.0, 10.0, 20.0, 100.0];
 /// How far away a sphere may be thought to be.
 const DISTANCES: [f64; 5] = [1.0, 2.0, 1.5, 3.0, 5.0];
 
-/// What part of the book's length a viewport of another one differs by at least.
+/// What part of the book's length a viewport of another one differs by at least, and a sphere's radius;
+/// and by so much its top, in units.
 const NEAR: f64 = 0.01;
 
 /// A sphere of no size, which is none.
@@ -71,13 +72,17 @@ const USUAL: f64 = 4.0;
 /// Programs, each with more and more of the reader's own.
 pub(crate) type Path = Vec<Hypothesis>;
 
-/// The program with more and more of the reader's own, by one way and by another.
+/// The program with more and more of the reader's own, by one way and by another; with a slip in the
+/// scale of levels, if colors tell of it.
 pub(crate) fn chosen_otherwise(evidence: &Evidence, right: &Hypothesis) -> Vec<Path> {
     let (chosen, _) = Kind::chosen_and_slips();
     let rescaled = colors::rescaled(evidence, right);
-    let start = rescaled.as_ref().unwrap_or(right);
-    let fit = Fit::new(evidence, right);
-    fit.map_or(Vec::new(), |fit| fit.selected(&chosen, &[start], &chosen))
+    let starts = rescaled.iter().chain([right]);
+    let Some(fit) = Fit::new(evidence, right) else {
+        return Vec::new();
+    };
+    let paths = starts.flat_map(|start| fit.selected(&chosen, &[start], &chosen));
+    paths.collect()
 }
 
 /// The same with a slip or two besides; `chosen` is what was found without.
@@ -802,18 +807,16 @@ fn times_on_viewport(Ball { center, radius }: Ball, times: f64) -> Ball {
     Ball::new(times * x, times * y, z, times * radius)
 }
 
-/// Nor a sphere that is nearly the book's.
+/// Nobody chooses a sphere that is nearly the book's either.
 fn without_the_books_spheres(it: Hypothesis) -> Hypothesis {
     let mut chosen = it.scene.chosen;
     for (own, book) in chosen.balls.iter_mut().zip([SPHERE, GROUND]) {
         let top = |Ball { center, radius }: Ball| center + Vec3::new(0.0, radius, 0.0);
-        let is_near = |own: &mut Ball| {
+        let is_near = |own: Ball| {
             let is_as_large = (own.radius - book.radius).abs() < NEAR * book.radius;
-            is_as_large && (top(*own) - top(book)).length() < NEAR
+            is_as_large && (top(own) - top(book)).length() < NEAR
         };
-        if own.as_mut().is_some_and(is_near) {
-            *own = None;
-        }
+        *own = own.filter(|it| !is_near(*it));
     }
     with_chosen(&it, chosen)
 }

@@ -10,8 +10,8 @@ use crate::reading::Reading;
 
 /// That the components are others: less likely than a slip.
 const NAME: f64 = 14.0;
-/// One of some dozen ramps.
-const RAMP: f64 = 4.0;
+/// One of 32 ramps.
+const RAMP: f64 = 5.0;
 /// How many pixels choose the ramps.
 const LOOK: u32 = 400;
 
@@ -101,12 +101,12 @@ impl Component {
                 first,
                 less,
             } => {
-                let (at, count) = match is_across {
-                    true => (n % reading.width, reading.width),
-                    false => (n / reading.width, reading.height),
-                };
-                let other = reading.width + reading.height - count;
+                let (count, other) = sizes(reading, is_across);
                 let whole = if is_by_other { other } else { count };
+                let at = match is_across {
+                    true => n % reading.width,
+                    false => n / reading.width,
+                };
                 let at = if is_falling { count - 1 - at } else { at };
                 let component = f64::from(at + first) / f64::from((whole - less).max(1));
                 level(component).clamp(0, 255) as i16
@@ -131,17 +131,26 @@ impl Component {
                 first,
                 less,
             } => {
-                let (ways, count) = match is_across {
-                    true => (["to the right", "to the left"], reading.width),
-                    false => (["downwards", "upwards"], reading.height),
+                let ways = match is_across {
+                    true => ["to the right", "to the left"],
+                    false => ["downwards", "upwards"],
                 };
                 let way = ways[usize::from(is_falling)];
-                let other = reading.width + reading.height - count;
-                let whole = if is_by_other { other } else { count } - less;
+                let (count, other) = sizes(reading, is_across);
+                let whole = if is_by_other { other } else { count };
+                let whole = (whole - less).max(1);
                 let last = count - 1 + first;
                 format!("rises {way} from {first}/{whole} to {last}/{whole}")
             }
         }
+    }
+}
+
+/// How many pixels lie along the ramp, and how many across it.
+fn sizes(reading: &Reading, is_across: bool) -> (u32, u32) {
+    match is_across {
+        true => (reading.width, reading.height),
+        false => (reading.height, reading.width),
     }
 }
 

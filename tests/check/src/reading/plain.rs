@@ -78,18 +78,18 @@ fn advice(width: usize, height: usize, count: usize, found: &[Pixel]) -> String 
         );
     }
     let pixels = count / 3;
-    if pixels == (width + 1) * (height + 1) {
+    if count == 3 * (width + 1) * (height + 1) {
         return "That is a column and a row too many: loop while i < image_width and j < image_height, not <=.".to_owned();
     }
     let is_of_whole_lines = pixels.is_multiple_of(width) || pixels.is_multiple_of(height);
     if pixels > width * height && !(count.is_multiple_of(3) && is_of_whole_lines) {
         return format!(
-            "The picture is complete, and {} numbers follow it. Was an older, longer file not cut off, as where std::fstream opens it? Delete it, and let the program write a new one. Or does the header not say the size that the loops use?",
+            "That is {} more than the header's size needs. Was an older, longer file not cut off, as where std::fstream opens it? Delete it, and let the program write a new one. Or does the header not say the size that the loops use?",
             count - 3 * width * height
         );
     }
     if !count.is_multiple_of(3) {
-        return "That is not a multiple of three: a number is missing or doubled somewhere, or the file was cut off.".to_owned();
+        return "That is not a multiple of three: a number is missing somewhere, or the file was cut off.".to_owned();
     }
     if pixels == (width - 1) * (height - 1) {
         return "A column and a row are missing: loop from 0 to below the size.".to_owned();

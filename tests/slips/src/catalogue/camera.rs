@@ -755,8 +755,8 @@ pub(super) const SLIPS: &[Slip] = &[
         .says(Words {
             wrong: "e[0]*e[0] + e[1]*e[1] * e[2]*e[2]",
             right: "e[0]*e[0] + e[1]*e[1] + e[2]*e[2]",
-            why: "With a times for the second plus, z = -1 changes nothing: each length is that of \
-                  x and y alone.",
+            why: "With a times for the second plus, a ray's z = -1 changes nothing: its length is \
+                  that of x and y alone.",
         })
         .in_rust(
             RAYS,
