@@ -177,9 +177,8 @@ fn drop_losses_of_roundings(found: &mut Vec<Explanation>, scene: &Scene) {
     let is_rounded = |it: &&Explanation| it.left.far == 0 && it.but.is_empty() && it.seen.is_none();
     let rounded = found.iter().filter(is_right).filter(is_rounded);
     let rounded = rounded.map(Explanation::bits).fold(f64::INFINITY, f64::min);
-    let is_mean = |but: &But| matches!(but, But::Antialiased { .. });
     let is_lossy = |it: &Explanation| {
-        it.degradation().is_some_and(Degradation::is_lossy) || it.but.iter().any(is_mean)
+        it.degradation().is_some_and(Degradation::is_lossy) || it.but.iter().any(But::is_mean)
     };
     found.retain(|it| !is_lossy(it) || 4.0 * it.bits() < rounded);
 }
@@ -521,7 +520,7 @@ impl Search<'_> {
         // Away from edges it is right, or it makes up for what lies elsewhere.
         let all = self.evidence.reading.pixels.len();
         self.is_shorter(unknown, 1.2, |it| {
-            let is_mean = matches!(it.but.first(), Some(But::Antialiased { .. }));
+            let is_mean = it.but.first().is_some_and(But::is_mean);
             is_mean && it.seen.is_none() && SMOOTH * it.left.off <= all
         })
     }
@@ -820,8 +819,7 @@ impl Search<'_> {
         let best = self.best_of(is_own).program();
         // Several rays a pixel are seen beside a slip as well.
         let is_of_rays = |it: &&Explanation| {
-            let is_mean = |but: &But| matches!(but, But::Antialiased { .. });
-            let has_rays = it.left.part.is_some() && it.but.iter().any(is_mean);
+            let has_rays = it.left.part.is_some() && it.but.iter().any(But::is_mean);
             has_rays && !it.slips.is_empty() && it.scene.chosen == Chosen::default()
         };
         let of_rays = Some(self.best()).filter(is_of_rays);

@@ -116,8 +116,7 @@ fn rows_of(unlike: &Unlike) -> Vec<Row> {
 fn or_by_offsets(set: &Set) -> Option<Row> {
     let right = set.scene.program(&[]);
     let moves = |slip: &&Slip| slip.put_to(right).inset != right.inset;
-    let is_mean = |but: &But| matches!(but, But::Antialiased { .. });
-    let is_moved = set.but.iter().any(is_mean) && set.mistakes[0].iter().any(moves);
+    let is_moved = set.but.iter().any(But::is_mean) && set.mistakes[0].iter().any(moves);
     let said = "the offsets of the rays run from 0 to 1, or to -1, and not from -0.5 to 0.5";
     is_moved.then(|| ("or", said.to_owned()))
 }

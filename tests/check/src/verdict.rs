@@ -349,12 +349,11 @@ impl Finding {
         // Whoever is off by more than a level in most pixels is not right, unless that is noise or a
         // loss; levels of a palette are seldom far from its nearest color.
         let is_of_few = |but: &But| matches!(but, But::Degraded(Degradation::Palette { .. }));
-        let is_mean = |but: &But| matches!(but, But::Antialiased { .. });
         let is_excused = best.left.is_noise(reading.pixels.len()) || is_lossy;
         let most = match is_excused {
             _ if best.but.iter().any(is_of_few) => reading.pixels.len() / 5,
             // Away from edges a mean is exact.
-            _ if best.but.iter().any(is_mean) => reading.pixels.len() / 10,
+            _ if best.but.iter().any(But::is_mean) => reading.pixels.len() / 10,
             true => reading.pixels.len(),
             false => reading.pixels.len() / 2,
         };
@@ -494,8 +493,7 @@ impl Judgement {
         let like = self.found.iter().filter(is_like);
         let mut editions: Vec<Edition> = like.map(|it| it.scene.edition).collect();
         // The mean of several rays doesn't show in which precision they were.
-        let is_mean = |but: &But| matches!(but, But::Antialiased { .. });
-        if explaining.but.iter().any(is_mean) && editions.contains(&Edition::V1InDouble) {
+        if explaining.but.iter().any(But::is_mean) && editions.contains(&Edition::V1InDouble) {
             editions.push(Edition::V1);
         }
         editions

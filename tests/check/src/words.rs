@@ -39,7 +39,7 @@ impl Set {
     fn extent(&self, pixels: usize) -> String {
         let (far, off) = (self.left.far, self.left.off);
         if !self.but.is_empty() {
-            let left = self.left.part.filter(|_| has_rays(&self.but));
+            let left = self.left.part.filter(|_| self.but.iter().any(But::is_mean));
             let left = left.map(|_| format!(", but for {}", self.left.placed(pixels)));
             let left = left.unwrap_or_default();
             return format!("this picture, {}{left}", buts(&self.but));
@@ -79,12 +79,6 @@ fn buts(but: &[But]) -> String {
     all.join(", and ")
 }
 
-/// Whether there are several rays a pixel.
-fn has_rays(but: &[But]) -> bool {
-    let is_mean = |but: &But| matches!(but, But::Antialiased { .. });
-    but.iter().any(is_mean)
-}
-
 impl Near {
     /// What it is instead of the book's picture, after "right, but".
     pub fn clause(&self, pixels: usize) -> String {
@@ -93,7 +87,7 @@ impl Near {
         let is_on_its_way = |but: &But| matches!(but, But::Degraded(_));
         let is_by_rays = self.left.is_both_ways && !self.but.iter().any(is_on_its_way);
         // Rays that lie anywhere are off where colors change, at rims that are no edges.
-        let has_rays = has_rays(&self.but);
+        let has_rays = self.but.iter().any(But::is_mean);
         let is_little = has_rays && RIM * self.left.off <= pixels;
         let left = match (has_rays, self.left.part) {
             (true, Some(_)) => Some(format!("for {}", self.left.placed(pixels))),

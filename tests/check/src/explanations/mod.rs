@@ -115,6 +115,13 @@ pub enum But {
     Degraded(Degradation),
 }
 
+impl But {
+    /// Whether each pixel is the mean of several rays.
+    pub(crate) fn is_mean(&self) -> bool {
+        matches!(self, Self::Antialiased { .. })
+    }
+}
+
 /// What is seen in a picture, where nobody knows which line of a program does it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Seen {

@@ -746,10 +746,7 @@ pub(super) const SLIPS: &[Slip] = &[
         .in_python("x*x + y*y + y*y", "x*x + y*y + z*z")
         .alters(|p| {
             p.unit = |v| v * (1.0 / swapped_length_squared(v).sqrt());
-            p.squared = match p.chapter {
-                Chapter::HalfBSphere | Chapter::HittableList => |_, v| swapped_length_squared(v),
-                _ => p.squared,
-            };
+            square_lengths_by(p, |_, v| swapped_length_squared(v));
         }),
     slip("length-with-a-product", RAYS, LENGTH)
         .says(Words {
@@ -766,12 +763,7 @@ pub(super) const SLIPS: &[Slip] = &[
         .in_python("x*x + y*y * z*z", "x*x + y*y + z*z")
         .alters(|p| {
             p.unit = |v| v * (1.0 / length_squared_with_a_product(v).sqrt());
-            p.squared = match p.chapter {
-                Chapter::HalfBSphere | Chapter::HittableList => {
-                    |_, v| length_squared_with_a_product(v)
-                }
-                _ => p.squared,
-            };
+            square_lengths_by(p, |_, v| length_squared_with_a_product(v));
         }),
     slip("blend-not-mapped", RAYS, SKY)
         .says(Words {
@@ -959,6 +951,13 @@ pub(super) const SLIPS: &[Slip] = &[
         .in_rust(SPHERES, "Color::new(0.0, 0.0, 0.0)", "sky(ray)")
         .alters(|p| p.lerp = |_, _| Color::ZERO),
 ];
+
+/// Chapters 4 and 5 take the square of a length by the function that is wrong.
+fn square_lengths_by(p: &mut Program, squared: fn(&Program, Vec3) -> f64) {
+    if matches!(p.chapter, Chapter::HalfBSphere | Chapter::HittableList) {
+        p.squared = squared;
+    }
+}
 
 fn swapped_length_squared(v: Vec3) -> f64 {
     v.x * v.x + v.y * v.y + v.y * v.y
