@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use check::sources::Sources;
-use slips::{Chapter, Letters};
+use slips::{Chapter, Edition, Letters};
 
 /// The files of a crate that `start` made, beside those of the chapter.
 pub(crate) fn of_crate(folder: &Path, chapter: Chapter) -> Sources {
@@ -54,7 +54,7 @@ fn file(path: &Path, before: &str) -> Option<(String, String)> {
 fn language(path: &Path) -> Option<Option<Letters>> {
     match path.extension()?.to_str()? {
         "rs" => Some(Some(Letters::Rust)),
-        "py" => Some(Some(Letters::Python)),
+        "py" => Some(Some(Letters::Python(Edition::V4))),
         "cc" | "cpp" | "cxx" | "c" | "h" | "hpp" => Some(None),
         _ => None,
     }

@@ -7,7 +7,7 @@
 
 use std::cmp::Reverse;
 
-use slips::{Letters, Program, Slip, Unseen, Words};
+use slips::{Edition, Letters, Program, Slip, Unseen, Words};
 
 use crate::explanations::{Degradation, Hypothesis};
 use crate::mutants;
@@ -38,7 +38,16 @@ pub struct Known<'a> {
 impl Known<'_> {
     /// What there is to say of a slip in the scene, in the reader's letters.
     pub fn words(&self, slip: &Slip, scene: &Scene) -> Words {
-        let letters = self.letters.unwrap_or(Letters::Book(scene.edition));
+        let is_older = scene.edition != Edition::V4;
+        let letters = match self.letters {
+            Some(Letters::Python(_)) => Letters::Python(scene.edition),
+            // In Rust there are the lines of our chapters, which follow version 4.
+            Some(Letters::Rust) if is_older && slip.has_older_words() => {
+                Letters::Book(scene.edition)
+            }
+            Some(letters) => letters,
+            None => Letters::Book(scene.edition),
+        };
         slip.words(letters, scene.chapter)
     }
 

@@ -9,8 +9,8 @@ pub enum Letters {
     Book(Edition),
     /// Rust, as the chapters here are written.
     Rust,
-    /// Python, with the names of the book.
-    Python,
+    /// Python, with the names of that edition.
+    Python(Edition),
 }
 
 /// A line of the book's C++ as it is typed in Python.

@@ -140,7 +140,12 @@ impl Slip {
 
     /// What Python says, where [`Letters::Python`] can't be made of the book's words.
     pub(super) const fn in_python(self, wrong: &'static str, right: &'static str) -> Self {
-        self.line(Letters::Python, &Chapter::OF_THE_BOOK, wrong, right)
+        self.line(
+            Letters::Python(Edition::V4),
+            &Chapter::OF_THE_BOOK,
+            wrong,
+            right,
+        )
     }
 
     const fn line(
@@ -226,19 +231,26 @@ impl Slip {
 
     /// What there is to say of it to someone who made it in that chapter.
     pub fn words(&self, letters: Letters, chapter: Chapter) -> Words {
-        let own = |wanted: Letters| {
-            let mut lines = self.lines.iter().flatten();
-            lines.find(|line| line.letters == wanted && line.chapters.contains(&chapter))
-        };
-        let words = match letters {
-            Letters::Book(edition) if edition != Edition::V4 => self.before_4,
+        let older = match letters {
+            Letters::Book(edition) | Letters::Python(edition) if edition != Edition::V4 => {
+                self.before_4
+            }
             _ => None,
         };
-        let Words { wrong, right, why } = words.unwrap_or(self.words);
+        // Lines of one language or some chapters are version 4's.
+        let own = |wanted: Letters| {
+            let mut lines = self.lines.iter().flatten().filter(|_| older.is_none());
+            lines.find(|line| line.letters == wanted && line.chapters.contains(&chapter))
+        };
+        let line = match letters {
+            Letters::Python(_) => own(Letters::Python(Edition::V4)),
+            _ => own(letters),
+        };
+        let Words { wrong, right, why } = older.unwrap_or(self.words);
         let book = own(Letters::Book(Edition::V4)).map_or([wrong, right], Line::said);
-        let [wrong, right] = match (own(letters), letters) {
+        let [wrong, right] = match (line, letters) {
             (Some(line), _) => line.said().map(Cow::Borrowed),
-            (None, Letters::Python) => book.map(|said| Cow::Owned(in_python(said))),
+            (None, Letters::Python(_)) => book.map(|said| Cow::Owned(in_python(said))),
             (None, Letters::Rust) => book.map(Cow::Borrowed),
             (None, Letters::Book(_)) => [wrong, right].map(Cow::Borrowed),
         };
@@ -262,6 +274,11 @@ impl Slip {
     /// Whether that language lets it be made.
     pub fn can_be_made_in(&self, letters: Letters) -> bool {
         (self.made_in)(letters)
+    }
+
+    /// Whether editions before version 4 have another line for it.
+    pub fn has_older_words(&self) -> bool {
+        self.before_4.is_some()
     }
 
     /// Whether it is a line of another edition in a program of this one.

@@ -842,7 +842,11 @@ fn a_part_that_is_not_explained_is_described() {
     let found = finding(Chapter::Gradient, &changed);
     assert!(found.near.is_some());
     let said = found.shown.join(" ");
-    assert!(said.contains("has one color, [10, 200, 30]"), "{said}");
+    let color = "has one color, [10, 200, 30]";
+    assert!(
+        said.contains(color),
+        "of the box it is not told that it {color}: {said}"
+    );
 }
 
 /// Whoever counts rows from below and both loops from one draws what lies to the right and above.
@@ -964,7 +968,11 @@ fn what_is_more_is_told_beside_a_slip_and_several_rays() {
     let found = finding(Chapter::Normals, &with_rays(&program, 50, 0.0));
     assert_eq!(names(&found)[0], ["times-255"]);
     let said = found.sights.join(" ");
-    assert!(said.contains("something more is drawn"), "{said}");
+    let more = "something more is drawn";
+    assert!(
+        said.contains(more),
+        "of the second sphere it is not told that {more}: {said}"
+    );
 }
 
 /// Rays a part of a pixel higher or lower move edges by less than anybody would move a sphere.
@@ -987,11 +995,8 @@ fn the_scale_of_levels_is_known_whatever_the_viewport_is() {
     program.viewport_height = 2.0 * f64::to_radians(10.0).tan();
     program.own[0] = Some(Ball::new(0.0, 0.05, -3.0, 0.4));
     let found = finding(Chapter::Normals, &program.run(200).picture());
-    assert!(
-        names(&found)[0].contains(&"times-255".to_owned()),
-        "{:?}",
-        names(&found)
-    );
+    let named = names(&found).concat();
+    assert!(named.contains(&"times-255".to_owned()), "{named:?}");
     let clause = found.sets[0].scene.chosen.clause().unwrap_or_default();
     assert!(clause.contains("a field of view of 20 degrees"), "{clause}");
 }

@@ -7,6 +7,8 @@ use std::iter;
 use std::path::Path;
 
 use check::comparison::Comparison;
+use check::evidence::Known;
+use check::scene::Scene;
 use common::rtweekend::*;
 use hittable_list::{HittableList, Sphere};
 use slips::{Ball, Chapter, Edition, Letters, PROBES, Program, Slip};
@@ -129,6 +131,34 @@ fn in_rust_a_slip_is_said_as_our_chapters_are_typed() {
         }
     }
     assert!(unlike.is_empty(), "{unlike}");
+}
+
+/// Whoever follows version 3 has no such line as version 4's, in whatever language.
+#[test]
+fn a_slip_of_an_older_edition_is_said_in_its_words() {
+    let scene = Scene::new(Chapter::Gradient, None).expect("it has the book's scene");
+    let scene = scene.only_by(Edition::V3);
+    for letters in [
+        None,
+        Some(Letters::Python(Edition::V4)),
+        Some(Letters::Rust),
+    ] {
+        let known = Known {
+            letters,
+            ..Known::default()
+        };
+        for (slip, line) in [
+            ("deltas-from-last-pixel", "u = (i + 0.5) / …"),
+            ("viewport-mirrored", "horizontal = (-viewport_width, 0, 0)"),
+        ] {
+            let words = known.words(suite::slip(slip), &scene);
+            assert!(
+                words.wrong.starts_with(line),
+                "{slip} in {letters:?} is said as {}",
+                words.wrong
+            );
+        }
+    }
 }
 
 /// Where a chapter is typed.
