@@ -10,7 +10,8 @@ use crate::evidence::Evidence;
 use crate::explanations::{
     But, Degradation, Explanation, Hypothesis, Path, Places, SINGLE, Seen, TWO, antialiased,
     chosen_beside_slips, chosen_otherwise, degradations, doubtful, in_colors, more, mutants,
-    name_of, on_a_curve, palette, ramps, right, silhouettes, single, spread, turned, two, typed,
+    name_of, on_a_curve, palette, ramps, right, silhouettes, single, spread, through_the_middle,
+    turned, two, typed,
 };
 use crate::reading::Reading;
 use crate::scene::{Chosen, Scene};
@@ -714,7 +715,7 @@ impl Search<'_> {
         }
         let (evidence, reading) = (self.evidence, self.evidence.reading);
         let places = Places::new(reading, None, LOOK);
-        let mut chosen = Vec::new();
+        let (mut chosen, mut middles) = (Vec::new(), Vec::new());
         for right in nearest {
             let Some(drawn) = right.drawn(reading) else {
                 continue;
@@ -727,10 +728,12 @@ impl Search<'_> {
             }
             self.keep(curved);
             let paths = chosen_otherwise(evidence, right);
-            let mut ends = paths.iter().filter_map(|path| path.last());
+            let ends = paths.iter().filter_map(|path| path.last());
             // Nor is it by another edition, or of another chapter, where simple numbers leave nothing.
             let is_explained = ends
+                .clone()
                 .any(|it| it.name < SIMPLE && it.estimated(reading, &places, it.name).is_some());
+            middles.extend(ends.filter_map(|it| through_the_middle(evidence, right, it)));
             chosen.extend(paths);
             if is_explained {
                 break;
@@ -739,7 +742,8 @@ impl Search<'_> {
         let likeliest = self.add(chosen.iter().flatten().cloned(), None, f64::INFINITY);
         // What was fitted first makes up for less.
         let firsts = chosen.iter().filter_map(|path| path.first().cloned());
-        let tried: Vec<Hypothesis> = likeliest.into_iter().take(1).chain(firsts).collect();
+        let tried = likeliest.into_iter().take(1).chain(firsts).chain(middles);
+        let tried: Vec<Hypothesis> = tried.collect();
         self.add_antialiased(&tried);
         chosen
     }

@@ -33,7 +33,7 @@ pub(crate) use curve::on_a_curve;
 pub use degraded::{Degradation, Filter, Quality};
 pub(crate) use degraded::{degradations, doubtful, palette};
 pub(crate) use more::more;
-pub(crate) use own::{Path, chosen_beside_slips, chosen_otherwise};
+pub(crate) use own::{Path, chosen_beside_slips, chosen_otherwise, through_the_middle};
 pub(crate) use places::{Places, spread};
 pub(crate) use ramps::ramps;
 pub(crate) use right::right;

@@ -117,6 +117,39 @@ pub(crate) fn chosen_beside_slips(
     found.into_iter().chain(without).collect()
 }
 
+/// The same in simple numbers that were fitted through the middles of pixels: before version 4 a
+/// single ray goes elsewhere, and the mean of several doesn't.
+pub(crate) fn through_the_middle(
+    evidence: &Evidence,
+    right: &Hypothesis,
+    it: &Hypothesis,
+) -> Option<Hypothesis> {
+    let Chosen {
+        viewport_height,
+        balls: [sphere, ground],
+        ..
+    } = it.scene.chosen;
+    let kinds = [
+        viewport_height.map(|_| Kind::Viewport),
+        sphere.map(|_| Kind::FirstSphere),
+        ground.map(|_| Kind::Ground),
+    ];
+    let has_middles = it.scene.edition.counts_from_below() && it.slips.is_empty();
+    if !has_middles || !it.scene.chosen.is_placed() {
+        return None;
+    }
+    let fit = Fit::new(evidence, right)?;
+    let mut found = Hypothesis {
+        slips: vec![::slips::find("deltas-from-last-pixel")?],
+        ..it.clone()
+    };
+    for kind in kinds.into_iter().flatten() {
+        let near = fit.fitted(kind, &found).into_iter().next()?;
+        (_, found) = fit.shortest(fit.simplified(kind, &near), f64::INFINITY)?;
+    }
+    Some(fit.named(found.without_slips()))
+}
+
 /// What a reader may have chosen, or done besides.
 #[derive(Clone, Copy)]
 enum Kind {
