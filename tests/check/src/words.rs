@@ -164,6 +164,10 @@ impl Chosen {
         let zoom = self.viewport_height.map(|height| {
             let (high, focal_length) = (rounded(height), rounded(2.0 / height));
             match self.viewport_width.map(rounded) {
+                // Only of pictures that are no squares the width is told.
+                Some(wide) if wide == high => format!(
+                    "a viewport {wide} wide and {high} high one unit away, as where width / height is an integer"
+                ),
                 Some(wide) => format!("a viewport {wide} wide and {high} high one unit away"),
                 None if is_round(angle(height)) => {
                     format!("a field of view of {} degrees from above to below", angle(height).round())

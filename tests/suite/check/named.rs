@@ -1206,6 +1206,29 @@ fn a_picture_of_ones_own_is_described_surface_by_surface() {
     assert!(rows.contains("Rows of 400 pixels would fit"), "{rows}");
 }
 
+/// Rays that are off a sphere's middle are the darker, down to what lies behind; and by several rays
+/// a pixel, all edges are mixed.
+#[test]
+fn what_has_no_edge_everywhere_is_described_by_itself() {
+    let shown = |picture: &Picture| finding(Chapter::Gradient, picture).shown.join(" ");
+    let black = Picture::from_rgb(400, 225, vec![0; 3 * 400 * 225]).expect("its size");
+    let glow = shown(&changed(&black, |i, j| {
+        let off = f64::from(i.abs_diff(200)).hypot(f64::from(j.abs_diff(112)));
+        Some([(255.0 - 4.0 * off).max(0.0) as u8, 0, 0])
+    }));
+    assert!(glow.contains("has one color, [0, 0, 0]"), "{glow}");
+    assert!(glow.contains("[255, 0, 0] in its middle"), "{glow}");
+    let gray = Program {
+        level: |component| (255.0 * component) as i32,
+        lerp: |sky, a| Color::splat((1.0 - a) * sky[0].x + a * sky[1].x),
+        shade: |_, normal| Color::splat(0.5 * (normal.x + 1.0)),
+        ..Program::right(Chapter::HittableList)
+    };
+    let gray = shown(&wide_with_rays(400, &gray, 12, 0.0));
+    assert!(gray.contains("to (0.5, 0.5, 0.5) where it is 1"), "{gray}");
+    assert!(gray.contains("is one component printed"), "{gray}");
+}
+
 /// As a list that keeps no hit farther than its first sphere's.
 #[test]
 fn where_a_hit_is_missing_nothing_more_is_drawn() {
@@ -1262,6 +1285,22 @@ fn the_scale_of_several_rays_is_no_mistake_in_a_scene_of_ones_own() {
     };
     let found = finding(Chapter::HittableList, &with_rays(&program, 50, 0.0));
     assert!(found.near.is_some(), "{:?}", names(&found));
+}
+
+/// Before version 4 the rays of a pixel begin where its single one goes, so one through their
+/// middle is a slip.
+#[test]
+fn several_rays_of_an_older_edition_are_found_through_a_viewport_of_ones_own() {
+    let older = scene(Chapter::HittableList).only_by(Edition::V3);
+    let program = Program {
+        viewport_height: 2.25,
+        ..older.program(&[])
+    };
+    let near = near(Chapter::HittableList, &with_rays(&program, 30, -1.0));
+    assert_eq!(near.scene.edition, Edition::V3);
+    let said = near.clause(1);
+    assert!(said.contains("a viewport 2.25 high"), "{said}");
+    assert!(said.contains("antialiased"), "{said}");
 }
 
 /// As by several rays that lie beside the pixel, which change nothing else.

@@ -67,15 +67,21 @@ fn otherwise(surface: &Surface, reading: &Reading, own: Option<(Terms, Fit)>) ->
         let found = Seen::new(surface, reading, eye).fitted(terms)?;
         Some((found, eye))
     };
+    let nearest = |fits: &mut dyn Iterator<Item = ((Terms, Fit), Eye)>| {
+        fits.min_by(|((_, one), _), ((_, other), _)| one.off.total_cmp(&other.off))
+    };
     let own = own.map(|found| (found, books));
     let found = own.or_else(|| {
         // Through one viewport or another much looks nearly like a blend that is none.
         let typed = others.iter().filter_map(|eye| fitted(*eye, &Terms::BEHIND));
         let zooms = zooms(reading).map(|it| Eye::new(reading, it));
         let zooms = zooms.filter_map(|eye| fitted(eye, &[Terms::UnitY]));
-        let exact = typed.chain(zooms).filter(|((_, fit), _)| fit.off <= EXACT);
-        let nearest = exact.min_by(|((_, one), _), ((_, other), _)| one.off.total_cmp(&other.off));
-        nearest
+        let mut exact = typed.chain(zooms).filter(|((_, fit), _)| fit.off <= EXACT);
+        let eyes = || [books].into_iter().chain(others);
+        let blends = eyes().filter_map(|eye| fitted(eye, &[Terms::UnitY]));
+        let mut blends = blends.filter(|((_, fit), _)| fit.blends_colors());
+        nearest(&mut exact)
+            .or_else(|| nearest(&mut blends))
             .or_else(|| fitted(books, &Terms::BEHIND))
             .or_else(|| others.iter().find_map(|eye| fitted(*eye, &[Terms::Unit])))
             .or_else(|| fitted(books, &[Terms::Red]))
@@ -96,7 +102,10 @@ fn otherwise(surface: &Surface, reading: &Reading, own: Option<(Terms, Fit)>) ->
         }
         _ => String::new(),
     };
-    let colors = Seen::new(surface, reading, eye).colors(found);
+    let colors = match &found {
+        Some((Terms::UnitY, fit)) if fit.is_the_books_sky() => "is the book's sky".to_owned(),
+        _ => Seen::new(surface, reading, eye).colors(found),
+    };
     (format!("{colors}{unlike}"), eye)
 }
 
@@ -111,8 +120,13 @@ fn through(eye: &Eye, books: &Eye) -> String {
     let larger = [width / books_across.x, -height / books_down.y];
     let is_as_large = larger.iter().all(|it| (it - 1.0).abs() < MOVED);
     let size = (!is_as_large).then(|| {
+        let is_square = (width / height - 1.0).abs() < MOVED;
         let [width, height] = [width, height].map(about);
-        format!("seen through a viewport about {width} wide and {height} high")
+        let unlike = match is_square {
+            true => ", as where width / height is an integer",
+            false => "",
+        };
+        format!("seen through a viewport about {width} wide and {height} high{unlike}")
     });
     let turned = (down.y > 0.0).then(|| "seen upside down".to_owned());
     let [aside, along] = eye.middle();
@@ -144,8 +158,8 @@ fn leaning(eye: &Eye) -> String {
     )
 }
 
-/// The book's, and others that people type, also by the width or by an integer ratio.
-pub(super) fn viewports(reading: &Reading) -> [[f64; 2]; 7] {
+/// The book's, and others that people type, also by the width, by an integer ratio or as printed.
+pub(super) fn viewports(reading: &Reading) -> [[f64; 2]; 8] {
     let ratio = f64::from(reading.width) / f64::from(reading.height);
     let by_height = |height: f64| [height * ratio, height];
     let by_width = |width: f64| [width, width / ratio];
@@ -157,6 +171,7 @@ pub(super) fn viewports(reading: &Reading) -> [[f64; 2]; 7] {
         by_width(4.0),
         by_width(1.0),
         [2.0 * ratio.floor().max(1.0), 2.0],
+        [4.0, 2.0],
     ]
 }
 

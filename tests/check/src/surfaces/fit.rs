@@ -19,7 +19,8 @@ pub(super) struct Fit {
 }
 
 impl Fit {
-    /// The sums of terms that come nearest to levels, if all but some are off by at most so much.
+    /// The sums of terms that come nearest to levels, if all but some are off by at most so much; none
+    /// of no points.
     pub(super) fn of(points: &[(DVec4, [i16; 3])], most: f64) -> Option<Self> {
         let sums = [0, 1, 2].map(|channel| sum(points, channel));
         let mut off: Vec<f64> = points
@@ -37,7 +38,7 @@ impl Fit {
                 })
             })
             .collect();
-        let at = (off.len() - 1) - off.len() / SOME;
+        let at = off.len().checked_sub(1 + off.len() / SOME)?;
         let (_, off, _) = off.select_nth_unstable_by(at, f64::total_cmp);
         let off = *off;
         (off <= most).then(|| Self {
@@ -73,6 +74,20 @@ impl Fit {
         let book = [DVec4::Y, DVec4::Z, DVec4::W].map(|axis| 0.5 * (DVec4::X + axis));
         let mut pairs = self.components.iter().zip(book);
         pairs.all(|(it, book)| (*it - book).abs().max_element() < LITTLE)
+    }
+
+    /// Whether it is the book's sky, by the y of the unit direction.
+    pub(super) fn is_the_books_sky(&self) -> bool {
+        let book = [[0.75, -0.25], [0.85, -0.15], [1.0, 0.0]];
+        let mut pairs = self.components.iter().zip(book);
+        pairs.all(|(it, [same, y])| (it.x - same).abs().max((it.z - y).abs()) < LITTLE)
+    }
+
+    /// Whether what it makes of a unit direction's y are colors, up and down.
+    pub(super) fn blends_colors(&self) -> bool {
+        let end = |y: f64| self.color(DVec4::new(1.0, 0.0, y, 0.0));
+        let mut ends = [end(-1.0), end(1.0)].into_iter().flatten();
+        ends.all(|it| (-LITTLE..=1.0 + LITTLE).contains(&it))
     }
 
     /// The color of some terms.

@@ -3,6 +3,7 @@
 //! What is smooth is a surface, and the pixels of an edge belong to the surface that is nearer in
 //! color. Of each it is told where it lies, what colors it, and whether a chapter has it so.
 
+mod apart;
 mod background;
 mod cone;
 mod fit;
@@ -67,7 +68,15 @@ pub(crate) fn is_one(reading: &Reading) -> bool {
 
 /// The surfaces of a picture, the largest first.
 fn surfaces(reading: &Reading) -> Vec<Surface> {
-    let mut grown = Grown::seeds(reading);
+    all_of(Grown::seeds(reading))
+}
+
+/// The same where some pixels are known to be of no surface with the others.
+fn surfaces_apart(reading: &Reading, is_apart: impl Fn(u32) -> bool) -> Vec<Surface> {
+    all_of(Grown::seeds_apart(reading, is_apart))
+}
+
+fn all_of(mut grown: Grown) -> Vec<Surface> {
     grown.grow();
     let mut all = grown.surfaces();
     all.sort_by_key(|it| Reverse(it.count));
@@ -84,11 +93,19 @@ struct Grown<'a> {
 impl<'a> Grown<'a> {
     /// What is smooth and not too small.
     fn seeds(reading: &'a Reading) -> Self {
+        Self::seeds_apart(reading, |_| false)
+    }
+
+    fn seeds_apart(reading: &'a Reading, is_apart: impl Fn(u32) -> bool) -> Self {
         let total = reading.pixels.len();
+        let is_apart: Vec<bool> = (0..total as u32).map(is_apart).collect();
         let is_smooth = |n: u32| {
             let pixel = reading.pixels[n as usize];
             let mut near = neighbors(n, reading);
-            near.all(|near| distance(pixel, reading.pixels[near as usize]) <= SMOOTH)
+            near.all(|near| {
+                let is_near = distance(pixel, reading.pixels[near as usize]) <= SMOOTH;
+                is_near && is_apart[n as usize] == is_apart[near as usize]
+            })
         };
         let mut is_free: Vec<bool> = (0..total as u32).map(is_smooth).collect();
         let mut grown = Self {

@@ -9,6 +9,7 @@ use slips::{Chapter, Edition};
 
 use common::rtweekend::{Point3, Vec3};
 
+use super::apart::apart;
 use super::background::Background;
 use super::cone::{Cone, Eye};
 use super::fit::Fit;
@@ -33,7 +34,10 @@ const LEVELS: u16 = 1;
 /// Components are equal if they differ in no more than one pixel of so many.
 const UNEQUAL: usize = 50;
 /// Levels that differ by less are made of one color, or of nobody knows what.
-const CONTRAST: u16 = 12;
+const CONTRAST: i16 = 12;
+/// What is off by more levels than these is made of a vector if it changes by so many times as many.
+const NEARLY: f64 = 2.5;
+const BESIDE: f64 = 50.0;
 /// One pixel in so many has a common color.
 const COMMON: usize = 12;
 /// What is larger is ground, and only its edge is seen.
@@ -71,9 +75,11 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
     if all.len() > MANY {
         return in_pieces(all.len(), reading);
     }
-    // What lies behind reaches the top.
-    let behind = all.iter().position(|it| it.rows.start == 0);
-    let background = all.remove(behind.unwrap_or(0));
+    let mut background = remove_what_lies_behind(&mut all);
+    if let Some(apart) = apart(&background, reading) {
+        all = apart;
+        background = remove_what_lies_behind(&mut all);
+    }
     let behind = Background::of(&background, reading);
     let others = all.iter().take(SAID - 1);
     let others = others.map(|it| Seen::new(it, reading, behind.eye).with_its_outline());
@@ -98,6 +104,12 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
     all.chain(equal_components(reading)).collect()
 }
 
+/// Of all surfaces, the one that reaches the top.
+fn remove_what_lies_behind(all: &mut Vec<Surface>) -> Surface {
+    let behind = all.iter().position(|it| it.rows.start == 0);
+    all.remove(behind.unwrap_or(0))
+}
+
 /// That two components are one, and not only black or brightest.
 fn equal_components(reading: &Reading) -> Option<String> {
     let names = ["Red", "Green", "Blue"];
@@ -110,13 +122,13 @@ fn equal_components(reading: &Reading) -> Option<String> {
         says_something && UNEQUAL * others <= reading.pixels.len()
     });
     let (one, other) = equal.next()?;
-    // All three are gray.
-    equal.next().is_none().then(|| {
-        format!(
+    Some(match equal.next() {
+        None => format!(
             "{} and {} are equal almost everywhere: is a component of a vector taken twice?",
             names[one],
             names[other].to_lowercase()
-        )
+        ),
+        Some(_) => "It is gray almost everywhere: is one component printed three times?".to_owned(),
     })
 }
 
@@ -233,21 +245,19 @@ impl<'a> Seen<'a> {
 
     /// The fewest terms that make its levels, of as many the nearest.
     pub(super) fn fitted(&self, terms: &[Terms]) -> Option<(Terms, Fit)> {
-        let [first, rest @ ..] = &self.places[..] else {
-            return None;
+        let contrast = |channel: usize| {
+            let levels = self.places.iter();
+            let levels = levels.map(|&n| self.reading.pixels[n as usize][channel]);
+            Some(levels.clone().max()? - levels.min()?)
         };
-        let color = |n: &u32| self.reading.pixels[*n as usize];
-        let contrast = rest.iter().map(|n| distance(color(first), color(n))).max();
-        let is_flat = contrast < Some(CONTRAST);
+        let contrast = (0..3).filter_map(contrast).max()?;
+        let is_flat = contrast < CONTRAST;
         let terms = terms.iter().filter(|&&it| it == Terms::One || !is_flat);
         let fits = terms.filter_map(|&terms| {
-            let values = self.places.iter().map(|&n| {
-                let found = self.reading.pixels[n as usize];
-                Some((self.values(terms, n)?, found))
-            });
-            let points: Option<Vec<_>> = values.collect();
-            let fit = Fit::of(&points?, terms.most_off())?;
-            (!terms.is_a_vector() || fit.is_simple()).then_some((terms, fit))
+            let fit = self.fit(terms)?;
+            let is_near = fit.off <= NEARLY || BESIDE * fit.off <= f64::from(contrast);
+            let is_made_so = fit.is_simple() && is_near;
+            (!terms.is_a_vector() || is_made_so).then_some((terms, fit))
         });
         fits.min_by(|(one, fit), (other, than)| {
             let by_count = one.count().cmp(&other.count());
@@ -255,7 +265,16 @@ impl<'a> Seen<'a> {
         })
     }
 
-    fn values(&self, terms: Terms, n: u32) -> Option<DVec4> {
+    pub(super) fn fit(&self, terms: Terms) -> Option<Fit> {
+        let values = self.places.iter().map(|&n| {
+            let found = self.reading.pixels[n as usize];
+            Some((self.values(terms, n)?, found))
+        });
+        let points: Option<Vec<_>> = values.collect();
+        Fit::of(&points?, terms.most_off())
+    }
+
+    pub(super) fn values(&self, terms: Terms, n: u32) -> Option<DVec4> {
         let direction = self.eye.direction(n);
         let unit = direction.normalize();
         let (width, height) = (self.reading.width, self.reading.height);

@@ -41,8 +41,8 @@ impl Terms {
     /// How many levels all but some pixels may be off.
     pub(super) fn most_off(self) -> f64 {
         match self {
-            Self::One => 4.0,
-            _ if self.is_a_vector() => 2.5,
+            Self::One | Self::Normal => 4.0,
+            Self::Unit => 2.5,
             _ => 1.75,
         }
     }
