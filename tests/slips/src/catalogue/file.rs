@@ -5,6 +5,7 @@ use common::rtweekend::*;
 use super::chapters::{BUILD_TEST, EVERY, GRADIENT, RAYS};
 use crate::chapter::Chapter;
 use crate::edition::Edition;
+use crate::letters::Letters;
 use crate::program::Program;
 use crate::single;
 use crate::slip::{Place, Slip, Words, slip};
@@ -134,6 +135,45 @@ pub(super) const SLIPS: &[Slip] = &[
             p.color = |program, camera, i, j| {
                 let row = program.row(j, camera);
                 program.ramp(camera, row, i.into())
+            }
+        }),
+    slip("ramps-exchanged", BUILD_TEST, THE_CODE)
+        .says(Words {
+            wrong: "r = j / (height - 1), g = i / (width - 1)",
+            right: "r = i / (width - 1), g = j / (height - 1)",
+            why: "Columns run to the right and carry red; here they carry green, as where i counts \
+                  rows.",
+        })
+        .in_rust(
+            BUILD_TEST,
+            "Color::new(f64::from(j) / last, f64::from(i) / last, 0.0)",
+            "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)",
+        )
+        // There one number is the last of both.
+        .made_in(|letters| letters != Letters::Rust)
+        .alters(|p| {
+            p.color = |program, camera, i, j| {
+                let row = program.row(j, camera);
+                let [red, green, blue] = program.ramp(camera, i.into(), row).to_array();
+                Color::new(green, red, blue)
+            }
+        }),
+    slip("red-and-blue-exchanged", BUILD_TEST, THE_CODE)
+        .says(Words {
+            wrong: "b = i / (width - 1)",
+            right: "r = i / (width - 1)",
+            why: "Blue rises to the right where red should, and red is what blue should be.",
+        })
+        .in_rust(
+            BUILD_TEST,
+            "Color::new(0.0, f64::from(j) / last, f64::from(i) / last)",
+            "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)",
+        )
+        .alters(|p| {
+            p.color = |program, camera, i, j| {
+                let row = program.row(j, camera);
+                let [red, green, blue] = program.ramp(camera, i.into(), row).to_array();
+                Color::new(blue, green, red)
             }
         }),
     slip("column-twice", BUILD_TEST, THE_CODE)
