@@ -16,6 +16,11 @@ const EXACT: f64 = 1.0;
 const ASIDE: f64 = 0.01;
 const MOVED: f64 = 0.03;
 
+/// The colors of the book's sky, below and above.
+const SKY: [[f64; 3]; 2] = [[1.0; 3], [0.5, 0.7, 1.0]];
+/// Gamma corrected or measured through JPEG, a blend ends no farther beyond white or black.
+const BEYOND: f64 = 0.05;
+
 /// What lies behind all else.
 pub(super) struct Background {
     /// What it is, in words.
@@ -77,13 +82,19 @@ fn otherwise(surface: &Surface, reading: &Reading, own: Option<(Terms, Fit)>) ->
         let zooms = zooms(reading).map(|it| Eye::new(reading, it));
         let zooms = zooms.filter_map(|eye| fitted(eye, &[Terms::UnitY]));
         let mut exact = typed.chain(zooms).filter(|((_, fit), _)| fit.off <= EXACT);
-        let eyes = || [books].into_iter().chain(others);
-        let blends = eyes().filter_map(|eye| fitted(eye, &[Terms::UnitY]));
-        let mut blends = blends.filter(|((_, fit), _)| fit.blends_colors());
+        let blends = others
+            .iter()
+            .filter_map(|eye| fitted(*eye, &[Terms::UnitY]));
+        let mut blends = blends.filter(|((_, fit), _)| fit.beyond_colors() < NEAR);
         nearest(&mut exact)
+            .or_else(|| fitted(books, &Terms::SIMPLE))
             .or_else(|| nearest(&mut blends))
-            .or_else(|| fitted(books, &Terms::BEHIND))
-            .or_else(|| others.iter().find_map(|eye| fitted(*eye, &[Terms::Unit])))
+            .or_else(|| {
+                [books]
+                    .iter()
+                    .chain(&others)
+                    .find_map(|eye| fitted(*eye, &[Terms::Unit]))
+            })
             .or_else(|| fitted(books, &[Terms::Red]))
     });
     let (found, eye) = match found {
@@ -102,11 +113,20 @@ fn otherwise(surface: &Surface, reading: &Reading, own: Option<(Terms, Fit)>) ->
         }
         _ => String::new(),
     };
+    let beyond = match &found {
+        Some((Terms::UnitY, fit)) if fit.beyond_colors() > BEYOND => {
+            "; these are no colors, as where the weight of blue is not 0.5 * (y + 1)"
+        }
+        _ => "",
+    };
     let colors = match &found {
-        Some((Terms::UnitY, fit)) if fit.is_the_books_sky() => "is the book's sky".to_owned(),
+        Some((Terms::UnitY, fit)) if fit.blends(SKY) < NEAR => "is the book's sky".to_owned(),
+        Some((Terms::UnitY, fit)) if fit.blends(SKY.map(|it| it.map(f64::sqrt))) < BEYOND => {
+            "is nearly the book's sky after gamma correction".to_owned()
+        }
         _ => Seen::new(surface, reading, eye).colors(found),
     };
-    (format!("{colors}{unlike}"), eye)
+    (format!("{colors}{unlike}{beyond}"), eye)
 }
 
 /// Where an eye's pixels lie, if that is not where they are in the book.

@@ -76,18 +76,27 @@ impl Fit {
         pairs.all(|(it, book)| (*it - book).abs().max_element() < LITTLE)
     }
 
-    /// Whether it is the book's sky, by the y of the unit direction.
-    pub(super) fn is_the_books_sky(&self) -> bool {
-        let book = [[0.75, -0.25], [0.85, -0.15], [1.0, 0.0]];
-        let mut pairs = self.components.iter().zip(book);
-        pairs.all(|(it, [same, y])| (it.x - same).abs().max((it.z - y).abs()) < LITTLE)
+    /// By how much what it makes of a unit direction's y, down and up, is more than a color is.
+    pub(super) fn beyond_colors(&self) -> f64 {
+        let ends = self.ends().into_iter().flatten();
+        ends.map(|it| (it - 1.0).max(-it)).fold(0.0, f64::max)
     }
 
-    /// Whether what it makes of a unit direction's y are colors, up and down.
-    pub(super) fn blends_colors(&self) -> bool {
-        let end = |y: f64| self.color(DVec4::new(1.0, 0.0, y, 0.0));
-        let mut ends = [end(-1.0), end(1.0)].into_iter().flatten();
-        ends.all(|it| (-LITTLE..=1.0 + LITTLE).contains(&it))
+    /// By how much that differs from two colors.
+    pub(super) fn blends(&self, colors: [[f64; 3]; 2]) -> f64 {
+        let pairs = self
+            .ends()
+            .into_iter()
+            .flatten()
+            .zip(colors.into_iter().flatten());
+        pairs
+            .map(|(it, other)| (it - other).abs())
+            .fold(0.0, f64::max)
+    }
+
+    /// The colors where the y of a unit direction is -1 and 1.
+    fn ends(&self) -> [[f64; 3]; 2] {
+        [-1.0, 1.0].map(|y| self.color(DVec4::new(1.0, 0.0, y, 0.0)))
     }
 
     /// The color of some terms.

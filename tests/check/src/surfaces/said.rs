@@ -99,9 +99,11 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
         )),
         false => None,
     };
+    // A sky of one's own may have equal components.
+    let equal = equal_components(reading).filter(|_| !others.is_empty());
     let others = others.iter().map(Seen::as_a_thing);
     let all = [behind.said].into_iter().chain(others).chain(rest);
-    all.chain(equal_components(reading)).collect()
+    all.chain(equal).collect()
 }
 
 /// Of all surfaces, the one that reaches the top.

@@ -29,6 +29,14 @@ impl Terms {
         Self::Both,
         Self::Unit,
     ];
+    /// The same but for sums of several components.
+    pub(super) const SIMPLE: [Self; 5] = [
+        Self::One,
+        Self::Rows,
+        Self::Columns,
+        Self::UnitY,
+        Self::Both,
+    ];
     pub(super) const OF_A_THING: [Self; 6] = [
         Self::One,
         Self::UnitY,
