@@ -192,13 +192,17 @@ fn drop_changes_like_choices(found: &mut Vec<Explanation>) {
     found.retain(|it| !is_unnamed(it) || !chosen.contains(&it.mark));
 }
 
-/// Whether it is the scene in numbers that a reader may well have chosen: a sky that ends in black
-/// may have lost a term.
-pub(crate) fn is_choice(it: &Explanation) -> bool {
+/// Whether it is the scene in numbers of the reader's own.
+fn is_choice(it: &Explanation) -> bool {
+    it.slips.is_empty() && is_own(it)
+}
+
+/// Whether it has numbers that a reader may well have chosen: a sky that ends in black may have lost
+/// a term.
+pub(crate) fn is_own(it: &Explanation) -> bool {
     let chosen = it.scene.chosen;
     let has_black = chosen.sky.is_some_and(|sky| sky.contains(&Color::ZERO));
-    let is_own = chosen != Chosen::default() && !chosen.looks_like_a_slip();
-    it.slips.is_empty() && is_own && !has_black
+    chosen != Chosen::default() && !chosen.looks_like_a_slip() && !has_black
 }
 
 /// Puts first what has the shortest name of all that leave the same noise: lengths of
@@ -656,17 +660,31 @@ impl Search<'_> {
         self.keep(same);
     }
 
-    /// Colors that a reader may have chosen instead of the slips that were found.
+    /// Colors that a reader may have chosen instead of the slips that were found, or of one of two.
     fn add_colors(&mut self, rights: &[Hypothesis]) {
-        let best = self.best().program();
-        let without = best.without_slips();
-        let mut rights = rights.iter().filter(|it| it.is_same_program(&without));
-        let is_told = !best.slips.is_empty() && self.evidence.known.sources.is_empty();
-        if let Some(right) = rights.next().filter(|_| is_told) {
-            let colored = in_colors(self.evidence, right, LOOK);
-            let measured = colored.and_then(|it| it.measured(self.evidence.reading));
-            self.keep(measured);
+        let (best, mark) = (self.best().program(), self.best().mark);
+        if best.slips.is_empty() || !self.evidence.known.sources.is_empty() {
+            return;
         }
+        let plain = best.without_slips();
+        let Some(right) = rights.iter().find(|it| it.is_same_program(&plain)) else {
+            return;
+        };
+        let colored = |slips: Vec<&'static Slip>| {
+            let it = Hypothesis {
+                name: right.name + name_of(&slips),
+                slips,
+                ..right.clone()
+            };
+            let colored = in_colors(self.evidence, &it, LOOK)?;
+            colored.measured(self.evidence.reading)
+        };
+        let whole = colored(Vec::new());
+        let two = best.slips.iter().filter(|_| best.slips.len() == 2);
+        let parts = two.filter_map(|&slip| colored(vec![slip]));
+        let parts = parts.filter(|it| it.mark == mark);
+        let all: Vec<Explanation> = whole.into_iter().chain(parts).collect();
+        self.keep(all);
     }
 
     /// Several rays a pixel, by right programs and by the likeliest wrong ones.
@@ -796,9 +814,10 @@ impl Search<'_> {
         let tried: Vec<Hypothesis> = beside.first().into_iter().chain(without).cloned().collect();
         self.add_antialiased(&tried);
         let unknown = self.unknown;
+        // Two make up for much, so nothing is left beside them.
         let explains = |it: &Explanation| {
             let times = if it.but.is_empty() { MIXED } else { SCATTERED };
-            times * it.bits() < unknown
+            times * it.bits() < unknown && (it.slips.len() < 2 || it.left.far == 0)
         };
         let added = self.found.split_off(before).into_iter();
         self.keep(added.filter(explains));

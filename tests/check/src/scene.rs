@@ -56,7 +56,11 @@ impl Chosen {
 
     /// Whether somebody may have typed the numbers of a picture of that ratio.
     pub(crate) fn is_typed(&self, ratio: f64) -> bool {
-        self.has_a_typed_sky() && self.has_a_typed_viewport(ratio) && self.has_a_typed_ground()
+        let are_colors = !self.has_no_color() || self.times().is_some();
+        are_colors
+            && self.has_a_typed_sky()
+            && self.has_a_typed_viewport(ratio)
+            && self.has_a_typed_ground()
     }
 
     /// Whether the ground's radius has few digits: where it is, noise blurs.
@@ -78,7 +82,8 @@ impl Chosen {
         self.viewport_height.is_none_or(|height| {
             let width = self.viewport_width.unwrap_or(height * ratio);
             let mut lengths = [height, width, 2.0 / height, 2.0 / width].into_iter();
-            lengths.any(|it| is_round(100.0 * it)) || is_round(angle(height))
+            let angle = angle(height);
+            lengths.any(|it| is_round(100.0 * it)) || angle < WIDE && is_round(angle)
         })
     }
 
@@ -95,6 +100,9 @@ impl Chosen {
         self.sky.is_some_and(|sky| sky.into_iter().any(is_none))
     }
 }
+
+/// Nobody looks under a wider angle, in degrees.
+const WIDE: f64 = 150.0;
 
 /// The degrees under which a viewport of that height one unit away is seen.
 pub(crate) fn angle(height: f64) -> f64 {

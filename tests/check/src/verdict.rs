@@ -9,7 +9,8 @@ use crate::bits::Left;
 use crate::comparison::{Comparison, Difference};
 use crate::evidence::{Evidence, Known};
 use crate::explanations::{But, Conversion, Curve, Degradation, Explanation, Seen};
-use crate::judge::{Judgement, is_choice, is_same, shortest};
+use crate::judge::{Judgement, is_own, is_same, shortest};
+use crate::names_of;
 use crate::reading::{self, Cause, Reading};
 use crate::scene::Scene;
 use crate::sources::is_same_line;
@@ -451,14 +452,22 @@ impl Judgement {
         whole.or(first).expect("the scene itself was measured")
     }
 
-    /// What a right program draws the same with, in a sentence, where a mistake does.
+    /// What a right program draws the same with, in a sentence, where a mistake does; or one with
+    /// a mistake where two do.
     fn chosen_instead(&self) -> Option<String> {
         let best = &self.found[0];
-        let is_right = |it: &&Explanation| is_choice(it) && it.seen.is_none();
-        let mut same = self.found.iter().filter(|it| it.mark == best.mark);
-        let right = same.find(|it| !best.slips.is_empty() && is_right(it))?;
-        let clause = right.scene.chosen.clause()?;
-        Some(format!("A right program draws the same {clause}."))
+        let is_less = |it: &&Explanation| {
+            let is_another = it.mark == best.mark && it.slips.len() < best.slips.len();
+            is_another && it.seen.is_none() && is_own(it)
+        };
+        let less = self.found.iter().filter(is_less);
+        let less = less.min_by_key(|it| it.slips.len())?;
+        let clause = less.scene.chosen.clause()?;
+        let by = match &less.slips[..] {
+            [] => "A right program".to_owned(),
+            slips => format!("One with {} alone", names_of(slips)),
+        };
+        Some(format!("{by} draws the same {clause}."))
     }
 
     /// Whether it is a picture that many mistakes draw, as far as anybody can tell.

@@ -188,7 +188,7 @@ impl Chosen {
 
     /// How many times as bright as the book's all that is drawn is, if it is: a sum of rays that is
     /// divided by another number than theirs.
-    fn times(&self) -> Option<f64> {
+    pub(crate) fn times(&self) -> Option<f64> {
         let [below, above] = self.sky?;
         let times = below.x;
         let is_near = |one: f64, other: f64| (one - times * other).abs() < NEARLY;

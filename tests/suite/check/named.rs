@@ -536,6 +536,20 @@ fn a_sphere_elsewhere_is_the_readers_own() {
     }
 }
 
+/// A sky may be violet by choice, or by red and green that change places.
+#[test]
+fn colors_of_ones_own_are_told_beside_slips_that_draw_the_same() {
+    let said = |mut program: Program| {
+        program.sky = [Color::ONE, Color::new(0.7, 0.5, 1.0)];
+        let found = finding(Chapter::Gradient, &program.run(400).picture());
+        found.sights.join(" ")
+    };
+    let right = said(Program::right(Chapter::Gradient));
+    assert!(right.contains("A right program draws the same"), "{right}");
+    let one = said(slip("rows-from-one").program(Chapter::Gradient));
+    assert!(one.contains("One with rows-from-one alone"), "{one}");
+}
+
 #[test]
 fn colors_and_scale_of_ones_own_are_no_mistake() {
     let mut program = Program::right(Chapter::HittableList);

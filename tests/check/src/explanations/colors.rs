@@ -311,7 +311,8 @@ impl Pixels {
             hits: Vec::new(),
         };
         for n in spread(look, reading.pixels.len() as u32) {
-            let ray = (program.ray)(program, &camera, n % reading.width, n / reading.width);
+            let (i, j) = (program.order)(n, reading.width, reading.height);
+            let ray = (program.ray)(program, &camera, i, j);
             let found = reading.pixels[n as usize];
             match program.normal(&ray) {
                 Some(normal) => pixels.hits.push((normal, found)),

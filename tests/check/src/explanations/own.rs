@@ -62,7 +62,7 @@ const GROUND: Ball = Ball::new(0.0, -100.5, -1.0, 100.0);
 const RADII: [f64; 8] = [1.0, 5.0, 10.0, 20.0, 30.0, 50.0, 100.0, 1000.0];
 
 /// How far the middle of a ground may be thought to be.
-const DEPTHS: Range<f64> = 0.5..5.0;
+const DEPTHS: Range<f64> = 0.5..20.0;
 
 /// That the scene is the reader's own, beside its numbers.
 const NAME: f64 = 8.0;
@@ -134,20 +134,19 @@ pub(crate) fn through_the_middle(
         sphere.map(|_| Kind::FirstSphere),
         ground.map(|_| Kind::Ground),
     ];
-    let has_middles = it.scene.edition.counts_from_below() && it.slips.is_empty();
-    if !has_middles || !it.scene.chosen.is_placed() {
+    if !it.scene.edition.counts_from_below() || !it.scene.chosen.is_placed() {
         return None;
     }
     let fit = Fit::new(evidence, right)?;
-    let mut found = Hypothesis {
-        slips: vec![::slips::find("deltas-from-last-pixel")?],
-        ..it.clone()
-    };
+    let middle = ::slips::find("deltas-from-last-pixel")?;
+    let mut found = it.clone();
+    found.slips.push(middle);
     for kind in kinds.into_iter().flatten() {
         let near = fit.fitted(kind, &found).into_iter().next()?;
         (_, found) = fit.shortest(fit.simplified(kind, &near), f64::INFINITY)?;
     }
-    Some(fit.named(found.without_slips()))
+    found.slips.pop();
+    Some(fit.named(found))
 }
 
 /// What a reader may have chosen, or done besides.
