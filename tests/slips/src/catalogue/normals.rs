@@ -6,7 +6,7 @@ use super::chapters::{HITTABLE_LIST, LONE_SPHERE, ONE_SPHERE, RED_SPHERE, ROOTS}
 use super::sphere::SIGN_OF_B;
 use crate::chapter::Chapter;
 use crate::letters::Letters;
-use crate::program::{BALL, Ball, Balls, Program};
+use crate::program::{BALL, Ball, Balls, Program, coefficients};
 use crate::slip::{Place, Slip, Words, slip};
 
 const ROOT: Place = Place {
@@ -281,6 +281,24 @@ pub(super) const SLIPS: &[Slip] = &[
             "self.origin + t * self.direction",
         )
         .alters(|p| p.at = |program, ray, t| ray.origin + t * (program.unit)(ray.direction)),
+    slip("t-along-unit-direction", ONE_SPHERE, POINT_OF_HIT)
+        .says(Words {
+            wrong: "hit_sphere(center, radius, ray(r.origin(), unit_vector(r.direction())))",
+            right: "hit_sphere(center, radius, r)",
+            why: "t counts lengths of the direction by which it was found, and r.at(t) goes along \
+                  another one.",
+        })
+        .in_rust(
+            ONE_SPHERE,
+            "hit_sphere(center, 0.5, &Ray::new(ray.origin, ray.direction.normalize()))",
+            "hit_sphere(center, 0.5, ray)",
+        )
+        .alters(|p| {
+            p.coefficients = |program, ball, ray| {
+                let direction = (program.unit)(ray.direction);
+                coefficients(program, ball, &Ray::new(ray.origin, direction))
+            }
+        }),
     slip("point-without-origin", ROOTS, POINT)
         .says(Words {
             wrong: "r.at(t) = t * direction",
