@@ -17,6 +17,9 @@ pub struct Quality {
     pub percent: u8,
     /// Whether colors have half the resolution each way.
     pub has_half_colors: bool,
+    /// Whether brightness and colors are integers before they become cosines, as in libjpeg; in
+    /// stb_image_write, which many programs have with them, they are not.
+    pub has_integers: bool,
 }
 
 /// An 8 × 8 block of a component, row by row.
@@ -43,23 +46,62 @@ const QUALITIES: std::ops::RangeInclusive<u8> = 30..=98;
 const ROUNDING: f32 = 1e-3;
 /// A square this far off is another color, or an edge elsewhere.
 const FAR: f32 = 8.0;
+/// What is less far by a smaller part may be so by roundings.
+const NEARER: f32 = 0.95;
 /// In how many blocks, which choose the quality.
 const BLOCKS: u32 = 60;
 
 /// The quality with which a program comes nearest.
 pub(super) fn compressed(reading: &Reading, likeliest: &[Hypothesis]) -> Option<Quality> {
+    let [integers, floats] = [true, false].map(|it| nearest(reading, likeliest, it));
+    let nearest = match (integers, floats) {
+        (Some(integers), Some(floats)) if floats.off >= NEARER * integers.off => integers,
+        (integers, floats) => floats.or(integers)?,
+    };
+    let drawn = nearest.program.drawn(reading)?;
+    // Saturated colors make the cosines of the file others than those that were kept.
+    let near = nearest.percent - 1..=nearest.percent + 1;
+    let all = near.flat_map(|percent| {
+        [false, true].map(|has_half_colors| Quality {
+            percent,
+            has_half_colors,
+            has_integers: nearest.has_integers,
+        })
+    });
+    let left = |quality: &Quality| {
+        let bits = Left::of(reading, &through(&drawn, reading, *quality)).bits;
+        bits as u64
+    };
+    all.min_by_key(left)
+}
+
+/// A program whose picture comes near by a quality.
+struct Near<'a> {
+    program: &'a Hypothesis,
+    percent: u8,
+    has_integers: bool,
+    /// How far its cosines are from those of the file, beside what is lost at full quality.
+    off: f32,
+}
+
+/// The quality with which a program's brightness comes nearest, if anything tells of one.
+fn nearest<'a>(
+    reading: &Reading,
+    likeliest: &'a [Hypothesis],
+    has_integers: bool,
+) -> Option<Near<'a>> {
     let grid = Grid::of(reading);
-    let luma = luma(&grid.filled(&reading.pixels), grid.width);
+    let luma = luma(&grid.filled(&reading.pixels), grid.width, has_integers);
     let some = luma.some(&grid);
     let found: Vec<_> = some.map(|at| (at, cosines(&luma.block(at)))).collect();
-    let (mut best, mut without): (Option<(f32, u8, &Hypothesis)>, f32) = (None, f32::MAX);
-    for it in likeliest {
-        let Some(output) = it.output(reading) else {
+    let (mut best, mut without): (Option<Near>, f32) = (None, f32::MAX);
+    for program in likeliest {
+        let Some(output) = program.output(reading) else {
             continue;
         };
         let block = |(i, j): (usize, usize)| -> Block {
             let at = |n: usize| grid.place(luma.place(i + n % 8, j + n / 8) as u32);
-            std::array::from_fn(|n| brightness(it.pixel(&output, at(n))))
+            std::array::from_fn(|n| brightness(program.pixel(&output, at(n)), has_integers))
         };
         let luma: Vec<Block> = found.iter().map(|(at, _)| cosines(&block(*at))).collect();
         let off = |percent: u8| -> f32 {
@@ -71,29 +113,22 @@ pub(super) fn compressed(reading: &Reading, likeliest: &[Hypothesis]) -> Option<
         };
         without = without.min(off(100));
         let offs = QUALITIES.map(|percent| (off(percent), percent));
-        let nearest = offs.min_by(|one, other| one.0.total_cmp(&other.0))?;
-        // By rounding, another may be a little nearer than the first, which is right; but a
-        // picture that is another somewhere does not have its quality.
-        let is_nearer = |(least, ..): &(f32, _, _)| nearest.0 < 0.95 * least;
-        if best.as_ref().is_none_or(is_nearer) {
-            best = Some((nearest.0, nearest.1, it));
+        let (off, percent) = offs.min_by(|one, other| one.0.total_cmp(&other.0))?;
+        // The first is right, and a picture that is another somewhere does not have its quality.
+        if best.as_ref().is_none_or(|best| off < NEARER * best.off) {
+            best = Some(Near {
+                program,
+                percent,
+                has_integers,
+                off,
+            });
         }
     }
-    let (_, percent, nearest) = best.filter(|(off, ..)| *off < 0.95 * without)?;
-    let drawn = nearest.drawn(reading)?;
-    // Saturated colors make the cosines of the file others than those that were kept.
-    let near = percent - 1..=percent + 1;
-    let all = near.flat_map(|percent| {
-        [false, true].map(|has_half_colors| Quality {
-            percent,
-            has_half_colors,
-        })
+    let best = best.map(|it| Near {
+        off: it.off / without,
+        ..it
     });
-    let left = |quality: &Quality| {
-        let bits = Left::of(reading, &through(&drawn, reading, *quality)).bits;
-        bits as u64
-    };
-    all.min_by_key(left)
+    best.filter(|it| it.off < NEARER)
 }
 
 /// How far cosines that are kept as coarsely as that are from those of the file.
@@ -155,11 +190,15 @@ impl Grid {
 }
 
 fn through_blocks(drawn: &[Pixel], width: u32, quality: Quality) -> Vec<Pixel> {
-    let luma = luma(drawn, width).kept(&table(luma_at, quality.percent));
-    let [blue, red] = chroma(drawn, width).map(|plane| {
+    let has_integers = quality.has_integers;
+    let luma = luma(drawn, width, has_integers).kept(&table(luma_at, quality.percent));
+    let [blue, red] = chroma(drawn, width, has_integers).map(|plane| {
         let table = table(chroma_at, quality.percent);
         match quality.has_half_colors {
-            true => plane.halved().kept(&table).doubled(luma.width, luma.height),
+            true => plane
+                .halved(has_integers)
+                .kept(&table)
+                .doubled(luma.width, luma.height),
             false => plane.kept(&table),
         }
     });
@@ -208,32 +247,36 @@ struct Plane {
     values: Vec<f32>,
 }
 
-fn luma(pixels: &[Pixel], width: u32) -> Plane {
-    Plane::of(pixels, width, brightness)
+fn luma(pixels: &[Pixel], width: u32, has_integers: bool) -> Plane {
+    Plane::of(pixels, width, |pixel| brightness(pixel, has_integers))
 }
 
-fn brightness(pixel: Pixel) -> f32 {
+fn brightness(pixel: Pixel, has_integers: bool) -> f32 {
     let [red, green, blue] = pixel.map(f32::from);
-    whole(0.299 * red + 0.587 * green + 0.114 * blue - 128.0)
+    kept_as(
+        0.299 * red + 0.587 * green + 0.114 * blue - 128.0,
+        has_integers,
+    )
 }
 
-/// A component as a file of bytes has it.
-fn whole(component: f32) -> f32 {
-    component.round().min(127.0)
+/// A component as a file of bytes has it, if it is one.
+fn kept_as(component: f32, is_integer: bool) -> f32 {
+    match is_integer {
+        true => component.round().min(127.0),
+        false => component,
+    }
 }
 
 /// By how much blue, and red, is more than that.
-fn chroma(pixels: &[Pixel], width: u32) -> [Plane; 2] {
-    [
+fn chroma(pixels: &[Pixel], width: u32, has_integers: bool) -> [Plane; 2] {
+    let weights = [[-0.168_736, -0.331_264, 0.5], [0.5, -0.418_688, -0.081_312]];
+    weights.map(|weights| {
         Plane::of(pixels, width, |pixel| {
-            let [red, green, blue] = pixel.map(f32::from);
-            whole(-0.168_736 * red - 0.331_264 * green + 0.5 * blue)
-        }),
-        Plane::of(pixels, width, |pixel| {
-            let [red, green, blue] = pixel.map(f32::from);
-            whole(0.5 * red - 0.418_688 * green - 0.081_312 * blue)
-        }),
-    ]
+            let parts = weights.into_iter().zip(pixel);
+            let sum = parts.map(|(weight, level)| weight * f32::from(level)).sum();
+            kept_as(sum, has_integers)
+        })
+    })
 }
 
 impl Plane {
@@ -323,13 +366,19 @@ impl Plane {
         kept
     }
 
-    /// The mean of each four: what is between two levels goes up in every other column.
-    fn halved(&self) -> Self {
+    /// The mean of each four: what is between two integers goes up in every other column.
+    fn halved(&self, has_integers: bool) -> Self {
         let (width, height) = (self.width.div_ceil(2), self.height.div_ceil(2));
         Self::filled(width, height, |i, j| {
             let four = [(0, 0), (1, 0), (0, 1), (1, 1)];
-            let four = four.map(|(x, y)| self.at(2 * i + x, 2 * j + y));
-            ((four.iter().sum::<f32>() + (1 + i % 2) as f32) / 4.0).floor()
+            let sum: f32 = four
+                .map(|(x, y)| self.at(2 * i + x, 2 * j + y))
+                .iter()
+                .sum();
+            match has_integers {
+                true => ((sum + (1 + i % 2) as f32) / 4.0).floor(),
+                false => sum / 4.0,
+            }
         })
     }
 
