@@ -299,7 +299,8 @@ impl<'a> Judged<'a> {
         match finding.is_known {
             _ if finding.is_blurred && matches!(self.check, Check::Wrong(_)) => None,
             false if finding.is_strange || PART * right < total => Some(
-                "none of these chapters draws it, with whatever mistake that is known".to_owned(),
+                "it is not found among the pictures of these chapters, right or with mistakes"
+                    .to_owned(),
             ),
             false if right < wrong => Some(format!(
                 "{right} of {total} pixels are those of {scene}, but no mistake that is known draws the others"

@@ -223,10 +223,12 @@ fn simplest_first(found: &mut [Explanation]) {
     }
 }
 
-/// The scene itself by the edition whose picture comes nearest.
+/// The scene itself by the edition whose picture comes nearest, with nothing of the reader's own.
 fn nearest(evidence: &Evidence, rights: &[Hypothesis]) -> Hypothesis {
     let places = Places::new(evidence.reading, None, LOOK);
-    let is_asked = |it: &&Hypothesis| is_same(&it.scene, &evidence.scene);
+    let is_asked = |it: &&Hypothesis| {
+        is_same(&it.scene, &evidence.scene) && it.scene.chosen == Chosen::default()
+    };
     let length = |it: &&Hypothesis| {
         let length = it.estimated(evidence.reading, &places, f64::INFINITY);
         length.unwrap_or(f64::INFINITY)

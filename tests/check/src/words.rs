@@ -54,7 +54,7 @@ impl Set {
 
 impl Left {
     /// How many pixels are off, and where, if that is in a small part.
-    fn placed(&self, pixels: usize) -> String {
+    pub(crate) fn placed(&self, pixels: usize) -> String {
         let span = |name: &str, [first, last]: [u32; 2]| match first == last {
             true => format!("{name} {first}"),
             false => format!("{name}s {first} to {last}"),

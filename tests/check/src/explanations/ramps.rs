@@ -60,7 +60,12 @@ pub(crate) fn ramps(evidence: &Evidence, right: &Hypothesis) -> Option<Explanati
     let mut explanation = right.explaining(reading, &drawn);
     let names = components.map(Component::name).iter().sum::<f64>();
     explanation.name = NAME + names + line.as_ref().map_or(0.0, |_| RAMP);
-    explanation.seen = Some(Seen::Said(said(components, reading, line.as_deref())));
+    let rest = match explanation.left.off {
+        0 => String::new(),
+        _ => format!(", but for {}", explanation.left.placed(drawn.len())),
+    };
+    let said = said(components, reading, line.as_deref(), &rest);
+    explanation.seen = Some(Seen::Said(said));
     Some(explanation)
 }
 
@@ -154,10 +159,10 @@ fn sizes(reading: &Reading, is_across: bool) -> (u32, u32) {
     }
 }
 
-fn said(components: [Component; 3], reading: &Reading, line: Option<&str>) -> String {
+fn said(components: [Component; 3], reading: &Reading, line: Option<&str>, rest: &str) -> String {
     let [red, green, blue] = components.map(|it| it.said(reading));
     let scaled = line.map_or(String::new(), |line| format!(", and levels are {line}"));
     format!(
-        "Each component is a ramp of its own: red {red}, green {green}, and blue {blue}{scaled}."
+        "Each component is a ramp of its own: red {red}, green {green}, and blue {blue}{scaled}{rest}."
     )
 }

@@ -205,7 +205,7 @@ impl Token<'_> {
             Cause::new(
                 "binary-in-text",
                 problem("is not text"),
-                "P3 is followed by numbers as text. For bytes the header is P6.",
+                "P3 is followed by numbers as text: does something else print to standard output, as \"press any key\" in another language? For bytes the header is P6.",
             )
         } else if let [b'0'..=b'9', .., b'n'] = self.word[..] {
             Cause::new(

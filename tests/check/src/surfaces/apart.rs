@@ -12,7 +12,7 @@ use crate::bits::distance;
 use crate::reading::Reading;
 
 /// How wide the sides of a picture are: one part of so many.
-const SIDE: u32 = 16;
+pub(super) const SIDE: u32 = 16;
 /// By how many levels more than at the sides a pixel is off that is of something else, and one of how
 /// many are, where something is joined to what lies behind.
 const MIXED: f64 = 2.0;

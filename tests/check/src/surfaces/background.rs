@@ -2,6 +2,7 @@
 
 use slips::{Chapter, Edition};
 
+use super::apart::SIDE;
 use super::cone::Eye;
 use super::fit::Fit;
 use super::said::{NEAR, Seen, about, what};
@@ -34,7 +35,12 @@ impl Background {
     /// A chapter's, the book's sky through another camera, or else what it is.
     pub(super) fn of(surface: &Surface, reading: &Reading) -> Self {
         let share = 100 * surface.inner.len() / reading.pixels.len();
-        let subject = format!("What reaches the top, {share} % of the picture,");
+        // Edges of what lies below may be of it.
+        let highest = surface.inner.first().map_or(0, |n| n / reading.width);
+        let subject = match SIDE * highest < reading.height {
+            true => format!("What reaches the top, {share} % of the picture,"),
+            false => format!("The largest surface, {share} % of the picture,"),
+        };
         let [books, ..] = viewports(reading).map(|viewport| Eye::new(reading, viewport));
         let seen = Seen::new(surface, reading, books);
         let sky = view::of(surface, reading).map(|eye| (through(&eye, &books), eye));

@@ -42,6 +42,8 @@ const BESIDE: f64 = 50.0;
 const COMMON: usize = 12;
 /// What is larger is ground, and only its edge is seen.
 const LARGE: f64 = 10.0;
+/// The square of which part of its size a place of a surface may be from where it is said to be.
+const ASIDE: u32 = 64;
 /// More than edges have, in percent.
 const MUCH: usize = 30;
 /// How near numbers are the same, in units of space or of a component.
@@ -312,10 +314,13 @@ impl<'a> Seen<'a> {
     fn places_and_colors(&self, shown: Range<usize>) -> String {
         let width = self.reading.width;
         let inner = self.surface.inner.iter().copied();
+        // What is far from there is somewhere else.
+        let size = self.surface.columns.len().max(self.surface.rows.len()) as u32;
         let nearest = |i: u32, j: u32| {
             let off =
                 move |n: &u32| (n % width).abs_diff(i).pow(2) + (n / width).abs_diff(j).pow(2);
-            inner.clone().min_by_key(off)
+            let nearest = inner.clone().min_by_key(off);
+            nearest.filter(|n| ASIDE * off(n) <= size * size)
         };
         let all = |range: &Range<u32>| [range.start, (range.start + range.end) / 2, range.end - 1];
         let [left, middle, right] = all(&self.surface.columns);
@@ -335,7 +340,9 @@ impl<'a> Seen<'a> {
         let shown = places[shown].iter();
         let shown = shown.filter_map(|&(place, n)| Some((place.to_owned(), color(n?))));
         let mut shown: Vec<(String, Pixel)> = shown.collect();
-        let (_, first) = shown[0];
+        let first = shown.first().map(|(_, it)| *it);
+        let first = first.or_else(|| inner.clone().next().map(color));
+        let first = first.unwrap_or_default();
         let farthest = inner.clone().max_by_key(|&n| distance(first, color(n)));
         if let Some(n) = farthest.filter(|_| shown.iter().all(|(_, it)| *it == first)) {
             let place = format!("in column {}, row {}", n % width, n / width);
