@@ -648,6 +648,25 @@ pub(super) const SLIPS: &[Slip] = &[
                 program.ray_of(camera, row, i.into())
             }
         }),
+    slip("column-for-row", RAYS, GRID)
+        .says(Words {
+            wrong: "pixel00 + i * pixel_delta_u + i * pixel_delta_v",
+            right: "pixel00 + i * pixel_delta_u + j * pixel_delta_v",
+            why: "A copied term keeps its letter: all rows are the same, and run down the viewport as \
+                  they run to the right.",
+        })
+        .before_4(Words {
+            wrong: "v = i / (image_height - 1)",
+            right: "v = j / (image_height - 1)",
+            why: "A copied term keeps its letter: all rows are the same, and run up beyond the viewport \
+                  as they run to the right.",
+        })
+        .in_rust(
+            RAYS,
+            "self.pixel00 + f64::from(i) * self.pixel_delta_u + f64::from(i) * self.pixel_delta_v",
+            "self.pixel00 + f64::from(i) * self.pixel_delta_u + f64::from(j) * self.pixel_delta_v",
+        )
+        .alters(|p| p.ray = |program, camera, i, _| program.ray_of(camera, i.into(), i.into())),
     slip("pixel-center-as-direction", RAYS, CAMERA)
         .says(Words {
             wrong: "ray_direction = pixel_center",

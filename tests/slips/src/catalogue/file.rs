@@ -141,15 +141,15 @@ pub(super) const SLIPS: &[Slip] = &[
         .says(Words {
             wrong: "r = j / (height - 1), g = i / (width - 1)",
             right: "r = i / (width - 1), g = j / (height - 1)",
-            why: "Columns run to the right and carry red; here they carry green, as where i counts \
-                  rows.",
+            why: "Columns run to the right and carry red; here they carry green. The picture is \
+                  transposed, but for its size.",
         })
         .in_rust(
             BUILD_TEST,
             "Color::new(f64::from(j) / last, f64::from(i) / last, 0.0)",
             "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)",
         )
-        // There one number is the last of both.
+        // In the square of our chapter it is the slip before it.
         .made_in(|letters| letters != Letters::Rust)
         .alters(|p| {
             p.color = |program, camera, i, j| {
