@@ -337,7 +337,7 @@ impl<'a> Judged<'a> {
         };
         let (count, total) = (difference.count, difference.total);
         let share = 100.0 * count as f64 / total as f64;
-        let chosen = finding.scene.chosen.clause();
+        let chosen = finding.scene.clause();
         let chosen = chosen.map_or(String::new(), |chosen| format!(", {chosen}"));
         format!(
             "{count} of {total} pixels ({share:.1} %) are not those of {name} at {width} × {height}{}{chosen}",

@@ -73,7 +73,7 @@ pub(crate) fn wrong_shape(scene: &Scene, width: u32, height: u32) -> Option<Caus
     ))
 }
 
-/// Nobody takes fewer rays a pixel than this, but one.
+/// So many rays are a sum; of fewer, many a mistake has the same highest level.
 const RAYS: f64 = 4.0;
 
 /// Why the picture has numbers that are no levels, if it has.
@@ -92,10 +92,12 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
         (true, false) => format!("below 0, down to {lowest}"),
         _ => format!("above 255, up to {highest}"),
     };
-    // White by many rays, in whatever scale.
+    // White by many rays, in whatever scale, unless it is the last of 1024 levels or more.
     let rays = (f64::from(outside.highest) / 255.999).round();
     let is_white = |scale: f64| (scale * rays) as i16 == outside.highest;
-    let is_a_sum = rays >= RAYS && [255.0, 255.99, 255.999, 256.0].into_iter().any(is_white);
+    let is_last = (outside.highest.unsigned_abs() + 1).is_power_of_two();
+    let scales = [255.0, 255.99, 255.999, 256.0].into_iter();
+    let is_a_sum = rays >= RAYS && !is_last && { scales }.any(is_white);
     let far = match (outside.lowest, outside.highest) {
         (i16::MIN, _) => {
             " So far below 0 is what a number becomes that is none: what is divided by 0, or has never been set?".to_owned()
@@ -103,7 +105,7 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
         (_, i16::MAX) => {
             " So far above 255 may be what was scaled twice, or divided by what is no length, or has never been set.".to_owned()
         }
-        _ if is_a_sum => format!(" The highest is {rays} times 255.999: is a sum of as many rays not divided by their number?"),
+        _ if is_a_sum => format!(" The highest is {rays} times white: is a sum of as many rays not divided by their number?"),
         _ => String::new(),
     };
     Some(Cause::new(

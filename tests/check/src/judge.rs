@@ -715,7 +715,9 @@ impl Search<'_> {
     }
 
     fn is_worth_a_search(&self) -> bool {
-        self.best().left.bits >= WORTH_A_SEARCH && !self.is_painted()
+        // That it says little is no explanation, where numbers of the reader's own are one.
+        let best = self.best_of(|it| it.seen != Some(Seen::Little));
+        best.left.bits >= WORTH_A_SEARCH && !self.is_painted()
     }
 
     /// Whether it is by so many rays as no reduced picture is, and nothing happened to it besides.
@@ -753,7 +755,8 @@ impl Search<'_> {
             let is_explained = ends
                 .clone()
                 .any(|it| it.name < SIMPLE && it.estimated(reading, &places, it.name).is_some());
-            middles.extend(ends.filter_map(|it| through_the_middle(evidence, right, it)));
+            let middle = |it| through_the_middle(evidence, right, it);
+            middles.extend(ends.filter(|_| !is_explained).filter_map(middle));
             chosen.extend(paths);
             if is_explained {
                 break;

@@ -462,10 +462,10 @@ impl Judgement {
         };
         let less = self.found.iter().filter(is_less);
         let less = less.min_by_key(|it| it.slips.len())?;
-        let clause = less.scene.chosen.clause()?;
+        let clause = less.scene.clause()?;
         let by = match &less.slips[..] {
             [] => "A right program".to_owned(),
-            slips => format!("One with {} alone", names_of(slips)),
+            slips => format!("A program with {} alone", names_of(slips)),
         };
         Some(format!("{by} draws the same {clause}."))
     }

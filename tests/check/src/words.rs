@@ -6,7 +6,7 @@ use slips::{Ball, Chapter, Ends, Letters, Program, Slip};
 
 use crate::bits::{Left, Part};
 use crate::explanations::{But, Conversion, Curve, Degradation, SINGLE};
-use crate::scene::{Chosen, angle, is_round};
+use crate::scene::{Chosen, Scene, angle, is_round};
 use crate::verdict::{Near, Set};
 
 /// How near components are the same.
@@ -31,7 +31,7 @@ impl Set {
             }
             _ => "",
         };
-        let chosen = self.scene.chosen.clause();
+        let chosen = self.scene.clause();
         let chosen = chosen.map_or(String::new(), |chosen| format!(", {chosen}"));
         format!("{who} {}{wrapped}{chosen}:", self.extent(pixels))
     }
@@ -82,7 +82,7 @@ fn buts(but: &[But]) -> String {
 impl Near {
     /// What it is instead of the book's picture, after "right, but".
     pub fn clause(&self, pixels: usize) -> String {
-        let chosen = self.scene.chosen.clause();
+        let chosen = self.scene.clause();
         let buts = self.but.iter().map(But::clause);
         let is_on_its_way = |but: &But| matches!(but, But::Degraded(_));
         let is_by_rays = self.left.is_both_ways && !self.but.iter().any(is_on_its_way);
@@ -137,17 +137,24 @@ fn left(left: &Left, is_by_rays: bool, pixels: usize) -> String {
     }
 }
 
-impl Chosen {
+impl Scene {
     /// What the reader chose, if it is not the book's.
     pub fn clause(&self) -> Option<String> {
-        let all: Vec<String> = [self.colors(), self.places()]
+        let ratio = self.program(&[]).aspect_ratio;
+        let all: Vec<String> = [self.chosen.colors(), self.chosen.places(ratio)]
             .into_iter()
             .flatten()
             .collect();
         (!all.is_empty()).then(|| all.join(", and "))
     }
+}
 
-    fn places(&self) -> Option<String> {
+/// Why a viewport may be as wide as high in a picture that is not.
+pub(crate) const INTEGERS: &str = ", as where width / height is an integer";
+
+impl Chosen {
+    /// Spheres, and the viewport in a picture of that ratio.
+    fn places(&self, ratio: f64) -> Option<String> {
         let ball = |ball: Ball| {
             let [x, y, z, radius] =
                 [ball.center.x, ball.center.y, ball.center.z, ball.radius].map(rounded);
@@ -164,10 +171,9 @@ impl Chosen {
         let zoom = self.viewport_height.map(|height| {
             let (high, focal_length) = (rounded(height), rounded(2.0 / height));
             match self.viewport_width.map(rounded) {
-                // Only of pictures that are no squares the width is told.
-                Some(wide) if wide == high => format!(
-                    "a viewport {wide} wide and {high} high one unit away, as where width / height is an integer"
-                ),
+                Some(wide) if wide == high && ratio > 1.0 && ratio < 2.0 => {
+                    format!("a viewport {wide} wide and {high} high one unit away{INTEGERS}")
+                }
                 Some(wide) => format!("a viewport {wide} wide and {high} high one unit away"),
                 None if is_round(angle(height)) => {
                     format!("a field of view of {} degrees from above to below", angle(height).round())

@@ -131,13 +131,16 @@ pub(crate) fn through_the_middle(
     } = it.scene.chosen;
     let kinds = [
         viewport_height.map(|_| Kind::Viewport),
-        sphere.map(|_| Kind::FirstSphere),
+        sphere
+            .filter(|it| *it != NO_SPHERE)
+            .map(|_| Kind::FirstSphere),
         ground.map(|_| Kind::Ground),
     ];
     if !it.scene.edition.counts_from_below() || !it.scene.chosen.is_placed() {
         return None;
     }
     let fit = Fit::new(evidence, right)?;
+    // It draws what a ray through the middle of each pixel does.
     let middle = ::slips::find("deltas-from-last-pixel")?;
     let mut found = it.clone();
     found.slips.push(middle);
@@ -145,8 +148,10 @@ pub(crate) fn through_the_middle(
         let near = fit.fitted(kind, &found).into_iter().next()?;
         (_, found) = fit.shortest(fit.simplified(kind, &near), f64::INFINITY)?;
     }
-    found.slips.pop();
-    Some(fit.named(found))
+    Some(fit.named(Hypothesis {
+        slips: it.slips.clone(),
+        ..found
+    }))
 }
 
 /// What a reader may have chosen, or done besides.

@@ -2,13 +2,13 @@
 
 use slips::{Chapter, Edition};
 
-use super::apart::SIDE;
 use super::cone::Eye;
 use super::fit::Fit;
 use super::said::{NEAR, Seen, about, what};
 use super::terms::Terms;
 use super::{Surface, view};
 use crate::reading::Reading;
+use crate::words::INTEGERS;
 
 /// Who is off by no more is off by roundings.
 const EXACT: f64 = 1.0;
@@ -19,6 +19,8 @@ const MOVED: f64 = 0.03;
 
 /// The colors of the book's sky, below and above.
 const SKY: [[f64; 3]; 2] = [[1.0; 3], [0.5, 0.7, 1.0]];
+/// A blend comes so near to the book's after gamma correction, which is none.
+const CORRECTED: f64 = 0.03;
 /// Gamma corrected or measured through JPEG, a blend ends no farther beyond white or black.
 const BEYOND: f64 = 0.05;
 
@@ -35,9 +37,7 @@ impl Background {
     /// A chapter's, the book's sky through another camera, or else what it is.
     pub(super) fn of(surface: &Surface, reading: &Reading) -> Self {
         let share = 100 * surface.inner.len() / reading.pixels.len();
-        // Edges of what lies below may be of it.
-        let highest = surface.inner.first().map_or(0, |n| n / reading.width);
-        let subject = match SIDE * highest < reading.height {
+        let subject = match surface.reaches_the_top(reading) {
             true => format!("What reaches the top, {share} % of the picture,"),
             false => format!("The largest surface, {share} % of the picture,"),
         };
@@ -71,38 +71,11 @@ impl Background {
     }
 }
 
-/// What makes its colors, through the book's viewport or another.
+/// What makes its colors, through the book's viewport or another, in words.
 fn otherwise(surface: &Surface, reading: &Reading, own: Option<(Terms, Fit)>) -> (String, Eye) {
-    let [books, others @ ..] = viewports(reading).map(|viewport| Eye::new(reading, viewport));
-    let fitted = |eye: Eye, terms: &[Terms]| {
-        let found = Seen::new(surface, reading, eye).fitted(terms)?;
-        Some((found, eye))
-    };
-    let nearest = |fits: &mut dyn Iterator<Item = ((Terms, Fit), Eye)>| {
-        fits.min_by(|((_, one), _), ((_, other), _)| one.off.total_cmp(&other.off))
-    };
+    let [books, ..] = viewports(reading).map(|viewport| Eye::new(reading, viewport));
     let own = own.map(|found| (found, books));
-    let found = own.or_else(|| {
-        // Through one viewport or another much looks nearly like a blend that is none.
-        let typed = others.iter().filter_map(|eye| fitted(*eye, &Terms::BEHIND));
-        let zooms = zooms(reading).map(|it| Eye::new(reading, it));
-        let zooms = zooms.filter_map(|eye| fitted(eye, &[Terms::UnitY]));
-        let mut exact = typed.chain(zooms).filter(|((_, fit), _)| fit.off <= EXACT);
-        let blends = others
-            .iter()
-            .filter_map(|eye| fitted(*eye, &[Terms::UnitY]));
-        let mut blends = blends.filter(|((_, fit), _)| fit.beyond_colors() < NEAR);
-        nearest(&mut exact)
-            .or_else(|| fitted(books, &Terms::SIMPLE))
-            .or_else(|| nearest(&mut blends))
-            .or_else(|| {
-                [books]
-                    .iter()
-                    .chain(&others)
-                    .find_map(|eye| fitted(*eye, &[Terms::Unit]))
-            })
-            .or_else(|| fitted(books, &[Terms::Red]))
-    });
+    let found = own.or_else(|| through_a_viewport(surface, reading));
     let (found, eye) = match found {
         Some((found, eye)) => (Some(found), eye),
         None => (None, books),
@@ -125,14 +98,51 @@ fn otherwise(surface: &Surface, reading: &Reading, own: Option<(Terms, Fit)>) ->
         }
         _ => "",
     };
+    let corrected = match &found {
+        Some((Terms::UnitY, fit)) if fit.blends(SKY.map(|it| it.map(f64::sqrt))) < CORRECTED => {
+            ", nearly the book's sky after gamma correction"
+        }
+        _ => "",
+    };
     let colors = match &found {
         Some((Terms::UnitY, fit)) if fit.blends(SKY) < NEAR => "is the book's sky".to_owned(),
-        Some((Terms::UnitY, fit)) if fit.blends(SKY.map(|it| it.map(f64::sqrt))) < BEYOND => {
-            "is nearly the book's sky after gamma correction".to_owned()
-        }
         _ => Seen::new(surface, reading, eye).colors(found),
     };
-    (format!("{colors}{unlike}{beyond}"), eye)
+    (format!("{colors}{corrected}{unlike}{beyond}"), eye)
+}
+
+type Found = ((Terms, Fit), Eye);
+
+/// The terms of which its colors are sums, and the eye that sees them so.
+fn through_a_viewport(surface: &Surface, reading: &Reading) -> Option<Found> {
+    let [books, others @ ..] = viewports(reading).map(|viewport| Eye::new(reading, viewport));
+    let fitted = |eye: Eye, terms: &[Terms]| {
+        let found = Seen::new(surface, reading, eye).fitted(terms)?;
+        Some((found, eye))
+    };
+    // Through one viewport or another much looks nearly like a blend that is none.
+    let typed = others.iter().filter_map(|eye| fitted(*eye, &Terms::BEHIND));
+    let zooms = zooms(reading).map(|it| Eye::new(reading, it));
+    let zooms = zooms.filter_map(|eye| fitted(eye, &[Terms::UnitY]));
+    let exact = typed.chain(zooms).filter(|((_, fit), _)| fit.off <= EXACT);
+    let blends = || {
+        let blends = others.iter();
+        let blends = blends.filter_map(|eye| fitted(*eye, &[Terms::UnitY]));
+        nearest(blends.filter(|((_, fit), _)| fit.beyond_colors() < NEAR))
+    };
+    let sums = || {
+        let mut eyes = [books].into_iter().chain(others);
+        eyes.find_map(|eye| fitted(eye, &[Terms::Unit]))
+    };
+    nearest(exact)
+        .or_else(|| fitted(books, &Terms::SIMPLE))
+        .or_else(blends)
+        .or_else(sums)
+        .or_else(|| fitted(books, &[Terms::Red]))
+}
+
+fn nearest(fits: impl Iterator<Item = Found>) -> Option<Found> {
+    fits.min_by(|((_, one), _), ((_, other), _)| one.off.total_cmp(&other.off))
 }
 
 /// Where an eye's pixels lie, if that is not where they are in the book.
@@ -146,13 +156,13 @@ fn through(eye: &Eye, books: &Eye) -> String {
     let larger = [width / books_across.x, -height / books_down.y];
     let is_as_large = larger.iter().all(|it| (it - 1.0).abs() < MOVED);
     let size = (!is_as_large).then(|| {
-        let is_square = (width / height - 1.0).abs() < MOVED;
-        let [width, height] = [width, height].map(about);
-        let unlike = match is_square {
-            true => ", as where width / height is an integer",
-            false => "",
+        let ratio = -books_across.x / books_down.y;
+        let by_integers = match (1.0..2.0).contains(&ratio) && ratio > 1.0 + MOVED {
+            true if (width / height - 1.0).abs() < MOVED => INTEGERS,
+            _ => "",
         };
-        format!("seen through a viewport about {width} wide and {height} high{unlike}")
+        let [width, height] = [width, height].map(about);
+        format!("seen through a viewport about {width} wide and {height} high{by_integers}")
     });
     let turned = (down.y > 0.0).then(|| "seen upside down".to_owned());
     let [aside, along] = eye.middle();

@@ -43,6 +43,17 @@ struct Surface {
     outline: Vec<(f64, f64)>,
 }
 
+/// The top of a picture is one part of its height in so many.
+const TOP: u32 = 16;
+
+impl Surface {
+    /// Whether it reaches the top by more than pixels at its edges.
+    fn reaches_the_top(&self, reading: &Reading) -> bool {
+        let highest = self.inner.first().map(|n| n / reading.width);
+        highest.is_some_and(|row| row <= reading.height.div_ceil(TOP))
+    }
+}
+
 /// What has more surfaces is no picture of these chapters, with whatever mistake.
 const MANY: usize = 8;
 
@@ -72,8 +83,8 @@ fn surfaces(reading: &Reading) -> Vec<Surface> {
 }
 
 /// The same where some pixels are known to be of no surface with the others.
-fn surfaces_apart(reading: &Reading, is_apart: impl Fn(u32) -> bool) -> Vec<Surface> {
-    all_of(Grown::seeds_apart(reading, is_apart))
+fn surfaces_apart(reading: &Reading, apart: &[bool]) -> Vec<Surface> {
+    all_of(Grown::seeds_apart(reading, apart))
 }
 
 fn all_of(mut grown: Grown) -> Vec<Surface> {
@@ -93,18 +104,17 @@ struct Grown<'a> {
 impl<'a> Grown<'a> {
     /// What is smooth and not too small.
     fn seeds(reading: &'a Reading) -> Self {
-        Self::seeds_apart(reading, |_| false)
+        Self::seeds_apart(reading, &vec![false; reading.pixels.len()])
     }
 
-    fn seeds_apart(reading: &'a Reading, is_apart: impl Fn(u32) -> bool) -> Self {
+    fn seeds_apart(reading: &'a Reading, apart: &[bool]) -> Self {
         let total = reading.pixels.len();
-        let is_apart: Vec<bool> = (0..total as u32).map(is_apart).collect();
         let is_smooth = |n: u32| {
             let pixel = reading.pixels[n as usize];
             let mut near = neighbors(n, reading);
             near.all(|near| {
                 let is_near = distance(pixel, reading.pixels[near as usize]) <= SMOOTH;
-                is_near && is_apart[n as usize] == is_apart[near as usize]
+                is_near && apart[n as usize] == apart[near as usize]
             })
         };
         let mut is_free: Vec<bool> = (0..total as u32).map(is_smooth).collect();

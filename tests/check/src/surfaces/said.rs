@@ -34,7 +34,7 @@ const LEVELS: u16 = 1;
 /// Components are equal if they differ in no more than one pixel of so many.
 const UNEQUAL: usize = 50;
 /// Levels that differ by less are made of one color, or of nobody knows what.
-const CONTRAST: i16 = 12;
+const CONTRAST: u16 = 12;
 /// What is off by more levels than these is made of a vector if it changes by so many times as many.
 const NEARLY: f64 = 2.5;
 const BESIDE: f64 = 50.0;
@@ -43,7 +43,7 @@ const COMMON: usize = 12;
 /// What is larger is ground, and only its edge is seen.
 const LARGE: f64 = 10.0;
 /// The square of which part of its size a place of a surface may be from where it is said to be.
-const ASIDE: u32 = 64;
+const ASIDE: u64 = 64;
 /// More than edges have, in percent.
 const MUCH: usize = 30;
 /// How near numbers are the same, in units of space or of a component.
@@ -77,11 +77,12 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
     if all.len() > MANY {
         return in_pieces(all.len(), reading);
     }
-    let mut background = remove_what_lies_behind(&mut all);
+    let mut background = remove_what_lies_behind(&mut all, reading);
     if let Some(apart) = apart(&background, reading) {
         all = apart;
-        background = remove_what_lies_behind(&mut all);
+        background = remove_what_lies_behind(&mut all, reading);
     }
+    let covered = background.inner.len() + all.iter().map(|it| it.inner.len()).sum::<usize>();
     let behind = Background::of(&background, reading);
     let others = all.iter().take(SAID - 1);
     let others = others.map(|it| Seen::new(it, reading, behind.eye).with_its_outline());
@@ -108,9 +109,9 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
     all.chain(equal).collect()
 }
 
-/// Of all surfaces, the one that reaches the top.
-fn remove_what_lies_behind(all: &mut Vec<Surface>) -> Surface {
-    let behind = all.iter().position(|it| it.rows.start == 0);
+/// Of all surfaces, the one that reaches the top, or the largest.
+fn remove_what_lies_behind(all: &mut Vec<Surface>, reading: &Reading) -> Surface {
+    let behind = all.iter().position(|it| it.reaches_the_top(reading));
     all.remove(behind.unwrap_or(0))
 }
 
@@ -119,11 +120,16 @@ fn equal_components(reading: &Reading) -> Option<String> {
     let names = ["Red", "Green", "Blue"];
     let pairs = [(0, 1), (1, 2), (0, 2)];
     let is_end = |level: i16| level <= 0 || level >= 255;
+    // Black and white are equal anyway.
+    let telling = reading.pixels.iter();
+    let telling: Vec<&Pixel> = telling
+        .filter(|it| !it.iter().all(|it| is_end(*it)))
+        .collect();
+    let is_much = UNEQUAL * telling.len() >= reading.pixels.len();
     let mut equal = pairs.into_iter().filter(|&(one, other)| {
-        let is_another = |it: &&Pixel| it[one] != it[other];
-        let others = reading.pixels.iter().filter(is_another).count();
-        let says_something = reading.pixels.iter().any(|it| !is_end(it[one]));
-        says_something && UNEQUAL * others <= reading.pixels.len()
+        let others = telling.iter().filter(|it| it[one] != it[other]).count();
+        let says_something = telling.iter().any(|it| !is_end(it[one]));
+        is_much && says_something && UNEQUAL * others <= telling.len()
     });
     let (one, other) = equal.next()?;
     Some(match equal.next() {
@@ -132,7 +138,8 @@ fn equal_components(reading: &Reading) -> Option<String> {
             names[one],
             names[other].to_lowercase()
         ),
-        Some(_) => "It is gray almost everywhere: is one component printed three times?".to_owned(),
+        Some(_) => "The picture is gray almost everywhere: is one component printed three times?"
+            .to_owned(),
     })
 }
 
@@ -252,7 +259,7 @@ impl<'a> Seen<'a> {
         let contrast = |channel: usize| {
             let levels = self.places.iter();
             let levels = levels.map(|&n| self.reading.pixels[n as usize][channel]);
-            Some(levels.clone().max()? - levels.min()?)
+            Some(levels.clone().max()?.abs_diff(levels.min()?))
         };
         let contrast = (0..3).filter_map(contrast).max()?;
         let is_flat = contrast < CONTRAST;
@@ -315,10 +322,11 @@ impl<'a> Seen<'a> {
         let width = self.reading.width;
         let inner = self.surface.inner.iter().copied();
         // What is far from there is somewhere else.
-        let size = self.surface.columns.len().max(self.surface.rows.len()) as u32;
+        let size = self.surface.columns.len().max(self.surface.rows.len()) as u64;
+        let square = |length: u32| u64::from(length) * u64::from(length);
         let nearest = |i: u32, j: u32| {
             let off =
-                move |n: &u32| (n % width).abs_diff(i).pow(2) + (n / width).abs_diff(j).pow(2);
+                move |n: &u32| square((n % width).abs_diff(i)) + square((n / width).abs_diff(j));
             let nearest = inner.clone().min_by_key(off);
             nearest.filter(|n| ASIDE * off(n) <= size * size)
         };

@@ -29,7 +29,7 @@ impl Terms {
         Self::Both,
         Self::Unit,
     ];
-    /// The same but for sums of several components.
+    /// The same but for sums of all three components of a direction.
     pub(super) const SIMPLE: [Self; 5] = [
         Self::One,
         Self::Rows,

@@ -124,6 +124,7 @@ fn nearest<'a>(
             });
         }
     }
+    // Where nothing is lost at full quality, that is no number, and tells of none.
     let best = best.map(|it| Near {
         off: it.off / without,
         ..it
