@@ -44,7 +44,7 @@ struct Surface {
 }
 
 /// The top of a picture is one part of its height in so many.
-const TOP: u32 = 16;
+const TOP: u32 = 64;
 
 impl Surface {
     /// Whether it reaches the top by more than pixels at its edges.
