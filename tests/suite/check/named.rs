@@ -568,7 +568,11 @@ fn a_small_sphere_of_ones_own_is_found_though_it_says_little() {
         ..older.program(&[])
     };
     let near = near(Chapter::RedSphere, &program.run(200).picture());
-    assert!(near.scene.chosen.balls[0].is_some(), "{}", near.clause(1));
+    let said = near.clause(1);
+    assert!(
+        near.scene.chosen.balls[0].is_some(),
+        "a sphere farther away is told as: {said}"
+    );
 }
 
 /// A sky may be violet by choice, or by red and green that change places.
@@ -870,7 +874,10 @@ fn a_build_test_of_ones_own_is_told_as_ramps() {
         ),
     ] {
         let sights = finding(Chapter::BuildTest, &picture).sights;
-        assert!(sights[0].contains(told), "{sights:?}");
+        assert!(
+            sights[0].contains(told),
+            "it should be told that {told}: {sights:?}"
+        );
     }
 }
 
@@ -898,7 +905,7 @@ fn a_sum_that_is_not_divided_is_told_with_its_number_of_rays() {
     let fix = check.cause().map(|cause| cause.fix.as_str());
     assert!(
         fix.is_some_and(|fix| fix.contains("100 times white")),
-        "{fix:?}"
+        "of a sum of 100 rays it is told: {fix:?}"
     );
 }
 
@@ -1285,16 +1292,26 @@ fn what_has_no_edge_everywhere_is_described_by_itself() {
         let off = f64::from(i.abs_diff(200)).hypot(f64::from(j.abs_diff(112)));
         Some([(255.0 - 4.0 * off).max(0.0) as u8, 0, 0])
     }));
-    assert!(glow.contains("has one color, [0, 0, 0]"), "{glow}");
-    assert!(glow.contains("[255, 0, 0] in its middle"), "{glow}");
-    assert!(!glow.contains("gray"), "{glow}");
+    for words in ["has one color, [0, 0, 0]", "[255, 0, 0] in its middle"] {
+        assert!(
+            glow.contains(words),
+            "a red glow on black is told as: {glow}"
+        );
+    }
+    assert!(
+        !glow.contains("gray"),
+        "red on black is told as gray: {glow}"
+    );
     // A sky that is another farther down is one all the same, whatever has edges before it.
     let drifting = shown(&changed(&black, |i, j| {
         let off = f64::from(i.abs_diff(200)).hypot(f64::from(j.abs_diff(60)));
         let (level, more) = (60 + j / 2, j.saturating_sub(112).pow(2) / 200);
         (off > 40.0).then_some([level as u8, (level + more) as u8, 90])
     }));
-    assert!(!drifting.contains("columns 0 to 399"), "{drifting}");
+    assert!(
+        !drifting.contains("columns 0 to 399"),
+        "one sky is told as two: {drifting}"
+    );
     let gray = Program {
         level: |component| (255.0 * component) as i32,
         lerp: |sky, a| Color::splat((1.0 - a) * sky[0].x + a * sky[1].x),

@@ -157,9 +157,10 @@ fn through(eye: &Eye, books: &Eye) -> String {
     let is_as_large = larger.iter().all(|it| (it - 1.0).abs() < MOVED);
     let size = (!is_as_large).then(|| {
         let ratio = -books_across.x / books_down.y;
-        let by_integers = match (1.0..2.0).contains(&ratio) && ratio > 1.0 + MOVED {
-            true if (width / height - 1.0).abs() < MOVED => INTEGERS,
-            _ => "",
+        let is_square = (width / height - 1.0).abs() < MOVED;
+        let by_integers = match is_square && ratio > 1.0 + MOVED && ratio < 2.0 {
+            true => INTEGERS,
+            false => "",
         };
         let [width, height] = [width, height].map(about);
         format!("seen through a viewport about {width} wide and {height} high{by_integers}")

@@ -151,13 +151,7 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         // In the square of our chapter it is the slip before it.
         .made_in(|letters| letters != Letters::Rust)
-        .alters(|p| {
-            p.color = |program, camera, i, j| {
-                let row = program.row(j, camera);
-                let [red, green, blue] = program.ramp(camera, i.into(), row).to_array();
-                Color::new(green, red, blue)
-            }
-        }),
+        .alters(|p| p.channels = [1, 0, 2]),
     slip("red-and-blue-exchanged", BUILD_TEST, THE_CODE)
         .says(Words {
             wrong: "b = i / (width - 1)",
@@ -169,13 +163,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "Color::new(0.0, f64::from(j) / last, f64::from(i) / last)",
             "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)",
         )
-        .alters(|p| {
-            p.color = |program, camera, i, j| {
-                let row = program.row(j, camera);
-                let [red, green, blue] = program.ramp(camera, i.into(), row).to_array();
-                Color::new(blue, green, red)
-            }
-        }),
+        .alters(|p| p.channels = [2, 1, 0]),
     slip("column-twice", BUILD_TEST, THE_CODE)
         .says(Words {
             wrong: "g = i / (width - 1)",
