@@ -4,7 +4,7 @@
 use common::rtweekend::*;
 use glam::DVec2;
 use hittable_list::{Hittable, HittableList, Sphere};
-use slips::{Ball, Chapter, Program};
+use slips::{Ball, Chapter, Program, World};
 
 use crate::figure::Figure;
 use crate::live::{Action, Answer, Handle, Live, Number, parameters};
@@ -155,16 +155,12 @@ impl Search {
                 Some((nearest, place))
             }
             Self::Slipped(program, _) => {
-                /// Room for three spheres.
-                static PLACES: [Ball; 3] = [Ball::new(0.0, 0.0, 0.0, 0.0); 3];
-                let own = std::array::from_fn(|n| list.get(n).copied());
                 let program = Program {
-                    world: &PLACES[..list.len()],
-                    own,
+                    world: World::of(list),
                     ..*program
                 };
                 let (t, hit) = program.search(ray)?;
-                let place = own.iter().position(|&it| it == Some(hit))?;
+                let place = list.iter().position(|&it| it == hit)?;
                 Some((t, place))
             }
         }

@@ -348,8 +348,6 @@ impl Scene {
         program.paint = self.chosen.paint.unwrap_or(program.paint);
         program.own_shade = self.chosen.shade;
         program.blue = self.chosen.blue.unwrap_or(program.blue);
-        let [sphere, ground] = self.chosen.balls;
-        program.own = [sphere, ground, None];
         program.viewport_width = self.chosen.viewport_width;
         program.viewport_height = self
             .chosen
@@ -357,6 +355,9 @@ impl Scene {
             .unwrap_or(program.viewport_height);
         for slip in slips {
             program = slip.put_to(program);
+        }
+        for (ball, own) in program.world.iter_mut().zip(self.chosen.balls) {
+            *ball = own.unwrap_or(*ball);
         }
         match self.probe {
             Some(probe) => probe

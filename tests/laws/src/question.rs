@@ -335,7 +335,8 @@ impl Question for World {
     fn answer_of(&self, program: &Program) -> Option<f64> {
         let balls = self.spheres.iter();
         let balls = balls.map(|&(center, radius)| Ball { center, radius });
-        program.search_among(balls, &self.ray, self.t_min, self.t_max)
+        let balls: Vec<Ball> = balls.collect();
+        program.search_among(&balls, &self.ray, self.t_min, self.t_max)
     }
 
     fn same(&self, one: &Option<f64>, other: &Option<f64>) -> bool {

@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
-use super::program::{Ball, Program};
+use super::program::Program;
 use super::slip::Slip;
 use crate::chapter::{Chapter, Room};
+use crate::world::{Ball, World};
 
 /// A change to a chapter of which every right program makes the same picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,8 +112,7 @@ impl Probe {
             Room::Many => true,
         };
         has_room.then_some(Program {
-            world,
-            own: [None; 3],
+            world: World::of(world),
             // A product, so that a slip in the focal length stays one.
             focal_length: self.focal_length * program.focal_length,
             ..program

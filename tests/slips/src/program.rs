@@ -6,32 +6,11 @@ use common::rtweekend::*;
 
 use crate::chapter::Chapter;
 use crate::edition::Edition;
-
-/// A sphere as plain data.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ball {
-    /// Its center.
-    pub center: Point3,
-    /// Its radius.
-    pub radius: f64,
-}
-
-impl Ball {
-    /// The sphere at (`x`, `y`, `z`).
-    pub const fn new(x: f64, y: f64, z: f64, radius: f64) -> Self {
-        Self {
-            center: Point3::new(x, y, z),
-            radius,
-        }
-    }
-}
+use crate::world::{BALL, Ball, World};
 
 /// A component of a hit's color from one of its normal: which one, and what it gives where that
 /// is -1 and where it is 1.
 pub type Ends = (usize, [f64; 2]);
-
-/// The sphere of chapters 2 to 4.
-pub(super) const BALL: Ball = Ball::new(0.0, 0.0, -1.0, 0.5);
 
 /// What there is to know about a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,11 +46,8 @@ pub trait Interpreted: Debug + Send + Sync {
     fn nearest(&self, balls: &[Ball], ray: &Ray, t_min: f64, t_max: f64) -> Option<f64>;
 }
 
-/// Spheres, one after the other from either end.
-pub(super) type Balls<'a> = dyn DoubleEndedIterator<Item = Ball> + 'a;
-
 /// Chooses one of all hits, by its ray parameter and its sphere.
-pub(super) type Search = fn(&Program, &mut Balls, &Ray) -> Option<(f64, Ball)>;
+pub(super) type Search = fn(&Program, &[Ball], &Ray) -> Option<(f64, Ball)>;
 
 /// A chapter as its steps, in the order in which a pixel passes through them.
 ///
@@ -137,9 +113,7 @@ pub struct Program {
     /// The sky's color from the weight of the one above.
     pub lerp: fn([Color; 2], f64) -> Color,
     /// What there is to hit.
-    pub world: &'static [Ball],
-    /// Spheres in place of the first three of these.
-    pub own: [Option<Ball>; 3],
+    pub world: World,
     /// Which hit wins.
     pub search: Search,
     /// Only a greater ray parameter counts.
@@ -302,36 +276,22 @@ impl Program {
         Some((self.face)(self, ray.direction, outward))
     }
 
-    /// What there is to hit.
-    pub fn balls(&self) -> impl DoubleEndedIterator<Item = Ball> + ExactSizeIterator {
-        let own = self.own;
-        let ball = move |(n, &ball): (usize, &Ball)| own.get(n).copied().flatten().unwrap_or(ball);
-        self.world.iter().enumerate().map(ball)
-    }
-
     /// What wins of all that the ray hits in the program's world.
     pub fn search(&self, ray: &Ray) -> Option<(f64, Ball)> {
-        (self.search)(self, &mut self.balls(), ray)
+        (self.search)(self, &self.world, ray)
     }
 
     /// What wins in a world of other spheres, between `t_min` and `t_max`.
-    pub fn search_among(
-        &self,
-        mut balls: impl DoubleEndedIterator<Item = Ball>,
-        ray: &Ray,
-        t_min: f64,
-        t_max: f64,
-    ) -> Option<f64> {
+    pub fn search_among(&self, balls: &[Ball], ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
         if let Some(code) = self.code {
-            let balls: Vec<Ball> = balls.collect();
-            return code.nearest(&balls, ray, t_min, t_max);
+            return code.nearest(balls, ray, t_min, t_max);
         }
         let program = Self {
             t_min,
             t_max,
             ..*self
         };
-        (self.search)(&program, &mut balls, ray).map(|(t, _)| t)
+        (self.search)(&program, balls, ray).map(|(t, _)| t)
     }
 
     /// The record of a sphere's nearest hit between `t_min` and `t_max`.
@@ -449,8 +409,7 @@ const HITTABLE_LIST: Program = Program {
     blend: |program, direction| 0.5 * ((program.sky_direction)(program, direction).y + 1.0),
     sky: [Color::new(1.0, 1.0, 1.0), Color::new(0.5, 0.7, 1.0)],
     lerp: |[below, above], a| (1.0 - a) * below + a * above,
-    world: &[BALL, Ball::new(0.0, -100.5, -1.0, 100.0)],
-    own: [None; 3],
+    world: World::of(&[BALL, Ball::new(0.0, -100.5, -1.0, 100.0)]),
     search: nearest,
     t_min: 0.0,
     t_max: f64::INFINITY,
@@ -496,7 +455,7 @@ const HITTABLE_LIST: Program = Program {
 
 const HALF_B_SPHERE: Program = Program {
     chapter: Chapter::HalfBSphere,
-    world: &[BALL],
+    world: World::of(&[BALL]),
     numerators: |first, sqrtd, _| [first - sqrtd; 2],
     outward: |program, point, ball| (program.unit)(point - ball.center),
     face: |_, _, outward| outward,
@@ -525,7 +484,7 @@ const RED_SPHERE: Program = Program {
 
 const GRADIENT: Program = Program {
     chapter: Chapter::Gradient,
-    world: &[],
+    world: World::of(&[]),
     ..RED_SPHERE
 };
 
@@ -546,10 +505,10 @@ pub(super) fn coefficients(program: &Program, ball: Ball, ray: &Ray) -> [f64; 3]
     [a, b, c]
 }
 
-fn nearest(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+fn nearest(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
     let mut found = None;
     let mut closest_so_far = program.t_max;
-    for ball in balls {
+    for &ball in balls {
         if let Some(t) = program.hit(ball, ray, program.t_min, closest_so_far) {
             closest_so_far = t;
             found = Some((t, ball));

@@ -3,7 +3,8 @@
 use common::rtweekend::*;
 
 use crate::chapter::Chapter;
-use crate::program::{BALL, Program};
+use crate::program::Program;
+use crate::world::{BALL, World};
 
 /// A few lines to type, after which there is something new to see.
 pub struct Step {
@@ -113,7 +114,7 @@ pub fn of(chapter: Chapter) -> &'static [Step] {
                     Step {
                         says: "A `Sphere` is `Hittable`, and a list of one finds it: the ball of chapter 4 is back.",
                         seen: Chapter::HalfBSphere.shows(),
-                        alter: |p| p.world = &[BALL],
+                        alter: |p| p.world = World::of(&[BALL]),
                     },
                     Step {
                         says: "`world` gets the ground, at (0, −100.5, −1) with radius 100, and the list finds the nearest.",

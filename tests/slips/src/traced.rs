@@ -3,7 +3,8 @@
 use common::rtweekend::*;
 
 use crate::chapter::{Chapter, Room};
-use crate::program::{Ball, Program, coefficients};
+use crate::program::{Program, coefficients};
+use crate::world::Ball;
 
 /// The numbers of a pixel, in the order in which a program finds them.
 #[derive(Clone, Debug)]
@@ -53,7 +54,10 @@ impl Program {
             };
         }
         let ray = (self.ray)(self, &camera, column, row);
-        let balls = self.balls().filter(|_| self.chapter.room() != Room::None);
+        let balls = self
+            .world
+            .iter()
+            .filter(|_| self.chapter.room() != Room::None);
         let hit = self.search(&ray).map(|(t, ball)| {
             let point = (self.hit_point)(self, &ray, t);
             let outward = (self.outward)(self, point, ball);
@@ -62,7 +66,7 @@ impl Program {
         Traced {
             viewport: Some(ray.at(1.0)),
             ray: Some(ray),
-            spheres: balls.map(|ball| self.quadratic(ball, &ray)).collect(),
+            spheres: balls.map(|&ball| self.quadratic(ball, &ray)).collect(),
             hit,
             color,
             levels,

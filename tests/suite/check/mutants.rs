@@ -8,7 +8,7 @@ use check::sources::Sources;
 use check::told::suspected;
 use check::verdict::{check, check_knowing};
 use common::rtweekend::Vec3;
-use slips::{Chapter, Edition, Program};
+use slips::{Chapter, Edition, Program, World};
 
 #[test]
 fn a_chapter_that_is_run_from_its_text_draws_its_picture() {
@@ -115,7 +115,7 @@ fn a_picture_that_says_little_names_no_line_that_is_not_typed() {
     let doubled = "c = dot(oc, oc) - radius * 2";
     for edition in [Edition::V4, Edition::V3] {
         let sky = Program {
-            world: &[],
+            world: World::of(&[]),
             ..scene.only_by(edition).program(&[])
         };
         let picture = png::encode(&sky.run(200).picture());

@@ -18,7 +18,7 @@ use check::verdict::{Check, Finding, check, judge, judge_guessed};
 use common::rtweekend::*;
 use image::imageops::{self, FilterType};
 use image::{Pixel, Rgb, RgbImage};
-use slips::{self, Ball, Chapter, Edition, Program, Slip};
+use slips::{self, Ball, Chapter, Edition, Program, Slip, World};
 
 use crate::reading::p6;
 use suite::drawn::p3;
@@ -216,11 +216,11 @@ fn a_crop_is_known_by_every_edition() {
 /// rest, or a sphere elsewhere that a part of an ellipse is like.
 #[test]
 fn nothing_is_right_that_shows_what_is_not_in_its_scene() {
-    const THREE: &[Ball] = &[
+    const THREE: World = World::of(&[
         Ball::new(0.0, 0.0, -1.0, 0.5),
         Ball::new(0.0, -100.5, -1.0, 100.0),
         Ball::new(0.1, 0.5, -1.0, 0.12),
-    ];
+    ]);
     let three = Program {
         world: THREE,
         ..Program::right(Chapter::HittableList)
@@ -532,8 +532,8 @@ fn levels_that_wrap_around_do_not_hide_the_mistake() {
 
 #[test]
 fn a_sphere_elsewhere_is_the_readers_own() {
-    const SMALL: &[Ball] = &[Ball::new(0.0, 0.0, -1.0, 0.4)];
-    const ASIDE: &[Ball] = &[Ball::new(0.3, 0.0, -1.0, 0.5)];
+    const SMALL: World = World::of(&[Ball::new(0.0, 0.0, -1.0, 0.4)]);
+    const ASIDE: World = World::of(&[Ball::new(0.3, 0.0, -1.0, 0.5)]);
     // In a large picture few programs are measured.
     for (world, width) in [(SMALL, 160), (ASIDE, 160), (ASIDE, 800)] {
         let right = Program::right(Chapter::Normals);
@@ -564,7 +564,7 @@ fn an_older_edition_judges_what_it_does_not_know_in_another_shape() {
 fn a_small_sphere_of_ones_own_is_found_though_it_says_little() {
     let older = scene(Chapter::RedSphere).only_by(Edition::V1InDouble);
     let program = Program {
-        own: [Some(Ball::new(0.0, 0.0, -3.0, 1.0)), None, None],
+        world: World::of(&[Ball::new(0.0, 0.0, -3.0, 1.0)]),
         ..older.program(&[])
     };
     let near = near(Chapter::RedSphere, &program.run(200).picture());
@@ -628,7 +628,7 @@ fn a_sky_and_a_disc_of_ones_own_are_known_together() {
     let mut program = Program::right(Chapter::RedSphere);
     program.sky = [Color::new(1.0, 0.8, 0.6), Color::new(0.3, 0.2, 0.5)];
     program.paint = Color::new(1.0, 1.0, 0.0);
-    program.own[0] = Some(DISC);
+    program.world[0] = DISC;
     let near = near(Chapter::RedSphere, &program.run(200).picture());
     let chosen = near.scene.chosen;
     assert_eq!(
@@ -644,7 +644,7 @@ fn a_scene_of_ones_own_is_known_by_its_sky_first() {
     let mut program = Program::right(Chapter::HittableList);
     program.sky = [Color::ONE, Color::new(0.3, 0.6, 0.9)];
     program.viewport_height = 1.2;
-    program.own[0] = Some(SMALL);
+    program.world[0] = SMALL;
     let near = near(Chapter::HittableList, &program.run(300).picture());
     let chosen = near.scene.chosen;
     assert_eq!(
@@ -719,7 +719,7 @@ fn numbers_that_nobody_types_are_not_taken_for_the_readers_own() {
 fn numbers_of_ones_own_are_found_by_an_older_edition() {
     let mut program = Edition::V1InDouble.program(Chapter::RedSphere);
     program.viewport_height = 0.5;
-    program.own[0] = Some(Ball::new(0.0, 0.15, -3.0, 1.0));
+    program.world[0] = Ball::new(0.0, 0.15, -3.0, 1.0);
     let near = near(Chapter::RedSphere, &program.run(512).picture());
     assert_eq!(near.scene.edition, Edition::V1InDouble);
 }
@@ -741,12 +741,12 @@ fn what_is_off_in_waves_is_not_nearly_right() {
 /// Of three small spheres none is the chapter's, and all are told.
 #[test]
 fn a_scene_of_ones_own_with_more_in_it_is_not_right() {
-    const WORLD: &[Ball] = &[
+    const WORLD: World = World::of(&[
         Ball::new(-0.6, 0.0, -1.0, 0.1),
         Ball::new(0.0, -20.1, -1.0, 20.0),
         Ball::new(0.0, 0.1, -1.0, 0.1),
         Ball::new(0.6, 0.0, -1.0, 0.1),
-    ];
+    ]);
     let world = WORLD;
     let right = Program::right(Chapter::HittableList);
     let finding = finding(
@@ -1031,16 +1031,16 @@ fn rays_that_all_lie_elsewhere_are_not_anywhere() {
     assert!(found.near.is_none(), "right, but {}", found.but());
 }
 
-static WITH_ANOTHER: [Ball; 2] = [
+const WITH_ANOTHER: World = World::of(&[
     Ball::new(0.0, 0.0, -1.0, 0.5),
     Ball::new(2.0, 1.4, -2.0, 0.3),
-];
+]);
 
 /// A sphere more that is seen in a corner, beside a slip and several rays.
 #[test]
 fn what_is_more_is_told_beside_a_slip_and_several_rays() {
     let mut program = slip("times-255").program(Chapter::Normals);
-    program.world = &WITH_ANOTHER;
+    program.world = WITH_ANOTHER;
     let found = finding(Chapter::Normals, &with_rays(&program, 50, 0.0));
     assert_eq!(names(&found)[0], ["times-255"]);
     let said = found.sights.join(" ");
@@ -1069,7 +1069,7 @@ fn nobody_chose_what_is_nearly_the_books() {
 fn the_scale_of_levels_is_known_whatever_the_viewport_is() {
     let mut program = slip("times-255").program(Chapter::Normals);
     program.viewport_height = 2.0 * f64::to_radians(10.0).tan();
-    program.own[0] = Some(Ball::new(0.0, 0.05, -3.0, 0.4));
+    program.world[0] = Ball::new(0.0, 0.05, -3.0, 0.4);
     let found = finding(Chapter::Normals, &program.run(200).picture());
     let named = names(&found).concat();
     assert!(named.contains(&"times-255".to_owned()), "{named:?}");
@@ -1230,10 +1230,10 @@ fn what_nothing_known_draws_is_described() {
 /// Whatever the program is, what can be measured in its picture is told.
 #[test]
 fn a_picture_of_ones_own_is_described_surface_by_surface() {
-    const TWO: &[Ball] = &[
+    const TWO: World = World::of(&[
         Ball::new(-0.6, 0.2, -1.0, 0.4),
         Ball::new(0.5, -0.1, -1.0, 0.3),
-    ];
+    ]);
     let own = Program {
         world: TWO,
         ..Program::right(Chapter::HittableList)
@@ -1368,10 +1368,10 @@ fn a_row_that_a_ratio_in_single_precision_loses_is_no_crop() {
 /// The next chapter scales by 256, after a clamp.
 #[test]
 fn the_scale_of_several_rays_is_no_mistake_in_a_scene_of_ones_own() {
-    const ELSEWHERE: &[Ball] = &[
+    const ELSEWHERE: World = World::of(&[
         Ball::new(0.3, 0.1, -1.0, 0.6),
         Ball::new(0.0, -100.5, -1.0, 100.0),
-    ];
+    ]);
     let program = Program {
         world: ELSEWHERE,
         level: |mean| (256.0 * mean.clamp(0.0, 0.999)) as i32,
@@ -1428,10 +1428,10 @@ fn a_picture_of_many_surfaces_is_told_as_that() {
 #[test]
 fn a_sky_with_its_outlines_is_known_whatever_colors_are_hit() {
     let world = Program::right(Chapter::HittableList);
-    const SMALLER: &[Ball] = &[
+    const SMALLER: World = World::of(&[
         Ball::new(0.0, 0.0, -1.0, 0.3),
         Ball::new(0.0, -100.5, -1.0, 100.0),
-    ];
+    ]);
     let smaller = Program {
         world: SMALLER,
         ..world
@@ -1443,7 +1443,7 @@ fn a_sky_with_its_outlines_is_known_whatever_colors_are_hit() {
     for (program, is_shaded) in [(world, true), (corrected, true), (smaller, false)] {
         let mut random = Random(5);
         let sky = Program {
-            world: &[],
+            world: World::of(&[]),
             ..program
         };
         let (sky, right) = (sky.run(200), program.run(200));

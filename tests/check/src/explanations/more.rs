@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use ::slips::Program;
+use ::slips::{Program, World};
 
 use super::antialiased::{EDGE, SINGLE, contrast};
 use super::{But, Evidence, Explanation, Hypothesis, Seen, antialiased};
@@ -157,7 +157,7 @@ impl<'a> Odd<'a> {
     fn is_the_first_sphere(&self, it: &Hypothesis, runs: &[Range<usize>]) -> bool {
         let program = it.scene.program(&it.slips);
         let camera = program.camera(self.reading.width);
-        let first = program.balls().next();
+        let first = program.world.first().copied();
         let shows_it = |n: u32| {
             let (i, j) = (n % self.reading.width, n / self.reading.width);
             let hit = program.search(&(program.ray)(&program, &camera, i, j));
@@ -171,10 +171,8 @@ impl<'a> Odd<'a> {
     /// Whether it is not that something is there, but that the first sphere is not.
     fn shows_what_lies_behind(&self, it: &Hypothesis, runs: &[Range<usize>]) -> bool {
         let program = it.scene.program(&it.slips);
-        let [_, second, third] = program.own;
         let behind = Program {
-            world: program.world.get(1..).unwrap_or_default(),
-            own: [second, third, None],
+            world: program.world.without(1),
             ..program
         };
         BEHIND * self.count_of(it, &behind, runs) > self.count(runs.iter().cloned()) as usize
@@ -183,8 +181,7 @@ impl<'a> Odd<'a> {
     /// Whether nothing is there, where something should be.
     fn shows_the_sky(&self, it: &Hypothesis, runs: &[Range<usize>]) -> bool {
         let sky = Program {
-            world: &[],
-            own: [None; 3],
+            world: World::of(&[]),
             ..it.scene.program(&it.slips)
         };
         2 * self.count_of(it, &sky, runs) > self.count(runs.iter().cloned()) as usize

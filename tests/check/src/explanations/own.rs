@@ -736,10 +736,8 @@ impl<'a> Fit<'a> {
 /// The program without the first spheres of its scene.
 fn without_balls(it: &Hypothesis, count: usize) -> Program {
     let program = it.scene.program(&it.slips);
-    let own = |n: usize| program.own.get(n + count).copied().flatten();
     Program {
-        world: program.world.get(count..).unwrap_or_default(),
-        own: [0, 1, 2].map(own),
+        world: program.world.without(count),
         ..program
     }
 }

@@ -4,7 +4,7 @@
 //! Those with no color, or with one, say little: many mistakes draw them. Those with many
 //! colors are drawn by materials, which come in later chapters.
 
-use ::slips::{Chapter, Program, Room};
+use ::slips::{Chapter, Program, Room, World};
 
 use super::antialiased::WITH_SAMPLES;
 use super::{Evidence, Explanation, Hypothesis, Places, Seen, estimate, mark, spread};
@@ -120,7 +120,7 @@ impl<'a> Sky<'a> {
         Self {
             it,
             program: Program {
-                world: &[],
+                world: World::of(&[]),
                 ..it.scene.program(&[])
             },
             is_corrected: false,

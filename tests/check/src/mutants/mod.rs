@@ -402,7 +402,7 @@ fn answers(program: &Program) -> String {
         }
         if program.chapter == Chapter::HittableList {
             for balls in [balls, [balls[2], balls[1], balls[0]]] {
-                let nearest = program.search_among(balls.into_iter(), &ray, 0.0, f64::INFINITY);
+                let nearest = program.search_among(&balls, &ray, 0.0, f64::INFINITY);
                 answers += &format!("{nearest:.6?}");
             }
         }

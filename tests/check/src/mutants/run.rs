@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use common::rtweekend::*;
-use slips::{Ball, Hit};
+use slips::{Ball, Hit, World};
 
 use super::syntax::{Callee, Function, Member, Node, Sign};
 
@@ -39,7 +39,7 @@ pub(super) struct Machine {
     pub(super) functions: Vec<(&'static str, Arc<Function>)>,
     /// Whether vectors are added and multiplied by functions of these.
     pub(super) has_own_vectors: bool,
-    pub(super) world: &'static [Ball],
+    pub(super) world: World,
 }
 
 impl Machine {
@@ -50,7 +50,7 @@ impl Machine {
 
     /// Calls the function; `None` if it is no program.
     pub(super) fn call(&self, name: &str, arguments: &[Value]) -> Option<Value> {
-        self.run(name, arguments, self.world)
+        self.run(name, arguments, &self.world)
             .ok()
             .map(|(value, _)| value)
     }

@@ -3,8 +3,9 @@
 use common::rtweekend::*;
 
 use super::chapters::HITTABLE_LIST;
-use crate::program::{BALL, Ball, Balls, Program};
+use crate::program::Program;
 use crate::slip::{Place, Slip, Words, slip};
+use crate::world::{BALL, Ball, World};
 
 const SEARCH: Place = Place {
     page: "hittable_list#the-nearest-one",
@@ -386,7 +387,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "Sphere::new(Point3::new(0.0, -100.0, -1.0), 100.0)",
             "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)",
         )
-        .alters(|p| p.world = const { &[BALL, Ball::new(0.0, -100.0, -1.0, 100.0)] }),
+        .alters(|p| p.world = World::of(&[BALL, Ball::new(0.0, -100.0, -1.0, 100.0)])),
     slip("ground-too-large", HITTABLE_LIST, WORLD)
         .says(Words {
             wrong: "sphere((0, -100.5, -1), 100.5)",
@@ -398,7 +399,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.5)",
             "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)",
         )
-        .alters(|p| p.world = const { &[BALL, Ball::new(0.0, -100.5, -1.0, 100.5)] }),
+        .alters(|p| p.world = World::of(&[BALL, Ball::new(0.0, -100.5, -1.0, 100.5)])),
     slip("ground-numbers-swapped", HITTABLE_LIST, WORLD)
         .says(Words {
             wrong: "sphere((0, -100, -1), 100.5)",
@@ -410,7 +411,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "Sphere::new(Point3::new(0.0, -100.0, -1.0), 100.5)",
             "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)",
         )
-        .alters(|p| p.world = const { &[BALL, Ball::new(0.0, -100.0, -1.0, 100.5)] }),
+        .alters(|p| p.world = World::of(&[BALL, Ball::new(0.0, -100.0, -1.0, 100.5)])),
     slip("ground-ten-times-as-large", HITTABLE_LIST, WORLD)
         .says(Words {
             wrong: "sphere((0, -100.5, -1), 1000)",
@@ -423,7 +424,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "Sphere::new(Point3::new(0.0, -100.5, -1.0), 1000.0)",
             "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)",
         )
-        .alters(|p| p.world = const { &[BALL, Ball::new(0.0, -100.5, -1.0, 1000.0)] }),
+        .alters(|p| p.world = World::of(&[BALL, Ball::new(0.0, -100.5, -1.0, 1000.0)])),
     slip("ground-above", HITTABLE_LIST, WORLD)
         .says(Words {
             wrong: "sphere((0, 100.5, -1), 100)",
@@ -436,7 +437,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "Sphere::new(Point3::new(0.0, 100.5, -1.0), 100.0)",
             "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)",
         )
-        .alters(|p| p.world = const { &[BALL, Ball::new(0.0, 100.5, -1.0, 100.0)] }),
+        .alters(|p| p.world = World::of(&[BALL, Ball::new(0.0, 100.5, -1.0, 100.0)])),
     slip("ceiling-added", HITTABLE_LIST, WORLD)
         .says(Words {
             wrong: "… and world.add(sphere((0, 100.5, -1), 100))",
@@ -451,13 +452,11 @@ pub(super) const SLIPS: &[Slip] = &[
             "world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0))",
         )
         .alters(|p| {
-            p.world = const {
-                &[
-                    BALL,
-                    Ball::new(0.0, -100.5, -1.0, 100.0),
-                    Ball::new(0.0, 100.5, -1.0, 100.0),
-                ]
-            }
+            p.world = World::of(&[
+                BALL,
+                Ball::new(0.0, -100.5, -1.0, 100.0),
+                Ball::new(0.0, 100.5, -1.0, 100.0),
+            ]);
         }),
     slip("ground-below-the-eye", HITTABLE_LIST, WORLD)
         .says(Words {
@@ -471,7 +470,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "Sphere::new(Point3::new(0.0, -100.5, 0.0), 100.0)",
             "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)",
         )
-        .alters(|p| p.world = const { &[BALL, Ball::new(0.0, -100.5, 0.0, 100.0)] }),
+        .alters(|p| p.world = World::of(&[BALL, Ball::new(0.0, -100.5, 0.0, 100.0)])),
     slip("ground-not-added", HITTABLE_LIST, WORLD)
         .says(Words {
             wrong: "world.add(sphere((0, 0, -1), 0.5))",
@@ -484,7 +483,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "world.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5)); \
              world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)); world }",
         )
-        .alters(|p| p.world = &[BALL]),
+        .alters(|p| p.world = World::of(&[BALL])),
     slip("ball-not-added", HITTABLE_LIST, WORLD)
         .says(Words {
             wrong: "world.add(sphere((0, -100.5, -1), 100))",
@@ -499,37 +498,37 @@ pub(super) const SLIPS: &[Slip] = &[
             "HittableList::default(); world.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5)); \
              world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0))",
         )
-        .alters(|p| p.world = const { &[Ball::new(0.0, -100.5, -1.0, 100.0)] }),
+        .alters(|p| p.world = World::of(&[Ball::new(0.0, -100.5, -1.0, 100.0)])),
 ];
 
 /// All hits in the order of the list, each looked for in the whole interval.
 fn hits<'a>(
     program: &'a Program,
-    balls: &'a mut Balls,
+    balls: &'a [Ball],
     ray: &'a Ray,
 ) -> impl DoubleEndedIterator<Item = (f64, Ball)> {
-    balls.filter_map(|ball| {
+    balls.iter().filter_map(|&ball| {
         let t = program.hit(ball, ray, program.t_min, program.t_max)?;
         Some((t, ball))
     })
 }
 
-fn first_hit(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+fn first_hit(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
     hits(program, balls, ray).next()
 }
 
-fn last_hit(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+fn last_hit(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
     hits(program, balls, ray).next_back()
 }
 
-fn farthest_hit(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+fn farthest_hit(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
     hits(program, balls, ray).max_by(|(t, _), (other, _)| t.total_cmp(other))
 }
 
-fn all_or_none(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+fn all_or_none(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
     let mut found = None;
     let mut closest_so_far = program.t_max;
-    for ball in balls {
+    for &ball in balls {
         let t = program.hit(ball, ray, program.t_min, closest_so_far)?;
         closest_so_far = t;
         found = Some((t, ball));
@@ -537,10 +536,10 @@ fn all_or_none(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, 
     found
 }
 
-fn beyond_the_closest(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+fn beyond_the_closest(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
     let mut found = None;
     let mut closest_so_far = program.t_max;
-    for ball in balls {
+    for &ball in balls {
         if let Some(t) = program.hit(ball, ray, closest_so_far, program.t_max) {
             closest_so_far = t;
             found = Some((t, ball));
@@ -550,6 +549,6 @@ fn beyond_the_closest(program: &Program, balls: &mut Balls, ray: &Ray) -> Option
 }
 
 /// Every other hit would have to be nearer than 0.
-fn first_hit_at_zero(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
+fn first_hit_at_zero(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
     first_hit(program, balls, ray).map(|(_, ball)| (0.0, ball))
 }

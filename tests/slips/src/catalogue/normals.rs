@@ -6,8 +6,9 @@ use super::chapters::{HITTABLE_LIST, LONE_SPHERE, ONE_SPHERE, RED_SPHERE, ROOTS}
 use super::sphere::SIGN_OF_B;
 use crate::chapter::Chapter;
 use crate::letters::Letters;
-use crate::program::{BALL, Ball, Balls, Program, coefficients};
+use crate::program::{Program, coefficients};
 use crate::slip::{Place, Slip, Words, slip};
+use crate::world::{BALL, Ball, World};
 
 const ROOT: Place = Place {
     page: "normals#where-the-nearer-root",
@@ -104,7 +105,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "Point3::new(0.0, 0.0, -1.0)",
         )
         .reported(&["#1570"])
-        .alters(|p| p.world = const { &[Ball::new(0.0, 0.0, 1.0, 0.5)] })
+        .alters(|p| p.world = World::of(&[Ball::new(0.0, 0.0, 1.0, 0.5)]))
         .equivalent(RED_SPHERE, SIGN_OF_B),
     slip("normal-from-point", ROOTS, NORMAL)
         .says(Words {
@@ -550,16 +551,16 @@ fn rescaled(program: &Program, v: Vec3, ball: Ball) -> Vec3 {
 }
 
 /// A miss is the book's -1.0, which is below 0.
-fn only_behind(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
-    let ball = balls.next()?;
+fn only_behind(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
+    let &ball = balls.first()?;
     let t = program.hit_sphere(ball.center, ball.radius, ray);
     let t = t.unwrap_or(-1.0);
     (t < 0.0).then_some((t, ball))
 }
 
 /// A miss has no t.
-fn only_found_behind(program: &Program, balls: &mut Balls, ray: &Ray) -> Option<(f64, Ball)> {
-    let ball = balls.next()?;
+fn only_found_behind(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
+    let &ball = balls.first()?;
     let t = program.hit_sphere(ball.center, ball.radius, ray)?;
     (t < 0.0).then_some((t, ball))
 }
