@@ -4,8 +4,6 @@
 use std::collections::HashSet;
 use std::fs;
 use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 
 use check::evidence::Known;
 use check::explanations::{But, Degradation, Quality, Seen};
@@ -22,20 +20,26 @@ use slips::{self, Ball, Chapter, Edition, Program, Slip, World};
 
 use crate::reading::p6;
 use suite::drawn::p3;
+use suite::parallel;
 use suite::random::Random;
 use suite::slip;
 
 /// A metamorphic relation: what is not the reader's mistake does not change the answer.
-/// Each picture in one of five ways; the next test has all of them.
+/// Each in one of its chapters and in one of five ways; the next test has all of them.
 #[test]
 fn the_picture_of_each_slip_is_named_whatever_happened_to_its_file() {
-    for_each_picture_of_a_slip(|n, slip, chapter| assert_named(slip, chapter, n % 5));
+    let of_all = slips::all().zip(0..);
+    let some = of_all.map(|(slip, n)| (slip, slip.chapters[n % slip.chapters.len()], n % 5));
+    parallel::map(&some.collect::<Vec<_>>(), |&(slip, chapter, way)| {
+        assert_named(slip, chapter, way);
+    });
 }
 
 #[test]
 #[ignore = "it judges two thousand pictures, which takes a minute"]
 fn the_picture_of_each_slip_is_named_in_all_of_these_ways() {
-    for_each_picture_of_a_slip(|_, slip, chapter| {
+    let in_all = slips::all().flat_map(|slip| slip.chapters.iter().map(move |it| (slip, *it)));
+    parallel::map(&in_all.collect::<Vec<_>>(), |&(slip, chapter)| {
         (0..5).for_each(|way| assert_named(slip, chapter, way));
     });
 }
@@ -1553,28 +1557,6 @@ fn no_shape_and_no_numbers_are_too_odd_for_an_answer() {
             "{chapter:?}, {width} × {height}, {pixel:?}"
         );
     }
-}
-
-/// On all processors: there are some hundred slips in six chapters.
-fn for_each_picture_of_a_slip(ask: impl Fn(usize, &'static Slip, Chapter) + Sync) {
-    let all: Vec<(&Slip, Chapter)> = slips::all()
-        .flat_map(|slip| slip.chapters.iter().map(move |&chapter| (slip, chapter)))
-        .collect();
-    let next = AtomicUsize::new(0);
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                loop {
-                    let n = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(&(slip, chapter)) = all.get(n) else {
-                        break;
-                    };
-                    ask(n, slip, chapter);
-                }
-            });
-        }
-    });
 }
 
 /// The picture, unless it is right by some edition: other tests tell which law or probe
