@@ -549,10 +549,13 @@ impl Search<'_> {
         let evidence = self.evidence;
         let places = Places::new(evidence.reading, None, LOOK);
         let is_own = |it: &&Hypothesis| is_same(&it.scene, &evidence.scene);
-        // With a viewport of one's own the edition of two weeks is the next one's.
+        let (width, height) = evidence.size();
+        // With a viewport of one's own the edition of two weeks is the next one's, and so is the
+        // first in a later shape.
         let is_meant = |it: &&Hypothesis| {
             let is_asked = it.scene.edition == evidence.scene.edition;
-            let is_likely = is_asked || it.scene.edition != Edition::V3_1_0;
+            let is_usual = it.scene.edition != Edition::V3_1_0 && !it.scene.is_late(width, height);
+            let is_likely = is_asked || is_usual;
             is_likely && it.scene.chosen == Chosen::default()
         };
         let rights = rights.iter().filter(is_meant);

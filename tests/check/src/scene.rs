@@ -258,14 +258,22 @@ impl Scene {
 
     /// The same scene by each edition that will do, in a picture of that size: the
     /// latest edition first. Who draws in the shape that came with version 3.1.0 reads no
-    /// earlier one.
+    /// earlier one, unless it is the first, whose factor tells.
     pub(crate) fn by_editions(self, width: u32, height: u32) -> impl Iterator<Item = Self> {
-        let is_late = !self.insists && self.in_own_shape().height(width) == height;
         Edition::ALL
             .into_iter()
             .filter(move |edition| !self.insists || edition.name() == self.edition.name())
             .map(move |edition| Self { edition, ..self }.fitting(width, height))
-            .filter(move |it| !is_late || !it.has_another_shape())
+            .filter(move |it| self.insists || it.edition.is_first() || !it.is_late(width, height))
+    }
+
+    /// Whether its edition is an earlier one than the picture's shape.
+    pub(crate) fn is_late(&self, width: u32, height: u32) -> bool {
+        let latest = Self {
+            edition: Edition::V4,
+            ..self.in_own_shape()
+        };
+        self.has_another_shape() && latest.height(width) == height
     }
 
     /// The same scene in a picture of that size, whose shape may be the scene's own.

@@ -127,6 +127,11 @@ impl Edition {
         }
     }
 
+    /// Whether it is the first, in whatever precision.
+    pub fn is_first(self) -> bool {
+        matches!(self, Self::V1 | Self::V1InDouble)
+    }
+
     /// Whether row 0 is the lowest one, and the edge of the viewport points up.
     pub fn counts_from_below(self) -> bool {
         self != Self::V4

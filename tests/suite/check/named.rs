@@ -563,6 +563,19 @@ fn an_older_edition_judges_what_it_does_not_know_in_another_shape() {
     }
 }
 
+/// Who keeps the first edition's rays and factor draws in 16:9 all the same.
+#[test]
+fn the_first_edition_is_known_in_the_shape_of_later_ones() {
+    for chapter in [Chapter::Gradient, Chapter::Normals, Chapter::HittableList] {
+        let first = scene(chapter).only_by(Edition::V1InDouble);
+        let drawn = first.fitting(200, 112).program(&[]).run(200);
+        match check(&scene(chapter), &png::encode(&drawn.picture()), 0) {
+            Check::Right(right) => assert!(right.scene.edition.is_first(), "{right:?}"),
+            other => panic!("{chapter:?}: {other:?}"),
+        }
+    }
+}
+
 /// Many mistakes draw little more than a sky, and so does who has the sphere farther away.
 #[test]
 fn a_small_sphere_of_ones_own_is_found_though_it_says_little() {

@@ -122,10 +122,14 @@ pub(crate) fn two(evidence: &Evidence) -> impl Iterator<Item = Hypothesis> {
 
 /// The scene by each edition, in the chapter's own shape too where the picture has another.
 fn scenes(evidence: &Evidence) -> Vec<Hypothesis> {
-    // Who follows an edition of two weeks is rare, and who has its viewport has chosen it.
+    let (width, height) = evidence.size();
+    let own = &evidence.scene;
+    // Who follows an edition of two weeks is rare, and who has its viewport has chosen it; and
+    // what the first edition draws in a later one's shape is much by itself.
     let is_likely = |it: &Hypothesis| {
         let edition = it.scene.edition;
-        edition != Edition::V3_1_0 || evidence.scene.edition == edition
+        let is_asked = own.edition == edition;
+        is_asked || edition != Edition::V3_1_0 && !it.scene.is_late(width, height)
     };
     let mut scenes = by_editions(evidence, evidence.scene, 0.0);
     scenes.retain(is_likely);
