@@ -297,9 +297,15 @@ fn a_wrong_count_says_what_it_looks_like() {
         assert!(refused.fix.contains(hint), "{count}: {refused}");
         assert!(refused.problem.contains(&count.to_string()), "{refused}");
     }
-    for (width, hint) in [(22, "39 rows of 22 pixels"), (39, "39 columns")] {
-        let pixels = (0..39 * 22).map(|n| format!("{} {} 0\n", 6 * (n % width), 6 * (n / width)));
-        let text = format!("P3\n40 22\n255\n{}", pixels.collect::<String>());
+    for ([width, height], size, hint) in [
+        ([22, 39], "40 22", "39 rows of 22 pixels"),
+        ([39, 22], "40 22", "39 columns"),
+        ([33, 32], "32 32", "33 columns"),
+        ([32, 33], "32 32", "33 rows"),
+    ] {
+        let all = 0..width * height;
+        let pixels = all.map(|n| format!("{} {} 0\n", 6 * (n % width), 6 * (n / width)));
+        let text = format!("P3\n{size}\n255\n{}", pixels.collect::<String>());
         let refused = read(text.as_bytes()).expect_err("a row or column is missing");
         assert!(refused.fix.contains(hint), "{width}: {refused}");
     }
