@@ -102,8 +102,10 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
         )),
         false => None,
     };
-    // A sky of one's own may have equal components.
-    let equal = equal_components(reading).filter(|_| !others.is_empty());
+    // A sky of one's own may have equal components, so all that lies before it has them too.
+    let before = all.iter().flat_map(|it| &it.inner);
+    let before: Vec<Pixel> = before.map(|&n| reading.pixels[n as usize]).collect();
+    let equal = equal_components(&reading.pixels).filter(|_| equal_components(&before).is_some());
     let others = others.iter().map(Seen::as_a_thing);
     let all = [behind.said].into_iter().chain(others).chain(rest);
     all.chain(equal).collect()
@@ -116,16 +118,16 @@ fn remove_what_lies_behind(all: &mut Vec<Surface>, reading: &Reading) -> Surface
 }
 
 /// That two components are one, and not only black or brightest.
-fn equal_components(reading: &Reading) -> Option<String> {
+fn equal_components(pixels: &[Pixel]) -> Option<String> {
     let names = ["Red", "Green", "Blue"];
     let pairs = [(0, 1), (1, 2), (0, 2)];
     let is_end = |level: i16| level <= 0 || level >= 255;
     // Black and white are equal anyway.
-    let telling = reading.pixels.iter();
+    let telling = pixels.iter();
     let telling: Vec<&Pixel> = telling
         .filter(|it| !it.iter().all(|it| is_end(*it)))
         .collect();
-    let is_much = UNEQUAL * telling.len() >= reading.pixels.len();
+    let is_much = UNEQUAL * telling.len() >= pixels.len();
     let mut equal = pairs.into_iter().filter(|&(one, other)| {
         let others = telling.iter().filter(|it| it[one] != it[other]).count();
         let says_something = telling.iter().any(|it| !is_end(it[one]));
