@@ -860,7 +860,8 @@ impl Search<'_> {
         }
         let chosen = chosen.map_or(Vec::new(), |it| more(self.evidence, &it));
         let is_whole = |it: &Explanation| {
-            it.left.far == 0 && it.but.is_empty() && it.scene.chosen.paint.is_none()
+            let has_own_hits = it.scene.chosen.paint.is_some() || it.scene.chosen.shade.is_some();
+            it.left.far == 0 && it.but.is_empty() && !has_own_hits
         };
         self.keep(chosen.into_iter().filter(is_whole));
     }

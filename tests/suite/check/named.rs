@@ -781,6 +781,21 @@ fn a_scene_of_ones_own_with_more_in_it_is_not_right() {
     );
 }
 
+/// Who has named no chapter has not drawn the sky of one and a sphere besides.
+#[test]
+fn a_sphere_in_other_colors_is_no_addition_to_a_chapter_without_one() {
+    let program = Program {
+        world: World::of(&[Ball::new(0.2, 0.1, -1.0, 0.15)]),
+        shade: |_, normal| Color::new(normal.x.abs(), 0.1, normal.y.abs()),
+        ..Program::right(Chapter::Normals)
+    };
+    let picture = Reading::of(&program.run(200).picture());
+    let (check, _) = judged_inside(picture, None);
+    let sights = &check.finding().expect("it is not right").sights;
+    let is_more = |sight: &String| sight.contains("something more");
+    assert!(!sights.iter().any(is_more), "{sights:?}");
+}
+
 /// A white sky is drawn by slips, and by who wants one.
 #[test]
 fn colors_that_a_reader_may_have_chosen_are_told_beside_slips() {

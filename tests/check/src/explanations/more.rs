@@ -8,7 +8,7 @@ use std::ops::Range;
 use ::slips::{Program, World};
 
 use super::antialiased::{EDGE, SINGLE, contrast};
-use super::{But, Evidence, Explanation, Hypothesis, Seen, antialiased};
+use super::{But, Evidence, Explanation, Hypothesis, Seen, antialiased, spread};
 use crate::bits::{Pixel, distance, told};
 use crate::reading::Reading;
 use crate::verdict::Near;
@@ -20,6 +20,8 @@ const NAME: f64 = 11.0;
 const NEAR: u32 = 3;
 /// Bits of a pixel by itself.
 const ODD: f64 = 24.0;
+/// In how many pixels the first sphere is looked for.
+const LOOK: u32 = 10_000;
 /// What is in more pieces is no few things.
 const PIECES: usize = 64;
 /// Of what is odd in a sphere one pixel in so many lies beside it.
@@ -36,7 +38,10 @@ pub(crate) fn more(evidence: &Evidence, it: &Hypothesis) -> Vec<Explanation> {
     let odd = Odd::of(reading, &drawn);
     let boxes = odd.boxes(&drawn);
     let runs: Vec<Range<usize>> = boxes.iter().flat_map(|it| odd.runs(it)).collect();
+    // Whoever has named no chapter has drawn none whose sphere is not there.
+    let is_meant = !evidence.scene.is_guessed() || odd.has_the_first_sphere(it);
     if runs.is_empty()
+        || !is_meant
         || odd.shows_what_lies_behind(it, &runs)
         || odd.is_the_first_sphere(it, &runs)
     {
@@ -153,19 +158,35 @@ impl<'a> Odd<'a> {
         corners + 2.0 * rows.len() as f64 * (columns.len() as f64).log2()
     }
 
+    /// Whether most of what the program's first sphere covers is as the program has it.
+    fn has_the_first_sphere(&self, it: &Hypothesis) -> bool {
+        let shows_it = self.shows_the_first_sphere(it);
+        let all = spread(LOOK, self.is_odd.len() as u32);
+        let covered: Vec<u32> = all.filter(|&n| shows_it(n)).collect();
+        let odd = covered.iter().filter(|&&n| self.is_odd[n as usize]);
+        2 * odd.count() < covered.len()
+    }
+
     /// Whether it is not that something more is there, but that the first sphere has other colors.
     fn is_the_first_sphere(&self, it: &Hypothesis, runs: &[Range<usize>]) -> bool {
-        let program = it.scene.program(&it.slips);
-        let camera = program.camera(self.reading.width);
-        let first = program.world.first().copied();
-        let shows_it = |n: u32| {
-            let (i, j) = (n % self.reading.width, n / self.reading.width);
-            let hit = program.search(&(program.ray)(&program, &camera, i, j));
-            hit.is_some_and(|(_, ball)| Some(ball) == first)
-        };
+        let shows_it = self.shows_the_first_sphere(it);
         let odd = runs.iter().cloned().flatten().filter(|&n| self.is_odd[n]);
         let count = odd.clone().filter(|&n| !shows_it(n as u32)).count();
         BESIDE * count < odd.count()
+    }
+
+    /// Whether the first sphere is seen in the nth pixel.
+    fn shows_the_first_sphere(&self, it: &Hypothesis) -> impl Fn(u32) -> bool + use<> {
+        let program = it.scene.program(&it.slips);
+        let width = self.reading.width;
+        let camera = program.camera(width);
+        move |n| {
+            let ray = (program.ray)(&program, &camera, n % width, n / width);
+            let first = program.world.first();
+            program
+                .search(&ray)
+                .is_some_and(|(_, ball)| Some(&ball) == first)
+        }
     }
 
     /// Whether it is not that something is there, but that the first sphere is not.
@@ -255,5 +276,5 @@ fn said(it: &Explanation, boxes: &[Box], is_missing: bool, pixels: usize) -> Str
             "Beside what {chapter} has, something more is drawn in {places}: are they other spheres?"
         ),
     };
-    format!("{what} All else is right{but}.")
+    format!("{what} Outside of that all is right{but}.")
 }
