@@ -250,6 +250,12 @@ pub(super) const SLIPS: &[Slip] = &[
             right: "b = 0",
             why: "Older editions put a quarter of blue into every pixel of this picture.",
         })
+        .before_4(Words {
+            wrong: "b = 0.25",
+            right: "b = 0.2",
+            why: "Version 3.1.0 and those after it put a quarter of blue into this picture, and those before \
+                  it a fifth.",
+        })
         .in_rust(
             BUILD_TEST,
             "Color::new(f64::from(i) / last, f64::from(j) / last, 0.25)",
