@@ -302,6 +302,7 @@ fn a_wrong_count_says_what_it_looks_like() {
         ([39, 22], "40 22", "39 columns"),
         ([33, 32], "32 32", "33 columns"),
         ([32, 33], "32 32", "33 rows"),
+        ([32, 31], "32 32", "31 rows"),
     ] {
         let all = 0..width * height;
         let pixels = all.map(|n| format!("{} {} 0\n", 6 * (n % width), 6 * (n / width)));

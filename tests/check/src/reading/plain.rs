@@ -94,9 +94,10 @@ fn advice(width: usize, height: usize, count: usize, found: &[Pixel]) -> String 
     if pixels == (width - 1) * (height - 1) {
         return "A column and a row are missing: loop from 0 to below the size.".to_owned();
     }
-    // Of a square both may be meant.
-    let has_more_columns = pixels.is_multiple_of(height)
-        && rows_differ(found, pixels / height) < rows_differ(found, width);
+    // Of a square both may be meant, and of a sky nothing tells which.
+    let has_more_columns = width == height
+        && pixels > width * height
+        && 10.0 * rows_differ(found, pixels / height) < 9.0 * rows_differ(found, width);
     if pixels.is_multiple_of(width) && !has_more_columns {
         let rows = pixels / width;
         // The loops know the book's shape, and the header doesn't.

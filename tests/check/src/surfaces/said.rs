@@ -102,10 +102,9 @@ pub(crate) fn said(reading: &Reading) -> Vec<String> {
         )),
         false => None,
     };
-    // A sky of one's own may have equal components, so all that lies before it has them too.
     let before = all.iter().flat_map(|it| &it.inner);
-    let before: Vec<Pixel> = before.map(|&n| reading.pixels[n as usize]).collect();
-    let equal = equal_components(&reading.pixels).filter(|_| equal_components(&before).is_some());
+    let before: Vec<&Pixel> = before.map(|&n| &reading.pixels[n as usize]).collect();
+    let equal = equal_components(reading, &before);
     let others = others.iter().map(Seen::as_a_thing);
     let all = [behind.said].into_iter().chain(others).chain(rest);
     all.chain(equal).collect()
@@ -117,21 +116,25 @@ fn remove_what_lies_behind(all: &mut Vec<Surface>, reading: &Reading) -> Surface
     all.remove(behind.unwrap_or(0))
 }
 
-/// That two components are one, and not only black or brightest.
-fn equal_components(pixels: &[Pixel]) -> Option<String> {
+/// That two components are one, and not only black or brightest. A sky of one's own may have equal
+/// ones, so what lies before it has them too.
+fn equal_components(reading: &Reading, before: &[&Pixel]) -> Option<String> {
     let names = ["Red", "Green", "Blue"];
     let pairs = [(0, 1), (1, 2), (0, 2)];
     let is_end = |level: i16| level <= 0 || level >= 255;
     // Black and white are equal anyway.
-    let telling = pixels.iter();
+    let telling = reading.pixels.iter();
     let telling: Vec<&Pixel> = telling
         .filter(|it| !it.iter().all(|it| is_end(*it)))
         .collect();
-    let is_much = UNEQUAL * telling.len() >= pixels.len();
+    let is_much = UNEQUAL * telling.len() >= reading.pixels.len() && !before.is_empty();
     let mut equal = pairs.into_iter().filter(|&(one, other)| {
-        let others = telling.iter().filter(|it| it[one] != it[other]).count();
+        let are_equal = |pixels: &[&Pixel]| {
+            let others = pixels.iter().filter(|it| it[one] != it[other]).count();
+            UNEQUAL * others <= pixels.len()
+        };
         let says_something = telling.iter().any(|it| !is_end(it[one]));
-        is_much && says_something && UNEQUAL * others <= telling.len()
+        is_much && says_something && are_equal(&telling) && are_equal(before)
     });
     let (one, other) = equal.next()?;
     Some(match equal.next() {
