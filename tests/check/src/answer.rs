@@ -176,7 +176,11 @@ impl<'a> Judged<'a> {
         };
         match &self.check {
             Check::Right(right) => {
-                let shape = match right.scene.has_another_shape() {
+                let (scene, [width, height]) = (&right.scene, [right.width, right.height]);
+                let shape = match scene.has_another_shape() {
+                    true if scene.is_in_a_later_shape(width, height) => {
+                        " in the shape of later ones"
+                    }
                     true => " in this shape, which is not the book's",
                     false => "",
                 };

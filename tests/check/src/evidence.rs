@@ -193,6 +193,14 @@ impl<'a> Evidence<'a> {
         degradation.map_or(own, |it| it.size(self.reading))
     }
 
+    /// Whether numbers and mistakes are looked for in the scene, or it is known as right alone: an
+    /// edition of two weeks is rare, and so is the first in a later shape.
+    pub(crate) fn is_usual(&self, scene: &Scene) -> bool {
+        let (width, height) = self.size();
+        let is_rare = scene.edition == Edition::V3_1_0 || scene.is_in_a_later_shape(width, height);
+        scene.edition == self.scene.edition || !is_rare
+    }
+
     /// How high right pictures of that width are, by the editions that will do.
     pub(crate) fn heights(&self, width: u32) -> Vec<u32> {
         let scenes = self.scene.by_editions(width, 1);

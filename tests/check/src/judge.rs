@@ -549,15 +549,8 @@ impl Search<'_> {
         let evidence = self.evidence;
         let places = Places::new(evidence.reading, None, LOOK);
         let is_own = |it: &&Hypothesis| is_same(&it.scene, &evidence.scene);
-        let (width, height) = evidence.size();
-        // With a viewport of one's own the edition of two weeks is the next one's, and so is the
-        // first in a later shape.
-        let is_meant = |it: &&Hypothesis| {
-            let is_asked = it.scene.edition == evidence.scene.edition;
-            let is_usual = it.scene.edition != Edition::V3_1_0 && !it.scene.is_late(width, height);
-            let is_likely = is_asked || is_usual;
-            is_likely && it.scene.chosen == Chosen::default()
-        };
+        let is_meant =
+            |it: &&Hypothesis| evidence.is_usual(&it.scene) && it.scene.chosen == Chosen::default();
         let rights = rights.iter().filter(is_meant);
         let (own, others): (Vec<_>, Vec<_>) = rights.partition(is_own);
         let mut nearest: Vec<Hypothesis> = own.first().map(|&it| it.clone()).into_iter().collect();
@@ -838,11 +831,13 @@ impl Search<'_> {
         }
         let is_plain =
             |it: &Explanation| it.slips.is_empty() && it.seen.is_none() && it.but.is_empty();
+        let has_own_hits =
+            |it: &Explanation| it.scene.chosen.paint.is_some() || it.scene.chosen.shade.is_some();
         // A sphere elsewhere is like a part of anything, unless nothing else is left, and so is one
-        // of a color that may be any, or seen through any viewport.
+        // of colors that may be any, or seen through any viewport.
         let is_own = |it: &Explanation| {
             let chosen = it.scene.chosen;
-            is_plain(it) && !chosen.is_placed() && chosen.paint.is_none()
+            is_plain(it) && !chosen.is_placed() && !has_own_hits(it)
         };
         let nearest = self.found[0].program();
         let chosen = Some(self.best()).filter(|it| is_plain(it) && !is_own(it));
@@ -859,10 +854,8 @@ impl Search<'_> {
             self.keep(more(self.evidence, &it));
         }
         let chosen = chosen.map_or(Vec::new(), |it| more(self.evidence, &it));
-        let is_whole = |it: &Explanation| {
-            let has_own_hits = it.scene.chosen.paint.is_some() || it.scene.chosen.shade.is_some();
-            it.left.far == 0 && it.but.is_empty() && !has_own_hits
-        };
+        let is_whole =
+            |it: &Explanation| it.left.far == 0 && it.but.is_empty() && !has_own_hits(it);
         self.keep(chosen.into_iter().filter(is_whole));
     }
 

@@ -258,22 +258,23 @@ impl Scene {
 
     /// The same scene by each edition that will do, in a picture of that size: the
     /// latest edition first. Who draws in the shape that came with version 3.1.0 reads no
-    /// earlier one, unless it is the first, whose factor tells.
+    /// earlier one; but many keep the rays and the factor of the first.
     pub(crate) fn by_editions(self, width: u32, height: u32) -> impl Iterator<Item = Self> {
         Edition::ALL
             .into_iter()
             .filter(move |edition| !self.insists || edition.name() == self.edition.name())
             .map(move |edition| Self { edition, ..self }.fitting(width, height))
-            .filter(move |it| self.insists || it.edition.is_first() || !it.is_late(width, height))
+            .filter(move |it| it.edition.is_first() || !it.is_in_a_later_shape(width, height))
     }
 
-    /// Whether its edition is an earlier one than the picture's shape.
-    pub(crate) fn is_late(&self, width: u32, height: u32) -> bool {
+    /// Whether the picture has version 4's shape, and its edition has not; never if that alone will
+    /// do.
+    pub(crate) fn is_in_a_later_shape(&self, width: u32, height: u32) -> bool {
         let latest = Self {
             edition: Edition::V4,
             ..self.in_own_shape()
         };
-        self.has_another_shape() && latest.height(width) == height
+        !self.insists && self.has_another_shape() && latest.height(width) == height
     }
 
     /// The same scene in a picture of that size, whose shape may be the scene's own.
@@ -391,7 +392,7 @@ impl Scene {
     /// The right picture in the size of the reader's.
     pub fn right(&self, width: u32, height: u32) -> Picture {
         let program = self.fitting(width, height).program(&[]);
-        if matches!(self.edition, Edition::V1 | Edition::V1InDouble) {
+        if self.edition.is_first() {
             // It has levels of its own; pictures are painted with those of version 4.
             return program.run(width).picture();
         }

@@ -333,9 +333,8 @@ impl Question for World {
     const CHAPTERS: &'static [Chapter] = LIST;
 
     fn answer_of(&self, program: &Program) -> Option<f64> {
-        let balls = self.spheres.iter();
-        let balls = balls.map(|&(center, radius)| Ball { center, radius });
-        let balls: Vec<Ball> = balls.collect();
+        let ball = |&(center, radius): &(Point3, f64)| Ball { center, radius };
+        let balls: Vec<Ball> = self.spheres.iter().map(ball).collect();
         program.search_among(&balls, &self.ray, self.t_min, self.t_max)
     }
 

@@ -127,7 +127,7 @@ impl Edition {
         }
     }
 
-    /// Whether it is the first, in whatever precision.
+    /// Whether it is that of versions 1 and 2, in whatever precision.
     pub fn is_first(self) -> bool {
         matches!(self, Self::V1 | Self::V1InDouble)
     }

@@ -48,7 +48,7 @@ fn on_viewport(program: &Program, camera: &Camera, i: u32, j: u32) -> [f32; 2] {
 fn nearest(program: &Program, direction: Vector) -> Option<(f32, Ball)> {
     let mut found = None;
     let mut closest_so_far = f32::INFINITY;
-    for &ball in &*program.world {
+    for &ball in program.world.iter() {
         let root = roots(ball, direction).and_then(|[near, far]| {
             let in_range = |t: f32| program.t_min < f64::from(t) && t < closest_so_far;
             match program.chapter {

@@ -29,7 +29,7 @@ use suite::slip;
 #[test]
 fn the_picture_of_each_slip_is_named_whatever_happened_to_its_file() {
     let of_all = slips::all().zip(0..);
-    let some = of_all.map(|(slip, n)| (slip, slip.chapters[n % slip.chapters.len()], n % 5));
+    let some = of_all.map(|(slip, n)| (slip, slip.chapters[n / 5 % slip.chapters.len()], n % 5));
     parallel::map(&some.collect::<Vec<_>>(), |&(slip, chapter, way)| {
         assert_named(slip, chapter, way);
     });
@@ -567,13 +567,47 @@ fn an_older_edition_judges_what_it_does_not_know_in_another_shape() {
 #[test]
 fn the_first_edition_is_known_in_the_shape_of_later_ones() {
     for chapter in [Chapter::Gradient, Chapter::Normals, Chapter::HittableList] {
-        let first = scene(chapter).only_by(Edition::V1InDouble);
-        let drawn = first.fitting(200, 112).program(&[]).run(200);
-        match check(&scene(chapter), &png::encode(&drawn.picture()), 0) {
-            Check::Right(right) => assert!(right.scene.edition.is_first(), "{right:?}"),
-            other => panic!("{chapter:?}: {other:?}"),
+        for edition in [Edition::V1, Edition::V1InDouble] {
+            let first = scene(chapter).only_by(edition);
+            let drawn = first.fitting(200, 112).program(&[]).run(200);
+            match check(&scene(chapter), &png::encode(&drawn.picture()), 0) {
+                Check::Right(right) => assert!(right.scene.edition.is_first(), "{right:?}"),
+                other => panic!("{chapter:?}: {other:?}"),
+            }
         }
     }
+    // Who insists on it gets its pairs of mistakes.
+    let first = scene(Chapter::HittableList).only_by(Edition::V1InDouble);
+    let slips = ["times-255", "far-root"].map(slip);
+    let drawn = first.fitting(200, 112).program(&slips).run(200);
+    let picture = png::encode(&drawn.picture());
+    let check = check(
+        &scene(Chapter::HittableList).only_by(Edition::V1),
+        &picture,
+        0,
+    );
+    let named = check.finding().map(names).unwrap_or_default().concat();
+    assert!(named.iter().any(|it| it.contains("far-root")), "{named:?}");
+}
+
+/// A sky of one's own from white to blue has as much red as green.
+#[test]
+fn components_are_equal_where_something_is_hit_or_it_is_not_said() {
+    let said = |shade| {
+        let program = Program {
+            sky: [Color::ONE, Color::new(0.0, 0.0, 1.0)],
+            shade,
+            ..Program::right(Chapter::Normals)
+        };
+        let finding = finding(Chapter::HittableList, &program.run(200).picture());
+        finding.shown.join(" ")
+    };
+    let [own, twice] = [
+        said(|_, normal| Color::new(normal.x.abs(), 0.2, 0.7)),
+        said(|_, normal| Color::new(normal.x.abs(), normal.x.abs(), 0.7)),
+    ];
+    assert!(!own.contains("equal"), "{own}");
+    assert!(twice.contains("Red and green are equal"), "{twice}");
 }
 
 /// Many mistakes draw little more than a sky, and so does who has the sphere farther away.

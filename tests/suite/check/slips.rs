@@ -60,7 +60,7 @@ fn a_program_without_a_slip_draws_every_probe_as_chapter_5_does() {
             .put_to(Program::right(Chapter::HittableList))
             .expect("chapter 5 takes any number of spheres");
         let mut world = HittableList::default();
-        for ball in &*program.world {
+        for ball in program.world.iter() {
             world.add(Sphere::new(ball.center, ball.radius));
         }
         let camera = program.camera(probe.width);

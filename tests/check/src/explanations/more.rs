@@ -38,10 +38,10 @@ pub(crate) fn more(evidence: &Evidence, it: &Hypothesis) -> Vec<Explanation> {
     let odd = Odd::of(reading, &drawn);
     let boxes = odd.boxes(&drawn);
     let runs: Vec<Range<usize>> = boxes.iter().flat_map(|it| odd.runs(it)).collect();
-    // Whoever has named no chapter has drawn none whose sphere is not there.
-    let is_meant = !evidence.scene.is_guessed() || odd.has_the_first_sphere(it);
+    // Something is told to be added to a chapter that was named, or whose sphere is seen.
+    let is_named = !evidence.scene.is_guessed() && it.scene.chapter == evidence.scene.chapter;
     if runs.is_empty()
-        || !is_meant
+        || !is_named && !odd.shows_the_first_sphere(it)
         || odd.shows_what_lies_behind(it, &runs)
         || odd.is_the_first_sphere(it, &runs)
     {
@@ -158,9 +158,10 @@ impl<'a> Odd<'a> {
         corners + 2.0 * rows.len() as f64 * (columns.len() as f64).log2()
     }
 
-    /// Whether most of what the program's first sphere covers is as the program has it.
-    fn has_the_first_sphere(&self, it: &Hypothesis) -> bool {
-        let shows_it = self.shows_the_first_sphere(it);
+    /// Whether most of what the program's first sphere covers is as the program has it; not where
+    /// it has none, or none is seen.
+    fn shows_the_first_sphere(&self, it: &Hypothesis) -> bool {
+        let shows_it = self.hits_the_first_sphere(it);
         let all = spread(LOOK, self.is_odd.len() as u32);
         let covered: Vec<u32> = all.filter(|&n| shows_it(n)).collect();
         let odd = covered.iter().filter(|&&n| self.is_odd[n as usize]);
@@ -169,14 +170,14 @@ impl<'a> Odd<'a> {
 
     /// Whether it is not that something more is there, but that the first sphere has other colors.
     fn is_the_first_sphere(&self, it: &Hypothesis, runs: &[Range<usize>]) -> bool {
-        let shows_it = self.shows_the_first_sphere(it);
+        let shows_it = self.hits_the_first_sphere(it);
         let odd = runs.iter().cloned().flatten().filter(|&n| self.is_odd[n]);
         let count = odd.clone().filter(|&n| !shows_it(n as u32)).count();
         BESIDE * count < odd.count()
     }
 
-    /// Whether the first sphere is seen in the nth pixel.
-    fn shows_the_first_sphere(&self, it: &Hypothesis) -> impl Fn(u32) -> bool + use<> {
+    /// Whether the program's nth pixel shows its first sphere.
+    fn hits_the_first_sphere(&self, it: &Hypothesis) -> impl Fn(u32) -> bool + use<> {
         let program = it.scene.program(&it.slips);
         let width = self.reading.width;
         let camera = program.camera(width);

@@ -122,17 +122,8 @@ pub(crate) fn two(evidence: &Evidence) -> impl Iterator<Item = Hypothesis> {
 
 /// The scene by each edition, in the chapter's own shape too where the picture has another.
 fn scenes(evidence: &Evidence) -> Vec<Hypothesis> {
-    let (width, height) = evidence.size();
-    let own = &evidence.scene;
-    // Who follows an edition of two weeks is rare, and who has its viewport has chosen it; and
-    // what the first edition draws in a later one's shape is much by itself.
-    let is_likely = |it: &Hypothesis| {
-        let edition = it.scene.edition;
-        let is_asked = own.edition == edition;
-        is_asked || edition != Edition::V3_1_0 && !it.scene.is_late(width, height)
-    };
     let mut scenes = by_editions(evidence, evidence.scene, 0.0);
-    scenes.retain(is_likely);
+    scenes.retain(|it| evidence.is_usual(&it.scene));
     let own_shape = scenes.iter().filter(|it| it.scene.has_another_shape());
     // A slip may give the shape.
     let own_shape = own_shape.map(|it| Hypothesis {

@@ -253,8 +253,8 @@ pub(super) const SLIPS: &[Slip] = &[
         .before_4(Words {
             wrong: "b = 0.25",
             right: "b = 0.2",
-            why: "Version 3.1.0 and those after it put a quarter of blue into this picture, and those before \
-                  it a fifth.",
+            why: "Versions 3.1.0 to 3 put a quarter of blue into this picture, and those before them a \
+                  fifth.",
         })
         .in_rust(
             BUILD_TEST,
