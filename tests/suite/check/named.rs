@@ -596,17 +596,30 @@ fn components_are_equal_where_something_is_hit_or_it_is_not_said() {
     let said = |shade| {
         let program = Program {
             sky: [Color::ONE, Color::new(0.0, 0.0, 1.0)],
+            world: World::of(&[
+                Ball::new(-0.3, 0.1, -1.0, 0.2),
+                Ball::new(0.0, -100.5, -1.0, 100.0),
+                Ball::new(0.3, -0.1, -1.0, 0.3),
+            ]),
             shade,
-            ..Program::right(Chapter::Normals)
+            ..Program::right(Chapter::HittableList)
         };
-        let finding = finding(Chapter::HittableList, &program.run(200).picture());
-        finding.shown.join(" ")
+        let picture = Reading::of(&program.run(200).picture());
+        let (check, _) = judged_inside(picture, None);
+        check.shown().join(" ")
     };
     let [own, twice] = [
-        said(|_, normal| Color::new(normal.x.abs(), 0.2, 0.7)),
+        said(|_, normal| match (normal.y > 0.9, normal.x > 0.0) {
+            (true, _) => Color::new(0.0, 1.0, 0.0),
+            (_, true) => Color::new(1.0, 0.0, 1.0),
+            _ => Color::new(1.0, 0.0, 0.0),
+        }),
         said(|_, normal| Color::new(normal.x.abs(), normal.x.abs(), 0.7)),
     ];
-    assert!(!own.contains("equal"), "{own}");
+    assert!(
+        own.contains("[0, 255, 0]") && !own.contains("equal"),
+        "{own}"
+    );
     assert!(twice.contains("Red and green are equal"), "{twice}");
 }
 
