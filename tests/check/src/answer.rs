@@ -176,16 +176,7 @@ impl<'a> Judged<'a> {
         };
         match &self.check {
             Check::Right(right) => {
-                let (scene, [width, height]) = (&right.scene, [right.width, right.height]);
-                let shape = match scene.has_another_shape() {
-                    true if scene.is_in_a_later_shape(width, height) => {
-                        " in the shape of later ones"
-                    }
-                    true => " in this shape, which is not the book's",
-                    false => "",
-                };
-                let by = Edition::said(&right.editions);
-                let after = format!("{by}{shape}: {}.", self.how_right(right));
+                let after = format!("{}: {}.", right.by(), self.how_right(right));
                 let given_by = given_by(&right.shape_given_by).into_iter();
                 let notes = given_by.chain(notes_on(&right.scene)).collect();
                 is("", "right", true, after, notes)

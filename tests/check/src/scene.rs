@@ -267,8 +267,8 @@ impl Scene {
             .filter(move |it| it.edition.is_first() || !it.is_in_a_later_shape(width, height))
     }
 
-    /// Whether the picture has version 4's shape, and its edition has not; never if that alone will
-    /// do.
+    /// Whether the picture has the shape of version 4, which its edition has not; never where the
+    /// reader insists on that edition.
     pub(crate) fn is_in_a_later_shape(&self, width: u32, height: u32) -> bool {
         let latest = Self {
             edition: Edition::V4,

@@ -588,6 +588,19 @@ impl Set {
 }
 
 impl Right {
+    /// After "right": by which editions, and whose its shape is if not theirs.
+    pub(crate) fn by(&self) -> String {
+        let by = Edition::said(&self.editions);
+        let shape = match self.scene.has_another_shape() {
+            true if self.scene.is_in_a_later_shape(self.width, self.height) => {
+                " in the shape of later ones"
+            }
+            true => " in this shape, which is not the book's",
+            false => "",
+        };
+        format!("{by}{shape}")
+    }
+
     /// The first edition that draws the picture to the last bit, or else the first that
     /// draws it within the tolerance.
     fn of(scene: &Scene, reading: &Reading, tolerance: u8) -> Option<Self> {

@@ -183,9 +183,7 @@ impl Evidence<'_> {
         };
         if scene.has_another_shape() {
             return Verdict {
-                headline: format!(
-                    "Right in this shape, {width} × {height}, which is not the book's."
-                ),
+                headline: format!("Right{}: {width} × {height}.", right.by()),
                 cause: self.rows_of_shape(right),
                 next: "if you chose the shape, nothing is wrong".to_owned(),
                 ..verdict
