@@ -11,8 +11,8 @@ mod exports;
 pub mod home;
 pub mod next;
 
-use check::evidence::Known;
 use check::html;
+use check::known::Known;
 use check::names::companion;
 use check::reading::Reading;
 use check::report::escaped;

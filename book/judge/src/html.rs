@@ -1,6 +1,6 @@
 //! HTML: the parts of an answer in the elements of a page.
 
-use check::answer::{Hidden, Judged, Part, Where};
+use check::answer::{Judged, Next, Part};
 use check::html::{list, read};
 use check::reading::{Cause, Reading};
 use check::report::escaped;
@@ -63,31 +63,20 @@ fn headline(judged: &Judged) -> String {
 
 fn part(part: &Part) -> String {
     match part {
-        Part::Hidden(it) => hidden(it),
-        Part::Where(Where {
-            whereabouts, first, ..
-        }) => list(&[("where", whereabouts), ("first", first)]),
-        Part::Sentence(said) => format!("<p>{}</p>", escaped(said)),
         Part::Title(said) => format!("<h3>{}</h3>", escaped(said)),
         Part::Name(name) => format!("<p><code>{}</code></p>", escaped(name)),
         Part::Rows(rows) => list(rows),
-        Part::Read(slips) => slips.iter().map(|slip| read(slip)).collect(),
+        Part::Read(slip) => read(slip),
+        Part::Next(it) => next(it),
     }
 }
 
-fn hidden(it: &Hidden) -> String {
-    let groups: Vec<(&str, &String)> = it
-        .groups
-        .iter()
-        .map(|(label, names)| (&label[..], names))
-        .collect();
-    let next = it.next.as_ref().map_or(String::new(), |next| {
-        let probe = next.scene.probe.map_or("", |probe| probe.name);
-        format!(
-            "<p>Next: {}; and then <code>{}</code> <button type=\"button\" data-probe=\"{probe}\">Judge it here</button></p>",
-            escaped(&next.change),
-            escaped(next.scene.command()),
-        )
-    });
-    format!("<p>{}</p>{}{next}", escaped(&it.intro), list(&groups))
+fn next(it: &Next) -> String {
+    let probe = it.scene.probe.map_or("", |probe| probe.name);
+    format!(
+        "<p>{}: {}; and then <code>{}</code> <button type=\"button\" data-probe=\"{probe}\">Judge it here</button></p>",
+        escaped(&it.why),
+        escaped(&it.change),
+        escaped(it.scene.command()),
+    )
 }

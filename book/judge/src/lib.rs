@@ -8,13 +8,11 @@
 mod exports;
 mod html;
 
-use std::convert::Infallible;
 use std::iter;
 
 use check::answer::Judged;
-use check::evidence::Known;
-use check::frame;
 use check::guess;
+use check::known::Known;
 use check::reading::{self, Cause, MOST_PIXELS, Reading};
 use check::report::difference_picture;
 use check::scene::Scene;
@@ -98,7 +96,6 @@ pub fn decoded(
         width,
         height,
         pixels: pixels.iter().map(levels).collect(),
-        before: (0, 0),
         encoding: None,
     };
     judged(name, reading, asked, Some(cause))
@@ -106,17 +103,14 @@ pub fn decoded(
 
 fn judged(name: &str, reading: Reading, asked: Asked, foreign: Option<Cause>) -> Answered {
     let known = Known::default();
-    let judge = |reading: &Reading| {
-        let scene = scene(asked, Some(reading));
-        Ok::<_, Infallible>(match asked.chapter {
-            0 => verdict::judge_guessed(&scene, reading, 0, &known),
-            _ => (scene, verdict::judge(&scene, reading, 0, &known)),
-        })
+    let asked_for = scene(asked, Some(&reading));
+    let (scene, check) = match asked.chapter {
+        0 => verdict::judge_guessed(&asked_for, &reading, 0, &known),
+        _ => (asked_for, verdict::judge(&asked_for, &reading, 0, &known)),
     };
-    let Ok((scene, check, reading)) = frame::judge_inside(reading, judge);
     if let Some(cause) = foreign.clone()
         && is_lossy(&cause)
-        && !is_explained(&check)
+        && !matches!(check, Check::Right(_))
     {
         return refused(name, cause, asked);
     }
@@ -125,9 +119,12 @@ fn judged(name: &str, reading: Reading, asked: Asked, foreign: Option<Cause>) ->
         _ => None,
     };
     let judged = Judged {
+        scene,
         is_guessed: asked.chapter == 0,
+        name: name.to_owned(),
         encoding: reading.encoding.clone(),
-        ..Judged::new(scene, name.to_owned(), Known::default(), check)
+        known,
+        check,
     };
     let decoded = foreign.map(|cause| html::decoded(&cause));
     Answered {
@@ -143,7 +140,14 @@ fn refused(name: &str, cause: Cause, asked: Asked) -> Answered {
         cause,
         finding: None,
     };
-    let judged = Judged::new(scene(asked, None), name.to_owned(), Known::default(), check);
+    let judged = Judged {
+        scene: scene(asked, None),
+        is_guessed: false,
+        name: name.to_owned(),
+        encoding: None,
+        known: Known::default(),
+        check,
+    };
     Answered {
         text: html::refusal(&judged),
         judged,
@@ -155,12 +159,6 @@ fn refused(name: &str, cause: Cause, asked: Asked) -> Answered {
 /// Whether the format changes levels.
 fn is_lossy(cause: &Cause) -> bool {
     ["JPEG", "WebP"].iter().any(|it| cause.problem.contains(it))
-}
-
-/// Whether it is known what happened to each level.
-fn is_explained(check: &Check) -> bool {
-    let degradation = |finding: &verdict::Finding| finding.degradation;
-    matches!(check, Check::Right(_)) || check.finding().and_then(degradation).is_some()
 }
 
 /// The scene that is asked for. A probe for which the chapter has no room is none.
@@ -214,10 +212,9 @@ impl Answered {
     }
 
     /// The numbers of a pixel, a line each: what it is, as it should be, and if a mistake is
-    /// known, as that has it; and in the last line the reader's levels. Of a picture that
-    /// something happened to, pixels are no rays any more.
+    /// known, as that has it; and in the last line the reader's levels.
     pub fn inspect(&self, column: u32, row: u32) -> String {
-        let (Some(reading), Some(right)) = (&self.reading, self.right()) else {
+        let (Some(reading), Some(_)) = (&self.reading, self.right()) else {
             return String::new();
         };
         let (width, height) = (reading.width, reading.height);
@@ -225,19 +222,9 @@ impl Answered {
         let at = (row * width + column) as usize;
         let [r, g, b] = reading.pixels.get(at).copied().unwrap_or_default();
         let yours = format!("yours\t{r} {g} {b}");
-        if finding.is_some_and(|finding| finding.degradation.is_some()) {
-            let [r, g, b] = right
-                .rgb()
-                .as_chunks()
-                .0
-                .get(at)
-                .copied()
-                .unwrap_or_default();
-            return format!("levels\t{r} {g} {b}\n{yours}");
-        }
         let scene = shown(&self.judged).fitting(width, height);
-        let mistake = finding.and_then(|finding| finding.sets.first());
-        let mistake = mistake.map(|set| &set.mistakes[0][..]);
+        let mistakes = finding.and_then(|finding| finding.mistakes.as_ref());
+        let mistake = mistakes.map(|mistakes| &mistakes.all[0][..]);
         let traced = iter::once(&[][..]).chain(mistake).map(|slips| {
             let program = scene.program(slips);
             program.traced(width, column, row).rows(scene.chapter)

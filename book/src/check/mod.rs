@@ -1,7 +1,6 @@
 //! `check`: judges a reader's own picture, and names the mistake.
 
 mod input;
-mod json;
 mod page;
 mod text;
 
@@ -12,9 +11,8 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use check::answer::Judged;
-use check::evidence::Known;
-use check::frame;
 use check::guess;
+use check::known::Known;
 use check::names::{self, companion};
 use check::reading::{self, Reading};
 use check::scene::Scene;
@@ -67,10 +65,6 @@ pub(crate) struct Arguments {
     /// Write a page that shows both pictures into this folder
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
-
-    /// Print the result for programs
-    #[arg(long)]
-    json: bool,
 }
 
 /// Judges the picture and prints the result: 0 is right, 1 wrong, and 2 is not a
@@ -109,16 +103,15 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     let bytes = source.read(arguments.timeout);
     let reading = bytes.and_then(|bytes| reading::read(&bytes));
     let tolerance = arguments.tolerance;
-    let judge = |reading: &Reading| match named {
-        Some(scene) => Ok((scene, verdict::judge(&scene, reading, tolerance, &known))),
-        None => {
-            let guessed = arguments.guessed(reading)?;
-            Ok::<_, Box<dyn Error>>(verdict::judge_guessed(&guessed, reading, tolerance, &known))
-        }
-    };
     let (scene, check, encoding) = match reading {
         Ok(reading) => {
-            let (scene, check, reading) = frame::judge_inside(reading, judge)?;
+            let (scene, check) = match named {
+                Some(scene) => (scene, verdict::judge(&scene, &reading, tolerance, &known)),
+                None => {
+                    let guessed = arguments.guessed(&reading)?;
+                    verdict::judge_guessed(&guessed, &reading, tolerance, &known)
+                }
+            };
             (scene, check, reading.encoding)
         }
         Err(cause) => {
@@ -128,20 +121,19 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         }
     };
     let judged = Judged {
+        scene,
         is_guessed: named.is_none(),
+        name: source.to_string(),
         encoding,
-        ..Judged::new(scene, source.to_string(), known, check)
+        known,
+        check,
     };
     let report = arguments.report.as_ref();
     let report = report
         .map(|folder| page::write(folder, &judged))
         .transpose();
     let page = report.as_ref().ok().and_then(Option::as_deref);
-    let said = if arguments.json {
-        json::json(&judged, page)
-    } else {
-        text::text(&judged, page, Style::of_stdout())
-    };
+    let said = text::text(&judged, page, Style::of_stdout());
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
     match report {
         Ok(_) => Ok(judged.check.exit_code()),

@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use check::answer::{Headline, Hidden, Judged, Part, Where};
+use check::answer::{Headline, Judged, Next, Part};
 use check::names::{self, companion};
-use check::workspace;
+use check::{Row, workspace};
 use slips::Slip;
+use textwrap::{Options, WordSplitter};
 
 use crate::terminal::Palette;
 
@@ -64,67 +65,53 @@ pub(crate) fn text(judged: &Judged, report: Option<&Path>, style: Style) -> Stri
 
 /// Right, wrong, or why it is no picture.
 pub(crate) fn headline(said: &Headline, style: Style) -> String {
-    let verdict = match said.is_right {
-        true => style.green(said.verdict),
-        false => style.red(said.verdict),
+    let verdict = if said.is_right {
+        style.green(said.verdict)
+    } else {
+        style.red(said.verdict)
     };
-    let notes: String = said.notes.iter().map(|note| format!("{note}\n")).collect();
-    format!("{}{verdict}{}\n{notes}", said.before, said.after)
+    let first = wrapped(&format!("{}{verdict}{}", said.before, said.after), "", "");
+    let notes = said.notes.iter().flat_map(|note| note.lines());
+    let notes: String = notes.map(|note| wrapped(note, "", "  ")).collect();
+    first + &notes
 }
 
 fn told(part: &Part, style: Style) -> String {
-    let row = |(label, said): &(&str, String)| {
-        let label = style.dim(&format!("{label:<9}"));
-        format!("    {label} {said}\n")
-    };
     match part {
-        Part::Hidden(hidden) => advice(hidden),
-        Part::Where(it) => whereabouts(it, style),
-        Part::Sentence(said) => format!("\n{said}\n"),
         Part::Title(said) => format!("\n{}\n", style.bold(said)),
-        Part::Name(name) => format!("\n  {}\n", style.bold(name)),
-        Part::Rows(rows) => rows.iter().map(row).collect(),
-        Part::Read(slips) => slips
-            .iter()
-            .flat_map(|slip| look(slip))
-            .map(|it| row(&it))
-            .collect(),
+        Part::Name(name) => format!("  {}\n", style.bold(name)),
+        Part::Rows(rows) => rows.iter().map(|it| row(it, style)).collect(),
+        Part::Read(slip) => look(slip).map(|it| row(&it, style)).collect(),
+        Part::Next(next) => probe(next),
     }
 }
 
-fn advice(hidden: &Hidden) -> String {
-    let width = hidden.groups.iter().map(|(label, _)| label.len()).max();
-    let width = width.unwrap_or_default();
-    let group = |(label, names): &(String, String)| format!("  {label:<width$}  {names}\n");
-    let groups: String = hidden.groups.iter().map(group).collect();
-    let next = hidden.next.as_ref().map_or(String::new(), |next| {
-        format!(
-            "Next: {}; and then\n  {}\n",
-            next.change,
-            next.scene.command()
-        )
-    });
-    format!("\n{}\n{groups}{next}", hidden.intro)
+/// A label, and what it is about in as many lines as that takes.
+fn row((label, said): &Row, style: Style) -> String {
+    let label = format!("    {} ", style.dim(&format!("{label:<9}")));
+    wrapped(said, &label, &" ".repeat(14))
 }
 
-fn whereabouts(it: &Where, style: Style) -> String {
-    let label = |label: &str| style.dim(&format!("{label:<7}"));
-    let map: String = it
-        .map
-        .iter()
-        .map(|line| format!("          {line}\n"))
-        .collect();
-    format!(
-        "\n  {} {}\n{map}  {} {}\n",
-        label("where"),
-        it.whereabouts,
-        label("first"),
-        it.first
-    )
+fn probe(next: &Next) -> String {
+    let first = wrapped(&format!("{}: {}; and then", next.why, next.change), "", "");
+    format!("\n{first}  {}\n", next.scene.command())
+}
+
+/// No line is longer, but for a word that is.
+const WIDTH: usize = 100;
+
+/// The text, with this before its first line and that before the others.
+fn wrapped(text: &str, first: &str, rest: &str) -> String {
+    let options = Options::new(WIDTH)
+        .initial_indent(first)
+        .subsequent_indent(rest)
+        .break_words(false)
+        .word_splitter(WordSplitter::NoHyphenation);
+    textwrap::fill(text, options) + "\n"
 }
 
 /// The page and the file that have it right.
-fn look(slip: &Slip) -> impl Iterator<Item = (&'static str, String)> {
+fn look(slip: &Slip) -> impl Iterator<Item = Row> {
     let code = workspace::source(slip).map(|file| ("code", file));
     [("read", read(slip))].into_iter().chain(code)
 }

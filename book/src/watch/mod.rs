@@ -14,7 +14,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant, SystemTime};
 
-use check::evidence::Known;
+use check::known::Known;
 use check::names::{companion, from_here};
 use check::scene::Scene;
 use check::whole::{Evidence, Verdict, step_is_done};

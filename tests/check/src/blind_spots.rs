@@ -5,11 +5,9 @@
 
 use std::iter;
 
-use crate::answer::{Hidden, Next};
-use crate::explanations::spread;
+use crate::pixels::spread;
 use crate::scene::Scene;
-use slips::Chapter;
-use slips::{self, Output, PROBES, Slip, Unseen};
+use slips::{Chapter, Output, PROBES, Slip, Unseen};
 
 /// What right pictures of a chapter leave open.
 #[derive(Clone, Debug)]
@@ -108,9 +106,9 @@ struct Exam {
 
 /// How many pixels are looked at first: most slips differ in one of them.
 const GLANCE: u32 = 500;
-/// How many are looked at in the end, spread over the picture: all of one that is 596
-/// pixels wide. More would keep the reader waiting and tell the same.
-const LOOK: u32 = 200_000;
+/// How many are looked at in the end, spread over the picture: a third of the book's. More
+/// would keep the reader waiting, and a test compares all.
+const LOOK: u32 = 30_000;
 
 impl Exam {
     fn new((scene, width): (Scene, u32)) -> Self {
@@ -152,49 +150,32 @@ fn levels(output: &Output, n: u32) -> [u8; 3] {
 }
 
 impl BlindSpots {
-    /// What there is to say after the right picture of `scene`: which picture shows
-    /// which slips, and how to draw the next one.
-    pub fn advice(&self, scene: &Scene) -> Hidden {
-        let this = match scene.probe {
-            None => "this picture",
-            Some(_) => "the chapter's own picture and this one",
-        };
-        let shown = self.shown_by.iter();
-        let groups: Vec<(String, String)> = shown
-            .map(|showing| (showing.label(), names(&showing.slips)))
-            .chain([("only a law".to_owned(), names(&self.by_law))])
-            .filter(|(_, names)| !names.is_empty())
-            .collect();
-        let intro = match groups.is_empty() {
-            true => format!("No known mistake of the chapter can hide from {this}."),
-            false => format!("These mistakes can hide from {this}. What shows them:"),
-        };
-        let next = self.shown_by.first().map(Showing::next);
-        Hidden {
-            intro,
-            groups,
-            next,
-        }
+    /// The picture to draw next: it shows most of the mistakes that may have been made.
+    pub fn next(&self, may_be: impl Fn(&Slip) -> bool) -> Option<Next> {
+        let hidden = |showing: &Showing| showing.slips.iter().filter(|slip| may_be(slip)).count();
+        let all = self.shown_by.iter().map(|it| (hidden(it), it));
+        let (hidden, showing) = all.rev().max_by_key(|(hidden, _)| *hidden)?;
+        (hidden > 0).then_some(Next {
+            scene: showing.scene,
+            width: showing.width,
+            hidden,
+        })
     }
 }
 
-impl Showing {
-    fn label(&self) -> String {
-        match self.scene.probe {
-            Some(probe) => format!("probe {}", probe.name),
-            None => format!("{} wide", self.width),
-        }
-    }
-
-    fn next(&self) -> Next {
-        Next {
-            scene: self.scene,
-            change: self.scene.change(self.width).replace('\n', "; "),
-        }
-    }
+/// A picture to draw after a right one.
+pub struct Next {
+    /// Its scene.
+    pub scene: Scene,
+    /// How wide to draw it, in pixels.
+    pub width: u32,
+    /// How many known mistakes show there that the pictures before hide.
+    pub hidden: usize,
 }
 
-fn names(slips: &[&Slip]) -> String {
-    let names: Vec<&str> = slips.iter().map(|slip| slip.name).collect();
-    names.join(", ")
+impl Next {
+    /// What to change in a program, on one line.
+    pub fn change(&self) -> String {
+        self.scene.change(self.width).replace('\n', "; ")
+    }
 }

@@ -7,15 +7,7 @@ use slips::Slip;
 use crate::report::escaped;
 
 /// What is code in an answer is the second in a row with one of these labels.
-const CODE: [&str; 7] = [
-    "probably",
-    "perhaps",
-    "should be",
-    "or",
-    "yours",
-    "the page",
-    "missing",
-];
+const CODE: [&str; 6] = ["probably", "perhaps", "should be", "or", "yours", "missing"];
 
 /// Labeled rows; nothing, if there are none.
 pub fn list(rows: &[(&str, impl Display)]) -> String {
@@ -23,9 +15,10 @@ pub fn list(rows: &[(&str, impl Display)]) -> String {
         return String::new();
     }
     let row = |(label, said): &(&str, _)| {
-        let said = match CODE.contains(label) {
-            true => format!("<code>{}</code>", escaped(said)),
-            false => escaped(said),
+        let said = if CODE.contains(label) {
+            format!("<code>{}</code>", escaped(said))
+        } else {
+            escaped(said)
         };
         format!("<dt>{}</dt><dd>{said}</dd>", escaped(label))
     };

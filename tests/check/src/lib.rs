@@ -1,37 +1,38 @@
 //! What judges a picture, ours or a reader's.
 //!
-//! In the order in which a file passes through it: [`reading`] makes a picture of
-//! bytes that may be anything, [`explanations`] are measured in [`bits`] and the shortest
-//! is the [`verdict`], which [`answer`] puts into words and [`report`] shows on a page. If the
-//! picture is right, [`blind_spots`] says what it can't show. Of a picture that nobody has named
-//! [`guess`] says which chapter it is, and [`frame`] looks into a screenshot.
+//! In the order in which a file passes through it: [`reading`] makes a picture of bytes that
+//! may be anything, the judge asks which program draws it, and the [`verdict`] is laid out as
+//! an [`answer`] to a picture, as the [`whole`] verdict on a program that is being typed, or
+//! as a [`report`] on a page. If the picture is right, [`blind_spots`] knows what it hides. Of
+//! a picture that nobody has named [`guess`] says which chapter it is.
 
 pub mod answer;
-pub mod bits;
 pub mod blind_spots;
+mod candidate;
+mod candidates;
 mod causes;
+mod colors;
 pub mod comparison;
-pub mod evidence;
-pub mod explanations;
-pub mod frame;
+mod copies;
+mod edges;
 pub mod guess;
 pub mod html;
 mod judge;
-mod map;
-pub mod mutants;
+pub mod known;
 pub mod names;
+mod pixels;
 pub mod png;
 pub mod reading;
 pub mod report;
 pub mod scene;
 mod seen;
 pub mod sources;
-mod surfaces;
-pub mod telling;
-pub mod told;
+mod telling;
+pub mod transplant;
 pub mod verdict;
 pub mod whole;
 mod words;
 pub mod workspace;
 
-pub use words::names_of;
+pub use candidate::{Conversion, Left};
+pub use words::{Row, names_of};

@@ -12,9 +12,12 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     if !text.contains(obeyed) {
         return text.into();
     }
-    let spell = |c: char| match obeyed(c) {
-        true => c.escape_default().to_string(),
-        false => c.to_string(),
+    let spell = |c: char| {
+        if obeyed(c) {
+            c.escape_default().to_string()
+        } else {
+            c.to_string()
+        }
     };
     text.chars().map(spell).collect()
 }
@@ -43,8 +46,9 @@ pub fn from_here(path: &Path) -> String {
 /// `rtrace`, which is installed then.
 pub fn companion() -> &'static str {
     // Cargo tells all that it runs where cargo is. A page was woven in the workspace.
-    match cfg!(target_family = "wasm") || env::var_os("CARGO").is_some() {
-        true => "cargo rtrace",
-        false => "rtrace",
+    if cfg!(target_family = "wasm") || env::var_os("CARGO").is_some() {
+        "cargo rtrace"
+    } else {
+        "rtrace"
     }
 }

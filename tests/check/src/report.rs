@@ -67,17 +67,18 @@ impl Report<'_> {
 pub fn remarks(scene: &Scene, finding: &Finding, book: &Path) -> String {
     let mut html = String::new();
     let pixels = finding.right.rgb().len() / 3;
-    for set in &finding.sets {
-        html += &format!("<h2>{}</h2>\n", escaped(set.title(pixels)));
-        for slip in set.mistakes.iter().flatten() {
-            html += &slip_as_html(slip, &set.scene, book);
+    if let Some(mistakes) = &finding.mistakes {
+        html += &format!("<h2>{}</h2>\n", escaped(mistakes.title(pixels)));
+        for slip in mistakes.all.iter().flatten() {
+            html += &slip_as_html(slip, &mistakes.scene, book);
         }
     }
-    if let Some(told) = finding.how_to_tell(|probe| scene.probed_command(probe)) {
-        html += &format!("<p>{}</p>\n", escaped(told));
+    if let Some(next) = finding.next(|probe| scene.probed_command(probe)) {
+        html += &format!("<p>Next: {}</p>\n", escaped(next));
     }
     let seen: String = finding
-        .seen()
+        .sights
+        .iter()
         .map(|it| format!("<p>{}</p>\n", escaped(it)))
         .collect();
     if !seen.is_empty() {

@@ -3,10 +3,9 @@
 use crate::names::companion;
 use common::rtweekend::{Color, Picture};
 
-use crate::bits::distance;
-use crate::explanations::spread;
+use crate::pixels::{distance, spread};
 use crate::reading::Reading;
-use slips::{Ball, Chapter, Edition, Ends, Probe, Program, Slip, steps};
+use slips::{Chapter, Edition, Probe, Program, Slip, steps};
 
 /// A chapter's scene, or a probe's in that chapter, by one edition of the book.
 #[derive(Clone, Copy, Debug)]
@@ -19,8 +18,6 @@ pub struct Scene {
     pub edition: Edition,
     /// Whether no other edition will do.
     insists: bool,
-    /// Whether nobody has said which chapter it is.
-    is_guessed: bool,
     /// A step on the way to the chapter, counted from 0, if it is not the last.
     step: Option<usize>,
     /// Width and height in pixels, if they are not the chapter's own.
@@ -36,82 +33,8 @@ pub struct Chosen {
     pub sky: Option<[Color; 2]>,
     /// The color of the sphere where it has only one.
     pub paint: Option<Color>,
-    /// What the color of a hit is made of, if it has more than one.
-    pub shade: Option<[Ends; 3]>,
     /// Blue in every pixel of the build test.
     pub blue: Option<f64>,
-    /// The first and the second sphere.
-    pub balls: [Option<Ball>; 2],
-    /// The width of the viewport one unit away, if it does not follow from its height.
-    pub viewport_width: Option<f64>,
-    /// The height of the viewport one unit away, and with it the field of view.
-    pub viewport_height: Option<f64>,
-}
-
-impl Chosen {
-    /// Whether spheres or the viewport are the reader's own.
-    pub(crate) fn is_placed(&self) -> bool {
-        self.viewport_height.is_some() || self.balls != [None; 2]
-    }
-
-    /// Whether somebody may have typed the numbers of a picture of that ratio.
-    pub(crate) fn is_typed(&self, ratio: f64) -> bool {
-        let are_colors = !self.has_no_color() || self.times().is_some();
-        are_colors
-            && self.has_a_typed_sky()
-            && self.has_a_typed_viewport(ratio)
-            && self.has_a_typed_ground()
-    }
-
-    /// Whether the ground's radius has few digits: where it is, noise blurs.
-    fn has_a_typed_ground(&self) -> bool {
-        self.balls[1].is_none_or(|ground| is_round(100.0 * ground.radius))
-    }
-
-    /// Whether all components are hundredths, or all are levels; where the sky is a blend, for one
-    /// color is known to a level only.
-    fn has_a_typed_sky(&self) -> bool {
-        let all = self.sky.iter().filter(|[below, above]| below != above);
-        let all: Vec<f64> = all.flatten().flat_map(|it| it.to_array()).collect();
-        let are_parts = |parts: f64| all.iter().all(|it| is_round(parts * it));
-        are_parts(100.0) || are_parts(255.0)
-    }
-
-    /// Whether one of the viewport's lengths, the focal length or the angle has few digits.
-    fn has_a_typed_viewport(&self, ratio: f64) -> bool {
-        self.viewport_height.is_none_or(|height| {
-            let width = self.viewport_width.unwrap_or(height * ratio);
-            let mut lengths = [height, width, 2.0 / height, 2.0 / width].into_iter();
-            let angle = angle(height);
-            lengths.any(|it| is_round(100.0 * it)) || angle < WIDE && is_round(angle)
-        })
-    }
-
-    /// Whether nobody chooses that, and slips draw it: what a hit's color is made of, the book's
-    /// sky upside down, a color that is none.
-    pub(crate) fn looks_like_a_slip(&self) -> bool {
-        let [white, blue] = Program::right(Chapter::Gradient).sky;
-        self.shade.is_some() || self.sky == Some([blue, white]) || self.has_no_color()
-    }
-
-    /// Whether a color of the sky is none.
-    pub(crate) fn has_no_color(&self) -> bool {
-        let is_none = |it: Color| it.min_element() < 0.0 || it.max_element() > 1.0;
-        self.sky.is_some_and(|sky| sky.into_iter().any(is_none))
-    }
-}
-
-/// Nobody looks under a wider angle, in degrees.
-const WIDE: f64 = 150.0;
-
-/// The degrees under which a viewport of that height one unit away is seen.
-pub(crate) fn angle(height: f64) -> f64 {
-    2.0 * (0.5 * height).atan().to_degrees()
-}
-
-/// Whether a number is an integer but for what fits leave.
-pub(crate) fn is_round(number: f64) -> bool {
-    (number - number.round()).abs() < 1e-3
 }
 
 impl Scene {
@@ -125,7 +48,6 @@ impl Scene {
             probe,
             edition: Edition::V4,
             insists: false,
-            is_guessed: false,
             step: None,
             shape: None,
             chosen: Chosen::default(),
@@ -139,19 +61,6 @@ impl Scene {
             insists: true,
             ..self
         }
-    }
-
-    /// The same scene if nobody has said which it is.
-    pub fn guessed(self) -> Self {
-        Self {
-            is_guessed: true,
-            ..self
-        }
-    }
-
-    /// Whether nobody has.
-    pub(crate) fn is_guessed(&self) -> bool {
-        self.is_guessed
     }
 
     /// The same with that probe, or `None` if the chapter has no place for its spheres.
@@ -257,8 +166,8 @@ impl Scene {
     }
 
     /// The same scene by each edition that will do, in a picture of that size: the
-    /// latest edition first. Who draws in the shape that came with version 3.1.0 reads no
-    /// earlier one; but many keep the rays and the factor of the first.
+    /// latest edition first. A reader who draws in the shape that came with version 3.1
+    /// reads no earlier one; but many keep the rays and the factor of the first.
     pub(crate) fn by_editions(self, width: u32, height: u32) -> impl Iterator<Item = Self> {
         Edition::ALL
             .into_iter()
@@ -280,9 +189,10 @@ impl Scene {
     /// The same scene in a picture of that size, whose shape may be the scene's own.
     pub fn fitting(self, width: u32, height: u32) -> Self {
         let own = self.in_own_shape();
-        match own.height(width) == height {
-            true => own,
-            false => self.shaped(width, height),
+        if own.height(width) == height {
+            own
+        } else {
+            self.shaped(width, height)
         }
     }
 
@@ -302,19 +212,6 @@ impl Scene {
         }
     }
 
-    /// The same in another shape with the viewport of 4 × 2 all the same, if its edition prints
-    /// that as numbers.
-    pub(crate) fn with_printed_viewport(self) -> Option<Self> {
-        let has_rays = self.chapter != Chapter::BuildTest;
-        let is_printed = self.edition < Edition::V3_1_0 && has_rays && self.has_another_shape();
-        let chosen = Chosen {
-            viewport_width: Some(4.0),
-            viewport_height: Some(2.0),
-            ..self.chosen
-        };
-        is_printed.then(|| self.with(chosen))
-    }
-
     /// Whether the shape is not that of the chapter.
     pub fn has_another_shape(&self) -> bool {
         self.shape.is_some()
@@ -327,25 +224,12 @@ impl Scene {
             program.image_height = |width, ratio| ((width / ratio) as u32).max(1);
             program.aspect_ratio = ratio(width, height);
             program.viewport_ratio = |width, height, _| width / height;
-            // Before version 4 the viewport has the ratio that was wished for, and the height or
-            // the width follows from it.
-            let by_width = |ratio: &&f64| (f64::from(width) / **ratio) as u32 == height;
-            let by_height = |ratio: &&f64| (f64::from(height) * **ratio) as u32 == width;
-            let heights: fn(f64, f64) -> u32 = |width, ratio| (width / ratio).ceil() as u32;
-            // A ratio in single precision may be a little larger, and a row is missing.
-            let in_single: fn(f64, f64) -> u32 =
-                |width, ratio| (width / f64::from(ratio as f32)) as u32;
-            let by_single = |ratio: &&f64| in_single(width.into(), **ratio) == height;
-            let ratios = USUAL_RATIOS.iter();
-            let wished = ratios
-                .clone()
-                .find(by_width)
-                .map(|it| (*it, program.image_height));
-            let wished = wished.or(ratios.clone().find(by_single).map(|it| (*it, in_single)));
-            let wished = wished.or(ratios.clone().find(by_height).map(|it| (*it, heights)));
-            if let Some((ratio, image_height)) = wished.filter(|_| self.edition.counts_from_below())
+            // Before version 4 the viewport has the ratio that was wished for, and the height
+            // follows from it.
+            let is_wished = |ratio: &f64| (f64::from(width) / ratio) as u32 == height;
+            if let Some(ratio) = USUAL_RATIOS.into_iter().find(is_wished)
+                && self.edition.counts_from_below()
             {
-                program.image_height = image_height;
                 program.aspect_ratio = ratio;
                 program.viewport_ratio = |_, _, aspect_ratio| aspect_ratio;
             }
@@ -355,18 +239,9 @@ impl Scene {
         }
         program.sky = self.chosen.sky.unwrap_or(program.sky);
         program.paint = self.chosen.paint.unwrap_or(program.paint);
-        program.own_shade = self.chosen.shade;
         program.blue = self.chosen.blue.unwrap_or(program.blue);
-        program.viewport_width = self.chosen.viewport_width;
-        program.viewport_height = self
-            .chosen
-            .viewport_height
-            .unwrap_or(program.viewport_height);
         for slip in slips {
             program = slip.put_to(program);
-        }
-        for (ball, own) in program.world.iter_mut().zip(self.chosen.balls) {
-            *ball = own.unwrap_or(*ball);
         }
         match self.probe {
             Some(probe) => probe
@@ -378,7 +253,7 @@ impl Scene {
 
     /// The slips that can be made here.
     pub fn slips(&self) -> impl Iterator<Item = &'static Slip> + use<> {
-        let (chapter, has_sizes) = (self.chapter, self.edition >= Edition::V3_1_0);
+        let (chapter, has_sizes) = (self.chapter, self.edition >= Edition::V3);
         slips::all().filter(move |slip| {
             slip.chapters.contains(&chapter) && (has_sizes || !slip.is_of_the_size())
         })
@@ -387,6 +262,11 @@ impl Scene {
     /// The height of the right picture that is `width` pixels wide.
     pub fn height(&self, width: u32) -> u32 {
         self.program(&[]).camera(width).image_height
+    }
+
+    /// The sky of the same edition alone, in the size of the reader's picture.
+    pub(crate) fn of_sky(&self, width: u32, height: u32) -> Picture {
+        self.of_chapter(Chapter::Gradient).right(width, height)
     }
 
     /// The right picture in the size of the reader's.

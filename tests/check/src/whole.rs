@@ -5,12 +5,12 @@ use common::rtweekend::Picture;
 use slips::{Chapter, Edition, Probe, Slip, steps};
 
 use crate::blind_spots::BlindSpots;
-use crate::evidence::Known;
+use crate::known::Known;
 use crate::names;
 use crate::reading::Cause;
 use crate::scene::Scene;
-use crate::told;
 use crate::verdict::{self, Check, Finding, Right};
+use crate::words::unlike;
 
 /// What a program has come to.
 #[derive(Default)]
@@ -191,7 +191,7 @@ impl Evidence<'_> {
         }
         let (can_say, cause) = match self.laws {
             Some(Laws::Broken(report) | Laws::BrokenPrelude(report)) => {
-                let unlike = told::unlike(self.scene, self.known).into_iter();
+                let unlike = unlike(self.scene, self.known).into_iter();
                 let unlike = unlike.map(|(label, text)| labeled(label, text));
                 ("a law is broken", unlike.chain(law(report)).collect())
             }
@@ -201,13 +201,9 @@ impl Evidence<'_> {
                     "Right{}: all {width} × {height} pixels, to the last bit.",
                     Edition::said(&[scene.edition])
                 );
-                let suspected = told::suspected(scene, self.known).into_iter();
                 let verdict = Verdict {
                     is_right: true,
                     headline,
-                    cause: suspected
-                        .map(|(label, text)| labeled(label, text))
-                        .collect(),
                     next: self.next_chapter(),
                     done: vec![match self.scene.probe {
                         Some(probe) => format!("{}, probe {}: right", chapter.name(), probe.name),
@@ -215,10 +211,11 @@ impl Evidence<'_> {
                     }],
                     ..verdict
                 };
-                return match self.laws {
-                    Some(_) => self.with_blind_spots(verdict.and_obeys_the_laws(chapter), width),
-                    None => self.with_blind_spots(verdict, width),
+                let verdict = match self.laws {
+                    Some(_) => verdict.and_obeys_the_laws(chapter),
+                    None => verdict,
                 };
+                return self.with_next_probe(verdict, width);
             }
         };
         Verdict {
@@ -281,52 +278,42 @@ impl Evidence<'_> {
                 ..Verdict::default()
             };
         }
-        let or = self.rows(finding);
-        let (is_alone, all) = (or.is_empty(), steps.len());
+        let all = steps.len();
         Verdict {
-            headline: match (self.known.steps[step], is_alone) {
-                (true, _) => format!("This is what step {number} of {all} shows, again."),
-                (false, true) => format!("Step {number} of {all} is right."),
-                (false, false) => format!("This is what step {number} of {all} shows."),
+            headline: if self.known.steps[step] {
+                format!("This is what step {number} of {all} shows, again.")
+            } else {
+                format!("Step {number} of {all} is right.")
             },
-            cause: or,
             next: step_says(number, &steps[number]),
-            done: is_alone
-                .then(|| step_is_done(chapter, number))
-                .into_iter()
-                .collect(),
+            done: vec![step_is_done(chapter, number)],
             ..Verdict::default()
         }
     }
 
-    /// Names what can hide from the picture, and the probe that shows most of it: but not
-    /// what the reader can't have done, nor what would answer otherwise.
-    fn with_blind_spots(&self, verdict: Verdict, width: u32) -> Verdict {
+    /// Says which probe shows most of what can hide from the picture: but not what the reader
+    /// can't have done, nor what would answer otherwise.
+    fn with_next_probe(&self, verdict: Verdict, width: u32) -> Verdict {
         let chapter = self.scene.chapter;
-        let is_open = |slip: &&Slip| {
+        let may_be = |slip: &Slip| {
             self.known.can_be_made(slip, self.scene)
                 && (self.known.answers).is_none_or(|unlike| unlike(&slip.program(chapter)).1 == 0)
         };
-        let hidden = BlindSpots::after(self.scene, width);
-        let open = hidden.shown_by.into_iter().map(|showing| {
-            let slips = showing.slips.iter().copied().filter(is_open);
-            let names: Vec<&str> = slips.map(|slip| slip.name).collect();
-            (showing, names)
-        });
-        let open = open.max_by_key(|(_, names)| names.len());
-        let Some((showing, names)) = open.filter(|(_, names)| !names.is_empty()) else {
+        let Some(next) = BlindSpots::after(self.scene, width).next(may_be) else {
             return verdict;
         };
-        let change = showing.scene.change(showing.width).replace('\n', "; ");
-        let command = showing.scene.probe.map_or(String::new(), |probe| {
+        let command = next.scene.probe.map_or(String::new(), |probe| {
             format!("; and then {}", (self.watch)(Some(probe)))
         });
-        let hidden = [
-            labeled("can hide", names.join(", ")),
-            labeled("to see it", change + &command),
-        ];
+        let hidden = match next.hidden {
+            1 => "one known mistake can hide from this picture".to_owned(),
+            hidden => format!("{hidden} known mistakes can hide from this picture"),
+        };
         Verdict {
-            cause: verdict.cause.into_iter().chain(hidden).collect(),
+            cause: vec![
+                labeled("hidden", hidden),
+                labeled("to see it", next.change() + &command),
+            ],
             ..verdict
         }
     }
@@ -341,12 +328,13 @@ impl Evidence<'_> {
 
     fn of_wrong_picture(&self, finding: Finding) -> Verdict {
         let mut cause = self.rows(&finding);
+        let is_unknown = finding.mistakes.is_none();
         match self.laws {
             _ if finding.is_typed => {}
-            Some(Laws::Broken(report)) if !finding.is_answered || finding.sets.is_empty() => {
+            Some(Laws::Broken(report)) if !finding.is_answered || is_unknown => {
                 cause.extend(law(report));
             }
-            Some(Laws::Obeyed) if finding.sets.is_empty() => cause.push(labeled(
+            Some(Laws::Obeyed) if is_unknown => cause.push(labeled(
                 "the laws",
                 "they hold: look at what calls the function, and what becomes of its answer"
                     .to_owned(),
@@ -362,7 +350,7 @@ impl Evidence<'_> {
             None | Some(0) => {
                 "The picture is right, but the code is not: a law is broken.".to_owned()
             }
-            Some(count) if finding.levels == 1 => format!(
+            Some(count) if finding.levels() == 1 => format!(
                 "Right within one level, but for the last bit: {count} of {total} pixels{with}."
             ),
             Some(count) => format!("Wrong: {count} of {total} pixels{with}."),
@@ -371,7 +359,7 @@ impl Evidence<'_> {
             headline,
             cause,
             next: finding
-                .how_to_tell(|probe| (self.watch)(Some(probe)))
+                .next(|probe| (self.watch)(Some(probe)))
                 .unwrap_or_default(),
             read: finding.single().to_vec(),
             pictures: Some((finding.yours, finding.right)),

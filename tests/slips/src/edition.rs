@@ -17,9 +17,8 @@ pub enum Edition {
     V1InDouble,
     /// Version 3.0, March 2020: the same with other factors.
     V3_0,
-    /// Version 3.1.0, in May 2020 for two weeks: 16:9 through a larger viewport.
-    V3_1_0,
-    /// The other versions 3, 2020 to 2023: 16:9, rows from below.
+    /// Versions 3.1 and later, 2020 to 2023: 16:9, rows from below. (3.1.0 had another
+    /// viewport for two weeks.)
     V3,
     /// Version 4, 2023 and after, which this workspace follows: rows from above, and each
     /// ray through the middle of its pixel.
@@ -28,21 +27,13 @@ pub enum Edition {
 
 impl Edition {
     /// All of them, the one that this workspace follows first.
-    pub const ALL: [Self; 6] = [
-        Self::V4,
-        Self::V3,
-        Self::V3_0,
-        Self::V1,
-        Self::V1InDouble,
-        Self::V3_1_0,
-    ];
+    pub const ALL: [Self; 5] = [Self::V4, Self::V3, Self::V3_0, Self::V1, Self::V1InDouble];
 
     /// Its name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::V1 | Self::V1InDouble => "1",
             Self::V3_0 => "3.0",
-            Self::V3_1_0 => "3.1.0",
             Self::V3 => "3",
             Self::V4 => "4",
         }
@@ -59,10 +50,6 @@ impl Edition {
                 "twice as wide as high, a viewport of 4 × 2, u = i / image_width, rows from below",
                 "twice as wide as high, r = i / image_width, rows from below, blue 0.2",
             ],
-            Self::V3_1_0 => [
-                "u = i / (image_width - 1), rows from below, a viewport of 4 × 2.25 and for the list one of 4 × 2",
-                "rows from below, blue 0.25",
-            ],
             Self::V3 => [
                 "u = i / (image_width - 1), rows from below, viewport_width = aspect_ratio * viewport_height",
                 "rows from below, blue 0.25",
@@ -74,9 +61,10 @@ impl Edition {
     /// After "right" or "wrong": which editions it is judged by, if the one that this
     /// workspace follows is not among them.
     pub fn said(editions: &[Self]) -> String {
-        match editions.contains(&Self::V4) {
-            true => String::new(),
-            false => format!(" by {}", Self::together(editions)),
+        if editions.contains(&Self::V4) {
+            String::new()
+        } else {
+            format!(" by {}", Self::together(editions))
         }
     }
 
@@ -111,7 +99,6 @@ impl Edition {
         match self {
             Self::V1 | Self::V1InDouble => &["1", "2"],
             Self::V3_0 => &["3.0"],
-            Self::V3_1_0 => &["3.1.0"],
             Self::V3 => &["3"],
             Self::V4 => &["4"],
         }
@@ -121,7 +108,6 @@ impl Edition {
         match self {
             Self::V1 | Self::V1InDouble => ["2016", "2019"],
             Self::V3_0 => ["March 2020"; 2],
-            Self::V3_1_0 => ["May 2020"; 2],
             Self::V3 => ["2020", "2023"],
             Self::V4 => ["2023", "today"],
         }
@@ -140,14 +126,15 @@ impl Edition {
     /// Whether its camera divides the edges of the viewport. The oldest ones write out
     /// what comes of it, as `lower_left_corner(-2.0, -1.0, -1.0)`.
     pub(super) fn divides_the_viewport(self) -> bool {
-        matches!(self, Self::V3_1_0 | Self::V3 | Self::V4)
+        matches!(self, Self::V3 | Self::V4)
     }
 
     /// The row that the right loop counts as it draws the `j`th row from above.
     pub(super) fn row(self, j: u32, image_height: u32) -> f64 {
-        match self.counts_from_below() {
-            true => f64::from(image_height) - 1.0 - f64::from(j),
-            false => f64::from(j),
+        if self.counts_from_below() {
+            f64::from(image_height) - 1.0 - f64::from(j)
+        } else {
+            f64::from(j)
         }
     }
 }
@@ -160,7 +147,6 @@ impl fmt::Display for Edition {
                 "version 1 or 2 of the book (2016 to 2019), as with double precision"
             }
             Self::V3_0 => "version 3.0 of the book (March 2020)",
-            Self::V3_1_0 => "version 3.1.0 of the book (May 2020)",
             Self::V3 => "version 3 of the book (2020 to 2023)",
             Self::V4 => "version 4 of the book",
         })

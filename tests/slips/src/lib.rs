@@ -49,7 +49,7 @@ pub use letters::Letters;
 pub use look::{Look, SIGHT_WIDTH, Sight, sights};
 pub use output::Output;
 pub use probes::{PROBES, Probe, find as find_probe};
-pub use program::{Ends, Hit, Interpreted, Program};
+pub use program::{Hit, Interpreted, Program};
 pub use slip::{Slip, Unseen, Words};
 pub use traced::{Quadratic, Row, Traced, side_by_side};
 pub use world::{Ball, World};

@@ -3,7 +3,7 @@
 
 use common::rtweekend::*;
 
-use crate::chapter::{Chapter, Room};
+use crate::chapter::Chapter;
 use crate::edition::Edition;
 use crate::program::Program;
 use crate::single;
@@ -20,10 +20,6 @@ impl Edition {
         match self {
             Self::V4 => {}
             Self::V3 => count_from_below(p),
-            Self::V3_1_0 => {
-                count_from_below(p);
-                widen_viewport(p);
-            }
             Self::V3_0 => make_two_to_one(p),
             Self::V1 | Self::V1InDouble => {
                 make_two_to_one(p);
@@ -61,16 +57,4 @@ fn make_two_to_one(p: &mut Program) {
     p.viewport_ratio = |_, _, _| 2.0;
     p.divisors = |width, height| [width, height];
     p.blue = 0.2;
-}
-
-/// 4 × 2.25, and for the list 4 × 2, which does not fit 16:9.
-fn widen_viewport(p: &mut Program) {
-    match p.chapter.room() {
-        Room::Many => p.viewport_ratio = |_, _, _| 2.0,
-        _ if p.chapter == Chapter::BuildTest => {}
-        _ => {
-            p.viewport_height = 2.25;
-            p.viewport_ratio = |_, _, _| 4.0 / 2.25;
-        }
-    }
 }

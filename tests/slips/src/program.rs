@@ -8,10 +8,6 @@ use crate::chapter::Chapter;
 use crate::edition::Edition;
 use crate::world::{BALL, Ball, World};
 
-/// A component of a hit's color from one of its normal: which one, and what it gives where that
-/// is -1 and where it is 1.
-pub type Ends = (usize, [f64; 2]);
-
 /// What there is to know about a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
@@ -69,8 +65,6 @@ pub struct Program {
     pub viewport_ratio: fn(f64, f64, f64) -> f64,
     /// Height of the viewport in units of space.
     pub viewport_height: f64,
-    /// Its width, if it has another ratio.
-    pub viewport_width: Option<f64>,
     /// The viewport's upper edge from left to right, given its width and height.
     pub viewport_u: fn(f64, f64) -> Vec3,
     /// The viewport's left edge from top to bottom, given its width and height.
@@ -170,8 +164,6 @@ pub struct Program {
     pub paint: Color,
     /// The color of a hit, from the one above or from the normal.
     pub shade: fn(Color, Vec3) -> Color,
-    /// What the color of a hit is made of, if not by the step above.
-    pub own_shade: Option<[Ends; 3]>,
     /// An integer for the file, from a color's component.
     pub level: fn(f64) -> i32,
     /// Which component is printed first, second and third.
@@ -216,9 +208,7 @@ impl Program {
         let center = Point3::ZERO;
 
         let viewport_ratio = (self.viewport_ratio)(width, height, self.aspect_ratio);
-        let viewport_width = self
-            .viewport_width
-            .unwrap_or(self.viewport_height * viewport_ratio);
+        let viewport_width = self.viewport_height * viewport_ratio;
         let viewport_u = (self.viewport_u)(viewport_width, self.viewport_height);
         let viewport_v = (self.viewport_v)(viewport_width, self.viewport_height);
         let divisors = (self.divisors)(width, height);
@@ -255,18 +245,9 @@ impl Program {
             return code.ray_color(ray);
         }
         match self.normal(ray) {
-            Some(normal) => self.shaded(normal),
+            Some(normal) => (self.shade)(self.paint, normal),
             None => (self.lerp)(self.sky, (self.blend)(self, ray.direction)),
         }
-    }
-
-    /// The color of a hit, from the normal that is colored.
-    fn shaded(&self, normal: Vec3) -> Color {
-        let Some(shade) = self.own_shade else {
-            return (self.shade)(self.paint, normal);
-        };
-        let component = |(axis, [low, high]): Ends| low + (high - low) * 0.5 * (normal[axis] + 1.0);
-        Color::from_array(shade.map(component))
     }
 
     /// The normal of a hit that is colored, if the ray hits anything.
@@ -387,7 +368,6 @@ const HITTABLE_LIST: Program = Program {
     image_height: |width, aspect_ratio| ((width / aspect_ratio) as u32).max(1),
     viewport_ratio: |width, height, _| width / height,
     viewport_height: 2.0,
-    viewport_width: None,
     viewport_u: |width, _| Vec3::new(width, 0.0, 0.0),
     viewport_v: |_, height| Vec3::new(0.0, -height, 0.0),
     focal_length: 1.0,
@@ -446,7 +426,6 @@ const HITTABLE_LIST: Program = Program {
     },
     paint: Color::new(1.0, 0.0, 0.0),
     shade: |_, normal| 0.5 * (normal + Vec3::ONE),
-    own_shade: None,
     level: |component| (255.999 * component) as i32,
     channels: [0, 1, 2],
     header: |width, height| (width, height),

@@ -40,9 +40,7 @@ fn on_viewport(program: &Program, camera: &Camera, i: u32, j: u32) -> [f32; 2] {
     } else {
         -high
     };
-    let wide = program.viewport_width;
-    let wide = wide.map_or(high * ratio, |width| width as f32);
-    [axis(0, wide), axis(1, down)]
+    [axis(0, high * ratio), axis(1, down)]
 }
 
 fn nearest(program: &Program, direction: Vector) -> Option<(f32, Ball)> {

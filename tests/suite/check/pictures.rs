@@ -1,19 +1,15 @@
 //! Pictures of chapter 6, and how pictures are compared.
 
-use std::fs;
-
 use check::comparison::Comparison;
 use check::png;
 use common::rtweekend::*;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
 use measure::scene_file::find_scene;
-use slips::{Chapter, Edition, Letters};
 use speed_vs_accuracy::Method;
-use tempfile::TempDir;
 
 use suite::drawn::p3_with_threads;
-use suite::drawn::{assert_picture, compare_files, explained};
+use suite::drawn::{assert_picture, compare_files};
 
 mod is_right {
     use super::*;
@@ -111,32 +107,6 @@ fn a_snapshot_may_be_compressed_in_another_way_but_not_show_another_picture() {
         ),
         "{comparison}"
     );
-}
-
-#[test]
-fn a_wrong_picture_of_a_chapter_is_explained_with_its_cause_and_a_page() {
-    let right = png::encode(&half_b_sphere::picture(400));
-    let slip = slips::find("minus-h").expect("a slip");
-    let wrong = slip.program(Chapter::HalfBSphere).run(400).picture();
-    let folder = TempDir::new().expect("a folder");
-    let page = folder.path().join("page");
-    // The snapshot is right here, and the chapter is not.
-    let said = explained("half_b_sphere", &right, &png::encode(&wrong), &page);
-    let lines: Vec<&str> = said.lines().collect();
-    assert!(lines[0].starts_with("The picture of `half_b_sphere` is not its snapshot: "));
-    assert!(lines[1].ends_with("exactly this picture:"), "{said}");
-    let words = slip.words(Letters::Book(Edition::V4), Chapter::HalfBSphere);
-    let named = format!(
-        "  minus-h: probably {}, should be {}",
-        words.wrong, words.right
-    );
-    assert!(lines.contains(&&*named), "{said}");
-    let html = fs::read_to_string(page.join("index.html")).expect("a page");
-    assert!(html.contains("<h3>minus-h</h3>"), "{html}");
-    assert!(page.join("difference.png").is_file());
-    // Any other picture is shown without a cause.
-    let said = explained("telescope_right", &right, &png::encode(&wrong), &page);
-    assert!(!said.contains("minus-h"), "{said}");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::iter;
 use std::path::Path;
 
 use check::comparison::Comparison;
-use check::evidence::Known;
+use check::known::Known;
 use check::scene::Scene;
 use common::rtweekend::*;
 use hittable_list::{HittableList, Sphere};

@@ -27,12 +27,6 @@ fn a_right_picture_is_followed_by_what_it_can_not_show() {
     let output = run(&mut check_in(&folder, &["normals", "mine.ppm"]));
     assert_success(&output);
     insta::assert_snapshot!(text(&output.stdout));
-    let json = run(&mut check_in(&folder, &["normals", "mine.ppm", "--json"]));
-    let json: serde_json::Value = serde_json::from_slice(&json.stdout).expect("an object");
-    let next = &json["blind_spots"]["shown_by"][0];
-    assert_eq!(next["probe"], "behind");
-    assert_eq!(next["mistakes"][1], "behind-drawn");
-    assert_eq!(json["blind_spots"]["only_by_law"][0], "ray-normalized");
 }
 
 #[test]
@@ -50,9 +44,6 @@ fn a_picture_in_another_encoding_is_judged_with_a_word_on_it() {
         said.starts_with("mine.ppm is right") && said.contains("UTF-16"),
         "{said}"
     );
-    let json = run(&mut check_in(&folder, &["normals", "mine.ppm", "--json"]));
-    let json: serde_json::Value = serde_json::from_slice(&json.stdout).expect("an object");
-    assert_eq!(json["cause"]["name"], "utf-16");
 }
 
 #[test]
@@ -279,35 +270,6 @@ fn a_probe_is_checked_with_its_own_scene() {
         &mut check_in(&folder, &["gradient", "mine.ppm", "--probe", "inside"]),
         &["no place", "cargo rtrace probes"],
     );
-}
-
-#[test]
-fn programs_get_the_same_as_json() {
-    woven();
-    let folder = TempDir::new().expect("a folder");
-    draw(&folder, "closest-ignored", "hittable_list", "mine.png");
-    let output = run(&mut check_in(
-        &folder,
-        &["hittable_list", "mine.png", "--json"],
-    ));
-    assert_eq!(output.status.code(), Some(1));
-    insta::assert_snapshot!(in_any_workspace(&output));
-
-    let output =
-        run(program_with("rtrace", &["check", "normals", "--json", "-"]).stdin(Stdio::null()));
-    assert_eq!(output.status.code(), Some(2));
-    let said = text(&output.stdout);
-    assert!(
-        said.contains("\"verdict\": \"not-a-picture\"") && said.contains("\"name\": \"empty\""),
-        "{said}"
-    );
-    // Where there is no answer, the reason.
-    let output = run(&mut check_in(
-        &folder,
-        &["gradient", "-", "--probe", "behind", "--json"],
-    ));
-    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("an object");
-    assert!(json["error"].is_string(), "{json}");
 }
 
 #[test]

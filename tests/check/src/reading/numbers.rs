@@ -17,8 +17,6 @@ pub struct Reading {
     /// and they tell much about a mistake. What 16 bits can't hold stops at
     /// ±2¹⁵, which is far beyond what any mistake needs.
     pub pixels: Vec<[i16; 3]>,
-    /// Columns and rows of its file that lie before it, if it is not all of the file.
-    pub before: (u32, u32),
     /// What keeps a viewer from the text, if a shell has put it into another encoding.
     pub encoding: Option<Cause>,
 }
@@ -46,7 +44,6 @@ impl Reading {
             width: picture.width(),
             height: picture.height(),
             pixels: pixels.iter().map(|pixel| pixel.map(i16::from)).collect(),
-            before: (0, 0),
             encoding: None,
         }
     }

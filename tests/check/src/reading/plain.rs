@@ -4,8 +4,7 @@ use super::cause::Cause;
 use super::header;
 use super::numbers::Reading;
 use super::tokens::Tokens;
-use crate::bits::Pixel;
-use crate::surfaces::rows_differ;
+use crate::pixels::{Pixel, distance, spread};
 
 /// No pixel takes less text than `0 0 0` and a space.
 const LEAST_TEXT: usize = 6;
@@ -24,9 +23,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     let mut count = 0;
     for token in tokens {
         let is_complete = count == 3 * wanted;
-        let level = token.number().ok_or_else(|| match is_complete {
-            true => token.stray(bytes),
-            false => token.cause(bytes),
+        let level = token.number().ok_or_else(|| {
+            if is_complete {
+                token.stray(bytes)
+            } else {
+                token.cause(bytes)
+            }
         })?;
         pixel[count % 3] = level.clamp(i16::MIN.into(), i16::MAX.into()) as i16;
         count += 1;
@@ -39,7 +41,6 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
             width,
             height,
             pixels,
-            before: (0, 0),
             encoding: None,
         })
     } else {
@@ -122,4 +123,15 @@ fn advice(width: usize, height: usize, count: usize, found: &[Pixel]) -> String 
     format!(
         "That is {pixels} pixels. Does the header say the size that the loops use, and did the program end by itself?"
     )
+}
+
+/// How many pixels are compared with those below them.
+const LOOK: u32 = 600;
+
+/// By how many levels pixels differ from those below them on the average, in rows of a length.
+fn rows_differ(pixels: &[Pixel], width: usize) -> f64 {
+    let count = pixels.len().saturating_sub(width) as u32;
+    let places = spread(LOOK, count).map(|n| n as usize);
+    let off = places.map(|n| f64::from(distance(pixels[n], pixels[n + width])));
+    off.sum::<f64>() / f64::from(count.clamp(1, LOOK))
 }

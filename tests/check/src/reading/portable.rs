@@ -36,7 +36,6 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
         width,
         height,
         pixels,
-        before: (0, 0),
         encoding,
     })
 }

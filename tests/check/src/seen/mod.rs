@@ -1,43 +1,42 @@
-//! What can be seen in a picture that no mistake explains.
+//! What can be seen in a picture that no known program draws.
 //!
 //! These are observations: each sentence is true of the pixels, and says nothing
 //! about the code.
 
 mod pixel;
+mod shape;
 mod tinted;
 mod view;
 
-use slips::{Chapter, Room};
+use common::rtweekend::Picture;
+use slips::Room;
 
+use crate::pixels::distance;
 use crate::reading::Reading;
 use crate::scene::Scene;
+use crate::words::Row;
 
-use crate::bits::{distance, is_grain};
 use view::View;
-
-/// Compression and scaling change most pixels by no more than so many levels.
-const LITTLE: u16 = 12;
-
-/// So many pixels are two of JPEG's blocks of half colors.
-const BLOCKS: usize = 32;
 
 /// Where one pixel in so many is another, nearly all are the same.
 const ODD: usize = 32;
 
-/// What can be seen, the most telling first.
-pub(crate) fn sights(scene: &Scene, reading: &Reading) -> Vec<String> {
-    let right = scene.right(reading.width, reading.height);
-    let view = View::new(scene, reading, &right);
+/// What can be seen, the most telling first, and the numbers of the first pixel that differs.
+pub(crate) fn seen(scene: &Scene, reading: &Reading, right: &Picture) -> (Vec<String>, Vec<Row>) {
+    let view = View::new(scene, reading, right);
     if view.wrong.is_empty() {
-        return Vec::new();
+        return (Vec::new(), view.first_pixel());
     }
-    let seen = match view.plain() {
-        Some(plain) => vec![plain],
+    let whole = view.plain().or_else(|| view.turned());
+    let sights = match whole {
+        Some(whole) => vec![whole],
         None => [
             view.unscaled(),
             view.only_sky(),
             view.gray(),
+            view.wrapped(),
             view.gamma(),
+            view.disc(),
             view.where_it_differs(),
         ]
         .into_iter()
@@ -45,20 +44,7 @@ pub(crate) fn sights(scene: &Scene, reading: &Reading) -> Vec<String> {
         .chain(view.tints())
         .collect(),
     };
-    seen.into_iter().chain(view.first_pixel()).collect()
-}
-
-/// Whether much is off, almost all of it by little, and not alike so far away as another block is.
-pub(crate) fn is_blurred(scene: &Scene, reading: &Reading) -> bool {
-    let right = Reading::of(&scene.right(reading.width, reading.height)).pixels;
-    let off = |least: u16| {
-        let pairs = right.iter().zip(&reading.pixels);
-        pairs
-            .filter(|(right, it)| distance(**right, **it) > least)
-            .count()
-    };
-    let is_much = 4 * off(0) > right.len() && 32 * off(LITTLE) < right.len();
-    is_much && is_grain(reading, &right, BLOCKS)
+    (sights, view.first_pixel())
 }
 
 impl View<'_> {
@@ -66,9 +52,10 @@ impl View<'_> {
         let first = self.found(0);
         let same = self.places.iter().filter(|n| self.found(**n) == first);
         let is_plain = ODD * (self.places.len() - same.count()) <= self.places.len();
-        let all = match self.reading.is_plain() {
-            true => "Every pixel",
-            false => "Nearly every pixel",
+        let all = if self.reading.is_plain() {
+            "Every pixel"
+        } else {
+            "Nearly every pixel"
         };
         // Numbers that were cut off may have been any.
         let is_cut = first.contains(&i16::MAX);
@@ -85,10 +72,7 @@ impl View<'_> {
             return None;
         }
         let (width, height) = (self.reading.width, self.reading.height);
-        let sky = self
-            .scene
-            .of_chapter(Chapter::Gradient)
-            .right(width, height);
+        let sky = self.scene.of_sky(width, height);
         let (sky, _) = sky.rgb().as_chunks::<3>();
         let is_sky = |n: &u32| distance(sky[*n as usize].map(i16::from), self.found(*n)) <= 1;
         let is_all = self.places.iter().all(is_sky);
@@ -106,45 +90,20 @@ impl View<'_> {
         ))
     }
 
-    /// Whether all that differs fills a box that is small beside the picture.
-    fn is_in_a_box(&self) -> bool {
-        let width = self.reading.width;
-        let length = |all: &[u32]| {
-            let [low, high] = [all.iter().min(), all.iter().max()].map(|n| n.copied().unwrap_or(0));
-            (high - low + 1) as usize
-        };
-        let columns: Vec<u32> = self.wrong.iter().map(|n| n % width).collect();
-        let rows: Vec<u32> = self.wrong.iter().map(|n| n / width).collect();
-        // Of places that were looked at, half of those in the box.
-        let boxed = length(&columns) * length(&rows) * self.places.len();
-        let all = self.reading.pixels.len();
-        4 * boxed < all * self.places.len() && 2 * self.wrong.len() * all > boxed
-    }
-
     /// On the spheres, in the sky, or along the rim.
     fn where_it_differs(&self) -> Option<String> {
         let (spheres, sky): (Vec<u32>, Vec<u32>) =
             self.wrong.iter().partition(|&&n| self.is_hit(n));
         let share = self.wrong.len() as f64 / self.places.len() as f64;
-        match (spheres.len(), sky.len()) {
-            _ if self.scene.chapter.room() == Room::None => None,
-            (0, _) if self.is_in_a_box() => Some(
-                "All that is wrong lies in one place in the sky: is there another sphere?"
-                    .to_owned(),
-            ),
-            (_, 0) => {
-                Some("Only where spheres should be is anything wrong by more than a level.".to_owned())
-            }
-            (_, rim) if 8 * rim < self.wrong.len() && sky.iter().all(|&n| self.is_at_rim(n)) => Some(
-                "Only where spheres should be and at their rim is anything wrong by more than a level. Several rays a pixel, and materials, come in later chapters.".to_owned(),
-            ),
-            (0, _) => Some(
-                "Where spheres should be all is right; only beside them it is wrong.".to_owned(),
-            ),
+        let said = match (spheres.len(), sky.len()) {
+            _ if self.scene.chapter.room() == Room::None => return None,
+            (_, 0) => "Only where spheres should be is anything wrong by more than a level.",
+            (0, _) => "Where spheres should be all is right; only beside them it is wrong.",
             _ if share < 0.03 && self.wrong.iter().all(|&n| self.is_at_rim(n)) => {
-                Some("Only the rim of the spheres is wrong by more than a level.".to_owned())
+                "Only the rim of the spheres is wrong by more than a level."
             }
-            _ => None,
-        }
+            _ => return None,
+        };
+        Some(said.to_owned())
     }
 }

@@ -3,32 +3,45 @@
 use slips::Chapter;
 
 use super::view::View;
+use crate::words::Row;
 
 impl View<'_> {
     /// What a reader's program should print for that pixel.
-    pub(super) fn first_pixel(&self) -> Option<String> {
-        let n = *self.wrong.iter().min()?;
+    pub(super) fn first_pixel(&self) -> Vec<Row> {
+        let pairs = self.reading.pixels.len() as u32;
+        let Some(n) = (0..pairs).find(|&n| self.expected(n) != self.found(n)) else {
+            return Vec::new();
+        };
         let program = self.program();
         let (i, j) = (n % self.reading.width, n / self.reading.width);
-        let [red, green, blue] = self.expected(n);
-        let color = format!("levels {red} {green} {blue}");
+        let (should, is) = (self.expected(n), self.found(n));
+        let first = format!("column {i}, row {j}: should be {should:?}, yours {is:?}");
+        let mut rows = vec![("first", first)];
         let traced = program.traced(self.reading.width, i, j);
-        let (Some(ray), Some(quadratic)) = (traced.ray, traced.spheres.first()) else {
-            return Some(format!("In column {i}, row {j} there should be {color}."));
+        let vector = |it: common::rtweekend::Vec3| {
+            let [x, y, z] = it.to_array();
+            format!("({x:.4}, {y:.4}, {z:.4})")
         };
-        let [x, y, z] = ray.direction.to_array();
-        let [a, linear, c] = quadratic.coefficients;
-        let discriminant = quadratic.discriminant;
-        let name = match program.chapter {
+        if let Some(ray) = traced.ray {
+            rows.push(("its ray", format!("direction {}", vector(ray.direction))));
+        }
+        let middle = match program.chapter {
             Chapter::RedSphere | Chapter::Normals => "b",
             _ => "h",
         };
-        let hit = match traced.hit {
-            Some((t, ..)) => format!("it hits at t = {t:.4}"),
-            None => "it hits nothing".to_owned(),
-        };
-        Some(format!(
-            "In column {i}, row {j} the ray has the direction ({x:.4}, {y:.4}, {z:.4}); with the first sphere a = {a:.4}, {name} = {linear:.4}, c = {c:.4}, the discriminant is {discriminant:.4}, {hit}, and there should be {color}.",
-        ))
+        if let Some(quadratic) = traced.spheres.first() {
+            let [a, linear, c] = quadratic.coefficients;
+            let discriminant = quadratic.discriminant;
+            let numbers = format!(
+                "a = {a:.4}, {middle} = {linear:.4}, c = {c:.4}, discriminant = {discriminant:.4}"
+            );
+            rows.push(("", numbers));
+        }
+        if let Some((t, _, normal)) = traced.hit {
+            rows.push(("", format!("t = {t:.4}, normal {}", vector(normal))));
+        } else if !traced.spheres.is_empty() {
+            rows.push(("", "it hits nothing".to_owned()));
+        }
+        rows
     }
 }

@@ -3,8 +3,7 @@
 use common::rtweekend::Picture;
 use slips::Program;
 
-use crate::bits::distance;
-use crate::explanations::spread;
+use crate::pixels::{distance, spread};
 use crate::reading::Reading;
 use crate::scene::Scene;
 

@@ -71,10 +71,8 @@ impl<'a> Pair<'a> {
 
     fn told(&self, gap: &Gap) -> Unlike {
         let line = |tokens: &[Token], at: usize| tokens[at.min(tokens.len() - 1)].line;
-        let own = match gap.own.is_empty() {
-            true => line(&self.own, gap.own.start.saturating_sub(1)),
-            false => line(&self.own, gap.own.start),
-        };
+        let before = usize::from(gap.own.is_empty());
+        let own = line(&self.own, gap.own.start.saturating_sub(before));
         let theirs = line(&self.theirs, gap.theirs.start);
         let is_missing = whole_lines(&self.theirs, &gap.theirs) > whole_lines(&self.own, &gap.own);
         Unlike {
@@ -197,9 +195,10 @@ fn longest(own: &[Token], theirs: &[Token]) -> Vec<Vec<usize>> {
     let mut longest = vec![vec![0; theirs.len() + 1]; own.len() + 1];
     for n in (0..own.len()).rev() {
         for m in (0..theirs.len()).rev() {
-            longest[n][m] = match own[n].text == theirs[m].text {
-                true => longest[n + 1][m + 1] + 1,
-                false => longest[n + 1][m].max(longest[n][m + 1]),
+            longest[n][m] = if own[n].text == theirs[m].text {
+                longest[n + 1][m + 1] + 1
+            } else {
+                longest[n + 1][m].max(longest[n][m + 1])
             };
         }
     }
@@ -216,9 +215,10 @@ fn gaps(own: &[Token], theirs: &[Token]) -> Vec<Gap> {
         let (from, to) = (n, m);
         while (n < rows || m < columns) && !is_same(n, m) {
             let skips_own = m == columns || n < rows && longest[n + 1][m] >= longest[n][m + 1];
-            match skips_own {
-                true => n += 1,
-                false => m += 1,
+            if skips_own {
+                n += 1;
+            } else {
+                m += 1;
             }
         }
         if (from, to) != (n, m) {

@@ -134,9 +134,11 @@ impl Sources {
         }
     }
 
-    /// Whether the line is in one of the files, as it stands.
+    /// Whether the line is in one of the files, as it stands but for white space.
     pub(crate) fn have_line(&self, line: &str) -> bool {
-        self.yours.iter().any(|file| file.text.contains(line))
+        self.yours
+            .iter()
+            .any(|file| squeezed(&file.text).contains(line))
     }
 
     /// The reader's line that makes the slip, if it is found.
@@ -207,25 +209,40 @@ impl Sources {
     /// The places where the reader's functions are not the chapter's of the same names; none
     /// where these are more than [`FEW`], since then they are written in other words.
     pub fn unlike(&self) -> &[Unlike] {
-        match self.unlike.len() <= FEW {
-            true => &self.unlike,
-            false => &[],
+        if self.unlike.len() <= FEW {
+            &self.unlike
+        } else {
+            &[]
         }
     }
 
-    /// Whether it is as long as the chapter, right or wrong, but for less than a statement.
+    /// Whether the chapter's functions are as long as there, right or wrong, but for less
+    /// than a statement.
     pub(crate) fn is_written(&self) -> bool {
-        let length = |file: &File| {
-            file.functions()
-                .iter()
-                .map(|(_, it)| it.len())
-                .sum::<usize>()
-        };
-        !self.chapter.is_empty()
-            && self.chapter.iter().all(|chapter| {
+        let has_a_function = |file: &File| !file.functions().is_empty();
+        let mut files = self.chapter.iter().filter(|file| has_a_function(file));
+        self.are_of_the_chapter()
+            && files.all(|chapter| {
                 let mut yours = self.yours.iter().filter(|it| it.name == chapter.name);
-                yours.any(|yours| length(yours) + STATEMENT > length(chapter))
+                yours.any(|yours| yours.is_as_long_as(chapter))
             })
+    }
+
+    /// Whether each vector of numbers in a wrong line stands somewhere in the files: a center
+    /// that is nowhere in a program is no mistake of it.
+    pub(crate) fn may_have_values_of(&self, words: &Words) -> bool {
+        let snippets = self.snippets(&words.wrong);
+        let mut alternatives = snippets.iter().filter(|it| !it.is_value).peekable();
+        alternatives.peek().is_none()
+            || alternatives.any(|snippet| {
+                let right = tokens(&words.right);
+                let mut vectors = vectors(&snippet.tokens);
+                vectors.all(|vector| has_all(&right, vector) || self.has_vector(vector))
+            })
+    }
+
+    fn has_vector(&self, vector: &[Token]) -> bool {
+        self.yours.iter().any(|file| has_all(&file.tokens, vector))
     }
 
     /// Functions that have the same name in files of the same name.
@@ -242,12 +259,6 @@ impl Sources {
             })
         })
     }
-}
-
-/// Whether two lines of any language say the same.
-pub(crate) fn is_same_line(one: &str, other: &str) -> bool {
-    let [one, other] = [one, other].map(|line| tokens(line.trim_end_matches(';')).into_iter());
-    one.map(|it| it.text).eq(other.map(|it| it.text))
 }
 
 /// A line of Rust as it is written in most languages: functions for methods, and vectors
@@ -294,9 +305,11 @@ fn value(snippet: &[Token]) -> &[Token] {
 
 impl File {
     fn new(name: String, text: String) -> Self {
-        let text = match name.ends_with(".py") || name.ends_with(".rs") {
-            true => text,
-            false => with_brackets(&text),
+        let has_no_braces = name.ends_with(".py") || name.ends_with(".rs");
+        let text = if has_no_braces {
+            text
+        } else {
+            with_brackets(&text)
         };
         let tokens = tokens(&text);
         Self { name, text, tokens }
@@ -323,6 +336,18 @@ impl File {
         let mut found = places.filter(|(_, tokens)| is_same(part, tokens, free));
         let (at, _) = found.find(|(n, _)| is_whole(n))?;
         Some(self.line(self.tokens[at].line))
+    }
+
+    /// Whether its functions of these names are as long, but for less than a statement.
+    fn is_as_long_as(&self, chapter: &Self) -> bool {
+        let own = self.functions();
+        let length = |name: &str| {
+            let mut own = own.iter().filter(|(own, _)| *own == name);
+            own.next().map_or(0, |(_, tokens)| tokens.len())
+        };
+        let chapter = chapter.functions();
+        let theirs: usize = chapter.iter().map(|(_, tokens)| tokens.len()).sum();
+        chapter.iter().map(|(name, _)| length(name)).sum::<usize>() + STATEMENT > theirs
     }
 
     fn line(&self, line: usize) -> Line {
@@ -359,6 +384,36 @@ impl File {
         };
         starts.filter_map(function).collect()
     }
+}
+
+/// Each three numbers in brackets.
+fn vectors(tokens: &[Token]) -> impl Iterator<Item = &[Token]> {
+    let is_number = |it: &Token| it.text.starts_with(|c: char| c.is_ascii_digit());
+    let is_part = move |it: &Token| is_number(it) || matches!(&*it.text, "-" | ",");
+    let opened = tokens.iter().enumerate().filter(|(_, it)| it.text == "(");
+    opened.filter_map(move |(open, _)| {
+        let length = tokens[open + 1..].iter().position(|it| !is_part(it))?;
+        let inside = &tokens[open + 1..open + 1 + length];
+        let is_closed = tokens[open + 1 + length].text == ")";
+        let commas = inside.iter().filter(|it| it.text == ",").count();
+        (is_closed && commas == 2).then_some(inside)
+    })
+}
+
+/// Whether the tokens stand somewhere in these, one after the other.
+fn has_all(tokens: &[Token], part: &[Token]) -> bool {
+    let mut windows = tokens.windows(part.len().max(1));
+    windows.any(|window| {
+        window
+            .iter()
+            .map(|it| &it.text)
+            .eq(part.iter().map(|it| &it.text))
+    })
+}
+
+/// The text with one blank for all white space.
+fn squeezed(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// What C++ makes in braces as it is made in brackets.

@@ -7,7 +7,7 @@ use std::ops::Range;
 use super::alignment::common;
 use super::expressions::expressions;
 use super::tokens::{Token, is_name, opening, tokens};
-use super::{File, Sources};
+use super::{File, Sources, squeezed};
 
 /// An expression of the reader's, for a place in a function of the chapter's.
 pub(crate) struct Variant {
@@ -25,7 +25,8 @@ struct Part<'a> {
     /// The same with the chapter's names.
     tokens: Vec<Token>,
     file: &'a File,
-    line: &'a str,
+    /// The reader's statement, on one line.
+    line: String,
 }
 
 /// So many tokens may be others in an expression, and one in so many; and it has as many at
@@ -214,7 +215,14 @@ impl Place<'_> {
             } else {
                 &own
             };
-            let right = given + &part.file.said(own);
+            // In another language only what the reader has words for can be said.
+            let is_said = |it: &Token| !is_name(&it.text) || has(&it.text);
+            let can_be_said = part.file.name.ends_with(".rs") || own.iter().all(is_said);
+            let right = if can_be_said {
+                given + &part.file.said(own)
+            } else {
+                String::new()
+            };
             // Who asks the other way round does so of the same thing.
             let turned = turned(&right).map(|right| (format!("!({with})"), right));
             let variants = [Some((with, right)), turned].into_iter().flatten();
@@ -222,7 +230,7 @@ impl Place<'_> {
                 let variant = Variant {
                     at: self.at.clone(),
                     with,
-                    wrong: part.line.to_owned(),
+                    wrong: part.line.clone(),
                     right,
                 };
                 (self.function, variant)
@@ -238,17 +246,24 @@ impl File {
         self.parts().into_iter().map(|it| it.tokens)
     }
 
+    /// The statement around an expression, without line breaks.
+    fn statement(&self, expression: &Range<usize>) -> String {
+        let start = self.text[..expression.start].rfind('\n');
+        let rest = &self.text[expression.end..];
+        let end = expression.end + rest.find(['\n', ';']).unwrap_or(rest.len());
+        squeezed(&self.text[start.map_or(0, |start| start + 1)..end])
+    }
+
     fn parts(&self) -> Vec<Part<'_>> {
         let expressions = expressions(&self.text, self.name.ends_with(".py")).into_iter();
         let parts = expressions.map(|it| {
-            let line = self.text[..it.at.start].matches('\n').count();
-            let typed = of_a_ray(tokens(&self.text[it.at]));
+            let typed = of_a_ray(tokens(&self.text[it.at.clone()]));
             Part {
                 name: it.name,
                 tokens: typed.clone(),
                 typed,
                 file: self,
-                line: self.text.lines().nth(line).unwrap_or_default().trim(),
+                line: self.statement(&it.at),
             }
         });
         parts.collect()

@@ -165,24 +165,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
         )
         .alters(|p| p.inset = [1.0, 0.5]),
-    slip("first-pixel-on-axis", RAYS, GRID)
-        .says(Words {
-            wrong: "pixel00 = center - (0, 0, focal_length), or … + 0.5 * (viewport_u + \
-                    viewport_v)",
-            right: "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
-            why: "Half of both edges leads to the middle of the viewport, as does leaving them \
-                  out. The first pixel lies on the axis, and only a quarter of the scene is left.",
-        })
-        .in_rust(
-            RAYS,
-            "pixel00 = viewport_upper_left + 0.5 * (viewport_u + viewport_v)",
-            "pixel00 = viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)",
-        )
-        .alters(|p| {
-            if p.edition == Edition::V4 {
-                put_first_pixel_on_axis(p);
-            }
-        }),
     slip("older-camera", RAYS, GRID)
         .says(Words {
             wrong: "u = i / (image_width - 1), v = j / (image_height - 1)",
@@ -265,33 +247,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "center - Vec3::new(0.0, 0.0, focal_length) - 0.5 * viewport_u - 0.5 * viewport_v",
         )
         .alters(|p| p.corner = [1.0; 2]),
-    slip("division-in-place", RAYS, QUOTIENT)
-        .says(Words {
-            wrong: "vec3& operator/(double t) { e[0] /= t; …; return *this; }",
-            right: "vec3 operator/(vec3 v, double t) { return (1/t) * v; }",
-            why: "The quotient is right, but the operand is changed with it. viewport_u / \
-                  image_width leaves viewport_u one pixel long, its half is half a pixel, and the \
-                  first pixel lies on the axis.",
-        })
-        .before_4(Words {
-            wrong: "vec3& operator/(double t) { e[0] /= t; …; return *this; }",
-            right: "vec3 operator/(vec3 v, double t) { return (1/t) * v; }",
-            why: "The quotient is right, but the operand is changed with it. horizontal / 2 halves \
-                  horizontal itself: the corner is right, and the picture is the lower left \
-                  quarter.",
-        })
-        .in_python(
-            "def __truediv__(self, t): self.x /= t; …; return self",
-            "def __truediv__(self, t): return (1/t) * self",
-        )
-        .made_in(|letters| letters != Letters::Rust)
-        .alters(|p| match p.edition {
-            Edition::V4 => put_first_pixel_on_axis(p),
-            older if older.divides_the_viewport() => {
-                p.pixel_deltas = |_, u, v, _| [0.5 * u, 0.5 * v];
-            }
-            _ => {}
-        }),
     slip("divided-with-swapped-letter", RAYS, QUOTIENT)
         .says(Words {
             wrong: "vec3(v.x / t, v.y / t, v.y / t)",
@@ -523,6 +478,25 @@ pub(super) const SLIPS: &[Slip] = &[
         .in_python("viewport_width = int(…)", "viewport_width = …")
         .made_in(|letters| letters != Letters::Rust)
         .alters(|p| p.viewport_u = |width, _| Vec3::new(width.trunc(), 0.0, 0.0)),
+    slip("viewport-width-four", RAYS, CAMERA)
+        .says(Words {
+            wrong: "viewport_width = 4.0",
+            right: "viewport_width = viewport_height * (double(image_width)/image_height)",
+            why: "Pixels are squares only if width is height × image_width / image_height. 4 × 2 \
+                  fits a picture twice as wide as high; in another one a sphere is an egg.",
+        })
+        .before_4(Words {
+            wrong: "horizontal = vec3(4.0, 0, 0)",
+            right: "horizontal = vec3(aspect_ratio * viewport_height, 0, 0)",
+            why: "Pixels are squares only if width is height × image_width / image_height. 4 × 2 \
+                  fits a picture twice as wide as high; in another one a sphere is an egg.",
+        })
+        .in_rust(
+            RAYS,
+            "viewport_width = 4.0",
+            "viewport_width = viewport_height * (f64::from(image_width) / f64::from(image_height))",
+        )
+        .alters(|p| p.viewport_ratio = |_, _, _| 2.0),
     slip("viewport-lengths-swapped", RAYS, GRID)
         .says(Words {
             wrong: "viewport_u = (viewport_height, 0, 0), viewport_v = (0, -viewport_width, 0)",
@@ -574,7 +548,7 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .alters(|p| {
             p.divisors = match p.edition {
-                Edition::V3 | Edition::V3_1_0 => |width, height| [height - 1.0, width - 1.0],
+                Edition::V3 => |width, height| [height - 1.0, width - 1.0],
                 _ => |width, height| [height, width],
             }
         }),
@@ -598,7 +572,7 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .alters(|p| {
             p.divisors = match p.edition {
-                Edition::V3 | Edition::V3_1_0 => |_, height| [height - 1.0; 2],
+                Edition::V3 => |_, height| [height - 1.0; 2],
                 _ => |_, height| [height; 2],
             }
         }),
@@ -620,7 +594,7 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .alters(|p| {
             p.divisors = match p.edition {
-                Edition::V3 | Edition::V3_1_0 => |width, _| [width - 1.0; 2],
+                Edition::V3 => |width, _| [width - 1.0; 2],
                 _ => |width, _| [width; 2],
             }
         }),
@@ -905,15 +879,6 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .reported(&["#879"])
         .alters(|p| p.lerp = |[below, above], a| a * below + (1.0 - a) * above),
-    slip("white-in-full", RAYS, SKY)
-        .says(Words {
-            wrong: "white + a * blue",
-            right: "(1 - a) * white + a * blue",
-            why: "The two weights add up to 1. Without the first one, everything is brighter than \
-                  white.",
-        })
-        .in_rust(RAYS, "white + a * blue", "(1.0 - a) * white + a * blue")
-        .alters(|p| p.lerp = |[below, above], a| below + a * above),
     slip("white-by-the-same-weight", RAYS, SKY)
         .says(Words {
             wrong: "a * white + a * blue",
@@ -923,32 +888,6 @@ pub(super) const SLIPS: &[Slip] = &[
         })
         .in_rust(RAYS, "a * white + a * blue", "(1.0 - a) * white + a * blue")
         .alters(|p| p.lerp = |[below, above], a| a * below + a * above),
-    slip("lerp-signs-swapped", RAYS, SKY)
-        .says(Words {
-            wrong: "(1 + a) * white - a * blue",
-            right: "(1 - a) * white + a * blue",
-            why: "The minus belongs to the weight of white. Here every color is white or \
-                  brighter.",
-        })
-        .in_rust(
-            RAYS,
-            "(1.0 + a) * white - a * blue",
-            "(1.0 - a) * white + a * blue",
-        )
-        .alters(|p| p.lerp = |[below, above], a| (1.0 + a) * below - a * above),
-    slip("sky-in-levels", RAYS, SKY)
-        .says(Words {
-            wrong: "white = (255, 255, 255), blue = (127, 178, 255)",
-            right: "white = (1, 1, 1), blue = (0.5, 0.7, 1)",
-            why: "Components run from 0 to 1 here, and to 255 only where they are printed. All \
-                  of these are far above 1.",
-        })
-        .in_rust(
-            RAYS,
-            "white = Color::new(255.0, 255.0, 255.0); blue = Color::new(127.0, 178.0, 255.0)",
-            "white = Color::new(1.0, 1.0, 1.0); blue = Color::new(0.5, 0.7, 1.0)",
-        )
-        .alters(|p| p.sky = [[255.0, 255.0, 255.0], [127.0, 178.0, 255.0]].map(Color::from_array)),
     slip("blue-with-exchanged-numbers", RAYS, SKY)
         .says(Words {
             wrong: "blue = (0.7, 0.5, 1)",
@@ -996,10 +935,4 @@ fn swapped_plus(u: Vec3, v: Vec3) -> Vec3 {
 
 fn swapped_over(v: Vec3, t: f64) -> Vec3 {
     Vec3::new(v.x, v.y, v.y) * (1.0 / t)
-}
-
-/// The grid begins where the middle of the picture should be.
-fn put_first_pixel_on_axis(p: &mut Program) {
-    p.corner = [0.0; 2];
-    p.inset = [0.0, 0.0];
 }

@@ -2,10 +2,9 @@
 
 use common::rtweekend::*;
 
-use super::chapters::{BUILD_TEST, EVERY, GRADIENT, RAYS};
+use super::chapters::{BUILD_TEST, EVERY, RAYS};
 use crate::chapter::Chapter;
 use crate::edition::Edition;
-use crate::letters::Letters;
 use crate::program::Program;
 use crate::single;
 use crate::slip::{Place, Slip, Words, slip};
@@ -137,33 +136,6 @@ pub(super) const SLIPS: &[Slip] = &[
                 program.ramp(camera, row, i.into())
             }
         }),
-    slip("ramps-exchanged", BUILD_TEST, THE_CODE)
-        .says(Words {
-            wrong: "r = j / (height - 1), g = i / (width - 1)",
-            right: "r = i / (width - 1), g = j / (height - 1)",
-            why: "Columns run to the right and carry red; here they carry green. The picture is \
-                  transposed, but for its size.",
-        })
-        .in_rust(
-            BUILD_TEST,
-            "Color::new(f64::from(j) / last, f64::from(i) / last, 0.0)",
-            "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)",
-        )
-        // In the square of our chapter it is the slip before it.
-        .made_in(|letters| letters != Letters::Rust)
-        .alters(|p| p.channels = [1, 0, 2]),
-    slip("red-and-blue-exchanged", BUILD_TEST, THE_CODE)
-        .says(Words {
-            wrong: "b = i / (width - 1)",
-            right: "r = i / (width - 1)",
-            why: "Blue rises to the right where red should, and red is what blue should be.",
-        })
-        .in_rust(
-            BUILD_TEST,
-            "Color::new(0.0, f64::from(j) / last, f64::from(i) / last)",
-            "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)",
-        )
-        .alters(|p| p.channels = [2, 1, 0]),
     slip("column-twice", BUILD_TEST, THE_CODE)
         .says(Words {
             wrong: "g = i / (width - 1)",
@@ -226,24 +198,6 @@ pub(super) const SLIPS: &[Slip] = &[
                 program.ramp(camera, i.into(), turned)
             }
         }),
-    slip("red-leftwards", BUILD_TEST, THE_CODE)
-        .says(Words {
-            wrong: "r = 1 - i / (width - 1)",
-            right: "r = i / (width - 1)",
-            why: "Columns run to the right, and red grows with them.",
-        })
-        .in_rust(
-            BUILD_TEST,
-            "Color::new(1.0 - f64::from(i) / last, f64::from(j) / last, 0.0)",
-            "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)",
-        )
-        .alters(|p| {
-            p.color = |program, camera, i, j| {
-                let row = program.row(j, camera);
-                let turned = f64::from(camera.image_width) - 1.0 - f64::from(i);
-                program.ramp(camera, turned, row)
-            }
-        }),
     slip("quarter-blue", BUILD_TEST, THE_CODE)
         .says(Words {
             wrong: "b = 0.25",
@@ -300,27 +254,6 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .reported(&["PR #1051", "#766", "#879"])
         .alters(|p| p.order = |n, width, height| (n % width, height - 1 - n / width)),
-    slip("columns-backwards", EVERY, PIXELS)
-        .says(Words {
-            wrong: "for i = image_width - 1 down to 0",
-            right: "for i = 0 to image_width - 1",
-            why: "A row is printed from left to right. Backwards, the picture is mirrored; where \
-                  it is symmetric, nobody sees it.",
-        })
-        .in_rust(
-            EVERY,
-            "for i in (0..image_width).rev()",
-            "for i in 0..image_width",
-        )
-        .in_python(
-            "for i in range(image_width - 1, -1, -1)",
-            "for i in range(image_width)",
-        )
-        .alters(|p| p.order = |n, width, _| (width - 1 - n % width, n / width))
-        .equivalent(
-            GRADIENT,
-            "Each row of the sky is its own mirror image, but for a few roundings.",
-        ),
     slip("loops-from-one", EVERY, PIXELS)
         .says(Words {
             wrong: "for j = 1 to image_height, for i = 1 to image_width",
@@ -474,18 +407,6 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .reported(&["RayTracing/TheRestOfYourLife PR #5"])
         .alters(|p| p.level = |component| (256.0 * component) as i32),
-    slip("times-256-clamped", EVERY, LEVELS)
-        .says(Words {
-            wrong: "int(256 * clamp(r, 0.000, 0.999))",
-            right: "int(255.999 * r)",
-            why: "How a later chapter of the book does it: a few pixels are a level brighter.",
-        })
-        .in_rust(
-            EVERY,
-            "(256.0 * component.clamp(0.0, 0.999)) as u8",
-            "(255.999 * component) as u8",
-        )
-        .alters(|p| p.level = |component| (256.0 * component.clamp(0.0, 0.999)) as i32),
     slip("times-255-clamped", EVERY, LEVELS)
         .says(Words {
             wrong: "int(255 * clamp(r, 0.000, 0.999))",
@@ -619,7 +540,7 @@ pub(super) const SLIPS: &[Slip] = &[
 fn has_last(program: &Program) -> bool {
     match program.edition {
         Edition::V1 | Edition::V1InDouble | Edition::V3_0 => false,
-        Edition::V3_1_0 | Edition::V3 => true,
+        Edition::V3 => true,
         Edition::V4 => program.chapter == Chapter::BuildTest,
     }
 }

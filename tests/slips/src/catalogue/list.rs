@@ -23,10 +23,6 @@ const RANGE_OF_THE_EYE: Place = Place {
     page: "hittable_list#anything-that-a-ray-can-hit",
     source: "chapters/5_hittable_list/src/lib.rs",
 };
-const RECORD: Place = Place {
-    page: RANGE_OF_A_SPHERE.page,
-    source: "chapters/5_hittable_list/src/sphere.rs",
-};
 const FACE: Place = Place {
     page: "hittable_list#outward-or-against-the-ray",
     source: "chapters/5_hittable_list/src/hittable.rs",
@@ -77,23 +73,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "closest_so_far = record.t; nearest = Some(record)",
         )
         .alters(|p| p.search = first_hit),
-    slip("stops-at-first-miss", HITTABLE_LIST, SEARCH)
-        .says(Words {
-            wrong: "if (!object.hit(…)) return false",
-            right: "an object that is missed is passed over",
-            why: "One object that is missed ends the search, so a ray hits only where it meets \
-                  all of them.",
-        })
-        .in_rust(
-            HITTABLE_LIST,
-            "else { return None",
-            "an object that is missed is passed over",
-        )
-        .in_python(
-            "if not object.hit(…): return False",
-            "an object that is missed is passed over",
-        )
-        .alters(|p| p.search = all_or_none),
     slip("farthest-wins", HITTABLE_LIST, SEARCH)
         .says(Words {
             wrong: "if (rec.t > closest_so_far)",
@@ -106,19 +85,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "object.hit(ray, t_min, closest_so_far)",
         )
         .alters(|p| p.search = farthest_hit),
-    slip("closest-as-t-min", HITTABLE_LIST, SEARCH)
-        .says(Words {
-            wrong: "object.hit(r, closest_so_far, t_max, rec)",
-            right: "object.hit(r, t_min, closest_so_far, rec)",
-            why: "The closest hit so far is where the range ends, not where it begins. It begins \
-                  at infinity here, and nothing is hit.",
-        })
-        .in_rust(
-            HITTABLE_LIST,
-            "object.hit(ray, closest_so_far, t_max)",
-            "object.hit(ray, t_min, closest_so_far)",
-        )
-        .alters(|p| p.search = beyond_the_closest),
     slip("near-root-only", HITTABLE_LIST, BOTH_ROOTS)
         .says(Words {
             wrong: "root = (h - sqrtd) / a; if (!range.surrounds(root)) return false",
@@ -192,18 +158,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "t = roots.into_iter().find(|&t| t_min < t && t < t_max)?",
         )
         .alters(|p| p.in_range = |_, _, _| true),
-    slip("range-reversed", HITTABLE_LIST, RANGE_OF_A_SPHERE)
-        .says(Words {
-            wrong: "t_max < t && t < t_min",
-            right: "t_min < t && t < t_max",
-            why: "The range begins at t_min and ends at t_max. Reversed, nothing is in it.",
-        })
-        .in_rust(
-            HITTABLE_LIST,
-            "t_max < t && t < t_min",
-            "t_min < t && t < t_max",
-        )
-        .alters(|p| p.in_range = |t_min, t, t_max| t_max < t && t < t_min),
     slip("t-max-ignored", HITTABLE_LIST, RANGE_OF_A_SPHERE)
         .says(Words {
             wrong: "t_min < t",
@@ -216,31 +170,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "|&t| t_min < t && t < t_max)",
         )
         .alters(|p| p.in_range = |t_min, t, _| t_min < t),
-    slip("t-min-ignored", HITTABLE_LIST, RANGE_OF_A_SPHERE)
-        .says(Words {
-            wrong: "t < t_max",
-            right: "t_min < t && t < t_max",
-            why: "What lies behind the ray counts too, and beats what is in front.",
-        })
-        .in_rust(
-            HITTABLE_LIST,
-            "|&t| t < t_max",
-            "|&t| t_min < t && t < t_max",
-        )
-        .alters(|p| p.in_range = |_, t, t_max| t < t_max),
-    slip("range-behind-allowed", HITTABLE_LIST, RANGE_OF_THE_EYE)
-        .says(Words {
-            wrong: "world.hit(r, interval(-infinity, infinity), rec)",
-            right: "world.hit(r, interval(0, infinity), rec)",
-            why: "The nearest t of all is the smallest: the ground behind the camera beats what is \
-                  in front.",
-        })
-        .in_rust(
-            HITTABLE_LIST,
-            "world.hit(ray, f64::NEG_INFINITY, f64::INFINITY)",
-            "world.hit(ray, 0.0, f64::INFINITY)",
-        )
-        .alters(|p| p.t_min = f64::NEG_INFINITY),
     slip("range-swapped", HITTABLE_LIST, RANGE_OF_THE_EYE)
         .says(Words {
             wrong: "world.hit(r, interval(infinity, 0), rec)",
@@ -268,22 +197,6 @@ pub(super) const SLIPS: &[Slip] = &[
         )
         .alters(|p| p.in_range = |t_min, t, t_max| t_min <= t && t <= t_max)
         .only_by_law(HITTABLE_LIST, "A root at an end of the interval is no hit."),
-    slip("t-not-recorded", HITTABLE_LIST, RECORD)
-        .says(Words {
-            wrong: "rec.p = r.at(rec.t), without rec.t = root",
-            right: "rec.t = root; rec.p = r.at(rec.t)",
-            why: "The record says t = 0: its point is the eye itself, and nothing can be nearer, \
-                  so the first object that is hit wins.",
-        })
-        .in_rust(
-            HITTABLE_LIST,
-            "record.point = ray.at(record.t);",
-            "t, point: ray.at(t)",
-        )
-        .alters(|p| {
-            p.search = first_hit_at_zero;
-            p.hit_point = |program, ray, _| (program.at)(program, ray, 0.0);
-        }),
     slip("range-too-early", HITTABLE_LIST, RANGE_OF_THE_EYE)
         .says(Words {
             wrong: "world.hit(r, interval(0.001, infinity), rec)",
@@ -523,32 +436,4 @@ fn last_hit(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)>
 
 fn farthest_hit(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
     hits(program, balls, ray).max_by(|(t, _), (other, _)| t.total_cmp(other))
-}
-
-fn all_or_none(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
-    let mut found = None;
-    let mut closest_so_far = program.t_max;
-    for &ball in balls {
-        let t = program.hit(ball, ray, program.t_min, closest_so_far)?;
-        closest_so_far = t;
-        found = Some((t, ball));
-    }
-    found
-}
-
-fn beyond_the_closest(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
-    let mut found = None;
-    let mut closest_so_far = program.t_max;
-    for &ball in balls {
-        if let Some(t) = program.hit(ball, ray, closest_so_far, program.t_max) {
-            closest_so_far = t;
-            found = Some((t, ball));
-        }
-    }
-    found
-}
-
-/// Every other hit would have to be nearer than 0.
-fn first_hit_at_zero(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
-    first_hit(program, balls, ray).map(|(_, ball)| (0.0, ball))
 }

@@ -34,10 +34,6 @@ const POINT_OF_HIT: Place = Place {
     page: NORMAL.page,
     source: "chapters/3_normals/src/lib.rs",
 };
-const POINT_IN_RECORD: Place = Place {
-    page: "hittable_list#anything-that-a-ray-can-hit",
-    source: "chapters/5_hittable_list/src/sphere.rs",
-};
 const Z: Place = Place {
     page: "gradient#the-camera",
     source: "common/src/camera.rs",
@@ -82,16 +78,6 @@ pub(super) const SLIPS: &[Slip] = &[
         })
         .made_in(|letters| letters != Letters::Rust)
         .alters(|p| p.search = only_behind),
-    slip("only-behind-found", ONE_SPHERE, ROOT)
-        .says(Words {
-            wrong: "if (t < 0)",
-            right: "if (t > 0)",
-            why: "What is in front of the camera is left out, and behind it there is nothing to \
-                  be seen: only the sky is left.",
-        })
-        .in_rust(ONE_SPHERE, "t < 0.0", "t > 0.0")
-        .made_in(|letters| !matches!(letters, Letters::Book(_)))
-        .alters(|p| p.search = only_found_behind),
     slip("sphere-at-plus-one", LONE_SPHERE, ROOT)
         .says(Words {
             wrong: "center = (0, 0, 1)",
@@ -328,19 +314,6 @@ pub(super) const SLIPS: &[Slip] = &[
         .in_rust(HITTABLE_LIST, "point: ray.at(1.0)", "point: ray.at(t)")
         .in_book(HITTABLE_LIST, "rec.p = r.at(1)", "rec.p = r.at(rec.t)")
         .alters(|p| p.hit_point = |program, ray, _| (program.at)(program, ray, 1.0)),
-    slip("point-before-t", HITTABLE_LIST, POINT_IN_RECORD)
-        .says(Words {
-            wrong: "rec.p = r.at(rec.t); rec.t = root",
-            right: "rec.t = root; rec.p = r.at(rec.t)",
-            why: "The point is taken before t is known, at 0: it is the eye itself, and each \
-                  sphere has a single color.",
-        })
-        .in_rust(
-            HITTABLE_LIST,
-            "record.point = ray.at(record.t); record.t = t",
-            "t, point: ray.at(t)",
-        )
-        .alters(|p| p.hit_point = |program, ray, _| (program.at)(program, ray, 0.0)),
     slip("normal-not-mapped", ROOTS, SHADE)
         .says(Words {
             wrong: "color(N.x(), N.y(), N.z())",
@@ -497,6 +470,60 @@ pub(super) const SLIPS: &[Slip] = &[
                 _ => |_, _, outward| mirrored(outward),
             }
         }),
+    slip("normal-x-twice", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(N.x() + 1, N.x() + 1, N.z() + 1)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "Red and green are the same everywhere: green is to show the y of the normal.",
+        })
+        .alters(|p| {
+            p.shade = |_, normal| 0.5 * (Vec3::new(normal.x, normal.x, normal.z) + Vec3::ONE);
+        }),
+    slip("normal-y-twice", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(N.x() + 1, N.y() + 1, N.y() + 1)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "Green and blue are the same everywhere: blue is to show the z of the normal.",
+        })
+        .alters(|p| {
+            p.shade = |_, normal| 0.5 * (Vec3::new(normal.x, normal.y, normal.y) + Vec3::ONE);
+        }),
+    slip("normal-x-and-y-exchanged", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(N.y() + 1, N.x() + 1, N.z() + 1)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "Red is to grow to the right, with x, and green upwards, with y.",
+        })
+        .alters(|p| {
+            p.shade = |_, normal| 0.5 * (Vec3::new(normal.y, normal.x, normal.z) + Vec3::ONE);
+        }),
+    slip("normal-x-negated", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(-N.x() + 1, N.y() + 1, N.z() + 1)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "The sphere has its right side's red at the left.",
+        })
+        .alters(|p| {
+            p.shade = |_, normal| 0.5 * (Vec3::new(-normal.x, normal.y, normal.z) + Vec3::ONE);
+        }),
+    slip("normal-y-negated", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(N.x() + 1, -N.y() + 1, N.z() + 1)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "The sphere has its upper side's green below.",
+        })
+        .alters(|p| {
+            p.shade = |_, normal| 0.5 * (Vec3::new(normal.x, -normal.y, normal.z) + Vec3::ONE);
+        }),
+    slip("normal-z-negated", ROOTS, SHADE)
+        .says(Words {
+            wrong: "0.5 * color(N.x() + 1, N.y() + 1, -N.z() + 1)",
+            right: "0.5 * color(N.x() + 1, N.y() + 1, N.z() + 1)",
+            why: "What faces the eye has z near 1, and is to be blue.",
+        })
+        .alters(|p| {
+            p.shade = |_, normal| 0.5 * (Vec3::new(normal.x, normal.y, -normal.z) + Vec3::ONE);
+        }),
     slip("normal-in-gray", ROOTS, SHADE)
         .says(Words {
             wrong: "0.5 * color(N.x() + 1, N.x() + 1, N.x() + 1)",
@@ -555,12 +582,5 @@ fn only_behind(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Bal
     let &ball = balls.first()?;
     let t = program.hit_sphere(ball.center, ball.radius, ray);
     let t = t.unwrap_or(-1.0);
-    (t < 0.0).then_some((t, ball))
-}
-
-/// A miss has no t.
-fn only_found_behind(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
-    let &ball = balls.first()?;
-    let t = program.hit_sphere(ball.center, ball.radius, ray)?;
     (t < 0.0).then_some((t, ball))
 }

@@ -218,30 +218,6 @@ pub(super) const SLIPS: &[Slip] = &[
                 _ => |a, h, c| h * h + a * c,
             }
         }),
-    slip("b-not-squared", SPHERES, DISCRIMINANT)
-        .says(Words {
-            wrong: "discriminant = b - 4*a*c",
-            right: "discriminant = b*b - 4*a*c",
-            why: "The square of b is missing. Where b is small or negative the difference has \
-                  another sign, and with it the answer.",
-        })
-        .in_book(HALF_B, "discriminant = h - a*c", "discriminant = h*h - a*c")
-        .in_rust(
-            FULL_B,
-            "discriminant = b - 4.0 * a * c",
-            "discriminant = b * b - 4.0 * a * c",
-        )
-        .in_rust(
-            HALF_B,
-            "discriminant = h - a * c",
-            "discriminant = h * h - a * c",
-        )
-        .alters(|p| {
-            p.discriminant = match p.chapter {
-                Chapter::RedSphere | Chapter::Normals => |a, b, c| b - 4.0 * a * c,
-                _ => |a, h, c| h - a * c,
-            }
-        }),
     slip("tangent-missed", SPHERES, DISCRIMINANT)
         .says(Words {
             wrong: "discriminant > 0",
@@ -285,29 +261,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "c = oc.length_squared() - radius * radius;",
         )
         .alters(|p| p.constant = |oc_squared, radius| oc_squared - radius),
-    slip("radius-added", SPHERES, EQUATION)
-        .says(Words {
-            wrong: "c = dot(oc, oc) + radius*radius",
-            right: "c = dot(oc, oc) - radius*radius",
-            why: "The square of the radius comes from the right side of the equation. With a plus \
-                  there is no such sphere.",
-        })
-        .in_rust(
-            FULL_B,
-            "c = oc.dot(oc) + radius * radius",
-            "c = oc.dot(oc) - radius * radius",
-        )
-        .in_rust(
-            HITTABLE_LIST,
-            "c = oc.length_squared() + self.radius * self.radius",
-            "c = oc.length_squared() - self.radius * self.radius",
-        )
-        .in_rust(
-            HALF_B,
-            "c = oc.length_squared() + radius * radius",
-            "c = oc.length_squared() - radius * radius",
-        )
-        .alters(|p| p.constant = |oc_squared, radius| oc_squared + radius * radius),
     slip("radius-doubled", SPHERES, EQUATION)
         .says(Words {
             wrong: "c = dot(oc, oc) - 2 * radius",
@@ -408,6 +361,68 @@ pub(super) const SLIPS: &[Slip] = &[
                 let [_, b, c] = coefficients(program, ball, ray);
                 let oc = (program.oc)(ball.center, ray.origin);
                 [(program.squared)(program, oc), b, c]
+            }
+        }),
+    slip("a-from-length", SPHERES, COEFFICIENTS)
+        .says(Words {
+            wrong: "a = r.direction().length()",
+            right: "a = dot(r.direction(), r.direction())",
+            why: "a is the square of the direction's length. Of a direction 1 long both are 1, and \
+                  the eye's are longer towards the corners.",
+        })
+        .in_rust(
+            FULL_B,
+            "a = ray.direction.length()",
+            "a = ray.direction.dot(ray.direction)",
+        )
+        .in_rust(
+            HALF_B,
+            "a = ray.direction.length()",
+            "a = ray.direction.length_squared()",
+        )
+        .alters(|p| p.a = |program, direction| (program.squared)(program, direction).sqrt()),
+    slip("b-from-oc", SPHERES, COEFFICIENTS)
+        .says(Words {
+            wrong: "b = -2 * dot(oc, oc)",
+            right: "b = -2 * dot(r.direction(), oc)",
+            why: "b is made of the direction and of the way to the center: it says how far the ray \
+                  turns towards the sphere.",
+        })
+        .in_book(HALF_B, "h = dot(oc, oc)", "h = dot(r.direction(), oc)")
+        .in_rust(
+            FULL_B,
+            "b = -2.0 * oc.dot(oc)",
+            "b = -2.0 * ray.direction.dot(oc)",
+        )
+        .in_rust(HALF_B, "h = oc.dot(oc)", "h = ray.direction.dot(oc)")
+        .alters(|p| {
+            p.coefficients = |program, ball, ray| {
+                let [a, _, c] = coefficients(program, ball, ray);
+                let oc = (program.oc)(ball.center, ray.origin);
+                [a, (program.linear)((program.dot)(oc, oc)), c]
+            }
+        }),
+    slip("discriminant-without-a", SPHERES, DISCRIMINANT)
+        .says(Words {
+            wrong: "discriminant = b*b - 4*c",
+            right: "discriminant = b*b - 4*a*c",
+            why: "Without a it holds for directions 1 long only, and the disc is too large or torn.",
+        })
+        .in_book(HALF_B, "discriminant = h*h - c", "discriminant = h*h - a*c")
+        .in_rust(
+            FULL_B,
+            "discriminant = b * b - 4.0 * c",
+            "discriminant = b * b - 4.0 * a * c",
+        )
+        .in_rust(
+            HALF_B,
+            "discriminant = h * h - c",
+            "discriminant = h * h - a * c",
+        )
+        .alters(|p| {
+            p.discriminant = match p.chapter {
+                Chapter::RedSphere | Chapter::Normals => |_, b, c| b * b - 4.0 * c,
+                _ => |_, h, c| h * h - c,
             }
         }),
     slip("c-from-direction", SPHERES, COEFFICIENTS)
@@ -540,29 +555,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "(-b - discriminant.sqrt()) / (2.0 * a)",
         )
         .alters(|p| p.first_term = |b| b),
-    slip("root-negated", ONE_SPHERE, SIGN_IN_ROOT)
-        .says(Words {
-            wrong: "(b + sqrt(discriminant)) / (2*a)",
-            right: "(-b - sqrt(discriminant)) / (2*a)",
-            why: "Both signs are changed, so the result is minus the nearer root, and the sphere \
-                  is behind the camera.",
-        })
-        .in_book(
-            HALF_B,
-            "(-h + sqrt(discriminant)) / a",
-            "(h - sqrt(discriminant)) / a",
-        )
-        .in_rust(
-            NORMALS,
-            "(b + discriminant.sqrt()) / (2.0 * a)",
-            "(-b - discriminant.sqrt()) / (2.0 * a)",
-        )
-        .in_rust(
-            HALF_B,
-            "(-h + discriminant.sqrt()) / a",
-            "(h - discriminant.sqrt()) / a",
-        )
-        .alters(|p| p.numerators = |first, sqrtd, _| [sqrtd - first; 2]),
     slip("far-root", ROOTS, ROOT)
         .says(Words {
             wrong: "(-b + sqrt(discriminant)) / (2*a)",

@@ -1,14 +1,5 @@
 //! A Pratt parser for the Rust that our chapters are written in, and no more.
 
-use std::ops::Range;
-
-/// A word, number or sign, and where it stands.
-#[derive(Clone, Debug)]
-pub(super) struct Token<'a> {
-    pub(super) text: &'a str,
-    pub(super) at: Range<usize>,
-}
-
 /// A function: its name, and a slot for each of its variables.
 #[derive(Debug)]
 pub(super) struct Function {
@@ -98,7 +89,7 @@ words! {
 }
 
 /// The tokens of a source without its comments.
-pub(super) fn tokens(text: &str) -> Vec<Token<'_>> {
+fn tokens(text: &str) -> Vec<&str> {
     let mut tokens = Vec::new();
     let mut at = 0;
     while let Some(first) = text[at..].chars().next() {
@@ -118,10 +109,7 @@ pub(super) fn tokens(text: &str) -> Vec<Token<'_>> {
             two.map_or(first.len_utf8(), |sign| sign.len())
         };
         if !first.is_whitespace() && !rest.starts_with("//") {
-            tokens.push(Token {
-                text: &rest[..length],
-                at: at..at + length,
-            });
+            tokens.push(&rest[..length]);
         }
         at += length;
     }
@@ -146,7 +134,7 @@ pub(super) fn function(text: &str) -> Option<Function> {
 }
 
 struct Parser<'a> {
-    tokens: &'a [Token<'a>],
+    tokens: &'a [&'a str],
     at: usize,
     /// The names in reach, each with its slot.
     scope: Vec<(&'a str, usize)>,
@@ -155,13 +143,13 @@ struct Parser<'a> {
 
 impl<'a> Parser<'a> {
     fn peek(&self) -> &'a str {
-        self.tokens.get(self.at).map_or("", |token| token.text)
+        self.tokens.get(self.at).copied().unwrap_or_default()
     }
 
     fn next(&mut self) -> Option<&'a str> {
-        let token = self.tokens.get(self.at)?;
+        let token = *self.tokens.get(self.at)?;
         self.at += 1;
-        Some(token.text)
+        Some(token)
     }
 
     fn takes(&mut self, text: &str) -> bool {

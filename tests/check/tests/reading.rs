@@ -4,8 +4,6 @@ use check::png;
 use check::reading::{Cause, Reading, read};
 use common::rtweekend::*;
 
-use suite::drawn::p3;
-
 #[test]
 fn text_bytes_and_png_of_a_picture_are_read_as_the_same_picture() {
     let picture = hittable_list::picture(40);
@@ -343,4 +341,11 @@ fn cause(bytes: &[u8]) -> &'static str {
 pub(crate) fn p6(picture: &Picture) -> Vec<u8> {
     let header = format!("P6\n{} {}\n255\n", picture.width(), picture.height());
     [header.as_bytes(), picture.rgb()].concat()
+}
+
+/// The text of a picture.
+fn p3(picture: &Picture) -> Vec<u8> {
+    let mut text = Vec::new();
+    picture.write_p3(&mut text).expect("memory takes it");
+    text
 }

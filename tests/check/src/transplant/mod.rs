@@ -1,40 +1,20 @@
-//! Mutation of source code: what each program draws that is our chapter with one word,
-//! number or sign changed.
+//! Transplantation of a reader's expressions: what the chapter draws with one of them in the
+//! place of its own.
 //!
-//! The catalogue knows the mistakes that people have made. These are those that nobody
-//! has thought of: each is a slip without a name, said in the line of the chapter. Where a
-//! reader's files are known, their expressions are tried in the chapter's places first.
+//! A reader's line is named only if the chapter with it draws the reader's picture: each is
+//! a slip without a name, in the reader's own words.
 
-mod edits;
 mod run;
 mod syntax;
 
 use std::borrow::Cow;
-use std::sync::{Arc, LazyLock, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use common::rtweekend::*;
 use slips::{Ball, Chapter, Hit, Interpreted, Program, Slip, Words};
 
-use crate::sources::Sources;
-use edits::Edit;
+use crate::sources::{Sources, Variant};
 use run::{Machine, Value};
-
-/// The mutants of a chapter.
-pub(crate) fn of(chapter: Chapter) -> &'static [Slip] {
-    static GRADIENT: LazyLock<Vec<Slip>> = LazyLock::new(|| all(Chapter::Gradient));
-    static RED_SPHERE: LazyLock<Vec<Slip>> = LazyLock::new(|| all(Chapter::RedSphere));
-    static NORMALS: LazyLock<Vec<Slip>> = LazyLock::new(|| all(Chapter::Normals));
-    static HALF_B: LazyLock<Vec<Slip>> = LazyLock::new(|| all(Chapter::HalfBSphere));
-    static LIST: LazyLock<Vec<Slip>> = LazyLock::new(|| all(Chapter::HittableList));
-    match chapter {
-        Chapter::Gradient => &GRADIENT,
-        Chapter::RedSphere => &RED_SPHERE,
-        Chapter::Normals => &NORMALS,
-        Chapter::HalfBSphere => &HALF_B,
-        Chapter::HittableList => &LIST,
-        Chapter::BuildTest | Chapter::SpeedVsAccuracy => &[],
-    }
-}
 
 /// The chapter itself, run from its source.
 pub fn unchanged(chapter: Chapter) -> Program {
@@ -301,16 +281,6 @@ fn sources(chapter: Chapter) -> Vec<Read> {
     sources.into_iter().filter_map(read).collect()
 }
 
-/// Each mutant of the chapter and of what it takes from the prelude, as a slip.
-fn all(chapter: Chapter) -> Vec<Slip> {
-    let all = sources(chapter);
-    let mutants = all.iter().flat_map(|(source, _)| {
-        let edits = edits(source).into_iter();
-        edits.filter_map(|edit| edit.made_in(chapter, &all, source))
-    });
-    mutants.collect()
-}
-
 /// The chapter with the way to the center turned round, as older editions have it.
 fn older(mut all: Vec<Read>) -> Vec<Read> {
     all.retain_mut(|(source, function)| {
@@ -332,7 +302,7 @@ fn older(mut all: Vec<Read>) -> Vec<Read> {
 
 /// The chapter with single expressions as the reader has them, in the edition to which the
 /// reader keeps.
-pub(crate) fn typed(chapter: Chapter, yours: &Sources) -> Vec<&'static Slip> {
+pub fn typed(chapter: Chapter, yours: &Sources) -> Vec<&'static Slip> {
     static SEEN: Mutex<Vec<(Chapter, String, Option<&'static Slip>)>> = Mutex::new(Vec::new());
     let mut seen = SEEN.lock().unwrap_or_else(PoisonError::into_inner);
     let editions = [older(sources(chapter)), sources(chapter)].map(|all| {
@@ -344,95 +314,36 @@ pub(crate) fn typed(chapter: Chapter, yours: &Sources) -> Vec<&'static Slip> {
     let (_, variants, all) = if older.0 < newest.0 { older } else { newest };
     let variants = variants.into_iter().filter_map(|(n, variant)| {
         let (source, _) = &all[n];
-        let edit = Edit::from(&source.text, variant);
+        let mut text = source.text.to_string();
+        text.replace_range(variant.at.clone(), &variant.with);
         let mut known = seen.iter();
-        let known = known.find(|(of, text, _)| *of == chapter && *text == edit.text);
+        let known = known.find(|(of, other, _)| *of == chapter && *other == text);
         if let Some((.., slip)) = known {
             return *slip;
         }
-        let text = edit.text.clone();
-        let slip = edit.made_in(chapter, &all, source);
-        let slip = slip.map(|slip| -> &'static Slip { Box::leak(Box::new(slip)) });
+        let slip = made_in(chapter, &all, source, &text, variant);
         seen.push((chapter, text, slip));
         slip
     });
     variants.collect()
 }
 
-/// Those that draw the chapter's picture, and whose functions are others all the same.
-pub(crate) fn hidden(chapter: Chapter, yours: &Sources) -> Vec<&'static Slip> {
-    const WIDTH: u32 = 48;
-    let right = unchanged(chapter);
-    let (picture, answers) = (right.run(WIDTH).picture(), answers(&right));
-    let mut hidden = typed(chapter, yours);
-    hidden.retain(|slip| {
-        let program = slip.program(chapter);
-        program.run(WIDTH).picture() == picture && self::answers(&program) != answers
-    });
-    hidden
-}
-
-/// What the functions answer where no ray of a picture goes, to six digits: roundings are
-/// no mistake.
-fn answers(program: &Program) -> String {
-    let balls = [
-        Ball::new(1.0, 0.0, -1.0, 1.0),
-        Ball::new(0.3, -0.2, -2.0, 0.7),
-        Ball::new(0.1, 0.2, 0.1, 3.0),
-    ];
-    let origins = [Point3::ZERO, Point3::new(0.4, -0.3, 0.2)];
-    let directions = [
-        Vec3::new(0.0, 0.0, -1.0),
-        Vec3::new(0.2, 0.1, -2.0),
-        Vec3::new(-0.3, 0.4, 0.5),
-    ];
-    let rays = origins
-        .into_iter()
-        .flat_map(|origin| directions.map(|direction| Ray::new(origin, direction)));
-    let mut answers = String::new();
-    for ray in rays {
-        answers += &format!("{:.6?}", program.ray_color(&ray));
-        for ball in balls {
-            answers += &match program.chapter {
-                Chapter::HittableList => {
-                    format!("{:.6?}", program.record(ball, &ray, 0.0, f64::INFINITY))
-                }
-                _ => format!("{:.6?}", program.hit_sphere(ball.center, ball.radius, &ray)),
-            };
-        }
-        if program.chapter == Chapter::HittableList {
-            for balls in [balls, [balls[2], balls[1], balls[0]]] {
-                let nearest = program.search_among(&balls, &ray, 0.0, f64::INFINITY);
-                answers += &format!("{nearest:.6?}");
-            }
-        }
-    }
-    answers
-}
-
-impl Edit {
-    /// As a slip, if that is another program.
-    fn made_in(self, chapter: Chapter, all: &[Read], source: &Source) -> Option<Slip> {
-        let machine = Machine::with(chapter, all, source, &self.text)?;
-        let machine: &'static Machine = Box::leak(Box::new(machine));
-        let leaked = |text: String| -> &'static str { Box::leak(text.into_boxed_str()) };
-        let words = Words {
-            wrong: leaked(self.wrong),
-            right: leaked(self.right),
-            why: "",
-        };
-        Some(Slip::interpreted(chapter, source.file, words, machine))
-    }
-}
-
-/// What else may be typed for the function. Components of vectors are what a chapter colors.
-fn edits(source: &Source) -> Vec<Edit> {
-    let mut edits = edits::of(&source.text);
-    if source.part != Part::Camera {
-        edits.extend(edits::of_names(&source.text));
-    }
-    if source.part == Part::Chapter {
-        edits.extend(edits::of_components(&source.text));
-    }
-    edits
+/// The chapter with that text of one of its functions as a slip, if it is another program.
+fn made_in(
+    chapter: Chapter,
+    all: &[Read],
+    source: &Source,
+    text: &str,
+    variant: Variant,
+) -> Option<&'static Slip> {
+    let machine = Machine::with(chapter, all, source, text)?;
+    let machine: &'static Machine = Box::leak(Box::new(machine));
+    let leaked = |text: String| -> &'static str { Box::leak(text.into_boxed_str()) };
+    let words = Words {
+        wrong: leaked(variant.wrong),
+        right: leaked(variant.right),
+        why: "",
+    };
+    let slip = Slip::interpreted(chapter, source.file, words, machine);
+    Some(Box::leak(Box::new(slip)))
 }

@@ -1,0 +1,167 @@
+//! Exact comparison: a program that may have drawn a picture, and the pixels that it leaves.
+
+use slips::{Output, Slip};
+
+use crate::pixels::{Pixel, distance, spread};
+use crate::reading::Reading;
+use crate::scene::Scene;
+
+/// A program that may have drawn a picture.
+#[derive(Clone)]
+pub(crate) struct Candidate {
+    /// The scene, with the colors that the reader chose.
+    pub(crate) scene: Scene,
+    /// The slips that were made.
+    pub(crate) slips: Vec<&'static Slip>,
+    /// What becomes of numbers that are no levels.
+    pub(crate) conversion: Conversion,
+}
+
+/// What becomes of a number that is no level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Conversion {
+    /// It is printed, as C++ does.
+    Printed,
+    /// It stops at 0 or 255, as in Rust.
+    Clamped,
+    /// Its lowest eight bits are kept, as a cast to a byte does in C.
+    Wrapped,
+}
+
+/// The pixels of a picture that a program does not draw.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Left {
+    /// How many are off at all.
+    pub off: usize,
+    /// How many are off by more than one level.
+    pub far: usize,
+    /// The first and the last column of these pixels.
+    pub columns: [u32; 2],
+    /// The first and the last row.
+    pub rows: [u32; 2],
+}
+
+/// How many pixels are looked at before all of them are.
+const GLANCE: u32 = 100;
+/// By chance so many more of these may be off than of all.
+const CHANCE: usize = 4;
+
+/// A mistake that leaves pixels leaves at most one in so many of those that are wrong; where
+/// it leaves one in a hundred, it may be of any of them.
+const MOST: usize = 4;
+const NEARLY_ALL: usize = 100;
+
+impl Candidate {
+    /// What the program prints, if its picture has the reader's size.
+    pub(crate) fn output(&self, reading: &Reading) -> Option<Output> {
+        let program = self.scene.program(&self.slips);
+        let size = (reading.width, reading.height);
+        // A header may swap the two, and then the width that was asked for
+        // stands where the height should.
+        let mut outputs = [size.0, size.1].map(|asked| program.run(asked)).into_iter();
+        outputs.find(|output| output.size() == size)
+    }
+
+    /// The nth pixel of what it prints.
+    pub(crate) fn pixel(&self, output: &Output, n: u32) -> Pixel {
+        output.pixel(n).map(|level| self.conversion.apply(level))
+    }
+
+    /// Its whole picture, if that has the reader's size.
+    pub(crate) fn drawn(&self, reading: &Reading) -> Option<Vec<Pixel>> {
+        let output = self.output(reading)?;
+        let all = 0..reading.pixels.len() as u32;
+        Some(all.map(|n| self.pixel(&output, n)).collect())
+    }
+
+    /// Whether it may leave no more than `most` pixels, by the look of some.
+    pub(crate) fn may_leave(&self, reading: &Reading, most: usize) -> bool {
+        let Some(output) = self.output(reading) else {
+            return false;
+        };
+        let total = reading.pixels.len();
+        let allowed = CHANCE + 2 * (most.min(total) * GLANCE as usize / total);
+        let places = spread(GLANCE, total as u32);
+        let far =
+            places.filter(|&n| distance(self.pixel(&output, n), reading.pixels[n as usize]) > 1);
+        far.take(allowed + 1).count() <= allowed
+    }
+
+    /// How many of so many pixels are off at all, if its picture has the reader's size.
+    pub(crate) fn off_among(&self, reading: &Reading, count: u32) -> Option<usize> {
+        self.among(reading, count, 0)
+    }
+
+    /// The same of those that are off by more than a level.
+    pub(crate) fn far_among(&self, reading: &Reading, count: u32) -> Option<usize> {
+        self.among(reading, count, 1)
+    }
+
+    fn among(&self, reading: &Reading, count: u32, least: u16) -> Option<usize> {
+        let output = self.output(reading)?;
+        let places = spread(count, reading.pixels.len() as u32);
+        let off = |n: u32| distance(self.pixel(&output, n), reading.pixels[n as usize]);
+        Some(places.filter(|&n| off(n) > least).count())
+    }
+
+    /// The pixels that it leaves; `None` if they are more than `most`, and some of them are
+    /// off by more than a level.
+    pub(crate) fn left(&self, reading: &Reading, most: usize) -> Option<Left> {
+        let output = self.output(reading)?;
+        let mut left = Left::default();
+        for (n, found) in (0..).zip(&reading.pixels) {
+            let off = distance(self.pixel(&output, n), *found);
+            if off > 0 {
+                left.add(n % reading.width, n / reading.width, off);
+                if left.far > 0 && left.off > most {
+                    return None;
+                }
+            }
+        }
+        Some(left)
+    }
+}
+
+impl Conversion {
+    pub(crate) fn apply(self, level: i32) -> i16 {
+        match self {
+            Self::Printed => level.clamp(i16::MIN.into(), i16::MAX.into()) as i16,
+            Self::Clamped => level.clamp(0, 255) as i16,
+            Self::Wrapped => i16::from(level as u8),
+        }
+    }
+}
+
+impl Left {
+    fn add(&mut self, column: u32, row: u32, off: u16) {
+        if self.off == 0 {
+            (self.columns, self.rows) = ([column; 2], [row; 2]);
+        }
+        self.off += 1;
+        self.far += usize::from(off > 1);
+        self.columns = [self.columns[0].min(column), self.columns[1].max(column)];
+        self.rows[1] = row;
+    }
+
+    /// Whether a mistake that leaves this explains what a right program leaves: nearly all of
+    /// it, or most of it and of what is off by more than a level.
+    pub(crate) fn is_little_of(&self, all: &Self) -> bool {
+        let is_most = MOST * self.off <= all.off && MOST * self.far <= all.far;
+        self.is_nearly_nothing_of(all) || is_most && all.far > 0
+    }
+
+    /// Whether it explains nearly all of that.
+    pub(crate) fn is_nearly_nothing_of(&self, all: &Self) -> bool {
+        self.is_nothing() || NEARLY_ALL * self.off <= all.off
+    }
+
+    /// Whether nothing is left.
+    pub fn is_nothing(&self) -> bool {
+        self.off == 0
+    }
+
+    /// Whether all that is left is off by one level.
+    pub fn is_rounding(&self) -> bool {
+        self.off > 0 && self.far == 0
+    }
+}

@@ -1,0 +1,139 @@
+//! The programs that may have drawn a picture: right ones, and those with known mistakes.
+
+use slips::{Chapter, Edition, PROBES, Slip};
+
+use crate::candidate::{Candidate, Conversion};
+use crate::known::{Evidence, Said};
+use crate::scene::Scene;
+use crate::transplant;
+
+/// The scene itself by each edition that will do, and as far as each step before the last.
+pub(crate) fn rights(evidence: &Evidence) -> Vec<Candidate> {
+    let steps = steps(evidence).into_iter();
+    let scenes = by_editions(evidence, evidence.scene)
+        .into_iter()
+        .chain(steps);
+    scenes.map(|scene| right(evidence, scene)).collect()
+}
+
+/// Other scenes, whose change was forgotten or is still there, and other chapters. A reader
+/// who types a chapter has no other picture at hand.
+pub(crate) fn elsewhere(evidence: &Evidence) -> Vec<Candidate> {
+    let own = evidence.scene;
+    if evidence.known.sources.are_of_the_chapter() {
+        return Vec::new();
+    }
+    let probes = PROBES.into_iter().filter(|probe| probe.spheres.is_some());
+    let scenes = probes.map(Some).chain([None]);
+    let scenes = scenes.filter(|probe| *probe != own.probe);
+    let scenes = scenes.filter_map(|probe| Scene::new(own.chapter, probe));
+    let chapters = Chapter::OF_THE_BOOK.into_iter();
+    let chapters = chapters.filter(|&chapter| chapter != own.chapter);
+    let all = scenes.chain(chapters.map(|chapter| own.of_chapter(chapter)));
+    let all = all.flat_map(|scene| by_editions(evidence, scene));
+    let all = all.filter(|scene| !scene.has_another_shape());
+    all.map(|scene| right(evidence, scene)).collect()
+}
+
+/// Programs with one slip: a group for each edition, step and conversion, the likeliest first.
+pub(crate) fn singles<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Vec<Candidate>> + 'a {
+    let rights = with_slips_in(evidence);
+    let wrapped = rights.first().filter(|_| !evidence.has_no_levels).cloned();
+    let wrapped = wrapped.map(|right| Candidate {
+        conversion: Conversion::Wrapped,
+        ..right
+    });
+    let other = rights.clone().into_iter().filter_map(|right| {
+        let scene = right.scene.with_the_other_formula()?;
+        Some(Candidate { scene, ..right })
+    });
+    let groups = rights.into_iter().chain(other).chain(wrapped);
+    groups.map(|right| {
+        let slips = evidence.slips(&right.scene);
+        slips.map(|slip| with(&right, vec![slip])).collect()
+    })
+}
+
+/// Programs with two slips, by version 4 and by the edition that comes nearest. Many pairs
+/// draw a picture by chance: where files are known, the line of one of the two is in them.
+pub(crate) fn pairs<'a>(
+    evidence: &'a Evidence,
+    nearest: Edition,
+) -> impl Iterator<Item = Vec<Candidate>> + 'a {
+    let rights = with_slips_in(evidence).into_iter();
+    let rights = rights.filter(move |it| [Edition::V4, nearest].contains(&it.scene.edition));
+    rights.map(|right| {
+        let slips: Vec<&'static Slip> = evidence.slips(&right.scene).collect();
+        let is_found = |slip: &Slip| {
+            let known = evidence.known;
+            known.sources.is_empty() || known.said(slip, &right.scene) == Said::Wrong
+        };
+        let is_found: Vec<bool> = slips.iter().map(|slip| is_found(slip)).collect();
+        let all = (0..slips.len()).flat_map(|n| (n + 1..slips.len()).map(move |m| (n, m)));
+        let all = all.filter(|&(n, m)| is_found[n] || is_found[m]);
+        all.map(|(n, m)| with(&right, vec![slips[n], slips[m]]))
+            .collect()
+    })
+}
+
+/// The chapter with an expression as the reader has it.
+pub(crate) fn typed(evidence: &Evidence) -> Vec<Candidate> {
+    let scene = evidence.scene;
+    if evidence.known.sources.is_empty() || scene.probe.is_some() {
+        return Vec::new();
+    }
+    let changes = transplant::typed(scene.chapter, &evidence.known.sources);
+    let scenes = by_editions(evidence, scene).into_iter();
+    let all = scenes.flat_map(|scene| {
+        let right = right(evidence, scene);
+        // The chapters follow version 4, and its camera is no other edition's.
+        let is_run = |slip: &&&Slip| scene.edition == Edition::V4 || !slip.is_of_the_camera();
+        let changes: Vec<&'static Slip> = changes.iter().filter(is_run).copied().collect();
+        changes
+            .into_iter()
+            .map(move |slip| with(&right, vec![slip]))
+    });
+    all.collect()
+}
+
+fn right(evidence: &Evidence, scene: Scene) -> Candidate {
+    Candidate {
+        scene,
+        slips: Vec::new(),
+        conversion: if evidence.has_no_levels {
+            Conversion::Printed
+        } else {
+            Conversion::Clamped
+        },
+    }
+}
+
+fn with(right: &Candidate, slips: Vec<&'static Slip>) -> Candidate {
+    Candidate {
+        slips,
+        ..right.clone()
+    }
+}
+
+fn by_editions(evidence: &Evidence, scene: Scene) -> Vec<Scene> {
+    let (width, height) = (evidence.reading.width, evidence.reading.height);
+    scene.by_editions(width, height).collect()
+}
+
+/// As far as each step before the last, by the edition that was asked for.
+fn steps(evidence: &Evidence) -> Vec<Scene> {
+    let own = evidence.scene;
+    let before = evidence.known.steps.len().saturating_sub(1);
+    let steps = (0..before).map(|step| own.at_step(step));
+    let scenes = steps.filter_map(|scene| by_editions(evidence, scene).into_iter().next());
+    scenes.collect()
+}
+
+/// The right programs in which slips are made. A slip may give the picture its shape.
+fn with_slips_in(evidence: &Evidence) -> Vec<Candidate> {
+    let fitting = by_editions(evidence, evidence.scene);
+    let shaped = fitting.iter().filter(|scene| scene.has_another_shape());
+    let own: Vec<Scene> = shaped.map(|scene| scene.in_own_shape()).collect();
+    let scenes = fitting.into_iter().chain(own).chain(steps(evidence));
+    scenes.map(|scene| right(evidence, scene)).collect()
+}

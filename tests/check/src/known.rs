@@ -1,0 +1,166 @@
+//! What is known of a reader besides the picture: files, answers of functions, warnings.
+
+use slips::{Edition, Letters, Program, Slip, Words};
+
+use crate::candidate::Candidate;
+use crate::reading::Reading;
+use crate::scene::Scene;
+pub(crate) use crate::sources::Said;
+use crate::sources::{Line, Sources, Unlike, in_no_language};
+
+/// How many answers were given, and how many of them a program would not give.
+pub type Asked<'a> = dyn Fn(&Program) -> (usize, usize) + 'a;
+
+/// What is known besides the picture.
+#[derive(Default)]
+pub struct Known<'a> {
+    /// The letters in which the reader writes; without them, those of the edition.
+    pub letters: Option<Letters>,
+    /// Whether the reader can have made a slip; any, if nothing is known.
+    pub can_be_made: Option<&'a dyn Fn(&Slip) -> bool>,
+    /// What the reader wrote.
+    pub sources: Sources,
+    /// What the reader's functions answered.
+    pub answers: Option<&'a Asked<'a>>,
+    /// What the compiler warned of, in its words.
+    pub warnings: Vec<String>,
+    /// Whether each step of the chapter has been done before, if steps are judged.
+    pub steps: Vec<bool>,
+}
+
+/// Of more answers than one in fifty nobody can say that they are due to rounding.
+const REFUTING: usize = 50;
+
+impl Known<'_> {
+    /// What there is to say of a slip in the scene, in the reader's letters.
+    pub fn words(&self, slip: &Slip, scene: &Scene) -> Words {
+        let is_older = scene.edition != Edition::V4;
+        let letters = match self.letters {
+            Some(Letters::Python(_)) => Letters::Python(scene.edition),
+            // In Rust there are the lines of our chapters, which follow version 4.
+            Some(Letters::Rust) if is_older && slip.has_older_words() => {
+                Letters::Book(scene.edition)
+            }
+            Some(letters) => letters,
+            None => Letters::Book(scene.edition),
+        };
+        let words = slip.words(letters, scene.chapter);
+        let is_in_rust = self.sources.is_empty() || self.letters == Some(Letters::Rust);
+        if !slip.name.is_empty() || is_in_rust || self.sources.have_line(&words.wrong) {
+            return words;
+        }
+        // A change of our chapter, in words that are those of no language.
+        Words {
+            wrong: in_no_language(&words.wrong).into(),
+            right: in_no_language(&words.right).into(),
+            why: words.why,
+        }
+    }
+
+    /// Whether the reader can have made the slip, as far as it is known.
+    pub fn can_be_made(&self, slip: &Slip, scene: &Scene) -> bool {
+        self.can_be_made.is_none_or(|can_be| can_be(slip)) && self.said(slip, scene) != Said::Right
+    }
+
+    /// The few places that are not as the chapter has them, if one of them may have the
+    /// mistake: an own prelude may have it too, unless a function answers wrongly.
+    pub(crate) fn unlike(&self, scene: &Scene) -> &[Unlike] {
+        let is_right = || self.is_answered_by(&scene.unchanged().program(&[]));
+        if self.sources.have_a_prelude() && is_right() {
+            &[]
+        } else {
+            self.sources.unlike()
+        }
+    }
+
+    /// What the reader's files say of the slip. A line that an older edition has is wrong in
+    /// a mixture only, which no single line tells.
+    pub(crate) fn said(&self, slip: &Slip, scene: &Scene) -> Said {
+        let is_mixture = slip.is_of_another_edition() && self.letters != Some(Letters::Rust);
+        match self.sources.say(&self.words(slip, scene)) {
+            Said::Wrong if is_mixture => Said::Neither,
+            said => said,
+        }
+    }
+
+    /// The reader's line that makes the slip, if it is found.
+    pub fn line_of(&self, slip: &Slip, scene: &Scene) -> Option<Line> {
+        let is_wrong = self.said(slip, scene) == Said::Wrong;
+        let line = || self.sources.line_of(self.words(slip, scene));
+        is_wrong.then(line).flatten()
+    }
+
+    /// Whether the reader's functions answer as the program would.
+    pub(crate) fn is_answered_by(&self, program: &Program) -> bool {
+        self.answers.is_none_or(|unlike| unlike(program).1 == 0)
+    }
+}
+
+/// All that is known of what a reader did.
+pub(crate) struct Evidence<'a> {
+    /// The scene that the picture is meant to show; the chapter's own instead of a probe
+    /// that is about another width.
+    pub(crate) scene: Scene,
+    /// The picture.
+    pub(crate) reading: &'a Reading,
+    /// Whether it has numbers that are no levels.
+    pub(crate) has_no_levels: bool,
+    /// What is known besides.
+    pub(crate) known: &'a Known<'a>,
+}
+
+impl<'a> Evidence<'a> {
+    pub(crate) fn new(scene: &Scene, reading: &'a Reading, known: &'a Known<'a>) -> Self {
+        let is_about_another_width = scene
+            .probe
+            .is_some_and(|probe| probe.spheres.is_none() && probe.width != reading.width);
+        Self {
+            scene: if is_about_another_width {
+                scene.without_probe()
+            } else {
+                *scene
+            },
+            reading,
+            has_no_levels: reading.outside().is_some(),
+            known,
+        }
+    }
+
+    /// The slips that the reader can have made in the scene.
+    pub(crate) fn slips(&self, scene: &Scene) -> impl Iterator<Item = &'static Slip> {
+        let chapter = scene.chapter;
+        let unnamed = slips::unnamed().filter(move |slip| slip.chapters.contains(&chapter));
+        let can_be_made = |slip: &&Slip| self.known.can_be_made.is_none_or(|can_be| can_be(slip));
+        scene.slips().chain(unnamed).filter(can_be_made)
+    }
+
+    /// Whether the reader's text or the answers of its functions speak against a program:
+    /// the right line of a slip stands there, a value of its wrong line doesn't, or a
+    /// function that answers so has another mistake or none.
+    pub(crate) fn is_refuted(&self, it: &Candidate) -> bool {
+        let known = self.known;
+        let is_refuted = |slip: &&'static Slip| {
+            known.said(slip, &it.scene) == Said::Right
+                || !known
+                    .sources
+                    .may_have_values_of(&known.words(slip, &it.scene))
+        };
+        if !known.sources.is_empty() && it.slips.iter().any(is_refuted) {
+            return true;
+        }
+        let is_further = it.scene.step().is_some() && known.sources.is_written();
+        let is_right = it.slips.is_empty() && it.scene.step().is_none();
+        is_further
+            || !is_right
+                && known.answers.is_some_and(|unlike| {
+                    let (asked, unlike) = unlike(&it.scene.unchanged().program(&it.slips));
+                    unlike * REFUTING > asked
+                })
+    }
+
+    /// Whether the wrong line of each of its slips stands in the reader's files.
+    pub(crate) fn is_found(&self, it: &Candidate) -> bool {
+        let mut slips = it.slips.iter();
+        slips.all(|slip| self.known.said(slip, &it.scene) == Said::Wrong)
+    }
+}

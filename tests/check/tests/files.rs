@@ -1,0 +1,159 @@
+//! A reader's own program beside the picture: its lines are named, and no innocent ones.
+
+use check::Row;
+use check::known::Known;
+use check::png;
+use check::scene::Scene;
+use check::sources::Sources;
+use check::transplant;
+use check::verdict::{Check, check_knowing};
+use slips::{Chapter, Edition, Letters, Program, World};
+
+const HIT_SPHERE: &str = "\
+def hit_sphere(center, radius, r):
+    oc = center - r.origin
+    a = dot(r.direction, r.direction)
+    h = dot(r.direction, oc)
+    c = dot(oc, oc) - radius * radius
+    discriminant = h * h - a * c
+    if discriminant < 0:
+        return None
+    return (h - math.sqrt(discriminant)) / a
+";
+
+#[test]
+fn a_chapter_that_is_run_from_its_text_draws_its_picture() {
+    for chapter in Chapter::OF_THE_BOOK.into_iter().skip(1) {
+        let program = transplant::unchanged(chapter);
+        assert_eq!(
+            program.run(60).picture(),
+            chapter.picture(60),
+            "{chapter:?}"
+        );
+    }
+}
+
+/// Each change of the text, and whether it is the only one that is named.
+#[test]
+fn a_readers_line_is_named_if_the_chapter_with_it_draws_the_readers_picture() {
+    for (old, new) in [
+        (
+            "a = dot(r.direction, r.direction)",
+            "a = dot(r.direction, oc)",
+        ),
+        (
+            "c = dot(oc, oc) - radius * radius",
+            "c = dot(oc, oc) - radius * 2",
+        ),
+        (
+            "discriminant = h * h - a * c",
+            "discriminant = h * h - c * c",
+        ),
+    ] {
+        let scene = scene(Chapter::HalfBSphere);
+        let wrong = HIT_SPHERE.replace(old, new);
+        let known = in_python(&wrong);
+        let changes = transplant::typed(scene.chapter, &known.sources);
+        let slip = changes
+            .iter()
+            .find(|slip| known.words(slip, &scene).wrong == new);
+        let slip = slip.unwrap_or_else(|| panic!("{new} is not tried"));
+        let picture = scene.program(&[slip]).run(100).picture();
+        let rows = rows(&scene, &png::encode(&picture), &known);
+        assert!(rows.iter().any(|(_, said)| said.ends_with(new)), "{rows:?}");
+        // Of the same picture nothing of the kind is said beside the right line.
+        let rows = self::rows(&scene, &png::encode(&picture), &in_python(HIT_SPHERE));
+        assert!(rows.iter().all(|(label, _)| *label != "yours"), "{rows:?}");
+    }
+}
+
+/// Only sky is drawn by dozens of mistakes: of these none is named whose right line is there.
+#[test]
+fn what_a_readers_line_refutes_is_not_named() {
+    let scene = scene(Chapter::HalfBSphere);
+    let sky = Program {
+        world: World::of(&[]),
+        ..scene.program(&[])
+    };
+    let picture = png::encode(&sky.run(200).picture());
+    for (label, said) in rows(&scene, &picture, &in_python(HIT_SPHERE)) {
+        let is_of_hit_sphere = ["discriminant", "oc =", "a =", "h =", "c ="];
+        let is_innocent = is_of_hit_sphere.iter().any(|it| said.starts_with(it));
+        assert!(label == "seen" || !is_innocent, "{label} {said}");
+    }
+}
+
+/// Python works out what stands on a line, and C++ too, and neither complains.
+#[test]
+fn a_line_that_is_wrong_in_any_program_is_said_beside_a_wrong_picture() {
+    let scene = scene(Chapter::HalfBSphere);
+    let far_root = slips::find("far-root").expect("a slip");
+    let far_root = far_root.program(Chapter::HalfBSphere);
+    for (old, new, is_wrong) in [
+        ("", "", false),
+        ("discriminant = h", "discriminant == h", true),
+        ("return (h", "(h", true),
+        ("a = dot", "Color(1, 0, 0)\n    a = dot", true),
+        (
+            "a = dot",
+            "red = int(255 * x)\n    green = int(255 * x)\n    a = dot",
+            true,
+        ),
+        (
+            "a = dot",
+            "red = int(255 * x)\n    green = int(255 * y)\n    a = dot",
+            false,
+        ),
+        // A call does something, and a sum in brackets goes on on the next line.
+        ("a = dot", "print", false),
+        (
+            "c = dot(oc, oc) - ",
+            "c = dot(oc, oc) + (\n        -radius * radius\n    ) + ",
+            false,
+        ),
+    ] {
+        let known = in_python(&HIT_SPHERE.replacen(old, new, 1));
+        let said = |picture| {
+            let rows = rows(&scene, &png::encode(&picture), &known).into_iter();
+            rows.filter(|(_, said)| said.ends_with(')') && said.contains("  ("))
+                .count()
+        };
+        assert_eq!(said(far_root.run(100).picture()) == 1, is_wrong, "{new}");
+        assert_eq!(said(half_b_sphere::picture(100)), 0, "{new}");
+    }
+}
+
+/// Three spellings of a right program in two languages, with what is clamped later.
+#[test]
+fn a_right_program_gets_no_remark() {
+    let later =
+        "image_height = int(image_width / aspect)\nif image_height < 1:\n    image_height = 1\n";
+    let at_once = "image_height = max(1, int(image_width / aspect))\n";
+    let chosen = "h = int(image_width / aspect)\nimage_height = 1 if h < 1 else h\n";
+    for text in [later, at_once, chosen] {
+        let known = in_python(&(text.to_owned() + HIT_SPHERE));
+        let picture = png::encode(&half_b_sphere::picture(100));
+        let check = check_knowing(&scene(Chapter::HalfBSphere), &picture, 0, &known);
+        assert!(matches!(check, Check::Right(_)), "{text}");
+    }
+}
+
+fn rows(scene: &Scene, picture: &[u8], known: &Known) -> Vec<Row> {
+    let check = check_knowing(scene, picture, 0, known);
+    check
+        .finding()
+        .map_or(Vec::new(), |finding| finding.rows(known))
+}
+
+fn in_python(text: &str) -> Known<'static> {
+    let files = vec![("main.py".to_owned(), text.to_owned())];
+    Known {
+        letters: Some(Letters::Python(Edition::V4)),
+        sources: Sources::new(files, Vec::new()),
+        ..Known::default()
+    }
+}
+
+fn scene(chapter: Chapter) -> Scene {
+    Scene::new(chapter, None).expect("without a probe it is a scene")
+}

@@ -1,0 +1,493 @@
+//! What a picture comes to: a table of programs, and of ways in which their pictures change.
+
+use check::known::Known;
+use check::names_of;
+use check::reading::Reading;
+use check::scene::Scene;
+use check::verdict::{Check, judge, judge_guessed};
+use check::{guess, png, verdict};
+use common::rtweekend::*;
+use slips::{Ball, Chapter, Edition, Program, Slip, World};
+
+/// Each way is a function of a picture.
+type Way = fn(&Picture) -> Picture;
+
+/// Chapter, slips (or none), what happened to the picture, and what is said of it.
+const ANSWERS: [(Chapter, &str, Way, &str); 20] = [
+    (Chapter::Normals, "", same, "right"),
+    (Chapter::Normals, "", odd::<1>, "right but for 1"),
+    (Chapter::HittableList, "", odd::<30>, "right but for 30"),
+    (Chapter::Gradient, "", row, "right but for 90"),
+    (Chapter::HalfBSphere, "", green_box, "right but for 64"),
+    (Chapter::Normals, "far-root", same, "far-root"),
+    (Chapter::Normals, "far-root", odd::<5>, "far-root but for 5"),
+    (
+        Chapter::HittableList,
+        "times-255",
+        odd::<5>,
+        "times-255 but for 5",
+    ),
+    (
+        Chapter::HittableList,
+        "grid-not-inset",
+        odd::<5>,
+        "grid-not-inset but for 5",
+    ),
+    (
+        Chapter::Normals,
+        "normal-y-negated",
+        same,
+        "normal-y-negated",
+    ),
+    (Chapter::Normals, "a-from-length", same, "a-from-length"),
+    (
+        Chapter::HittableList,
+        "rows-from-below far-root",
+        same,
+        "rows-from-below and far-root; viewport-upside-down and far-root",
+    ),
+    (
+        Chapter::HittableList,
+        "minus-h range-not-tested",
+        same,
+        "oc-reversed and range-not-tested; minus-h and range-not-tested; h-sign and range-not-tested",
+    ),
+    (
+        Chapter::Gradient,
+        "viewport-upside-down",
+        same,
+        "rows-from-below; viewport-upside-down; white-and-blue-swapped",
+    ),
+    (
+        Chapter::BuildTest,
+        "green-upwards",
+        same,
+        "rows-from-below; green-upwards",
+    ),
+    (
+        Chapter::RedSphere,
+        "",
+        halved,
+        "unknown: Levels are off up and down by little almost everywhere, as in a copy that was compressed or scaled. Save it as PNG or PPM, at its own size, as the program wrote it.",
+    ),
+    (
+        Chapter::Normals,
+        "",
+        framed,
+        "unknown: It lies in a frame of one color, as a screenshot does. Save it as PNG or PPM, at its own size, as the program wrote it.",
+    ),
+    (
+        Chapter::Normals,
+        "",
+        mirrored,
+        "viewport-mirrored; normal-x-negated",
+    ),
+    (Chapter::Gradient, "", black, "ray-arguments-swapped"),
+    (
+        Chapter::Normals,
+        "",
+        gray,
+        "unknown: It has no color: red, green and blue are equal in each pixel.",
+    ),
+];
+
+#[test]
+fn each_picture_has_its_answer() {
+    let mut wrong = String::new();
+    for (chapter, names, way, expected) in ANSWERS {
+        let slips: Vec<&Slip> = names.split_whitespace().map(slip).collect();
+        let output = scene(chapter).program(&slips).run(WIDTH);
+        let said = said(&answer(chapter, &way(&output.picture())));
+        if said != expected {
+            wrong += &format!("{chapter:?} {names}: {said}, and not {expected}\n");
+        }
+    }
+    assert!(wrong.is_empty(), "\n{wrong}");
+}
+
+/// A metamorphic relation: odd pixels do not change the answer.
+#[test]
+fn the_picture_of_each_slip_is_named_with_a_few_odd_pixels_too() {
+    let mut unnamed = String::new();
+    for (n, slip) in slips::all().enumerate() {
+        let chapter = slip.chapters[n % slip.chapters.len()];
+        unnamed += &unnamed_in(slip, chapter, WIDTH, [same, odd::<1>][n % 2]);
+    }
+    assert!(unnamed.is_empty(), "\n{unnamed}");
+}
+
+#[test]
+#[ignore = "it judges some thousand pictures"]
+fn the_picture_of_each_slip_is_named_in_each_chapter_and_size() {
+    let mut unnamed = String::new();
+    for slip in slips::all() {
+        for &chapter in slip.chapters {
+            for way in [same, odd::<1>, odd::<5>] {
+                unnamed += &unnamed_in(slip, chapter, 400, way);
+            }
+        }
+    }
+    assert!(unnamed.is_empty(), "\n{unnamed}");
+}
+
+/// What is wrong, if the slip is not among those that are named. Where it changes only a few
+/// pixels more than are odd, these are counted with them; a shape of its own is said to be one.
+fn unnamed_in(slip: &'static Slip, chapter: Chapter, width: u32, way: Way) -> String {
+    let drawn = slip.program(chapter).run(width);
+    let right = chapter.picture(width);
+    if drawn.size().1 == 0 || drawn.picture() == right {
+        return String::new();
+    }
+    let picture = way(&drawn.picture());
+    let check = answer(chapter, &picture);
+    let few = picture.rgb().len() / 3 / 100;
+    let is_named = match &check {
+        Check::Right(_) => true,
+        Check::Near(finding) => {
+            let has_few = finding
+                .near
+                .as_ref()
+                .is_some_and(|near| near.left.off <= few);
+            has_few || drawn.size().1 != right.height()
+        }
+        other => other.finding().is_some_and(|finding| {
+            let mistakes = finding.mistakes.as_ref();
+            let mut all = mistakes.iter().flat_map(|it| &it.all);
+            all.any(|it| it.iter().any(|it| it.name == slip.name))
+        }),
+    };
+    if is_named {
+        return String::new();
+    }
+    format!("{} in {chapter:?}: {}\n", slip.name, said(&check))
+}
+
+#[test]
+fn each_edition_is_right_and_known_by_its_picture_alone() {
+    for chapter in Chapter::OF_THE_BOOK {
+        for edition in Edition::ALL {
+            let picture = edition.program(chapter).run(WIDTH).picture();
+            let reading = Reading::of(&picture);
+            let (scene, check) =
+                judge_guessed(&guess::scene(&reading), &reading, 0, &Known::default());
+            let Check::Right(right) = check else {
+                panic!("{chapter:?} by {edition:?}: {}", said(&check));
+            };
+            assert!(right.editions.contains(&edition), "{chapter:?}");
+            // Chapters 3 and 4 draw the same.
+            let is_it = scene.chapter == chapter || chapter == Chapter::HalfBSphere;
+            assert!(is_it, "{chapter:?} is taken for {:?}", scene.chapter);
+        }
+    }
+}
+
+#[test]
+fn right_pictures_are_right_in_every_format_and_size() {
+    for chapter in Chapter::OF_THE_BOOK {
+        for width in [1, 2, 57, 227] {
+            let picture = chapter.picture(width);
+            let mut text = Vec::new();
+            picture.write_p3(&mut text).expect("memory takes it");
+            for bytes in [png::encode(&picture), text] {
+                let check = verdict::check(&scene(chapter), &bytes, 0);
+                assert_eq!(said(&check), "right", "{chapter:?} at {width}");
+            }
+        }
+    }
+}
+
+#[test]
+fn several_rays_a_pixel_are_the_next_chapter_and_no_mistake() {
+    use Chapter::{HittableList, Normals, RedSphere};
+    for chapter in [RedSphere, Normals, HittableList] {
+        for edition in [Edition::V4, Edition::V3] {
+            for samples in [4, 50] {
+                let right = edition.program(chapter);
+                let check = answer(chapter, &with_rays(&right, samples));
+                assert_eq!(said(&check), "antialiased", "{chapter:?} by {edition:?}");
+                let near = check.finding().and_then(|it| it.near.as_ref());
+                // Few rays are off to one side together, as far as editions are apart.
+                if samples == 50 {
+                    assert_eq!(near.map(|near| near.scene.edition), Some(edition));
+                }
+            }
+        }
+    }
+    let far_root = slip("far-root").program(Normals);
+    let check = answer(Normals, &with_rays(&far_root, 16));
+    assert_eq!(said(&check), "far-root, antialiased");
+}
+
+#[test]
+fn colors_of_a_readers_own_are_no_mistake() {
+    let sky = [Color::new(1.0, 0.8, 0.6), Color::new(0.2, 0.3, 0.55)];
+    for chapter in [Chapter::Gradient, Chapter::RedSphere, Chapter::HittableList] {
+        let own = Program {
+            sky,
+            paint: Color::new(0.2, 0.7, 0.1),
+            ..Program::right(chapter)
+        };
+        let said = said(&answer(chapter, &own.run(200).picture()));
+        let of_the_sky =
+            "in colors of your own: a sky from (1, 0.8, 0.6) below to (0.2, 0.3, 0.55) above";
+        assert!(said.starts_with(of_the_sky), "{said}");
+        let has_paint = said.ends_with("a sphere of (0.2, 0.7, 0.1)");
+        assert_eq!(has_paint, chapter == Chapter::RedSphere, "{said}");
+    }
+    let quarter = Program {
+        blue: 0.6,
+        ..Program::right(Chapter::BuildTest)
+    };
+    let said = said(&answer(Chapter::BuildTest, &quarter.run(64).picture()));
+    assert_eq!(said, "in colors of your own: blue 0.6");
+}
+
+/// Pixels that are not square are no choice.
+#[test]
+fn an_egg_is_not_right() {
+    for edition in [Edition::V4, Edition::V3] {
+        for (width, height) in [(160, 120), (160, 90)] {
+            let scene = scene(Chapter::RedSphere)
+                .only_by(edition)
+                .fitting(width, height);
+            let egg = scene.program(&[slip("viewport-width-four")]);
+            let picture = egg.run(width).picture();
+            assert_eq!((picture.width(), picture.height()), (width, height));
+            let said = said(&answer(Chapter::RedSphere, &picture));
+            assert_eq!(
+                said, "viewport-width-four",
+                "{edition:?}, {width} × {height}"
+            );
+        }
+    }
+}
+
+/// Another thing in the sky is nothing that is known, and so is a shape that is no sphere.
+#[test]
+fn what_is_not_in_a_scene_is_not_right() {
+    let three = Program {
+        world: World::of(&[
+            Ball::new(0.0, 0.0, -1.0, 0.5),
+            Ball::new(0.0, -100.5, -1.0, 100.0),
+            Ball::new(0.7, 0.5, -1.0, 0.3),
+        ]),
+        ..Program::right(Chapter::HittableList)
+    };
+    let pictures = [
+        (Chapter::HittableList, three.run(WIDTH).picture()),
+        (Chapter::HittableList, with_rays(&three, 4)),
+        (Chapter::RedSphere, ellipse(&gradient::picture(WIDTH))),
+    ];
+    for (chapter, picture) in pictures {
+        let said = said(&answer(chapter, &picture));
+        assert!(said.starts_with("unknown"), "{said}");
+    }
+}
+
+#[test]
+fn numbers_that_are_no_levels_and_levels_that_wrap_name_their_mistake() {
+    let shifted = slip("normal-only-shifted")
+        .program(Chapter::Normals)
+        .run(WIDTH);
+    let text = shifted.to_string();
+    let check = verdict::check(&scene(Chapter::Normals), text.as_bytes(), 0);
+    assert!(matches!(check, Check::NotAPicture { .. }));
+    assert_eq!(said(&check), "normal-only-shifted");
+
+    let doubled = slip("times-256").program(Chapter::BuildTest).run(64);
+    let wrapped = doubled
+        .pixels()
+        .flat_map(|pixel| pixel.map(|level| level as u8));
+    let picture = Picture::from_rgb(64, 64, wrapped.collect()).expect("its size");
+    assert_eq!(said(&answer(Chapter::BuildTest, &picture)), "times-256");
+}
+
+/// After the right picture of the book a mistake that spoils it has not been made.
+#[test]
+fn a_probe_remembers_what_was_passed() {
+    let inside = slips::find_probe("inside");
+    let scene = Scene::new(Chapter::HittableList, inside).expect("there is room");
+    let drawn = scene.program(&[slip("near-root-only")]).run(128).picture();
+    let check = verdict::check(&scene, &png::encode(&drawn), 0);
+    assert_eq!(said(&check), "near-root-only");
+}
+
+#[test]
+fn no_shape_and_no_numbers_are_too_odd_for_an_answer() {
+    for (width, height) in [(1, 1), (1, 9), (9, 1), (2, 2), (3, 3), (500, 2), (7, 300)] {
+        for level in [i16::MIN, -1, 0, 1, 255, 256, i16::MAX] {
+            let pixels = (0..width * height).map(|n| [level, n as i16, level]);
+            let reading = Reading {
+                width,
+                height,
+                pixels: pixels.collect(),
+                encoding: None,
+            };
+            let guessed = guess::scene(&reading);
+            judge_guessed(&guessed, &reading, 0, &Known::default());
+            for chapter in Chapter::OF_THE_BOOK {
+                judge(&scene(chapter), &reading, 0, &Known::default());
+            }
+        }
+    }
+}
+
+/// Wide enough that no two slips look alike by chance, and small.
+const WIDTH: u32 = 90;
+
+fn answer(chapter: Chapter, picture: &Picture) -> Check {
+    judge(&scene(chapter), &Reading::of(picture), 0, &Known::default())
+}
+
+/// What is said, in short.
+fn said(check: &Check) -> String {
+    if let Check::Right(_) = check {
+        return "right".to_owned();
+    }
+    let Some(finding) = check.finding() else {
+        return format!("{:?}", check.cause().map(|cause| &cause.problem));
+    };
+    if let Some(near) = &finding.near {
+        return match near.scene.clause() {
+            _ if near.is_antialiased => "antialiased".to_owned(),
+            Some(clause) => clause,
+            None => format!("right but for {}", near.left.off),
+        };
+    }
+    let Some(mistakes) = &finding.mistakes else {
+        return format!("unknown: {}", finding.sights.join(" "));
+    };
+    let names: Vec<String> = mistakes.all.iter().map(|it| names_of(it)).collect();
+    let left = match mistakes.left.off {
+        _ if mistakes.is_antialiased => ", antialiased".to_owned(),
+        0 => String::new(),
+        off => format!(" but for {off}"),
+    };
+    names.join("; ") + &left
+}
+
+fn scene(chapter: Chapter) -> Scene {
+    Scene::new(chapter, None).expect("without a probe it is a scene")
+}
+
+fn slip(name: &str) -> &'static Slip {
+    slips::find(name).unwrap_or_else(|| panic!("there is no slip {name}"))
+}
+
+fn same(picture: &Picture) -> Picture {
+    changed(picture, |_, _, color| color)
+}
+
+/// With so many pixels changed, spread over the picture.
+fn odd<const COUNT: u32>(picture: &Picture) -> Picture {
+    let total = picture.width() * picture.height();
+    let is_odd = |n: u32| (0..COUNT).any(|k| n == (k * 2_654_435 + 77) % total);
+    let width = picture.width();
+    changed(picture, |i, j, [r, g, b]| {
+        if is_odd(j * width + i) {
+            [r ^ 0x5a, g ^ 0x33, b ^ 0x11]
+        } else {
+            [r, g, b]
+        }
+    })
+}
+
+fn row(picture: &Picture) -> Picture {
+    changed(picture, |_, j, color| if j == 7 { [0; 3] } else { color })
+}
+
+fn green_box(picture: &Picture) -> Picture {
+    let is_in = |n: u32, from: u32| (from..from + 8).contains(&n);
+    changed(picture, |i, j, color| {
+        if is_in(i, 30) && is_in(j, 20) {
+            [0, 255, 0]
+        } else {
+            color
+        }
+    })
+}
+
+fn black(picture: &Picture) -> Picture {
+    changed(picture, |_, _, _| [0; 3])
+}
+
+fn gray(picture: &Picture) -> Picture {
+    changed(picture, |_, _, color| {
+        let sum: u16 = color.into_iter().map(u16::from).sum();
+        [(sum / 3) as u8; 3]
+    })
+}
+
+fn mirrored(picture: &Picture) -> Picture {
+    let width = picture.width();
+    changed(picture, |i, j, _| pixel(picture, width - 1 - i, j))
+}
+
+fn ellipse(picture: &Picture) -> Picture {
+    changed(picture, |i, j, color| {
+        let (x, y) = (f64::from(i) - 44.5, f64::from(j) - 24.5);
+        if (x / 15.0).hypot(y / 7.0) < 1.0 {
+            [255, 0, 0]
+        } else {
+            color
+        }
+    })
+}
+
+/// Levels moved up and down, as a copy that loses some has them.
+fn halved(picture: &Picture) -> Picture {
+    changed(picture, |_, _, color| {
+        color.map(|level| (level / 5 * 5).saturating_add(2))
+    })
+}
+
+/// Inside of four rows and columns of a dark gray.
+fn framed(picture: &Picture) -> Picture {
+    let (width, height) = (picture.width(), picture.height());
+    let is_edge = |n: u32, length: u32| n < 4 || n >= length - 4;
+    changed(picture, |i, j, color| {
+        if is_edge(i, width) || is_edge(j, height) {
+            [40; 3]
+        } else {
+            color
+        }
+    })
+}
+
+fn changed(picture: &Picture, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> Picture {
+    let (width, height) = (picture.width(), picture.height());
+    let places = (0..height).flat_map(|j| (0..width).map(move |i| (i, j)));
+    let rgb = places.flat_map(|(i, j)| change(i, j, pixel(picture, i, j)));
+    Picture::from_rgb(width, height, rgb.collect()).expect("its size")
+}
+
+fn pixel(picture: &Picture, i: u32, j: u32) -> [u8; 3] {
+    picture.rgb().as_chunks().0[(j * picture.width() + i) as usize]
+}
+
+/// The mean of so many rays a pixel, as random as a low-discrepancy sequence (R₂; Roberts,
+/// 2018) is: in the middle of each pixel by version 4, and above and to the right before.
+fn with_rays(program: &Program, samples: u32) -> Picture {
+    let camera = program.camera(WIDTH);
+    let (width, height) = program.run(WIDTH).size();
+    let (middle, down) = if program.edition == Edition::V4 {
+        (0.5, 1.0)
+    } else {
+        (0.0, -1.0)
+    };
+    let color = |i: u32, j: u32, sample: u32| {
+        let part = |step: f64| (0.5 + f64::from(sample) * step).fract() - middle;
+        let (right, down) = (part(0.754_877_666), down * part(0.569_840_291));
+        let ray = |i: u32, j: u32| (program.ray)(program, &camera, i, j).direction;
+        let here = ray(i, j);
+        let direction = here + right * (ray(i + 1, j) - here) + down * (ray(i, j + 1) - here);
+        program.ray_color(&Ray::new(camera.center, direction))
+    };
+    let mean = |n: u32| {
+        let (i, j) = (program.order)(n, width, height);
+        let sum = (0..samples).fold(Color::ZERO, |sum, sample| sum + color(i, j, sample));
+        (sum / f64::from(samples)).to_array()
+    };
+    let levels = (0..width * height).flat_map(|n| mean(n).map(|it| (255.999 * it) as u8));
+    Picture::from_rgb(width, height, levels.collect()).expect("its size")
+}
