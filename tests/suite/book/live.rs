@@ -1,6 +1,5 @@
 //! Live figures answer whatever they are asked, and live pictures are those of the chapters
-//! and of the slips. What a reader does to them in a browser, and that the module of the pages
-//! answers as the crates do, is in `browser/dragged.rs` and `browser/painted.rs`.
+//! and of the slips. What a reader does to them in a browser is in `tests/browser`.
 
 use std::fmt::Write;
 
@@ -166,7 +165,7 @@ fn a_live_picture_is_what_its_chapter_draws_and_what_a_slip_draws() {
             assert_eq!(painting.size(), (drawn.width(), drawn.height()));
             assert!(painting.flatten().eq(opaque(&drawn)), "{:?}", live.chapter);
         }
-        for (_, slip) in slips_in(live.chapter) {
+        for slip in slips_in(live.chapter) {
             let drawn = slip.program(live.chapter).run(97).picture();
             let painting = Painting::slipped(slip, live.chapter, 97);
             assert_eq!(painting.size(), (drawn.width(), drawn.height()));
@@ -175,15 +174,13 @@ fn a_live_picture_is_what_its_chapter_draws_and_what_a_slip_draws() {
     }
 }
 
-/// The slips that can be made in a chapter, with their places in the catalogue.
-pub(crate) fn slips_in(chapter: Chapter) -> impl Iterator<Item = (u32, &'static Slip)> {
-    (0..)
-        .zip(slips::all())
-        .filter(move |(_, slip)| slip.chapters.contains(&chapter))
+/// The slips that can be made in a chapter.
+fn slips_in(chapter: Chapter) -> impl Iterator<Item = &'static Slip> {
+    slips::all().filter(move |slip| slip.chapters.contains(&chapter))
 }
 
 /// The bytes of a picture as a canvas has them: four a pixel.
-pub(crate) fn opaque(picture: &Picture) -> Vec<u8> {
+fn opaque(picture: &Picture) -> Vec<u8> {
     let (pixels, _) = picture.rgb().as_chunks();
     pixels
         .iter()
@@ -193,7 +190,7 @@ pub(crate) fn opaque(picture: &Picture) -> Vec<u8> {
 
 /// `count` questions to a figure: first that of the page, then numbers over the whole of
 /// their ranges, on steps and between them, always the same.
-pub(crate) fn questions(live: &dyn Movable, count: usize) -> Vec<Vec<f64>> {
+fn questions(live: &dyn Movable, count: usize) -> Vec<Vec<f64>> {
     let mut random = Random::new(1);
     let mut question = || {
         let value = |number: &Number| {

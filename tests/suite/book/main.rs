@@ -1,7 +1,6 @@
 //! The book: is it whole, and is what it shows what there is?
 
 mod book;
-mod browser;
 mod changes;
 mod charts;
 mod compiler;

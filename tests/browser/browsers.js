@@ -1,0 +1,100 @@
+// The browsers that are installed, each with one tab, and in it the pages of the woven book.
+//
+// puppeteer-core brings no browser of its own. It drives Chromium by the protocol of its
+// developer tools, and Firefox by WebDriver BiDi.
+
+import assert from "node:assert/strict";
+import { existsSync, readFileSync, readdirSync } from "node:fs";
+import { delimiter, join } from "node:path";
+import { after, test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+import puppeteer from "puppeteer-core";
+
+export const TARGET = fileURLToPath(new URL("../../target", import.meta.url));
+const BOOK = join(TARGET, "book");
+assert.ok(existsSync(BOOK), "There is no target/book yet: weave it by `cargo rtrace`.");
+
+// The pages that were written, and that for a missing one.
+export const PAGES = readdirSync(BOOK).filter(
+    (name) => name.endsWith(".html") && !["index.html", "print.html", "toc.html"].includes(name));
+export const textOf = (name) => readFileSync(join(BOOK, name), "utf8");
+
+const BROWSERS = {
+    Chromium: {
+        browser: "chrome",
+        executablePath: find("CHROMIUM", ["chromium", "chromium-browser", "google-chrome"]),
+        // Only pages of this book are opened, and root has no sandbox.
+        args: ["--no-sandbox", "--disable-gpu"],
+    },
+    Firefox: { browser: "firefox", executablePath: find("FIREFOX", ["firefox", "firefox-esr"]) },
+};
+
+// A program: there where the variable says, or by one of its names on the path.
+function find(variable, names) {
+    const places = process.env.PATH.split(delimiter)
+        .flatMap((folder) => names.map((name) => join(folder, name)));
+    return process.env[variable] ?? places.find(existsSync);
+}
+
+// Registers a test for each of these browsers. One that is not installed is told as skipped.
+export function inBrowsers(sentence, look, names = Object.keys(BROWSERS)) {
+    for (const name of names) {
+        const browser = BROWSERS[name];
+        const skip = !browser.executablePath && `LEFT OUT: there is no ${name}`;
+        test(`${sentence} (${name})`, { skip, timeout: 300_000 }, async () => {
+            browser.page ??= await start(browser);
+            await look(browser.page);
+        });
+    }
+}
+
+after(() => Promise.all(Object.values(BROWSERS).map(({ page }) => page?.browser().close())));
+
+const complaints = [];
+
+async function start(options) {
+    const browser = await puppeteer.launch(options);
+    const [page] = await browser.pages();
+    const isOwn = (request) => /^(file|data|about|blob):/.test(request.url());
+    // Firefox draws a page of which it has read the half, and then misses parts of a formula.
+    const isHalf = ({ message }) => message.startsWith("Invalid markup: Incorrect number of children for <m");
+    page.on("console", (said) => ["error", "warn"].includes(said.type()) && complaints.push(said.text()));
+    page.on("pageerror", (error) => isHalf(error) || complaints.push(error.message));
+    page.on("requestfailed", (request) => complaints.push(`${request.url()} is missing`));
+    page.on("request", (request) => isOwn(request) || complaints.push(`${request.url()} is asked for`));
+    return page;
+}
+
+// What the browser has complained of since a page was opened, and each request to others.
+export const complaintsSoFar = () => complaints.splice(0);
+
+// Opens a page, with a query or a fragment behind its name, and waits until all of it is there.
+export async function open(page, place, width = 1200) {
+    // Where only the fragment differs, the page would stay as it is.
+    await page.goto("about:blank");
+    await page.setViewport({ width, height: 800 });
+    complaintsSoFar();
+    await page.goto(`file://${BOOK}/${place}`);
+    await page.evaluate(() => document.fonts.ready.then(() => null));
+    await nextFrame(page);
+}
+
+// Waits until everything has been drawn once more.
+export const nextFrame = (page) => page.evaluate(() => new Promise((done) =>
+    requestAnimationFrame(() => requestAnimationFrame(() => done()))));
+
+// Brings the first live figure near the screen, and waits until all that can move does, and
+// all pictures are painted.
+export async function alive(page) {
+    await page.evaluate(() => document.querySelector("figure.live")?.scrollIntoView());
+    await page.waitForFunction(() => !document.querySelector(
+        "figure.live:not(.alive), figure.live:has(.sentence[aria-busy=true])"));
+}
+
+// What is said in a box once all is judged, of what has this name: the headline, and the rest.
+export async function said(page, box, name) {
+    await page.waitForFunction((box, name) => box.ariaBusy === "false"
+        && box.querySelector(".verdict").textContent.includes(name), {}, await page.$(box), name);
+    return page.$$eval(`${box} :is(.verdict, .rest)`, (parts) => parts.map((it) => it.textContent).join("\n"));
+}

@@ -1,0 +1,70 @@
+// Is a chapter that is typed in its page drawn and judged there, whatever is typed?
+
+import assert from "node:assert/strict";
+
+import { complaintsSoFar, inBrowsers, open, said } from "./browsers.js";
+import { eggs } from "./looks.js";
+
+const AREA = ".typing textarea";
+
+inBrowsers("a chapter is typed in its page", async (page) => {
+    assert.match(await begin(page, "normals.html"), /^Not written yet: todo!\(\) at src\/lib.rs/);
+    // No trap: after the text comes the next field.
+    await page.keyboard.press("Tab");
+    assert.equal(await page.evaluate(() => document.activeElement.localName), "button");
+    await page.click(".typing [data-action=full]");
+    assert.match(await answer(page), /to the last bit\. The laws hold\./);
+    assert.deepEqual(await page.evaluate(eggs), []);
+
+    // A wrong sign, with the reader's own line and the chapter's.
+    assert.match(await typeOver(page, "-2.0", "2.0"), /^Wrong: [^]*let b = 2\.0[^]*let b = -2\.0/);
+    assert.match(await typeOver(page, "return None;", "return false;"), /^It does not compile\.[^]*mismatched types/);
+    assert.equal(await page.$eval(".typing .faults mark", (it) => it.textContent), "false");
+    assert.match(await typeOver(page, "return false;", "loop {}"), /without end/);
+
+    // What was there can be had again, after a visit too.
+    await page.keyboard.down("Control");
+    await page.keyboard.press("z");
+    await page.keyboard.up("Control");
+    await answer(page);
+    const kept = await page.$eval(AREA, (area) => area.value);
+    await begin(page, "normals.html");
+    assert.equal(await page.$eval(AREA, (area) => area.value), kept);
+    assert.deepEqual(complaintsSoFar(), []);
+});
+
+const PASTED = [
+    "[".repeat(1 << 20), "(".repeat(50000), `fn f() { ${"-".repeat(90000)}`, "\0", "fn <img src=x onerror=alert(1)>() {}",
+    "use common::rtweekend::*; pub fn picture(width: u32) -> Picture { picture(width) }",
+];
+inBrowsers("whatever is pasted is answered, and the page lives", async (page) => {
+    await begin(page, "hittable_list.html");
+    for (const pasted of PASTED) {
+        await page.$eval(AREA, (area, pasted) => {
+            area.value = pasted;
+            area.dispatchEvent(new Event("input"));
+        }, pasted);
+        assert.match(await answer(page), /\w/, pasted.slice(0, 40));
+    }
+    assert.equal(await page.$(".typing :is(.verdict, .rest) img"), null);
+});
+
+async function begin(page, place) {
+    await open(page, place);
+    await page.$eval("button.type", (button) => button.click());
+    await page.waitForSelector(".typing");
+    return answer(page);
+}
+
+// Types one text in the place of another, key by key.
+async function typeOver(page, old, typed) {
+    await page.$eval(AREA, (area, old) => {
+        const start = area.value.indexOf(old);
+        area.focus();
+        area.setSelectionRange(start, start + old.length);
+    }, old);
+    await page.keyboard.type(typed);
+    return answer(page);
+}
+
+const answer = (page) => said(page, ".typing", "");
