@@ -3,6 +3,5 @@
 mod answers;
 mod caught;
 mod causes;
-mod pictures;
 mod prelude;
 mod slips;

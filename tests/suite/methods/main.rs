@@ -5,6 +5,7 @@ mod leaving;
 mod measured;
 mod methods;
 mod oracle;
+mod pictures;
 mod proofs;
 mod several_spheres;
 mod shadow_oracle;

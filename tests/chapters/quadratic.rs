@@ -11,15 +11,15 @@ use laws::list::{self, World, worlds};
 use laws::prelude::Prelude;
 use laws::runner::{self, holds};
 use laws::trial::Outcome;
-use laws::{Case, Trial};
-use slips::Chapter;
+use laws::{Case, Chapter, Trial};
 
-use suite::drawn::more;
+use crate::more;
 
 pub(crate) mod gradient {
     use super::*;
 
-    pub(crate) fn obeys_its_laws() {
+    #[test]
+    fn obeys_its_laws() {
         assert_lawful(Chapter::Gradient, |trial| {
             attempt(trial)?;
             trial.ray_color(&::gradient::ray_color)
@@ -53,10 +53,11 @@ pub(crate) mod gradient {
     }
 }
 
-pub(crate) mod red_sphere {
+mod red_sphere {
     use super::*;
 
-    pub(crate) fn obeys_its_laws() {
+    #[test]
+    fn obeys_its_laws() {
         assert_lawful(Chapter::RedSphere, |trial| {
             trial.decision(&::red_sphere::hit_sphere)?;
             trial.ray_color(&::red_sphere::ray_color)
@@ -64,10 +65,11 @@ pub(crate) mod red_sphere {
     }
 }
 
-pub(crate) mod normals {
+mod normals {
     use super::*;
 
-    pub(crate) fn obeys_its_laws() {
+    #[test]
+    fn obeys_its_laws() {
         assert_lawful(Chapter::Normals, |trial| {
             trial.nearer_root(&::normals::hit_sphere)?;
             trial.ray_color(&::normals::ray_color)
@@ -76,10 +78,11 @@ pub(crate) mod normals {
     }
 }
 
-pub(crate) mod half_b_sphere {
+mod half_b_sphere {
     use super::*;
 
-    pub(crate) fn obeys_its_laws() {
+    #[test]
+    fn obeys_its_laws() {
         assert_lawful(Chapter::HalfBSphere, |trial| {
             trial.nearer_root(&::half_b_sphere::hit_sphere)?;
             trial.ray_color(&::half_b_sphere::ray_color)
@@ -88,11 +91,12 @@ pub(crate) mod half_b_sphere {
     }
 }
 
-pub(crate) mod hittable_list {
+mod hittable_list {
     use super::*;
     use ::hittable_list;
 
-    pub(crate) fn obeys_its_laws() {
+    #[test]
+    fn obeys_its_laws() {
         assert_lawful(Chapter::HittableList, |trial| {
             trial.nearest_in_range(&hit)?;
             trial.record(&record)?;
@@ -153,7 +157,7 @@ fn assert_lawful(chapter: Chapter, attempt: impl Fn(&Trial) -> Outcome) {
         panic!(
             "\n\nChapter `{}` breaks a law.\n\n{report}\n\n{}",
             chapter.name(),
-            more(chapter)
+            more(chapter.name())
         );
     }
 }

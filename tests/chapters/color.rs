@@ -65,75 +65,49 @@ fn a_build_test_of_one_pixel_is_black() {
     );
 }
 
-/// A hit in front is colored by its normal, and everything else as the sky.
-pub(crate) fn normals_are_colored_by(ray_color: impl Fn(&Ray) -> Color) {
-    normals_have_length_one_and_point_against_the_ray(&ray_color);
-    what_is_behind_the_ray_is_not_drawn(&ray_color);
-    what_is_close_to_the_eye_or_far_from_it_is_drawn(&ray_color);
-    a_moved_eye_sees_the_point_on_its_ray(&ray_color);
+/// The color of a ray, in the chapters that color a hit by its normal.
+fn colors_by_normal(ray: &Ray) -> [Color; 3] {
+    [
+        normals::ray_color(ray),
+        half_b_sphere::ray_color(ray),
+        hittable_list::ray_color(ray, &hittable_list::world()),
+    ]
 }
 
-type RayColor<'a> = &'a dyn Fn(&Ray) -> Color;
-
-/// A color is (n + 1) / 2, so n can be read from it up to two roundings.
-fn normals_have_length_one_and_point_against_the_ray(ray_color: RayColor) {
-    let camera = Camera::new(60);
-    for j in 0..camera.image_height {
-        for i in 0..camera.image_width {
-            let ray = camera.ray(i, j);
-            let color = ray_color(&ray);
-            if color == sky(&ray) {
-                continue;
-            }
-            let normal = 2.0 * color - Vec3::ONE;
-            let off = (normal.length() - 1.0).abs();
-            assert!(off <= 8.0 * f64::EPSILON, "column {i}, row {j}: {off:e}");
-            let along = ray.direction.dot(normal);
-            assert!(along < 0.0, "column {i}, row {j}: d·n = {along}");
-        }
-    }
-}
-
-/// The sphere is at z = −1. The first ray starts beyond it, the second on
-/// its surface, where the farther root is t = 0, exactly.
-fn what_is_behind_the_ray_is_not_drawn(ray_color: RayColor) {
+/// The sphere is at z = −1. The first ray starts beyond it, the second on its surface, where
+/// the farther root is t = 0, exactly.
+#[test]
+fn what_is_behind_the_ray_is_not_drawn_from_chapter_3_on() {
     for (z, direction) in [(-3.0, Vec3::new(0.0, 0.25, -1.0)), (-0.5, Vec3::Z)] {
         let away = Ray::new(Point3::new(0.0, 0.0, z), direction);
-        assert_eq!(
-            ray_color(&away),
-            sky(&away),
-            "the sphere is behind {away:?}"
-        );
+        assert_eq!(colors_by_normal(&away), [sky(&away); 3], "{away:?}");
     }
 }
 
 /// However near or far: the range of t starts at 0, not at 0.001, and has no end.
 /// The rays are oblique, so that near and far side have other normals.
-fn what_is_close_to_the_eye_or_far_from_it_is_drawn(ray_color: RayColor) {
+#[test]
+fn what_is_close_to_the_eye_or_far_from_it_is_drawn() {
     let towards = Vec3::new(0.1, -0.2, -1.0);
     let on_the_surface = Point3::new(0.0, 0.0, -0.5);
+    // The normal there is (0, 0, 1). From 1e5 away t has four digits less.
+    let expected = Color::new(0.5, 0.5, 1.0);
     for t in [1e-9, 1e-4, 0.01, 1e5] {
-        let color = ray_color(&Ray::new(on_the_surface - t * towards, towards));
-        // The normal there is (0, 0, 1). From 1e5 away t has four digits less.
-        let expected = Color::new(0.5, 0.5, 1.0);
-        assert!(
-            (color - expected).abs().max_element() < 1e-4,
-            "{color} from {t} directions away, where {expected} is right"
-        );
+        for color in colors_by_normal(&Ray::new(on_the_surface - t * towards, towards)) {
+            let off = (color - expected).abs().max_element();
+            assert!(
+                off < 1e-4,
+                "{color} from {t} directions away, for {expected}"
+            );
+        }
     }
 }
 
-/// P(t) − C needs the origin of the ray in P. At the book's eye that is 0.
-fn a_moved_eye_sees_the_point_on_its_ray(ray_color: RayColor) {
-    let ray = Ray::new(Point3::new(0.3, 0.2, 2.0), Vec3::new(-0.05, -0.1, -1.0));
-    let normal = 2.0 * ray_color(&ray) - Vec3::ONE;
-    // The point that has this normal lies on the ray.
-    let point = Point3::new(0.0, 0.0, -1.0) + 0.5 * normal;
-    let t = (point - ray.origin).z / ray.direction.z;
-    assert!(
-        (ray.at(t) - point).length() < 1e-12,
-        "{point} is not on {ray:?}"
-    );
+/// In chapters 3 and 4 a ray that starts on the surface has its nearer root at t = 0.
+#[test]
+fn a_ray_into_the_sphere_from_its_surface_does_not_see_it_in_chapters_3_and_4() {
+    let inwards = Ray::new(Point3::new(0.0, 0.0, -0.5), Vec3::NEG_Z);
+    assert_eq!(colors_by_normal(&inwards)[..2], [sky(&inwards); 2]);
 }
 
 /// Chapter 2 asks whether there is a root, not where.

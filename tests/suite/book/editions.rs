@@ -1,82 +1,13 @@
-//! Editions of the book: each draws what its text says; and the signs of two of them,
-//! and what becomes of every mixture.
+//! Editions of the book: the signs of two of them, and what becomes of every mixture.
 //!
 //! The page `book/notes/editions.md` shows some of these tests.
 
-use std::io::ErrorKind;
-use std::path::Path;
-use std::process::Command;
-
-use check::scene::Scene;
-use check::verdict::{Check, check};
 use common::rtweekend::*;
 use laws::Case;
 use laws::{sampling, strategies};
-use measure::rival;
-use slips::Chapter;
-use slips::{Edition, Program};
+use slips::{Chapter, Program};
 
-use suite::left_out::left_out;
 use suite::slip;
-
-#[test]
-#[ignore = "compiles C++"]
-fn each_edition_draws_what_its_program_in_cpp_draws() {
-    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/chapters/editions/editions.cc");
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("editions");
-    let program = match rival::compiled(source.as_ref(), &folder) {
-        Ok(program) => program,
-        Err(cause) if cause.kind() == ErrorKind::NotFound => {
-            left_out(&format!(
-                "there is no C++ compiler to build {source} ({cause})"
-            ));
-            return;
-        }
-        Err(cause) => panic!("{source} does not compile:\n{cause}"),
-    };
-    let older = Edition::ALL.into_iter().filter(|it| *it != Edition::V4);
-    for (edition, chapter) in older.flat_map(|it| Chapter::OF_THE_BOOK.map(|chapter| (it, chapter)))
-    {
-        let name = match edition {
-            Edition::V1InDouble => "1-in-double",
-            other => other.name(),
-        };
-        // As in the texts, and some that leave a remainder.
-        for width in [18, 83, 200, 384] {
-            let drawn = Command::new(&program)
-                .args([name, chapter.name(), &width.to_string()])
-                .output()
-                .expect("the program starts");
-            let ours = edition.program(chapter).run(width).to_string();
-            assert!(
-                drawn.stdout == ours.into_bytes(),
-                "{} of version {name} at {width} wide",
-                chapter.name()
-            );
-        }
-    }
-}
-
-#[test]
-fn the_picture_of_an_edition_is_right_by_it_and_wrong_where_another_is_insisted_on() {
-    for edition in Edition::ALL {
-        for chapter in Chapter::OF_THE_BOOK {
-            let scene = Scene::new(chapter, None).expect("a chapter has its own scene");
-            let text = edition.program(chapter).run(100).to_string();
-            let Check::Right(right) = check(&scene, text.as_bytes(), 0) else {
-                panic!("{chapter:?} by {edition} is refused");
-            };
-            let drawn = right.scene.edition.program(chapter).run(100).to_string();
-            assert!(drawn == text, "{chapter:?} by {edition}");
-            let by = |other| check(&scene.only_by(other), text.as_bytes(), 0).exit_code();
-            // To find out why a picture is wrong takes long: one chapter stands for all.
-            if edition != Edition::V4 && chapter == Chapter::Normals {
-                assert_eq!(by(edition), 0);
-                assert_eq!(by(Edition::V4), 1, "{chapter:?} by {edition}");
-            }
-        }
-    }
-}
 
 /// Half of b as version 3 of the book has it.
 fn hit_sphere_of_version_3(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
@@ -152,27 +83,25 @@ fn one_turned_sign_shows_the_sky_and_two_show_the_sphere() {
 
 #[test]
 fn in_chapter_5_one_turned_sign_hangs_the_ground_in_the_sky() {
-    let draw = |names: &[&str]| {
-        let program = with_slips(Chapter::HittableList, names);
-        program.run(128).picture()
-    };
-    let right = hittable_list::picture(128);
-    assert_ne!(draw(&["minus-h"]), right);
-    assert_eq!(draw(&["minus-h"]), draw(&["oc-reversed"]));
-    assert_eq!(draw(&["minus-h", "oc-reversed"]), right);
+    cancel_each_other("minus-h", "oc-reversed", 128);
 }
 
 #[test]
 fn rows_from_below_and_an_edge_that_points_up_belong_together() {
-    let (rows, edge) = ("rows-from-below", "viewport-upside-down");
+    cancel_each_other("rows-from-below", "viewport-upside-down", 400);
+}
+
+/// Each of them draws the same wrong picture of chapter 5, and both the right one.
+fn cancel_each_other(one: &str, other: &str, width: u32) {
     let draw = |names: &[&str]| {
-        let program = with_slips(Chapter::HittableList, names);
-        program.run(400).picture()
+        with_slips(Chapter::HittableList, names)
+            .run(width)
+            .picture()
     };
-    let right = hittable_list::picture(400);
-    assert_ne!(draw(&[rows]), right);
-    assert_eq!(draw(&[rows]), draw(&[edge]));
-    assert_eq!(draw(&[rows, edge]), right);
+    let right = hittable_list::picture(width);
+    assert_ne!(draw(&[one]), right);
+    assert_eq!(draw(&[one]), draw(&[other]));
+    assert_eq!(draw(&[one, other]), right);
 }
 
 /// The slips that turn a sign, in each chapter that has one to turn.

@@ -1,0 +1,109 @@
+//! What pages say of programs: the book's C++, of any edition, prints the same bytes as
+//! ours, which take little memory.
+
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use measure::rival;
+use slips::{Chapter, Edition};
+use suite::command::run;
+use suite::drawn::p3;
+use suite::left_out::left_out;
+
+/// The program in C++, in a folder of its own, if there is a compiler.
+fn compiled(source: &str) -> Option<PathBuf> {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join(source);
+    match rival::compiled(&source, &Path::new(env!("CARGO_TARGET_TMPDIR")).join("cpp")) {
+        Ok(program) => Some(program),
+        Err(cause) if cause.kind() == ErrorKind::NotFound => {
+            let source = source.display();
+            left_out(&format!(
+                "there is no C++ compiler to build {source} ({cause})"
+            ));
+            None
+        }
+        Err(cause) => panic!("{} does not compile:\n{cause}", source.display()),
+    }
+}
+
+fn printed(program: &Path, words: &[&str]) -> Vec<u8> {
+    run(Command::new(program).args(words)).stdout
+}
+
+#[test]
+#[ignore = "compiles C++"]
+fn the_books_program_in_cpp_draws_the_same_bytes() {
+    let Some(program) = compiled("../../book/measure/rival/book.cc") else {
+        return;
+    };
+    // The build test has no part in the race.
+    for chapter in &Chapter::OF_THE_BOOK[1..] {
+        for width in [1, 79, 80, 81, 161, 257] {
+            let drawn = printed(&program, &[chapter.name(), &width.to_string()]);
+            assert!(
+                drawn == p3(&chapter.picture(width)),
+                "{chapter:?} at {width} wide"
+            );
+        }
+    }
+}
+
+#[test]
+#[ignore = "compiles C++"]
+fn each_edition_draws_what_its_program_in_cpp_draws() {
+    let Some(program) = compiled("book/editions.cc") else {
+        return;
+    };
+    let older = Edition::ALL.into_iter().filter(|it| *it != Edition::V4);
+    for (edition, chapter) in older.flat_map(|it| Chapter::OF_THE_BOOK.map(|chapter| (it, chapter)))
+    {
+        let name = match edition {
+            Edition::V1InDouble => "1-in-double",
+            other => other.name(),
+        };
+        // As in the texts, and some that leave a remainder.
+        for width in [18, 83, 200, 384] {
+            let drawn = printed(&program, &[name, chapter.name(), &width.to_string()]);
+            let ours = edition.program(chapter).run(width).to_string();
+            assert!(
+                drawn == ours.into_bytes(),
+                "{chapter:?} of version {name} at {width} wide"
+            );
+        }
+    }
+}
+
+/// `speed.md` says so. The widest picture is not waited for: its memory is at its height when
+/// the first megabytes are there.
+#[cfg(target_os = "linux")]
+#[test]
+#[ignore = "builds the programs of two chapters"]
+fn printing_takes_less_than_6_mib_of_memory_at_any_width() {
+    use std::fs;
+    use std::io::Read;
+    use std::process::Stdio;
+
+    use suite::command::program_with;
+
+    for (chapter, width, read) in [
+        ("hittable_list", "400", 1 << 19),
+        ("normals", "3840", 8 << 20),
+        ("hittable_list", "16384", 8 << 20),
+    ] {
+        let mut command = program_with(chapter, &["--width", width, "-"]);
+        let mut child = command.stdout(Stdio::piped()).spawn().expect("it starts");
+        let mut out = child.stdout.take().expect("it was asked for");
+        out.read_exact(&mut vec![0; read]).expect("it prints");
+        let status = fs::read_to_string(format!("/proc/{}/status", child.id())).expect("it runs");
+        child.kill().expect("it is ours");
+        child.wait().expect("it ends");
+        let most = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        let most = most.and_then(|line| line.trim().strip_suffix(" kB"));
+        let kibibytes: u32 = most.expect("a number").parse().expect("a number");
+        assert!(
+            kibibytes < 6 << 10,
+            "{chapter} at {width} wide: {kibibytes} KiB"
+        );
+    }
+}

@@ -1,0 +1,36 @@
+//! Golden images of chapter 6: its own picture, and scenes in which a method fails, each
+//! beside what it should look like.
+
+use measure::scene_file::find_scene;
+use speed_vs_accuracy::Method;
+use suite::drawn::assert_picture;
+
+const WIDTH: u32 = 200;
+
+#[test]
+fn chapter_6_draws_its_snapshot() {
+    assert_picture("speed_vs_accuracy", &speed_vs_accuracy::picture(400));
+}
+
+#[test]
+fn a_scene_in_which_a_method_fails_is_drawn_as_its_snapshot_by_that_method() {
+    for (scene, method) in [
+        ("telescope", Method::HALF_B),
+        ("grazing", Method::HALF_B),
+        ("shadows", Method::HALF_B_F32),
+        ("neighbors", Method::HALF_B),
+    ] {
+        let scene = find_scene(scene).expect("it is one of the seven");
+        let wrong = scene.picture(method, WIDTH);
+        let right = scene.right_picture(WIDTH);
+        assert_ne!(wrong, right);
+        assert_picture(&format!("{}_{}", scene.name, method.name), &wrong);
+        assert_picture(&format!("{}_right", scene.name), &right);
+    }
+}
+
+#[test]
+fn the_exact_method_draws_neighbors_as_its_snapshot() {
+    let scene = find_scene("neighbors").expect("it is one of the seven");
+    assert_picture("neighbors_exact", &scene.picture(Method::EXACT, WIDTH));
+}
