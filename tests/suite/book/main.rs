@@ -7,13 +7,11 @@ mod compiler;
 mod editions;
 mod errata;
 mod figures;
-mod interpreted;
 mod lesson;
 mod live;
 mod programs;
 mod typed;
 mod typing;
-mod weave;
 
 /// The answers to the exercises of the book, which shows them.
 mod exercises {

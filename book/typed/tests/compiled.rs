@@ -1,64 +1,37 @@
-//! What is typed in a page: is it run, and refused, as the compiler has it?
+//! Differential testing against the compiler: what is typed in a page is run, and refused, as
+//! rustc has it.
 
-use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
 use std::time::{Duration, Instant};
 
 use common::rtweekend::*;
 use slips::{Chapter, Interpreted, Letters};
-use suite::command::{assert_success, cargo, run, text};
 use typed::Program;
-
-use crate::lesson::write_if_changed;
 
 const WIDTHS: [u32; 3] = [40, 63, 100];
 
-/// The files of each chapter, as they stand.
-fn files_of(chapter: Chapter) -> Vec<(&'static str, &'static str)> {
-    macro_rules! text {
-        ($folder:literal, $name:literal) => {
-            (
-                $name,
-                include_str!(concat!("../../../chapters/", $folder, "/", $name)),
-            )
-        };
-    }
-    match chapter {
-        Chapter::BuildTest => vec![text!("0_build_test", "src/lib.rs")],
-        Chapter::Gradient => vec![text!("1_gradient", "src/lib.rs")],
-        Chapter::RedSphere => vec![text!("2_red_sphere", "src/lib.rs")],
-        Chapter::Normals => vec![text!("3_normals", "src/lib.rs")],
-        Chapter::HalfBSphere => vec![text!("4_half_b_sphere", "src/lib.rs")],
-        Chapter::HittableList => vec![
-            text!("5_hittable_list", "src/lib.rs"),
-            text!("5_hittable_list", "src/hittable.rs"),
-            text!("5_hittable_list", "src/hittable_list.rs"),
-            text!("5_hittable_list", "src/sphere.rs"),
-        ],
-        Chapter::SpeedVsAccuracy => Vec::new(),
-    }
-}
-
-fn read(files: &[(&str, &str)]) -> Result<Program, String> {
+fn program_of(files: &[(&str, &str)]) -> Result<Program, String> {
     typed::read(files).map_err(|faults| faults[0].to_string())
 }
 
 /// The chapter with the first of these words replaced in one of its files.
 fn with(chapter: Chapter, right: &str, wrong: &str) -> Option<Result<Program, String>> {
-    let files = files_of(chapter);
+    let files = chapter.files();
     let changed = files
         .iter()
         .position(|(_, text)| text.matches(right).count() == 1)?;
     let text = files[changed].1.replacen(right, wrong, 1);
-    let mut files = files;
+    let mut files = files.to_vec();
     files[changed].1 = &text;
-    Some(read(&files))
+    Some(program_of(&files))
 }
 
 #[test]
 fn the_chapters_draw_their_pictures_from_their_texts() {
     for chapter in Chapter::OF_THE_BOOK {
-        let program = read(&files_of(chapter)).expect("rustc compiles it");
+        let program = program_of(chapter.files()).expect("rustc compiles it");
         for width in WIDTHS {
             let drawn = program.draw(width).expect("nothing stops it");
             assert_eq!(drawn, chapter.picture(width), "{chapter:?} at {width}");
@@ -114,11 +87,7 @@ fn a_hostile_text_is_answered_at_once() {
     ];
     for wrong in hostile {
         let start = Instant::now();
-        let read = with(
-            Chapter::Normals,
-            "let oc = center - ray.origin;",
-            &format!("{wrong}; {LINE}"),
-        );
+        let read = with(Chapter::Normals, LINE, &format!("{wrong}; {LINE}"));
         let is_refused = match read.expect("the line is there") {
             Ok(program) => program.draw(40).is_err(),
             Err(_) => true,
@@ -134,99 +103,87 @@ fn a_hostile_text_is_answered_at_once() {
 
 const LINE: &str = "let oc = center - ray.origin;";
 
-/// What people mistype, and what differs from language to language: `x` is 2.5, `n` is 7,
-/// `i` is -7, `v` is (1, 2, 3).
-const EXPRESSIONS: [&str; 47] = [
-    "x - 1.0 - 0.5",
-    "x / 3.0 / 2.0",
-    "-x * 2.0 + 1.0",
-    "-x.powi(2)",
-    "(-x).powi(2)",
-    "x % 1.0",
-    "-x % 1.0",
-    "(-x).rem_euclid(1.0)",
-    "1.0 / (x - 2.5)",
-    "-1.0 / (x - 2.5)",
-    "(x - 2.5) / (x - 2.5)",
-    "-(x - 2.5)",
-    "0.0 * -x",
-    "(-x).sqrt()",
-    "(-x).max(f64::NAN)",
-    "f64::NAN.min(x)",
-    "x.max(-x).min(1.0)",
-    "0.1 + 0.2",
-    "0.1 + 0.2 + x",
-    "x + 1e16 - 1e16",
-    "f64::from(n / 2)",
-    "f64::from(i / 2)",
-    "f64::from(i % 4)",
-    "f64::from(i.rem_euclid(4))",
-    "f64::from(n) / 2.0",
-    "(n as f64) / 2.0",
-    "f64::from(-i / 2 * 2)",
-    "f64::from(x as u8)",
-    "f64::from((-x) as u8)",
-    "f64::from((x * 200.0) as u8)",
-    "f64::from(f64::NAN as i32)",
-    "f64::from(f64::INFINITY as i32)",
-    "f64::from(n as u8 as i8)",
-    "f64::from((n + 250) as u8)",
-    "f64::from(i as u32)",
-    "f64::from(x as f32) + f64::from(0.1_f32)",
-    "f64::from(1.0_f32 / 3.0_f32)",
-    "f64::from(n << 3 | 1)",
-    "f64::from(!i)",
-    "if x < 3.0 && n > 6 || i > 0 { 1.0 } else { 2.0 }",
-    "if !(x < f64::NAN) { 1.0 } else { 2.0 }",
-    "(0..n).map(f64::from).sum::<f64>()",
-    "(1..=4).rev().fold(0.0, |sum, k| sum * 10.0 + f64::from(k))",
-    "[x, -x, 1.0].into_iter().filter(|&t| t > 0.0).min_by(|a, b| a.total_cmp(b)).unwrap()",
-    "v.dot(v) - v.length_squared() + (v / 3.0).x + (v * (1.0 / 3.0)).y",
-    "(x * v - v * x).length() + v.cross(Vec3::Z).y",
-    "{ let mut w = v; w.x += 1.0; w.x - v.x }",
-];
-
-fn function_of(expression: &str) -> String {
-    format!(
-        "use common::rtweekend::*;\n\n\
-         pub fn hit_sphere(v: Point3, x: f64, _ray: &Ray) -> Option<f64> {{\n    \
-         let n = (x * 2.8) as u32;\n    let i = -(n as i32);\n    let _ = i;\n    \
-         Some({expression})\n}}\n"
-    )
+/// Each expression as its text, and as the compiler has it.
+macro_rules! expressions {
+    ($x:ident $n:ident $i:ident $v:ident: $($expression:expr),* $(,)?) => {
+        [$((
+            stringify!($expression),
+            (|$x: f64, $n: u32, $i: i32, $v: Vec3| $expression) as fn(f64, u32, i32, Vec3) -> f64,
+        )),*]
+    };
 }
 
+/// What people mistype, and what differs from language to language.
 #[test]
-#[ignore = "builds a program of expressions"]
+#[allow(
+    warnings,
+    clippy::all,
+    reason = "some of it looks wrong, and is asked for that"
+)]
 fn expressions_come_to_what_the_compiler_makes_of_them() {
-    let folder = folder("expressions");
-    let mut main = "#![allow(warnings)]\n".to_owned();
-    let mut calls = String::new();
-    for (k, expression) in EXPRESSIONS.iter().enumerate() {
-        writeln!(main, "mod e{k} {{\n{}}}", function_of(expression)).expect("a string takes all");
-        let call =
-            format!("e{k}::hit_sphere(Vec3::new(1.0, 2.0, 3.0), std::hint::black_box(2.5), &ray)");
-        writeln!(calls, "    println!(\"{{}}\", {call}.unwrap().to_bits());")
-            .expect("a string takes all");
-    }
-    write!(
-        main,
-        "use common::rtweekend::*;\nfn main() {{\n    let ray = Ray::new(Vec3::ZERO, Vec3::X);\n{calls}}}\n"
-    )
-    .expect("a string takes all");
-    write_if_changed(&folder.join("src/main.rs"), &main);
-    let output = run(cargo()
-        .args(["run", "--quiet", "--offline"])
-        .current_dir(&folder));
-    assert_success(&output);
-    let ray = Ray::new(Vec3::ZERO, Vec3::X);
-    for (expression, bits) in EXPRESSIONS.iter().zip(text(&output.stdout).lines()) {
-        let function = function_of(expression);
-        let program = read(&[("src/lib.rs", &function)])
+    let (x, n, i, v) = (2.5, 7, -7, Vec3::new(1.0, 2.0, 3.0));
+    let expressions = expressions! { x n i v:
+        x - 1.0 - 0.5,
+        x / 3.0 / 2.0,
+        -x * 2.0 + 1.0,
+        -x.powi(2),
+        (-x).powi(2),
+        x % 1.0,
+        -x % 1.0,
+        (-x).rem_euclid(1.0),
+        1.0 / (x - 2.5),
+        -1.0 / (x - 2.5),
+        (x - 2.5) / (x - 2.5),
+        -(x - 2.5),
+        0.0 * -x,
+        (-x).sqrt(),
+        (-x).max(f64::NAN),
+        f64::NAN.min(x),
+        x.max(-x).min(1.0),
+        0.1 + 0.2,
+        0.1 + 0.2 + x,
+        x + 1e16 - 1e16,
+        f64::from(n / 2),
+        f64::from(i / 2),
+        f64::from(i % 4),
+        f64::from(i.rem_euclid(4)),
+        f64::from(n) / 2.0,
+        (n as f64) / 2.0,
+        f64::from(-i / 2 * 2),
+        f64::from(x as u8),
+        f64::from((-x) as u8),
+        f64::from((x * 200.0) as u8),
+        f64::from(f64::NAN as i32),
+        f64::from(f64::INFINITY as i32),
+        f64::from(n as u8 as i8),
+        f64::from((n + 250) as u8),
+        f64::from(i as u32),
+        f64::from(x as f32) + f64::from(0.1_f32),
+        f64::from(1.0_f32 / 3.0_f32),
+        f64::from(n << 3 | 1),
+        f64::from(!i),
+        if x < 3.0 && n > 6 || i > 0 { 1.0 } else { 2.0 },
+        if !(x < f64::NAN) { 1.0 } else { 2.0 },
+        (0..n).map(f64::from).sum::<f64>(),
+        (1..=4).rev().fold(0.0, |sum, k| sum * 10.0 + f64::from(k)),
+        [x, -x, 1.0].into_iter().filter(|&t| t > 0.0).min_by(|a, b| a.total_cmp(b)).unwrap(),
+        v.dot(v) - v.length_squared() + (v / 3.0).x + (v * (1.0 / 3.0)).y,
+        (x * v - v * x).length() + v.cross(Vec3::Z).y,
+        { let mut w = v; w.x += 1.0; w.x - v.x },
+    };
+    for (expression, compiled) in expressions {
+        let function = format!(
+            "use common::rtweekend::*;\n\n\
+             pub fn hit_sphere(v: Point3, x: f64, _ray: &Ray) -> Option<f64> {{\n    \
+             let n = (x * 2.8) as u32;\n    let i = -(n as i32);\n    let _ = i;\n    \
+             Some({expression})\n}}\n"
+        );
+        let program = program_of(&[("src/lib.rs", &function)])
             .unwrap_or_else(|fault| panic!("{expression}: {fault}"));
         let own = program
-            .hit_sphere(Vec3::new(1.0, 2.0, 3.0), 2.5, &ray)
+            .hit_sphere(v, x, &Ray::new(Vec3::ZERO, Vec3::X))
             .expect("it gives a number");
-        let compiled = f64::from_bits(bits.parse().expect("a number"));
+        let compiled = compiled(x, n, i, v);
         let is_same = own.to_bits() == compiled.to_bits() || own.is_nan() && compiled.is_nan();
         assert!(is_same, "{expression} is {compiled:?}, and here {own:?}");
     }
@@ -285,22 +242,20 @@ const REFUSED: [(&str, &str); 25] = [
 #[test]
 #[ignore = "asks the compiler of some thirty texts"]
 fn what_the_compiler_refuses_is_refused_at_the_same_line() {
-    let folder = folder("refused");
-    let (_, chapter) = files_of(Chapter::Normals)[0];
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("refused");
+    fs::create_dir_all(folder.join("src")).expect("a folder");
+    let common = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../common");
+    let manifest = format!(
+        "[package]\nname = \"refused\"\nedition = \"2024\"\n\n[dependencies]\n\
+         common = {{ path = {common:?} }}\n\n[workspace]\n"
+    );
+    fs::write(folder.join("Cargo.toml"), manifest).expect("a file");
+    let (_, chapter) = Chapter::Normals.files()[0];
     for (right, wrong) in REFUSED {
         let changed = chapter.replacen(right, wrong, 1);
-        write_if_changed(&folder.join("src/lib.rs"), &changed);
-        let check = ["check", "--quiet", "--offline", "--message-format", "short"];
-        let said = text(&run(cargo().args(check).current_dir(&folder)).stderr);
-        let line = |it: &str| {
-            it.strip_prefix("src/lib.rs:")?
-                .split(':')
-                .next()?
-                .parse()
-                .ok()
-        };
-        let errors = said.lines().filter(|it| it.contains(": error"));
-        let lines: Vec<usize> = errors.filter_map(line).collect();
+        fs::write(folder.join("src/lib.rs"), &changed).expect("a file");
+        let said = said_of(&folder);
+        let lines = lines_of_errors(&said);
         assert!(!lines.is_empty(), "{wrong} compiles: {said}");
         let faults = typed::read(&[("src/lib.rs", &changed)]).expect_err(wrong);
         let place = faults[0].place.as_ref().expect("it is somewhere");
@@ -316,15 +271,19 @@ fn what_the_compiler_refuses_is_refused_at_the_same_line() {
     }
 }
 
-/// A folder for a crate that has the prelude.
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
-        .join("interpreted")
-        .join(name);
-    let common = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../common");
-    let manifest = format!(
-        "[package]\nname = \"{name}\"\nedition = \"2024\"\n\n[dependencies]\ncommon = {{ path = {common:?} }}\n\n[workspace]\n"
-    );
-    write_if_changed(&folder.join("Cargo.toml"), &manifest);
-    folder
+/// What the compiler says of the crate.
+fn said_of(folder: &Path) -> String {
+    let check = ["check", "--quiet", "--offline", "--message-format", "short"];
+    let cargo = Command::new(env!("CARGO"))
+        .args(check)
+        .current_dir(folder)
+        .output();
+    String::from_utf8_lossy(&cargo.expect("cargo starts").stderr).into_owned()
+}
+
+fn lines_of_errors(said: &str) -> Vec<usize> {
+    let errors = said.lines().filter(|line| line.contains(": error"));
+    let places = errors.filter_map(|line| line.strip_prefix("src/lib.rs:"));
+    let numbers = places.filter_map(|place| place.split(':').next()?.parse().ok());
+    numbers.collect()
 }

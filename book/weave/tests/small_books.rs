@@ -1,13 +1,15 @@
 //! What the directives and formulas of a page become, and what fails the build, in small
 //! books. The book itself shows the figures, charts, pictures and slips.
 
-use insta::assert_snapshot;
+use std::fs;
+use std::path::MAIN_SEPARATOR;
 
-use suite::small_book::Book;
+use insta::assert_snapshot;
+use tempfile::TempDir;
 
 #[test]
 fn a_page_is_woven_as_the_snapshot_shows() {
-    let page = book(PAGE).page().expect("it can be woven");
+    let page = Book::new(PAGE).page().expect("it can be woven");
     assert_snapshot!(page);
 }
 
@@ -48,7 +50,7 @@ fn what_cannot_be_woven_fails_the_build_with_file_line_and_cause() {
         "<details><summary>Open</summary>\n\nNever closed.",
     ]
     .map(|wrong| {
-        let cause = book(wrong).page().expect_err(wrong);
+        let cause = Book::new(wrong).page().expect_err(wrong);
         format!("{wrong}\n    {}\n", cause.replace('\n', "\n    "))
     });
     assert_snapshot!(said.join("\n"));
@@ -56,22 +58,70 @@ fn what_cannot_be_woven_fails_the_build_with_file_line_and_cause() {
 
 #[test]
 fn a_page_that_is_missing_fails_the_build() {
-    let book = book("Text.");
+    let book = Book::new("Text.");
     book.write("SUMMARY.md", "- [Page](page.md)\n- [Other](other.md)\n");
     let cause = book.page().expect_err("a page is missing");
     assert!(cause.contains("other.md"), "{cause}");
 }
 
-/// A book of this page, with files to list.
-fn book(page: &str) -> Book {
-    let book = Book::new(page);
-    book.write("shapes.rs", SHAPES);
-    book.write("twice.rs", "mod double {}\n\nfn double() {}\n");
-    book.write("broken.rs", "fn a() {}\nfn fn\n");
-    book.write("times.csv", TIMES);
-    book.write("uneven.csv", "a,b\n1\n");
-    book.write("kept.snap", "---\nsource: a.rs\n---\nA *kept* text.\n");
-    book
+/// A book of one page, which begins with a heading and an empty line.
+struct Book(TempDir);
+
+impl Book {
+    /// A book of this page, with files to list.
+    fn new(page: &str) -> Self {
+        let book = Self(TempDir::new().expect("a folder"));
+        fs::create_dir(book.0.path().join("notes")).expect("a folder");
+        let settings = "book.src = \"notes\"\nbuild.create-missing = false\n\
+                        output.html.playground.runnable = false\n";
+        for (name, text) in [
+            ("../book.toml", settings),
+            ("SUMMARY.md", "- [Page](page.md)\n"),
+            ("page.md", &format!("# Page\n\n{page}\n")),
+            ("shapes.rs", SHAPES),
+            ("twice.rs", "mod double {}\n\nfn double() {}\n"),
+            ("broken.rs", "fn a() {}\nfn fn\n"),
+            ("times.csv", TIMES),
+            ("uneven.csv", "a,b\n1\n"),
+            ("kept.snap", "---\nsource: a.rs\n---\nA *kept* text.\n"),
+        ] {
+            book.write(name, text);
+        }
+        book
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        fs::write(self.0.path().join("notes").join(name), text).expect("a file");
+    }
+
+    /// The main part of the page as it is woven.
+    ///
+    /// # Errors
+    /// With what is complained of, as seen from the folder of the book.
+    fn page(&self) -> Result<String, String> {
+        let folder = self.0.path();
+        let here = format!("{}{MAIN_SEPARATOR}", folder.display());
+        let woven = folder.join("woven");
+        fs::create_dir_all(&woven).expect("a folder");
+        weave::weave(folder, &woven)
+            .map_err(|cause| in_any_system(&cause.to_string().replace(&here, "")))?;
+        let page = fs::read_to_string(woven.join("page.html")).expect("a page");
+        let (_, main) = page.split_once("<main>").expect("a main part");
+        Ok(main.split("</main>").next().unwrap_or(main).to_owned())
+    }
+}
+
+/// What is complained of without the system's own words for it, and with slashes.
+fn in_any_system(cause: &str) -> String {
+    let line = |line: &str| match line.split_once(" (os error ") {
+        Some((said, _)) => {
+            let (of, _) = said.rsplit_once(": ").expect("what went wrong");
+            format!("{of}: THE SYSTEM'S WORDS")
+        }
+        None => line.to_owned(),
+    };
+    let lines: Vec<String> = cause.lines().map(line).collect();
+    lines.join("\n").replace("notes\\", "notes/")
 }
 
 const PAGE: &str = r#"Items with their comments, and beside which they stand:
