@@ -9,7 +9,7 @@ use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use scraper::{ElementRef, Html, Node, Selector};
 use slips::Chapter;
 
-use suite::command::{files, names_in};
+use suite::command::names_in;
 
 /// The workspace, and in it the sources of the book.
 pub(crate) const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
@@ -84,32 +84,6 @@ fn every_slip_is_in_the_gallery() {
     for slip in slips::all() {
         let link = format!("caught.html#{}", slip.name);
         assert!(links.contains(&link.as_str()), "{} is missing", slip.name);
-    }
-}
-
-#[test]
-fn every_public_function_is_shown_by_a_listing() {
-    let root = Path::new(WORKSPACE);
-    let pages = pages();
-    let listings: Vec<String> = chapters(&pages)
-        .flat_map(|page| page.all(".listing code"))
-        .map(text_of)
-        .collect();
-    let explained = ["camera", "color", "ray"].map(|it| root.join(format!("common/src/{it}.rs")));
-    for file in files(&root.join("chapters")).into_iter().chain(explained) {
-        if file.extension().is_none_or(|extension| extension != "rs") {
-            continue;
-        }
-        let source = fs::read_to_string(&file).expect("a source");
-        for line in source.lines().map(str::trim) {
-            let is_function = line.starts_with("pub fn ") || line.starts_with("pub const fn ");
-            let is_shown = || listings.iter().any(|listing| listing.contains(line));
-            assert!(
-                !is_function || is_shown(),
-                "no page shows `{line}` of {}",
-                file.display()
-            );
-        }
     }
 }
 

@@ -11,9 +11,6 @@ const NOTES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes");
 
 #[test]
 fn every_chart_is_its_snapshot() {
-    println!(
-        "If other numbers were measured: INSTA_UPDATE=always cargo test chart_is_its_snapshot"
-    );
     for chart in CHARTS {
         let drawn = from_notes(chart);
         shown_in("charts").bind(|| {

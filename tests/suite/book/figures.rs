@@ -3,8 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-use common::rtweekend::*;
-use figures::{CSS, FIGURES, find_live, standalone};
+use figures::{CSS, FIGURES, standalone};
 use insta::assert_binary_snapshot;
 use roxmltree::{Document, Node};
 
@@ -13,7 +12,6 @@ use suite::drawn::shown_in;
 
 #[test]
 fn every_figure_is_its_snapshot() {
-    println!("If you meant to change it: INSTA_UPDATE=always cargo test figure_is_its_snapshot");
     for figure in FIGURES {
         shown_in("figures").bind(|| {
             let file = standalone(&(figure.draw)());
@@ -48,47 +46,6 @@ fn no_label_hides_another_or_leaves_the_sheet() {
         .map(|(name, svg)| faults(name, svg))
         .collect();
     assert!(faults.is_empty(), "{faults}");
-}
-
-#[test]
-fn the_labels_of_the_grid_have_room_at_every_width_and_at_its_edges() {
-    let live = find_live("viewport_grid").expect("a live figure");
-    let mut all = String::new();
-    for width in 1..=40 {
-        let height = Camera::new(width).image_height;
-        for i in [0, 1, width / 2, width - 1] {
-            for (j, first) in [0, 1, height / 2, height - 1]
-                .map(|j| [(j, 0), (j, 1)])
-                .as_flattened()
-            {
-                let mut numbers = [width, i, *j, *first].map(f64::from);
-                live.confine(&mut numbers);
-                let svg = live.answer(&numbers).drawing.finish();
-                all += &faults(&format!("{numbers:?}"), &svg);
-            }
-        }
-    }
-    assert!(all.is_empty(), "{all}");
-}
-
-#[test]
-fn no_leader_of_a_chart_goes_through_the_label_of_another() {
-    for (name, svg) in charts::of_the_book() {
-        let drawing = parse(&svg);
-        let labels: Vec<Label> = texts(&drawing).map(|text| Label::of(&text)).collect();
-        let lines = drawing.descendants().filter(|it| it.has_tag_name("line"));
-        for line in lines.filter(|it| it.attribute("class") == Some("faint thin")) {
-            let [x1, y1, x2, y2] = ["x1", "y1", "x2", "y2"].map(|it| f(&line, it));
-            let at = |n: i32| f64::from(n) / 50.0;
-            let strikes = |label: &Label| {
-                (0..50).any(|n| label.holds(x1 + at(n) * (x2 - x1), y1 + at(n) * (y2 - y1), -1.0))
-            };
-            // Its own label begins where it ends.
-            let others = labels.iter().filter(|label| !label.holds(x2, y2, 3.0));
-            let struck: Vec<&Label> = others.filter(|label| strikes(label)).collect();
-            assert!(struck.is_empty(), "{name}: {struck:?}");
-        }
-    }
 }
 
 /// The labels of a drawing that meet others, or leave the sheet.
@@ -205,12 +162,6 @@ impl Label {
 
     fn lies_within(&self, width: f64, height: f64) -> bool {
         self.left >= 0.0 && self.right <= width && self.top >= 0.0 && self.bottom <= height
-    }
-
-    /// Whether the point lies in it, or so far outside.
-    fn holds(&self, x: f64, y: f64, outside: f64) -> bool {
-        (self.left - outside..self.right + outside).contains(&x)
-            && (self.top - outside..self.bottom + outside).contains(&y)
     }
 
     fn touches(&self, other: &Self) -> bool {

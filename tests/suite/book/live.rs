@@ -133,42 +133,32 @@ fn a_handle_comes_to_where_it_is_dragged() {
 }
 
 #[test]
-fn what_is_no_number_or_out_of_range_is_put_right() {
+fn what_is_no_number_is_put_right_and_what_is_out_of_range_is_cut_off() {
     for live in live_figures() {
-        let mut numbers = vec![f64::NAN; live.numbers().len()];
+        for nonsense in [f64::NAN, f64::INFINITY] {
+            let mut numbers = vec![nonsense; live.numbers().len()];
+            live.confine(&mut numbers);
+            assert_eq!(numbers, live.defaults());
+        }
+        let mut numbers = vec![1e9; live.numbers().len()];
         live.confine(&mut numbers);
-        assert_eq!(numbers, live.defaults());
-        numbers.fill(f64::INFINITY);
-        live.confine(&mut numbers);
-        assert_eq!(numbers, live.defaults());
-        numbers.fill(1e9);
-        live.confine(&mut numbers);
-        assert!(
-            numbers
-                .iter()
-                .zip(live.numbers())
-                .all(|(&it, number)| it == number.most)
-        );
-        numbers.fill(0.6);
-        live.confine(&mut numbers);
-        let mut whole = numbers.iter().zip(live.numbers());
-        assert!(whole.all(|(it, number)| number.steps > 1.0 || it.fract() == 0.0));
+        let most: Vec<f64> = live.numbers().iter().map(|number| number.most).collect();
+        assert_eq!(numbers, most);
     }
 }
 
 #[test]
 fn a_live_picture_is_what_its_chapter_draws_and_what_a_slip_draws() {
     for live in PICTURES {
-        for width in [1, 2, 97, live.chapter.book_width()] {
-            let drawn = live.chapter.picture(width);
-            let painting = Painting::right((live.picture)(width));
-            assert_eq!(painting.size(), (drawn.width(), drawn.height()));
-            assert!(painting.flatten().eq(opaque(&drawn)), "{:?}", live.chapter);
-        }
+        let right = Painting::right((live.picture)(97));
+        assert!(
+            right.flatten().eq(opaque(&live.chapter.picture(97))),
+            "{:?}",
+            live.chapter
+        );
         for slip in slips_in(live.chapter) {
             let drawn = slip.program(live.chapter).run(97).picture();
             let painting = Painting::slipped(slip, live.chapter, 97);
-            assert_eq!(painting.size(), (drawn.width(), drawn.height()));
             assert!(painting.flatten().eq(opaque(&drawn)), "{}", slip.name);
         }
     }
@@ -196,11 +186,10 @@ fn questions(live: &dyn Movable, count: usize) -> Vec<Vec<f64>> {
         let value = |number: &Number| {
             let value = random.between(number.least, number.most);
             let is_on_a_step = !number.choices.is_empty() || random.between(0.0, 1.0) < 0.5;
-            match is_on_a_step {
-                true => {
-                    ((value * number.steps).round() / number.steps).clamp(number.least, number.most)
-                }
-                false => value,
+            if is_on_a_step {
+                ((value * number.steps).round() / number.steps).clamp(number.least, number.most)
+            } else {
+                value
             }
         };
         let mut numbers: Vec<f64> = live.numbers().iter().map(value).collect();

@@ -7,7 +7,6 @@ mod compiler;
 mod editions;
 mod errata;
 mod figures;
-mod lesson;
 mod live;
 mod programs;
 mod typed;

@@ -9,23 +9,16 @@ use std::process::Command;
 use scraper::ElementRef;
 use slips::Chapter;
 
-use crate::book::{self, folder_of, page_of, text_of};
-use crate::lesson::{write_if_changed, write_manifest};
-use suite::command::files;
-use suite::command::{assert_success, cargo, run, text};
+use crate::book::{self, WORKSPACE, folder_of, page_of, text_of};
+use suite::command::{cargo, files, run, text};
 use suite::drawn::p3;
-use suite::mine::Mine;
 
 #[test]
 #[ignore = "builds what the pages list"]
 fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
     let typed = listed();
     assert_nothing_is_left_out(&typed);
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("typed");
-    write_manifest(&folder);
-    for (file, text) in given().into_iter().chain(typed) {
-        write_if_changed(&folder.join(file), &text);
-    }
+    let folder = workspace_with("typed", typed);
     let programs = build(&folder);
     for chapter in Chapter::OF_THE_BOOK {
         let output = run(&mut Command::new(programs.join(chapter.name())));
@@ -41,23 +34,18 @@ fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
 #[test]
 #[ignore = "builds what the pages list"]
 fn chapter_5_compiles_after_each_listing_of_its_page() {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("listing_by_listing");
     let chapter = folder_of(Chapter::HittableList);
     let own = |(file, _): &(PathBuf, String)| file.starts_with(chapter.join("src"));
-    let (listings, others): (Vec<_>, Vec<_>) = listed().into_iter().partition(own);
-    write_manifest(&folder);
-    for (file, text) in given().into_iter().chain(others) {
-        write_if_changed(&folder.join(file), &text);
+    let mut typed = listed();
+    for (file, text) in &mut typed {
+        if file.starts_with(chapter.join("src")) {
+            text.clear();
+        }
     }
-    let mut typed: BTreeMap<_, _> = listings
-        .into_iter()
-        .map(|(file, _)| (file, String::new()))
-        .collect();
+    let folder = workspace_with("listing_by_listing", typed.clone());
     for (file, code) in listings_of(Chapter::HittableList).into_iter().filter(own) {
         add(&mut typed, file.clone(), &code);
-        for (file, text) in &typed {
-            write_if_changed(&folder.join(file), text);
-        }
+        write(&folder.join(&file), &typed[&file]);
         let mut cargo = cargo();
         cargo.args(["check", "--offline", "--package", "hittable_list", "--lib"]);
         let output = run(cargo.current_dir(&folder));
@@ -68,48 +56,6 @@ fn chapter_5_compiles_after_each_listing_of_its_page() {
             file.display()
         );
     }
-}
-
-/// So that a listing can be typed into the crate that was made for it.
-#[test]
-#[ignore = "builds what the pages list"]
-fn the_crates_that_start_makes_have_the_files_and_the_names_of_the_pages() {
-    let mine = Mine::empty();
-    let typed = listed();
-    for chapter in &Chapter::OF_THE_BOOK[1..] {
-        assert_success(&run(&mut mine.start(chapter.name(), &[])));
-        let folder = mine.path().join(chapter.name());
-        let made = files(&folder.join("src"));
-        let page = folder_of(*chapter);
-        let of_page = typed
-            .keys()
-            .filter(|file| file.starts_with(page.join("src")));
-        assert_eq!(made.len(), of_page.count(), "{made:?}");
-        for file in made.iter().filter(|file| !file.ends_with("main.rs")) {
-            let listed = &typed[&page.join(file.strip_prefix(&folder).expect("it is inside"))];
-            let made = fs::read_to_string(file).expect("a source");
-            for name in made.lines().filter_map(named) {
-                assert!(
-                    listed.contains(name),
-                    "no page lists `{name}` of {}",
-                    file.display()
-                );
-            }
-        }
-    }
-}
-
-/// What the line begins, if it begins something with a name: a chapter may be typed in other
-/// words, but not by other names.
-fn named(line: &str) -> Option<&str> {
-    let line = line.trim_start();
-    let line = line.strip_prefix("pub ").unwrap_or(line);
-    let is_named = ["fn ", "struct ", "trait ", "impl "]
-        .iter()
-        .any(|it| line.starts_with(it));
-    // The sky was typed in chapter 1.
-    let name = line.split(['(', '{']).next().unwrap_or(line).trim_end();
-    (is_named && name != "fn sky").then_some(name)
 }
 
 /// The listings of all chapters, put together by the files that they name. The answers to
@@ -142,9 +88,10 @@ fn listings_of(chapter: Chapter) -> Vec<(PathBuf, String)> {
             text_of(part.expect("a listing has its file and its code"))
         };
         let file = part(".file");
-        let file = match file.starts_with("tests/suite/book/exercises/") {
-            true => folder_of(chapter).join("tests/exercises.rs"),
-            false => PathBuf::from(file),
+        let file = if file.starts_with("tests/suite/book/exercises/") {
+            folder_of(chapter).join("tests/exercises.rs")
+        } else {
+            PathBuf::from(file)
         };
         (file, part("code"))
     };
@@ -162,18 +109,10 @@ fn add(typed: &mut BTreeMap<PathBuf, String>, file: PathBuf, code: &str) {
 
 /// What nobody types: the engine, and what cargo is told.
 fn given() -> BTreeMap<PathBuf, String> {
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let chapters = Chapter::OF_THE_BOOK.map(folder_of);
-    let packages = chapters.into_iter().chain([PathBuf::from("common")]);
-    let manifests = packages.map(|package| package.join("Cargo.toml"));
-    let engine = files(&workspace.join("common/src/engine")).into_iter();
-    let engine = engine.map(|file| {
-        file.strip_prefix(&workspace)
-            .expect("it is ours")
-            .to_owned()
-    });
+    let manifests = packages().map(|package| package.join("Cargo.toml"));
+    let engine = sources_in(Path::new("common/src/engine"));
     let read = |file: PathBuf| {
-        let text = fs::read_to_string(workspace.join(&file)).expect("a source");
+        let text = fs::read_to_string(Path::new(WORKSPACE).join(&file)).expect("a source");
         (file, text)
     };
     let mut given: BTreeMap<PathBuf, String> = manifests.chain(engine).map(read).collect();
@@ -186,22 +125,24 @@ fn given() -> BTreeMap<PathBuf, String> {
 
 /// Each source of the chapters, and of what they share, is listed somewhere.
 fn assert_nothing_is_left_out(typed: &BTreeMap<PathBuf, String>) {
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let given = given();
-    for package in Chapter::OF_THE_BOOK
-        .map(folder_of)
-        .into_iter()
-        .chain([PathBuf::from("common")])
-    {
-        for file in files(&workspace.join(package).join("src")) {
-            let file = file.strip_prefix(&workspace).expect("it is ours");
-            assert!(
-                typed.contains_key(file) || given.contains_key(file),
-                "no page lists anything of {}",
-                file.display()
-            );
-        }
+    for file in packages().flat_map(|package| sources_in(&package.join("src"))) {
+        let is_there = typed.contains_key(&file) || given.contains_key(&file);
+        assert!(is_there, "no page lists anything of {}", file.display());
     }
+}
+
+fn packages() -> impl Iterator<Item = PathBuf> {
+    let chapters = Chapter::OF_THE_BOOK.map(folder_of);
+    chapters.into_iter().chain([PathBuf::from("common")])
+}
+
+/// The files of a folder of the workspace, as seen from there.
+fn sources_in(folder: &Path) -> Vec<PathBuf> {
+    let workspace = Path::new(WORKSPACE);
+    let from_there = |file: PathBuf| file.strip_prefix(workspace).map(Path::to_owned);
+    let files = files(&workspace.join(folder)).into_iter().map(from_there);
+    files.collect::<Result<_, _>>().expect("they are ours")
 }
 
 /// Builds the programs, and asks the answers to the exercises what they promise.
@@ -221,4 +162,31 @@ fn build(folder: &Path) -> PathBuf {
         text(&output.stdout)
     );
     target.join("debug")
+}
+
+/// A workspace like ours, but only with `common` and the chapters, and with these files in
+/// place of their sources.
+fn workspace_with(name: &str, typed: BTreeMap<PathBuf, String>) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let ours =
+        |file: &str| fs::read_to_string(Path::new(WORKSPACE).join(file)).expect("it is ours");
+    let manifest = ours("Cargo.toml");
+    let lines = manifest.lines().filter(|line| !line.contains("members ="));
+    let manifest = lines.collect::<Vec<_>>().join("\n");
+    let only = "[workspace]\nmembers = [\"common\", \"chapters/*\"]";
+    write(
+        &folder.join("Cargo.toml"),
+        &manifest.replacen("[workspace]", only, 1),
+    );
+    // The same versions, which are there already.
+    write(&folder.join("Cargo.lock"), &ours("Cargo.lock"));
+    for (file, text) in given().into_iter().chain(typed) {
+        write(&folder.join(file), &text);
+    }
+    folder
+}
+
+fn write(path: &Path, text: &str) {
+    fs::create_dir_all(path.parent().expect("a file is in a folder")).expect("a folder");
+    fs::write(path, text).expect("the target folder takes it");
 }

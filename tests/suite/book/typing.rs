@@ -13,9 +13,10 @@ fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
         while let Some(next) = next(&text) {
             let (name, file) = &mut text.files[next.file];
             let mut lines: Vec<&str> = file.lines().collect();
-            match next.is_last {
-                true => lines[next.above] = next.text,
-                false => lines.insert(next.above, next.text),
+            if next.is_last {
+                lines[next.above] = next.text;
+            } else {
+                lines.insert(next.above, next.text);
             }
             assert!(lines.len() < 200, "{name} never ends:\n{file}");
             *file = lines.join("\n");

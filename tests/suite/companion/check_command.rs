@@ -15,7 +15,7 @@ use tempfile::TempDir;
 
 use suite::command::{
     assert_refused, assert_success, in_any_system, names_in, path_of, program_with, run, text,
-    transcript, woven,
+    transcript,
 };
 use suite::drawn::p3;
 use suite::random::Random;

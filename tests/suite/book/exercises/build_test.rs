@@ -33,10 +33,7 @@ fn share(scale: f64, level: f64, n: u32) -> usize {
 fn a_scale_of_255_gives_the_brightest_level_to_a_single_number() {
     assert_eq!(share(255.0, 255.0, 25_500), 1);
     assert_eq!(share(255.0, 254.0, 25_500), 100);
-}
-
-#[test]
-fn a_scale_of_256_needs_a_level_that_no_byte_has() {
+    // A scale of 256 needs a level that no byte has.
     assert_eq!(share(256.0, 256.0, 25_600), 1);
     assert_eq!(share(256.0, 255.0, 25_600), 100);
 }
