@@ -1,6 +1,7 @@
 //! HTML: the parts of an answer in the elements of a page.
 
-use check::answer::{Judged, Next, Part};
+use check::answer::{Judged, Part};
+use check::blind_spots::Next;
 use check::html::{list, read};
 use check::reading::{Cause, Reading};
 use check::report::escaped;
@@ -75,8 +76,8 @@ fn next(it: &Next) -> String {
     let probe = it.scene.probe.map_or("", |probe| probe.name);
     format!(
         "<p>{}: {}; and then <code>{}</code> <button type=\"button\" data-probe=\"{probe}\">Judge it here</button></p>",
-        escaped(&it.why),
-        escaped(&it.change),
+        escaped(it.why()),
+        escaped(it.change()),
         escaped(it.scene.command()),
     )
 }

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use check::answer::{Headline, Judged, Next, Part};
+use check::answer::{Headline, Judged, Part};
+use check::blind_spots::Next;
 use check::names::{self, companion};
 use check::{Row, workspace};
 use slips::Slip;
@@ -93,7 +94,11 @@ fn row((label, said): &Row, style: Style) -> String {
 }
 
 fn probe(next: &Next) -> String {
-    let first = wrapped(&format!("{}: {}; and then", next.why, next.change), "", "");
+    let first = wrapped(
+        &format!("{}: {}; and then", next.why(), next.change()),
+        "",
+        "",
+    );
     format!("\n{first}  {}\n", next.scene.command())
 }
 
@@ -107,7 +112,9 @@ fn wrapped(text: &str, first: &str, rest: &str) -> String {
         .subsequent_indent(rest)
         .break_words(false)
         .word_splitter(WordSplitter::NoHyphenation);
-    textwrap::fill(text, options) + "\n"
+    // A size stays on one line.
+    let text = text.replace(" × ", "\u{a0}×\u{a0}");
+    textwrap::fill(&text, options).replace('\u{a0}', " ") + "\n"
 }
 
 /// The page and the file that have it right.

@@ -2,7 +2,7 @@
 
 use slips::{Chapter, Edition, Letters, Slip};
 
-use crate::blind_spots::BlindSpots;
+use crate::blind_spots::{self, Next};
 use crate::causes;
 use crate::known::Known;
 use crate::reading::Cause;
@@ -52,16 +52,6 @@ pub enum Part {
     Read(&'static Slip),
     /// The next picture to draw.
     Next(Box<Next>),
-}
-
-/// The next picture to draw.
-pub struct Next {
-    /// Why.
-    pub why: String,
-    /// What to change in a program.
-    pub change: String,
-    /// The scene that it shows.
-    pub scene: Scene,
 }
 
 impl Judged<'_> {
@@ -167,16 +157,9 @@ impl Judged<'_> {
         if right.levels > 0 {
             return None;
         }
-        let next = BlindSpots::after(&right.scene, right.width).next(|_| true)?;
-        let hidden = match next.hidden {
-            1 => "One known mistake".to_owned(),
-            hidden => format!("{hidden} known mistakes"),
-        };
-        Some(Part::Next(Box::new(Next {
-            why: format!("{hidden} can hide from this picture, and would show in another"),
-            change: next.change(),
-            scene: next.scene,
-        })))
+        let hidden = blind_spots::hidden(&right.scene, right.width);
+        let next = blind_spots::next(&right.scene, &hidden);
+        next.map(|next| Part::Next(Box::new(next)))
     }
 
     fn explained(&self, finding: &Finding) -> Vec<Part> {

@@ -133,6 +133,16 @@ impl Conversion {
 }
 
 impl Left {
+    /// The whole picture.
+    pub(crate) fn all(reading: &Reading) -> Self {
+        Self {
+            off: reading.pixels.len(),
+            far: reading.pixels.len(),
+            columns: [0, reading.width - 1],
+            rows: [0, reading.height - 1],
+        }
+    }
+
     fn add(&mut self, column: u32, row: u32, off: u16) {
         if self.off == 0 {
             (self.columns, self.rows) = ([column; 2], [row; 2]);

@@ -23,8 +23,9 @@ const ODD: usize = 100;
 const ODD_AT_EDGES: usize = 20;
 /// So many pixels that lie between both sides of an edge are no chance.
 const MIXED: usize = 16;
-/// How many pixels are looked at before all are.
+/// How many pixels are looked at before all are, and of how many one has no edge at least.
 const GLANCE: u32 = 200;
+const SMOOTH: u32 = 4;
 
 /// A picture whose pixels lie between those of a program.
 pub(crate) struct Mean {
@@ -68,13 +69,18 @@ fn may_be_mean_of(candidate: &Candidate, reading: &Reading) -> bool {
         i > 0 && i < width - 1 && j > 0 && j < reading.height - 1
     };
     let places = spread(GLANCE, reading.pixels.len() as u32).filter(inside);
-    let is_odd = |n: &u32| {
-        let contrast = contrast(&reading.pixels, width as usize, *n as usize);
-        let off = distance(candidate.pixel(&output, *n), reading.pixels[*n as usize]);
-        contrast <= CONTRAST && off > GIVE + contrast
-    };
-    let most = 2 * GLANCE as usize / ODD + 4;
-    places.filter(is_odd).take(most + 1).count() <= most
+    let (mut smooth, mut odd) = (0, 0);
+    for n in places {
+        let contrast = contrast(&reading.pixels, width as usize, n as usize);
+        let off = distance(candidate.pixel(&output, n), reading.pixels[n as usize]);
+        smooth += u32::from(contrast <= CONTRAST);
+        odd += usize::from(contrast <= CONTRAST && off > GIVE + contrast);
+        if odd > 2 * GLANCE as usize / ODD + 4 {
+            return false;
+        }
+    }
+    // A picture that is all edges is the mean of anything.
+    SMOOTH * smooth >= GLANCE
 }
 
 /// The picture of rays through the middle of each pixel: before version 4 several rays lie

@@ -45,7 +45,7 @@ const MANY: usize = 20;
 /// Where all is within a level, one in so many pixels may be off: single precision is.
 const ROUNDED: usize = 4;
 /// How many pixels are compared in all, so that a large picture does not take long.
-const WORK: usize = 2_000_000;
+const WORK: usize = 1_500_000;
 /// How many pixels tell which of the right programs comes nearest, and by how many more of
 /// them another one may be off that is compared as well.
 const LOOK: u32 = 2000;
@@ -65,7 +65,7 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     if left.is_nothing() && is_answered() {
         return near(left);
     }
-    let elsewhere = || right_elsewhere(evidence).filter(|_| !left.is_nothing());
+    let elsewhere = right_elsewhere(evidence).filter(|_| !left.is_nothing());
     // A change was forgotten, or is still there: nobody else draws a picture that wide.
     let is_forgotten = |scenes: &Vec<Scene>| {
         let is_it = |scene: &Scene| match (evidence.scene.probe, scene.probe) {
@@ -74,13 +74,13 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
         };
         scenes[0].chapter == evidence.scene.chapter && scenes.iter().any(is_it)
     };
-    if let Some(scenes) = elsewhere().filter(is_forgotten) {
+    if let Some(scenes) = elsewhere.clone().filter(is_forgotten) {
         return Explanation::Another(scenes);
     }
     if let Some(single) = mistake(evidence, &left) {
         return Explanation::Mistakes(single);
     }
-    if let Some(scenes) = elsewhere() {
+    if let Some(scenes) = elsewhere {
         return Explanation::Another(scenes);
     }
     if left.is_nothing() || MANY * left.off <= reading.pixels.len() || left.is_rounding() {
@@ -115,7 +115,8 @@ impl Fit {
     }
 }
 
-/// The right program that leaves least: what is off by more than a level counts first.
+/// The right program that leaves least: what is off by more than a level counts first. More
+/// than a twentieth counts as all.
 fn nearest(evidence: &Evidence) -> (Candidate, Left) {
     let reading = evidence.reading;
     let rights = rights(evidence).into_iter();
@@ -123,7 +124,9 @@ fn nearest(evidence: &Evidence) -> (Candidate, Left) {
     let looked: Vec<_> = looked.collect();
     let least = looked.iter().map(|(far, _)| *far).min().unwrap_or_default();
     let likely = looked.into_iter().filter(|(far, _)| *far <= least + NEARLY);
-    let measured = likely.filter_map(|(_, it)| Some((it.left(reading, usize::MAX)?, it)));
+    let most = reading.pixels.len() / MANY;
+    let left = |it: &Candidate| it.left(reading, most).unwrap_or(Left::all(reading));
+    let measured = likely.map(|(_, it)| (left(&it), it));
     let best = measured.min_by_key(|(left, _)| (left.far, left.off));
     let (left, it) = best.expect("the scene was fitted to the picture");
     (it, left)

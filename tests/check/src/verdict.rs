@@ -1,7 +1,7 @@
 //! The verdict on a picture: right, wrong, or no picture, with what explains it.
 
 use common::rtweekend::Picture;
-use slips::{Edition, Slip};
+use slips::{Edition, Probe, Slip};
 
 use crate::candidate::{Candidate, Conversion, Left};
 use crate::comparison::{Comparison, Difference};
@@ -9,7 +9,7 @@ use crate::judge::{Explanation, Fit, explain};
 use crate::known::{Evidence, Known};
 use crate::reading::{self, Cause, Reading};
 use crate::scene::Scene;
-use crate::telling::{self, Telling};
+use crate::telling;
 use crate::{causes, copies, seen};
 
 /// What there is to say about a picture.
@@ -122,7 +122,7 @@ pub struct Mistakes {
     /// The pixels that they leave unexplained.
     pub left: Left,
     /// A small change of scene that tells them apart, if there is one.
-    pub telling: Option<Telling>,
+    pub telling: Option<Probe>,
 }
 
 /// Compares the picture in `bytes` with the scene's, by each edition of the book that

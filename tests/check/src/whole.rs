@@ -4,7 +4,7 @@
 use common::rtweekend::Picture;
 use slips::{Chapter, Edition, Probe, Slip, steps};
 
-use crate::blind_spots::BlindSpots;
+use crate::blind_spots;
 use crate::known::Known;
 use crate::names;
 use crate::reading::Cause;
@@ -299,20 +299,19 @@ impl Evidence<'_> {
             self.known.can_be_made(slip, self.scene)
                 && (self.known.answers).is_none_or(|unlike| unlike(&slip.program(chapter)).1 == 0)
         };
-        let Some(next) = BlindSpots::after(self.scene, width).next(may_be) else {
+        let hidden = blind_spots::hidden(self.scene, width).into_iter();
+        let hidden: Vec<&'static Slip> = hidden.filter(|slip| may_be(slip)).collect();
+        let Some(next) = blind_spots::next(self.scene, &hidden) else {
             return verdict;
         };
         let command = next.scene.probe.map_or(String::new(), |probe| {
             format!("; and then {}", (self.watch)(Some(probe)))
         });
-        let hidden = match next.hidden {
-            1 => "one known mistake can hide from this picture".to_owned(),
-            hidden => format!("{hidden} known mistakes can hide from this picture"),
-        };
+        let to_see_it = next.change() + &command;
         Verdict {
             cause: vec![
-                labeled("hidden", hidden),
-                labeled("to see it", next.change() + &command),
+                labeled("hidden", next.why()),
+                labeled("to see it", to_see_it),
             ],
             ..verdict
         }

@@ -45,7 +45,7 @@ impl Finding {
 
     /// A small change that tells the mistakes apart, and the command that judges its picture.
     pub fn next(&self, command: impl Fn(Probe) -> String) -> Option<String> {
-        let probe = self.mistakes.as_ref()?.telling.as_ref()?.probe;
+        let probe = self.mistakes.as_ref()?.telling?;
         let change = probe.lines(self.scene.chapter).replace('\n', "; ");
         Some(format!(
             "draw the probe {}, which tells some of them apart: {change}; and then {}",

@@ -4,7 +4,6 @@ use super::cause::Cause;
 use super::header;
 use super::numbers::Reading;
 use super::tokens::Tokens;
-use crate::pixels::{Pixel, distance, spread};
 
 /// No pixel takes less text than `0 0 0` and a space.
 const LEAST_TEXT: usize = 6;
@@ -44,12 +43,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
             encoding: None,
         })
     } else {
-        Err(miscounted(width as usize, height as usize, count, &pixels))
+        Err(miscounted(width as usize, height as usize, count))
     }
 }
 
 /// Why there are `count` numbers, and not three a pixel.
-fn miscounted(width: usize, height: usize, count: usize, found: &[Pixel]) -> Cause {
+fn miscounted(width: usize, height: usize, count: usize) -> Cause {
     let wanted = 3 * width * height;
     let name = match count {
         0 => "no-pixels",
@@ -60,11 +59,12 @@ fn miscounted(width: usize, height: usize, count: usize, found: &[Pixel]) -> Cau
     Cause::new(
         name,
         format!("{width} × {height} pixels are {wanted} numbers, but the file has {count}"),
-        advice(width, height, count, found),
+        advice(width, height, count),
     )
 }
 
-fn advice(width: usize, height: usize, count: usize, found: &[Pixel]) -> String {
+fn advice(width: usize, height: usize, count: usize) -> String {
+    let (wanted, pixels) = (3 * width * height, count / 3);
     if count == 0 {
         return "The header is there and nothing after it: did the program stop with an error?"
             .to_owned();
@@ -72,66 +72,31 @@ fn advice(width: usize, height: usize, count: usize, found: &[Pixel]) -> String 
     if count == width * height {
         return "That is one number a pixel. Print three: red, green and blue.".to_owned();
     }
-    if (3 * width * height..3 * width * (height + 1)).contains(&count) {
+    if (wanted..wanted + 3 * width).contains(&count) {
         return format!(
             "The picture is complete, and {} more follow the last pixel. Only the picture goes to standard output.",
-            count - 3 * width * height
+            count - wanted
         );
     }
-    let pixels = count / 3;
     if count == 3 * (width + 1) * (height + 1) {
         return "That is a column and a row too many: loop while i < image_width and j < image_height, not <=.".to_owned();
-    }
-    let is_of_whole_lines = pixels.is_multiple_of(width) || pixels.is_multiple_of(height);
-    if pixels > width * height && !(count.is_multiple_of(3) && is_of_whole_lines) {
-        return format!(
-            "That is {} more than the header's size needs. Was an older, longer file not cut off, as where std::fstream opens it? Delete it, and let the program write a new one. Or does the header not say the size that the loops use?",
-            count - 3 * width * height
-        );
     }
     if !count.is_multiple_of(3) {
         return "That is not a multiple of three: a number is missing somewhere, or the file was cut off.".to_owned();
     }
-    if pixels == (width - 1) * (height - 1) {
-        return "A column and a row are missing: loop from 0 to below the size.".to_owned();
-    }
-    // Of a square both may be meant, and of a sky nothing tells which.
-    let has_more_columns = width == height
-        && pixels > width * height
-        && 10.0 * rows_differ(found, pixels / height) < 9.0 * rows_differ(found, width);
-    if pixels.is_multiple_of(width) && !has_more_columns {
-        let rows = pixels / width;
-        // The loops know the book's shape, and the header doesn't.
-        if rows == width * 9 / 16 {
-            return format!("That is {rows} rows, and the header should say so: {width} {rows}.");
-        }
+    if pixels.is_multiple_of(width) {
         return format!(
-            "That is {rows} rows: let the loop over rows run from 0 to below image_height, and let the program end by itself."
+            "That is {} rows: does the header say the size that the loops use, and does the loop over rows run from 0 to below image_height?",
+            pixels / width
         );
     }
     if pixels.is_multiple_of(height) {
-        let columns = pixels / height;
-        if rows_differ(found, height) < rows_differ(found, columns) {
-            return format!(
-                "That is {columns} rows of {height} pixels: width and height are exchanged, in the header or in the loops, and the loop over rows does not run from 0 to below image_height."
-            );
-        }
         return format!(
-            "That is {columns} columns: let the loop over columns run from 0 to below image_width."
+            "That is {} columns: does the header say the size that the loops use, and does the loop over columns run from 0 to below image_width?",
+            pixels / height
         );
     }
     format!(
-        "That is {pixels} pixels. Does the header say the size that the loops use, and did the program end by itself?"
+        "That is {pixels} pixels. Does the header say the size that the loops use, and did the program end by itself? Was an older, longer file cut off before?"
     )
-}
-
-/// How many pixels are compared with those below them.
-const LOOK: u32 = 600;
-
-/// By how many levels pixels differ from those below them on the average, in rows of a length.
-fn rows_differ(pixels: &[Pixel], width: usize) -> f64 {
-    let count = pixels.len().saturating_sub(width) as u32;
-    let places = spread(LOOK, count).map(|n| n as usize);
-    let off = places.map(|n| f64::from(distance(pixels[n], pixels[n + width])));
-    off.sum::<f64>() / f64::from(count.clamp(1, LOOK))
 }

@@ -47,9 +47,6 @@ enum Part {
     Prelude,
     /// The same of the camera, where hardly anybody takes one name for another.
     Camera,
-    /// Vectors, of which all functions are run from their texts if one is changed, since
-    /// one calls another.
-    Vectors,
 }
 
 macro_rules! source {
@@ -109,34 +106,7 @@ fn prelude(chapter: Chapter) -> Vec<Source> {
     ];
     let sky = Some(sky).filter(|_| chapter > Chapter::Gradient);
     let at = Some(at).filter(|_| chapter > Chapter::RedSphere);
-    sky.into_iter()
-        .chain(at)
-        .chain(camera)
-        .chain(vectors())
-        .collect()
-}
-
-fn vectors() -> [Source; 8] {
-    macro_rules! vector {
-        ($name:literal) => {
-            Source {
-                name: $name,
-                text: from(include_str!("vec3.rs"), concat!("fn ", $name, "(")).into(),
-                file: "common/src/vec3.rs",
-                part: Part::Vectors,
-            }
-        };
-    }
-    [
-        vector!("add"),
-        vector!("sub"),
-        vector!("neg"),
-        vector!("mul"),
-        vector!("dot"),
-        vector!("length_squared"),
-        vector!("length"),
-        vector!("normalize"),
-    ]
+    sky.into_iter().chain(at).chain(camera).collect()
 }
 
 /// The function that begins so, up to the brace that closes it.
@@ -163,7 +133,6 @@ impl Machine {
     fn new<'a>(chapter: Chapter, functions: impl Iterator<Item = &'a Read> + Clone) -> Self {
         let named = |(source, function): &Read| (source.name, Arc::clone(function));
         Self {
-            has_own_vectors: functions.clone().any(|(it, _)| it.part == Part::Vectors),
             functions: functions.map(named).collect(),
             world: Program::right(chapter).world,
         }
@@ -171,13 +140,7 @@ impl Machine {
 
     /// The chapter with a changed text of one of the functions, if that is another program.
     fn with(chapter: Chapter, all: &[Read], changed: &Source, text: &str) -> Option<Self> {
-        let is_run = |(it, _): &&Read| match it.part {
-            Part::Chapter => true,
-            Part::Prelude | Part::Camera => {
-                it.name == changed.name || changed.part == Part::Vectors
-            }
-            Part::Vectors => changed.part == Part::Vectors,
-        };
+        let is_run = |(it, _): &&Read| it.part == Part::Chapter || it.name == changed.name;
         let mut machine = Self::new(chapter, all.iter().filter(is_run));
         let mut functions = machine.functions.iter_mut();
         let (_, function) = functions.find(|(own, _)| *own == changed.name)?;

@@ -37,8 +37,6 @@ type Result<T = Value> = std::result::Result<T, Stop>;
 #[derive(Clone, Debug)]
 pub(super) struct Machine {
     pub(super) functions: Vec<(&'static str, Arc<Function>)>,
-    /// Whether vectors are added and multiplied by functions of these.
-    pub(super) has_own_vectors: bool,
     pub(super) world: World,
 }
 
@@ -121,9 +119,6 @@ impl Frame<'_> {
             Node::Field(of, field) => member(self.value(of)?, *field),
             Node::Negated(of) => match self.value(of)? {
                 Value::Number(number) => Ok(Value::Number(-number)),
-                vector @ Value::Vector(_) if self.machine.has_own_vectors => {
-                    self.own("neg", &[vector])
-                }
                 Value::Vector(vector) => Ok(Value::Vector(-vector)),
                 _ => Err(Stop::Nonsense),
             },
@@ -137,7 +132,7 @@ impl Frame<'_> {
                     (Sign::And, Value::Bool(false)) | (Sign::Or, Value::Bool(true)) => Ok(left),
                     _ => {
                         let right = self.value(right)?;
-                        self.binary(*operator, left, right)
+                        binary(*operator, left, right)
                     }
                 }
             }
@@ -197,23 +192,6 @@ impl Frame<'_> {
         Ok(value)
     }
 
-    /// An operator between vectors is a function of theirs, if these are run from a text.
-    fn binary(&mut self, operator: Sign, left: Value, right: Value) -> Result {
-        use Value::{Number, Vector};
-        let name = match (operator, left, right) {
-            _ if !self.machine.has_own_vectors => None,
-            (Sign::Plus, Vector(_), Vector(_)) => Some("add"),
-            (Sign::Minus, Vector(_), Vector(_)) => Some("sub"),
-            (Sign::Times, Number(_), Vector(_)) => Some("mul"),
-            (Sign::Times, Vector(_), Number(_)) => return self.own("mul", &[right, left]),
-            _ => None,
-        };
-        match name {
-            Some(name) => self.own(name, &[left, right]),
-            None => binary(operator, left, right),
-        }
-    }
-
     fn choice(&mut self, all: &[Node], then: &Node, other: Option<&Node>) -> Result {
         for condition in all {
             match self.value(condition)? {
@@ -243,10 +221,8 @@ impl Frame<'_> {
     fn called(&mut self, name: Callee, arguments: &[Value]) -> Result {
         match (name, arguments) {
             (Callee::Some, [value]) => Ok(*value),
-            (Callee::Sky, [Value::Ray(ray)]) => match self.machine.has("sky") {
-                true => self.own("sky", arguments),
-                false => Ok(Value::Vector(sky(ray))),
-            },
+            (Callee::Sky, [Value::Ray(_)]) if self.machine.has("sky") => self.own("sky", arguments),
+            (Callee::Sky, [Value::Ray(ray)]) => Ok(Value::Vector(sky(ray))),
             (Callee::From, [Value::Number(_)]) => Ok(arguments[0]),
             (Callee::Ray, [Value::Vector(origin), Value::Vector(direction)]) => {
                 Ok(Value::Ray(Ray::new(*origin, *direction)))
@@ -264,11 +240,6 @@ impl Frame<'_> {
         use Value::{Number, Vector};
         let object = self.value(of)?;
         let given = self.several(arguments)?;
-        if let (Vector(_), Some(own)) = (object, name.of_vectors())
-            && self.machine.has_own_vectors
-        {
-            return self.own(own, &[object, given[0]][..=arguments.len().min(1)]);
-        }
         match (name, object, &given[..arguments.len()]) {
             (Member::Sqrt, Number(number), []) => Ok(Number(number.sqrt())),
             (Member::Abs, Number(number), []) => Ok(Number(number.abs())),
@@ -302,19 +273,6 @@ impl Frame<'_> {
 
     fn own(&mut self, name: &str, given: &[Value]) -> Result {
         Ok(self.calls(name, given)?.0)
-    }
-}
-
-impl Member {
-    /// The function of vectors that it is, if these are run from a text.
-    fn of_vectors(self) -> Option<&'static str> {
-        match self {
-            Self::Dot => Some("dot"),
-            Self::Length => Some("length"),
-            Self::LengthSquared => Some("length_squared"),
-            Self::Normalize => Some("normalize"),
-            _ => None,
-        }
     }
 }
 
