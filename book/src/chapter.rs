@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, Command, Error};
-use slips::Chapter;
+use course::chapter::Chapter;
 
 /// Takes one of these chapters.
 #[derive(Clone)]
-pub(crate) struct OneOf(pub(crate) &'static [Chapter]);
+pub struct OneOf(pub &'static [Chapter]);
 
 impl TypedValueParser for OneOf {
     type Value = Chapter;
@@ -31,7 +31,7 @@ impl TypedValueParser for OneOf {
 
 /// A chapter of the book, or a picture where none is named.
 #[derive(Clone)]
-pub(crate) enum First {
+pub enum First {
     /// The chapter.
     Chapter(Chapter),
     /// The picture.
@@ -40,7 +40,7 @@ pub(crate) enum First {
 
 /// Takes a chapter of the book, or what looks like a file.
 #[derive(Clone)]
-pub(crate) struct ChapterOrPicture;
+pub struct ChapterOrPicture;
 
 impl TypedValueParser for ChapterOrPicture {
     type Value = First;

@@ -5,15 +5,15 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use check::names::{companion, from_here};
 use common::engine::output;
-use slips::Chapter;
+use course::chapter::Chapter;
+use course::names::{companion, from_here};
 
 use crate::save::{Format, save};
 
 /// Draws every picture at the book's size, as PNG and as PPM, and says where
 /// it is, how large, and how long it took to trace.
-pub(crate) fn all() -> Result<(), Box<dyn Error>> {
+pub fn all() -> Result<(), Box<dyn Error>> {
     let folder = folder()?;
     let mut report = format!("The pictures are in {}\n", from_here(&folder));
     for chapter in Chapter::ALL {
@@ -23,7 +23,7 @@ pub(crate) fn all() -> Result<(), Box<dyn Error>> {
 }
 
 /// Where the pictures go: `target/pictures` of this workspace.
-pub(crate) fn folder() -> Result<PathBuf, Box<dyn Error>> {
+pub fn folder() -> Result<PathBuf, Box<dyn Error>> {
     let folder = workspace()?.join("target").join("pictures");
     fs::create_dir_all(&folder).map_err(|cause| {
         format!(
@@ -37,8 +37,8 @@ pub(crate) fn folder() -> Result<PathBuf, Box<dyn Error>> {
 }
 
 /// The workspace, which has the sources of the book.
-pub(crate) fn workspace() -> Result<&'static Path, Box<dyn Error>> {
-    check::workspace::workspace().ok_or_else(|| {
+pub fn workspace() -> Result<&'static Path, Box<dyn Error>> {
+    course::workspace::workspace().ok_or_else(|| {
         format!(
             "the workspace that this program was built from is not there any more\n\
              Run this in another clone of it. {}",

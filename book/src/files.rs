@@ -8,19 +8,19 @@ use std::error::Error;
 use std::path::Path;
 use std::{fs, io};
 
-use check::names::{companion, from_here};
 use common::engine::output;
+use course::names::{companion, from_here};
 
 use crate::misuse::misuse;
 
 /// Files by their names as seen from a folder, with a slash between parts.
-pub(crate) type Files = Vec<(String, Vec<u8>)>;
+pub type Files = Vec<(String, Vec<u8>)>;
 
 /// Makes `folder` hold these `files`, which are a `kind` of thing, and no others.
 ///
 /// # Errors
 /// If the folder holds anything but an earlier thing of that kind, or can't be written.
-pub(crate) fn fill(folder: &Path, kind: &str, files: &Files) -> Result<(), Box<dyn Error>> {
+pub fn fill(folder: &Path, kind: &str, files: &Files) -> Result<(), Box<dyn Error>> {
     let old = ours(folder, kind)?;
     let names = files.iter().map(|(name, _)| name.clone());
     let new: BTreeSet<String> = names.chain([LIST.to_owned()]).collect();
@@ -42,21 +42,22 @@ pub(crate) fn fill(folder: &Path, kind: &str, files: &Files) -> Result<(), Box<d
 }
 
 /// Refuses now what [`fill`] would refuse in the end: until then much may be computed.
-pub(crate) fn refuse_strangers(folder: &Path, kind: &str) -> Result<(), Box<dyn Error>> {
+pub fn refuse_strangers(folder: &Path, kind: &str) -> Result<(), Box<dyn Error>> {
     ours(folder, kind).map(drop)
 }
 
 /// All files below `folder`.
-pub(crate) fn read(folder: &Path) -> io::Result<Files> {
+pub fn read(folder: &Path) -> io::Result<Files> {
     let mut files = Files::new();
     let mut folders = vec![String::new()];
     while let Some(above) = folders.pop() {
         for entry in fs::read_dir(folder.join(&above))? {
             let entry = entry?;
             let name = format!("{above}{}", entry.file_name().to_string_lossy());
-            match entry.file_type()?.is_dir() {
-                true => folders.push(name + "/"),
-                false => files.push((name, fs::read(entry.path())?)),
+            if entry.file_type()?.is_dir() {
+                folders.push(name + "/");
+            } else {
+                files.push((name, fs::read(entry.path())?));
             }
         }
     }

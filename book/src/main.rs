@@ -1,89 +1,72 @@
-//! `cargo rtrace`: the reader's companion.
+//! `cargo rtrace`: draws and shows by itself, and hands every other command to the
+//! companion.
 
-mod book;
-mod chapter;
-mod check;
-mod done;
-mod draw;
-mod files;
-mod hit;
-mod mine;
-mod misuse;
-mod needs;
-mod probes;
-mod save;
-mod show;
-#[cfg(unix)]
-mod signals;
-mod slips;
-mod sources;
-mod start;
-mod subprocess;
-mod terminal;
-mod watch;
-
+use std::env;
+use std::error::Error;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
-use ::check::names::companion;
-use clap::{Parser, Subcommand};
+use clap::{Args, Parser, Subcommand};
+use course::names::companion;
+use rtrace::cargo::{COMPANION, become_program};
+use rtrace::misuse;
 
 /// The pictures of Ray Tracing in One Weekend, chapter by chapter.
 ///
 /// Without a command: draws all of them into target/pictures, as PNG and as
 /// PPM files, and weaves the book into target/book.
 #[derive(Parser)]
-#[command(name = "rtrace", bin_name = companion())]
+#[command(name = "rtrace", bin_name = companion(), disable_help_subcommand = true)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
 }
 
+/// The names and words of the companion's commands are written there as well: a test
+/// compares what both say to `--help`.
 #[derive(Subcommand)]
 enum Command {
-    /// Weave the book: the notes with the code, the pictures and the figures
-    Book(book::Arguments),
-    /// Draw one picture: in the terminal, into a file, or into a viewer
-    Show(show::Arguments),
+    #[command(flatten)]
+    Own(rtrace::Command),
     /// Check your own picture, and learn which mistake draws it
-    Check(check::Arguments),
+    Check(Words),
     /// Make a crate of your own for a chapter, ready to be typed into
-    Start(start::Arguments),
+    Start(Words),
     /// Judge your crate or program whenever you save it
-    Watch(watch::Arguments),
+    Watch(Words),
     /// Show the list of what you have done, or add a line to it
-    Done(done::Arguments),
+    Done(Words),
     /// Look at one ray and one sphere through every method of chapter 6
-    Hit(hit::Arguments),
+    Hit(Words),
     /// Find the least that a scene of your own needs, of all methods of chapter 6
-    Needs(needs::Arguments),
+    Needs(Words),
     /// List the small scenes that show what the book's picture can't
-    Probes(probes::Arguments),
+    Probes(Words),
     /// List the mistakes that are known, or draw one
-    Slips(slips::Arguments),
+    Slips(Words),
+    /// Print this message or the help of the given subcommand(s)
+    Help(Words),
+}
+
+/// What the companion is to read.
+#[derive(Args)]
+#[command(disable_help_flag = true)]
+struct Words {
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+    _words: Vec<OsString>,
 }
 
 fn main() -> ExitCode {
-    let done = match misuse::command_line::<Cli>().command {
-        None => draw::all().and_then(|()| book::this_book()),
-        Some(Command::Book(arguments)) => book::book(&arguments),
-        Some(Command::Show(arguments)) => show::show(&arguments),
-        Some(Command::Check(arguments)) => return check::check(&arguments),
-        Some(Command::Start(arguments)) => start::start(&arguments),
-        Some(Command::Watch(arguments)) => match watch::watch(&arguments) {
-            Ok(code) => return code,
-            Err(error) => Err(error),
-        },
-        Some(Command::Done(arguments)) => done::done(&arguments),
-        Some(Command::Hit(arguments)) => hit::hit(&arguments),
-        Some(Command::Needs(arguments)) => needs::needs(&arguments),
-        Some(Command::Probes(arguments)) => probes::list(&arguments),
-        Some(Command::Slips(arguments)) => slips::slips(&arguments),
-    };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            misuse::fail(&format!("rtrace: {error}"));
-            misuse::exit_code(&*error)
-        }
-    }
+    misuse::exit_code_of(match misuse::command_line::<Cli>().command {
+        None => rtrace::run_without_command(),
+        Some(Command::Own(command)) => command.run(),
+        Some(_) => hand_on(),
+    })
+}
+
+/// Becomes the companion, with the same words.
+fn hand_on() -> Result<ExitCode, Box<dyn Error>> {
+    let mut companion = COMPANION.built()?;
+    companion.args(env::args_os().skip(1));
+    become_program(companion)
 }

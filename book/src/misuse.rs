@@ -2,40 +2,29 @@
 //! command line from a failure.
 
 use std::error::Error;
+use std::fmt;
 use std::io::{self, Write};
 use std::process::{ExitCode, exit};
-use std::{env, fmt};
 
-use check::names;
 use clap::Parser;
-use serde_json::json;
+use course::names;
 
 /// What the command line says. Who asks for help is helped, and who can't be
 /// understood is told why; that ends the program.
-pub(crate) fn command_line<Cli: Parser>() -> Cli {
+pub fn command_line<Cli: Parser>() -> Cli {
     Cli::try_parse().unwrap_or_else(|error| {
         if !error.use_stderr() {
             error.exit();
         }
         // It repeats what was typed.
-        fail(&error.to_string());
+        complain(&error.to_string());
         exit(error.exit_code())
     })
 }
 
-/// Says why there is no answer; to programs that have asked for JSON, in JSON as well.
-pub(crate) fn fail(why: &str) {
-    complain(why);
-    let mut words = env::args_os().take_while(|word| word != "--");
-    if words.any(|word| word == "--json") {
-        // It was told already, if this can't be written.
-        let _ = writeln!(io::stdout(), "{:#}", json!({ "error": why }));
-    }
-}
-
 /// Says on standard error what went wrong. What the terminal would obey in it, from
 /// the name of a file perhaps, is spelled out.
-pub(crate) fn complain(about: &str) {
+pub fn complain(about: &str) {
     for line in about.lines() {
         // If even this can't be written, there is nobody left to tell.
         let _ = writeln!(io::stderr(), "{}", names::visible(line));
@@ -44,7 +33,7 @@ pub(crate) fn complain(about: &str) {
 
 /// A command line that can't be followed, as opposed to a failure on the way.
 #[derive(Debug)]
-pub(crate) struct Misuse(pub(crate) String);
+pub struct Misuse(pub String);
 
 impl fmt::Display for Misuse {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -55,14 +44,20 @@ impl fmt::Display for Misuse {
 impl Error for Misuse {}
 
 /// An error that says why a command line can't be followed.
-pub(crate) fn misuse(what: &str) -> Box<dyn Error> {
+pub fn misuse(what: &str) -> Box<dyn Error> {
     Misuse(what.to_owned()).into()
 }
 
-/// 2 for a misuse, and 1 for what failed on the way.
-pub(crate) fn exit_code(error: &(dyn Error + 'static)) -> ExitCode {
-    match error.downcast_ref::<Misuse>() {
-        Some(_) => ExitCode::from(2),
-        None => ExitCode::FAILURE,
-    }
+/// The exit code of a program that has done this, and on standard error why it is not 0.
+pub fn exit_code(done: Result<(), Box<dyn Error>>) -> ExitCode {
+    exit_code_of(done.map(|()| ExitCode::SUCCESS))
+}
+
+/// The same, where what was done has an exit code of its own: 2 is for a misuse, and 1 for
+/// what failed on the way.
+pub fn exit_code_of(done: Result<ExitCode, Box<dyn Error>>) -> ExitCode {
+    done.unwrap_or_else(|error| {
+        complain(&format!("rtrace: {error}"));
+        ExitCode::from(if error.is::<Misuse>() { 2 } else { 1 })
+    })
 }

@@ -1,15 +1,15 @@
 //! Picture files: PNG and P3.
 
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
 
-use check::png;
 use common::engine::output;
 use common::rtweekend::Picture;
+use png::{BitDepth, ColorType, Compression, Filter};
 
 /// What a picture file holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Format {
+pub enum Format {
     /// Compressed, for viewers and pages.
     Png,
     /// The book's own: P3, a text of numbers.
@@ -18,14 +18,15 @@ pub(crate) enum Format {
 
 impl Format {
     /// The format that the name of a file asks for.
-    pub(crate) fn of(path: &Path) -> Option<Self> {
+    pub fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_ascii_lowercase();
         [Self::Png, Self::Ppm]
             .into_iter()
             .find(|format| extension == format.extension())
     }
 
-    pub(crate) fn extension(self) -> &'static str {
+    /// How the name of a file ends.
+    pub fn extension(self) -> &'static str {
         match self {
             Self::Png => "png",
             Self::Ppm => "ppm",
@@ -34,12 +35,23 @@ impl Format {
 }
 
 /// Writes `picture` to `path`, whole or not at all.
-pub(crate) fn save(picture: &Picture, format: Format, path: &Path) -> io::Result<()> {
-    match format {
-        Format::Png => {
-            let bytes = png::encode(picture);
-            output::to_file(path, |out| out.write_all(&bytes))
-        }
-        Format::Ppm => output::to_file(path, |out| picture.write_p3(out)),
-    }
+///
+/// # Errors
+/// If it can't be written.
+pub fn save(picture: &Picture, format: Format, path: &Path) -> io::Result<()> {
+    output::to_file(path, |out| match format {
+        Format::Png => write_png(picture, out),
+        Format::Ppm => picture.write_p3(out),
+    })
+}
+
+fn write_png(picture: &Picture, out: &mut dyn Write) -> io::Result<()> {
+    let mut encoder = png::Encoder::new(out, picture.width(), picture.height());
+    encoder.set_color(ColorType::Rgb);
+    encoder.set_depth(BitDepth::Eight);
+    encoder.set_compression(Compression::Fast);
+    encoder.set_filter(Filter::Adaptive);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(picture.rgb())?;
+    Ok(writer.finish()?)
 }

@@ -3,12 +3,12 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use check::names;
 use clap::Args;
 use clap::builder::{OsStringValueParser, TypedValueParser};
 use common::engine::{output, parse_width};
 use common::rtweekend::Picture;
-use slips::Chapter;
+use course::chapter::Chapter;
+use course::names;
 
 use crate::chapter::OneOf;
 use crate::draw;
@@ -18,7 +18,7 @@ use crate::terminal::{self, Palette};
 
 /// What `cargo rtrace show` is told.
 #[derive(Args)]
-pub(crate) struct Arguments {
+pub struct Arguments {
     /// Which picture
     #[arg(value_name = "CHAPTER", value_parser = OneOf(&Chapter::ALL))]
     chapter: Chapter,
@@ -38,7 +38,7 @@ pub(crate) struct Arguments {
 }
 
 /// Draws the picture, then prints, saves, opens or shows it.
-pub(crate) fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+pub fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let Arguments {
         chapter,
         width,

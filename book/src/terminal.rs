@@ -1,15 +1,15 @@
 //! Half blocks: a picture in the terminal, two pixels to a character.
 
 use std::io::{self, Write};
+use std::ops::Range;
 
 use anstyle::{AnsiColor, Color, RgbColor, Style};
 use common::rtweekend::Picture;
-use image::{Rgb, RgbImage, imageops};
 use supports_color::Stream;
 
 /// The colors that a terminal has.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Palette {
+pub enum Palette {
     /// 24 bits: all.
     All,
     /// 256 of them.
@@ -21,7 +21,7 @@ pub(crate) enum Palette {
 impl Palette {
     /// The colors of the terminal that shows standard output, if there is one, if it
     /// has colors, and if the reader wants them.
-    pub(crate) fn of_stdout() -> Option<Self> {
+    pub fn of_stdout() -> Option<Self> {
         let level = supports_color::on(Stream::Stdout)?;
         // A console of Windows reads escapes only if asked to, and then it has all colors.
         #[cfg(windows)]
@@ -37,7 +37,7 @@ impl Palette {
         })
     }
 
-    fn nearest(self, Rgb([red, green, blue]): Rgb<u8>) -> Color {
+    fn nearest(self, [red, green, blue]: [u8; 3]) -> Color {
         let color = RgbColor(red, green, blue);
         match self {
             Self::All => color.into(),
@@ -51,25 +51,11 @@ impl Palette {
     }
 }
 
-/// How wide text should be, in characters: as the terminal, but no wider than is easy to
-/// read.
-pub(crate) fn text_width() -> usize {
-    let columns = terminal_size::terminal_size().map_or(80, |(width, _)| usize::from(width.0));
-    columns.clamp(30, 96)
-}
-
-/// `text` in lines that are no wider than that, those after the first with this indent.
-pub(crate) fn hanging(text: &str, indent: usize) -> String {
-    let indent = " ".repeat(indent);
-    let options = textwrap::Options::new(text_width()).subsequent_indent(&indent);
-    textwrap::fill(text, options)
-}
-
 /// Shows `picture`, reduced as far as the terminal asks.
 ///
 /// The character is the upper half block: its own color is the upper pixel, its
 /// background the lower one.
-pub(crate) fn show(picture: &Picture, palette: Palette, out: &mut dyn Write) -> io::Result<()> {
+pub fn show(picture: &Picture, palette: Palette, out: &mut dyn Write) -> io::Result<()> {
     let (columns, terminal_lines) = terminal_size::terminal_size()
         .map_or((80, 24), |(width, height)| {
             (width.0.into(), height.0.into())
@@ -83,33 +69,56 @@ pub(crate) fn show(picture: &Picture, palette: Palette, out: &mut dyn Write) -> 
 }
 
 /// The lines that show `picture`, reduced to at most `columns` × `rows` pixels.
-pub(crate) fn lines(picture: &Picture, palette: Palette, columns: u32, rows: u32) -> Vec<String> {
-    let image = reduced(picture, columns, rows);
-    let line = |j| {
-        let character = |i| {
-            let color = |j| Some(palette.nearest(*image.get_pixel_checked(i, j)?));
-            let style = Style::new().fg_color(color(j)).bg_color(color(j + 1));
+pub fn lines(picture: &Picture, palette: Palette, columns: u32, rows: u32) -> Vec<String> {
+    let pixels = reduced(picture, columns, rows);
+    let line = |rows: &[Vec<[u8; 3]>]| {
+        let character = |i: usize| {
+            let color = |row: &Vec<[u8; 3]>| palette.nearest(row[i]);
+            let style = Style::new()
+                .fg_color(rows.first().map(color))
+                .bg_color(rows.get(1).map(color));
             format!("{style}▀")
         };
-        let characters: String = (0..image.width()).map(character).collect();
+        let characters: String = (0..rows[0].len()).map(character).collect();
         characters + "\x1b[0m"
     };
-    (0..image.height()).step_by(2).map(line).collect()
+    pixels.chunks(2).map(line).collect()
 }
 
-/// The picture at its own size if it fits into `columns` × `rows` pixels, else
+/// The rows of the picture at its own size if that fits into `columns` × `rows` pixels, else
 /// as large as fits, with its shape kept.
-fn reduced(picture: &Picture, columns: u32, rows: u32) -> RgbImage {
+fn reduced(picture: &Picture, columns: u32, rows: u32) -> Vec<Vec<[u8; 3]>> {
     let (width, height) = (picture.width(), picture.height());
-    let image = RgbImage::from_raw(width, height, picture.rgb().to_vec())
-        .expect("a picture has as many bytes as its size says");
     let scale = f64::min(
         f64::from(columns) / f64::from(width),
         f64::from(rows) / f64::from(height),
     );
-    if scale >= 1.0 {
-        return image;
-    }
-    let fit = |size: u32| ((scale * f64::from(size)) as u32).max(1);
-    imageops::thumbnail(&image, fit(width), fit(height))
+    let fit = |size: u32| ((scale.min(1.0) * f64::from(size)) as u32).max(1);
+    let row = |rows: Range<u32>| {
+        let pixel = |columns| average(picture, columns, rows.clone());
+        blocks(width, fit(width)).map(pixel).collect()
+    };
+    blocks(height, fit(height)).map(row).collect()
+}
+
+/// So many pixels, cut into `count` blocks that are as equal as can be.
+fn blocks(pixels: u32, count: u32) -> impl Iterator<Item = Range<u32>> {
+    let end = move |n: u32| (n * pixels).div_ceil(count);
+    (0..count).map(move |n| end(n)..end(n + 1))
+}
+
+/// The mean color of a block of pixels.
+fn average(picture: &Picture, columns: Range<u32>, rows: Range<u32>) -> [u8; 3] {
+    let count = (columns.len() * rows.len()) as u32;
+    let component = |n: u32| {
+        let column = |j: u32| {
+            columns
+                .clone()
+                .map(move |i| 3 * (j * picture.width() + i) + n)
+        };
+        let all = rows.clone().flat_map(column);
+        let sum: u32 = all.map(|at| u32::from(picture.rgb()[at as usize])).sum();
+        ((sum + count / 2) / count) as u8
+    };
+    [0, 1, 2].map(component)
 }

@@ -1,22 +1,46 @@
-//! `weave SOURCE FOLDER`: weaves the book in the folder SOURCE into an empty FOLDER.
+//! `weave SOURCE FOLDER`: weaves the book in the folder SOURCE, and lets it take the place of
+//! an older one in FOLDER.
 //!
-//! `cargo rtrace book` has cargo run this into a temporary folder, and puts the book in its
-//! place. So the companion builds without mdBook.
+//! `cargo rtrace book` has cargo build this and runs it. So it builds without mdBook itself.
 
-use std::path::Path;
+use std::error::Error;
+use std::path::{self, Path};
 use std::process::ExitCode;
+
+use course::names::from_here;
+use rtrace::files;
+use rtrace::misuse::{exit_code, misuse};
 
 fn main() -> ExitCode {
     let arguments: Vec<_> = std::env::args_os().skip(1).collect();
-    let [source, folder] = &arguments[..] else {
-        eprintln!("usage: weave SOURCE FOLDER");
-        return ExitCode::from(2);
-    };
-    match weave::weave(Path::new(source), Path::new(folder)) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("{error}");
-            ExitCode::FAILURE
-        }
+    exit_code(match &arguments[..] {
+        [source, folder] => replace(Path::new(source), Path::new(folder)),
+        _ => Err(misuse("two folders are needed: weave SOURCE FOLDER")),
+    })
+}
+
+/// What the folder is called where another one is refused.
+const KIND: &str = "book";
+
+/// Weaves beside the old book, which stays until the new one is whole.
+fn replace(source: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
+    refuse_pages(folder)?;
+    files::refuse_strangers(folder, KIND)?;
+    let woven = tempfile::tempdir()?;
+    weave::weave(source, woven.path())?;
+    files::fill(folder, KIND, &files::read(woven.path())?)
+}
+
+/// mdBook copies what lies among the pages into the book: the last book, too.
+fn refuse_pages(folder: &Path) -> Result<(), Box<dyn Error>> {
+    let folder = path::absolute(folder)?;
+    let has_pages = |above: &Path| above.join("SUMMARY.md").is_file();
+    if !folder.ancestors().any(has_pages) {
+        return Ok(());
     }
+    Err(misuse(&format!(
+        "{} lies among the pages of a book, and would become a part of the next one\n\
+         Name a folder elsewhere.",
+        from_here(&folder)
+    )))
 }

@@ -19,7 +19,6 @@ pub mod guess;
 pub mod html;
 mod judge;
 pub mod known;
-pub mod names;
 mod pixels;
 pub mod png;
 pub mod reading;
@@ -35,4 +34,5 @@ mod words;
 pub mod workspace;
 
 pub use candidate::{Conversion, Left};
+pub use course::names;
 pub use words::{Row, names_of};

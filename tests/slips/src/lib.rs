@@ -28,7 +28,6 @@
 //! ```
 
 mod catalogue;
-mod chapter;
 mod edition;
 mod letters;
 mod look;
@@ -42,8 +41,10 @@ pub mod steps;
 mod traced;
 mod world;
 
+use course::chapter;
+
 pub use catalogue::{all, find, unnamed};
-pub use chapter::{Chapter, Room};
+pub use course::chapter::{Chapter, Room};
 pub use edition::Edition;
 pub use letters::Letters;
 pub use look::{Look, SIGHT_WIDTH, Sight, sights};

@@ -1,13 +1,12 @@
 //! The reader's companion as `cargo install` leaves it: copied, and run in a folder that
 //! has nothing to do with the workspace.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 use std::{env, fs};
 
-use insta::assert_snapshot;
 use slips::Chapter;
-use suite::command::{assert_success, cargo, path_of, run, text, transcript};
+use suite::command::{assert_success, path_of, run, text};
 use suite::drawn::p3;
 use tempfile::TempDir;
 
@@ -28,19 +27,12 @@ fn messages_use_the_name_that_it_was_called_by() {
         &["start", "gradient"],
         &["watch", "normals"],
     ] {
-        let said = |command: &mut Command| {
-            let output = run(command.args(words));
-            text(&output.stdout) + &text(&output.stderr)
-        };
-        let alone = said(&mut home.rtrace());
+        let output = run(home.rtrace().args(words));
+        let said = text(&output.stdout) + &text(&output.stderr);
         assert!(
-            alone.contains("rtrace ") && !alone.contains("cargo rtrace"),
-            "{alone}"
+            said.contains("rtrace ") && !said.contains("cargo rtrace"),
+            "{said}"
         );
-        // The same through cargo, which finds `cargo-rtrace` on the path.
-        let _ = fs::remove_dir_all(home.0.path().join("mine"));
-        let by_cargo = said(&mut home.cargo_rtrace());
-        assert!(by_cargo.contains("cargo rtrace "), "{by_cargo}");
         let _ = fs::remove_dir_all(home.0.path().join("mine"));
     }
 }
@@ -72,29 +64,18 @@ fn the_workspace_is_the_one_that_the_reader_is_in() {
     assert!(settings.contains("/moved/Cargo.toml"), "{settings}");
 }
 
-#[test]
-fn cargo_rtrace_without_its_companion_says_so() {
-    let home = Home::new();
-    fs::remove_file(home.program("rtrace")).expect("it is there");
-    assert_snapshot!(transcript(&mut [
-        home.command(&home.program("cargo-rtrace"))
-    ]));
-}
-
-/// A folder outside of the workspace, with copies of both programs.
+/// A folder outside of the workspace, with a copy of the program.
 struct Home(TempDir);
 
 impl Home {
     fn new() -> Self {
         let home = Self(TempDir::new().expect("a folder"));
-        for name in ["rtrace", "cargo-rtrace"] {
-            fs::copy(path_of(name), home.program(name)).expect("a copy");
-        }
+        fs::copy(path_of("rtrace"), home.program()).expect("a copy");
         home
     }
 
-    fn program(&self, name: &str) -> PathBuf {
-        let program = self.0.path().join(name);
+    fn program(&self) -> PathBuf {
+        let program = self.0.path().join("rtrace");
         program.with_extension(env::consts::EXE_EXTENSION)
     }
 
@@ -104,22 +85,9 @@ impl Home {
         fs::write(path, bytes).expect("a file");
     }
 
-    fn rtrace(&self) -> Command {
-        self.command(&self.program("rtrace"))
-    }
-
-    fn cargo_rtrace(&self) -> Command {
-        let path = env::var_os("PATH").unwrap_or_default();
-        let folders = [self.0.path().to_owned()].into_iter();
-        let path = env::join_paths(folders.chain(env::split_paths(&path)));
-        let mut command = self.command(Path::new(cargo().get_program()));
-        command.arg("rtrace").env("PATH", path.expect("a PATH"));
-        command
-    }
-
     /// As from a shell, not from the cargo that runs the tests.
-    fn command(&self, program: &Path) -> Command {
-        let mut command = Command::new(program);
+    fn rtrace(&self) -> Command {
+        let mut command = Command::new(self.program());
         command.current_dir(self.0.path());
         for name in ["CARGO", "CARGO_MANIFEST_DIR"] {
             command.env_remove(name);

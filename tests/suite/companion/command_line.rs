@@ -1,11 +1,10 @@
 //! Command lines: what is shown, what is refused, and in which words.
 
 use std::fs;
-use std::path::Path;
 
 use insta::assert_snapshot;
 use slips::Chapter;
-use suite::command::{picture_in, program_with, rtrace_alone, transcript, woven};
+use suite::command::{picture_in, program_with, rtrace_alone, run, text, transcript, woven};
 use suite::drawn::p3;
 
 #[test]
@@ -24,6 +23,34 @@ fn a_chapter_explains_itself_when_asked_and_when_misunderstood() {
         gradient(&["-w"]),
     ]);
     assert_snapshot!(help.clone() + &said.replace(usage, "(the same)\n"));
+}
+
+/// Each command of the companion is listed by the first command, which builds it.
+#[test]
+fn the_first_command_and_the_companion_have_the_same_help() {
+    let help = |name| run(&mut program_with(name, &["--help"])).stdout;
+    assert_eq!(text(&help("launcher")), text(&help("rtrace")));
+}
+
+/// Odd words, and words that only the companion knows: with the same output and exit code.
+#[test]
+fn the_first_command_hands_on_what_it_does_not_do_itself() {
+    let here = tempfile::TempDir::new().expect("a folder");
+    for words in [
+        &["check", "--help"][..],
+        &["help", "watch"],
+        &["probes", "gradient"],
+        &["check", "normals", "-"],
+        &["check", "normals", "--", "echo", "--", "a b", "*", "\u{1b}"],
+        &["slips", "no-such"],
+        &["hit", "--origin", "-1,0,0"],
+    ] {
+        let [handed_on, itself] = ["launcher", "rtrace"].map(|name| {
+            let mut command = program_with(name, words);
+            run(command.current_dir(here.path()))
+        });
+        assert_eq!(handed_on, itself, "{words:?}");
+    }
 }
 
 #[test]
@@ -87,7 +114,7 @@ fn names_are_shown_and_not_obeyed() {
 #[ignore = "builds the weaver, and weaves the book"]
 fn rtrace_alone_draws_every_picture_twice_and_then_weaves_the_book() {
     let report = rtrace_alone();
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/pictures");
+    let folder = suite::workspace().join("target/pictures");
     for chapter in Chapter::ALL {
         let expected = chapter.picture(chapter.book_width());
         let size = format!("{} × {}", expected.width(), expected.height());
@@ -109,7 +136,7 @@ fn open_hands_the_picture_to_the_viewer() {
     use std::os::unix::fs::PermissionsExt;
     use std::time::{Duration, Instant};
 
-    use suite::command::{assert_success, run, text};
+    use suite::command::assert_success;
 
     let here = tempfile::TempDir::new().expect("a folder");
     let [viewer, seen, picture] =

@@ -1,7 +1,6 @@
 //! A crate of the reader's own: made, typed, carried on, and put under the laws.
 
 use std::fs;
-use std::path::{Path, PathBuf};
 
 use common::rtweekend::Picture;
 use insta::assert_snapshot;
@@ -10,6 +9,7 @@ use suite::command::{
 };
 use suite::drawn::p3;
 use suite::mine::Mine;
+use suite::workspace;
 use tempfile::TempDir;
 
 /// The chapters that are typed.
@@ -51,7 +51,7 @@ fn the_listings_of_the_pages_do_with_a_prelude_of_the_readers_own() {
         if chapter == "gradient" {
             type_prelude(&mine);
         }
-        let chapters = ours().join(format!("chapters/{folder}{chapter}/src"));
+        let chapters = workspace().join(format!("chapters/{folder}{chapter}/src"));
         for file in files(&chapters) {
             let own = mine
                 .lib(chapter)
@@ -66,7 +66,8 @@ fn the_listings_of_the_pages_do_with_a_prelude_of_the_readers_own() {
                 _ => fs::write(own, listed).expect("it is typed"),
             }
         }
-        let camera = fs::read_to_string(ours().join("common/src/camera.rs")).expect("our camera");
+        let camera =
+            fs::read_to_string(workspace().join("common/src/camera.rs")).expect("our camera");
         let own = mine.lib(chapter).with_file_name("camera.rs");
         fs::write(own, camera).expect("it is typed");
         let said = mine.watch_once(chapter);
@@ -140,8 +141,6 @@ fn what_cannot_be_read_is_not_carried_over_and_that_is_said() {
     fs::write(beside(".lib.rs.swp"), b"\xff").expect("a file");
     fs::write(beside("note.bin"), b"\xff").expect("a file");
     fs::remove_file(mine.lib("gradient")).expect("it goes");
-    // What an interrupted program left.
-    fs::create_dir(mine.path().join(".start-red_sphere")).expect("a folder");
     assert_success(&run(&mut mine.start("red_sphere", &["--again"])));
     let source = mine.lib("red_sphere");
     assert!(source.is_file() && source.with_file_name("note.bin").is_file());
@@ -206,7 +205,7 @@ fn from_anywhere_below_the_same_crates_are_meant() {
 
 #[test]
 fn a_folder_of_the_workspace_is_refused() {
-    let chapters = fs::canonicalize(ours().join("chapters")).expect("our chapters");
+    let chapters = fs::canonicalize(workspace().join("chapters")).expect("our chapters");
     let before = names_in(&chapters);
     let into = chapters.to_str().expect("a name in UTF-8");
     let mut start = program_with("rtrace", &["start", "gradient", "--into", into]);
@@ -320,7 +319,7 @@ const MISTAKES: &[(&str, &str, &str)] = &[
 #[test]
 #[ignore = "builds the companion again, if the settings differ"]
 fn in_a_crate_inside_the_workspace_cargo_rtrace_is_the_same() {
-    let mine = TempDir::new_in(env!("CARGO_TARGET_TMPDIR")).expect("a folder");
+    let mine = TempDir::new_in(workspace().join("target")).expect("a folder");
     let into = mine.path().to_str().expect("a name in UTF-8");
     assert_success(&run(&mut Mine::empty().start("normals", &["--into", into])));
     let mut cargo = cargo();
@@ -445,11 +444,6 @@ const LIST: &str = "let mut nearest: Option<HitRecord> = None;
             nearest = object.hit(ray, t_min, closest).or(nearest);
         }
         nearest";
-
-/// The workspace.
-fn ours() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
 
 fn type_prelude(mine: &Mine) {
     let source = mine.path().join("gradient/src");

@@ -31,10 +31,9 @@ fn text(path: &Path) -> io::Result<String> {
     File::open(path)?
         .take(MOST_BYTES + 1)
         .read_to_string(&mut text)?;
-    match text.len() as u64 > MOST_BYTES {
-        true => Err(io::Error::other(format!(
-            "it has more than {MOST_BYTES} bytes"
-        ))),
-        false => Ok(text),
+    if text.len() as u64 > MOST_BYTES {
+        let problem = format!("it has more than {MOST_BYTES} bytes");
+        return Err(io::Error::other(problem));
     }
+    Ok(text)
 }

@@ -78,10 +78,12 @@ impl Mine {
 pub(crate) fn word(word: impl AsRef<OsStr>) -> String {
     let word = names::spelled(word);
     let is_plain = |c: char| c.is_alphanumeric() || "-_./=".contains(c) || c == MAIN_SEPARATOR;
-    match !word.is_empty() && word.chars().all(is_plain) {
-        true => word,
+    if !word.is_empty() && word.chars().all(is_plain) {
+        word
+    } else if cfg!(windows) {
         // A backslash stands for itself there.
-        false if cfg!(windows) => format!("\"{word}\""),
-        false => format!("{word:?}"),
+        format!("\"{word}\"")
+    } else {
+        format!("{word:?}")
     }
 }

@@ -5,7 +5,6 @@
 
 mod file;
 mod folder;
-mod json;
 mod text;
 
 use std::error::Error;
@@ -38,10 +37,6 @@ pub(crate) struct Arguments {
     /// Write the chart and the pictures into this folder [default: target/needs/SCENE]
     #[arg(long, short, value_name = "DIR")]
     output: Option<PathBuf>,
-
-    /// Print the result for programs
-    #[arg(long)]
-    json: bool,
 }
 
 const HELP: &str = "\
@@ -86,10 +81,7 @@ pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     folder::check(&folder)?;
     let (right, found) = look_into(&scene);
     let files = folder::write(&folder, &scene, &right, &found)?;
-    let said = match arguments.json {
-        true => json::json(&scene, &found, &folder, &files),
-        false => text::text(&scene, &found, &folder, &files),
-    };
+    let said = text::text(&scene, &found, &folder, &files);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 

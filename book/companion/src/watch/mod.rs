@@ -3,7 +3,6 @@
 mod build;
 mod changes;
 mod laws;
-mod progress;
 mod screen;
 mod verdict;
 
@@ -113,18 +112,18 @@ impl Subject {
         let scene = Scene::new(chapter, arguments.probe)
             .ok_or_else(|| misuse("this chapter has no place for the spheres of that probe"))?;
         let mine = Mine::find(arguments.in_folder.as_deref());
-        let (folder, done) = match arguments.program.is_empty() {
-            true => (mine.of(chapter), Done::in_folder(mine.folder())),
-            false => {
-                let here = env::current_dir()?;
-                let done = Done::in_folder(&here);
-                (here, done)
-            }
+        let (folder, done) = if arguments.program.is_empty() {
+            (mine.of(chapter), Done::in_folder(mine.folder()))
+        } else {
+            let here = env::current_dir()?;
+            let done = Done::in_folder(&here);
+            (here, done)
         };
         if !folder.is_dir() {
-            let make = match TYPED.contains(&chapter) {
-                true => format!("Make it with {}, or name", mine.start(chapter)),
-                false => "Name".to_owned(),
+            let make = if TYPED.contains(&chapter) {
+                format!("Make it with {}, or name", mine.start(chapter))
+            } else {
+                "Name".to_owned()
             };
             return Err(misuse(&format!(
                 "there is no {} yet\n{make} your program: {} watch {} -- PROGRAM",
@@ -158,13 +157,10 @@ impl Subject {
     /// Builds, draws and compares; `None` if `is_old` says meanwhile that there is something
     /// newer to judge.
     fn judge(&self, is_old: &mut dyn FnMut() -> bool) -> Option<Verdict> {
-        let built = match self.program.is_empty() {
-            true => match build::build(&self.folder, is_old) {
-                Ok(Some(built)) => Some(built),
-                Ok(None) => return None,
-                Err(problem) => return Some(verdict::not_built(&problem)),
-            },
-            false => None,
+        let is_crate = self.program.is_empty();
+        let built = match is_crate.then(|| build::build(&self.folder)).transpose() {
+            Ok(built) => built,
+            Err(problem) => return Some(verdict::not_built(&problem)),
         };
         let words = match &built {
             Some(built) => vec![built.program.clone(), "-".into()],
@@ -172,32 +168,27 @@ impl Subject {
         };
         let mut command = subprocess::command(&words);
         command.current_dir(&self.folder);
-        Some(
-            match subprocess::run(command, self.limit, &mut |_| is_old()) {
-                Ok((End::Interrupted, _)) => return None,
-                Ok((End::Itself(status, bytes), _)) if status.success() => {
-                    self.of_picture(&bytes, built)
-                }
-                Ok((End::Full(bytes), _)) => self.of_picture(&bytes, built),
-                Ok((End::Itself(status, _), errors)) => {
-                    verdict::failed(&self.scene, &status, &errors)
-                }
-                Ok((End::TooSlow, errors)) => verdict::too_slow(self.limit, &errors),
-                Err(cause) => verdict::not_started(&words[0], &cause),
-            },
-        )
+        Some(match subprocess::run(command, self.limit, is_old) {
+            Ok((End::Interrupted, _)) => return None,
+            Ok((End::Itself(status, bytes), _)) if status.success() => {
+                self.of_picture(&bytes, built)
+            }
+            Ok((End::Full(bytes), _)) => self.of_picture(&bytes, built),
+            Ok((End::Itself(status, _), errors)) => verdict::failed(&self.scene, &status, &errors),
+            Ok((End::TooSlow, errors)) => verdict::too_slow(self.limit, &errors),
+            Err(cause) => verdict::not_started(&words[0], &cause),
+        })
     }
 
     /// The verdict on a picture, with all that is known of the program.
     fn of_picture(&self, bytes: &[u8], built: Option<Built>) -> Verdict {
         let chapter = self.scene.chapter;
         let is_crate = built.is_some();
-        let (sources, letters) = match is_crate {
-            true => (
-                sources::of_crate(&self.folder, chapter),
-                Some(Letters::Rust),
-            ),
-            false => sources::of_program(&self.program, &self.folder),
+        let (sources, letters) = if is_crate {
+            let sources = sources::of_crate(&self.folder, chapter);
+            (sources, Some(Letters::Rust))
+        } else {
+            sources::of_program(&self.program, &self.folder)
         };
         let has_own_prelude = self.folder.join("src/rtweekend.rs").exists();
         let can_be_made = |slip: &Slip| {
@@ -235,17 +226,19 @@ impl Subject {
     fn watch(&self, probe: Option<Probe>) -> String {
         let chapter = self.scene.chapter;
         let probe = probe.map_or(String::new(), |probe| format!(" --probe {}", probe.name));
-        match self.program.is_empty() {
-            true => self.mine.watch(chapter) + &probe,
-            false => self.watch_program(chapter, &probe),
+        if self.program.is_empty() {
+            self.mine.watch(chapter) + &probe
+        } else {
+            self.watch_program(chapter, &probe)
         }
     }
 
     /// The command that goes on with another chapter.
     fn start(&self, chapter: Chapter) -> String {
-        match self.program.is_empty() {
-            true => self.mine.start(chapter),
-            false => self.watch_program(chapter, ""),
+        if self.program.is_empty() {
+            self.mine.start(chapter)
+        } else {
+            self.watch_program(chapter, "")
         }
     }
 

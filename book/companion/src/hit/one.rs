@@ -54,9 +54,10 @@ pub(crate) fn under_the_microscope(
         Precision::Single => (f64::from(range.0 as f32), f64::from(range.1 as f32)),
     };
     let truth = Truth::of(&exact, precision, range_of_it.0, range_of_it.1);
-    let changed = match rounded == *case {
-        true => "",
-        false => ", after the numbers are rounded to it",
+    let changed = if rounded == *case {
+        ""
+    } else {
+        ", after the numbers are rounded to it"
     };
     let found = match truth {
         Some(truth) => whereabouts(truth, precision, &exact, range_of_it),
@@ -115,9 +116,10 @@ fn line(method: &Method, case: &Case, t: Option<f64>, truth: Option<Truth>) -> S
 fn how_far_off(t: f64, truth: Truth, precision: Precision) -> (String, bool) {
     if is_at_the_end(truth.nearest(), precision) {
         // Beyond the end there are no ulps to count.
-        return match t == end(truth.nearest(), precision) {
-            true => (format!("as far as {} goes", precision.name()), true),
-            false => ("WRONG: not so far".to_owned(), false),
+        return if t == end(truth.nearest(), precision) {
+            (format!("as far as {} goes", precision.name()), true)
+        } else {
+            ("WRONG: not so far".to_owned(), false)
         };
     }
     match truth.error_in_ulps(t) {

@@ -28,7 +28,7 @@ use input::Source;
 pub(crate) use text::Style;
 
 use crate::chapter::{ChapterOrPicture, First};
-use crate::misuse::{complain, fail};
+use crate::misuse::complain;
 use crate::{files, sources};
 
 /// What `cargo rtrace check` is told.
@@ -73,7 +73,7 @@ pub(crate) fn check(arguments: &Arguments) -> ExitCode {
     match try_check(arguments) {
         Ok(code) => ExitCode::from(code),
         Err(error) => {
-            fail(&format!("rtrace: {error}"));
+            complain(&format!("rtrace: {error}"));
             ExitCode::from(2)
         }
     }

@@ -1,8 +1,8 @@
 //! `start`: a crate of the reader's own, ready to be typed into.
 
 mod carry;
+mod place;
 mod settings;
-mod swap;
 
 use std::collections::BTreeSet;
 use std::error::Error;
@@ -15,13 +15,13 @@ use check::names::from_here;
 use check::workspace::workspace;
 use clap::Args;
 use common::engine::output;
+use place::Place;
 use slips::{Chapter, steps};
-use swap::Place;
 
 use crate::chapter::OneOf;
 use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;
-use crate::terminal;
+use crate::wrap::hanging;
 pub(crate) use settings::renew_config;
 
 /// What `cargo rtrace start` is told.
@@ -59,10 +59,8 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     };
     let place = Place::of(&folder).map_err(failed)?;
     if folder.exists() && !arguments.again {
-        let prelude = match Written::read(&folder).has_own_prelude() {
-            true => " --own-prelude",
-            false => "",
-        };
+        let has_own = Written::read(&folder).has_own_prelude();
+        let prelude = if has_own { " --own-prelude" } else { "" };
         return Err(misuse(&format!(
             "{} is there already, and nothing is written over it\n\
              Go on with {}, or begin once more with {}{prelude} --again.",
@@ -78,9 +76,10 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         .and_then(|()| place.take())
         .map_err(failed)?;
     let kept: Vec<String> = place.kept().values().map(|it| from_here(it)).collect();
-    let kept = match kept.is_empty() {
-        true => String::new(),
-        false => format!("What you had before is in {}.\n", kept.join(", ")),
+    let kept = if kept.is_empty() {
+        String::new()
+    } else {
+        format!("What you had before is in {}.\n", kept.join(", "))
     };
     drop(place);
     let said = kept + &new.said(&mine);
@@ -104,12 +103,12 @@ fn refuse_ours(mine: &Mine) -> Result<(), Box<dyn Error>> {
         };
         ours.into_iter().any(is_in)
     };
-    match workspace().is_some_and(is_ours) {
-        true => Err(misuse(
+    if workspace().is_some_and(is_ours) {
+        return Err(misuse(
             "that folder belongs to this workspace: choose one of your own, such as mine",
-        )),
-        false => Ok(()),
+        ));
     }
+    Ok(())
 }
 
 /// A crate that is about to be written.
@@ -198,11 +197,11 @@ impl New {
         let with_folders: BTreeSet<&Path> = names.flat_map(Path::ancestors).collect();
         for before in self.before.iter().map(PathBuf::as_path).chain([old]) {
             for name in &with_folders {
-                swap::close_like(&before.join(name), &new.join(name))?;
+                place::close_like(&before.join(name), &new.join(name))?;
             }
             // Whatever is carried over was in this one.
             for name in written.clone().filter(|name| name.starts_with("src")) {
-                swap::close_like(&before.join("src/lib.rs"), &new.join(name))?;
+                place::close_like(&before.join("src/lib.rs"), &new.join(name))?;
             }
         }
         Ok(())
@@ -220,7 +219,7 @@ impl New {
         }
         for (number, step) in (1..).zip(steps::of(self.chapter)) {
             let line = format!("  step {number}  {}", step.says);
-            said += &(terminal::hanging(&line, 10) + "\n");
+            said += &(hanging(&line, 10) + "\n");
         }
         said + &format!(
             "Open it in your editor, and in a terminal: {}\n",

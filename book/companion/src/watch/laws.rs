@@ -32,7 +32,7 @@ pub(super) fn ask(test: &OsStr, folder: &Path, limit: Duration) -> Asked {
     command.arg("--nocapture").current_dir(folder);
     command.env(ANSWERS, &file);
     let answers = || Answers::read(&fs::read_to_string(&file).unwrap_or_default());
-    let outcome = match subprocess::run(command, limit, &mut |_| false) {
+    let outcome = match subprocess::run(command, limit, &mut || false) {
         Ok((End::Itself(status, _), _)) if status.success() => Laws::Obeyed,
         Ok((End::Itself(..), errors)) => match Laws::reported(&errors) {
             Some(lines) if answers().has_wrong_prelude() => Laws::BrokenPrelude(lines),

@@ -139,10 +139,10 @@ fn defined(skeleton: &str) -> Vec<String> {
 /// The text of a plain file: whoever opens a pipe waits for its other end, and a link may
 /// lead to a file that does not end.
 fn read_file(path: &Path) -> io::Result<String> {
-    match path.symlink_metadata()?.is_file() {
-        true => Ok(fs::read_to_string(path)?.replace("\r\n", "\n")),
-        false => Err(io::Error::other("it is no file")),
+    if !path.symlink_metadata()?.is_file() {
+        return Err(io::Error::other("it is no file"));
     }
+    Ok(fs::read_to_string(path)?.replace("\r\n", "\n"))
 }
 
 /// The items of a source that may be nested as deep as it has letters, and is parsed by
@@ -165,11 +165,8 @@ fn items_of(source: &str) -> Result<Vec<(String, String)>, String> {
     let text = |item: &Item| {
         let item = item.span().byte_range();
         let rest = source[item.end..].lines().next().unwrap_or_default();
-        let comment = match rest.trim_start().starts_with("//") {
-            true => rest,
-            false => "",
-        };
-        source[item].to_owned() + comment
+        let is_comment = rest.trim_start().starts_with("//");
+        source[item].to_owned() + if is_comment { rest } else { "" }
     };
     let named = |item: &Item| Some((name(item, source)?, text(item)));
     Ok(file.items.iter().filter_map(named).collect())
@@ -209,10 +206,14 @@ fn other_files(folder: &Path, below: &Path) -> Vec<PathBuf> {
         let name = below.join(entry.file_name());
         Some((name, entry.file_type().ok()?))
     });
-    let inside = named.flat_map(|(name, kind)| match kind.is_dir() {
-        true => other_files(folder, &name),
-        false if kind.is_file() => vec![name],
-        false => Vec::new(),
+    let inside = named.flat_map(|(name, kind)| {
+        if kind.is_dir() {
+            other_files(folder, &name)
+        } else if kind.is_file() {
+            vec![name]
+        } else {
+            Vec::new()
+        }
     });
     let chapter = ["src/lib.rs", "src/main.rs"].map(PathBuf::from);
     inside.filter(|name| !chapter.contains(name)).collect()

@@ -14,7 +14,7 @@ use common::engine::output;
 use slips::{Chapter, steps};
 
 use crate::mine::{Mine, TYPED};
-use crate::terminal;
+use crate::wrap::hanging;
 
 /// What `cargo rtrace done` is told.
 #[derive(Args)]
@@ -128,21 +128,20 @@ impl Done {
     fn show(&self) -> Result<String, Box<dyn Error>> {
         let text = self.text()?;
         let lines: Vec<&str> = text.lines().filter(|line| line.starts_with("- ")).collect();
-        let mut said = match lines.is_empty() {
-            true => "Nothing is done yet.\n".to_owned(),
-            false => format!(
-                "Done, in {}\n  {}\n",
-                from_here(&self.file),
-                lines.join("\n  ")
-            ),
+        let mut said = if lines.is_empty() {
+            "Nothing is done yet.\n".to_owned()
+        } else {
+            let (list, lines) = (from_here(&self.file), lines.join("\n  "));
+            format!("Done, in {list}\n  {lines}\n")
         };
         let ahead: String = TYPED
             .into_iter()
             .flat_map(|chapter| ahead(chapter, &text))
             .collect();
-        said += &match ahead.is_empty() {
-            true => "Nothing is left: you have done all chapters.\n".to_owned(),
-            false => format!("Ahead\n{ahead}"),
+        said += &if ahead.is_empty() {
+            "Nothing is left: you have done all chapters.\n".to_owned()
+        } else {
+            format!("Ahead\n{ahead}")
         };
         Ok(said)
     }
@@ -159,7 +158,7 @@ fn ahead(chapter: Chapter, text: &str) -> Vec<String> {
     steps
         .skip(last.unwrap_or(0))
         .map(|(number, step)| format!("  {:<14} {number}. {}", chapter.name(), step.says))
-        .map(|line| terminal::hanging(&line, 20) + "\n")
+        .map(|line| hanging(&line, 20) + "\n")
         .collect()
 }
 

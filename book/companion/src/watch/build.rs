@@ -2,14 +2,12 @@
 
 use std::ffi::OsString;
 use std::path::Path;
-use std::time::Duration;
-use std::{env, iter};
+use std::process::Command;
 
 use check::names;
+use rtrace::cargo;
 use serde_json::Value;
 
-use super::progress::Progress;
-use crate::subprocess::{self, End};
 use crate::terminal::Palette;
 
 /// The programs of a reader's crate.
@@ -30,59 +28,39 @@ pub(super) struct Problem {
     pub(super) more: usize,
 }
 
-/// Builds the crate in `folder`, and the test that puts it under the laws; `None` if
-/// `is_old` says meanwhile that there is something newer.
-pub(super) fn build(
-    folder: &Path,
-    is_old: &mut dyn FnMut() -> bool,
-) -> Result<Option<Built>, Problem> {
+/// Builds the crate in `folder`, and the test that puts it under the laws.
+pub(super) fn build(folder: &Path) -> Result<Built, Problem> {
     let has_test = folder.join("tests/laws.rs").is_file();
-    // A test brings its program with it.
-    let what: &[&str] = match has_test {
-        true => &["test", "--no-run", "--test", "laws"],
-        false => &["build"],
-    };
     let format = match Palette::of_stdout() {
         Some(_) => "--message-format=json-diagnostic-rendered-ansi",
         None => "--message-format=json",
     };
-    let words: Vec<OsString> = iter::once(cargo())
-        .chain(what.iter().chain(&["--quiet", format]).map(OsString::from))
-        .collect();
-    let mut command = subprocess::command(&words);
-    command.current_dir(folder);
-    let mut progress = Progress::new(folder, has_test);
-    let mut is_old = |said: &[u8]| {
-        progress.show(said);
-        is_old()
-    };
-    match subprocess::run(command, LONGEST, &mut is_old) {
-        Ok((End::Interrupted, _)) => Ok(None),
-        Ok((End::Itself(status, said), errors)) => {
-            let messages = messages(&said);
-            match status.success() {
-                true => built(&messages).map(Some),
-                false if !folder.join("src/lib.rs").is_file() => {
-                    Err(problem(&[], "src/lib.rs is missing: the chapter itself"))
-                }
-                false => Err(problem(&messages, &errors)),
-            }
-        }
-        Ok((_, errors)) => Err(problem(&[], &errors)),
-        Err(cause) => Err(problem(&[], &format!("cargo does not start: {cause}"))),
+    let mut command = Command::new(cargo::cargo());
+    // A test brings its program with it.
+    command.args(if has_test {
+        &["test", "--no-run", "--test", "laws"][..]
+    } else {
+        &["build"]
+    });
+    command.arg(format).current_dir(folder);
+    let run = cargo::run(command, FIRST)
+        .map_err(|cause| problem(&[], &format!("cargo does not start: {cause}")))?;
+    let messages = messages(&run.printed);
+    if run.status.success() {
+        built(&messages)
+    } else if folder.join("src/lib.rs").is_file() {
+        Err(problem(&messages, &run.said))
+    } else {
+        Err(problem(&[], "src/lib.rs is missing: the chapter itself"))
     }
 }
 
-/// The first build takes a minute, on a slow machine some.
-const LONGEST: Duration = Duration::from_secs(1800);
-
-/// The program that builds crates.
-pub(super) fn cargo() -> OsString {
-    env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
-}
+/// What is said before more is built than the crate.
+const FIRST: &str =
+    "Building what your crates stand on: once for all of them, and about half a minute";
 
 /// What cargo has printed, message by message.
-pub(super) fn messages(said: &[u8]) -> Vec<Value> {
+fn messages(said: &[u8]) -> Vec<Value> {
     let text = String::from_utf8_lossy(said);
     let messages = text.lines().map(serde_json::from_str);
     messages.filter_map(Result::ok).collect()

@@ -96,9 +96,10 @@ impl Changes {
         self.settle();
         let (later, during): (HashSet<PathBuf>, HashSet<PathBuf>) =
             self.news().partition(|path| is_from_after(path, end));
-        self.restless = match during.is_empty() {
-            true => 0,
-            false => self.restless + 1,
+        self.restless = if during.is_empty() {
+            0
+        } else {
+            self.restless + 1
         };
         let is_typed = |path: &PathBuf| self.typed.contains(path);
         let mut again = !later.is_empty() || during.iter().any(is_typed);

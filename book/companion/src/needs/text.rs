@@ -10,7 +10,7 @@ use measure::machine;
 use speed_vs_accuracy::{Method, Precision, Scene};
 
 use crate::hit;
-use crate::terminal::hanging;
+use crate::wrap::hanging;
 use measure::needs::{Culprit, Found, Row};
 
 /// All that there is to say.
@@ -53,7 +53,7 @@ pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[Strin
 }
 
 /// What the compiler was allowed to do.
-pub(super) fn profile() -> &'static str {
+fn profile() -> &'static str {
     if cfg!(debug_assertions) {
         "dev"
     } else {
@@ -63,7 +63,7 @@ pub(super) fn profile() -> &'static str {
 
 fn faster() -> &'static str {
     match profile() {
-        "dev" => " Fully optimized: cargo run --release --package rtrace -- needs SCENE",
+        "dev" => " Fully optimized: cargo run --release --package companion -- needs SCENE",
         _ => "",
     }
 }

@@ -9,6 +9,7 @@ use check::whole::{Line, Verdict};
 
 use crate::check::Style;
 use crate::terminal::{self, Palette};
+use crate::wrap::text_width;
 
 /// No more lines than this, whatever there is to say.
 const MOST_LINES: usize = 25;
@@ -21,7 +22,7 @@ pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], took: Dur
     let mut lines = vec![head(title, took)];
     lines.extend(pictures(verdict));
     let headline = names::visible(&verdict.headline);
-    let headline = textwrap::wrap(&headline, terminal::text_width());
+    let headline = textwrap::wrap(&headline, text_width());
     lines.extend(headline.iter().map(|line| colored(line, verdict)));
     let next = match verdict.next.as_str() {
         "" => Vec::new(),
@@ -33,9 +34,10 @@ pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], took: Dur
     let cause = verdict.cause.iter().flat_map(shown).collect();
     lines.extend(clipped(cause, most_lines().saturating_sub(above)));
     lines.extend(below);
-    let clear = match replaces_the_last() {
-        true => "\x1b[2J\x1b[H",
-        false => "",
+    let clear = if replaces_the_last() {
+        "\x1b[2J\x1b[H"
+    } else {
+        ""
     };
     format!("{clear}{}\n", lines.join("\n"))
 }
@@ -81,9 +83,10 @@ fn most_lines() -> usize {
 
 fn colored(line: &str, verdict: &Verdict) -> String {
     let style = Style::of_stdout();
-    match verdict.is_right {
-        true => style.green(line),
-        false => style.bold(line),
+    if verdict.is_right {
+        style.green(line)
+    } else {
+        style.bold(line)
     }
 }
 
@@ -92,7 +95,7 @@ fn pictures(verdict: &Verdict) -> Vec<String> {
     let (Some(palette), Some((yours, right))) = (Palette::of_stdout(), &verdict.pictures) else {
         return Vec::new();
     };
-    if terminal::text_width() < 70 {
+    if text_width() < 70 {
         return Vec::new();
     }
     let (columns, rows) = PICTURE;
@@ -115,7 +118,7 @@ fn shown(line: &Line) -> Vec<String> {
 
 /// The text in as many lines as it takes, with the label before the first.
 fn wrapped(label: &str, text: &str) -> Vec<String> {
-    let lines = textwrap::wrap(text, terminal::text_width() - labeled("", "").len()).into_iter();
+    let lines = textwrap::wrap(text, text_width() - labeled("", "").len()).into_iter();
     let labels = iter::once(label).chain(iter::repeat(""));
     labels
         .zip(lines)

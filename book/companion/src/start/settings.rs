@@ -48,10 +48,10 @@ pub(crate) fn renew_config(folder: &Path) -> io::Result<()> {
     let old = fs::read_to_string(&file).unwrap_or_default();
     let new = config(&from_crate(folder, workspace), workspace);
     let without_paths = |text: &str| text.split('"').step_by(2).collect::<String>();
-    match old != new && without_paths(&old) == without_paths(&new) {
-        true => output::to_file(&file, |out| out.write_all(new.as_bytes())),
-        false => Ok(()),
+    if old == new || without_paths(&old) != without_paths(&new) {
+        return Ok(());
     }
+    output::to_file(&file, |out| out.write_all(new.as_bytes()))
 }
 
 /// The head of the chapter: its steps.

@@ -1,11 +1,9 @@
-//! A subprocess in a process group of its own, with limits on time and bytes.
+//! A subprocess, with limits on time and bytes.
 //!
-//! Whoever it starts belongs to the group and ends with it: a server that keeps the
-//! pipe open, a loop that never ends. A signal that ends us, such as Ctrl-C, does not
-//! reach the group, so we end it first.
+//! It stays in our group of the terminal, so that Ctrl-C ends both.
 
 use std::ffi::OsString;
-use std::io::{self, IsTerminal, PipeReader, Read};
+use std::io::{self, IsTerminal, Read};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::thread;
@@ -14,9 +12,6 @@ use std::time::{Duration, Instant};
 use check::names;
 use check::reading::{Cause, MOST_BYTES};
 
-#[cfg(unix)]
-use crate::signals;
-
 /// All that the program prints, or one byte more than a picture may have, so that
 /// the reading of pictures can say so.
 ///
@@ -24,13 +19,13 @@ use crate::signals;
 /// If the program does not start, fails, or takes longer than `limit`.
 pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, Cause> {
     let name = names::spelled(&words[0]);
-    let mut group = Group::start(command(words), Stdio::inherit()).map_err(|cause| {
+    let mut program = Running::start(&mut command(words)).map_err(|cause| {
         failed(
             format!("{name} does not start: {cause}"),
             "Is it built, and is its path right? A program in this folder is ./NAME.",
         )
     })?;
-    match group.finish(limit, &mut |_| false) {
+    match program.finish(limit, &mut || false) {
         Ok(End::Itself(status, bytes)) if status.success() => Ok(bytes),
         Ok(End::Full(bytes)) => Ok(bytes),
         Ok(End::Itself(status, _)) => Err(failed(
@@ -60,21 +55,21 @@ pub(crate) fn command(words: &[OsString]) -> Command {
     command
 }
 
-/// Runs the program, unless `is_old`, which is shown what is printed so far, says that this
-/// is no longer wanted. How it ended, and the last of what it wrote to standard error.
+/// Runs the program, unless `is_old` says that this is no longer wanted. How it ended, and the
+/// last of what it wrote to standard error.
 ///
 /// # Errors
 /// If the program does not start, or can't be read from.
 pub(crate) fn run(
-    command: Command,
+    mut command: Command,
     limit: Duration,
-    is_old: &mut dyn FnMut(&[u8]) -> bool,
+    is_old: &mut dyn FnMut() -> bool,
 ) -> io::Result<(End, String)> {
-    let (errors, its_end) = io::pipe()?;
+    let mut program = Running::start(command.stderr(Stdio::piped()))?;
+    let errors = program.child.stderr.take().expect("it is piped");
     let errors = last_words(errors)?;
-    let mut group = Group::start(command, its_end.into())?;
-    let end = group.finish(limit, is_old)?;
-    drop(group);
+    let end = program.finish(limit, is_old)?;
+    drop(program);
     Ok((end, errors.recv_timeout(10 * TICK).unwrap_or_default()))
 }
 
@@ -90,52 +85,34 @@ pub(crate) enum End {
     Interrupted,
 }
 
-/// A program and all that it starts; it ends when this is dropped, and then we do, if a
-/// signal has asked for it meanwhile.
-struct Group {
+/// A program that ends when this is dropped.
+struct Running {
     child: Child,
     printed: Receiver<io::Result<Vec<u8>>>,
-    #[cfg(unix)]
-    _until_it_has_ended: signals::Deferral,
 }
 
 /// How long to wait for what a program has printed before it ended, and how often to
 /// look at the clock.
 const TICK: Duration = Duration::from_millis(50);
 
-impl Group {
-    fn start(mut command: Command, errors: Stdio) -> io::Result<Self> {
-        #[cfg(unix)]
-        let deferral = signals::Deferral::begin();
-        // Where no thread can be started to read, nothing is started that prints.
-        let (output, its_end) = io::pipe()?;
-        let printed = pieces(output)?;
-        command.stdout(its_end).stderr(errors);
-        // A group in the background is stopped when it reads from the terminal.
+impl Running {
+    fn start(command: &mut Command) -> io::Result<Self> {
+        // The terminal is ours: nobody types for a program that is run again and again.
         if io::stdin().is_terminal() {
             command.stdin(Stdio::null());
         }
-        #[cfg(unix)]
-        std::os::unix::process::CommandExt::process_group(&mut command, 0);
-        Ok(Self {
-            child: command.spawn()?,
-            printed,
-            #[cfg(unix)]
-            _until_it_has_ended: deferral,
-        })
+        let mut child = command.stdout(Stdio::piped()).spawn()?;
+        let output = child.stdout.take().expect("it is piped");
+        let printed = pieces(output)?;
+        Ok(Self { child, printed })
     }
 
     /// Collects what is printed until the program ends, or has to.
-    fn finish(
-        &mut self,
-        limit: Duration,
-        is_old: &mut dyn FnMut(&[u8]) -> bool,
-    ) -> io::Result<End> {
+    fn finish(&mut self, limit: Duration, is_old: &mut dyn FnMut() -> bool) -> io::Result<End> {
         let start = Instant::now();
         let mut bytes = Vec::new();
         let mut ended = None;
         loop {
-            stop_here_if_asked_to()?;
             match self.printed.recv_timeout(TICK) {
                 Ok(piece) => bytes.append(&mut piece?),
                 // One that has ended prints no more: another one may keep the pipe.
@@ -156,40 +133,23 @@ impl Group {
             if start.elapsed() > limit {
                 return Ok(End::TooSlow);
             }
-            if is_old(&bytes) {
+            if is_old() {
                 return Ok(End::Interrupted);
             }
         }
     }
 }
 
-fn stop_here_if_asked_to() -> io::Result<()> {
-    #[cfg(unix)]
-    signals::check()?;
-    Ok(())
-}
-
-impl Drop for Group {
+impl Drop for Running {
     fn drop(&mut self) {
-        // Who has ended already can't be ended once more.
-        #[cfg(unix)]
-        let _ = rustix::process::kill_process_group(
-            rustix::process::Pid::from_child(&self.child),
-            rustix::process::Signal::KILL,
-        );
-        // Windows has no groups; this program of it knows who was started by whom.
-        #[cfg(windows)]
-        if matches!(self.child.try_wait(), Ok(None)) {
-            let id = self.child.id().to_string();
-            let _ = command(&["taskkill", "/f", "/t", "/pid", &id].map(OsString::from)).output();
-        }
+        // What has ended already can't be ended once more.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
 }
 
 /// Reads on a thread of its own: a read can't be told to give up.
-fn pieces(mut output: PipeReader) -> io::Result<Receiver<io::Result<Vec<u8>>>> {
+fn pieces(mut output: impl Read + Send + 'static) -> io::Result<Receiver<io::Result<Vec<u8>>>> {
     let (full, printed) = sync_channel(16);
     let read = move || {
         loop {
@@ -210,7 +170,7 @@ fn pieces(mut output: PipeReader) -> io::Result<Receiver<io::Result<Vec<u8>>>> {
 }
 
 /// Reads to the end on a thread of its own, and keeps the last of it.
-fn last_words(mut errors: PipeReader) -> io::Result<Receiver<String>> {
+fn last_words(mut errors: impl Read + Send + 'static) -> io::Result<Receiver<String>> {
     const KEPT: usize = 1 << 14;
     let (done, words) = sync_channel(1);
     let read = move || {
