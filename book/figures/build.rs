@@ -24,7 +24,9 @@ const FUNCTIONS: [[&str; 4]; 4] = [
 const HIT_SPHERE: &str = "pub fn hit_sphere(";
 
 fn main() {
-    let chapters = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../chapters");
+    // Asked for when this runs: the clone may have been moved since it was compiled.
+    let here = env::var_os("CARGO_MANIFEST_DIR").expect("cargo names the package");
+    let chapters = Path::new(&here).join("../../chapters");
     let mut copies = String::new();
     for [name, file, begins, parameters] in FUNCTIONS {
         let path = chapters.join(file);

@@ -53,7 +53,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn keep<Row: Record>(mut table: Table<Row>) -> Result<(), io::Error> {
     let command = "cargo bench -p measure --bench accuracy -- --record";
     table.about.insert("command".to_owned(), command.to_owned());
-    let notes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../notes");
+    // Cargo runs this in the folder of its package.
+    let notes = Path::new("../notes");
     output::to_file(&notes.join(Row::FILE), |out| {
         out.write_all(table.text().as_bytes())
     })

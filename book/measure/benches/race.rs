@@ -78,10 +78,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Builds the programs of the chapters as a reader would, and says in which folder
 /// they are.
 fn build_chapters() -> Result<PathBuf, Box<dyn Error>> {
-    let workspace = concat!(env!("CARGO_MANIFEST_DIR"), "/../../Cargo.toml");
     let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
-    command.args(["build", "--release", "--manifest-path", workspace]);
+    command.args(["build", "--release"]);
     for chapter in &Chapter::OF_THE_BOOK[1..] {
         command.args(["--package", chapter.name()]);
     }
@@ -194,7 +193,8 @@ fn shown(race: &Race, with_rival: bool) -> String {
 fn record(machine: String, rows: Vec<Race>) -> Result<(), io::Error> {
     let about = [("machine".to_owned(), machine)].into();
     let text = Table { about, rows }.text();
-    let notes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../notes");
+    // Cargo runs this in the folder of its package.
+    let notes = Path::new("../notes");
     output::to_file(&notes.join(Race::FILE), |out| {
         out.write_all(text.as_bytes())
     })

@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs, io};
 
+use course::workspace::workspace;
+
 /// The program, compiled as the book does and optimized with `-O3`, or why
 /// there is none: most often, because there is no C++ compiler.
 ///
@@ -12,8 +14,9 @@ use std::{env, fs, io};
 /// # Errors
 /// If the compiler cannot be started, or cannot compile the program.
 pub fn build(folder: &Path) -> io::Result<PathBuf> {
-    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/rival/book.cc");
-    compiled(source.as_ref(), folder)
+    let workspace =
+        workspace().ok_or_else(|| io::Error::other("its source is in no clone here"))?;
+    compiled(&workspace.join("book/measure/rival/book.cc"), folder)
 }
 
 /// The program whose source is a single file, likewise; it is named after it.

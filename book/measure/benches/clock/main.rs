@@ -64,7 +64,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut said = about::table(&timings);
     said += &headlines(&timings);
     if arguments.record {
-        let notes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../notes");
+        // Cargo runs this in the folder of its package.
+        let notes = Path::new("../notes");
         let path = notes.join(Timing::FILE);
         output::to_file(&path, |out| out.write_all(timings.text().as_bytes()))?;
         said += &format!("Kept in {}\n", path.display());
