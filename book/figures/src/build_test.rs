@@ -1,10 +1,6 @@
 //! Figure 1 of the notes: the build test.
 
-use glam::DVec2;
-
-use crate::figure::Figure;
-use crate::pixels::Frame;
-use crate::svg::Anchor;
+use crate::vocabulary::*;
 
 /// The words of this figure.
 pub(crate) const FIGURE: Figure = Figure {
@@ -23,49 +19,28 @@ const WIDTH: u32 = 8;
 
 /// Draws the picture with its corners named.
 fn draw() -> String {
-    let mut svg = FIGURE.sheet(400.0, 270.0);
-    let side = 192.0;
-    let frame = Frame {
-        corner: DVec2::new(112.0, 46.0),
-        side: side / f64::from(WIDTH),
-    };
+    let mut svg = FIGURE.sheet(270.0);
     let picture = build_test::picture(WIDTH);
+    let side = 192.0;
+    let frame = Frame::new(112.0, 46.0, side / f64::from(WIDTH));
     frame.draw(&mut svg, &picture);
 
-    let corner = frame.corner;
-    let over = corner - DVec2::new(0.0, 14.0);
-    svg.arrow("ink line", over, over + DVec2::new(side, 0.0));
-    svg.label(
-        "ink",
-        over + DVec2::new(0.5 * side, -8.0),
-        Anchor::Middle,
-        "column *i*, more red",
-    );
-    let beside = corner - DVec2::new(14.0, 0.0);
-    svg.arrow("ink line", beside, beside + DVec2::new(0.0, side));
-    svg.label(
-        "ink",
-        beside + DVec2::new(-8.0, 0.5 * side - 4.0),
-        Anchor::End,
-        "row *j*,",
-    );
-    svg.label(
-        "ink",
-        beside + DVec2::new(-8.0, 0.5 * side + 14.0),
-        Anchor::End,
-        "more green",
-    );
+    let at = |x, y| frame.corner + DVec2::new(x, y);
+    svg.arrow("ink line", at(0.0, -14.0), at(side, -14.0));
+    svg.arrow("ink line", at(-14.0, 0.0), at(-14.0, side));
+    let (half, words) = (0.5 * side, "column *i*, more red");
+    svg.label("ink", at(half, -22.0), Middle, words);
+    svg.label("ink", at(-22.0, half - 4.0), End, "row *j*,");
+    svg.label("ink", at(-22.0, half + 14.0), End, "more green");
 
-    let last = (WIDTH - 1) as usize;
-    for (i, j, x, y, anchor) in [
-        (0, last, 0.0, side + 20.0, Anchor::Start),
-        (last, last, side, side + 20.0, Anchor::End),
-        (last, 0, side + 10.0, 18.0, Anchor::Start),
+    let (pixels, _) = picture.rgb().as_chunks();
+    for (pixel, words, anchor) in [
+        (56, at(0.0, side + 20.0), Start),
+        (63, at(side, side + 20.0), End),
+        (7, at(side + 10.0, 18.0), Start),
     ] {
-        let at = 3 * (j * WIDTH as usize + i);
-        let [red, green, blue] = [0, 1, 2].map(|k| picture.rgb()[at + k]);
-        let words = format!("{red} {green} {blue}");
-        svg.small_label("ink", corner + DVec2::new(x, y), anchor, &words);
+        let [red, green, blue]: [u8; 3] = pixels[pixel];
+        svg.small_label("ink", words, anchor, &format!("{red} {green} {blue}"));
     }
     svg.finish()
 }

@@ -1,88 +1,71 @@
 //! Figure 3 of the notes, turned by the reader: the eye, the viewport, and the rays of a row
 //! of pixels, in perspective.
 
-use common::rtweekend::*;
-use glam::DVec2;
 use normals::hit_sphere;
 
-use crate::figure::Figure;
-use crate::live::{Action, Answer, Handle, Live, Number, parameters};
-use crate::number::spoken;
-use crate::svg::{Anchor, Svg};
-
-/// The words of this figure.
-pub(crate) const FIGURE: Figure = Figure {
-    name: "camera_frame",
-    title: "The eye, the viewport, and the rays of a row",
-    description: "Seen from the right, from behind and a little from above. From the eye at the \
-        origin three axes start: x to the right, y up, and z back. The viewport, a rectangle of \
-        16 by 9 pixels, stands upright ahead of the eye, across the negative z axis. A ray goes \
-        from the eye through the middle of each pixel of one row, and on. In the middle of the \
-        viewport is the sphere of chapter 2, at which six of the rays end.",
-    caption: "The eye is where the axes meet, and looks along −*z* through a viewport that \
-        is one focal length away. A ray goes through the middle of each pixel; here is a row of \
-        them, and the sphere that chapter 2 will put there.",
-    draw: || LIVE.on_page(),
-};
+use crate::vocabulary::*;
 
 parameters! {
-    turn: Number::whole("Turn, in degrees", -180.0, 180.0, 60.0),
-    tilt: Number::whole("Tilt, in degrees", -90.0, 90.0, 20.0),
-    row: Number {
+    side: Vec3 =
+        Number::whole("Turn, in degrees", -180.0, 180.0, 60.0),
+        Number::whole("Tilt, in degrees", -90.0, 90.0, 20.0);
+    row: f64 = Number {
         downwards: true,
         ..Number::whole("Row j", 0.0, 8.0, 4.0)
-    },
+    };
 }
 
 /// The figure, as a reader turns it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: FIGURE,
+    figure: Figure {
+        name: "camera_frame",
+        title: "The eye, the viewport, and the rays of a row",
+        description: "Seen from the right, from behind and a little from above. From the eye at the \
+            origin three axes start: x to the right, y up, and z back. The viewport, a rectangle of \
+            16 by 9 pixels, stands upright ahead of the eye, across the negative z axis. A ray goes \
+            from the eye through the middle of each pixel of one row, and on. In the middle of the \
+            viewport is the sphere of chapter 2, at which six of the rays end.",
+        caption: "The eye is where the axes meet, and looks along −*z* through a viewport that \
+            is one focal length away. A ray goes through the middle of each pixel; here is a row of \
+            them, and the sphere that chapter 2 will put there.",
+        draw: || LIVE.on_page(),
+    },
     question: "In which rows do rays meet the sphere? And what do all rays have in common? Turn the scene, \
         and choose the row.",
     solution: "In the rows 2 to 6. All rays start in the eye. So they spread, and what is far away takes \
         fewer of them: it looks small.",
-    handles: &[Handle::new(&["turn", "tilt"], |it, to| {
-        let way = (to - KNOB) / KNOB_ROOM;
-        [it.turn, it.tilt] = [180.0 * way.x, -90.0 * way.y];
-    })],
+    handles: &[Handle {
+        field: "side",
+        at: |it| KNOB + KNOB_ROOM * DVec2::new(it.side.x / 180.0, -it.side.y / 90.0),
+        drag: |it, to| {
+            let way = (to - KNOB) / KNOB_ROOM;
+            it.side = xy(180.0 * way.x, -90.0 * way.y);
+        },
+    }],
     actions: &[
-        Action::new("From behind", |it| it.look(0.0, 0.0)),
-        Action::new("From the side", |it| it.look(90.0, 0.0)),
-        Action::new("From above", |it| it.look(0.0, 90.0)),
+        ("From behind", |it| it.side = xy(0.0, 0.0)),
+        ("From the side", |it| it.side = xy(90.0, 0.0)),
+        ("From above", |it| it.side = xy(0.0, 90.0)),
     ],
     answer,
 };
-
-impl Parameters {
-    /// Looks at the scene from that side.
-    fn look(&mut self, turn: f64, tilt: f64) {
-        [self.turn, self.tilt] = [turn, tilt];
-    }
-}
 
 /// The sphere of chapter 2.
 const CENTER: Point3 = Point3::new(0.0, 0.0, -1.0);
 const RADIUS: f64 = 0.5;
 
-fn answer(parameters: &Parameters) -> Answer {
+fn answer(&Parameters { side, row }: &Parameters) -> Answer {
     let camera = Camera::with_size(16, 9);
-    let row = parameters.row as u32;
-    let rays = (0..camera.image_width).map(|i| camera.ray(i, row));
-    let rays: Vec<(Ray, Option<f64>)> = rays
-        .map(|ray| (ray, hit_sphere(CENTER, RADIUS, &ray)))
-        .collect();
-    let meet = rays.iter().filter(|(_, t)| t.is_some()).count();
-    let height = spoken(rays[0].0.direction.y);
-    let meet = match meet {
+    let rays: Vec<Ray> = (0..16).map(|i| camera.ray(i, row as u32)).collect();
+    let meet = |ray: &&Ray| hit_sphere(CENTER, RADIUS, ray).is_some();
+    let height = spoken(rays[0].direction.y);
+    let meet = match rays.iter().filter(meet).count() {
         0 => "none of its rays meets the sphere".to_owned(),
-        _ => format!("{meet} of its {} rays meet the sphere", rays.len()),
+        count => format!("{count} of its {} rays meet the sphere", rays.len()),
     };
-    Answer {
-        drawing: draw(&View::new(parameters), &camera, row, &rays),
-        sentence: format!("Row {row}, at *y* = {height}: {meet}."),
-        handles: vec![knob(parameters)],
-        says: vec![],
-    }
+    let sentence = format!("Row {row}, at *y* = {height}: {meet}.");
+    let drawing = draw(&View::new(side), &camera, row as u32, &rays);
+    Answer::new(drawing, sentence, vec![])
 }
 
 /// Where the scene is looked at from.
@@ -95,9 +78,9 @@ struct View {
 
 impl View {
     /// From behind the eye, turned to the right and tilted upwards.
-    fn new(parameters: &Parameters) -> Self {
-        let (sin_turn, cos_turn) = parameters.turn.to_radians().sin_cos();
-        let (sin_tilt, cos_tilt) = parameters.tilt.to_radians().sin_cos();
+    fn new(side: Vec3) -> Self {
+        let (sin_turn, cos_turn) = side.x.to_radians().sin_cos();
+        let (sin_tilt, cos_tilt) = side.y.to_radians().sin_cos();
         let right = Vec3::new(cos_turn, 0.0, -sin_turn);
         let back = Vec3::new(sin_turn * cos_tilt, sin_tilt, cos_turn * cos_tilt);
         let up = back.cross(right);
@@ -138,21 +121,18 @@ const ZOOM: f64 = 620.0;
 const KNOB: DVec2 = DVec2::new(200.0, 302.0);
 const KNOB_ROOM: DVec2 = DVec2::new(150.0, 26.0);
 
-fn knob(&Parameters { turn, tilt, .. }: &Parameters) -> DVec2 {
-    KNOB + KNOB_ROOM * DVec2::new(turn / 180.0, -tilt / 90.0)
-}
-
 /// How far a ray is drawn that meets nothing.
 const FAR: f64 = 1.4;
 
-fn draw(view: &View, camera: &Camera, row: u32, rays: &[(Ray, Option<f64>)]) -> Svg {
-    let mut svg = FIGURE.sheet(400.0, 336.0);
+fn draw(view: &View, camera: &Camera, row: u32, rays: &[Ray]) -> Svg {
+    let mut svg = LIVE.figure.sheet(336.0);
     draw_viewport(&mut svg, view, camera, row);
     draw_sphere(&mut svg, view);
-    for (ray, t) in rays {
-        let end = view.point(ray.at(t.unwrap_or(FAR)));
+    for ray in rays {
+        let hit = hit_sphere(CENTER, RADIUS, ray);
+        let end = view.point(ray.at(hit.unwrap_or(FAR)));
         svg.line("ray thin", view.point(ray.origin), end);
-        if t.is_some() {
+        if hit.is_some() {
             svg.circle("ray solid", end, 2.5);
         }
     }
@@ -197,11 +177,9 @@ fn draw_axes(svg: &mut Svg, view: &View, eye: Point3) {
     for (axis, name) in [(Vec3::X, "*x*"), (Vec3::Y, "*y*"), (Vec3::Z, "*z*")] {
         svg.arrow("ink line", view.point(eye), view.point(eye + 0.7 * axis));
         let beyond = view.point(eye + 0.85 * axis) + DVec2::new(0.0, 5.0);
-        svg.label("ink", beyond, Anchor::Middle, name);
+        svg.label("ink", beyond, Middle, name);
     }
-    svg.circle("ink solid", view.point(eye), 5.0);
-    let below = view.point(eye) + DVec2::new(0.0, 24.0);
-    svg.label("ink", below, Anchor::Middle, "eye");
+    svg.dot("ink", view.point(eye), Below, "eye");
 }
 
 /// What the knob slides on.
@@ -210,5 +188,5 @@ fn draw_knob(svg: &mut Svg) {
     svg.line("faint thin", KNOB - across, KNOB + across);
     svg.line("faint thin", KNOB - up, KNOB + up);
     let beside = KNOB + across + DVec2::new(0.0, 20.0);
-    svg.small_label("faint", beside, Anchor::End, "drag to turn");
+    svg.small_label("faint", beside, End, "drag to turn");
 }

@@ -1,11 +1,9 @@
 //! Catastrophic cancellation, digit by digit: what D and t of a ray are made of.
 
-use glam::DVec2;
 use speed_vs_accuracy::{Case, Method, exact_discriminant};
 
 use crate::decimal::{PLACES, agreeing, exponent, places};
-use crate::number::{printed, raised};
-use crate::svg::{Anchor, Svg};
+use crate::vocabulary::*;
 
 /// What is computed for a ray, and what is right.
 pub(crate) struct Numbers {
@@ -75,7 +73,7 @@ impl Numbers {
             let at = name_row(svg, n, name);
             match t {
                 Some(t) => draw_number(svg, at, (t, first), classes),
-                None => svg.label("ink", at, Anchor::Start, "no hit"),
+                None => svg.label("ink", at, Start, "no hit"),
             }
         }
     }
@@ -97,7 +95,7 @@ impl Numbers {
         for (n, value) in [(2, self.discriminant), (3, self.exact_discriminant)] {
             let beside = digits_of_row(n) + DVec2::new(206.0, 0.0);
             let words = format!("= {}", printed(value));
-            svg.small_label("ink", beside, Anchor::Start, &words);
+            svg.small_label("ink", beside, Start, &words);
         }
     }
 
@@ -107,9 +105,10 @@ impl Numbers {
         let [found, exact] = self.aligned([self.discriminant, self.exact_discriminant]);
         let shared = zeros(&found).min(zeros(&exact));
         let has_right_sign = self.discriminant * self.exact_discriminant > 0.0;
-        let right = match has_right_sign {
-            true => agreeing(&found, &exact),
-            false => shared,
+        let right = if has_right_sign {
+            agreeing(&found, &exact)
+        } else {
+            shared
         };
         [shared, right, zeros(&exact)]
     }
@@ -132,7 +131,7 @@ const WRONG: &str = "wrong underlined";
 /// each up to some place.
 fn draw_number(svg: &mut Svg, at: DVec2, (x, first): (f64, i32), classes: &[(&str, usize)]) {
     if x < 0.0 {
-        svg.label("ink", at - DVec2::new(3.0, 0.0), Anchor::End, "−");
+        svg.label("ink", at - DVec2::new(3.0, 0.0), End, "−");
     }
     let digits = places(x, first);
     let mut spans = Vec::new();
@@ -145,7 +144,7 @@ fn draw_number(svg: &mut Svg, at: DVec2, (x, first): (f64, i32), classes: &[(&st
     svg.digits(at, &spans);
     let beside = at + DVec2::new(160.0, 0.0);
     let words = format!("· 10{}", raised(first));
-    svg.small_label("ink", beside, Anchor::Start, &words);
+    svg.small_label("ink", beside, Start, &words);
 }
 
 /// Where the digits of the row `n` begin.
@@ -157,7 +156,7 @@ fn digits_of_row(n: u8) -> DVec2 {
 /// Names the row `n`; returns where its digits begin.
 fn name_row(svg: &mut Svg, n: u8, name: &str) -> DVec2 {
     let at = digits_of_row(n);
-    svg.label("ink", at - DVec2::new(19.0, 0.0), Anchor::End, name);
+    svg.label("ink", at - DVec2::new(19.0, 0.0), End, name);
     at
 }
 

@@ -1,71 +1,63 @@
 //! A ray, a sphere, and the roots on the axis of t. Ray and sphere move, and slips break the
 //! formula.
 
-use common::rtweekend::*;
-use glam::DVec2;
+use std::cmp::Ordering;
+
 use normals::hit_sphere;
 use slips::{Chapter, Program};
 
-use crate::figure::Figure;
-use crate::live::{Action, Answer, Handle, Live, Number, parameters};
-use crate::number::spoken;
-use crate::plane::Plane;
 use crate::roots::roots;
-use crate::svg::{Anchor, Svg};
 use crate::traced::red_sphere_lines;
-
-/// The words of this figure.
-pub(crate) const FIGURE: Figure = Figure {
-    name: "discriminant",
-    title: "The roots on the axis of t",
-    description: "A ray starts at Q and goes through a sphere with center C. Where it goes in and \
-        where it comes out a circle is drawn, t1 and t2. Below is an axis of t with the same two \
-        circles on it, both to the right of 0. To the left of 0 the axis is shaded: that is behind \
-        the eye. Below the axis are a, b, c and the discriminant as numbers, and that the line passes the \
-        center at a distance l that is less than r.",
-    caption: "Each root is a place on the line and a number on the axis. A place behind the eye has \
-        a negative *t*. The line passes the center at the distance *l*.",
-    draw: || LIVE.on_page(),
-};
+use crate::vocabulary::*;
 
 parameters! {
-    q_x: Number::new("Q, to the right", -0.7, 5.3, 0.0),
-    q_y: Number::new("Q, upwards", -1.5, 1.7, 0.0),
-    d_x: Number::new("d, to the right", -3.0, 3.0, 1.0),
-    d_y: Number::new("d, upwards", -2.0, 2.0, 0.0),
-    c_x: Number::new("C, to the right", 0.5, 4.8, 3.0),
-    c_y: Number::new("C, upwards", -0.6, 0.8, 0.6),
-    radius: Number::new("radius", 0.2, 1.3, 1.2),
-    formula: Number::choice("The formula", CHOICES),
+    q: Point3 =
+        Number::new("Q, to the right", -0.7, 5.3, 0.0),
+        Number::new("Q, upwards", -1.5, 1.7, 0.0);
+    d: Vec3 =
+        Number::new("d, to the right", -3.0, 3.0, 1.0),
+        Number::new("d, upwards", -2.0, 2.0, 0.0);
+    c: Point3 =
+        Number::new("C, to the right", 0.5, 4.8, 3.0),
+        Number::new("C, upwards", -0.6, 0.8, 0.6);
+    radius: f64 = Number::new("radius", 0.2, 1.3, 1.2);
+    formula: f64 = Number::choice("The formula", CHOICES);
 }
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: FIGURE,
+    figure: Figure {
+        name: "discriminant",
+        title: "The roots on the axis of t",
+        description: "A ray starts at Q and goes through a sphere with center C. Where it goes in and \
+            where it comes out a circle is drawn, t1 and t2. Below is an axis of t with the same two \
+            circles on it, both to the right of 0. To the left of 0 the axis is shaded: that is behind \
+            the eye. Below the axis are a, b, c and the discriminant as numbers, and that the line passes the \
+            center at a distance l that is less than r.",
+        caption: "Each root is a place on the line and a number on the axis. A place behind the eye has \
+            a negative *t*. The line passes the center at the distance *l*.",
+        draw: || LIVE.on_page(),
+    },
     question: "Where does the first root go when the eye enters the sphere? Drag **Q** into it, and \
         out at the other side.",
     solution: "It gets smaller, is 0 on the surface, and negative inside: then it is behind the eye. On the \
         other side the second root does the same, and both are negative.",
     handles: &[
-        Handle::new(&["q_x", "q_y"], |it, to| {
-            [it.q_x, it.q_y, _] = PLANE.place(to).to_array();
-        }),
-        Handle::new(&["d_x", "d_y"], |it, to| {
-            [it.d_x, it.d_y, _] = (PLANE.place(to) - it.ray().origin).to_array();
-        }),
-        Handle::new(&["c_x", "c_y"], |it, to| {
-            [it.c_x, it.c_y, _] = PLANE.place(to).to_array();
-        }),
-        Handle::new(&["radius"], |it, to| {
-            it.radius = (PLANE.place(to) - it.center()).length();
-        }),
+        point!(PLANE, q),
+        point!(PLANE, d from q),
+        point!(PLANE, c),
+        Handle {
+            field: "radius",
+            at: |it| PLANE.point(it.c - it.radius * Vec3::Y),
+            drag: |it, to| it.radius = (PLANE.place(to) - it.c).length(),
+        },
     ],
     actions: &[
-        Action::new("Hit", |it| it.put([0.0, 0.0], [3.0, 0.6], 1.2)),
-        Action::new("Miss", |it| it.put([0.0, -0.7], [3.0, 0.5], 0.8)),
-        Action::new("Touch", |it| it.put([0.0, -0.5], [3.0, 0.5], 1.0)),
-        Action::new("Inside", |it| it.put([2.5, 0.0], [3.0, 0.6], 1.2)),
-        Action::new("Behind", |it| it.put([4.0, 0.5], [2.0, 0.5], 1.0)),
+        ("Hit", |it| it.put(xy(0.0, 0.0), xy(3.0, 0.6), 1.2)),
+        ("Miss", |it| it.put(xy(0.0, -0.7), xy(3.0, 0.5), 0.8)),
+        ("Touch", |it| it.put(xy(0.0, -0.5), xy(3.0, 0.5), 1.0)),
+        ("Inside", |it| it.put(xy(2.5, 0.0), xy(3.0, 0.6), 1.2)),
+        ("Behind", |it| it.put(xy(4.0, 0.5), xy(2.0, 0.5), 1.0)),
     ],
     answer,
 };
@@ -80,44 +72,35 @@ const CHOICES: &[&str] = &[
 ];
 
 impl Parameters {
-    fn center(&self) -> Point3 {
-        Point3::new(self.c_x, self.c_y, 0.0)
-    }
-
-    fn ray(&self) -> Ray {
-        // Without a length it would be no direction: the shortest is one step.
-        let direction = match (self.d_x, self.d_y) {
-            (0.0, 0.0) => Vec3::new(0.05, 0.0, 0.0),
-            (x, y) => Vec3::new(x, y, 0.0),
-        };
-        Ray::new(Point3::new(self.q_x, self.q_y, 0.0), direction)
-    }
-
     /// Puts eye and sphere there; the ray goes to the right.
-    fn put(&mut self, q: [f64; 2], c: [f64; 2], radius: f64) {
-        [self.q_x, self.q_y] = q;
-        [self.d_x, self.d_y] = [1.0, 0.0];
-        [self.c_x, self.c_y] = c;
-        self.radius = radius;
+    fn put(&mut self, q: Point3, c: Point3, radius: f64) {
+        let d = Vec3::X;
+        *self = Self {
+            q,
+            d,
+            c,
+            radius,
+            ..*self
+        };
     }
 
-    /// Ray and sphere, and who finds the roots.
+    /// Ray and sphere, and the program that finds the roots.
     fn scene(&self, slipped: Option<Program>) -> Scene {
         Scene {
-            center: self.center(),
+            center: self.c,
             radius: self.radius,
-            ray: self.ray(),
+            ray: ray(self.q, self.d),
             slipped,
         }
     }
 }
 
-/// A sphere and a ray in the plane of x and y, and who finds the roots.
+/// A sphere and a ray in the plane of x and y.
 struct Scene {
     center: Point3,
     radius: f64,
     ray: Ray,
-    /// What a slip makes of chapter 3; or else the chapter itself finds them.
+    /// What a slip makes of chapter 3; or else the chapter itself finds the roots.
     slipped: Option<Program>,
 }
 
@@ -146,47 +129,24 @@ impl Scene {
         ]
     }
 
-    /// b² − 4ac.
-    fn discriminant(&self) -> f64 {
-        let [a, b, c] = self.coefficients();
-        b * b - 4.0 * a * c
-    }
-
-    /// How far from the center the line passes.
-    fn passing(&self) -> f64 {
-        (self.center - self.foot()).length()
-    }
-
     /// The point of the line that is nearest to the center.
     fn foot(&self) -> Point3 {
-        let Ray { origin, direction } = self.ray;
-        self.ray
-            .at(direction.dot(self.center - origin) / direction.length_squared())
+        self.ray.at(nearest(&self.ray, self.center))
     }
 }
 
 fn answer(parameters: &Parameters) -> Answer {
     let right = parameters.scene(None);
-    let name = (parameters.formula as usize)
-        .checked_sub(1)
-        .map(|n| SLIPS[n]);
-    let slipped = name
-        .and_then(slips::find)
-        .map(|slip| parameters.scene(Some(slip.program(Chapter::Normals))));
+    let slip = chosen(parameters.formula, &SLIPS);
+    let slipped = slip.map(|slip| parameters.scene(Some(slip.program(Chapter::Normals))));
     let sentence = match &slipped {
         None => sentence(&right),
         Some(wrong) => sentence_on(wrong, &right),
     };
-    let shown = slipped.as_ref().unwrap_or(&right);
-    let below = right.center - Vec3::new(0.0, right.radius, 0.0);
     let lines = red_sphere_lines(right.center, right.radius, &right.ray);
-    let handles = [right.ray.origin, right.ray.at(1.0), right.center, below];
-    Answer {
-        drawing: draw(shown),
-        sentence,
-        handles: handles.map(|it| PLANE.point(it)).into(),
-        says: [vec![("roots", roots_in_words(&right.roots()))], lines].concat(),
-    }
+    let says = [vec![("roots", roots_in_words(&right.roots()))], lines].concat();
+    let drawing = draw(slipped.as_ref().unwrap_or(&right));
+    Answer::new(drawing, sentence, says)
 }
 
 /// What the roots mean.
@@ -240,9 +200,10 @@ fn sentence_on(wrong: &Scene, right: &Scene) -> String {
         [only] => format!(" At {} the line is not on the sphere.", spoken(only)),
         _ => " These places are not on the sphere.".to_owned(),
     };
-    let farther = match found.iter().all(|t| is_on_axis(*t)) {
-        true => "",
-        false => " A root that is not on the axis is beyond its end.",
+    let farther = if found.iter().all(is_on_axis) {
+        ""
+    } else {
+        " A root that is not on the axis is beyond its end."
     };
     format!(
         "{should}, but {} {comes} out.{places}{farther}",
@@ -264,135 +225,94 @@ fn roots_in_words(roots: &[f64]) -> String {
 }
 
 fn listed(roots: &[f64]) -> String {
-    match *roots {
+    let roots: Vec<String> = roots.iter().copied().map(spoken).collect();
+    match &roots[..] {
         [] => "none".to_owned(),
-        [only] => spoken(only),
-        _ => roots
-            .iter()
-            .map(|&t| spoken(t))
-            .collect::<Vec<_>>()
-            .join(" and "),
+        roots => roots.join(" and "),
     }
 }
 
-/// Where the scene is on the sheet.
+/// Where the scene is on the sheet, and its size.
 const PLANE: Plane = Plane::new(60.0, 118.0, 60.0);
+const SIZE: DVec2 = DVec2::new(400.0, 226.0);
+
+/// Where a t is, below the scene.
+const AXIS: Axis = Axis::new(23.0, 258.0, 357.0, LEAST, MOST);
+const LEAST: f64 = -2.5;
+const MOST: f64 = 6.0;
+
+/// Whether a root is shown on the axis.
+fn is_on_axis(t: &f64) -> bool {
+    (LEAST..=MOST).contains(t)
+}
 
 /// Draws the scene, the axis, and the numbers.
 fn draw(scene: &Scene) -> Svg {
-    let mut svg = FIGURE.sheet(400.0, 352.0);
+    let mut svg = LIVE.figure.sheet(352.0);
     draw_scene(&mut svg, scene);
     let roots = scene.roots();
     draw_axis(&mut svg, &roots);
     for (t, n) in roots.into_iter().zip(1..) {
         let point = PLANE.point(scene.ray.at(t));
         let name = format!("*t*_{{{n}}}");
-        if point.cmpge(DVec2::ZERO).all() && point.cmple(SCENE).all() {
+        if point.clamp(DVec2::ZERO, SIZE) == point {
             svg.circle("ink hollow", point, 5.0);
-            svg.label("ink", point + DVec2::new(0.0, 22.0), Anchor::Middle, &name);
+            svg.label("ink", point, Below, &name);
         }
-        if is_on_axis(t) {
-            svg.circle("ink hollow", on_axis(t), 5.0);
-            svg.label(
-                "ink",
-                on_axis(t) - DVec2::new(0.0, 11.0),
-                Anchor::Middle,
-                &name,
-            );
+        if is_on_axis(&t) {
+            svg.circle("ink hollow", AXIS.at(t), 5.0);
+            svg.label("ink", AXIS.at(t), Above, &name);
         }
     }
-    draw_numbers(&mut svg, scene);
+    let [left, right] = numbers(scene);
+    svg.readout(DVec2::new(14.0, 302.0), &left);
+    svg.readout(DVec2::new(150.0, 302.0), &right);
     svg
 }
 
-/// The part of the sheet above the axis.
-const SCENE: DVec2 = DVec2::new(400.0, 226.0);
-
-/// Whether a root is shown on the axis.
-fn is_on_axis(t: f64) -> bool {
-    (LEAST..=MOST).contains(&t)
-}
-
-/// The least and the greatest t on the axis.
-const LEAST: f64 = -2.5;
-const MOST: f64 = 6.0;
-
-fn on_axis(t: f64) -> DVec2 {
-    DVec2::new(128.0 + 42.0 * t, 258.0)
-}
-
 fn draw_scene(svg: &mut Svg, scene: &Scene) {
-    let &Scene {
-        center,
-        radius,
-        ray,
-        ..
-    } = scene;
-    let [eye, middle, foot] = [ray.origin, center, scene.foot()].map(|it| PLANE.point(it));
-    svg.circle("sphere area", middle, PLANE.scale * radius);
+    let [middle, foot] = [scene.center, scene.foot()].map(|it| PLANE.point(it));
+    svg.circle("sphere area", middle, PLANE.scale * scene.radius);
     svg.line("sphere dashed", middle, foot);
-    if let Some((first, last)) = PLANE.on_sheet(&ray, SCENE) {
-        let at = |t| PLANE.point(ray.at(t));
-        svg.line("ray dashed", at(first), at(last.min(0.0)));
-        if last > 0.0 {
-            svg.arrow("ray line", at(first.max(0.0)), at(last));
-        }
-    }
-    svg.arrow("ray bold", eye, PLANE.point(ray.at(1.0)));
-    svg.circle("ray solid", eye, 4.5);
-    svg.circle("sphere solid", middle, 4.5);
-    svg.label("ink", eye + DVec2::new(0.0, 24.0), Anchor::Middle, "**Q**");
-    let above = PLANE.point(ray.at(0.5)) - DVec2::new(0.0, 12.0);
-    svg.label("ray", above, Anchor::Middle, "**d**");
-    let beside = middle + DVec2::new(16.0, -6.0);
-    svg.label("sphere", beside, Anchor::Start, "**C**");
-    let half = 0.5 * (middle + foot) + DVec2::new(8.0, 5.0);
-    svg.label("sphere", half, Anchor::Start, "*l*");
+    PLANE.draw_line(svg, &scene.ray, SIZE, f64::INFINITY);
+    PLANE.draw_ray(svg, &scene.ray);
+    svg.dot("sphere", middle, UpperRight, "**C**");
+    svg.label("sphere", 0.5 * (middle + foot), Right, "*l*");
 }
 
 fn draw_axis(svg: &mut Svg, roots: &[f64]) {
-    let [start, zero, end] = [LEAST, 0.0, MOST].map(on_axis);
-    let above = DVec2::new(0.0, 42.0);
-    svg.rect(
-        "faint wash",
-        start - above,
-        zero - start + DVec2::new(0.0, 46.0),
-    );
-    svg.small_label(
-        "ink",
-        start - above + DVec2::new(6.0, 13.0),
-        Anchor::Start,
-        "behind",
-    );
+    let [start, zero, end] = [LEAST, 0.0, MOST].map(|t| AXIS.at(t));
+    let corner = start - DVec2::new(0.0, 42.0);
+    let size = zero - start + DVec2::new(0.0, 46.0);
+    svg.rect("faint wash", corner, size);
+    let inside = corner + DVec2::new(6.0, 13.0);
+    svg.small_label("ink", inside, Start, "behind");
     svg.arrow("ray line", start, end + DVec2::new(10.0, 0.0));
-    for mark in -2..=6 {
-        let at = on_axis(f64::from(mark));
-        svg.line("ray thin", at, at + DVec2::new(0.0, 5.0));
-        let below = at + DVec2::new(0.0, 20.0);
-        svg.small_label("faint", below, Anchor::Middle, &spoken(mark.into()));
-    }
+    let whole = ticks((-2..=6).map(f64::from), spoken);
+    AXIS.draw_ticks(svg, "ray thin", DVec2::new(0.0, 5.0), &whole);
     if let &[nearer, farther] = roots {
-        let [nearer, farther] = [nearer, farther].map(|t| on_axis(t.clamp(LEAST, MOST)));
-        svg.line("ink bold", nearer, farther);
+        svg.line("ink bold", AXIS.at(nearer), AXIS.at(farther));
     }
 }
 
-fn draw_numbers(svg: &mut Svg, scene: &Scene) {
-    let [a, b, c] = scene.coefficients().map(spoken);
-    let [discriminant, l, r] = [scene.discriminant(), scene.passing(), scene.radius].map(spoken);
-    let relation = match scene.passing().total_cmp(&scene.radius) {
-        std::cmp::Ordering::Less => '<',
-        std::cmp::Ordering::Equal => '=',
-        std::cmp::Ordering::Greater => '>',
+/// The coefficients, and what they come to.
+fn numbers(scene: &Scene) -> [Vec<String>; 2] {
+    let [a, b, c] = scene.coefficients();
+    let passing = (scene.center - scene.foot()).length();
+    let relation = match passing.total_cmp(&scene.radius) {
+        Ordering::Less => '<',
+        Ordering::Equal => '=',
+        Ordering::Greater => '>',
     };
-    let lines = [
-        (14.0, 302.0, format!("*a* = {a}")),
-        (14.0, 322.0, format!("*b* = {b}")),
-        (14.0, 342.0, format!("*c* = {c}")),
-        (150.0, 302.0, format!("*b*² − 4*ac* = {discriminant}")),
-        (150.0, 322.0, format!("*l* = {l} {relation} *r* = {r}")),
-    ];
-    for (x, y, words) in lines {
-        svg.label("ink", DVec2::new(x, y), Anchor::Start, &words);
-    }
+    let [l, r, discriminant] = [passing, scene.radius, b * b - 4.0 * a * c].map(spoken);
+    let coefficients = [("a", a), ("b", b), ("c", c)];
+    [
+        coefficients
+            .map(|(name, value)| format!("*{name}* = {}", spoken(value)))
+            .into(),
+        vec![
+            format!("*b*² − 4*ac* = {discriminant}"),
+            format!("*l* = {l} {relation} *r* = {r}"),
+        ],
+    ]
 }

@@ -3,52 +3,24 @@
 
 use std::sync::LazyLock;
 
-use glam::DVec2;
 use speed_vs_accuracy::{
     Case, D_BAND, Method, Precision, Stage, beside, exact_discriminant, stage_of_hit, tangent,
 };
 
-use crate::figure::Figure;
-use crate::live::{Action, Answer, Handle, Live, Number, parameters};
-use crate::number::{printed, raised};
-use crate::svg::{Anchor, Svg};
-
-/// The words of this figure.
-pub(crate) const FIGURE: Figure = Figure {
-    name: "edge",
-    title: "The edge, ulp by ulp",
-    description: "Two maps side by side, of the same neighboring rays: cells in rows and columns, hits \
-        at the lower left and misses at the upper right. In the left map, by half_b, cells along the \
-        border are marked in a broad band: there it decides wrongly. In the right map, by certified_hit, \
-        the border is straight, and all cells are shaded that integers had to decide. Below is an axis of \
-        how large a cell is, from two to the power of 48 ulps to a single one, with a mark at the end. \
-        Below that is an axis of D with a bar around 0 on it, which is the bound, and two marks: D as it \
-        is computed, and D as it is.",
-    caption: "Each cell is a ray, the same on the left and on the right; the circle is a tangent, the square \
-        is the chosen ray. Tinted cells are hits. On the left the cells are marked that the method decides \
-        wrongly, on the right those that the first filter leaves to later stages.",
-    draw: || LIVE.on_page(),
-};
+use crate::vocabulary::*;
 
 parameters! {
-    doublings: Number::whole(
-        "Size of a cell: doublings of an ulp",
-        0.0,
-        MOST_DOUBLINGS as f64,
-        0.0,
-    ),
-    right: in_cells("Cell, to the right of the middle", 4.0),
-    up: in_cells("Cell, above the middle", 2.0),
-    tangent_right: in_cells("Tangent, to the right of the middle", 0.0),
-    tangent_up: in_cells("Tangent, above the middle", 0.0),
-    method: Number::choice(
+    doublings: f64 = Number::whole("Size of a cell: doublings of an ulp", 0.0, MOST_DOUBLINGS, 0.0);
+    cell: Vec3 =
+        in_cells("Cell, to the right of the middle", 4.0),
+        in_cells("Cell, above the middle", 2.0);
+    tangent: Vec3 =
+        in_cells("Tangent, to the right of the middle", 0.0),
+        in_cells("Tangent, above the middle", 0.0);
+    method: f64 = Number::choice(
         "The method at the left",
-        &[
-            METHODS[0].name,
-            METHODS[1].name,
-            METHODS[2].name,
-        ],
-    ),
+        &[METHODS[0].name, METHODS[1].name, METHODS[2].name],
+    );
 }
 
 /// The choices of a method.
@@ -61,117 +33,96 @@ const fn in_cells(name: &'static str, default: f64) -> Number {
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: FIGURE,
+    figure: Figure {
+        name: "edge",
+        title: "The edge, ulp by ulp",
+        description: "Two maps side by side, of the same neighboring rays: cells in rows and columns, hits \
+            at the lower left and misses at the upper right. In the left map, by half_b, cells along the \
+            border are marked in a broad band: there it decides wrongly. In the right map, by certified_hit, \
+            the border is straight, and all cells are shaded that integers had to decide. Below is an axis of \
+            how large a cell is, from two to the power of 48 ulps to a single one, with a mark at the end. \
+            Below that is an axis of D with a bar around 0 on it, which is the bound, and two marks: D as it \
+            is computed, and D as it is.",
+        caption: "Each cell is a ray, the same on the left and on the right; the circle is a tangent, the square \
+            is the chosen ray. Tinted cells are hits. On the left the cells are marked that the method decides \
+            wrongly, on the right those that the first filter leaves to later stages.",
+        draw: || LIVE.on_page(),
+    },
     question: "How far must you zoom in before the edge is ragged? Begin with the whole ball, zoom in, and then \
         choose a marked cell. Which method is wrong there?",
     solution: "Until a step from cell to cell changes *D* by less than its rounding error. Then the method on the left \
         is wrong. On the right integers decide, which are never rounded.",
     handles: &[
-        Handle::new(&["doublings"], |it, to| it.doublings = doublings_at(to)),
-        Handle::new(&["right", "up"], |it, to| {
-            [it.right, it.up] = cell_at(MIDDLES[0], to).to_array();
-        }),
-        Handle::new(&["tangent_right", "tangent_up"], |it, to| {
-            [it.tangent_right, it.tangent_up] = cell_at(MIDDLES[1], to).to_array();
-        }),
+        Handle {
+            field: "doublings",
+            at: |it| SIZES.at(it.doublings),
+            drag: |it, to| it.doublings = SIZES.value(to),
+        },
+        point!(MAPS[0], cell),
+        point!(MAPS[1], tangent),
     ],
     actions: &[
-        Action::new("The whole ball", |it| {
-            [it.doublings, it.tangent_right, it.tangent_up] = [49.0, 6.0, 3.0];
+        ("The whole ball", |it| {
+            (it.doublings, it.tangent) = (49.0, xy(6.0, 3.0));
         }),
-        Action::new("16 times closer", |it| {
+        ("16 times closer", |it| {
             it.doublings = (it.doublings - 4.0).max(0.0);
         }),
-        Action::new("One ulp", |it| {
-            [it.doublings, it.tangent_right, it.tangent_up] = [0.0; 3];
+        ("One ulp", |it| {
+            (it.doublings, it.tangent) = (0.0, Vec3::ZERO);
         }),
     ],
     answer,
 };
 
-impl Parameters {
-    fn map(&self) -> Map {
-        Map {
-            method: METHODS[self.method as usize],
-            doublings: self.doublings as u8,
-            tangent: DVec2::new(self.tangent_right, self.tangent_up),
-            cell: DVec2::new(self.right, self.up),
-        }
-    }
-}
-
-/// Neighboring rays beside a tangent.
-struct Map {
-    /// Who decides in the left map.
-    method: Method,
-    /// From cell to cell the origin moves by two to this power ulps.
-    doublings: u8,
-    /// How many cells the tangent is from the middle, to the right and upwards.
-    tangent: DVec2,
-    /// The chosen cell, counted from the middle.
-    cell: DVec2,
-}
-
-fn answer(parameters: &Parameters) -> Answer {
-    let map = parameters.map();
-    let decisions = map.decisions();
-    let wrong = decisions
-        .iter()
-        .filter(|it| it.is_wrong())
-        .count()
-        .to_string();
-    let chosen = map.decision(map.cell);
-    Answer {
-        drawing: draw(&map, &decisions),
-        sentence: format!(
-            "{} {} On this map {} is wrong in {wrong} of {} cells.",
-            of_method(map.method.name, &chosen),
-            of_stage(chosen.stage, &map.discriminants()),
-            map.method.name,
-            decisions.len()
-        ),
-        handles: vec![
-            on_axis(map.doublings.into()),
-            on_map(MIDDLES[0], map.cell),
-            on_map(MIDDLES[1], map.tangent),
-        ],
-        says: vec![
-            ("step", ulps(map.doublings)),
-            ("method", map.method.name.to_owned()),
-            ("wrong", wrong),
-        ],
-    }
+fn answer(it: &Parameters) -> Answer {
+    let decisions = it.decisions();
+    let wrong = decisions.iter().filter(|it| it.is_wrong()).count();
+    let chosen = it.decision(it.cell);
+    let numbers = it.discriminants();
+    let name = it.method().name;
+    let sentence = format!(
+        "{} {} On this map {name} is wrong in {wrong} of {} cells.",
+        of_method(name, &chosen),
+        of_stage(chosen.stage, &numbers),
+        decisions.len()
+    );
+    let says = vec![
+        ("step", ulps(it.doublings)),
+        ("method", name.to_owned()),
+        ("wrong", wrong.to_string()),
+    ];
+    Answer::new(draw(it, &decisions, &numbers), sentence, says)
 }
 
 /// What the plain method says of the chosen cell.
 fn of_method(name: &str, decision: &Decision) -> String {
     let found = if decision.found { "hit" } else { "miss" };
-    let verdict = match decision.is_wrong() {
-        true => "and is wrong",
-        false => "and is right",
+    let verdict = if decision.is_wrong() {
+        "wrong"
+    } else {
+        "right"
     };
-    format!("In the chosen cell {name} says {found}, {verdict}.")
+    format!("In the chosen cell {name} says {found}, and is {verdict}.")
 }
 
 /// Why that stage answered.
 fn of_stage(stage: Stage, numbers: &Discriminants) -> String {
-    let found = format!(
-        "The filter's *D* is {}, give or take {}",
-        printed(numbers.computed),
-        printed(numbers.bound)
-    );
-    let who = match stage {
+    let [computed, bound] = [numbers.computed, numbers.bound].map(printed);
+    let found = format!("The filter's *D* is {computed}, give or take {bound}");
+    let name = match stage {
         Stage::Filter => return format!("{found}, so its sign is certain."),
         Stage::Rescaled => "the filter in other units",
         Stage::Sharper => "the sharper filter",
         Stage::FixedWidth => "integers of fixed width",
         Stage::Exact => "integers of any length",
     };
-    let why = match numbers.computed.abs() <= numbers.bound {
-        true => "it may have either sign",
-        false => "its sign is certain, but not yet the root",
+    let why = if numbers.computed.abs() <= numbers.bound {
+        "it may have either sign"
+    } else {
+        "its sign is certain, but not yet the root"
     };
-    format!("{found}: {why}. The answer comes from {who}.")
+    format!("{found}: {why}. The answer comes from {name}.")
 }
 
 /// The cells lie from so many to the left of the middle to so many to the right.
@@ -179,32 +130,18 @@ const REACH: i32 = 12;
 const CELLS: usize = 2 * REACH as usize + 1;
 
 /// In so few doublings a cell becomes an eighth, and the map thrice the ball.
-const MOST_DOUBLINGS: u8 = 50;
+const MOST_DOUBLINGS: f64 = 50.0;
 
-/// Where the middle of each map is on the sheet, the plain method's first.
-const MIDDLES: [DVec2; 2] = [DVec2::new(98.0, 118.0), DVec2::new(302.0, 118.0)];
+/// Where each map is on the sheet, in cells from its middle: the plain method's first.
+const MAPS: [Plane; 2] = [
+    Plane::new(98.0, 118.0, SIDE),
+    Plane::new(302.0, 118.0, SIDE),
+];
 const SIDE: f64 = 7.5;
 
-/// Where on the sheet a cell of a map is.
-fn on_map(middle: DVec2, cell: DVec2) -> DVec2 {
-    middle + SIDE * DVec2::new(cell.x, -cell.y)
-}
-
-/// Which cell is there on the sheet.
-fn cell_at(middle: DVec2, at: DVec2) -> DVec2 {
-    let way = (at - middle) / SIDE;
-    DVec2::new(way.x, -way.y)
-}
-
-/// Where on the axis of sizes cells of so many doublings are.
-fn on_axis(doublings: f64) -> DVec2 {
-    DVec2::new(20.0 + 7.2 * doublings, 258.0)
-}
-
-/// How many doublings are there on the sheet.
-fn doublings_at(at: DVec2) -> f64 {
-    (at.x - 20.0) / 7.2
-}
+/// The sizes of a cell, and D in bounds.
+const SIZES: Axis = Axis::new(20.0, 258.0, 360.0, 0.0, MOST_DOUBLINGS);
+const IN_BOUNDS: Axis = Axis::new(32.0, 334.0, 336.0, -2.4, 2.4);
 
 /// What is decided about a ray, and by whom.
 struct Decision {
@@ -233,21 +170,27 @@ struct Discriminants {
     exact: f64,
 }
 
-impl Map {
-    /// The ray of a cell.
-    fn case(&self, cell: DVec2) -> Case {
+impl Parameters {
+    /// The method that decides in the left map.
+    fn method(&self) -> Method {
+        METHODS[self.method as usize]
+    }
+
+    /// The ray of a cell: from one to the next its origin moves by two to the power of the
+    /// doublings, in ulps.
+    fn case(&self, cell: Vec3) -> Case {
         static TANGENT: LazyLock<Case> = LazyLock::new(|| tangent(Precision::Double));
-        let ulps = (1_u64 << self.doublings) as f64 * (cell - self.tangent);
+        let ulps = (1_u64 << self.doublings as u8) as f64 * (cell - self.tangent);
         beside(&TANGENT, Precision::Double, ulps.x, ulps.y)
     }
 
     /// What is decided about the ray of a cell: whether its line meets the sphere.
-    fn decision(&self, cell: DVec2) -> Decision {
+    fn decision(&self, cell: Vec3) -> Decision {
         let case = self.case(cell);
         let (t_min, t_max) = (f64::NEG_INFINITY, f64::INFINITY);
         let hits = |method| case.put_to(method, t_min, t_max).is_some();
         Decision {
-            found: hits(&self.method),
+            found: hits(&self.method()),
             hits: hits(&Method::CERTIFIED_HIT),
             stage: stage_of_hit(case.center, case.radius, &case.ray, t_min, t_max),
         }
@@ -255,10 +198,9 @@ impl Map {
 
     /// The decisions of all cells, row by row from above.
     fn decisions(&self) -> Vec<Decision> {
-        let reach = -REACH..=REACH;
-        let rows = reach.clone().rev();
-        rows.flat_map(|up| reach.clone().map(move |right| (right, up)))
-            .map(|(right, up)| self.decision(DVec2::new(right.into(), up.into())))
+        let rows = (-REACH..=REACH).rev();
+        rows.flat_map(|up| (-REACH..=REACH).map(move |right| xy(right.into(), up.into())))
+            .map(|cell| self.decision(cell))
             .collect()
     }
 
@@ -275,36 +217,25 @@ impl Map {
 }
 
 /// Draws both maps of these decisions, the axis of sizes, and D of the chosen cell.
-fn draw(map: &Map, decisions: &[Decision]) -> Svg {
-    let mut svg = FIGURE.sheet(400.0, 378.0);
-    draw_plain(&mut svg, map, decisions);
-    draw_certified(&mut svg, map, decisions);
-    draw_axis(&mut svg, map.doublings);
-    draw_discriminants(&mut svg, &map.discriminants());
-    svg
-}
-
-fn draw_plain(svg: &mut Svg, map: &Map, decisions: &[Decision]) {
-    let name = map.method.name;
-    let hits: Vec<bool> = decisions.iter().map(|it| it.hits).collect();
-    let wrong: Vec<bool> = decisions.iter().map(Decision::is_wrong).collect();
-    let cells = [("sphere wash", &hits[..]), (WRONG, &wrong)];
-    draw_map(svg, map, MIDDLES[0], name, &cells);
-    let count = wrong.iter().filter(|it| **it).count();
-    explain(svg, MIDDLES[0], WRONG, &format!("wrong: {count}"));
-}
-
-fn draw_certified(svg: &mut Svg, map: &Map, decisions: &[Decision]) {
+fn draw(it: &Parameters, decisions: &[Decision], numbers: &Discriminants) -> Svg {
+    let mut svg = LIVE.figure.sheet(378.0);
     let set = |of: fn(&Decision) -> bool| decisions.iter().map(of).collect::<Vec<bool>>();
+    let (hits, wrong) = (set(|it| it.hits), set(Decision::is_wrong));
+    let words = format!("wrong: {}", wrong.iter().filter(|it| **it).count());
+    let cells = [("sphere wash", hits.clone()), (WRONG, wrong)];
+    draw_map(&mut svg, it, MAPS[0], it.method().name, &cells);
+    svg.key(WRONG, DVec2::new(4.0, 218.0), &words);
     let cells = [
-        ("sphere wash", &set(|it| it.hits)[..]),
-        (SHARPER, &set(|it| it.stage == Stage::Sharper)),
-        (INTEGERS, &set(|it| it.stage >= Stage::FixedWidth)),
+        ("sphere wash", hits),
+        (SHARPER, set(|it| it.stage == Stage::Sharper)),
+        (INTEGERS, set(|it| it.stage >= Stage::FixedWidth)),
     ];
-    draw_map(svg, map, MIDDLES[1], "certified_hit", &cells);
-    explain(svg, MIDDLES[1], SHARPER, "sharper filter");
-    let beside = MIDDLES[1] + DVec2::new(110.0, 0.0);
-    explain(svg, beside, INTEGERS, "integers");
+    draw_map(&mut svg, it, MAPS[1], "certified_hit", &cells);
+    svg.key(SHARPER, DVec2::new(208.0, 218.0), "sharper filter");
+    svg.key(INTEGERS, DVec2::new(318.0, 218.0), "integers");
+    draw_sizes(&mut svg, it.doublings);
+    draw_discriminants(&mut svg, numbers);
+    svg
 }
 
 /// How cells are marked that are decided wrongly, and those that later stages than the
@@ -314,78 +245,50 @@ const SHARPER: &str = "depth-2 certain solid";
 const INTEGERS: &str = "depth-3 certain solid";
 
 /// A map: cells of each class, the tangent and the chosen cell.
-fn draw_map(svg: &mut Svg, map: &Map, middle: DVec2, name: &str, cells: &[(&str, &[bool])]) {
+fn draw_map(svg: &mut Svg, it: &Parameters, map: Plane, name: &str, cells: &[(&str, Vec<bool>)]) {
     let half = 0.5 * SIDE * CELLS as f64;
-    let corner = middle - DVec2::splat(half);
-    let above = middle - DVec2::new(0.0, half + 8.0);
-    svg.label("ink", above, Anchor::Middle, name);
-    svg.group("pixels", |svg| {
-        for (class, cells) in cells {
-            svg.cells(class, corner, SIDE, CELLS, cells);
-        }
-    });
-    svg.rect("faint thin", corner, DVec2::splat(2.0 * half));
-    let tangent = on_map(middle, map.tangent);
-    svg.circle("ink line", tangent, 4.0);
-    let chosen = on_map(middle, map.cell) - DVec2::splat(0.5 * SIDE);
+    let corner = map.origin - half;
+    let above = map.origin - DVec2::new(0.0, half + 8.0);
+    svg.label("ink", above, Middle, name);
+    Frame { corner, side: SIDE }.map(svg, CELLS, cells);
+    svg.circle("ink line", map.point(it.tangent), 4.0);
+    let chosen = map.point(it.cell) - 0.5 * SIDE;
     svg.rect("ink line", chosen, DVec2::splat(SIDE));
 }
 
-/// What cells of a class mean, below the map with that `middle`.
-fn explain(svg: &mut Svg, middle: DVec2, class: &str, words: &str) {
-    let corner = middle + DVec2::new(-0.5 * SIDE * CELLS as f64, 100.0);
-    svg.rect(class, corner, DVec2::splat(12.0));
-    let beside = corner + DVec2::new(18.0, 11.0);
-    svg.small_label("ink", beside, Anchor::Start, words);
-}
-
-fn draw_axis(svg: &mut Svg, doublings: u8) {
-    let [start, end] = [0.0, f64::from(MOST_DOUBLINGS)].map(on_axis);
-    svg.line("ink line", start, end);
-    for tick in [0, 16, 32, 48] {
-        let at = on_axis(tick.into());
-        svg.line("ink line", at, at + DVec2::new(0.0, 5.0));
-        let below = at + DVec2::new(0.0, 23.0);
-        svg.small_label("faint", below, Anchor::Middle, &ulps(tick));
-    }
-    svg.circle("ray solid", on_axis(doublings.into()), 4.5);
-    let below = on_axis(24.0) + DVec2::new(0.0, 38.0);
+fn draw_sizes(svg: &mut Svg, doublings: f64) {
+    svg.line("ink line", SIZES.start, SIZES.end);
+    let marks = ticks([0.0, 16.0, 32.0, 48.0].into_iter(), ulps);
+    SIZES.draw_ticks(svg, "ink line", DVec2::new(0.0, 5.0), &marks);
+    svg.circle("ray solid", SIZES.at(doublings), 4.5);
+    let below = SIZES.at(24.0) + DVec2::new(0.0, 38.0);
     let words = format!("from cell to cell: {}", ulps(doublings));
-    svg.small_label("ink", below, Anchor::Middle, &words);
+    svg.small_label("ink", below, Middle, &words);
 }
 
 /// An ulp, doubled so many times.
-fn ulps(doublings: u8) -> String {
+fn ulps(doublings: f64) -> String {
     match doublings {
-        0 => "1 ulp".to_owned(),
-        _ => format!("2{} ulps", raised(doublings.into())),
+        0.0 => "1 ulp".to_owned(),
+        _ => format!("2{} ulps", raised(doublings as i32)),
     }
 }
 
 /// An axis of D around 0, counted in bounds.
 fn draw_discriminants(svg: &mut Svg, numbers: &Discriminants) {
-    let &Discriminants {
-        computed,
-        bound,
-        exact,
-    } = numbers;
-    let at = |value: f64| DVec2::new(200.0 + 70.0 * (value / bound).clamp(-2.4, 2.4), 334.0);
-    svg.arrow(
-        "ink line",
-        at(-f64::MAX),
-        at(f64::MAX) + DVec2::new(12.0, 0.0),
-    );
-    let below = DVec2::new(0.0, 6.0);
-    svg.rect(
-        "viewport wash",
-        at(-bound) - below,
-        at(bound) - at(-bound) + 2.0 * below,
-    );
-    for (value, words) in [(-bound, "−bound"), (0.0, "0"), (bound, "bound")] {
-        svg.line("viewport line", at(value) - below, at(value) + below);
-        let beneath = at(value) + DVec2::new(0.0, 20.0);
-        svg.small_label("viewport", beneath, Anchor::Middle, words);
+    let half = DVec2::new(0.0, 6.0);
+    let [low, high] = [-1.0, 1.0].map(|bounds| IN_BOUNDS.at(bounds));
+    let beyond = IN_BOUNDS.end + DVec2::new(12.0, 0.0);
+    svg.arrow("ink line", IN_BOUNDS.start, beyond);
+    svg.rect("viewport wash", low - half, high - low + 2.0 * half);
+    for (bounds, words) in [(-1.0, "−bound"), (0.0, "0"), (1.0, "bound")] {
+        let at = IN_BOUNDS.at(bounds);
+        svg.line("viewport line", at - half, at + half);
+        let beneath = at + DVec2::new(0.0, 20.0);
+        svg.small_label("viewport", beneath, Middle, words);
     }
+    let at = |value| IN_BOUNDS.at(value / numbers.bound);
+    let (computed, exact) = (numbers.computed, numbers.exact);
     let down = DVec2::new(0.0, 10.0);
     svg.line("ink bold", at(exact) - down, at(exact) + down);
     svg.circle("ray solid", at(computed), 4.5);
@@ -394,9 +297,8 @@ fn draw_discriminants(svg: &mut Svg, numbers: &Discriminants) {
         ("ink", exact, "*D* exactly", 37.0),
     ] {
         // So that the words stay on the sheet.
-        let x = at(value).x.clamp(100.0, 300.0);
+        let place = DVec2::new(at(value).x.clamp(100.0, 300.0), at(value).y + down);
         let words = format!("{name}: {}", printed(value));
-        let place = DVec2::new(x, at(value).y + down);
-        svg.small_label(idea, place, Anchor::Middle, &words);
+        svg.small_label(idea, place, Middle, &words);
     }
 }

@@ -1,63 +1,53 @@
 //! Figure 9 of the notes: two ways to direct a normal. The origin of the lower ray moves
 //! through the surface.
 
-use common::rtweekend::*;
-use glam::DVec2;
 use hittable_list::{HitRecord, Hittable, Sphere};
-use slips::Ball;
 
-use crate::figure::Figure;
-use crate::live::{Action, Answer, Handle, Live, Number, parameters};
-use crate::number::{printed, spoken};
-use crate::plane::Plane;
-use crate::svg::{Anchor, Svg};
 use crate::traced::sphere_lines;
-
-/// The words of this figure.
-pub(crate) const FIGURE: Figure = Figure {
-    name: "face_normal",
-    title: "Normals that point outward, and normals against the ray",
-    description: "Two spheres, each met by one ray from outside and by one from inside. At the \
-        left both normals point out of the sphere: the ray from inside runs along with its normal. \
-        At the right each normal points against its ray: the one from inside points into the \
-        sphere, and front_face is false there.",
-    caption: "Left: the normal always points outward, and the sign of **d**·**n** says from which side the \
-        ray came. Right, and in our code: it always points against the ray, and front_face keeps the side.",
-    draw: || LIVE.on_page(),
-};
+use crate::vocabulary::*;
 
 parameters! {
-    x: Number::new("Origin, to the right", -1.4, 1.0, -0.55),
-    y: Number::new("Origin, upwards", -1.3, 1.4, -0.65),
+    origin: Point3 =
+        Number::new("Origin, to the right", -1.4, 1.0, -0.55),
+        Number::new("Origin, upwards", -1.3, 1.4, -0.65);
 }
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: FIGURE,
+    figure: Figure {
+        name: "face_normal",
+        title: "Normals that point outward, and normals against the ray",
+        description: "Two spheres, each met by one ray from outside and by one from inside. At the \
+            left both normals point out of the sphere: the ray from inside runs along with its normal. \
+            At the right each normal points against its ray: the one from inside points into the \
+            sphere, and front_face is false there.",
+        caption: "Left: the normal always points outward, and the sign of **d**·**n** says from which side the \
+            ray came. Right, and in our code: it always points against the ray, and front_face keeps the side.",
+        draw: || LIVE.on_page(),
+    },
     question: "When does the normal at the right turn round? Drag the origin of the lower ray out of \
         the sphere, and then to where the ray only grazes it.",
     solution: "When the ray comes from inside: then the outward normal and the ray point the same way. A graze \
         counts as inside, since its product is 0, not less than 0.",
-    handles: &[
-        Handle::new(&["x", "y"], |it, to| {
-            [it.x, it.y, _] = PLANES[0].place(to).to_array();
-        }),
-        Handle::new(&["x", "y"], |it, to| {
-            [it.x, it.y, _] = PLANES[1].place(to).to_array();
-        }),
-    ],
+    handles: &[point!(PLANES[0], origin), point!(PLANES[1], origin)],
     actions: &[
-        Action::new("From inside", |it| *it = Parameters { x: -0.55, y: -0.65 }),
-        Action::new("From outside", |it| *it = Parameters { x: -1.4, y: -0.65 }),
-        Action::new("A graze", |it| *it = Parameters { x: -1.2, y: -1.0 }),
+        ("From inside", |it| it.origin = xy(-0.55, -0.65)),
+        ("From outside", |it| it.origin = xy(-1.4, -0.65)),
+        ("A graze", |it| it.origin = xy(-1.2, -1.0)),
     ],
     answer,
 };
 
-fn answer(&Parameters { x, y }: &Parameters) -> Answer {
-    let ray = Ray::new(Point3::new(x, y, 0.0), Vec3::X);
-    let found = hit(&ray).map(|record| (ray.direction.dot(outward(&record)), record.front_face));
-    let sentence = match found {
+fn answer(&Parameters { origin }: &Parameters) -> Answer {
+    let ray = Ray::new(origin, Vec3::X);
+    let lines = sphere_lines(Point3::ZERO, 1.0, &ray);
+    Answer::new(draw(&ray), sentence(&ray), lines)
+}
+
+fn sentence(ray: &Ray) -> String {
+    let found = hit(ray).map(|record| (ray.direction.dot(outward(&record)), record.front_face));
+    let Point3 { x, y, .. } = ray.origin;
+    match found {
         None if (ray.origin.length() - 1.0).abs() < 1e-9 => {
             "This ray starts on the sphere and leaves it. There *t* is 0, and only more than that counts: \
             a surface does not meet what comes from it."
@@ -77,22 +67,18 @@ fn answer(&Parameters { x, y }: &Parameters) -> Answer {
             {front_face}.",
             printed(product)
         ),
-        Some((product, true)) => format!(
-            "**d**·**n** = {} with the outward normal: the ray comes from outside, front_face is true, and \
-            the normal stays.",
-            spoken(product)
-        ),
-        Some((product, false)) => format!(
-            "**d**·**n** = {} with the outward normal: the ray comes from inside, front_face is false, and \
-            the normal is turned round.",
-            spoken(product)
-        ),
-    };
-    Answer {
-        drawing: draw(&ray),
-        sentence,
-        handles: PLANES.map(|plane| plane.point(ray.origin)).into(),
-        says: sphere_lines(&Ball::new(0.0, 0.0, 0.0, 1.0), &ray),
+        Some((product, front_face)) => {
+            let product = spoken(product);
+            let (side, normal) = if front_face {
+                ("outside", "stays")
+            } else {
+                ("inside", "is turned round")
+            };
+            format!(
+                "**d**·**n** = {product} with the outward normal: the ray comes from {side}, front_face is \
+                {front_face}, and the normal {normal}."
+            )
+        }
     }
 }
 
@@ -120,55 +106,47 @@ fn from_outside() -> Ray {
 
 /// Draws both ways side by side.
 fn draw(lower: &Ray) -> Svg {
-    let mut svg = FIGURE.sheet(400.0, 328.0);
+    let mut svg = LIVE.figure.sheet(328.0);
     let titles = [("outward", false), ("against the ray", true)];
     for (plane, (title, against)) in PLANES.iter().zip(titles) {
-        let above = DVec2::new(plane.origin.x, 22.0);
-        svg.label("ink", above, Anchor::Middle, title);
+        let at = |y| DVec2::new(plane.origin.x, y);
+        svg.label("ink", at(22.0), Middle, title);
         svg.circle("sphere area", plane.origin, plane.scale);
         // No normal reaches so far up, nor so far down.
         for (ray, y) in [(&from_outside(), 46.0), (lower, 318.0)] {
             let words = meet(&mut svg, plane, ray, against);
-            let place = DVec2::new(plane.origin.x, y);
-            svg.small_label("ink", place, Anchor::Middle, &words);
+            svg.small_label("ink", at(y), Middle, &words);
         }
     }
-    svg.line(
-        "grid thin",
-        DVec2::new(200.0, 12.0),
-        DVec2::new(200.0, 316.0),
-    );
+    let [top, bottom] = [12.0, 316.0].map(|y| DVec2::new(200.0, y));
+    svg.line("grid thin", top, bottom);
     svg
 }
 
 /// Draws a ray, and the normal where it meets the sphere; returns what there is to say.
 fn meet(svg: &mut Svg, plane: &Plane, ray: &Ray, against: bool) -> String {
     let origin = plane.point(ray.origin);
-    svg.circle("ray solid", origin, 3.5);
-    svg.label(
-        "ray",
-        origin + DVec2::new(12.0, -8.0),
-        Anchor::Middle,
-        "**d**",
-    );
+    svg.dot("ray", origin, UpperRight, "**d**");
     let Some(record) = hit(ray) else {
         svg.arrow("ray line", origin, plane.point(ray.at(0.5)));
         return "no hit".to_owned();
     };
-    let normal = match against {
-        true => record.normal,
-        false => outward(&record),
-    };
+    let outward = outward(&record);
+    let normal = if against { record.normal } else { outward };
     let point = plane.point(record.point);
-    let tip = plane.point(record.point + 0.6 * normal);
     svg.arrow("ray line", origin, point);
-    svg.arrow("normal bold", point, tip);
+    svg.arrow(
+        "normal bold",
+        point,
+        plane.point(record.point + 0.6 * normal),
+    );
     svg.circle("ink solid", point, 4.0);
     let beyond = plane.point(record.point + 0.8 * normal) + DVec2::new(0.0, 5.0);
-    svg.label("normal", beyond, Anchor::Middle, "**n**");
-    match against {
-        true => format!("front_face = {}", record.front_face),
-        false => format!("**d**·**n** {} 0", sign(ray.direction.dot(normal))),
+    svg.label("normal", beyond, Middle, "**n**");
+    if against {
+        format!("front_face = {}", record.front_face)
+    } else {
+        format!("**d**·**n** {} 0", sign(ray.direction.dot(normal)))
     }
 }
 

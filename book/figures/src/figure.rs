@@ -2,7 +2,8 @@
 
 use glam::DVec2;
 
-use crate::svg::{Style, Svg, escape, styled};
+use crate::svg::Svg;
+use crate::text::html;
 
 /// A figure: words, and a function that draws it.
 #[derive(Clone, Copy, Debug)]
@@ -25,19 +26,9 @@ impl Figure {
         html(self.caption)
     }
 
-    /// An empty drawing with the words of this figure.
-    pub(crate) fn sheet(&self, width: f64, height: f64) -> Svg {
-        let size = DVec2::new(width, height);
-        Svg::new("drawing", self.name, self.title, self.description, size)
+    /// An empty drawing with the words of this figure, as wide as all are.
+    pub(crate) fn sheet(&self, height: f64) -> Svg {
+        let size = DVec2::new(400.0, height);
+        Svg::new(self.name, self.title, self.description, size)
     }
-}
-
-/// A text in HTML; in it `*t*` is a number, `**P**` a vector.
-pub fn html(text: &str) -> String {
-    let html = |(text, style)| match (escape(text), style) {
-        (text, Style::Plain) => text,
-        (text, Style::Italic) => format!("<i>{text}</i>"),
-        (text, Style::Vector) => format!("<b>{text}</b>"),
-    };
-    styled(text).map(html).collect()
 }

@@ -4,6 +4,7 @@
 //! grid by the camera, the roots by `hit_sphere`, the turned normal by
 //! `set_face_normal`. So a figure cannot drift from the code.
 
+mod axis;
 mod build_test;
 mod camera_frame;
 mod cancellation;
@@ -19,6 +20,7 @@ mod nearest;
 mod normal;
 mod normal_colors;
 pub mod number;
+mod parameters;
 mod passing;
 mod pixels;
 mod plane;
@@ -31,41 +33,40 @@ mod sphere_test;
 mod style;
 mod svg;
 pub mod table;
+mod text;
 mod traced;
 mod unit_sky;
 mod viewport_grid;
+mod vocabulary;
 
 pub use charts::{CHARTS, Chart, Drawn, Point, find_chart, scene_chart};
-pub use figure::{Figure, html};
-pub use live::{Answer, Movable, Number};
+pub use figure::Figure;
+pub use live::{Answer, Movable};
+pub use parameters::Number;
 pub use style::{CSS, standalone};
-pub use svg::{Svg, escape};
+pub use svg::Svg;
+pub use text::{escape, html};
 
 /// All figures, in reading order: the nine of the notes, and eight more.
-pub const FIGURES: &[Figure] = &[
-    build_test::FIGURE,
-    ray::FIGURE,
-    camera_frame::FIGURE,
-    viewport_grid::FIGURE,
-    unit_sky::FIGURE,
-    sphere_test::FIGURE,
-    roots::FIGURE,
-    passing::FIGURE,
-    discriminant::FIGURE,
-    projection::FIGURE,
-    red_sphere::FIGURE,
-    normal::FIGURE,
-    normal_colors::FIGURE,
-    face_normal::FIGURE,
-    nearest::FIGURE,
-    digits::FIGURE,
-    edge::FIGURE,
+pub static FIGURES: &[&Figure] = &[
+    &build_test::FIGURE,
+    &ray::LIVE.figure,
+    &camera_frame::LIVE.figure,
+    &viewport_grid::LIVE.figure,
+    &unit_sky::FIGURE,
+    &sphere_test::FIGURE,
+    &roots::FIGURE,
+    &passing::FIGURE,
+    &discriminant::LIVE.figure,
+    &projection::LIVE.figure,
+    &red_sphere::FIGURE,
+    &normal::LIVE.figure,
+    &normal_colors::LIVE.figure,
+    &face_normal::LIVE.figure,
+    &nearest::LIVE.figure,
+    &digits::LIVE.figure,
+    &edge::LIVE.figure,
 ];
-
-/// The figure of that name.
-pub fn find(name: &str) -> Option<&'static Figure> {
-    FIGURES.iter().find(|figure| figure.name == name)
-}
 
 /// The figures of the lesson that a reader can move, in reading order. A page names them by
 /// their place.

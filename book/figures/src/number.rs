@@ -1,5 +1,7 @@
 //! Numbers in few characters.
 
+use common::rtweekend::*;
+
 /// Such as 0.41, 158, 1.3e-16.
 pub fn three_digits(value: f64) -> String {
     let rounded = format!("{value:.2e}");
@@ -66,4 +68,10 @@ pub(crate) fn number(value: f64) -> String {
 /// a real minus.
 pub fn spoken(value: f64) -> String {
     number((100.0 * value).round() / 100.0).replace('-', "−")
+}
+
+/// A vector in such numbers.
+pub(crate) fn triple(vector: Vec3) -> String {
+    let [x, y, z] = vector.to_array().map(spoken);
+    format!("({x}, {y}, {z})")
 }

@@ -1,51 +1,77 @@
-//! A picture as large pixels.
+//! Large squares: the pixels of a picture, or the cells of a map.
 
 use common::rtweekend::*;
 use glam::DVec2;
 
+use crate::plane::Plane;
 use crate::svg::Svg;
 
-/// A picture on the sheet.
+/// Squares in rows on the sheet.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Frame {
     /// The upper left corner.
     pub(crate) corner: DVec2,
-    /// The side of a pixel.
+    /// The side of a square.
     pub(crate) side: f64,
 }
 
 impl Frame {
-    /// Draws `picture`, and a thin line around it.
-    pub(crate) fn draw(&self, svg: &mut Svg, picture: &Picture) {
-        svg.group("pixels", |svg| self.pixels(svg, picture));
-        let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
-        svg.rect("faint thin", self.corner, self.side * size);
+    pub(crate) const fn new(x: f64, y: f64, side: f64) -> Self {
+        let corner = DVec2::new(x, y);
+        Self { corner, side }
     }
 
-    /// Draws the pixels. Neighbors in a row that are equal become one.
-    fn pixels(&self, svg: &mut Svg, picture: &Picture) {
+    /// Draws `picture`, and a thin line around it.
+    pub(crate) fn draw(&self, svg: &mut Svg, picture: &Picture) {
         // Strip by strip: so small a picture needs no threads, and a page has none.
         let mut rgb = Vec::new();
         (0..picture.strips()).for_each(|strip| picture.push_strip(strip, &mut rgb));
-        for (row, j) in rgb.chunks(3 * picture.width() as usize).zip(0..) {
-            let mut i = 0;
-            for equal in row.as_chunks::<3>().0.chunk_by(|one, other| one == other) {
-                let corner = self.corner + self.side * DVec2::new(f64::from(i), f64::from(j));
-                let run = equal.len() as i32;
-                let size = self.side * DVec2::new(f64::from(run), 1.0);
-                svg.pixel(corner, size, equal[0]);
-                i += run;
+        let [width, height] = [picture.width(), picture.height()].map(f64::from);
+        svg.group("pixels", |svg| {
+            for (&rgb, (corner, size)) in self.runs(rgb.as_chunks().0, width as usize) {
+                svg.pixel(corner, size, rgb);
             }
-        }
+        });
+        let size = DVec2::new(width, height);
+        svg.rect("faint thin", self.corner, self.side * size);
     }
 
-    /// Where a ray from the eye of `camera` goes through the picture.
-    pub(crate) fn seen(&self, camera: &Camera, point: Point3) -> DVec2 {
-        let way = point - camera.center;
-        let on_viewport = camera.center + way * (camera.pixel00.z - camera.center.z) / way.z;
-        let from_first = on_viewport - camera.pixel00;
-        let column = from_first.x / camera.pixel_delta_u.x + 0.5;
-        let row = from_first.y / camera.pixel_delta_v.y + 0.5;
-        self.corner + self.side * DVec2::new(column, row)
+    /// Draws a square map of so many cells in a row: those of each class that are set, and a
+    /// thin line around all.
+    pub(crate) fn map(&self, svg: &mut Svg, count: usize, classes: &[(&str, Vec<bool>)]) {
+        svg.group("pixels", |svg| {
+            for (class, cells) in classes {
+                let set = self.runs(cells, count).filter(|(is_set, _)| **is_set);
+                svg.bars(&format!("class=\"{class}\""), set.map(|(_, bar)| bar));
+            }
+        });
+        let size = DVec2::splat(self.side * count as f64);
+        svg.rect("faint thin", self.corner, size);
+    }
+
+    /// Neighbors in a row that are equal, as one bar: its corner and its size.
+    fn runs<'a, T: PartialEq>(
+        &self,
+        squares: &'a [T],
+        columns: usize,
+    ) -> impl Iterator<Item = (&'a T, (DVec2, DVec2))> {
+        let Self { corner, side } = *self;
+        squares.chunks(columns).zip(0..).flat_map(move |(row, j)| {
+            let mut i = 0.0;
+            row.chunk_by(T::eq).map(move |equal| {
+                let start = corner + side * DVec2::new(i, f64::from(j));
+                let run = equal.len() as f64;
+                i += run;
+                (&equal[0], (start, side * DVec2::new(run, 1.0)))
+            })
+        })
+    }
+
+    /// The viewport of `camera`, where a picture of it is drawn.
+    pub(crate) fn viewport(&self, camera: &Camera) -> Plane {
+        let scale = self.side / camera.pixel_delta_u.x;
+        let first = scale * DVec2::new(camera.pixel00.x, -camera.pixel00.y);
+        let origin = self.corner + 0.5 * self.side - first;
+        Plane { origin, scale }
     }
 }

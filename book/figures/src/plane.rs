@@ -1,10 +1,13 @@
-//! A plane of the scene on the sheet.
+//! A plane of the scene on the sheet, and a ray in it.
 
 use common::rtweekend::*;
 use glam::DVec2;
 
+use crate::svg::{Anchor, Svg};
+
 /// Takes points of the plane that x and y span to the sheet, where y points
 /// down, and back.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Plane {
     /// Where (0, 0, z) is on the sheet.
     pub(crate) origin: DVec2,
@@ -14,10 +17,8 @@ pub(crate) struct Plane {
 
 impl Plane {
     pub(crate) const fn new(x: f64, y: f64, scale: f64) -> Self {
-        Self {
-            origin: DVec2::new(x, y),
-            scale,
-        }
+        let origin = DVec2::new(x, y);
+        Self { origin, scale }
     }
 
     /// A point of the scene on the sheet.
@@ -33,7 +34,7 @@ impl Plane {
     /// The point of the scene, with z = 0, that is there on the sheet.
     pub(crate) fn place(&self, at: DVec2) -> Point3 {
         let way = (at - self.origin) / self.scale;
-        Point3::new(way.x, -way.y, 0.0)
+        xy(way.x, -way.y)
     }
 
     /// The least and the greatest t at which the line of `ray` is on a sheet of that
@@ -46,4 +47,42 @@ impl Plane {
         let is_a_way = first < last && first.is_finite() && last.is_finite();
         is_a_way.then_some((first, last))
     }
+
+    /// Draws the line of `ray` on a sheet of that `size`: dashed behind its origin, and ahead
+    /// of it up to where t is `end`, or to the rim.
+    pub(crate) fn draw_line(&self, svg: &mut Svg, ray: &Ray, size: DVec2, end: f64) {
+        let Some((first, last)) = self.on_sheet(ray, size) else {
+            return;
+        };
+        let at = |t| self.point(ray.at(t));
+        svg.line("ray dashed", at(first), at(last.min(0.0)));
+        if last > 0.0 {
+            svg.arrow("ray line", at(first.max(0.0)), at(last.min(end)));
+        }
+    }
+
+    /// Draws the origin Q of `ray`, and its direction **d** from there.
+    pub(crate) fn draw_ray(&self, svg: &mut Svg, ray: &Ray) {
+        let [q, tip] = [0.0, 1.0].map(|t| self.point(ray.at(t)));
+        svg.vector("ray", q, tip, "**d**");
+        svg.dot("ray", q, Anchor::Below, "**Q**");
+    }
+}
+
+/// A point of the plane, or a vector.
+pub(crate) const fn xy(x: f64, y: f64) -> Vec3 {
+    Vec3::new(x, y, 0.0)
+}
+
+/// A ray in the plane. A vector without a length is no direction: the shortest is one step of
+/// what a reader drags.
+pub(crate) fn ray(origin: Point3, direction: Vec3) -> Ray {
+    let shortest = xy(0.05, 0.0);
+    let has_length = direction != Vec3::ZERO;
+    Ray::new(origin, if has_length { direction } else { shortest })
+}
+
+/// The t at which the line of `ray` is nearest to a point.
+pub(crate) fn nearest(ray: &Ray, point: Point3) -> f64 {
+    ray.direction.dot(point - ray.origin) / ray.direction.length_squared()
 }

@@ -1,55 +1,49 @@
 //! h as the projection of C − Q on d, and the discriminant as the way from there to the
 //! roots. The sphere moves, and the direction becomes longer.
 
-use common::rtweekend::*;
-use glam::DVec2;
 use half_b_sphere::hit_sphere;
 
-use crate::figure::Figure;
-use crate::live::{Action, Answer, Handle, Live, Number, parameters};
-use crate::number::spoken;
-use crate::plane::Plane;
 use crate::roots::roots;
-use crate::svg::{Anchor, Svg};
 use crate::traced::half_b_lines;
-
-/// The words of this figure.
-pub(crate) const FIGURE: Figure = Figure {
-    name: "projection",
-    title: "What h and the discriminant measure",
-    description: "A ray starts at Q and passes through a sphere with center C. The vector oc leads \
-        from Q to C. A dashed line from C meets the ray at a right angle, h along the ray from Q. \
-        From there it is the root of the discriminant back to the nearer root, and as far on to \
-        the farther one.",
-    caption: "With **d** of length 1, *h* = **d**·(**C** − **Q**) is how far along the ray it comes nearest to **C**. The \
-        square root of *h*² − *ac* is half of the way through the sphere: one root is as far before that \
-        point as the other is behind it.",
-    draw: || LIVE.on_page(),
-};
+use crate::vocabulary::*;
 
 parameters! {
-    c_x: Number::new("C, to the right", -0.2, 3.4, 2.6),
-    c_y: Number::new("C, upwards", -0.6, 1.4, 0.6),
-    length: Number::new("|d|", 0.5, 3.0, 1.0),
+    c: Point3 =
+        Number::new("C, to the right", -0.2, 3.4, 2.6),
+        Number::new("C, upwards", -0.6, 1.4, 0.6);
+    length: f64 = Number::new("|d|", 0.5, 3.0, 1.0);
 }
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: FIGURE,
+    figure: Figure {
+        name: "projection",
+        title: "What h and the discriminant measure",
+        description: "A ray starts at Q and passes through a sphere with center C. The vector oc leads \
+            from Q to C. A dashed line from C meets the ray at a right angle, h along the ray from Q. \
+            From there it is the root of the discriminant back to the nearer root, and as far on to \
+            the farther one.",
+        caption: "With **d** of length 1, *h* = **d**·(**C** − **Q**) is how far along the ray it comes nearest to **C**. The \
+            square root of *h*² − *ac* is half of the way through the sphere: one root is as far before that \
+            point as the other is behind it.",
+        draw: || LIVE.on_page(),
+    },
     question: "Which values of the listing below change if **d** becomes longer, and which stay? Drag its \
         tip.",
     solution: "*a* grows with the square of the length, *h* with the length, and *c* stays. The result \
         *t* is divided by the length, so that the place stays the same.",
     handles: &[
-        Handle::new(&["c_x", "c_y"], |it, to| {
-            [it.c_x, it.c_y, _] = PLANE.place(to).to_array();
-        }),
-        Handle::new(&["length"], |it, to| it.length = PLANE.place(to).x),
+        point!(PLANE, c),
+        Handle {
+            field: "length",
+            at: |it| PLANE.point(xy(it.length, 0.0)),
+            drag: |it, to| it.length = PLANE.place(to).x,
+        },
     ],
     actions: &[
-        Action::new("Twice as long", |it| it.length = 2.0),
-        Action::new("Touch", |it| [it.c_y, it.length] = [1.0, 1.0]),
-        Action::new("Around Q", |it| [it.c_x, it.c_y] = [0.3, 0.4]),
+        ("Twice as long", |it| it.length = 2.0),
+        ("Touch", |it| (it.c.y, it.length) = (1.0, 1.0)),
+        ("Around Q", |it| it.c = xy(0.3, 0.4)),
     ],
     answer,
 };
@@ -60,60 +54,43 @@ const RADIUS: f64 = 1.0;
 /// Where the scene is on the sheet.
 const PLANE: Plane = Plane::new(62.0, 170.0, 78.0);
 
-fn answer(parameters: &Parameters) -> Answer {
-    let center = Point3::new(parameters.c_x, parameters.c_y, 0.0);
-    let ray = Ray::new(Point3::ZERO, parameters.length * Vec3::X);
-    let roots = roots(&ray, |ray| hit_sphere(center, RADIUS, ray));
-    let h = ray.direction.dot(center);
-    let sentence = match roots[..] {
+fn answer(&Parameters { c, length }: &Parameters) -> Answer {
+    let ray = Ray::new(Point3::ZERO, length * Vec3::X);
+    let roots = roots(&ray, |ray| hit_sphere(c, RADIUS, ray));
+    let said: Vec<String> = roots.iter().copied().map(spoken).collect();
+    let sentence = match &said[..] {
         [nearer, farther] => format!(
-            "*h*/*a* = {} is half way between the roots {} and {}.",
-            spoken(h / ray.direction.length_squared()),
-            spoken(nearer),
-            spoken(farther)
+            "*h*/*a* = {} is half way between the roots {nearer} and {farther}.",
+            spoken(nearest(&ray, c))
         ),
-        [only] => format!("The ray only touches, at *t* = {} = *h*/*a*.", spoken(only)),
+        [only] => format!("The ray only touches, at *t* = {only} = *h*/*a*."),
         _ => "The ray misses: *h*² is less than *ac*.".to_owned(),
     };
-    Answer {
-        drawing: draw(center, &ray, &roots),
-        sentence,
-        handles: [center, ray.at(1.0)].map(|it| PLANE.point(it)).into(),
-        says: half_b_lines(center, RADIUS, &ray),
-    }
+    let lines = half_b_lines(c, RADIUS, &ray);
+    Answer::new(draw(c, &ray, &roots), sentence, lines)
 }
 
 /// Draws the triangle of Q, C and the point of the ray that is nearest to C.
 fn draw(center: Point3, ray: &Ray, roots: &[f64]) -> Svg {
-    let mut svg = FIGURE.sheet(400.0, 286.0);
-    let nearest = ray.direction.dot(center) / ray.direction.length_squared();
+    let mut svg = LIVE.figure.sheet(286.0);
+    let nearest = nearest(ray, center);
     let [q, c, foot] = [ray.origin, center, ray.at(nearest)].map(|it| PLANE.point(it));
-
     svg.circle("sphere area", c, PLANE.scale * RADIUS);
-    svg.arrow("ray line", q, PLANE.point(Point3::new(4.1, 0.0, 0.0)));
-    svg.arrow("ray bold", q, PLANE.point(ray.at(1.0)));
+    svg.arrow("ray line", q, PLANE.point(xy(4.1, 0.0)));
+    svg.arrow("ray bold", q, PLANE.point(ray.direction));
     svg.arrow("sphere line", q, c);
     svg.line("faint dashed", c, foot);
-    svg.circle("sphere solid", c, 4.5);
-    svg.circle("ray solid", q, 4.5);
-    svg.label("ink", q + DVec2::new(-14.0, -6.0), Anchor::Middle, "**Q**");
-    svg.label("sphere", c + DVec2::new(8.0, -8.0), Anchor::Start, "**C**");
-    let below = PLANE.point(ray.at(1.0)) + DVec2::new(0.0, 22.0);
-    svg.label("ray", below, Anchor::Middle, "**d**");
-    let above = 0.5 * (c + q) + DVec2::new(-4.0, -10.0);
-    svg.label("sphere", above, Anchor::End, "**C** − **Q**");
+    svg.dot("sphere", c, UpperRight, "**C**");
+    svg.dot("ray", q, UpperLeft, "**Q**");
+    svg.label("ray", PLANE.point(ray.direction), Below, "**d**");
+    svg.label("sphere", 0.5 * (c + q), UpperLeft, "**C** − **Q**");
     for &t in roots {
         svg.circle("ray hollow", PLANE.point(ray.at(t)), 5.0);
     }
     // Along the ray, in lengths of the scene: with a direction of length 1, h and the root.
     if let &[nearer, _] = roots {
-        span(
-            &mut svg,
-            ray,
-            [nearer, nearest],
-            50.0,
-            "√(*h*² − *ac*) / *a*",
-        );
+        let words = "√(*h*² − *ac*) / *a*";
+        span(&mut svg, ray, [nearer, nearest], 50.0, words);
     }
     span(&mut svg, ray, [0.0, nearest], 88.0, "*h* / *a*");
     svg
@@ -128,5 +105,5 @@ fn span(svg: &mut Svg, ray: &Ray, ends: [f64; 2], below: f64, words: &str) {
         svg.line("ink line", end - mark, end + mark);
     }
     let middle = 0.5 * (from + to) + DVec2::new(0.0, 18.0);
-    svg.label("ink", middle, Anchor::Middle, words);
+    svg.label("ink", middle, Middle, words);
 }

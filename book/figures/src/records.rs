@@ -55,10 +55,6 @@ pub struct Accuracy {
     pub answers: u64,
 }
 
-impl Record for Accuracy {
-    const FILE: &str = "measured/accuracy.csv";
-}
-
 /// The pixel of the book's picture at which a method is farthest off.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Worst {
@@ -79,10 +75,6 @@ pub struct Worst {
     /// How far off it should be by the rule, u·M / 2√D.
     #[serde(serialize_with = "three_digits")]
     pub rule_ulps: f64,
-}
-
-impl Record for Worst {
-    const FILE: &str = "measured/worst.snap.csv";
 }
 
 /// The case that comes closest to an error bound of chapter 6, of all that a search has
@@ -108,10 +100,6 @@ pub struct Tightness {
     pub t_max: f64,
 }
 
-impl Record for Tightness {
-    const FILE: &str = "measured/tightness.csv";
-}
-
 /// How exact a method is at one level of a regime.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Level {
@@ -135,10 +123,6 @@ pub struct Level {
     pub p999_ulps: Option<f64>,
     /// A sum of the first few answers, by which a test knows them again.
     pub answers: u64,
-}
-
-impl Record for Level {
-    const FILE: &str = "measured/sweeps.csv";
 }
 
 /// How often a way to leave a surface is wrong about the sun, on a ground of one radius
@@ -170,10 +154,6 @@ pub struct Shadows {
     pub answers: u64,
 }
 
-impl Record for Shadows {
-    const FILE: &str = "measured/shadows.csv";
-}
-
 /// How many pixels of a scene a method gets wrong.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct WrongPixels {
@@ -193,10 +173,6 @@ pub struct WrongPixels {
     pub off_by_one: usize,
 }
 
-impl Record for WrongPixels {
-    const FILE: &str = "measured/scenes.snap.csv";
-}
-
 /// The method that takes the fewest instructions of those that draw a scene without
 /// a wrong pixel: what follows from [`WrongPixels`] and [`Timing`].
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
@@ -211,10 +187,6 @@ pub struct Least {
     /// How many it takes for one of the book's camera rays.
     #[serde(serialize_with = "decimals::<0, _, _>")]
     pub instructions: Option<f64>,
-}
-
-impl Record for Least {
-    const FILE: &str = "measured/least.snap.csv";
 }
 
 /// How long one test takes, or one ray, as the benchmark `clock` measured it.
@@ -254,10 +226,6 @@ pub struct Timing {
     /// Instructions, as valgrind counts them. Only of `book` and `all_hits`.
     #[serde(serialize_with = "decimals::<0, _, _>")]
     pub instructions: Option<f64>,
-}
-
-impl Record for Timing {
-    const FILE: &str = "measured/timings.csv";
 }
 
 impl Table<Timing> {
@@ -300,15 +268,32 @@ pub struct Race {
     pub cpp_greatest_ms: f64,
 }
 
-impl Record for Race {
-    const FILE: &str = "speed/heats.csv";
-}
-
 impl Race {
     /// How many times as long the C++ program takes.
     pub fn ratio(&self) -> f64 {
         self.cpp_median_ms / self.rust_median_ms
     }
+}
+
+/// Says in which file the rows of a type are.
+macro_rules! files {
+    ($($row:ident: $file:literal,)*) => {
+        $(impl Record for $row {
+            const FILE: &str = $file;
+        })*
+    };
+}
+
+files! {
+    Accuracy: "measured/accuracy.csv",
+    Worst: "measured/worst.snap.csv",
+    Tightness: "measured/tightness.csv",
+    Level: "measured/sweeps.csv",
+    Shadows: "measured/shadows.csv",
+    WrongPixels: "measured/scenes.snap.csv",
+    Least: "measured/least.snap.csv",
+    Timing: "measured/timings.csv",
+    Race: "speed/heats.csv",
 }
 
 /// A precision as it is written: chapter 6, whose type it is, writes no files.

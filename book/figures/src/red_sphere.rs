@@ -1,12 +1,8 @@
 //! Figure 6 of the notes: the red sphere.
 
-use common::rtweekend::*;
-use glam::DVec2;
 use red_sphere::hit_sphere;
 
-use crate::figure::Figure;
-use crate::pixels::Frame;
-use crate::svg::Anchor;
+use crate::vocabulary::*;
 
 /// The words of this figure.
 pub(crate) const FIGURE: Figure = Figure {
@@ -25,48 +21,45 @@ const WIDTH: u32 = 24;
 
 /// Draws the picture, the outline of the sphere, and the rays near the outline.
 fn draw() -> String {
-    let mut svg = FIGURE.sheet(400.0, 250.0);
+    let mut svg = FIGURE.sheet(250.0);
     let camera = Camera::new(WIDTH);
-    let frame = Frame {
-        corner: DVec2::new(8.0, 8.0),
-        side: 384.0 / f64::from(WIDTH),
-    };
+    let frame = Frame::new(8.0, 8.0, 384.0 / f64::from(WIDTH));
     let picture = red_sphere::picture(WIDTH);
     frame.draw(&mut svg, &picture);
 
-    let middle = frame.seen(&camera, CENTER);
-    let radius = outline() * frame.side / camera.pixel_delta_u.x;
+    let viewport = frame.viewport(&camera);
+    let (middle, radius) = (viewport.origin, viewport.scale * outline());
     for j in 0..camera.image_height {
         for i in 0..WIDTH {
             let ray = camera.ray(i, j);
-            let dot = frame.seen(&camera, ray.at(1.0));
+            let dot = viewport.point(ray.at(1.0));
             if (dot.distance(middle) - radius).abs() < 1.6 * frame.side {
-                let class = if hit_sphere(CENTER, RADIUS, &ray) {
-                    "solid"
-                } else {
-                    "dot"
-                };
-                svg.circle(&format!("black {class}"), dot, 2.4);
+                let hits = hit_sphere(CENTER, RADIUS, &ray);
+                svg.circle(mark(hits), dot, 2.4);
             }
         }
     }
     svg.circle("black line", middle, radius);
 
-    let y = 8.0 + frame.side * f64::from(camera.image_height) + 8.0;
     // On the colors of the picture, as there.
-    let rgb = |i, j| picture.rgb().as_chunks::<3>().0[j * WIDTH as usize + i];
-    let center = (WIDTH as usize / 2, camera.image_height as usize / 2);
-    for (x, rgb, class, words) in [
-        (8.0, rgb(center.0, center.1), "solid", "the ray hits"),
-        (140.0, rgb(0, 0), "dot", "it misses"),
+    let (pixels, _) = picture.rgb().as_chunks();
+    let half = pixels.len() / 2;
+    for (x, n, hits, words) in [
+        (8.0, half, true, "the ray hits"),
+        (140.0, 0, false, "it misses"),
     ] {
-        svg.pixel(DVec2::new(x, y), DVec2::splat(18.0), rgb);
-        svg.group("black", |svg| {
-            svg.circle(class, DVec2::new(x, y) + 9.0, 3.0);
-        });
-        svg.label("ink", DVec2::new(x + 26.0, y + 14.0), Anchor::Start, words);
+        let corner = DVec2::new(x, 224.0);
+        svg.pixel(corner, DVec2::splat(18.0), pixels[n]);
+        svg.circle(mark(hits), corner + 9.0, 3.0);
+        let beside = corner + DVec2::new(26.0, 14.0);
+        svg.label("ink", beside, Start, words);
     }
     svg.finish()
+}
+
+/// How the middle of a pixel is marked whose ray hits, or misses.
+fn mark(hits: bool) -> &'static str {
+    if hits { "black solid" } else { "black dot" }
 }
 
 /// The sphere of chapter 2.

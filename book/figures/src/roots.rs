@@ -1,13 +1,8 @@
 //! Figure 5 of the notes: how often a line meets a sphere.
 
-use common::rtweekend::*;
-use glam::DVec2;
 use normals::hit_sphere;
 
-use crate::figure::Figure;
-use crate::number::spoken;
-use crate::plane::Plane;
-use crate::svg::Anchor;
+use crate::vocabulary::*;
 
 /// The words of this figure.
 pub(crate) const FIGURE: Figure = Figure {
@@ -27,47 +22,33 @@ const RADIUS: f64 = 1.0;
 
 /// Draws the sphere, and each ray with what it meets.
 fn draw() -> String {
-    let mut svg = FIGURE.sheet(400.0, 256.0);
+    let mut svg = FIGURE.sheet(256.0);
     let plane = Plane::new(16.0, 164.0, 74.0);
     svg.circle("sphere area", plane.point(CENTER), plane.scale * RADIUS);
     for y in [1.65, 1.0, 0.0] {
-        let ray = Ray::new(Point3::new(0.0, y, 0.0), Vec3::X);
+        let ray = Ray::new(xy(0.0, y), Vec3::X);
         let roots = roots(&ray, |ray| hit_sphere(CENTER, RADIUS, ray));
-        svg.circle("ray solid", plane.point(ray.origin), 3.5);
-        svg.arrow(
-            "ray line",
-            plane.point(ray.origin),
-            plane.point(ray.at(3.7)),
-        );
+        let at = |t| plane.point(ray.at(t));
+        svg.circle("ray solid", at(0.0), 3.5);
+        svg.arrow("ray line", at(0.0), at(3.7));
         for &t in &roots {
-            let point = plane.point(ray.at(t));
-            svg.circle("ray hollow", point, 5.0);
-            let above = DVec2::new(if ray.at(t).x < CENTER.x { -8.0 } else { 8.0 }, -10.0);
-            let anchor = if above.x < 0.0 {
-                Anchor::End
-            } else {
-                Anchor::Start
-            };
-            svg.label(
-                "ink",
-                point + above,
-                anchor,
-                &format!("*t* = {}", spoken(t)),
-            );
+            svg.circle("ray hollow", at(t), 5.0);
+            let is_left = ray.at(t).x < CENTER.x;
+            let anchor = if is_left { UpperLeft } else { UpperRight };
+            svg.label("ink", at(t), anchor, &format!("*t* = {}", spoken(t)));
         }
         let (count, sign) = [
             ("no root", "< 0"),
             ("one root", "= 0"),
             ("two roots", "> 0"),
         ][roots.len()];
-        let beside = plane.point(ray.at(3.8));
-        svg.label("ink", beside + DVec2::new(2.0, -2.0), Anchor::Start, count);
-        svg.small_label(
-            "faint",
-            beside + DVec2::new(2.0, 14.0),
-            Anchor::Start,
-            &format!("*b*² − 4*ac* {sign}"),
+        let beside = at(3.8) + DVec2::new(2.0, -2.0);
+        svg.label("ink", beside, Start, count);
+        let (below, words) = (
+            beside + DVec2::new(0.0, 16.0),
+            format!("*b*² − 4*ac* {sign}"),
         );
+        svg.small_label("faint", below, Start, &words);
     }
     svg.finish()
 }

@@ -1,10 +1,6 @@
 //! Equation (6) as a picture: a cut through the sphere.
 
-use common::rtweekend::*;
-use glam::DVec2;
-
-use crate::figure::Figure;
-use crate::pixels::Frame;
+use crate::vocabulary::*;
 
 /// The words of this figure.
 pub(crate) const FIGURE: Figure = Figure {
@@ -25,23 +21,25 @@ const WIDTH: u32 = 48;
 /// Draws the picture, and the circle in which the viewport cuts the sphere.
 fn draw() -> String {
     let radius = 0.5;
-    let mut svg = FIGURE.sheet(400.0, 232.0);
+    let mut svg = FIGURE.sheet(232.0);
     let camera = Camera::new(WIDTH);
     let center = Point3::new(0.0, 0.0, -1.0);
     let left_side = move |i, j| (center - camera.ray(i, j).at(1.0)).length_squared();
     let most = left_side(0, 0);
     let picture = Picture::paint(WIDTH, camera.image_height, move |i, j| {
-        match left_side(i, j) <= radius * radius {
-            true => Color::new(1.0, 0.0, 0.0),
-            false => left_side(i, j) / most * Color::ONE,
+        if left_side(i, j) <= radius * radius {
+            Color::new(1.0, 0.0, 0.0)
+        } else {
+            left_side(i, j) / most * Color::ONE
         }
     });
-    let frame = Frame {
-        corner: DVec2::splat(8.0),
-        side: 384.0 / f64::from(WIDTH),
-    };
+    let frame = Frame::new(8.0, 8.0, 384.0 / f64::from(WIDTH));
     frame.draw(&mut svg, &picture);
-    let radius = radius * frame.side / camera.pixel_delta_u.x;
-    svg.circle("black line", frame.seen(&camera, center), radius);
+    let viewport = frame.viewport(&camera);
+    svg.circle(
+        "black line",
+        viewport.point(center),
+        viewport.scale * radius,
+    );
     svg.finish()
 }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use glam::DVec2;
 
 use crate::number::number;
+use crate::text::{SMALL, TEXT, escape, plain, spans, width};
 
 /// A drawing while it is made: x to the right, y down, in units of the viewBox.
 ///
@@ -13,7 +14,6 @@ use crate::number::number;
 /// defined in the style sheet, so the drawing follows the theme of its page.
 #[derive(Clone, Debug)]
 pub struct Svg {
-    class: &'static str,
     name: String,
     title: String,
     description: String,
@@ -31,30 +31,40 @@ pub(crate) enum Anchor {
     Middle,
     /// The point is at its right end.
     End,
+    // Off a dot at the point:
+    Above,
+    Below,
+    Left,
+    Right,
+    UpperLeft,
+    UpperRight,
+    LowerRight,
 }
 
-/// The size of a label, in units of the viewBox.
-pub(crate) const TEXT: f64 = 14.0;
-
-/// The size of a less important label.
-pub(crate) const SMALL: f64 = 12.0;
-
-/// The size of a subscript.
-const SUBSCRIPT: f64 = 11.0;
+impl Anchor {
+    /// From the point to where the text is written, and which of its ends is there.
+    fn place(self) -> (DVec2, &'static str) {
+        let (x, y, end) = match self {
+            Self::Start => (0.0, 0.0, ""),
+            Self::Middle => (0.0, 0.0, "middle"),
+            Self::End => (0.0, 0.0, "end"),
+            Self::Above => (0.0, -12.0, "middle"),
+            Self::Below => (0.0, 24.0, "middle"),
+            Self::Left => (-8.0, 5.0, "end"),
+            Self::Right => (8.0, 5.0, ""),
+            Self::UpperLeft => (-8.0, -9.0, "end"),
+            Self::UpperRight => (8.0, -9.0, ""),
+            Self::LowerRight => (8.0, 16.0, ""),
+        };
+        (DVec2::new(x, y), end)
+    }
+}
 
 impl Svg {
-    /// An empty drawing of a class that the style sheet knows. Its ids begin with `name`, so
-    /// several drawings can share a page; a reader who cannot see it is told `title` and
-    /// `description`.
-    pub(crate) fn new(
-        class: &'static str,
-        name: &str,
-        title: &str,
-        description: &str,
-        size: DVec2,
-    ) -> Self {
+    /// An empty drawing. Its ids begin with `name`, so several drawings can share a page; a
+    /// reader who cannot see it is told `title` and `description`.
+    pub(crate) fn new(name: &str, title: &str, description: &str, size: DVec2) -> Self {
         Self {
-            class,
             name: name.to_owned(),
             title: title.to_owned(),
             description: description.to_owned(),
@@ -65,16 +75,13 @@ impl Svg {
 
     /// Replaces the description; in `text`, `*t*` is a number, `**P**` a vector.
     pub(crate) fn describe(&mut self, text: &str) {
-        self.description = styled(text).map(|(piece, _)| piece).collect();
+        self.description = plain(text);
     }
 
     /// A straight line.
     pub(crate) fn line(&mut self, class: &str, from: DVec2, to: DVec2) {
-        self.element(
-            "line",
-            class,
-            &[("x1", from.x), ("y1", from.y), ("x2", to.x), ("y2", to.y)],
-        );
+        let ends = [("x1", from.x), ("y1", from.y), ("x2", to.x), ("y2", to.y)];
+        self.element("line", class, &ends);
     }
 
     /// A line through several points; filled, if the class says so.
@@ -102,25 +109,21 @@ impl Svg {
 
     /// A circle, or where the class fills it, a disc.
     pub(crate) fn circle(&mut self, class: &str, center: DVec2, radius: f64) {
-        self.element(
-            "circle",
-            class,
-            &[("cx", center.x), ("cy", center.y), ("r", radius)],
-        );
+        let numbers = [("cx", center.x), ("cy", center.y), ("r", radius)];
+        self.element("circle", class, &numbers);
+    }
+
+    /// A dot with its name beside it.
+    pub(crate) fn dot(&mut self, idea: &str, at: DVec2, anchor: Anchor, name: &str) {
+        self.circle(&format!("{idea} solid"), at, 4.5);
+        self.label(idea, at, anchor, name);
     }
 
     /// A rectangle from its upper left corner.
     pub(crate) fn rect(&mut self, class: &str, corner: DVec2, size: DVec2) {
-        self.element(
-            "rect",
-            class,
-            &[
-                ("x", corner.x),
-                ("y", corner.y),
-                ("width", size.x),
-                ("height", size.y),
-            ],
-        );
+        let [x, y, width, height] = [corner.x, corner.y, size.x, size.y];
+        let numbers = [("x", x), ("y", y), ("width", width), ("height", height)];
+        self.element("rect", class, &numbers);
     }
 
     /// A line that ends in an arrow head at `to`.
@@ -133,43 +136,62 @@ impl Svg {
         self.path(&format!("{idea} solid"), &[to, neck + side, neck - side]);
     }
 
-    /// A label. In `text`, `*t*` is italic, `**P**` a vector, and `_{00}` a subscript.
+    /// A bold arrow with its name above the middle.
+    pub(crate) fn vector(&mut self, idea: &str, from: DVec2, to: DVec2, name: &str) {
+        self.arrow(&format!("{idea} bold"), from, to);
+        self.label(idea, 0.5 * (from + to), Anchor::Above, name);
+    }
+
+    /// A small square at `corner` where two lines meet at a right angle, along these units.
+    pub(crate) fn right_angle(&mut self, corner: DVec2, one: DVec2, other: DVec2) {
+        let points = [one, one + other, other].map(|way| corner + 9.0 * way);
+        self.path("faint thin", &points);
+    }
+
+    /// A label, in the notation of [`crate::text`].
     pub(crate) fn label(&mut self, idea: &str, at: DVec2, anchor: Anchor, text: &str) {
-        self.sized_label(idea, TEXT, at, anchor, text);
+        self.sized_label(idea, "", at, anchor, text);
     }
 
     /// A smaller label.
     pub(crate) fn small_label(&mut self, idea: &str, at: DVec2, anchor: Anchor, text: &str) {
-        self.sized_label(idea, SMALL, at, anchor, text);
+        let size = format!(" font-size=\"{SMALL}\"");
+        self.sized_label(idea, &size, at, anchor, text);
     }
 
-    fn sized_label(&mut self, idea: &str, size: f64, at: DVec2, anchor: Anchor, text: &str) {
-        let anchor = match anchor {
-            Anchor::Start => "",
-            Anchor::Middle => " text-anchor=\"middle\"",
-            Anchor::End => " text-anchor=\"end\"",
+    fn sized_label(&mut self, idea: &str, size: &str, at: DVec2, anchor: Anchor, text: &str) {
+        let (offset, end) = anchor.place();
+        let [x, y] = (at + offset).to_array().map(number);
+        let anchor = match end {
+            "" => String::new(),
+            end => format!(" text-anchor=\"{end}\""),
         };
-        let size = match size {
-            TEXT => String::new(),
-            other => format!(" font-size=\"{other}\""),
-        };
+        let text = spans(text);
         let _ = write!(
             self.text,
-            "<text class=\"{idea} label\" x=\"{}\" y=\"{}\"{anchor}{size}>{}</text>",
-            number(at.x),
-            number(at.y),
-            spans(text)
+            "<text class=\"{idea} label\" x=\"{x}\" y=\"{y}\"{anchor}{size}>{text}</text>"
         );
     }
 
-    /// A small label without a halo, for a colored ground.
-    pub(crate) fn bare_label(&mut self, idea: &str, at: DVec2, anchor: Anchor, text: &str) {
-        self.group("bare", |svg| svg.small_label(idea, at, anchor, text));
+    /// Numbers in words, line below line.
+    pub(crate) fn readout(&mut self, at: DVec2, lines: &[String]) {
+        for (line, n) in lines.iter().zip(0..) {
+            let at = at + DVec2::new(0.0, 21.0 * f64::from(n));
+            self.label("ink", at, Anchor::Start, line);
+        }
+    }
+
+    /// A square of a class, and what it means; returns how wide both are.
+    pub(crate) fn key(&mut self, class: &str, corner: DVec2, words: &str) -> f64 {
+        self.rect(class, corner, DVec2::splat(12.0));
+        let beside = corner + DVec2::new(18.0, 11.0);
+        self.small_label("ink", beside, Anchor::Start, words);
+        18.0 + width(words, SMALL)
     }
 
     /// The digits of a decimal number, each span of a class; after the first one a point.
     pub(crate) fn digits(&mut self, at: DVec2, spans: &[(&str, &str)]) {
-        let [x, y] = [at.x, at.y].map(number);
+        let [x, y] = at.to_array().map(number);
         let _ = write!(
             self.text,
             "<text class=\"digits label\" x=\"{x}\" y=\"{y}\">"
@@ -187,40 +209,20 @@ impl Svg {
         self.text += "</text>";
     }
 
-    /// Those cells that are set, of a square grid with so many `columns`.
-    pub(crate) fn cells(
-        &mut self,
-        class: &str,
-        corner: DVec2,
-        side: f64,
-        columns: usize,
-        cells: &[bool],
-    ) {
-        let mut path = String::new();
-        for (row, j) in cells.chunks(columns).zip(0..) {
-            let mut i = 0;
-            for equal in row.chunk_by(|one, other| one == other) {
-                if equal[0] {
-                    let at = corner + side * DVec2::new(f64::from(i), f64::from(j));
-                    let [x, y, side, run] =
-                        [at.x, at.y, side, side * equal.len() as f64].map(number);
-                    let _ = write!(path, "M{x} {y}h{run}v{side}h-{run}z");
-                }
-                i += equal.len() as i32;
-            }
-        }
-        let _ = write!(self.text, "<path class=\"{class}\" d=\"{path}\"/>");
+    /// A rectangle whose color is what it is about, so no theme changes it.
+    pub(crate) fn pixel(&mut self, corner: DVec2, size: DVec2, [red, green, blue]: [u8; 3]) {
+        let fill = format!("fill=\"#{red:02x}{green:02x}{blue:02x}\"");
+        self.bars(&fill, [(corner, size)].into_iter());
     }
 
-    /// A rectangle whose color is what it is about, so no theme changes it.
-    pub(crate) fn pixel(&mut self, corner: DVec2, size: DVec2, rgb: [u8; 3]) {
-        let [red, green, blue] = rgb;
-        let fill = format!("#{red:02x}{green:02x}{blue:02x}");
-        let [x, y, width, height] = [corner.x, corner.y, size.x, size.y].map(number);
-        let _ = write!(
-            self.text,
-            "<path fill=\"{fill}\" d=\"M{x} {y}h{width}v{height}h-{width}z\"/>"
-        );
+    /// Rectangles in one path with this attribute, from their corners and sizes.
+    pub(crate) fn bars(&mut self, paint: &str, bars: impl Iterator<Item = (DVec2, DVec2)>) {
+        let mut path = String::new();
+        for (corner, size) in bars {
+            let [x, y, width, height] = [corner.x, corner.y, size.x, size.y].map(number);
+            let _ = write!(path, "M{x} {y}h{width}v{height}h-{width}z");
+        }
+        let _ = write!(self.text, "<path {paint} d=\"{path}\"/>");
     }
 
     /// What `draw` draws, as a group of that class.
@@ -236,12 +238,12 @@ impl Svg {
         let [title, description] = [&self.title, &self.description].map(|words| escape(words));
         let [width, height] = self.size.to_array().map(number);
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" \
              viewBox=\"0 0 {width} {height}\" role=\"img\" \
              aria-labelledby=\"{id}-title\" aria-describedby=\"{id}-description\" font-size=\"{TEXT}\">\
              <title id=\"{id}-title\">{title}</title>\
              <desc id=\"{id}-description\">{description}</desc>{}</svg>",
-            self.class, self.text
+            self.text
         )
     }
 
@@ -251,93 +253,5 @@ impl Svg {
             let _ = write!(self.text, " {attribute}=\"{}\"", number(*value));
         }
         self.text += "/>";
-    }
-}
-
-/// How wide a label is at most, in the usual fonts.
-pub(crate) fn width(label: &str, size: f64) -> f64 {
-    let advance = |letter: char| match letter {
-        '*' => 0.0,
-        'i' | 'j' | 'l' | ' ' | ',' | '.' | ':' => 0.36,
-        'f' | 't' | 'r' | '(' | ')' | '-' => 0.44,
-        'm' | 'w' | 'M' | 'W' | '−' | '<' | '>' | '=' | '%' | '÷' => 0.96,
-        'A'..='Z' => 0.76,
-        _ => 0.65,
-    };
-    size * label.chars().map(advance).sum::<f64>()
-}
-
-/// Text that means itself in XML.
-pub fn escape(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
-}
-
-/// The spans of a label, from the notation of [`Svg::label`].
-fn spans(label: &str) -> String {
-    let mut spans = String::new();
-    let mut lowered = false;
-    for (part, style) in styled(label) {
-        for piece in part.split_inclusive('}') {
-            let (level, low) = match piece.split_once("_{") {
-                Some((level, low)) => (level, low.trim_end_matches('}')),
-                None => (piece, ""),
-            };
-            for (text, low) in [(level, false), (low, true)] {
-                if !text.is_empty() {
-                    spans += &span(text, style, lowered, low);
-                    lowered = low;
-                }
-            }
-        }
-    }
-    spans
-}
-
-/// How a letter of a formula looks.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Style {
-    /// A word or a digit.
-    Plain,
-    /// A number, `*t*`.
-    Italic,
-    /// A vector, `**P**`.
-    Vector,
-}
-
-/// The stretches of a text with `*` and `**`.
-pub(crate) fn styled(text: &str) -> impl Iterator<Item = (&str, Style)> {
-    let outer = [None, Some(Style::Vector)].into_iter().cycle();
-    text.split("**").zip(outer).flat_map(|(part, vector)| {
-        let inner = [Style::Plain, Style::Italic].into_iter().cycle();
-        part.split('*')
-            .zip(inner)
-            .map(move |(text, style)| (text, vector.unwrap_or(style)))
-            .filter(|(text, _)| !text.is_empty())
-    })
-}
-
-/// A stretch of a label; `lowered` says whether the one before it stood low.
-fn span(text: &str, style: Style, lowered: bool, low: bool) -> String {
-    let style = match style {
-        Style::Plain => "",
-        Style::Italic => " class=\"italic\"",
-        Style::Vector => " class=\"vector\"",
-    };
-    let shift = match (lowered, low) {
-        (false, true) => " dy=\"4\"",
-        (true, false) => " dy=\"-4\"",
-        _ => "",
-    };
-    let size = match low {
-        true => format!(" font-size=\"{SUBSCRIPT}\""),
-        false => String::new(),
-    };
-    let text = escape(text);
-    match (style, shift, &size[..]) {
-        ("", "", "") => text,
-        _ => format!("<tspan{style}{shift}{size}>{text}</tspan>"),
     }
 }

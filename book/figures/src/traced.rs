@@ -4,11 +4,16 @@
 
 use common::rtweekend::*;
 use hittable_list::HitRecord;
-use slips::Ball;
 
-use crate::number::spoken;
+use crate::number::{spoken, triple};
 
 include!(concat!(env!("OUT_DIR"), "/traced.rs"));
+
+/// A sphere of chapter 5, whose own fields are private.
+struct Sphere {
+    center: Point3,
+    radius: f64,
+}
 
 /// The value of each line, by the name that it gives; `none` is the line that returns
 /// nothing, and `result` the last one. What is not reached is empty.
@@ -16,29 +21,29 @@ pub(crate) type Lines = Vec<(&'static str, String)>;
 
 /// The lines of `hit_sphere` in chapter 2.
 pub(crate) fn red_sphere_lines(center: Point3, radius: f64, ray: &Ray) -> Lines {
-    lines(RED_SPHERE, |trace| {
-        Some(red_sphere(trace, center, radius, ray).shown())
+    lines(red_sphere::LINES, |trace| {
+        Some(red_sphere::hit_sphere(center, radius, ray, trace).shown())
     })
 }
 
 /// The lines of `hit_sphere` in chapter 3.
 pub(crate) fn normals_lines(center: Point3, radius: f64, ray: &Ray) -> Lines {
-    lines(NORMALS, |trace| {
-        normals(trace, center, radius, ray).map(some)
+    lines(normals::LINES, |trace| {
+        normals::hit_sphere(center, radius, ray, trace).map(some)
     })
 }
 
 /// The lines of `hit_sphere` in chapter 4.
 pub(crate) fn half_b_lines(center: Point3, radius: f64, ray: &Ray) -> Lines {
-    lines(HALF_B_SPHERE, |trace| {
-        half_b_sphere(trace, center, radius, ray).map(some)
+    lines(half_b_sphere::LINES, |trace| {
+        half_b_sphere::hit_sphere(center, radius, ray, trace).map(some)
     })
 }
 
 /// The lines of `Sphere::hit` in chapter 5, for everything in front of the ray.
-pub(crate) fn sphere_lines(ball: &Ball, ray: &Ray) -> Lines {
-    lines(SPHERE, |trace| {
-        let record = sphere(trace, ball, ray, 0.0, f64::INFINITY)?;
+pub(crate) fn sphere_lines(center: Point3, radius: f64, ray: &Ray) -> Lines {
+    lines(sphere::LINES, |trace| {
+        let record = Sphere { center, radius }.hit(ray, 0.0, f64::INFINITY, trace)?;
         Some(format!("Some(t = {}, …)", spoken(record.t)))
     })
 }
@@ -93,8 +98,7 @@ impl Shown for bool {
 
 impl Shown for Vec3 {
     fn shown(&self) -> String {
-        let [x, y, z] = self.to_array().map(spoken);
-        format!("({x}, {y}, {z})")
+        triple(*self)
     }
 }
 

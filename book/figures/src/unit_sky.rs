@@ -1,11 +1,6 @@
 //! Where the blend of the sky begins and ends.
 
-use common::rtweekend::*;
-use glam::DVec2;
-
-use crate::figure::Figure;
-use crate::plane::Plane;
-use crate::svg::{Anchor, Svg};
+use crate::vocabulary::*;
 
 /// The words of this figure.
 pub(crate) const FIGURE: Figure = Figure {
@@ -21,49 +16,35 @@ pub(crate) const FIGURE: Figure = Figure {
     draw,
 };
 
+/// Seen from the side: −z, where the camera looks, is to the right.
+const PLANE: Plane = Plane::new(56.0, 150.0, 118.0);
+
+/// Where the scale of the sky is, and how wide.
+const LEFT: f64 = 288.0;
+const WIDE: f64 = 26.0;
+
 /// Draws the rays from the side, and the scale of the sky.
 fn draw() -> String {
     let camera = Camera::new(400);
-    let mut svg = FIGURE.sheet(400.0, 300.0);
-    let plane = Plane::new(56.0, 150.0, 118.0);
-    let x = 288.0;
-    arc(&mut svg, &plane);
-    scale(&mut svg, &plane, x);
-    svg.line(
-        "viewport bold",
-        plane.point(Vec3::new(1.0, 1.0, 0.0)),
-        plane.point(Vec3::new(1.0, -1.0, 0.0)),
-    );
-    svg.label(
-        "viewport",
-        plane.point(Vec3::new(1.0, 1.0, 0.0)) + DVec2::new(0.0, -10.0),
-        Anchor::Middle,
-        "viewport",
-    );
-
+    let mut svg = FIGURE.sheet(300.0);
+    draw_arc(&mut svg);
+    draw_scale(&mut svg);
+    let [top, foot] = [xy(1.0, 1.0), xy(1.0, -1.0)].map(|it| PLANE.point(it));
+    svg.line("viewport bold", top, foot);
+    svg.label("viewport", top, Above, "viewport");
     let bottom = camera.image_height - 1;
     for row in [0, bottom / 2, bottom] {
         let ray = camera.ray(camera.image_width / 2, row);
-        let unit = ray.direction.normalize();
-        let tip = plane.point(from_the_side(unit));
-        svg.line("ray dashed", tip, plane.point(from_the_side(ray.direction)));
-        svg.arrow("ray bold", plane.origin, tip);
-        svg.line("ink dashed", tip, DVec2::new(x, tip.y));
+        let from_the_side = |vector: Vec3| PLANE.point(xy(-vector.z, vector.y));
+        let tip = from_the_side(ray.direction.normalize());
+        svg.line("ray dashed", tip, from_the_side(ray.direction));
+        svg.arrow("ray bold", PLANE.origin, tip);
+        svg.line("ink dashed", tip, DVec2::new(LEFT, tip.y));
+        let beside = DVec2::new(LEFT + WIDE, tip.y);
         let words = format!("*a* = {:.3}", share_of_blue(&ray));
-        svg.label(
-            "ink",
-            DVec2::new(x + 36.0, tip.y + 5.0),
-            Anchor::Start,
-            &words,
-        );
+        svg.label("ink", beside, Right, &words);
     }
-    svg.circle("ink solid", plane.origin, 5.0);
-    svg.label(
-        "ink",
-        plane.origin + DVec2::new(-10.0, 5.0),
-        Anchor::End,
-        "eye",
-    );
+    svg.dot("ink", PLANE.origin, Left, "eye");
     svg.finish()
 }
 
@@ -74,46 +55,35 @@ fn share_of_blue(ray: &Ray) -> f64 {
 }
 
 /// The front half of the circle on which unit directions end.
-fn arc(svg: &mut Svg, plane: &Plane) {
-    let points: Vec<DVec2> = (-90..=90)
-        .step_by(3)
-        .map(|degrees| {
-            let (y, x) = f64::from(degrees).to_radians().sin_cos();
-            plane.point(Vec3::new(x, y, 0.0))
-        })
-        .collect();
+fn draw_arc(svg: &mut Svg) {
+    let point = |degrees: i32| {
+        let (y, x) = f64::from(degrees).to_radians().sin_cos();
+        PLANE.point(xy(x, y))
+    };
+    let points: Vec<DVec2> = (-90..=90).step_by(3).map(point).collect();
     svg.path("faint dashed", &points);
-    svg.small_label(
-        "faint",
-        points[points.len() / 8] + DVec2::new(-6.0, 18.0),
-        Anchor::Start,
-        "length 1",
-    );
+    let below = point(-69) + DVec2::new(-6.0, 18.0);
+    svg.small_label("faint", below, Start, "length 1");
 }
 
 /// The sky from straight down to straight up.
-fn scale(svg: &mut Svg, plane: &Plane, x: f64) {
+fn draw_scale(svg: &mut Svg) {
     const STEPS: i32 = 40;
     let step = 2.0 / f64::from(STEPS);
+    let at = |y: f64| DVec2::new(LEFT, PLANE.origin.y - PLANE.scale * y);
     svg.group("pixels", |svg| {
         for n in 0..STEPS {
             let y = -1.0 + step * (f64::from(n) + 0.5);
             let direction = Vec3::new(0.0, y, -(1.0 - y * y).sqrt());
             let mut rgb = [0; 3];
             write_color(&mut rgb, sky(&Ray::new(Point3::ZERO, direction)));
-            let corner = DVec2::new(x, plane.point(Vec3::new(0.0, y + 0.5 * step, 0.0)).y);
-            svg.pixel(corner, DVec2::new(26.0, plane.scale * step), rgb);
+            let size = DVec2::new(WIDE, PLANE.scale * step);
+            svg.pixel(at(y + 0.5 * step), size, rgb);
         }
     });
-    let top = DVec2::new(x, plane.origin.y - plane.scale);
-    svg.rect("faint thin", top, DVec2::new(26.0, 2.0 * plane.scale));
-    for (y, words) in [(1.0, "1, straight up"), (-1.0, "0, straight down")] {
-        let at = DVec2::new(x + 13.0, plane.origin.y - y * (plane.scale + 12.0) + 4.0);
-        svg.small_label("faint", at, Anchor::Middle, words);
+    svg.rect("faint thin", at(1.0), DVec2::new(WIDE, 2.0 * PLANE.scale));
+    for (y, words) in [(1.14, "1, straight up"), (-1.14, "0, straight down")] {
+        let middle = at(y) + DVec2::new(0.5 * WIDE, 4.0);
+        svg.small_label("faint", middle, Middle, words);
     }
-}
-
-/// Takes −z, where the camera looks, to the right.
-fn from_the_side(vector: Vec3) -> Vec3 {
-    Vec3::new(-vector.z, vector.y, 0.0)
 }

@@ -1,74 +1,60 @@
 //! Figure 4 of the notes: the viewport and its grid of pixels. The width of the picture
 //! changes, and the marked pixel moves.
 
-use common::rtweekend::*;
-use glam::DVec2;
 use slips::Chapter;
 
-use crate::figure::Figure;
-use crate::live::{Action, Answer, Handle, Live, Number, parameters};
-use crate::number::spoken;
-use crate::plane::Plane;
-use crate::svg::{Anchor, Svg};
-
-/// The words of this figure.
-pub(crate) const FIGURE: Figure = Figure {
-    name: "viewport_grid",
-    title: "The viewport and its grid of pixels",
-    description: "A rectangle of eight by four squares, each with a point in its center. V 0 is the \
-        upper left corner of the rectangle. The vector V u runs from there along the whole upper edge, \
-        V v along the whole left edge, downwards. The point in the first square is P 0,0. From \
-        there Δu leads to the point on its right, Δv to the point below. Another square is \
-        marked, with the point P 5,2 in its center.",
-    caption: "The pixels of a picture on its viewport. The first **P** is the \
-        center of a pixel: half a step right and half a step down from the corner. Rows are counted \
-        downwards, but *y* grows upwards, so Δ**v** points along −*y*.",
-    draw: || LIVE.on_page(),
-};
+use crate::vocabulary::*;
 
 parameters! {
-    width: Number::whole("Width", 1.0, 40.0, 8.0),
-    i: Number {
-        most_beside: Some(|numbers| f64::from(Parameters::of(numbers).right().image_width - 1)),
-        ..Number::whole("Column i", 0.0, 39.0, 5.0)
-    },
-    j: Number {
-        most_beside: Some(|numbers| f64::from(Parameters::of(numbers).right().image_height - 1)),
-        downwards: true,
-        ..Number::whole("Row j", 0.0, 21.0, 2.0)
-    },
-    first: Number::choice("The first P", CHOICES),
+    width: f64 = Number::whole("Width", 1.0, 40.0, 8.0);
+    pixel: Vec3 =
+        Number {
+            most_beside: Some(|numbers| f64::from(Camera::new(numbers[0] as u32).image_width - 1)),
+            ..Number::whole("Column i", 0.0, 39.0, 5.0)
+        },
+        Number {
+            most_beside: Some(|numbers| f64::from(Camera::new(numbers[0] as u32).image_height - 1)),
+            downwards: true,
+            ..Number::whole("Row j", 0.0, 21.0, 2.0)
+        };
+    first: f64 = Number::choice("The first P", CHOICES);
 }
 
 /// The figure, as a reader moves it: the height jumps, and a pixel has its ray.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: FIGURE,
+    figure: Figure {
+        name: "viewport_grid",
+        title: "The viewport and its grid of pixels",
+        description: "A rectangle of eight by four squares, each with a point in its center. V 0 is the \
+            upper left corner of the rectangle. The vector V u runs from there along the whole upper edge, \
+            V v along the whole left edge, downwards. The point in the first square is P 0,0. From \
+            there Δu leads to the point on its right, Δv to the point below. Another square is \
+            marked, with the point P 5,2 in its center.",
+        caption: "The pixels of a picture on its viewport. The first **P** is the \
+            center of a pixel: half a step right and half a step down from the corner. Rows are counted \
+            downwards, but *y* grows upwards, so Δ**v** points along −*y*.",
+        draw: || LIVE.on_page(),
+    },
     question: "At which widths does the picture gain a row? And where does the ray of the marked \
         pixel go, if the half pixel is forgotten?",
     solution: "At 4, 6, 8, 9, 11 and so on: wherever 9/16 of the width passes a whole number. Without the half \
         pixel it goes to the upper left corner of its pixel.",
-    handles: &[Handle::new(&["i", "j"], |it, to| {
-        let Camera {
-            pixel00,
-            pixel_delta_u,
-            pixel_delta_v,
-            ..
-        } = it.camera();
-        let way = it.grid().plane().place(to) - pixel00;
-        let along = |step: Vec3| way.dot(step) / step.length_squared();
-        [it.i, it.j] = [along(pixel_delta_u), along(pixel_delta_v)];
-    })],
+    handles: &[Handle {
+        field: "pixel",
+        at: |it| it.grid().at(it.grid().pixel),
+        drag: |it, to| it.pixel = it.grid().pixel_at(to),
+    }],
     // The pixel stays, where there is one.
     actions: &[
-        Action::new("1 wide", |it| it.width = 1.0),
-        Action::new("16 wide", |it| it.width = 16.0),
-        Action::new("40 wide", |it| it.width = 40.0),
+        ("1 wide", |it| it.width = 1.0),
+        ("16 wide", |it| it.width = 16.0),
+        ("40 wide", |it| it.width = 40.0),
     ],
     answer,
 };
 
-/// The name of the slip in the catalogue.
-const SLIP: &str = "grid-not-inset";
+/// What may be wrong at the first point: the name of the slip in the catalogue.
+const SLIPS: [&str; 1] = ["grid-not-inset"];
 const CHOICES: &[&str] = &["half a pixel in", "at the corner"];
 
 impl Parameters {
@@ -77,20 +63,13 @@ impl Parameters {
         Camera::new(self.width as u32)
     }
 
-    /// The camera that is shown.
-    fn camera(&self) -> Camera {
-        let right = self.right();
-        let slip = slips::find(SLIP).filter(|_| self.first >= 1.0);
-        slip.map_or(right, |slip| {
-            slip.program(Chapter::Gradient).camera(right.image_width)
-        })
-    }
-
+    /// The grid of the camera that is shown.
     fn grid(&self) -> Grid {
-        Grid {
-            camera: self.camera(),
-            pixel: [self.i, self.j].map(|it| it as u32),
-        }
+        let right = self.right();
+        let slip = chosen(self.first, &SLIPS).map(|slip| slip.program(Chapter::Gradient));
+        let camera = slip.map_or(right, |program| program.camera(right.image_width));
+        let pixel = [self.pixel.x, self.pixel.y].map(|it| it as u32);
+        Grid { camera, pixel }
     }
 }
 
@@ -99,43 +78,37 @@ fn answer(parameters: &Parameters) -> Answer {
     let width = grid.camera.image_width;
     let [i, j] = grid.pixel;
     let right = parameters.right().ray(i, j).direction;
-    Answer {
-        drawing: draw(&grid),
-        sentence: format!("{} {}", way(&grid, right), height(width)),
-        handles: vec![grid.plane().point(grid.place([i, j]))],
-        says: vec![
-            ("width", width.to_string()),
-            ("rows", rows(width)),
-            ("because", because(width)),
-            ("pixel", format!("({i}, {j})")),
-            ("direction", triple(right)),
-        ],
-    }
+    let (rows, because) = (rows(width), because(width));
+    let sentence = format!(
+        "{} A picture {width} wide has {rows}: {because}.",
+        way(&grid, right)
+    );
+    let says = vec![
+        ("width", width.to_string()),
+        ("rows", rows),
+        ("because", because),
+        ("pixel", format!("({i}, {j})")),
+        ("direction", triple(right)),
+    ];
+    Answer::new(draw(&grid), sentence, says)
 }
 
 /// Where the ray of the pixel goes, and that it should go to the `right`.
 fn way(grid: &Grid, right: Vec3) -> String {
     let [i, j] = grid.pixel;
     let way = grid.camera.ray(i, j).direction;
-    let corner = match way == right {
-        true => String::new(),
-        false => format!(
-            ", to its corner: half a pixel up and to the left of {}",
-            triple(right)
-        ),
-    };
-    format!(
-        "The ray of pixel ({i}, {j}) has the direction {}{corner}.",
+    let said = format!(
+        "The ray of pixel ({i}, {j}) has the direction {}",
         triple(way)
-    )
+    );
+    if way == right {
+        return said + ".";
+    }
+    let right = triple(right);
+    format!("{said}, to its corner: half a pixel up and to the left of {right}.")
 }
 
-/// How many rows there are, and why.
-fn height(width: u32) -> String {
-    let (rows, because) = (rows(width), because(width));
-    format!("A picture {width} wide has {rows}: {because}.")
-}
-
+/// Why there are so many rows.
 fn because(width: u32) -> String {
     // In sixteenths, so that no digit is cut.
     let quotient = f64::from(9 * width) / 16.0;
@@ -168,11 +141,8 @@ impl Grid {
         let [u, v] = self.viewport();
         let scale = (ROOM.x / u.x).min(ROOM.y / -v.y);
         let corner = self.corner();
-        Plane::new(
-            CORNER.x - scale * corner.x,
-            CORNER.y + scale * corner.y,
-            scale,
-        )
+        let origin = CORNER - scale * DVec2::new(corner.x, -corner.y);
+        Plane { origin, scale }
     }
 
     /// The viewport's upper edge from left to right, and its left edge downwards.
@@ -194,6 +164,19 @@ impl Grid {
     fn place(&self, [i, j]: [u32; 2]) -> Point3 {
         self.camera.ray(i, j).at(1.0)
     }
+
+    /// The same on the sheet.
+    fn at(&self, pixel: [u32; 2]) -> DVec2 {
+        self.plane().point(self.place(pixel))
+    }
+
+    /// The column and the row that are there on the sheet.
+    fn pixel_at(&self, to: DVec2) -> Vec3 {
+        let camera = &self.camera;
+        let way = self.plane().place(to) - camera.pixel00;
+        let along = |step: Vec3| way.dot(step) / step.length_squared();
+        xy(along(camera.pixel_delta_u), along(camera.pixel_delta_v))
+    }
 }
 
 /// Where the upper left corner of the viewport is on the sheet.
@@ -204,32 +187,29 @@ const ROOM: DVec2 = DVec2::new(288.0, 164.0);
 
 /// Draws the grid with its points and vectors, and the numbers below.
 fn draw(grid: &Grid) -> Svg {
-    let mut svg = FIGURE.sheet(400.0, 346.0);
-    let plane = grid.plane();
-    draw_grid(&mut svg, grid, &plane);
-    draw_viewport(&mut svg, grid, &plane);
-    draw_steps(&mut svg, grid, &plane);
-    draw_pixel(&mut svg, grid, &plane);
+    let mut svg = LIVE.figure.sheet(346.0);
+    draw_grid(&mut svg, grid);
+    draw_viewport(&mut svg, grid);
+    draw_steps(&mut svg, grid);
+    draw_pixel(&mut svg, grid);
     draw_numbers(&mut svg, grid);
     svg
 }
 
 /// The edges of all pixels, of which one is marked, and where their rays go through.
-fn draw_grid(svg: &mut Svg, grid: &Grid, plane: &Plane) {
-    let camera = &grid.camera;
+fn draw_grid(svg: &mut Svg, grid: &Grid) {
+    let (camera, plane) = (&grid.camera, grid.plane());
     let (width, height) = (camera.image_width, camera.image_height);
     let [u, v] = grid.viewport().map(|edge| plane.vector(edge));
     let step = plane.vector(camera.pixel_delta_u + camera.pixel_delta_v);
-    let [i, j] = grid.pixel.map(f64::from);
+    let corner = |[i, j]: [u32; 2]| CORNER + step * DVec2::new(i.into(), j.into());
     svg.rect("viewport wash", CORNER, u + v);
-    svg.rect("ray area", CORNER + step * DVec2::new(i, j), step);
+    svg.rect("ray area", corner(grid.pixel), step);
     for i in 0..=width {
-        let top = CORNER + DVec2::new(step.x * f64::from(i), 0.0);
-        svg.line("faint thin", top, top + v);
+        svg.line("faint thin", corner([i, 0]), corner([i, height]));
     }
     for j in 0..=height {
-        let left = CORNER + DVec2::new(0.0, step.y * f64::from(j));
-        svg.line("faint thin", left, left + u);
+        svg.line("faint thin", corner([0, j]), corner([width, j]));
     }
     let pixels = (0..height).flat_map(|j| (0..width).map(move |i| [i, j]));
     let points = pixels.map(|pixel| plane.point(grid.place(pixel)));
@@ -237,98 +217,78 @@ fn draw_grid(svg: &mut Svg, grid: &Grid, plane: &Plane) {
 }
 
 /// The two edges from the corner.
-fn draw_viewport(svg: &mut Svg, grid: &Grid, plane: &Plane) {
-    let [u, v] = grid.viewport().map(|edge| plane.vector(edge));
-    svg.arrow("viewport bold", CORNER, CORNER + u);
+fn draw_viewport(svg: &mut Svg, grid: &Grid) {
+    let [u, v] = grid.viewport().map(|edge| grid.plane().vector(edge));
+    svg.vector("viewport", CORNER, CORNER + u, "**V**_{u}");
     svg.arrow("viewport bold", CORNER, CORNER + v);
-    svg.circle("viewport solid", CORNER, 5.0);
-    let beside = CORNER + DVec2::new(-8.0, -9.0);
-    svg.label("viewport", beside, Anchor::End, "**V**_{0}");
-    let above = CORNER + 0.5 * u + DVec2::new(0.0, -10.0);
-    svg.label("viewport", above, Anchor::Middle, "**V**_{u}");
+    svg.dot("viewport", CORNER, UpperLeft, "**V**_{0}");
     // Far below the first row, where its P is.
-    let left = CORNER + 0.85 * v + DVec2::new(-12.0, 4.0);
-    svg.label("viewport", left, Anchor::End, "**V**_{v}");
+    svg.label("viewport", CORNER + 0.85 * v, Left, "**V**_{v}");
 }
 
 /// The first point, and from there the steps to its neighbors, as far as there are any.
-fn draw_steps(svg: &mut Svg, grid: &Grid, plane: &Plane) {
-    let first = plane.point(grid.place([0, 0]));
-    let camera = &grid.camera;
-    let [u, v] = [camera.pixel_delta_u, camera.pixel_delta_v].map(|step| plane.vector(step));
+fn draw_steps(svg: &mut Svg, grid: &Grid) {
+    let (camera, first) = (&grid.camera, grid.at([0, 0]));
+    let steps = [camera.pixel_delta_u, camera.pixel_delta_v];
+    let [u, v] = steps.map(|step| grid.plane().vector(step));
     let has_room = u.x >= LABELED;
     if camera.image_width > 1 && has_room {
         svg.arrow("ray bold", first, first + u);
-        let above = first + 0.5 * u + DVec2::new(0.0, -6.0);
-        svg.label("ray", above, Anchor::Middle, "Δ**u**");
+        let above = first + 0.5 * u - DVec2::new(0.0, 6.0);
+        svg.label("ray", above, Middle, "Δ**u**");
     }
     if camera.image_height > 1 && has_room {
         svg.arrow("ray bold", first, first + v);
         let beside = first + 0.5 * v + DVec2::new(8.0, 0.0);
-        svg.label("ray", beside, Anchor::Start, "Δ**v**");
+        svg.label("ray", beside, Start, "Δ**v**");
     }
     let beside = DVec2::new(CORNER.x - 10.0, first.y);
     svg.line("faint dashed", beside, first);
     svg.circle("ink solid", first, (u.x / 3.0).min(5.0));
-    let words = beside + DVec2::new(-4.0, 5.0);
-    svg.label("ink", words, Anchor::End, "**P**_{0,0}");
+    svg.label("ink", beside, Left, "**P**_{0,0}");
 }
 
 /// The least width of a pixel on the sheet at which there is room for arrows and their names.
 const LABELED: f64 = 26.0;
 
 /// The point of the marked pixel, and its name.
-fn draw_pixel(svg: &mut Svg, grid: &Grid, plane: &Plane) {
-    let [i, j] = grid.pixel;
-    let camera = &grid.camera;
-    let step = plane.vector(camera.pixel_delta_u);
-    let point = plane.point(grid.place(grid.pixel));
+fn draw_pixel(svg: &mut Svg, grid: &Grid) {
+    let ([i, j], camera) = (grid.pixel, &grid.camera);
+    let step = grid.plane().vector(camera.pixel_delta_u);
+    let point = grid.at(grid.pixel);
     svg.circle("ink solid", point, (step.x / 3.0).min(5.0));
     if grid.pixel == [0, 0] {
         return;
     }
     // Towards the middle there is always room.
-    let (right, anchor) = match 2 * i < camera.image_width {
-        true => (16.0, Anchor::Start),
-        false => (-16.0, Anchor::End),
-    };
-    let down = match 2 * j < camera.image_height {
-        true => 22.0,
-        false => -14.0,
-    };
+    let is_left = 2 * i < camera.image_width;
+    let is_upper = 2 * j < camera.image_height;
+    let (right, anchor) = if is_left { (16.0, Start) } else { (-16.0, End) };
+    let down = if is_upper { 22.0 } else { -14.0 };
     let name = format!("**P**_{{{i},{j}}}");
     svg.label("ink", point + DVec2::new(right, down), anchor, &name);
 }
 
 /// The vectors in numbers, below the grid in two columns, and the ratio.
 fn draw_numbers(svg: &mut Svg, grid: &Grid) {
-    let camera = &grid.camera;
-    let [u, v] = grid.viewport();
-    let [i, j] = grid.pixel;
-    let pixel = format!("**P**_{{{i},{j}}}");
-    let vectors = [
-        ("viewport", "**V**_{u}", u),
-        ("viewport", "**V**_{v}", v),
-        ("ray", "Δ**u**", camera.pixel_delta_u),
-        ("ray", "Δ**v**", camera.pixel_delta_v),
-        ("viewport", "**V**_{0}", grid.corner()),
-        ("ink", "**P**_{0,0}", grid.place([0, 0])),
-        ("ink", &pixel, grid.place(grid.pixel)),
-    ];
-    let at = |column: f64, row: f64| DVec2::new(14.0 + 190.0 * column, 234.0 + 24.0 * row);
-    for ((idea, name, vector), place) in vectors.into_iter().zip(0_u32..) {
-        let words = format!("{name} = {}", triple(vector));
-        let at = at((place % 2).into(), (place / 2).into());
-        svg.label(idea, at, Anchor::Start, &words);
-    }
+    let (camera, [i, j]) = (&grid.camera, grid.pixel);
     let (width, height) = (camera.image_width, camera.image_height);
+    let [u, v] = grid.viewport().map(triple);
+    let [delta_u, delta_v] = [camera.pixel_delta_u, camera.pixel_delta_v].map(triple);
+    let [first, pixel] = [[0, 0], grid.pixel].map(|it| triple(grid.place(it)));
     let [real, ideal] = [f64::from(width) / f64::from(height), 16.0 / 9.0].map(spoken);
-    let ratio = format!("{width} : {height} = {real}, where 16 : 9 = {ideal}");
-    svg.label("ink", at(0.0, 4.0), Anchor::Start, &ratio);
-}
-
-/// A vector in digits.
-fn triple(vector: Vec3) -> String {
-    let [x, y, z] = vector.to_array().map(spoken);
-    format!("({x}, {y}, {z})")
+    let left = [
+        format!("**V**_{{u}} = {u}"),
+        format!("Δ**u** = {delta_u}"),
+        format!("**V**_{{0}} = {}", triple(grid.corner())),
+        format!("**P**_{{{i},{j}}} = {pixel}"),
+        format!("{width} : {height} = {real}, where 16 : 9 = {ideal}"),
+    ];
+    let right = [
+        format!("**V**_{{v}} = {v}"),
+        format!("Δ**v** = {delta_v}"),
+        format!("**P**_{{0,0}} = {first}"),
+    ];
+    svg.readout(DVec2::new(14.0, 238.0), &left);
+    svg.readout(DVec2::new(204.0, 238.0), &right);
 }

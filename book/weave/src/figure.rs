@@ -26,8 +26,9 @@ pub(crate) fn chart(notes: &Path, name: &str) -> Result<String, String> {
     let chart = named("chart", name, CHARTS, |chart| chart.name)?;
     let drawn = chart.draw_from(notes)?;
     let figure = on_one_line(&format!(
-        "<figure id=\"{name}\">{}{}<figcaption>{}</figcaption></figure>",
-        drawn.svg, drawn.narrow, chart.caption
+        "<figure id=\"{name}\"><div class=\"panels\">{}</div><figcaption>{}</figcaption></figure>",
+        drawn.panels.concat(),
+        chart.caption
     ));
     Ok(format!(
         "{figure}\n\n<details class=\"numbers\"><summary>The numbers of this chart</summary>\n\n{}\n\n</details>",

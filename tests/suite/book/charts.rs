@@ -14,8 +14,11 @@ fn every_chart_is_its_snapshot() {
     for chart in CHARTS {
         let drawn = from_notes(chart);
         shown_in("charts").bind(|| {
-            let (name, file) = (chart.name, standalone(&drawn.svg));
-            assert_binary_snapshot!(&format!("{name}.svg"), file.into_bytes());
+            let name = chart.name;
+            for (panel, n) in drawn.panels.iter().zip(1..) {
+                let file = standalone(panel).into_bytes();
+                assert_binary_snapshot!(&format!("{name}_{n}.svg"), file);
+            }
             assert_binary_snapshot!(&format!("{name}_table.md"), drawn.table.into_bytes());
         });
     }
@@ -53,16 +56,12 @@ fn a_mistake_in_a_file_is_told_with_its_line() {
     }
 }
 
-/// All charts, of what was measured, in both layouts.
+/// All panels of all charts, of what was measured.
 pub(crate) fn of_the_book() -> impl Iterator<Item = (String, String)> {
-    CHARTS
-        .iter()
-        .flat_map(|chart| both_layouts(chart.name.to_owned(), from_notes(chart)))
-}
-
-fn both_layouts(name: String, drawn: Drawn) -> [(String, String); 2] {
-    let narrow = format!("{name}, narrow");
-    [(name, drawn.svg), (narrow, drawn.narrow)]
+    CHARTS.iter().flat_map(|chart| {
+        let panels = from_notes(chart).panels.into_iter().zip(1..);
+        panels.map(|(panel, n)| (format!("{}, panel {n}", chart.name), panel))
+    })
 }
 
 fn from_notes(chart: &Chart) -> Drawn {

@@ -30,11 +30,9 @@ pub struct Chart {
 /// A chart that was drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
-    /// An `<svg>` element in one line.
-    pub svg: String,
-    /// The same for a page that is too narrow for that, as a phone is: a page has
-    /// both, and the style sheet shows one of them.
-    pub narrow: String,
+    /// An `<svg>` element in one line for each panel: a page sets them beside each other
+    /// where there is room.
+    pub panels: Vec<String>,
     /// The same numbers as a table in Markdown.
     pub table: String,
 }
@@ -58,47 +56,38 @@ impl Chart {
     }
 
     /// An empty drawing with the words of this chart.
-    pub(super) fn sheet(&self, layout: Layout, height: f64) -> Svg {
-        let size = DVec2::new(layout.width(), height);
-        let (class, name) = match layout {
-            Layout::Wide => ("drawing wide", self.name.to_owned()),
-            Layout::Narrow => ("drawing narrow", format!("{}_narrow", self.name)),
-        };
-        Svg::new(class, &name, self.title, self.description, size)
+    pub(super) fn sheet(&self, height: f64) -> Svg {
+        Svg::new(self.name, self.title, self.description, size(height))
+    }
+
+    /// An empty drawing for a panel of several, with what it shows.
+    pub(super) fn panel(&self, place: usize, shows: &str, height: f64) -> Svg {
+        let name = format!("{}_{place}", self.name);
+        let title = format!("{}: {shows}", self.title);
+        Svg::new(&name, &title, self.description, size(height))
     }
 }
 
-impl Drawn {
-    /// What `draw` draws in both layouts, and the table.
-    pub(super) fn new(table: String, draw: impl Fn(Layout) -> String) -> Self {
-        Self {
-            svg: draw(Layout::Wide),
-            narrow: draw(Layout::Narrow),
-            table,
-        }
-    }
+/// Charts are as wide as the screen of a phone lets one read.
+pub(super) fn size(height: f64) -> DVec2 {
+    DVec2::new(400.0, height)
 }
 
-/// How much room there is beside each other.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Layout {
-    /// As on a page of a book.
-    Wide,
-    /// As on a phone: what is beside each other in a wide chart is below each other.
-    Narrow,
-}
-
-impl Layout {
-    /// The width of every chart.
-    pub(super) fn width(self) -> f64 {
-        self.choose(720.0, 340.0)
-    }
-
-    /// One of two values.
-    pub(super) fn choose<T>(self, wide: T, narrow: T) -> T {
-        match self {
-            Layout::Wide => wide,
-            Layout::Narrow => narrow,
-        }
-    }
+/// A table in Markdown: names in the first columns, so many, and then numbers.
+pub(super) fn table(
+    names: usize,
+    heads: &[String],
+    rows: impl Iterator<Item = Vec<String>>,
+) -> String {
+    let line = |cells: &[String]| {
+        let cells = cells.iter().map(|cell| format!(" {cell} |"));
+        format!("|{}\n", cells.collect::<String>().replace("  |", " |"))
+    };
+    let rule = format!(
+        "|{}{}\n",
+        "---|".repeat(names),
+        "---:|".repeat(heads.len() - names)
+    );
+    let rows = rows.map(|row| line(&row));
+    line(heads) + &rule + &rows.collect::<String>()
 }

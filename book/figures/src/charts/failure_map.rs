@@ -1,12 +1,11 @@
 //! Small multiples: for each method a map of wrong decisions among neighboring numbers.
 
-use std::fmt::Write;
-
 use glam::DVec2;
-use speed_vs_accuracy::{FailureMap, METHODS, Method, failure_map};
+use speed_vs_accuracy::{FailureMap, METHODS, failure_map};
 
-use super::chart::{Chart, Drawn, Layout};
-use crate::svg::{Anchor, SMALL, Svg, width};
+use super::chart::{Chart, Drawn, table};
+use crate::pixels::Frame;
+use crate::svg::{Anchor, Svg};
 
 /// The map, which is computed by the methods when it is drawn.
 pub(super) const CHART: Chart = Chart {
@@ -27,67 +26,41 @@ pub(super) const CHART: Chart = Chart {
 /// Cells in a row.
 const CELLS: usize = 48;
 
-/// The map of a method, and how many of its cells are wrong.
-struct Judged {
-    method: &'static str,
-    map: FailureMap,
-    count: usize,
-}
-
 fn draw() -> Drawn {
-    let judge = |method: &Method| {
+    let mut svg = CHART.sheet(40.0 + PITCH.y * METHODS.len().div_ceil(COLUMNS) as f64);
+    let wide = svg.key("sphere wash", DVec2::new(4.0, 9.0), "hits");
+    let beside = DVec2::new(20.0 + wide, 9.0);
+    svg.key("wrong solid", beside, "wrong decisions, and their number");
+    let mut rows = Vec::new();
+    for (n, method) in METHODS.iter().enumerate() {
+        let place = DVec2::new((n % COLUMNS) as f64, (n / COLUMNS) as f64);
         let map = failure_map(method, CELLS);
         let count = map.wrong.iter().filter(|wrong| **wrong).count();
-        let method = method.name;
-        Judged { method, map, count }
-    };
-    let maps: Vec<Judged> = METHODS.iter().map(judge).collect();
-    Drawn::new(table(&maps), |layout| panels(layout, &maps))
+        let corner = DVec2::new(4.0, 54.0) + PITCH * place;
+        draw_map(&mut svg, corner, method.name, map, count);
+        rows.push(vec![format!("`{}`", method.name), count.to_string()]);
+    }
+    let heads = ["method".to_owned(), format!("wrong of {}", CELLS * CELLS)];
+    Drawn {
+        panels: vec![svg.finish()],
+        table: table(1, &heads, rows.into_iter()),
+    }
 }
 
-fn panels(layout: Layout, maps: &[Judged]) -> String {
-    let columns = layout.choose(4, 2);
-    let rows = maps.len().div_ceil(columns);
-    let (pitch, side) = layout.choose(
-        (DVec2::new(178.0, 198.0), 162.0),
-        (DVec2::new(172.0, 212.0), 162.0),
-    );
-    let mut svg = CHART.sheet(layout, 34.0 + pitch.y * rows as f64);
-    explain(&mut svg, layout);
-    for (n, Judged { method, map, count }) in maps.iter().enumerate() {
-        let place = DVec2::new((n % columns) as f64, (n / columns) as f64);
-        let corner = layout.choose(DVec2::new(12.0, 58.0), DVec2::new(2.0, 74.0)) + pitch * place;
-        let cell = side / CELLS as f64;
-        let above = corner - DVec2::new(0.0, layout.choose(6.0, 20.0));
-        svg.small_label("ink", above, Anchor::Start, method);
-        let above = corner + DVec2::new(side, -6.0);
-        let idea = if *count == 0 { "faint" } else { "wrong" };
-        svg.small_label(idea, above, Anchor::End, &count.to_string());
-        svg.group("pixels", |svg| {
-            svg.cells("sphere wash", corner, cell, CELLS, &map.hits);
-            svg.cells("wrong solid", corner, cell, CELLS, &map.wrong);
-        });
-        svg.rect("faint thin", corner, DVec2::splat(side));
-    }
-    svg.finish()
-}
+/// Maps beside each other, and from one to the next.
+const COLUMNS: usize = 2;
+const PITCH: DVec2 = DVec2::new(200.0, 216.0);
 
-fn table(maps: &[Judged]) -> String {
-    let mut table = format!("| method | wrong of {} |\n|---|---:|\n", CELLS * CELLS);
-    for Judged { method, count, .. } in maps {
-        let _ = writeln!(table, "| `{method}` | {count} |");
-    }
-    table
-}
+/// The side of a map.
+const SIDE: f64 = 190.0;
 
-fn explain(svg: &mut Svg, layout: Layout) {
-    let mut x = layout.choose(12.0, 2.0);
-    for (class, words) in [
-        ("sphere wash", "hits"),
-        ("wrong solid", "wrong decisions, and their number"),
-    ] {
-        svg.rect(class, DVec2::new(x, 9.0), DVec2::splat(12.0));
-        svg.small_label("ink", DVec2::new(x + 18.0, 20.0), Anchor::Start, words);
-        x += 18.0 + width(words, SMALL) + 16.0;
-    }
+fn draw_map(svg: &mut Svg, corner: DVec2, method: &str, map: FailureMap, count: usize) {
+    let above = corner - DVec2::new(0.0, 6.0);
+    svg.small_label("ink", above, Anchor::Start, method);
+    let above = corner + DVec2::new(SIDE, -6.0);
+    let idea = if count == 0 { "faint" } else { "wrong" };
+    svg.small_label(idea, above, Anchor::End, &count.to_string());
+    let side = SIDE / CELLS as f64;
+    let classes = [("sphere wash", map.hits), ("wrong solid", map.wrong)];
+    Frame { corner, side }.map(svg, CELLS, &classes);
 }

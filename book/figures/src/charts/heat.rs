@@ -19,5 +19,8 @@ pub(super) fn cell(svg: &mut Svg, corner: DVec2, size: DVec2, wrong: f64, words:
     let words = if depth == 0 { "✓" } else { words };
     let idea = if depth > 3 { "on-heat" } else { "ink" };
     let at = corner + DVec2::new(0.5 * size.x, 0.5 * size.y + 4.5);
-    svg.bare_label(idea, at, Anchor::Middle, words);
+    // No halo on a colored ground.
+    svg.group("bare", |svg| {
+        svg.small_label(idea, at, Anchor::Middle, words);
+    });
 }

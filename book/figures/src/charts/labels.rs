@@ -1,8 +1,9 @@
-//! Label placement without overlap (greedy).
+//! Label placement without overlap (greedy): each label takes the nearest room that is left.
 
 use glam::DVec2;
 
-use crate::svg::{Anchor, SMALL, Svg, width};
+use crate::svg::{Anchor, Svg};
+use crate::text::{SMALL, width};
 
 /// A rectangle of the sheet.
 #[derive(Clone, Copy, Debug)]
@@ -38,106 +39,71 @@ impl Place {
     fn touches(&self, other: &Self) -> bool {
         self.least.cmplt(other.most).all() && other.least.cmplt(self.most).all()
     }
+
+    fn touches_any(&self, others: &[Self]) -> bool {
+        others.iter().any(|other| other.touches(self))
+    }
+
+    /// The line from a point to a label here that is not near.
+    fn leader(&self, point: DVec2) -> Option<[DVec2; 2]> {
+        let edge = point.clamp(self.least, self.most);
+        let way = (edge - point).normalize_or_zero();
+        (edge.distance(point) > 9.0).then_some([point + 5.0 * way, edge])
+    }
 }
 
 /// Finds room for one label after the other, the most important first.
 pub(super) struct Labels {
-    room: Place,
-    lines: Vec<Place>,
-    marks: Vec<Place>,
-    written: Vec<Place>,
-    leaders: Vec<Place>,
+    /// Labels stay in here,
+    pub(super) room: Place,
+    /// off these lines,
+    pub(super) lines: Vec<Place>,
+    /// and off marks and other labels, through which no leader goes either.
+    pub(super) taken: Vec<Place>,
 }
 
 impl Labels {
-    /// Labels stay in `room` and off lines and marks.
-    pub(super) fn new(room: Place, lines: Vec<Place>, marks: Vec<Place>) -> Self {
-        Self {
-            room,
-            lines,
-            marks,
-            written: Vec::new(),
-            leaders: Vec::new(),
-        }
-    }
-
-    /// Writes `text` where it is best seen to belong to `point`, with a line that
-    /// leads to it if that is not near. Where there is no room at all the label
-    /// is left out.
+    /// Writes `text` near `point`, with a line that leads to it if that is not very near.
+    /// Where there is no room at all the label is left out.
     pub(super) fn put(&mut self, svg: &mut Svg, idea: &str, point: DVec2, text: &str) {
         let size = DVec2::new(width(text, SMALL), SMALL + 2.0);
-        let best = corners(point, size)
-            .filter(|corner| self.has_room(&Place::new(*corner, size)))
-            .map(|corner| (self.doubt(point, corner, size), corner))
-            .min_by(|one, other| one.0.total_cmp(&other.0));
-        let Some((_, corner)) = best else {
+        let mut places = corners(point, size).map(|corner| Place::new(corner, size));
+        let Some(place) = places.find(|place| self.is_free(place, point)) else {
             return;
         };
-        if let Some([from, to]) = leader(point, corner, size) {
+        if let Some([from, to]) = place.leader(point) {
             svg.line("faint thin", from, to);
-            self.leaders.extend(Place::along(from, to));
+            self.lines.extend(Place::along(from, to));
         }
-        let at = corner + DVec2::new(0.0, 0.82 * SMALL + 1.0);
+        let at = place.least + DVec2::new(0.0, 0.82 * SMALL + 1.0);
         svg.small_label(idea, at, Anchor::Start, text);
-        self.written.push(Place::new(corner, size));
+        self.taken.push(place);
     }
 
-    fn has_room(&self, place: &Place) -> bool {
-        let taken = [&self.lines, &self.marks, &self.written];
+    fn is_free(&self, place: &Place, point: DVec2) -> bool {
+        let own = Place::around(point, 1.0);
+        // A leader begins in the mark of its own point.
+        let is_in_the_way = |step: &Place| {
+            let mut others = self.taken.iter().filter(|it| !it.touches(&own));
+            others.any(|it| it.touches(step))
+        };
+        let is_clear =
+            |[from, to]: [DVec2; 2]| !Place::along(from, to).any(|it| is_in_the_way(&it));
         self.room.holds(place)
-            && !taken
-                .into_iter()
-                .flatten()
-                .any(|taken| taken.touches(place))
+            && !place.touches_any(&self.lines)
+            && !place.touches_any(&self.taken)
+            && place.leader(point).is_none_or(is_clear)
     }
-
-    /// How easily a label there would be taken for that of another point: a
-    /// length, to which each other mark or label that is too near adds. No line
-    /// goes through a label if there is any other room.
-    fn doubt(&self, point: DVec2, corner: DVec2, size: DVec2) -> f64 {
-        let touch = |all: &[Place], place: &Place| all.iter().any(|it| it.touches(place));
-        let struck = 1000.0 * f64::from(touch(&self.leaders, &Place::new(corner, size)));
-        let Some([from, to]) = leader(point, corner, size) else {
-            return struck;
-        };
-        let steps: Vec<Place> = Place::along(from, to).collect();
-        let near = Place::new(corner - 6.0, size + 12.0);
-        let count = |places: &[Place], by: &[Place]| {
-            let away = |place: &&Place| !place.touches(&Place::around(point, 1.0));
-            places
-                .iter()
-                .filter(away)
-                .filter(|it| touch(by, it))
-                .count() as f64
-        };
-        struck
-            + point.distance(to)
-            + 20.0 * count(&self.marks, &[near])
-            + 100.0 * count(&self.marks, &steps)
-            + 30.0 * count(&self.written, &[near])
-            + 1000.0 * count(&self.written, &steps)
-    }
-}
-
-/// The line from `point` to a label that is not near.
-fn leader(point: DVec2, corner: DVec2, size: DVec2) -> Option<[DVec2; 2]> {
-    let middle = corner + 0.5 * size;
-    let edge = middle + (point - middle).clamp(-0.5 * size, 0.5 * size);
-    let way = (edge - point).normalize_or_zero();
-    (edge.distance(point) > 9.0).then_some([point + 5.0 * way, edge])
 }
 
 /// Upper left corners for a label of that size, ever farther from `point`.
 fn corners(point: DVec2, size: DVec2) -> impl Iterator<Item = DVec2> {
     (0..14).flat_map(move |ring| {
         let reach = 7.0 + 9.0 * f64::from(ring);
-        // To the right, left, above and below, and between them.
+        // To the right first, and then around.
         (0..24).map(move |n| {
-            let degrees = 15.0 * f64::from(n);
-            let (sin, cos) = degrees.to_radians().sin_cos();
-            let middle =
-                point + DVec2::new(cos, sin) * (reach + 0.5 * size * DVec2::new(cos, sin).abs());
-            middle - 0.5 * size
+            let way = DVec2::from_angle((15.0 * f64::from(n)).to_radians());
+            point + way * (reach + 0.5 * size * way.abs()) - 0.5 * size
         })
     })
 }

@@ -1,11 +1,13 @@
-//! Scatter points: how fast each method is, and how exact.
+//! Scatter points: how fast each method is, and how exact; and what their marks mean.
 
 use glam::DVec2;
+use speed_vs_accuracy::Precision::{Double, Single};
 use speed_vs_accuracy::{Method, Precision, find};
 
 use crate::records::{Accuracy, Timing};
-use crate::svg::Svg;
+use crate::svg::{Anchor, Svg};
 use crate::table::Table;
+use crate::text::{SMALL, width};
 
 /// What was measured of a method in a regime.
 #[derive(Clone, Debug, PartialEq)]
@@ -108,26 +110,16 @@ pub(super) fn digits(ulps: Option<f64>, precision: Precision) -> f64 {
 /// a disc for others, hollow for `f32`.
 pub(super) fn mark(svg: &mut Svg, idea: &str, precision: Precision, at: DVec2) {
     let (filling, radius) = match precision {
-        Precision::Double => ("solid", 4.5),
-        Precision::Single => ("hollow", 4.0),
+        Double => ("solid", 4.5),
+        Single => ("hollow", 4.0),
     };
     let class = format!("{idea} {filling}");
     match idea {
         "reference" => svg.rect(&class, at - 5.0, DVec2::splat(10.0)),
         "certain" => {
-            let corner = |x, y| at + DVec2::new(x, y);
-            let top = corner(0.0, -7.0);
-            // The top once more: a hollow one has four sides as well.
-            svg.path(
-                &class,
-                &[
-                    top,
-                    corner(7.0, 0.0),
-                    corner(0.0, 7.0),
-                    corner(-7.0, 0.0),
-                    top,
-                ],
-            );
+            // The top twice: a hollow one has four sides as well.
+            let corners = [DVec2::NEG_Y, DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y];
+            svg.path(&class, &corners.map(|corner| at + 7.0 * corner));
         }
         _ => svg.circle(&class, at, radius),
     }
@@ -135,7 +127,34 @@ pub(super) fn mark(svg: &mut Svg, idea: &str, precision: Precision, at: DVec2) {
 
 /// The mark of a wrong decision.
 pub(super) fn cross(svg: &mut Svg, at: DVec2) {
-    for (x, y) in [(7.0, 7.0), (7.0, -7.0)] {
-        svg.line("wrong line", at - DVec2::new(x, y), at + DVec2::new(x, y));
+    for way in [DVec2::splat(7.0), DVec2::new(7.0, -7.0)] {
+        svg.line("wrong line", at - way, at + way);
     }
+}
+
+/// Explains the marks at the top of a chart, and what a cross means there. Returns where
+/// that ends.
+pub(super) fn legend(svg: &mut Svg, wrong: &str) -> f64 {
+    let mut at = DVec2::new(4.0, 18.0);
+    for (idea, precision, words) in [
+        ("ink", Some(Double), "f64"),
+        ("ink", Some(Single), "f32"),
+        ("reference", Some(Double), "half_b, as in the chapters"),
+        ("certain", Some(Double), "certified"),
+        ("wrong", None, wrong),
+    ] {
+        let size = 20.0 + width(words, SMALL);
+        if at.x + size > 400.0 {
+            at = DVec2::new(4.0, at.y + 20.0);
+        }
+        let middle = at + DVec2::new(8.0, -4.5);
+        match precision {
+            Some(precision) => mark(svg, idea, precision, middle),
+            None => cross(svg, middle),
+        }
+        let beside = at + DVec2::new(20.0, 0.0);
+        svg.small_label("ink", beside, Anchor::Start, words);
+        at.x += size + 12.0;
+    }
+    at.y
 }

@@ -1,13 +1,11 @@
 //! The charts of the book, drawn from the files that hold what was measured.
 
-mod axes;
-mod bars;
 mod chart;
 mod failure_map;
 mod heat;
 mod labels;
-mod legend;
 mod methods;
+mod panel;
 mod race;
 mod shadows;
 mod speed_accuracy;

@@ -1,11 +1,8 @@
 //! A bar chart of times: the pictures by our programs and by the one in C++.
 
-use std::fmt::Write;
-
 use glam::DVec2;
 
-use super::bars::bar;
-use super::chart::{Chart, Drawn, Layout};
+use super::chart::{Chart, Drawn, table};
 use crate::records::Race;
 use crate::svg::Anchor;
 use crate::table::{Record, Table};
@@ -38,66 +35,55 @@ pub(super) const TRACING: Chart = Chart {
 fn draw(chart: &Chart, file: &str, to: &str, title: &str) -> Result<Drawn, String> {
     let mut races = Table::<Race>::read(file)?.rows;
     races.retain(|race| race.width == 3840 && race.to == to);
-    Ok(Drawn::new(table(&races), |layout| {
-        bars(layout, chart, &races, title)
-    }))
+    let heads = ["picture", "Rust, ms", "C++, ms", "C++ ÷ Rust"].map(str::to_owned);
+    let row = |race: &Race| {
+        vec![
+            race.chapter.clone(),
+            format!("{:.1}", race.rust_median_ms),
+            format!("{:.0}", race.cpp_median_ms),
+            format!("{:.1}", race.ratio()),
+        ]
+    };
+    Ok(Drawn {
+        panels: vec![bars(chart, &races, title)],
+        table: table(1, &heads, races.iter().map(row)),
+    })
 }
 
-fn bars(layout: Layout, chart: &Chart, races: &[Race], title: &str) -> String {
-    let longest = races
+/// From one picture to the next, from one bar to the next, and the longest bar.
+const PITCH: f64 = 96.0;
+const STEP: f64 = 36.0;
+const WIDE: f64 = 392.0;
+
+fn bars(chart: &Chart, races: &[Race], title: &str) -> String {
+    let times = races
         .iter()
-        .map(|race| race.cpp_median_ms.max(race.rust_median_ms));
-    let longest = longest.fold(1.0, f64::max);
-    let length = |time: f64| (layout.width() - layout.choose(290.0, 8.0)) * time / longest;
-    let pitch = layout.choose(52.0, 108.0);
-    let mut svg = chart.sheet(layout, 34.0 + pitch * races.len() as f64);
-    let left = layout.choose(12.0, 4.0);
-    let unit = layout.choose(
-        "milliseconds for a picture 3840 pixels wide",
-        "milliseconds",
-    );
-    let title = format!("{unit}: {title}");
-    svg.small_label("faint", DVec2::new(left, 20.0), Anchor::Start, &title);
-    let (aside, anchor, heights) = layout.choose(
-        (DVec2::new(-10.0, 24.0), Anchor::End, [0.0, 19.0]),
-        (DVec2::new(0.0, 16.0), Anchor::Start, [20.0, 57.0]),
-    );
+        .flat_map(|it| [it.cpp_median_ms, it.rust_median_ms]);
+    let longest = times.fold(1.0, f64::max);
+    let mut svg = chart.sheet(40.0 + PITCH * races.len() as f64);
+    let at = |y| DVec2::new(4.0, y);
+    let title = format!("milliseconds: {title}");
+    svg.small_label("faint", at(18.0), Anchor::Start, &title);
     for (race, place) in races.iter().zip(0..) {
-        let corner = DVec2::new(layout.choose(132.0, left), 38.0 + pitch * f64::from(place));
-        svg.label("ink", corner + aside, anchor, &race.chapter);
+        let top = 46.0 + PITCH * f64::from(place);
+        svg.label("ink", at(top), Anchor::Start, &race.chapter);
         let (rust, cpp) = (race.rust_median_ms, race.cpp_median_ms);
-        let ours = format!("{rust:.0} Rust, {}", times(race.ratio()));
+        let ours = format!("{rust:.0} Rust, {}", times_as_fast(race.ratio()));
         let rival = format!("{cpp:.0} C++");
-        let two = [("ray", rust, ours), ("faint", cpp, rival)];
-        for ((idea, time, words), height) in two.into_iter().zip(heights) {
-            let from = corner + DVec2::new(0.0, height);
-            bar(&mut svg, layout, idea, from, length(time), &words);
+        for (idea, time, words, y) in [
+            ("ray", rust, ours, top + 17.0),
+            ("faint", cpp, rival, top + 17.0 + STEP),
+        ] {
+            svg.small_label("ink", at(y), Anchor::Start, &words);
+            let size = DVec2::new(WIDE * time / longest, 14.0);
+            svg.rect(&format!("{idea} solid"), at(y + 5.0), size);
         }
     }
     svg.finish()
 }
 
 /// How many times as fast, with as many digits as mean something.
-fn times(ratio: f64) -> String {
+fn times_as_fast(ratio: f64) -> String {
     let digits = usize::from(ratio < 9.95);
     format!("{ratio:.digits$} times as fast")
-}
-
-fn table(races: &[Race]) -> String {
-    let mut table = "\
-| picture | Rust, ms | C++, ms | C++ ÷ Rust |
-|---|---:|---:|---:|
-"
-    .to_owned();
-    for race in races {
-        let _ = writeln!(
-            table,
-            "| {} | {:.1} | {:.0} | {:.1} |",
-            race.chapter,
-            race.rust_median_ms,
-            race.cpp_median_ms,
-            race.ratio()
-        );
-    }
-    table
 }

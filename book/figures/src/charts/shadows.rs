@@ -1,10 +1,8 @@
 //! Heat maps: false shadows and light leaks, for each way to leave a surface and radius.
 
-use std::fmt::Write;
-
 use glam::DVec2;
 
-use super::chart::{Chart, Drawn, Layout};
+use super::chart::{Chart, Drawn, table};
 use super::heat::cell;
 use crate::number::{raised, short};
 use crate::records::Shadows;
@@ -49,9 +47,24 @@ fn draw(file: &str) -> Result<Drawn, String> {
     }
     let by_plain_test = |line: &&Line| line[0].tester != "exact";
     let drawn: Vec<&Line> = lines.iter().filter(by_plain_test).collect();
-    Ok(Drawn::new(table(&lines), |layout| {
-        heat_maps(layout, &drawn)
-    }))
+    let heads: Vec<String> = lines[0].iter().map(|row| power(row.level)).collect();
+    let name = "false shadows and light leaks per million, at".to_owned();
+    let row = |line: &Line| {
+        let (first, precision) = (&line[0], line[0].precision.name());
+        let name = format!("`{}`, {precision}, by `{}`", first.leaving, first.tester);
+        let counts = line.iter().map(|row| {
+            let [dark, light] = MAPS.map(|(_, count)| short(count(row)));
+            format!("{dark}, {light}")
+        });
+        [name].into_iter().chain(counts).collect()
+    };
+    let maps = MAPS.into_iter().zip(1..);
+    Ok(Drawn {
+        panels: maps
+            .map(|((title, count), place)| heat_map(place, title, count, &drawn))
+            .collect(),
+        table: table(1, &[vec![name], heads].concat(), lines.iter().map(row)),
+    })
 }
 
 /// What a heat map is of.
@@ -64,34 +77,22 @@ const MAPS: [(&str, Count); 2] = [
 
 const HIGH: f64 = 24.0;
 
-/// Beside each other, or each below the other.
-fn heat_maps(layout: Layout, lines: &[&Line]) -> String {
-    let pitch = layout.choose(HIGH, HIGH + 18.0);
-    let height = 56.0 + pitch * lines.len() as f64;
-    let mut svg = CHART.sheet(layout, layout.choose(1.0, 2.0) * height + 12.0);
-    let corners = layout.choose([(146.0, 0.0), (436.0, 0.0)], [(1.0, 0.0), (1.0, height)]);
-    for (n, ((title, count), corner)) in MAPS.into_iter().zip(corners).enumerate() {
-        let corner = DVec2::from(corner);
-        let wide = layout.choose(284.0, 338.0) / lines[0].len() as f64;
-        let words = format!("{title}, of 1000");
-        svg.small_label("ink", corner + DVec2::new(0.0, 20.0), Anchor::Start, &words);
-        for (place, row) in (0_u32..).zip(lines[0]).step_by(2) {
-            let middle = DVec2::new(wide * (f64::from(place) + 0.5), 44.0);
-            svg.small_label("faint", corner + middle, Anchor::Middle, &power(row.level));
-        }
-        let is_named = n == 0 || layout == Layout::Narrow;
-        for (place, line) in (0_u32..).zip(lines) {
-            let below = corner + DVec2::new(0.0, 50.0 + pitch * f64::from(place + 1));
-            map_line(&mut svg, below - DVec2::new(0.0, HIGH), wide, line, count);
-            if is_named {
-                let name = format!("{}, {}", line[0].leaving, line[0].precision.name());
-                let (by, anchor) = layout.choose(
-                    ((-8.0, -9.0), Anchor::End),
-                    ((0.0, -HIGH - 5.0), Anchor::Start),
-                );
-                svg.small_label("ink", below + DVec2::from(by), anchor, &name);
-            }
-        }
+fn heat_map(place: usize, title: &str, count: Count, lines: &[&Line]) -> String {
+    let pitch = HIGH + 18.0;
+    let mut svg = CHART.panel(place, title, 68.0 + pitch * lines.len() as f64);
+    let wide = 398.0 / lines[0].len() as f64;
+    let words = format!("{title}, of 1000");
+    svg.small_label("ink", DVec2::new(1.0, 20.0), Anchor::Start, &words);
+    for (place, row) in (0_u32..).zip(lines[0]).step_by(2) {
+        let middle = DVec2::new(1.0 + wide * (f64::from(place) + 0.5), 44.0);
+        svg.small_label("faint", middle, Anchor::Middle, &power(row.level));
+    }
+    for (place, line) in (0_u32..).zip(lines) {
+        let below = DVec2::new(1.0, 50.0 + pitch * f64::from(place + 1));
+        map_line(&mut svg, below - DVec2::new(0.0, HIGH), wide, line, count);
+        let name = format!("{}, {}", line[0].leaving, line[0].precision.name());
+        let above = below - DVec2::new(0.0, HIGH + 5.0);
+        svg.small_label("ink", above, Anchor::Start, &name);
     }
     svg.finish()
 }
@@ -115,33 +116,4 @@ fn power(level: i32) -> String {
         1 => "10".to_owned(),
         _ => format!("10{}", raised(level)),
     }
-}
-
-fn table(lines: &[Line]) -> String {
-    let mut table = "| false shadows and light leaks per million, at |".to_owned();
-    for row in &lines[0] {
-        let _ = write!(table, " {} |", power(row.level));
-    }
-    table += "\n|---|";
-    table += &"---:|".repeat(lines[0].len());
-    table.push('\n');
-    for line in lines {
-        let Shadows {
-            leaving,
-            precision,
-            tester,
-            ..
-        } = &line[0];
-        let _ = write!(
-            table,
-            "| `{leaving}`, {}, by `{tester}` |",
-            precision.name()
-        );
-        for row in line {
-            let [dark, light] = MAPS.map(|(_, count)| short(count(row)));
-            let _ = write!(table, " {dark}, {light} |");
-        }
-        table.push('\n');
-    }
-    table
 }

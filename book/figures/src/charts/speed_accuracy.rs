@@ -1,15 +1,12 @@
 //! A scatter plot with its Pareto front: speed against accuracy.
 
-use std::fmt::Write;
-
 use glam::DVec2;
 use speed_vs_accuracy::find_regime;
 
-use super::axes::{Axis, Panel};
-use super::chart::{Chart, Drawn, Layout};
+use super::chart::{Chart, Drawn, size, table};
 use super::labels::{Labels, Place};
-use super::legend;
-use super::methods::{Measured, Point, read};
+use super::methods::{Measured, Point, legend, read};
+use super::panel::{Measure, Panel};
 use crate::number::short;
 use crate::records::{Accuracy, Timing};
 use crate::svg::{Anchor, Svg};
@@ -36,11 +33,11 @@ pub(super) const BOOK: Chart = Chart {
     draw: |files| {
         let all = read(files[0], files[1])?;
         let shown = of_regime(&all, "book");
-        let points = points(&shown);
-        Ok(Drawn::new(table(&shown), |layout| {
-            let svg = BOOK.sheet(layout, layout.choose(500.0, 760.0));
-            one_panel(svg, layout, DIGITS, CONFUSED, &points)
-        }))
+        let svg = BOOK.sheet(720.0);
+        Ok(Drawn {
+            panels: vec![one_panel(svg, DIGITS, CONFUSED, &points(&shown))],
+            table: numbers(&shown),
+        })
     },
 };
 
@@ -62,28 +59,21 @@ pub(super) const REGIMES: Chart = Chart {
                 regimes.push(&one.accuracy.regime);
             }
         }
-        let situations: Vec<Situation> = regimes
-            .iter()
-            .map(|regime| Situation {
-                title: find_regime(regime).map_or(*regime, |regime| regime.title),
-                shown: of_regime(&all, regime),
-            })
-            .collect();
-        let shown: Vec<Measured> = situations
-            .iter()
-            .flat_map(|one| one.shown.clone())
-            .collect();
-        Ok(Drawn::new(table(&shown), |layout| {
-            many_panels(layout, &situations, &all)
-        }))
+        let mut panels = Vec::new();
+        let mut rows = Vec::new();
+        let points_of_all = points(&all);
+        for (n, regime) in regimes.into_iter().enumerate() {
+            let shown = of_regime(&all, regime);
+            let title = find_regime(regime).map_or(regime, |regime| regime.title);
+            panels.push(small_panel(n, title, &points(&shown), &points_of_all));
+            rows.extend(shown);
+        }
+        Ok(Drawn {
+            panels,
+            table: numbers(&rows),
+        })
     },
 };
-
-/// A regime, and what was measured in it.
-struct Situation<'a> {
-    title: &'a str,
-    shown: Vec<Measured>,
-}
 
 /// A chart of one scene, as a drawing for a wide page: how long a question takes, and
 /// how many digits of the hit point are right where it is worst. A cross means wrong
@@ -93,41 +83,66 @@ pub fn scene_chart(name: &str, shown: &[Point]) -> String {
     let description = "A point for each method: how long a question takes, from left to right, and \
         how many digits of the worst hit point are right, upwards. A method with wrong pixels has a \
         cross. A line joins the methods that no other beats in both.";
-    let size = DVec2::new(Layout::Wide.width(), 500.0);
-    let svg = Svg::new("drawing", "scene", &title, description, size);
+    let svg = Svg::new("scene", &title, description, size(720.0));
     let digits = "digits of the worst hit point that are right";
-    one_panel(svg, Layout::Wide, digits, "has wrong pixels", shown)
+    one_panel(svg, digits, "has wrong pixels", shown)
 }
 
-fn one_panel(mut svg: Svg, layout: Layout, digits: &str, wrong: &str, shown: &[Point]) -> String {
-    let top = 50.0 + legend::methods(&mut svg, layout, wrong);
-    let corner = DVec2::new(layout.choose(40.0, 28.0), top);
-    let size = DVec2::new(
-        layout.width() - layout.choose(60.0, 46.0),
-        layout.choose(380.0, 600.0),
-    );
-    Plot::new(digits, corner, size, shown, shown)
-        .in_detail()
-        .draw(&mut svg);
+fn one_panel(mut svg: Svg, digits: &str, wrong: &str, shown: &[Point]) -> String {
+    let top = 50.0 + legend(&mut svg, wrong);
+    let corner = DVec2::new(28.0, top);
+    let size = DVec2::new(354.0, 676.0 - top);
+    // More room for the fast ones: what is much slower stands at the right edge.
+    let slowest = 8.0 * shown.iter().map(|one| one.ns).fold(f64::INFINITY, f64::min);
+    let plot = Plot {
+        panel: panel(
+            digits,
+            corner,
+            size,
+            shown.iter().map(|one| one.ns.min(slowest)),
+        ),
+        shown,
+        front: front(shown),
+        slowest,
+        name_all: true,
+    };
+    plot.draw(&mut svg);
     svg.finish()
 }
 
-/// The panels in as many columns as there is room for.
-fn many_panels(layout: Layout, situations: &[Situation], all: &[Measured]) -> String {
-    let columns = layout.choose(2, 1);
-    let rows = situations.len().div_ceil(columns);
-    let mut svg = REGIMES.sheet(layout, layout.choose(40.0, 80.0) + 290.0 * rows as f64);
-    let top = 80.0 + legend::methods(&mut svg, layout, CONFUSED);
-    let all = points(all);
-    for (n, Situation { title, shown }) in situations.iter().enumerate() {
-        let place = DVec2::new((n % columns) as f64, (n / columns) as f64);
-        let corner = DVec2::new(layout.choose(40.0, 28.0), top) + DVec2::new(360.0, 290.0) * place;
-        let above = DVec2::new(corner.x - 24.0, corner.y - 32.0);
-        svg.label("ink", above, Anchor::Start, title);
-        let size = DVec2::new(layout.choose(300.0, 294.0), 180.0);
-        Plot::new(DIGITS, corner, size, &points(shown), &all).draw(&mut svg);
-    }
+/// A situation on scales that are wide enough for `all`; the marks are explained in the first.
+fn small_panel(n: usize, title: &str, shown: &[Point], all: &[Point]) -> String {
+    let mut svg = match n {
+        0 => REGIMES.panel(1, title, 334.0),
+        _ => REGIMES.panel(n + 1, title, 296.0),
+    };
+    let top = if n == 0 {
+        56.0 + legend(&mut svg, CONFUSED)
+    } else {
+        56.0
+    };
+    svg.label("ink", DVec2::new(4.0, top - 34.0), Anchor::Start, title);
+    let (corner, size) = (DVec2::new(28.0, top), DVec2::new(354.0, 196.0));
+    let plot = Plot {
+        panel: panel(DIGITS, corner, size, all.iter().map(|one| one.ns)),
+        shown,
+        front: front(shown),
+        slowest: f64::INFINITY,
+        name_all: false,
+    };
+    plot.draw(&mut svg);
     svg.finish()
+}
+
+fn panel(
+    digits: &str,
+    corner: DVec2,
+    size: DVec2,
+    times: impl Iterator<Item = f64> + Clone,
+) -> Panel {
+    let times = Measure::logarithmic("nanoseconds for one test", times);
+    let digits = Measure::linear(digits, -1.0, 17.0, 4.0);
+    Panel::new(corner, size, times, digits)
 }
 
 fn points(shown: &[Measured]) -> Vec<Point> {
@@ -151,37 +166,7 @@ struct Plot<'a> {
     name_all: bool,
 }
 
-impl<'a> Plot<'a> {
-    /// The methods `shown`, by the digits of `what`, on scales that are wide enough for
-    /// `all`.
-    fn new(what: &str, corner: DVec2, size: DVec2, shown: &'a [Point], all: &[Point]) -> Self {
-        let title = "nanoseconds for one test";
-        let nanoseconds = all.iter().map(|one| one.ns);
-        Self {
-            panel: Panel {
-                corner,
-                size,
-                x: Axis::logarithmic(title, nanoseconds),
-                y: Axis::linear(what, -1.0, 17.0, 4.0),
-            },
-            shown,
-            front: front(shown),
-            slowest: f64::INFINITY,
-            name_all: false,
-        }
-    }
-
-    /// Leaves more room for the fast ones, and names every method.
-    fn in_detail(mut self) -> Self {
-        let times = || self.shown.iter().map(|one| one.ns);
-        let slowest = 8.0 * times().fold(f64::INFINITY, f64::min);
-        let fast = times().map(|time| time.min(slowest));
-        self.panel.x = Axis::logarithmic(&self.panel.x.title, fast);
-        self.slowest = slowest;
-        self.name_all = true;
-        self
-    }
-
+impl Plot<'_> {
     fn at(&self, one: &Point) -> DVec2 {
         let shown = one.ns.min(self.slowest);
         self.panel.at(shown, one.digits)
@@ -204,7 +189,12 @@ impl<'a> Plot<'a> {
             .map(|one| Place::around(self.at(one), 6.0));
         let (corner, size) = (self.panel.corner, self.panel.size);
         let room = Place::new(corner - DVec2::new(0.0, 8.0), size + DVec2::new(16.0, 8.0));
-        self.draw_methods(svg, Labels::new(room, along.collect(), marks.collect()));
+        let labels = Labels {
+            room,
+            lines: along.collect(),
+            taken: marks.collect(),
+        };
+        self.draw_methods(svg, labels);
     }
 
     /// The two lines that meet in `half_b`.
@@ -273,24 +263,26 @@ fn steps(points: impl Iterator<Item = DVec2>) -> Vec<DVec2> {
     stairs
 }
 
-fn table(shown: &[Measured]) -> String {
-    let mut table = "\
-| situation | method | ns | ÷ half_b | digits | ulps, 99.9 % | ✗ per million |
-|---|---|---:|---:|---:|---:|---:|
-"
-    .to_owned();
-    for one in shown {
-        let _ = writeln!(
-            table,
-            "| {} | `{}` | {:.2} | {:.2} | {:.1} | {} | {} |",
+fn numbers(shown: &[Measured]) -> String {
+    let heads = [
+        "situation",
+        "method",
+        "ns",
+        "÷ half_b",
+        "digits",
+        "ulps, 99.9 %",
+        "✗ per million",
+    ];
+    let row = |one: &Measured| {
+        vec![
             one.accuracy.regime.replace('_', " "),
-            one.method(),
-            one.time.median_ns,
-            one.time.ratio,
-            one.digits(),
+            format!("`{}`", one.method()),
+            format!("{:.2}", one.time.median_ns),
+            format!("{:.2}", one.time.ratio),
+            format!("{:.1}", one.digits()),
             one.accuracy.p999_ulps.map_or("none".to_owned(), short),
-            short(one.accuracy.wrong_per_million)
-        );
-    }
-    table
+            short(one.accuracy.wrong_per_million),
+        ]
+    };
+    table(2, &heads.map(str::to_owned), shown.iter().map(row))
 }

@@ -1,18 +1,18 @@
 //! Line charts: digits that are left, against distance and closeness to a tangent.
 
-use std::fmt::Write;
-
 use glam::DVec2;
 use speed_vs_accuracy::{Method, Precision};
 
-use super::axes::{Axis, Panel};
-use super::chart::{Chart, Drawn, Layout};
+use super::chart::{Chart, Drawn, table};
 use super::labels::spread;
 use super::methods::{cross, digits, idea};
+use super::panel::{Measure, Panel};
+use crate::axis::ticks;
 use crate::number::{raised, short};
 use crate::records::Level;
-use crate::svg::{Anchor, SMALL, Svg};
+use crate::svg::{Anchor, Svg};
 use crate::table::{Record, Table};
+use crate::text::SMALL;
 
 const FILES: &[&str] = &[Level::FILE];
 
@@ -71,46 +71,35 @@ struct Line {
 
 fn draw(chart: &Chart, file: &str, regime: &str, title: &str, ten: &str) -> Result<Drawn, String> {
     let lines = read(file, regime)?;
-    Ok(Drawn::new(table(&lines, ten), |layout| {
-        panels(layout, chart, &lines, title, ten)
-    }))
-}
-
-fn panels(layout: Layout, chart: &Chart, lines: &[Line], title: &str, ten: &str) -> String {
-    let mut svg = chart.sheet(layout, layout.choose(400.0, 790.0));
-    explain(&mut svg, layout);
-    let [double, single] =
-        layout.choose([(40.0, 60.0), (404.0, 60.0)], [(28.0, 80.0), (28.0, 450.0)]);
-    for (precision, corner, width) in [
-        (Precision::Double, double, 190.0),
-        (Precision::Single, single, 140.0),
-    ] {
+    let panels = [Precision::Double, Precision::Single].map(|precision| {
         let is_drawn = |line: &&Line| line.precision == precision && line.is_drawn();
         let shown: Vec<&Line> = lines.iter().filter(is_drawn).collect();
-        let panel = Panel {
-            corner: corner.into(),
-            size: DVec2::new(width, 290.0),
-            x: axis(title, &shown, ten),
-            y: Axis::linear(precision.name(), 0.0, 16.0, 4.0),
-        };
-        panel.draw(&mut svg);
-        plot(&mut svg, &panel, &shown);
-    }
+        draw_panel(chart, precision, &shown, levels(title, &shown, ten))
+    });
+    Ok(Drawn {
+        panels: panels.into(),
+        table: numbers(&lines, ten),
+    })
+}
+
+fn draw_panel(chart: &Chart, precision: Precision, lines: &[&Line], levels: Measure) -> String {
+    let name = precision.name();
+    let mut svg = chart.panel(1 + precision as usize, name, 420.0);
+    let at = DVec2::new(12.0, 16.0);
+    cross(&mut svg, at);
+    let words = "from here on, it confuses hits and misses";
+    svg.small_label("ink", at + DVec2::new(14.0, 4.5), Anchor::Start, words);
+    let title = format!("{name}: digits of *t* that are right, in 999 of 1000 hits");
+    let digits = Measure::linear(&title, 0.0, 16.0, 4.0);
+    let (corner, size) = (DVec2::new(28.0, 62.0), DVec2::new(196.0, 310.0));
+    let panel = Panel::new(corner, size, levels, digits);
+    panel.draw(&mut svg);
+    plot(&mut svg, &panel, lines);
     svg.finish()
 }
 
-fn explain(svg: &mut Svg, layout: Layout) {
-    let words = "digits of *t* that are right, in 999 of 1000 hits";
-    let x = layout.choose(16.0, 4.0);
-    svg.small_label("faint", DVec2::new(x, 20.0), Anchor::Start, words);
-    let at: DVec2 = layout.choose((424.0, 15.5), (12.0, 37.5)).into();
-    cross(svg, at);
-    let words = "from here on, it confuses hits and misses";
-    svg.small_label("ink", at + DVec2::new(14.0, 4.5), Anchor::Start, words);
-}
-
 /// All levels of `lines`, with some of them marked.
-fn axis(title: &str, lines: &[&Line], ten: &str) -> Axis {
+fn levels(title: &str, lines: &[&Line], ten: &str) -> Measure {
     let levels = lines.iter().flat_map(|line| &line.levels);
     let last = levels.map(|row| row.level).fold(1, i32::max);
     let step = match last {
@@ -118,9 +107,11 @@ fn axis(title: &str, lines: &[&Line], ten: &str) -> Axis {
         9..13 => 3,
         _ => 5,
     };
-    let marked = (0..=last).step_by(step);
-    let ticks = marked.map(|level| (f64::from(level), power(ten, level)));
-    Axis::linear(title, 0.0, f64::from(last), 1.0).with_ticks(ticks.collect())
+    let marked = (0..=last).step_by(step).map(f64::from);
+    Measure {
+        ticks: ticks(marked, |level| power(ten, level as i32)),
+        ..Measure::linear(title, 0.0, f64::from(last), 1.0)
+    }
 }
 
 /// Draws the lines, and their names beside the panel, in the order in which the
@@ -141,24 +132,16 @@ fn plot(svg: &mut Svg, panel: &Panel, lines: &[&Line]) {
     }
     ends.sort_by(|one, other| one.0.y.total_cmp(&other.0.y));
     let heights: Vec<f64> = ends.iter().map(|end| end.0.y).collect();
-    let edge = panel.corner.x + panel.size.x;
-    let places = spread(
-        &heights,
-        SMALL + 4.0,
-        panel.corner.y - 6.0,
-        panel.corner.y + panel.size.y,
-    );
+    let (top, low) = (panel.corner.y - 6.0, panel.corner.y + panel.size.y);
+    let places = spread(&heights, SMALL + 4.0, top, low);
     for ((end, line), y) in ends.into_iter().zip(places) {
-        svg.line("faint thin", end, DVec2::new(edge + 12.0, y));
+        let beside = DVec2::new(panel.corner.x + panel.size.x + 12.0, y);
+        svg.line("faint thin", end, beside);
         if line.first_wrong().is_some() {
-            cross(svg, DVec2::new(edge + 20.0, y));
+            cross(svg, beside + DVec2::new(8.0, 0.0));
         }
-        svg.small_label(
-            line.idea(),
-            DVec2::new(edge + 28.0, y + 4.0),
-            Anchor::Start,
-            &line.method,
-        );
+        let name = beside + DVec2::new(16.0, 4.0);
+        svg.small_label(line.idea(), name, Anchor::Start, &line.method);
     }
 }
 
@@ -219,33 +202,33 @@ fn read(file: &str, regime: &str) -> Result<Vec<Line>, String> {
     Ok(lines)
 }
 
-fn table(lines: &[Line], ten: &str) -> String {
+fn numbers(lines: &[Line], ten: &str) -> String {
     let longest = lines.iter().max_by_key(|line| line.levels.len());
-    let levels = longest.iter().flat_map(|line| &line.levels);
-    let levels: Vec<i32> = levels.map(|row| row.level).collect();
-    let mut table = format!("| digits right, at {ten}ᵏ; ✗ wrong decisions per million |");
-    for level in &levels {
-        let _ = write!(table, " k = {level} |");
-    }
-    table += "\n|---|";
-    table += &"---:|".repeat(levels.len());
-    table.push('\n');
-    for line in lines {
-        let _ = write!(table, "| `{}` |", line.method);
-        for level in &levels {
+    let levels: Vec<i32> = longest
+        .iter()
+        .flat_map(|line| &line.levels)
+        .map(|row| row.level)
+        .collect();
+    let mut heads = vec![format!(
+        "digits right, at {ten}ᵏ; ✗ wrong decisions per million"
+    )];
+    heads.extend(levels.iter().map(|level| format!("k = {level}")));
+    let row = |line: &Line| {
+        let mut row = vec![format!("`{}`", line.method)];
+        row.extend(levels.iter().map(|level| {
             let row = line.levels.iter().find(|row| row.level == *level);
-            table += &row.map_or(" |".to_owned(), field);
-        }
-        table.push('\n');
-    }
-    table
+            row.map_or(String::new(), cell)
+        }));
+        row
+    };
+    table(1, &heads, lines.iter().map(row))
 }
 
-fn field(row: &Level) -> String {
+fn cell(row: &Level) -> String {
     let digits = right_digits(row);
     match row.wrong_per_million {
-        0.0 => format!(" {digits:.1} |"),
-        wrong => format!(" {digits:.1}, ✗ {} |", short(wrong)),
+        0.0 => format!("{digits:.1}"),
+        wrong => format!("{digits:.1}, ✗ {}", short(wrong)),
     }
 }
 

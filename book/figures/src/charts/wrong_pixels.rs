@@ -1,15 +1,14 @@
 //! A heat map: wrong pixels, scene by scene and method by method.
 
-use std::fmt::Write;
-
 use glam::DVec2;
 use speed_vs_accuracy::Precision;
 
-use super::chart::{Chart, Drawn, Layout};
+use super::chart::{Chart, Drawn, table};
 use super::heat::cell;
 use crate::records::{Timing, WrongPixels};
-use crate::svg::{Anchor, SMALL, width};
+use crate::svg::{Anchor, Svg};
 use crate::table::{Record, Table};
+use crate::text::{SMALL, width};
 
 /// A heat map.
 pub(super) const CHART: Chart = Chart {
@@ -49,62 +48,74 @@ fn draw(scenes: &str, timings: &str) -> Result<Drawn, String> {
             .unwrap_or(f64::INFINITY)
     };
     methods.sort_by(|one, other| time(one).total_cmp(&time(other)));
-    Ok(Drawn::new(table(&cells, &names, &methods), |layout| {
-        heat_map(layout, &cells, &names, &methods)
-    }))
+    let names: Vec<String> = names.iter().map(|name| name.replace('_', " ")).collect();
+    // A line of cells for each method, in the order of the scenes.
+    let of = |(method, _): &Method| -> Vec<&WrongPixels> {
+        cells.iter().filter(|cell| cell.method == *method).collect()
+    };
+    let lines: Vec<_> = methods.iter().map(of).collect();
+    let heads = [vec!["wrong pixels".to_owned()], names.clone()].concat();
+    let rows = lines.iter().map(|line| {
+        let counts = line
+            .iter()
+            .map(|it| format!("{} of {}", it.wrong, it.pixels));
+        let name = format!("`{}`", line[0].method);
+        [name].into_iter().chain(counts).collect()
+    });
+    Ok(Drawn {
+        table: table(1, &heads, rows),
+        panels: vec![heat_map(&names, &lines)],
+    })
 }
 
-fn find<'a>(cells: &'a [WrongPixels], scene: &str, method: &str) -> Option<&'a WrongPixels> {
-    let is_wanted = |cell: &&WrongPixels| cell.scene == scene && cell.method == method;
-    cells.iter().find(is_wanted)
-}
+/// Where the first line of cells is, the height of a cell, and from one line to the next:
+/// between them stands the name of the method.
+const TOP: f64 = 74.0;
+const HIGH: f64 = 24.0;
+const PITCH: f64 = 42.0;
 
-fn heat_map(
-    layout: Layout,
-    cells: &[WrongPixels],
-    scenes: &[String],
-    methods: &[Method],
-) -> String {
-    let (top, high) = (62.0, 24.0);
-    // Names stand before their row, or where that takes too much room above it.
-    let (left, right, pitch) = layout.choose((166.0, 12.0, high), (1.0, 0.0, high + 18.0));
-    let wide = (layout.width() - left - right) / scenes.len() as f64;
-    let mut svg = CHART.sheet(layout, top + pitch * methods.len() as f64 + 12.0);
+fn heat_map(scenes: &[String], lines: &[Vec<&WrongPixels>]) -> String {
+    let wide = 398.0 / scenes.len() as f64;
+    let mut svg = CHART.sheet(TOP + PITCH * lines.len() as f64);
     let title = "pixels of 1000 that differ from the exact picture";
-    svg.small_label("faint", DVec2::new(12.0, 20.0), Anchor::Start, title);
-    for (column, scene) in scenes.iter().enumerate() {
-        let x = left + wide * column as f64;
-        let words = scene.replace('_', " ");
-        let half = 0.5 * width(&words, SMALL);
-        let middle = (x + 0.5 * wide).min(layout.width() - half);
-        // Narrow columns have their names on two lines in turn.
-        let up = layout.choose(0.0, 15.0 * (column % 2) as f64);
-        let at = DVec2::new(middle, top - 8.0 - up);
-        svg.small_label("ink", at, Anchor::Middle, &words);
-        let mut found = Vec::new();
-        for (row, (method, precision)) in methods.iter().enumerate() {
-            let corner = DVec2::new(x, top + pitch * (row + 1) as f64 - high);
-            let Some(shown) = find(cells, scene, method) else {
-                continue;
-            };
-            let size = DVec2::new(wide - 3.0, high - 3.0);
-            let wrong = shown.wrong as f64 / shown.pixels as f64;
-            cell(&mut svg, corner, size, wrong, &per_thousand(wrong));
-            if shown.wrong == 0 && !found.contains(precision) {
-                svg.rect("certain bold", corner, size);
-                found.push(*precision);
-            }
-        }
+    svg.small_label("faint", DVec2::new(1.0, 16.0), Anchor::Start, title);
+    for (scene, column) in scenes.iter().zip(0_u8..) {
+        let half = 0.5 * width(scene, SMALL);
+        let middle = (1.0 + wide * (f64::from(column) + 0.5)).min(400.0 - half);
+        // On two lines in turn, since columns are narrow.
+        let y = TOP - 24.0 - 15.0 * f64::from(column % 2);
+        svg.small_label("ink", DVec2::new(middle, y), Anchor::Middle, scene);
     }
-    for (row, (method, _)) in methods.iter().enumerate() {
-        let below = top + pitch * (row + 1) as f64;
-        let (at, anchor) = layout.choose(
-            (DVec2::new(left - 10.0, below - 9.0), Anchor::End),
-            (DVec2::new(left, below - high - 5.0), Anchor::Start),
-        );
-        svg.small_label("ink", at, anchor, method);
+    let mut found = Vec::new();
+    for (line, row) in lines.iter().zip(0_u8..) {
+        let left = DVec2::new(1.0, TOP + PITCH * f64::from(row));
+        let above = left - DVec2::new(0.0, 5.0);
+        svg.small_label("ink", above, Anchor::Start, &line[0].method);
+        draw_line(&mut svg, left, wide, line, &mut found);
     }
     svg.finish()
+}
+
+/// Draws the cells of a method, with a frame around the first in a precision that is right,
+/// unless its scene is `found` already.
+fn draw_line(
+    svg: &mut Svg,
+    left: DVec2,
+    wide: f64,
+    line: &[&WrongPixels],
+    found: &mut Vec<(String, Precision)>,
+) {
+    for (shown, column) in line.iter().zip(0_u8..) {
+        let corner = left + DVec2::new(wide * f64::from(column), 0.0);
+        let size = DVec2::new(wide - 3.0, HIGH - 3.0);
+        let wrong = shown.wrong as f64 / shown.pixels as f64;
+        cell(svg, corner, size, wrong, &per_thousand(wrong));
+        let least = (shown.scene.clone(), shown.precision);
+        if shown.wrong == 0 && !found.contains(&least) {
+            svg.rect("certain bold", corner, size);
+            found.push(least);
+        }
+    }
 }
 
 fn per_thousand(part: f64) -> String {
@@ -113,25 +124,4 @@ fn per_thousand(part: f64) -> String {
         few @ ..9.95 => format!("{few:.1}"),
         many => format!("{many:.0}"),
     }
-}
-
-fn table(cells: &[WrongPixels], scenes: &[String], methods: &[Method]) -> String {
-    let mut table = "| wrong pixels |".to_owned();
-    for scene in scenes {
-        let _ = write!(table, " {} |", scene.replace('_', " "));
-    }
-    table += "\n|---|";
-    table += &"---:|".repeat(scenes.len());
-    table.push('\n');
-    for (method, _) in methods {
-        let _ = write!(table, "| `{method}` |");
-        for scene in scenes {
-            let _ = match find(cells, scene, method) {
-                Some(cell) => write!(table, " {} of {} |", cell.wrong, cell.pixels),
-                None => write!(table, " |"),
-            };
-        }
-        table.push('\n');
-    }
-    table
 }

@@ -1,0 +1,15 @@
+//! What figures are made of, in one import: points and rays in a plane, axes, large pixels,
+//! labels off a dot, and what a reader drags.
+
+pub(crate) use common::rtweekend::*;
+pub(crate) use glam::DVec2;
+
+pub(crate) use crate::axis::{Axis, ticks};
+pub(crate) use crate::figure::Figure;
+pub(crate) use crate::live::{Answer, Handle, Live, point};
+pub(crate) use crate::number::{printed, raised, spoken, three_digits, triple};
+pub(crate) use crate::parameters::{Number, chosen, parameters};
+pub(crate) use crate::pixels::Frame;
+pub(crate) use crate::plane::{Plane, nearest, ray, xy};
+pub(crate) use crate::svg::Anchor::*;
+pub(crate) use crate::svg::Svg;
