@@ -158,7 +158,7 @@ impl Judged<'_> {
             return None;
         }
         let hidden = blind_spots::hidden(&right.scene, right.width);
-        let next = blind_spots::next(&right.scene, &hidden);
+        let next = blind_spots::next(&right.scene, right.width, &hidden);
         next.map(|next| Part::Next(Box::new(next)))
     }
 

@@ -3,8 +3,6 @@
 //! Found by drawing, like a diagnosis: a slip is hidden if its program draws the
 //! right picture to the last bit, at the very width that the reader drew.
 
-use std::iter;
-
 use slips::{Output, PROBES, Slip, Unseen};
 
 use crate::pixels::spread;
@@ -41,13 +39,14 @@ pub fn hidden(scene: &Scene, width: u32) -> Vec<&'static Slip> {
     slips.filter(can_be_wrong).filter(is_hidden).collect()
 }
 
-/// The picture that shows most of these mistakes, of equals the cheapest change.
-pub fn next(scene: &Scene, hidden: &[&'static Slip]) -> Option<Next> {
-    let own = scene.without_probe();
-    let probes = PROBES.map(|probe| (own.with_probe(probe), probe.width));
-    let all = iter::once((Some(own), own.chapter.book_width())).chain(probes);
+/// The picture that shows most of these mistakes after one so many pixels wide, of equals the
+/// cheapest change.
+pub fn next(scene: &Scene, width: u32, hidden: &[&'static Slip]) -> Option<Next> {
+    let (own, book) = (scene.without_probe(), scene.chapter.book_width());
+    let larger = (width < book && scene.probe.is_none()).then_some((own, book));
+    let probes = PROBES.map(|probe| Some((own.with_probe(probe)?, probe.width)));
+    let all = larger.into_iter().chain(probes.into_iter().flatten());
     let nexts = all.filter_map(|(scene, width)| {
-        let scene = scene?;
         let exam = Exam::new(scene, width);
         let shown = hidden.iter().copied().filter(|slip| !exam.hides(slip));
         let slips: Vec<&'static Slip> = shown.collect();

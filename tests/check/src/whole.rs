@@ -301,7 +301,7 @@ impl Evidence<'_> {
         };
         let hidden = blind_spots::hidden(self.scene, width).into_iter();
         let hidden: Vec<&'static Slip> = hidden.filter(|slip| may_be(slip)).collect();
-        let Some(next) = blind_spots::next(self.scene, &hidden) else {
+        let Some(next) = blind_spots::next(self.scene, width, &hidden) else {
             return verdict;
         };
         let command = next.scene.probe.map_or(String::new(), |probe| {

@@ -33,7 +33,7 @@ fn the_next_picture_shows_what_it_is_said_to_show() {
     for chapter in Chapter::OF_THE_BOOK {
         let own = scene(chapter, None);
         let mut hidden = blind_spots::hidden(&own, 60);
-        while let Some(next) = blind_spots::next(&own, &hidden) {
+        while let Some(next) = blind_spots::next(&own, 60, &hidden) {
             let draw = |slips: &[&Slip]| next.scene.program(slips).run(next.width).picture();
             for slip in &next.slips {
                 assert!(draw(&[slip]) != draw(&[]), "{chapter:?}: {}", slip.name);
@@ -70,7 +70,7 @@ fn after_a_probe_only_the_rest_is_left() {
 #[test]
 fn a_picture_that_is_too_small_is_to_be_drawn_as_large_as_in_the_book() {
     let own = scene(Chapter::Gradient, None);
-    let next = blind_spots::next(&own, &blind_spots::hidden(&own, 60)).expect("a picture");
+    let next = blind_spots::next(&own, 60, &blind_spots::hidden(&own, 60)).expect("a picture");
     assert_eq!((next.scene.probe, next.width), (None, 400));
 }
 

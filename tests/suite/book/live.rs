@@ -44,7 +44,7 @@ fn the_snapshot_has_what_is_said_of_a_live_picture() {
         (Chapter::Normals, None, 400, 0),
         (Chapter::Normals, Some("far-root"), 400, 13_000),
         (Chapter::Normals, Some("header-swapped"), 400, 1),
-        (Chapter::RedSphere, Some("radius-added"), 1, 0),
+        (Chapter::RedSphere, Some("radius-doubled"), 1, 0),
         (Chapter::HittableList, Some("first-hit-wins"), 400, 0),
         (Chapter::RedSphere, Some("oc-reversed"), 400, 0),
     ]
