@@ -194,7 +194,8 @@ fn ctrl_c_ends_what_is_checked_with_all_that_it_started() {
     use std::time::{Duration, Instant};
 
     let mut check = crate::terminal::hears_signals(path_of("rtrace"));
-    let script = "echo it runs >&2; sleep 60; true";
+    // The inner one says that it runs, so that there is one to be ended.
+    let script = "sh -c 'echo it runs >&2; exec sleep 60'; true";
     check.args(["check", "gradient", "--", "sh", "-c", script]);
     let piped = check.stdout(Stdio::null()).stderr(Stdio::piped());
     // A terminal sends it to the group that is in front.
