@@ -157,8 +157,7 @@ impl Judged<'_> {
         if right.levels > 0 {
             return None;
         }
-        let hidden = blind_spots::hidden(&right.scene, right.width);
-        let next = blind_spots::next(&right.scene, right.width, &hidden);
+        let next = blind_spots::next(&right.scene, right.width, |_| true);
         next.map(|next| Part::Next(Box::new(next)))
     }
 
@@ -167,8 +166,9 @@ impl Judged<'_> {
         let mut parts = Vec::new();
         if let Some(mistakes) = &finding.mistakes {
             parts.push(Part::Title(mistakes.title(pixels)));
-            if let [mistake] = &mistakes.all[..] {
-                parts.push(Part::Name(names_of(mistake)));
+            let single = finding.single();
+            if single.iter().any(|slip| !slip.name.is_empty()) {
+                parts.push(Part::Name(names_of(single)));
             }
         } else if finding.near.is_none() && finding.difference.is_some() {
             parts.extend(whereabouts(finding));

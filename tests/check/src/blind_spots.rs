@@ -19,31 +19,44 @@ pub struct Next {
     pub slips: Vec<&'static Slip>,
 }
 
-/// The mistakes that a right picture of `scene`, so many pixels wide, can't show. That of a
-/// probe follows the chapter's own at the book's width, so only the rest is left to it.
+/// The mistakes that a right picture of the chapter's own scene, so many pixels wide, can't
+/// show.
 ///
 /// Slips that change no picture and break no law are left out: a program with one of them is
 /// right.
 pub fn hidden(scene: &Scene, width: u32) -> Vec<&'static Slip> {
-    let book = || Exam::new(scene.without_probe(), scene.chapter.book_width());
-    let passed: Vec<Exam> = scene
-        .probe
-        .map(|_| book())
-        .into_iter()
-        .chain([Exam::new(*scene, width)])
-        .collect();
+    let exam = Exam::new(scene.without_probe(), width);
     let can_be_wrong =
         |slip: &&Slip| !matches!(slip.unseen_in(scene.chapter), Some(Unseen::Equivalent(_)));
-    let is_hidden = |slip: &&'static Slip| passed.iter().all(|exam| exam.hides(slip));
     let slips = slips::all().filter(|slip| slip.chapters.contains(&scene.chapter));
-    slips.filter(can_be_wrong).filter(is_hidden).collect()
+    let hidden = slips.filter(can_be_wrong).filter(|slip| exam.hides(slip));
+    hidden.collect()
 }
 
-/// The picture that shows most of these mistakes after one so many pixels wide, of equals the
-/// cheapest change.
-pub fn next(scene: &Scene, width: u32, hidden: &[&'static Slip]) -> Option<Next> {
+/// The picture to draw after the right one of `scene`, so many pixels wide, of those that show
+/// mistakes which may have been made. They follow each other in one order, so that no probe is
+/// asked for twice: the one that shows most of what is left comes first.
+pub fn next(scene: &Scene, width: u32, may_be: impl Fn(&Slip) -> bool) -> Option<Next> {
     let (own, book) = (scene.without_probe(), scene.chapter.book_width());
-    let larger = (width < book && scene.probe.is_none()).then_some((own, book));
+    let drawn = if scene.probe.is_some() { book } else { width };
+    let mut left = hidden(&own, drawn);
+    left.retain(|slip| may_be(slip));
+    let mut order = Vec::new();
+    while let Some(next) = most_telling(&own, drawn, &left) {
+        left.retain(|slip| next.slips.iter().all(|shown| shown.name != slip.name));
+        order.push(next);
+    }
+    let passed = order
+        .iter()
+        .position(|next| next.scene.probe == scene.probe);
+    let passed = passed.filter(|_| scene.probe.is_some());
+    order.into_iter().nth(passed.map_or(0, |at| at + 1))
+}
+
+/// The picture that shows most of these mistakes, of equals the cheapest change.
+fn most_telling(own: &Scene, drawn: u32, hidden: &[&'static Slip]) -> Option<Next> {
+    let book = own.chapter.book_width();
+    let larger = (drawn < book).then_some((*own, book));
     let probes = PROBES.map(|probe| Some((own.with_probe(probe)?, probe.width)));
     let all = larger.into_iter().chain(probes.into_iter().flatten());
     let nexts = all.filter_map(|(scene, width)| {
@@ -62,9 +75,13 @@ pub fn next(scene: &Scene, width: u32, hidden: &[&'static Slip]) -> Option<Next>
 }
 
 impl Next {
-    /// What to change in a program, on one line.
+    /// What to change in a program, on one line. A program may have its height as a number.
     pub fn change(&self) -> String {
-        self.scene.change(self.width).replace('\n', "; ")
+        let width = format!("image_width = {}", self.width);
+        let height = self.scene.height(self.width);
+        let both = format!("{width}, so that image_height is {height}");
+        let change = self.scene.change(self.width).replace('\n', "; ");
+        change.replacen(&width, &both, 1)
     }
 
     /// Why to draw it.

@@ -3,7 +3,7 @@
 use slips::{Chapter, Edition, PROBES, Slip};
 
 use crate::candidate::{Candidate, Conversion};
-use crate::known::{Evidence, Said};
+use crate::known::Evidence;
 use crate::scene::Scene;
 use crate::transplant;
 
@@ -54,8 +54,7 @@ pub(crate) fn singles<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Vec<Ca
     })
 }
 
-/// Programs with two slips, by version 4 and by the edition that comes nearest. Many pairs
-/// draw a picture by chance: where files are known, the line of one of the two is in them.
+/// Programs with two slips, by version 4 and by the edition that comes nearest.
 pub(crate) fn pairs<'a>(
     evidence: &'a Evidence,
     nearest: Edition,
@@ -64,13 +63,7 @@ pub(crate) fn pairs<'a>(
     let rights = rights.filter(move |it| [Edition::V4, nearest].contains(&it.scene.edition));
     rights.map(|right| {
         let slips: Vec<&'static Slip> = evidence.slips(&right.scene).collect();
-        let is_found = |slip: &Slip| {
-            let known = evidence.known;
-            known.sources.is_empty() || known.said(slip, &right.scene) == Said::Wrong
-        };
-        let is_found: Vec<bool> = slips.iter().map(|slip| is_found(slip)).collect();
         let all = (0..slips.len()).flat_map(|n| (n + 1..slips.len()).map(move |m| (n, m)));
-        let all = all.filter(|&(n, m)| is_found[n] || is_found[m]);
         all.map(|(n, m)| with(&right, vec![slips[n], slips[m]]))
             .collect()
     })

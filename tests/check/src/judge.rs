@@ -12,6 +12,7 @@ use crate::candidates::{elsewhere, pairs, rights, singles, typed};
 use crate::known::Evidence;
 use crate::pixels::spread;
 use crate::scene::Scene;
+use crate::words::names_of;
 use crate::{colors, edges};
 
 /// What explains a picture.
@@ -38,8 +39,8 @@ pub(crate) struct Fit {
     pub(crate) is_antialiased: bool,
 }
 
-/// A mistake may leave one pixel in so many, a right program more: whoever has changed a
-/// twentieth of a picture has drawn another one.
+/// A mistake may leave one pixel in so many, a right program more: a picture of which a
+/// twentieth was changed is another one.
 const FEW: usize = 200;
 const MANY: usize = 20;
 /// Where all is within a level, one in so many pixels may be off: single precision is.
@@ -50,6 +51,8 @@ const WORK: usize = 1_500_000;
 /// them another one may be off that is compared as well.
 const LOOK: u32 = 2000;
 const NEARLY: usize = 3;
+/// A part of a picture is one pixel in so many.
+const PART: usize = 8;
 /// More pairs than this that draw the same say nothing of any of them.
 const PAIRS: usize = 4;
 
@@ -66,15 +69,7 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
         return near(left);
     }
     let elsewhere = right_elsewhere(evidence).filter(|_| !left.is_nothing());
-    // A change was forgotten, or is still there: nobody else draws a picture that wide.
-    let is_forgotten = |scenes: &Vec<Scene>| {
-        let is_it = |scene: &Scene| match (evidence.scene.probe, scene.probe) {
-            (Some(_), other) => other.is_none(),
-            (None, other) => other.is_some_and(|probe| probe.width == reading.width),
-        };
-        scenes[0].chapter == evidence.scene.chapter && scenes.iter().any(is_it)
-    };
-    if let Some(scenes) = elsewhere.clone().filter(is_forgotten) {
+    if let Some(scenes) = elsewhere.clone().filter(|it| is_forgotten(evidence, it)) {
         return Explanation::Another(scenes);
     }
     if let Some(single) = mistake(evidence, &left) {
@@ -92,7 +87,19 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     let found = several()
         .or_else(|| antialiased(evidence))
         .or_else(|| in_own_colors(evidence).map(Explanation::Near));
-    found.unwrap_or(Explanation::Nothing(right))
+    found.unwrap_or_else(|| Explanation::Nothing(described_beside(evidence, right)))
+}
+
+/// The right program beside which a picture is described that nothing draws: the nearest, if a
+/// part of the picture is its own, or else the edition's that was asked for.
+fn described_beside(evidence: &Evidence, nearest: Candidate) -> Candidate {
+    let reading = evidence.reading;
+    let off = nearest.off_among(reading, LOOK).unwrap_or_default();
+    let looked = spread(LOOK, reading.pixels.len() as u32).count();
+    let is_like = PART * (looked - off) > looked;
+    let mut asked = rights(evidence).into_iter();
+    let asked = asked.next().filter(|_| !is_like);
+    asked.unwrap_or(nearest)
 }
 
 impl Fit {
@@ -123,13 +130,28 @@ fn nearest(evidence: &Evidence) -> (Candidate, Left) {
     let looked = rights.filter_map(|it| Some((it.far_among(reading, LOOK)?, it)));
     let looked: Vec<_> = looked.collect();
     let least = looked.iter().map(|(far, _)| *far).min().unwrap_or_default();
-    let likely = looked.into_iter().filter(|(far, _)| *far <= least + NEARLY);
+    let give = NEARLY.max(least / 4);
+    let likely = looked.into_iter().filter(|(far, _)| *far <= least + give);
     let most = reading.pixels.len() / MANY;
     let left = |it: &Candidate| it.left(reading, most).unwrap_or(Left::all(reading));
-    let measured = likely.map(|(_, it)| (left(&it), it));
-    let best = measured.min_by_key(|(left, _)| (left.far, left.off));
-    let (left, it) = best.expect("the scene was fitted to the picture");
+    let measured = likely.map(|(far, it)| (left(&it), far, it));
+    // Where nothing comes near, one in its own shape does.
+    let key = |(left, far, it): &(Left, usize, Candidate)| {
+        (left.far, left.off, it.scene.has_another_shape(), *far)
+    };
+    let best = measured.min_by_key(key);
+    let (left, _, it) = best.expect("the scene was fitted to the picture");
     (it, left)
+}
+
+/// Whether a change of scene was forgotten, or is still there: a picture as wide as a probe's is
+/// hardly another one.
+fn is_forgotten(evidence: &Evidence, scenes: &[Scene]) -> bool {
+    let is_it = |scene: &Scene| match (evidence.scene.probe, scene.probe) {
+        (Some(_), other) => other.is_none(),
+        (None, other) => other.is_some_and(|probe| probe.width == evidence.reading.width),
+    };
+    scenes[0].chapter == evidence.scene.chapter && scenes.iter().any(is_it)
 }
 
 /// The other scenes of which it is the very picture.
@@ -159,18 +181,26 @@ fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Scene>> {
 /// One mistake that explains what the right program leaves. Where the reader's files are
 /// known, one whose line is in them comes first, then a line that is not the chapter's.
 fn mistake(evidence: &Evidence, all: &Left) -> Option<Fit> {
-    let found = first(evidence, all, singles(evidence));
+    let mut found = first(evidence, all, singles(evidence));
     if evidence.known.sources.is_empty() {
         return found;
     }
-    let mut found = found;
     if let Some(fit) = &mut found
         && fit.candidates.iter().any(|it| evidence.is_found(it))
     {
         fit.candidates.retain(|it| evidence.is_found(it));
         return found;
     }
-    first(evidence, all, [typed(evidence)].into_iter()).or(found)
+    first(evidence, all, [typed(evidence)].into_iter())
+        .map(without_copies)
+        .or(found)
+}
+
+/// Each line of the reader's once, though it may stand in several places of the chapter.
+fn without_copies(mut fit: Fit) -> Fit {
+    let line = |it: &Candidate| names_of(&it.slips);
+    fit.candidates.dedup_by_key(|it| line(it));
+    fit
 }
 
 /// Two mistakes, if few pairs draw the very picture.
@@ -179,8 +209,13 @@ fn two_mistakes(evidence: &Evidence, nearest: &Candidate, all: &Left) -> Option<
     if evidence.reading.is_plain() {
         return None;
     }
-    let found = first(evidence, all, pairs(evidence, nearest.scene.edition));
-    found.filter(|it| it.candidates.len() <= PAIRS && !it.has_more)
+    let mut found = first(evidence, all, pairs(evidence, nearest.scene.edition))?;
+    // One of the two may stand in the reader's files.
+    let is_partly_found = |it: &Candidate| it.slips.iter().any(|slip| evidence.has_line(slip, it));
+    if found.candidates.iter().any(is_partly_found) {
+        found.candidates.retain(is_partly_found);
+    }
+    Some(found).filter(|it| it.candidates.len() <= PAIRS && !it.has_more)
 }
 
 /// The programs of the first group in which some draw the picture, but for odd pixels; or
@@ -213,9 +248,13 @@ fn least(evidence: &Evidence, group: Vec<Candidate>) -> Option<Fit> {
     let total = reading.pixels.len();
     let mut most = total / FEW;
     let mut best: Option<Fit> = None;
+    let mut least = 0;
     for (n, (off, it)) in likeliest(evidence, group, most).into_iter().enumerate() {
-        // What is off among some pixels is not exact.
-        if off > 0 && best.as_ref().is_some_and(|best| best.left.is_nothing()) {
+        // What is off in more of some pixels is off in more of all.
+        let give = best
+            .as_ref()
+            .map(|best| if best.left.is_nothing() { 0 } else { NEARLY });
+        if give.is_some_and(|give| off > least + give) {
             break;
         }
         if n > 0 && n * total > WORK {
@@ -231,7 +270,10 @@ fn least(evidence: &Evidence, group: Vec<Candidate>) -> Option<Fit> {
         match &mut best {
             Some(best) if best.left == left => best.candidates.push(it),
             Some(best) if best.left.off <= left.off => {}
-            _ => best = Some(Fit::of(it, left)),
+            _ => {
+                best = Some(Fit::of(it, left));
+                least = off;
+            }
         }
         most = most.min(left.off);
     }
@@ -280,8 +322,13 @@ fn hides(scene: &Scene, slips: &[&'static Slip]) -> bool {
 fn antialiased(evidence: &Evidence) -> Option<Explanation> {
     let reading = evidence.reading;
     let closest = |all: Vec<Candidate>| {
-        let found = all.into_iter().filter(|it| !evidence.is_refuted(it));
-        let found = found.filter_map(|it| Some((edges::mean_of(&it, reading)?, it)));
+        let found = all
+            .into_iter()
+            .filter(|it| edges::may_be_mean_of(it, reading));
+        let found = found.filter(|it| !evidence.is_refuted(it));
+        // No more than can be drawn soon.
+        let few = found.take(1 + WORK / reading.pixels.len());
+        let found = few.filter_map(|it| Some((edges::mean_of(&it, reading)?, it)));
         let found: Vec<_> = found.collect();
         let least = found.iter().map(|(mean, _)| mean.levels).min()?;
         let best = found.into_iter().filter(|(mean, _)| mean.levels == least);

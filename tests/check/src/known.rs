@@ -160,7 +160,11 @@ impl<'a> Evidence<'a> {
 
     /// Whether the wrong line of each of its slips stands in the reader's files.
     pub(crate) fn is_found(&self, it: &Candidate) -> bool {
-        let mut slips = it.slips.iter();
-        slips.all(|slip| self.known.said(slip, &it.scene) == Said::Wrong)
+        it.slips.iter().all(|slip| self.has_line(slip, it))
+    }
+
+    /// Whether the slip's wrong line does.
+    pub(crate) fn has_line(&self, slip: &Slip, it: &Candidate) -> bool {
+        self.known.said(slip, &it.scene) == Said::Wrong
     }
 }

@@ -299,9 +299,7 @@ impl Evidence<'_> {
             self.known.can_be_made(slip, self.scene)
                 && (self.known.answers).is_none_or(|unlike| unlike(&slip.program(chapter)).1 == 0)
         };
-        let hidden = blind_spots::hidden(self.scene, width).into_iter();
-        let hidden: Vec<&'static Slip> = hidden.filter(|slip| may_be(slip)).collect();
-        let Some(next) = blind_spots::next(self.scene, width, &hidden) else {
+        let Some(next) = blind_spots::next(self.scene, width, may_be) else {
             return verdict;
         };
         let command = next.scene.probe.map_or(String::new(), |probe| {

@@ -79,7 +79,7 @@ pub(crate) fn headline(said: &Headline, style: Style) -> String {
 
 fn told(part: &Part, style: Style) -> String {
     match part {
-        Part::Title(said) => format!("\n{}\n", style.bold(said)),
+        Part::Title(said) => format!("\n{}\n", style.bold(wrapped(said, "", "").trim_end())),
         Part::Name(name) => format!("  {}\n", style.bold(name)),
         Part::Rows(rows) => rows.iter().map(|it| row(it, style)).collect(),
         Part::Read(slip) => look(slip).map(|it| row(&it, style)).collect(),
@@ -89,8 +89,12 @@ fn told(part: &Part, style: Style) -> String {
 
 /// A label, and what it is about in as many lines as that takes.
 fn row((label, said): &Row, style: Style) -> String {
-    let label = format!("    {} ", style.dim(&format!("{label:<9}")));
-    wrapped(said, &label, &" ".repeat(14))
+    let shown = format!("    {} ", style.dim(&format!("{label:<9}")));
+    // A path stays on one line.
+    if ["read", "code"].contains(label) {
+        return format!("{shown}{said}\n");
+    }
+    wrapped(said, &shown, &" ".repeat(14))
 }
 
 fn probe(next: &Next) -> String {

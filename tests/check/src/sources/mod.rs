@@ -115,6 +115,14 @@ impl Sources {
 
     /// What they say of a slip: of a snippet in another one the longer counts.
     pub(crate) fn say(&self, words: &Words) -> Said {
+        // A cast, for example, is no token.
+        let same = |one: &[Token], other: &[Token]| {
+            let text = |it: &Token| it.text.clone();
+            one.iter().map(text).eq(other.iter().map(text))
+        };
+        if same(&tokens(&words.wrong), &tokens(&words.right)) {
+            return Said::Neither;
+        }
         // By another name the wrong line of one formula is the right one of another.
         let longest = |snippets: &str, free: &[&str]| {
             let snippets = self.snippets(snippets).into_iter();
@@ -125,7 +133,8 @@ impl Sources {
             longest(&words.wrong, &[]),
             longest(&words.right, &VARIABLES),
         ) {
-            (None, None) if self.have(&words.right) => Said::Right,
+            // By other names both may be there, and then neither is known.
+            (None, None) if self.have(&words.right) && !self.have(&words.wrong) => Said::Right,
             (None, None) => Said::Neither,
             // A line is wrong only in the place of one that could be found, and is no part of it.
             (Some(_), None) if !self.is_told_apart(words) => Said::Neither,

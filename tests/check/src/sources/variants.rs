@@ -215,14 +215,7 @@ impl Place<'_> {
             } else {
                 &own
             };
-            // In another language only what the reader has words for can be said.
-            let is_said = |it: &Token| !is_name(&it.text) || has(&it.text);
-            let can_be_said = part.file.name.ends_with(".rs") || own.iter().all(is_said);
-            let right = if can_be_said {
-                given + &part.file.said(own)
-            } else {
-                String::new()
-            };
+            let right = given + &part.file.said(own);
             // Who asks the other way round does so of the same thing.
             let turned = turned(&right).map(|right| (format!("!({with})"), right));
             let variants = [Some((with, right)), turned].into_iter().flatten();
@@ -231,7 +224,12 @@ impl Place<'_> {
                     at: self.at.clone(),
                     with,
                     wrong: part.line.clone(),
-                    right,
+                    // The chapter's line is in our Rust.
+                    right: if part.file.name.ends_with(".rs") {
+                        right
+                    } else {
+                        String::new()
+                    },
                 };
                 (self.function, variant)
             })

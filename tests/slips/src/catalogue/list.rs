@@ -73,6 +73,23 @@ pub(super) const SLIPS: &[Slip] = &[
             "closest_so_far = record.t; nearest = Some(record)",
         )
         .alters(|p| p.search = first_hit),
+    slip("stops-at-first-miss", HITTABLE_LIST, SEARCH)
+        .says(Words {
+            wrong: "if (!object.hit(…)) return false",
+            right: "an object that is missed is passed over",
+            why: "One object that is missed ends the search, so a ray hits only where it meets \
+                  all of them.",
+        })
+        .in_rust(
+            HITTABLE_LIST,
+            "else { return None",
+            "an object that is missed is passed over",
+        )
+        .in_python(
+            "if not object.hit(…): return False",
+            "an object that is missed is passed over",
+        )
+        .alters(|p| p.search = all_or_none),
     slip("farthest-wins", HITTABLE_LIST, SEARCH)
         .says(Words {
             wrong: "if (rec.t > closest_so_far)",
@@ -436,4 +453,15 @@ fn last_hit(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)>
 
 fn farthest_hit(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
     hits(program, balls, ray).max_by(|(t, _), (other, _)| t.total_cmp(other))
+}
+
+fn all_or_none(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
+    let mut found = None;
+    let mut closest_so_far = program.t_max;
+    for &ball in balls {
+        let t = program.hit(ball, ray, program.t_min, closest_so_far)?;
+        closest_so_far = t;
+        found = Some((t, ball));
+    }
+    found
 }
