@@ -3,40 +3,70 @@
 
 use common::rtweekend::*;
 use hittable_list::{HitRecord, Hittable, HittableList, Sphere};
-use laws::runner::holds;
-use laws::{nearer_root, strategies};
+use laws::list::{World, worlds};
+use laws::{config, strategies};
+use proptest::prelude::*;
 
-#[test]
-fn chapter_2_hits_exactly_when_chapter_3_has_a_root() {
-    holds(&strategies::anywhere(), |case| {
-        let decide =
-            |center, radius, ray: &Ray| red_sphere::hit_sphere(center, radius, ray).then_some(0.0);
-        nearer_root::it_hits_exactly_when_the_other_does(&decide, &normals::hit_sphere, case)
-    });
-}
+proptest! {
+    #![proptest_config(config())]
 
-#[test]
-fn half_b_is_the_full_formula_to_the_last_bit() {
-    holds(&strategies::anywhere(), |case| {
-        nearer_root::two_chapters_agree_to_the_last_bit(
-            &half_b_sphere::hit_sphere,
-            &normals::hit_sphere,
-            case,
-        )
-    });
-}
+    /// The same discriminant has the same sign, even where rounding decides.
+    #[test]
+    fn chapter_2_hits_exactly_when_chapter_3_has_a_root(case in strategies::anywhere()) {
+        let is_hit = red_sphere::hit_sphere(case.center, case.radius, &case.ray);
+        prop_assert_eq!(is_hit, case.solve(&normals::hit_sphere).is_some(), "{}", case);
+    }
 
-#[test]
-fn the_sphere_of_chapter_5_is_the_half_b_of_chapter_4_to_the_last_bit() {
-    // On the whole line, the nearest root is the nearer one.
-    let nearer = |center, radius, ray: &Ray| {
+    /// The factors 2 and 4 that half-b leaves out are powers of two: they never round.
+    #[test]
+    fn half_b_is_the_full_formula_to_the_last_bit(case in strategies::anywhere()) {
+        prop_assume!(case.is_well_scaled());
+        let [half_b, full] = [half_b_sphere::hit_sphere, normals::hit_sphere];
+        prop_assert_eq!(case.solve(&half_b), case.solve(&full), "{}", case);
+    }
+
+    /// On the whole line, the nearest root is the nearer one.
+    #[test]
+    fn the_sphere_of_chapter_5_is_the_half_b_of_chapter_4_to_the_last_bit(
+        case in strategies::anywhere(),
+    ) {
+        prop_assume!(case.is_well_scaled());
+        let sphere = Sphere::new(case.center, case.radius);
+        let hit = sphere.hit(&case.ray, f64::NEG_INFINITY, f64::INFINITY);
+        let t = hit.map(|hit| hit.t);
+        prop_assert_eq!(t, case.solve(&half_b_sphere::hit_sphere), "{}", case);
+    }
+
+    #[test]
+    fn a_list_of_one_is_that_one(world in worlds()) {
+        let (center, radius) = world.spheres[0];
         let sphere = Sphere::new(center, radius);
-        let hit = sphere.hit(ray, f64::NEG_INFINITY, f64::INFINITY);
-        hit.map(|hit| hit.t)
-    };
-    holds(&strategies::anywhere(), |case| {
-        nearer_root::two_chapters_agree_to_the_last_bit(&nearer, &half_b_sphere::hit_sphere, case)
-    });
+        prop_assert_eq!(nearest(&list(&world.spheres[..1]), &world), nearest(&sphere, &world));
+    }
+
+    /// Each sphere in a list with all that follow it.
+    #[test]
+    fn a_list_in_a_list_is_no_different(world in worlds()) {
+        let nested = world.spheres.iter().rfold(HittableList::default(), |inner, &sphere| {
+            let mut outer = list(&[sphere]);
+            outer.add(inner);
+            outer
+        });
+        prop_assert_eq!(nearest(&nested, &world), nearest(&list(&world.spheres), &world));
+    }
+}
+
+fn list(spheres: &[(Point3, f64)]) -> HittableList {
+    let mut list = HittableList::default();
+    for &(center, radius) in spheres {
+        list.add(Sphere::new(center, radius));
+    }
+    list
+}
+
+fn nearest(thing: &dyn Hittable, world: &World) -> Option<f64> {
+    let hit = thing.hit(&world.ray, world.t_min, world.t_max);
+    hit.map(|hit| hit.t)
 }
 
 #[test]

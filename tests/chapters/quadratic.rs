@@ -5,12 +5,10 @@
 
 use std::convert::identity;
 
-use ::hittable_list::{Hittable, HittableList, Sphere};
 use common::rtweekend::*;
-use laws::list::{self, World, worlds};
+use laws::camera::Pixel;
 use laws::prelude::Prelude;
-use laws::runner::{self, holds};
-use laws::trial::Outcome;
+use laws::trial::{Outcome, one_case};
 use laws::{Case, Chapter, Trial};
 
 use crate::more;
@@ -28,13 +26,15 @@ pub(crate) mod gradient {
 
     /// Every later chapter stands on these small functions.
     pub(crate) fn is_lawful() -> bool {
-        attempt(&Trial::default()).is_ok()
+        attempt(&Trial::of(Chapter::Gradient)).is_ok()
     }
 
     fn attempt(trial: &Trial) -> Outcome {
-        trial.prelude(&|asked| asked.put_to(&prelude()))?;
-        trial.height(&|width| Camera::new(width).image_height)?;
-        trial.pixel_ray(&|[width, height], [i, j]| Camera::with_size(width, height).ray(i, j))
+        trial.prelude(&prelude())?;
+        trial.pixel_ray(&|&Pixel {
+                              width,
+                              place: [i, j],
+                          }| Camera::new(width).ray(i, j))
     }
 
     fn prelude() -> Prelude<'static> {
@@ -101,54 +101,14 @@ mod hittable_list {
             trial.nearest_in_range(&hit)?;
             trial.record(&record)?;
             trial.list(&nearest)?;
-            trial.list(&nested)?;
-            trial.range(&range)?;
             trial.ray_color(&ray_color)
         });
-        a_list_of_one_is_that_one();
-        a_nested_list_is_the_flat_list();
         solves_what_was_once_special(&|center, radius, ray: &Ray| {
             hit(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY)
         });
     }
 
-    fn a_list_of_one_is_that_one() {
-        holds(&worlds(), |world| {
-            let (center, radius) = world.spheres[0];
-            let sphere = Sphere::new(center, radius);
-            let alone = World {
-                spheres: vec![(center, radius)],
-                ..world.clone()
-            };
-            list::both_find_the_same(&nearest, &|world| nearest_of(&sphere, world), &alone)
-        });
-    }
-
-    fn a_nested_list_is_the_flat_list() {
-        holds(&worlds(), |world| {
-            list::both_find_the_same(&nested, &nearest, world)
-        });
-    }
-
     laws::functions_of_a_list!(hittable_list, Ray, identity, identity, identity);
-
-    /// Each sphere in a list with all that follow it.
-    fn nested(world: &World) -> Option<f64> {
-        let mut list = HittableList::default();
-        for &(center, radius) in world.spheres.iter().rev() {
-            let mut outer = HittableList::default();
-            outer.add(Sphere::new(center, radius));
-            outer.add(list);
-            list = outer;
-        }
-        nearest_of(&list, world)
-    }
-
-    fn nearest_of(thing: &dyn Hittable, world: &World) -> Option<f64> {
-        thing
-            .hit(&world.ray, world.t_min, world.t_max)
-            .map(|hit| hit.t)
-    }
 }
 
 /// Fails with the first law that is broken, and says where there is more to see.
@@ -169,6 +129,6 @@ fn solves_what_was_once_special(solve: &laws::nearer_root::Solver) {
         let numbers = line.split_whitespace().map(str::parse);
         let numbers: Vec<f64> = numbers.map(|number| number.expect("a number")).collect();
         let case = Case::from_numbers(numbers.try_into().expect("a case is ten numbers"));
-        runner::one_case(solve, &case);
+        one_case(solve, &case);
     }
 }

@@ -192,9 +192,7 @@ fn laws_of(program: &Program) -> Option<Laws> {
         cases: CASES,
         ..Trial::of(program.chapter)
     };
-    let broken = trial
-        .intersection(program)
-        .and_then(|()| trial.rest(program));
+    let broken = trial.program(program);
     (program.chapter > Chapter::Gradient).then(|| match broken {
         Ok(()) => Laws::Obeyed,
         Err(report) => Laws::Broken(Laws::reported(&report.to_string()).unwrap_or_default()),

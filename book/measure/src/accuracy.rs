@@ -5,11 +5,11 @@
 //! `f32`s, and judged by the exact answer to them: what rounding the scene costs is
 //! not its fault.
 
+use crate::truth::Truth;
 use common::rtweekend::*;
 use figures::records::{Accuracy, Level};
 use figures::table::Table;
 use laws::oracle::Exact;
-use laws::truth::Truth;
 use rayon::prelude::*;
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime};
 

@@ -5,6 +5,7 @@
 pub mod accuracy;
 pub mod contest;
 pub mod cost;
+pub mod exact_departure;
 pub mod machine;
 pub mod needs;
 pub mod population;
@@ -13,5 +14,6 @@ pub mod rival;
 pub mod scene_file;
 pub mod shadows;
 pub mod spread;
+pub mod truth;
 pub mod worst;
 pub mod wrong_pixels;

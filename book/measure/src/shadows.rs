@@ -9,10 +9,10 @@
 
 use std::ops::RangeInclusive;
 
+use crate::exact_departure::{Ball, ExactDeparture};
 use common::rtweekend::*;
 use figures::records::Shadows;
 use figures::table::Table;
-use laws::shadow::{Ball, ExactDeparture};
 use rayon::prelude::*;
 use speed_vs_accuracy::{Case, LEAVINGS, Leaving, Method, Precision, Random};
 

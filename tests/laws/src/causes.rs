@@ -7,126 +7,95 @@
 //! hundred is the cause. One that fits a single case is not: by chance many do, where a
 //! is 1 or the radius is 0.
 
+use std::cmp::Reverse;
+
 use slips::{Chapter, Letters, Program, Slip};
 
 use crate::question::Question;
-use crate::verdict::Broken;
 
 /// What makes the answers of a function what they are.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Cause {
-    /// Each of these mistakes alone, made in that chapter, gives all the answers that are
-    /// explained, and no question tells them apart. They are four at most.
-    pub mistakes: Vec<(&'static Slip, Chapter)>,
+    /// In which chapter.
+    chapter: Chapter,
+    /// Each of these mistakes alone gives all the answers that are explained, and no question
+    /// tells them apart. They are four at most.
+    pub mistakes: Vec<&'static Slip>,
     /// How many answers are explained. Without a mistake: how many are right.
     pub explained: usize,
     /// How many there are.
     pub asked: usize,
 }
 
+/// How many mistakes a message names at most: in four places a root can lose its sign.
+const NAMED: usize = 4;
+
 impl Cause {
-    /// What to tell a reader, a line each.
-    pub(crate) fn lines(&self, broken: &Broken) -> Vec<String> {
-        let Self {
-            mistakes,
+    /// The cause of what is answered to the questions, and to the one that was `found`:
+    /// among the slips that can be made in the chapter.
+    pub(crate) fn of<Q: Question>(
+        answer: &dyn Fn(&Q) -> Vec<f64>,
+        mut questions: Vec<Q>,
+        found: Q,
+        chapter: Chapter,
+    ) -> Self {
+        questions.push(found);
+        let answers: Vec<Vec<f64>> = questions.iter().map(answer).collect();
+        let asked = questions.len();
+        // One answer in twenty may be due to a second mistake.
+        let most_unexplained = asked / 20;
+        let explained_by = |program: &Program| {
+            let pairs = questions.iter().zip(&answers);
+            let unlike = pairs.filter(|(it, answer)| !it.same(answer, &it.answer_of(program)));
+            let unexplained = unlike.take(most_unexplained + 1).count();
+            (unexplained <= most_unexplained).then_some(asked - unexplained)
+        };
+        let right = explained_by(&Program::right(chapter)).unwrap_or(0);
+        let mut fitting: Vec<(usize, &'static Slip)> = slips::all()
+            .chain(slips::unnamed())
+            .filter(|slip| slip.chapters.contains(&chapter) && slip.can_be_made_in(Letters::Rust))
+            .filter_map(|slip| Some((explained_by(&slip.program(chapter))?, slip)))
+            .filter(|&(explained, _)| explained > right)
+            .collect();
+        // Those that explain most, and of them those that are made most often.
+        fitting.sort_by_key(|&(explained, slip)| Reverse((explained, slip.reports())));
+        let explained = fitting.first().map_or(right, |&(most, _)| most);
+        fitting.retain(|&(other, _)| other == explained);
+        fitting.truncate(NAMED);
+        Self {
+            chapter,
+            mistakes: fitting.into_iter().map(|(_, slip)| slip).collect(),
             explained,
             asked,
-        } = self;
-        let share = format!("{explained} of {asked} answers");
-        let mut lines: Vec<String> = mistakes.iter().map(in_a_line).collect();
-        match lines.len() {
-            0 if *explained == 0 => {}
-            0 => lines.push(format!("{share} are right: what is special here?")),
-            _ if explained < asked => {
-                lines.push(format!(
-                    "and another mistake: {share} are as this one has it"
-                ));
-            }
-            1 => {}
-            _ => lines.push("each of these gives the same answer to every question".to_owned()),
         }
-        if mistakes.is_empty() {
-            lines.push(broken.usually.to_owned());
+    }
+
+    /// What to tell a reader, a line each: what makes it so `usually`, if nothing is known.
+    pub(crate) fn lines(&self, usually: &str) -> Vec<String> {
+        let share = format!("{} of {} answers", self.explained, self.asked);
+        let mistakes = self.mistakes.iter();
+        let mut lines: Vec<String> = mistakes.map(|slip| in_a_line(slip, self.chapter)).collect();
+        if lines.is_empty() && self.explained > 0 {
+            lines.push(format!("{share} are right: what is special here?"));
+        }
+        if self.mistakes.is_empty() {
+            lines.push(usually.to_owned());
+        } else if self.explained < self.asked {
+            lines.push(format!(
+                "and another mistake: {share} are as this one has it"
+            ));
+        } else if lines.len() > 1 {
+            lines.push("each of these gives the same answer to every question".to_owned());
         }
         lines
     }
 }
 
-fn in_a_line(&(slip, chapter): &(&Slip, Chapter)) -> String {
+fn in_a_line(slip: &Slip, chapter: Chapter) -> String {
     let [(_, wrong), (should_be, right), _] = slip.rows(Letters::Rust, chapter);
     let said = format!("{wrong}; {should_be}: {right}");
     match slip.name {
         "" => said,
         name => format!("{name}: {said}"),
     }
-}
-
-/// How many mistakes a message names at most: in four places a root can lose its sign.
-const NAMED: usize = 4;
-
-/// The cause of the answers that `answer` gives, to `questions` and to the one that was
-/// `found`, and a program that gives them too, if one gives all. Mistakes in a `chapter`
-/// are looked for, or in any that has such a function.
-pub(crate) fn of<Q: Question>(
-    answer: &dyn Fn(&Q) -> Q::Answer,
-    mut questions: Vec<Q>,
-    found: &Q,
-    chapter: Option<Chapter>,
-) -> (Cause, Option<Program>) {
-    questions.push(found.clone());
-    let answers: Vec<Q::Answer> = questions.iter().map(answer).collect();
-    let asked = questions.len();
-    // One answer in twenty may be due to a second mistake.
-    let most_unexplained = asked / 20;
-    let fits = |program: &Program| {
-        let mut unexplained = 0;
-        for (question, answer) in questions.iter().zip(&answers) {
-            unexplained += usize::from(!question.same(answer, &question.answer_of(program)));
-            if unexplained > most_unexplained {
-                return None;
-            }
-        }
-        Some(asked - unexplained)
-    };
-    let right = fits(&Q::right_program()).unwrap_or(0);
-    let mut fitting: Vec<(usize, &Slip, Program)> = hypotheses::<Q>(chapter)
-        .filter_map(|(slip, program)| Some((fits(&program)?, slip, program)))
-        .filter(|&(fits, ..)| fits > right)
-        .collect();
-    let most = fitting.iter().map(|&(fits, ..)| fits).max();
-    fitting.retain(|&(fits, ..)| Some(fits) == most);
-    // Those that are made most often come first.
-    fitting.sort_by_key(|(_, slip, _)| std::cmp::Reverse(slip.reports()));
-    let mut mistakes: Vec<(&Slip, Chapter)> = Vec::new();
-    for (_, slip, program) in &fitting {
-        if !mistakes
-            .iter()
-            .any(|(other, _)| std::ptr::eq(*other, *slip))
-        {
-            mistakes.push((slip, program.chapter));
-        }
-    }
-    mistakes.truncate(NAMED);
-    let explained = most.unwrap_or(right);
-    let first = fitting.first().map(|&(_, _, program)| program);
-    let cause = Cause {
-        mistakes,
-        explained,
-        asked,
-    };
-    (cause, first.filter(|_| explained == asked))
-}
-
-/// Each slip that can be made in a function of this kind in Rust, as each chapter writes it.
-fn hypotheses<Q: Question>(
-    chapter: Option<Chapter>,
-) -> impl Iterator<Item = (&'static Slip, Program)> {
-    let in_rust = |slip: &&Slip| slip.can_be_made_in(Letters::Rust);
-    let slips = slips::all().chain(slips::unnamed()).filter(in_rust);
-    slips.flat_map(move |slip| {
-        let asked = move |it: &&Chapter| chapter.is_none_or(|chapter| **it == chapter);
-        let chapters = Q::CHAPTERS.iter().filter(asked);
-        let can_be_made = chapters.filter(|chapter| slip.chapters.contains(chapter));
-        can_be_made.map(move |&chapter| (slip, slip.program(chapter)))
-    })
 }

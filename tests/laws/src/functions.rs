@@ -1,6 +1,6 @@
 //! Adapters: a crate's chapter 5 as the functions that the laws ask.
 
-/// Defines `hit`, `record`, `nearest`, `range` and `ray_color` for the crate `$chapter`, which
+/// Defines `hit`, `record`, `nearest` and `ray_color` for the crate `$chapter`, which
 /// has `Hittable`, `HitRecord`, `HittableList`, `Sphere`, `world` and `ray_color` as chapter 5.
 ///
 /// `$Ray` is the ray that it takes. What it has of its own is made of what the laws have by
@@ -43,25 +43,6 @@ macro_rules! functions_of_a_list {
                 list.add($chapter::Sphere::new($vector(center), radius));
             }
             Some(list.hit(&$ray(world.ray), world.t_min, world.t_max)?.t)
-        }
-
-        fn range(ray: &$crate::Ray) -> Option<[f64; 2]> {
-            let nothing = Nothing::default();
-            $chapter::ray_color(&$ray(*ray), &nothing);
-            nothing.asked.get()
-        }
-
-        /// Is never hit, and keeps the range that it was asked for.
-        #[derive(Default)]
-        struct Nothing {
-            asked: std::cell::Cell<Option<[f64; 2]>>,
-        }
-
-        impl $chapter::Hittable for Nothing {
-            fn hit(&self, _ray: &$Ray, t_min: f64, t_max: f64) -> Option<$chapter::HitRecord> {
-                self.asked.set(Some([t_min, t_max]));
-                None
-            }
         }
 
         fn ray_color(ray: &$crate::Ray) -> $crate::Color {

@@ -7,12 +7,15 @@
 use std::fmt;
 
 use common::rtweekend::*;
+use proptest::prelude::*;
+use slips::{Ball, Chapter, Program};
 use speed_vs_accuracy::Case;
 
+use crate::broken::{Broken, Verdict};
 use crate::nearer_root::{BAND, EQUATION, root_bound};
-use crate::numbers;
 use crate::oracle::Exact;
-use crate::verdict::{Broken, Verdict};
+use crate::question::{Question, code, numbers};
+use crate::strategies;
 
 /// A function from center, radius, ray, `t_min` and `t_max` to the nearest root
 /// between the two.
@@ -22,9 +25,8 @@ pub type RangeSolver<'a> = dyn Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 
 pub type RangeLaw = fn(&RangeSolver, &WithInterval) -> Verdict;
 
 /// Every law for a solver with a range.
-pub const NEAREST_IN_RANGE: [RangeLaw; 3] = [
+pub const NEAREST_IN_RANGE: [RangeLaw; 2] = [
     no_t_outside_the_interval_is_returned,
-    the_farther_root_is_the_nearer_one_of_the_ray_turned_round,
     the_nearest_root_in_the_interval_is_returned,
 ];
 
@@ -51,41 +53,6 @@ pub fn no_t_outside_the_interval_is_returned(solve: &RangeSolver, asked: &WithIn
         }),
         _ => Ok(()),
     }
-}
-
-/// Turning the ray round turns the sign of every root and changes no bit: the
-/// farther root, which the range behind the nearer one finds, is as good.
-pub fn the_farther_root_is_the_nearer_one_of_the_ray_turned_round(
-    solve: &RangeSolver,
-    asked: &WithInterval,
-) -> Verdict {
-    let on_the_line = |case: Case, t_min| {
-        WithInterval {
-            case,
-            t_min,
-            t_max: f64::INFINITY,
-        }
-        .solve(solve)
-    };
-    let case = asked.case;
-    let (Some(nearer), Some(turned)) = (
-        on_the_line(case, f64::NEG_INFINITY),
-        on_the_line(case.turned_round(), f64::NEG_INFINITY),
-    ) else {
-        return Ok(());
-    };
-    let farther = on_the_line(case, nearer).unwrap_or(nearer);
-    if farther == -turned || !case.is_well_scaled() {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "the farther root is the nearer one of the ray turned round, negated",
-        found: format!("{farther:?}"),
-        allowed: format!("{:?}, and no other bit", -turned),
-        usually: "the farther root is computed in another way than the nearer one: it is \
-                (h + √discriminant) / a",
-        page: "equation (12) of the notes, with both signs",
-    })
 }
 
 /// The root that is returned is the nearest in the interval, and it is found
@@ -128,64 +95,6 @@ pub fn the_nearest_root_in_the_interval_is_returned(
     }
 }
 
-/// For every finite input, there is a hit exactly if a root lies in the interval,
-/// and `t` is nearer to that root than rounding alone explains.
-///
-/// One exception is by definition: between two neighbors there is no `f64` to
-/// return, so an interval like that is missed.
-pub fn the_decision_is_exactly_right(solve: &RangeSolver, asked: &WithInterval) -> Verdict {
-    let WithInterval { case, t_min, t_max } = asked;
-    let exact = Exact::of(case);
-    let has_numbers = t_min.next_up() < *t_max;
-    let root = exact
-        .nearest_root_in(*t_min, *t_max)
-        .filter(|_| has_numbers);
-    let found = asked.solve(solve);
-    let is_right = match (found, root) {
-        (None, None) => true,
-        (Some(t), Some(root)) => {
-            let bound = root_bound(case, exact.discriminant_margin());
-            let is_near = (t - root.rounded()).abs() <= bound || root.error_in_ulps(t) <= 1.0;
-            t_min < &t && &t < t_max && (is_near || !case.is_well_scaled())
-        }
-        _ => false,
-    };
-    if is_right {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "the decision is exactly right",
-        found: format!("{found:?}"),
-        allowed: match root {
-            Some(root) => format!("a hit near {:?}", root.rounded()),
-            None => "a miss".to_owned(),
-        },
-        usually: "a bound of the filter is too narrow, or an end of its range of exponents is open",
-        page: "the proofs of chapter 6",
-    })
-}
-
-/// For every finite input, `t` is within so many ulps of the nearest root in the
-/// interval; a root that no `f64` reaches becomes the largest one.
-pub fn t_is_within_ulps(solve: &RangeSolver, asked: &WithInterval, ulps: f64) -> Verdict {
-    let exact = Exact::of(&asked.case);
-    let root = exact.nearest_root_in(asked.t_min, asked.t_max);
-    let (Some(t), Some(root)) = (asked.solve(solve), root) else {
-        return Ok(());
-    };
-    let error = root.error_in_ulps(t);
-    if error <= ulps || (root.rounded().is_infinite() && t.abs() == f64::MAX) {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "t is the exact root, rounded",
-        found: format!("t = {t:?}, {error:.3} ulps away"),
-        allowed: format!("{:?} ± {ulps} ulps", root.rounded()),
-        usually: "a bound of the filter is too narrow, or its last step loses digits",
-        page: "the proofs of chapter 6",
-    })
-}
-
 /// A case with a range of `t`, as the laws for intervals take it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithInterval {
@@ -200,7 +109,7 @@ pub struct WithInterval {
 impl fmt::Display for WithInterval {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { case, t_min, t_max } = self;
-        let [t_min, t_max] = [t_min, t_max].map(|&end| numbers::code(end));
+        let [t_min, t_max] = [t_min, t_max].map(|&end| code(&[end]));
         write!(f, "{case}\nlet (t_min, t_max) = ({t_min}, {t_max});")
     }
 }
@@ -214,5 +123,41 @@ impl WithInterval {
             ray,
         } = &self.case;
         solve(*center, *radius, ray, self.t_min, self.t_max)
+    }
+
+    pub(crate) fn ball(&self) -> Ball {
+        Ball {
+            center: self.case.center,
+            radius: self.case.radius,
+        }
+    }
+}
+
+/// What the `hit` of a sphere in chapter 5 is asked.
+impl Question for WithInterval {
+    fn kind(&self) -> &'static str {
+        "hit"
+    }
+
+    fn as_test(&self, _: Chapter) -> String {
+        format!(
+            "{self}\nlaws::trial::one_interval(&hit, laws::Case {{ center, radius, ray }}, t_min, t_max);"
+        )
+    }
+
+    fn answer_of(&self, program: &Program) -> Vec<f64> {
+        let t = program.hit(self.ball(), &self.case.ray, self.t_min, self.t_max);
+        numbers(t.map(|t| [t]))
+    }
+
+    fn ordinary(_: Chapter) -> BoxedStrategy<Self> {
+        strategies::with_interval(strategies::ordinary()).boxed()
+    }
+
+    fn cases(_: Chapter) -> Vec<BoxedStrategy<Self>> {
+        let kinds = strategies::kinds();
+        kinds
+            .map(|kind| strategies::with_interval(kind).boxed())
+            .into()
     }
 }

@@ -1,38 +1,48 @@
 //! The laws: properties of a ray-sphere intersection, to be tested on any function that
 //! computes one.
 //!
-//! A law is a plain function over a reader's function and a question. [`runner`] and
-//! [`trial`] put a function under all of them, with questions that [`strategies`] make
-//! and answers that [`oracle`] knows exactly. What breaks a law is explained by
-//! [`causes`], made simpler and put into words by [`report`]; [`answers`] are kept for
-//! a judge to weigh. A reader's own crate depends on this one, so it brings few other
-//! crates.
+//! A law is a plain function: it takes a function under test and a case, and says whether
+//! the law holds. [`strategies`] make the cases and [`oracle`] knows their exact answers, so
+//! a law is tested as any property is:
+//!
+//! ```
+//! use laws::{config, nearer_root, strategies};
+//! use proptest::prelude::*;
+//! # fn hit_sphere(_: common::rtweekend::Point3, _: f64, _: &common::rtweekend::Ray) -> Option<f64> { None }
+//!
+//! proptest! {
+//!     #![proptest_config(config())]
+//!     # #[cfg(any())]
+//!     #[test]
+//!     fn the_point_lies_on_the_sphere(case in strategies::anywhere()) {
+//!         nearer_root::the_point_lies_on_the_sphere(&hit_sphere, &case)?;
+//!     }
+//! }
+//! ```
+//!
+//! A [`Trial`] puts a function of a reader's under all laws of its kind, by proptest's
+//! `TestRunner`, and names the mistake where [`causes`] knows it.
 
 pub mod answers;
+mod broken;
 pub mod camera;
 pub mod causes;
 mod functions;
 pub mod intervals;
 pub mod list;
 pub mod nearer_root;
-pub mod neighbors;
-mod numbers;
 pub mod oracle;
 pub mod prelude;
 pub mod question;
 pub mod ray_color;
 pub mod record;
-pub mod report;
-pub mod runner;
-pub mod sampling;
-pub mod shadow;
 pub mod strategies;
 pub mod trial;
-pub mod truth;
-pub mod verdict;
 
+pub use broken::{Broken, Verdict};
 pub use common::rtweekend::{Color, Point3, Ray};
 pub use intervals::WithInterval;
 pub use slips::Chapter;
 pub use speed_vs_accuracy::Case;
-pub use trial::Trial;
+pub use strategies::config;
+pub use trial::{Trial, all_succeed};

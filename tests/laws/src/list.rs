@@ -1,12 +1,14 @@
-//! Metamorphic relations for the search of a list of spheres.
+//! The law for the search of a list of spheres.
 
 use common::rtweekend::*;
 use proptest::collection::vec;
 use proptest::prelude::*;
+use slips::{Ball, Chapter, Program};
 
+use crate::broken::{Broken, Verdict};
 use crate::intervals::WithInterval;
-use crate::strategies;
-use crate::verdict::{Broken, Verdict};
+use crate::question::{Question, code, numbers, of_ray, vector};
+use crate::strategies::{self, number};
 
 /// Spheres, a ray, and a range of `t`.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,12 +30,12 @@ pub type Search<'a> = dyn Fn(&World) -> Option<f64> + 'a;
 /// it, or overlapping it.
 pub fn worlds() -> impl Strategy<Value = World> {
     let asked = strategies::with_interval(prop_oneof![
-        strategies::book_rays(),
         strategies::integers(),
+        strategies::book_rays(),
         strategies::far(0.5..=3.0),
         strategies::inside(),
     ]);
-    let move_and_size = (-3.0..3.0, 0.5..2.0);
+    let move_and_size = (number(-3.0..=3.0), number(0.5..=2.0));
     (asked, vec(move_and_size, 0..11), 0..11usize).prop_map(|(asked, others, place)| {
         let WithInterval { case, t_min, t_max } = asked;
         let towards = case.center - case.ray.origin;
@@ -51,7 +53,8 @@ pub fn worlds() -> impl Strategy<Value = World> {
     })
 }
 
-/// The answer of a list is the least of its members' own answers.
+/// The answer of a list is the least of its members' own answers, in whatever order they
+/// are added.
 pub fn the_nearest_of_all_members_is_returned(search: &Search, world: &World) -> Verdict {
     let alone = world.spheres.iter().filter_map(|&sphere| {
         search(&World {
@@ -73,41 +76,39 @@ pub fn the_nearest_of_all_members_is_returned(search: &Search, world: &World) ->
     })
 }
 
-/// Adding the members the other way round, or starting with another one,
-/// changes nothing.
-pub fn the_order_of_members_does_not_matter(search: &Search, world: &World) -> Verdict {
-    let mut reversed = world.clone();
-    reversed.spheres.reverse();
-    let mut rotated = world.clone();
-    rotated.spheres.rotate_left(1);
-    let expected = search(world);
-    for other in [reversed, rotated] {
-        let found = search(&other);
-        if found != expected {
-            return Err(Broken {
-                law: "the order in which things are added does not matter",
-                found: format!("{found:?} for {:?}", other.spheres),
-                allowed: format!("{expected:?}"),
-                usually: "the last hit wins, or the first, instead of the nearest",
-                page: "chapter 5: closest_so_far",
-            });
-        }
+impl World {
+    /// What the list of a program finds.
+    pub(crate) fn put_to_program(&self, program: &Program) -> Option<f64> {
+        let ball = |&(center, radius): &(Point3, f64)| Ball { center, radius };
+        let balls: Vec<Ball> = self.spheres.iter().map(ball).collect();
+        program.search_among(&balls, &self.ray, self.t_min, self.t_max)
     }
-    Ok(())
 }
 
-/// Two programs find the same in one world, to the last bit.
-pub fn both_find_the_same(search: &Search, other: &Search, world: &World) -> Verdict {
-    let (found, expected) = (search(world), other(world));
-    if found == expected {
-        return Ok(());
+impl Question for World {
+    fn kind(&self) -> &'static str {
+        "list"
     }
-    Err(Broken {
-        law: "a list is nothing but its members, and a list in a list is no different",
-        found: format!("{found:?}"),
-        allowed: format!("{expected:?}"),
-        usually: "the range is not handed on as it came (closest_so_far starts at t_max), or the hit \
-                of a member is changed",
-        page: "chapter 5: a list is hittable too",
-    })
+
+    fn as_test(&self, chapter: Chapter) -> String {
+        let sphere = |&(center, radius): &_| format!("({}, {radius:?})", vector(center));
+        let spheres: Vec<String> = self.spheres.iter().map(sphere).collect();
+        let ray = code(&of_ray(self.ray));
+        let [t_min, t_max] = [self.t_min, self.t_max].map(|end| code(&[end]));
+        format!(
+            "let spheres = vec![\n    {},\n];\nlet ray = {ray};\n\
+             let world = laws::list::World {{ spheres, ray, t_min: {t_min}, t_max: {t_max} }};\n\
+             assert_eq!(nearest(&world), {:?});",
+            spheres.join(",\n    "),
+            self.put_to_program(&Program::right(chapter))
+        )
+    }
+
+    fn answer_of(&self, program: &Program) -> Vec<f64> {
+        numbers(self.put_to_program(program).map(|t| [t]))
+    }
+
+    fn ordinary(_: Chapter) -> BoxedStrategy<Self> {
+        worlds().boxed()
+    }
 }

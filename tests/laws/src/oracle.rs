@@ -87,12 +87,6 @@ impl Exact {
         self.discriminant.cmp(&IBig::ZERO)
     }
 
-    /// c against zero: `Less` if the ray starts inside the sphere, `Equal` if
-    /// on it, `Greater` if outside.
-    pub fn origin_side(&self) -> Ordering {
-        self.c.cmp(&IBig::ZERO)
-    }
-
     /// D / (a·M) with M = oc·oc + r², rounded to nearest: how far the line is
     /// from being a tangent, on the scale that rounding errors have.
     ///
@@ -105,8 +99,7 @@ impl Exact {
     /// c / M with M = oc·oc + r², rounded to nearest: how far the origin is
     /// from the surface, on the scale that rounding errors have.
     ///
-    /// From −1 to 1, and 0 if M is. What rounds to 0 still has its sign in
-    /// [`Exact::origin_side`].
+    /// From −1 to 1, and 0 if M is. Negative if the ray starts inside the sphere.
     pub fn origin_margin(&self) -> f64 {
         ratio(&self.c, &self.extent)
     }
@@ -171,13 +164,6 @@ impl Root<'_> {
         round(&(t - root), common - unit).abs()
     }
 
-    /// Whether the line enters the sphere here: d·(P(t) − C) = ∓√D is negative.
-    ///
-    /// A tangent does not enter.
-    pub fn front_face(&self) -> bool {
-        self.nearer && self.of.discriminant > IBig::ZERO
-    }
-
     /// The root as `digits` · 2^`exponent`, exactly if `digits` is even. If
     /// odd, it stands for the open interval between its even neighbors, which
     /// holds the root.
@@ -190,7 +176,9 @@ impl Root<'_> {
         let Exact {
             a, h, discriminant, ..
         } = self.of;
-        let shift = (128 - self.lower_bound()).max(0).unsigned_abs();
+        // If h ∓ √D cancels, the same root is c / (h ± √D), where nothing does.
+        let sum = h.bit_len().max(discriminant.bit_len() / 2 + 1) + 1;
+        let shift = 128 + sum.max(a.bit_len());
         let (sqrtd, rest) = (discriminant.unsigned_abs() << (2 * shift)).sqrt_rem();
         let inexact = rest != UBig::ZERO;
 
@@ -203,28 +191,6 @@ impl Root<'_> {
         };
         let digits = odd_if_inexact(&numerator, a, inexact);
         (digits, self.of.exponent - shift.cast_signed() - 1)
-    }
-
-    /// The exponent of a power of two not above |(h ∓ √D) / a|, unless that is
-    /// zero, and within a factor of 8 of it.
-    fn lower_bound(&self) -> isize {
-        let Exact {
-            a,
-            h,
-            c,
-            discriminant,
-            ..
-        } = self.of;
-        let length = |n: &IBig| n.bit_len().cast_signed();
-        // 2^(sum − 1) ≤ |h| + √D < 2^(sum + 1)
-        let sum = length(h).max((length(discriminant) + 1) / 2);
-        let cancels = self.nearer == (*h > IBig::ZERO);
-        if cancels {
-            // The same root is c / (h ± √D), where nothing cancels.
-            length(c) - 1 - (sum + 1)
-        } else {
-            sum - 1 - length(a)
-        }
     }
 }
 
@@ -373,7 +339,7 @@ fn last_place(digits: &IBig, exponent: isize) -> isize {
 
 /// All of `values` as integers, counted in 2 to one power, and that power.
 /// `None` if one of them is infinite or NaN.
-pub(crate) fn integers<const N: usize>(values: [f64; N]) -> Option<([IBig; N], isize)> {
+pub fn integers<const N: usize>(values: [f64; N]) -> Option<([IBig; N], isize)> {
     let mut parts = [(0, 0); N];
     for (part, value) in parts.iter_mut().zip(values) {
         *part = decode(value)?;
@@ -409,6 +375,30 @@ fn decode(x: f64) -> Option<(i64, isize)> {
     Some((signed, exponent + zeros as isize))
 }
 
-pub(crate) fn dot(u: &[IBig; 3], v: &[IBig; 3]) -> IBig {
+/// The dot product.
+pub fn dot(u: &[IBig; 3], v: &[IBig; 3]) -> IBig {
     &u[0] * &v[0] + &u[1] * &v[1] + &u[2] * &v[2]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The suite asks the method `exact` of chapter 6 about ten thousand cases more.
+    #[test]
+    fn another_library_finds_the_same_roots() {
+        let lines = include_str!("oracle_vectors.txt").lines();
+        let vectors: Vec<&str> = lines.filter(|line| !line.starts_with('#')).collect();
+        for line in &vectors {
+            let numbers: Vec<f64> = line.split(' ').flat_map(str::parse).collect();
+            let (&case, expected) = numbers.split_first_chunk().expect("ten numbers and roots");
+            let exact = Exact::of(&Case::from_numbers(case));
+            let roots = [exact.nearer_root(), exact.farther_root()];
+            let found = roots.iter().flatten().map(Root::rounded);
+            let bits = |t: f64| t.to_bits();
+            let expected: Vec<u64> = expected.iter().copied().map(bits).collect();
+            assert_eq!(found.map(bits).collect::<Vec<_>>(), expected, "{line}");
+        }
+        assert_eq!(vectors.len(), 71);
+    }
 }

@@ -4,7 +4,7 @@
 
 use common::rtweekend::*;
 use laws::Case;
-use laws::{sampling, strategies};
+use laws::strategies::{self, samples};
 use slips::{Chapter, Program};
 
 use suite::slip;
@@ -112,7 +112,7 @@ const SIGNS: [(Chapter, &[&str]); 2] = [
 
 /// Rays and spheres of which no number overflows on the way.
 fn cases() -> impl Iterator<Item = Case> {
-    let all = sampling::samples(&strategies::anywhere(), 300);
+    let all = samples(&strategies::anywhere(), 300);
     all.into_iter().filter(Case::is_well_scaled)
 }
 

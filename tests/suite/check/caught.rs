@@ -6,11 +6,10 @@ use std::sync::LazyLock;
 
 use check::comparison::Comparison;
 use common::rtweekend::*;
-use laws::nearer_root::Decided;
-use laws::question::Question;
-use laws::report::Report;
-use laws::trial::Outcome as Tried;
-use laws::{Case, Trial, WithInterval};
+use laws::Trial;
+use laws::answers::Answers;
+use laws::prelude;
+use laws::trial::Report;
 use slips::{Chapter, PROBES, Probe, Program, Slip, Unseen};
 use suite::drawn::shown_in;
 use suite::parallel;
@@ -29,15 +28,21 @@ fn every_slip_is_caught_and_the_tables_say_by_what() {
 #[test]
 fn a_program_without_a_slip_breaks_no_law() {
     for chapter in Chapter::OF_THE_BOOK {
-        let program = Program::right(chapter);
-        let verdicts = [
-            try_rays(&program),
-            TRIAL.intersection(&program),
-            TRIAL.rest(&program),
-        ];
-        if let Some(report) = verdicts.into_iter().find_map(Result::err) {
+        if let Some(report) = first_report(&Program::right(chapter)) {
             panic!("{chapter:?} breaks a law:\n{report}");
         }
+    }
+}
+
+/// By them a judge tells one mistake from another. Of the camera it asks nothing.
+#[test]
+fn a_slip_that_breaks_a_law_has_other_answers_than_a_right_program() {
+    let of_functions = |it: &&Outcome| it.report.is_some() && !it.breaks(laws::camera::LAW);
+    let lawless = OUTCOMES.iter().filter(of_functions);
+    for Outcome { slip, chapter, .. } in lawless {
+        let answers = Answers::of(&slip.program(*chapter));
+        let (_, unlike) = answers.unlike(&Program::right(*chapter), 1);
+        assert_eq!(unlike, 1, "{} in {chapter:?}", slip.name);
     }
 }
 
@@ -49,9 +54,6 @@ pub(crate) struct Outcome {
     verdicts: Vec<(Option<Probe>, Shown)>,
     /// The first law that the slip breaks, and what is said about it.
     pub(crate) report: Option<Box<Report>>,
-    /// The same if only the intersection is asked: a reader's own crate has a `hit_sphere`
-    /// and takes the rest from `common`.
-    pub(crate) own: Option<Box<Report>>,
 }
 
 /// Each slip in each of its chapters, in the order of the chapters.
@@ -63,17 +65,12 @@ pub(crate) static OUTCOMES: LazyLock<Vec<Outcome>> = LazyLock::new(|| {
     let exams = Chapter::OF_THE_BOOK.map(exams);
     parallel::map(&made.collect::<Vec<_>>(), |&(chapter, slip)| {
         let program = slip.program(chapter);
-        let rays = try_rays(&program).err();
-        let own = try_intersection(&program).err();
         let exams = exams[chapter as usize].iter();
         Outcome {
             slip,
             chapter,
             verdicts: exams.map(|it| (it.probe, it.judge(program))).collect(),
-            report: rays
-                .or_else(|| own.clone())
-                .or_else(|| TRIAL.rest(&program).err()),
-            own,
+            report: first_report(&program),
         }
     })
 });
@@ -101,51 +98,20 @@ impl Outcome {
     }
 }
 
-/// What the laws are tried on: enough to see a mistake, not to prove anything.
-pub(crate) const TRIAL: Trial = Trial {
-    cases: 60,
-    chapter: None,
-    answers: None,
-};
-
-/// What is said of the first law that the program breaks.
+/// What is said of the first law that the program breaks: on a few cases, enough to see a
+/// mistake, not to prove anything.
 pub(crate) fn first_report(program: &Program) -> Option<Box<Report>> {
-    let laws = [try_rays, try_intersection, |program: &_| {
-        TRIAL.rest(program)
-    }];
-    laws.into_iter().find_map(|ask| ask(program).err())
-}
-
-/// Puts the small functions under their laws, in the chapters that cast rays.
-fn try_rays(program: &Program) -> Tried {
     if program.chapter == Chapter::BuildTest {
-        return Ok(());
+        return None;
     }
-    TRIAL.prelude(&|asked| asked.put_to_program(program))?;
-    TRIAL.height(&|width| program.camera(width).image_height)?;
-    // The height is right, so it is that of the size that is asked for.
-    TRIAL.pixel_ray(&|[width, _], [i, j]| (program.ray)(program, &program.camera(width), i, j))
-}
-
-/// Puts the intersection under its laws, unless it answers as the right one does: most
-/// slips are elsewhere, and an oracle takes its time.
-fn try_intersection(program: &Program) -> Tried {
-    let is_right = match program.chapter {
-        Chapter::BuildTest | Chapter::Gradient => true,
-        Chapter::RedSphere => answers_rightly::<Decided>(program),
-        Chapter::HittableList => answers_rightly::<WithInterval>(program),
-        _ => answers_rightly::<Case>(program),
+    let trial = Trial {
+        cases: 60,
+        ..Trial::of(program.chapter)
     };
-    if is_right {
-        return Ok(());
-    }
-    TRIAL.intersection(program)
-}
-
-fn answers_rightly<Q: Question<Answer: PartialEq>>(program: &Program) -> bool {
-    let right = Program::right(program.chapter);
-    let mut questions = Q::telling().into_iter();
-    questions.all(|question| question.answer_of(program) == question.answer_of(&right))
+    prelude::of_program(program, |prelude| trial.prelude(prelude))
+        .and_then(|()| trial.pixel_ray(&|pixel| pixel.ray_by(program)))
+        .and_then(|()| trial.program(program))
+        .err()
 }
 
 /// A picture that is compared: the book's, or a probe's.

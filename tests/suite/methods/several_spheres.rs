@@ -2,37 +2,65 @@
 //! the loop of chapter 5, which no method for one sphere makes right.
 
 use common::rtweekend::*;
+use laws::Case;
 use laws::list::World;
-use laws::neighbors;
-use laws::sampling;
+use laws::oracle::{Exact, Root};
+use proptest::prelude::*;
+use proptest::test_runner::TestCaseError;
 use speed_vs_accuracy::{certified_nearest, certified_t, exact};
 
-use crate::campaign;
+use crate::{campaign, neighbors};
 
 /// A short part of the campaign that the book describes: `NEAREST_CASES` says how
 /// many worlds, shared by all processors, and `NEAREST_SEED` which.
 #[test]
 fn the_first_of_several_spheres_is_found_for_every_input() {
-    let (cases, total) = campaign::run("NEAREST", hits_ties_and_errors);
+    let worlds = || neighbors::hostile().boxed();
+    let (cases, total) = campaign::run("NEAREST", worlds, hits_ties_and_errors);
     println!("hits, ties, worlds in which a loop errs that asks certified_t: {total:?}");
     // What never occurs is never tried.
     assert!(total.iter().all(|&count| count > cases / 100), "{total:?}");
 }
 
-/// Tries so many worlds, and returns how many were hit, how often the first two roots
-/// were equal, and how often the plain loop chose another sphere.
-fn hits_ties_and_errors(cases: usize, seed: &str) -> [u64; 3] {
-    let mut counts = [0; 3];
-    for world in sampling::endless(neighbors::hostile(), seed).take(cases) {
-        if let Err(broken) = neighbors::the_first_sphere_is_exactly_right(&nearest, &world) {
-            panic!("{broken}\n\n{world:?}");
-        }
-        let first = nearest(&world).map(|(index, _)| index);
-        counts[0] += u64::from(first.is_some());
-        counts[1] += u64::from(first != last_of_the_first(&world));
-        counts[2] += u64::from(first != by_the_loop(&world, certified_t));
+/// Whether the world is hit, the first two roots are equal, and the plain loop chooses
+/// another sphere. The sphere with the least root in the range is found, the first of the
+/// list where roots are equal, and `t` is within an ulp of it. A root that no `f64` reaches
+/// becomes the largest one.
+fn hits_ties_and_errors(world: World) -> Result<[u64; 3], TestCaseError> {
+    let exacts: Vec<Option<Exact>> = cases(&world).map(|case| Exact::of_finite(&case)).collect();
+    let (found, expected) = (nearest(&world), first_root(&exacts, &world));
+    let first = found.map(|(index, _)| index);
+    prop_assert_eq!(first, expected.map(|(index, _)| index));
+    if let (Some((_, t)), Some((_, root))) = (found, expected) {
+        let is_beyond = root.rounded().is_infinite() && t.abs() == f64::MAX;
+        prop_assert!(root.error_in_ulps(t) <= 1.0 || is_beyond, "{t:?}");
+        prop_assert!(world.t_min < t && t < world.t_max, "{t:?}");
     }
-    counts
+    Ok([
+        u64::from(first.is_some()),
+        u64::from(first != last_of_the_first(&world)),
+        u64::from(first != by_the_loop(&world, certified_t)),
+    ])
+}
+
+fn cases(world: &World) -> impl Iterator<Item = Case> {
+    world.spheres.iter().map(|&(center, radius)| Case {
+        center,
+        radius,
+        ray: world.ray,
+    })
+}
+
+fn first_root<'a>(exacts: &'a [Option<Exact>], world: &World) -> Option<(usize, Root<'a>)> {
+    // Between two neighbors there is no number to return.
+    if world.t_min.next_up() >= world.t_max {
+        return None;
+    }
+    let roots = exacts.iter().enumerate().filter_map(|(index, exact)| {
+        let root = exact.as_ref()?.nearest_root_in(world.t_min, world.t_max)?;
+        Some((index, root))
+    });
+    roots.reduce(|first, other| if other.1 < first.1 { other } else { first })
 }
 
 /// The last of the spheres with the least root: the first one of the list turned round.

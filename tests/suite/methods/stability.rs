@@ -10,19 +10,20 @@ use hittable_list::{Hittable, Sphere};
 use laws::Case;
 use laws::nearer_root::Solver;
 use laws::oracle::Exact;
-use laws::{sampling, strategies};
+use laws::strategies::{self, samples};
 use measure::spread::Spread;
 use proptest::strategy::Strategy;
 
 mod a_far_sphere {
     use super::*;
 
-    /// At 10ᵏ radii D/(a·M) is about 10⁻²ᵏ. The band of 3e-15 is far below that
-    /// at k = 5, so no decision is wrong.
+    /// At 10ᵏ radii D/(a·M) is (1 − m²)·10⁻²ᵏ for a line that passes the center at m radii.
+    /// The band of 3e-15 is far below that at k = 5: it holds the lines within 1.3e-5 of
+    /// m = 1, one in 50,000.
     #[test]
     fn is_hit_or_missed_rightly_from_a_hundred_thousand_radii() {
         for survey in each_chapter(&strategies::far(5.0..=5.0)) {
-            assert_eq!(survey.wrong_decisions, 0.0);
+            assert_between(0.0, survey.wrong_decisions, 0.001);
         }
     }
 
@@ -30,7 +31,7 @@ mod a_far_sphere {
     #[test]
     fn is_sometimes_decided_wrongly_from_ten_million_radii() {
         for survey in each_chapter(&strategies::far(7.0..=7.0)) {
-            assert_between(0.002, survey.wrong_decisions, 0.05);
+            assert_between(0.001, survey.wrong_decisions, 0.05);
         }
     }
 
@@ -58,11 +59,12 @@ mod a_far_sphere {
 mod a_grazing_ray {
     use super::*;
 
-    /// From 3 radii away D/(a·M) is 2·10⁻ᵏ/10, at k = 13 still ten times what
-    /// rounding really does.
+    /// From 3 radii away D/(a·M) is 2·10⁻ᵏ/10. The least of the spheres, 0.01 large and 16
+    /// from the origin, takes up to 5e-13 of that k away by the rounding of its center:
+    /// at k = 12 enough is left for every one, and thirty times the band.
     #[test]
-    fn is_decided_rightly_at_one_part_in_ten_trillion() {
-        for survey in each_chapter(&strategies::grazing(13.0..=13.0)) {
+    fn is_decided_rightly_at_one_part_in_a_trillion() {
+        for survey in each_chapter(&strategies::grazing(12.0..=12.0)) {
             assert_eq!(survey.wrong_decisions, 0.0);
         }
     }
@@ -94,10 +96,13 @@ mod an_origin_near_the_surface {
     /// origin is about c/2h. At a distance of 10⁻ᵏ radii, k digits are lost.
     #[test]
     fn loses_a_digit_with_each_power_of_ten_that_it_is_nearer() {
-        let [off, on] = [4.0, 10.0].map(|k| each_chapter(&strategies::near_the_surface(k..=k)));
+        let [off, on] = [4.0, 10.0].map(|k| {
+            let cases = strategies::near_the_surface(k..=k);
+            each_chapter(&cases.prop_map(towards_the_center))
+        });
         for (off, on) in off.iter().zip(on) {
-            assert_between(20.0, off.median_ulps, 1000.0);
-            assert_between(1e4, on.median_ulps / off.median_ulps, 1e6);
+            assert_between(500.0, off.median_ulps, 10_000.0);
+            assert_between(5e5, on.median_ulps / off.median_ulps, 2e6);
         }
     }
 
@@ -116,7 +121,7 @@ mod an_origin_near_the_surface {
     #[test]
     fn makes_chapter_5_hit_the_surface_that_a_ray_leaves() {
         let share_of_wrong_hits = |k: f64| {
-            let cases = sampling::samples(&strategies::near_the_surface(k..=k), CASES);
+            let cases = samples(&strategies::near_the_surface(k..=k), CASES);
             share(&cases, |case| {
                 let found = sphere(case).hit(&case.ray, 0.0, f64::INFINITY).is_some();
                 found
@@ -136,20 +141,35 @@ mod a_huge_sphere {
     /// The book's ground is 100 large: most roots keep all but a digit.
     #[test]
     fn of_radius_100_costs_one_digit() {
-        for survey in each_chapter(&strategies::above_the_ground(2.0..=2.0)) {
+        for survey in seen_from_above(2.0) {
             assert_eq!(survey.wrong_decisions, 0.0);
-            assert_between(0.5, survey.median_ulps, 10.0);
+            assert_between(1.0, survey.median_ulps, 20.0);
         }
     }
 
     /// The eye is about 1 above the surface, so c/M is 1/R: as near the
     /// surface, each power of ten costs a digit of the near root.
     #[test]
-    fn of_radius_a_billion_costs_six_digits() {
-        for survey in each_chapter(&strategies::above_the_ground(9.0..=9.0)) {
-            assert_eq!(survey.wrong_decisions, 0.0);
-            assert_between(1e5, survey.median_ulps, 1e7);
+    fn of_radius_a_billion_costs_seven_digits_more() {
+        for (book, huge) in seen_from_above(2.0).iter().zip(seen_from_above(9.0)) {
+            assert_eq!(huge.wrong_decisions, 0.0);
+            assert_between(2e6, huge.median_ulps / book.median_ulps, 2e7);
         }
+    }
+
+    fn seen_from_above(k: f64) -> Vec<Survey> {
+        let cases = strategies::above_the_ground(k..=k);
+        each_chapter(&cases.prop_map(towards_the_center))
+    }
+}
+
+/// Turned round if it looks away: of the two roots the nearer is then the one near the
+/// origin, where h − √D cancels.
+fn towards_the_center(case: Case) -> Case {
+    if case.h() < 0.0 {
+        case.turned_round()
+    } else {
+        case
     }
 }
 
@@ -218,7 +238,7 @@ mod the_length_of_the_direction {
     #[test]
     fn about_two_to_minus_515_tells_the_two_formulas_apart() {
         let scale = two_to(-515);
-        let hits = sampling::samples(&strategies::anywhere(), 4000).into_iter();
+        let hits = samples(&strategies::anywhere(), 4000).into_iter();
         let hits =
             hits.map(|case| case.with_ray(case.ray.origin, scale * case.ray.direction.normalize()));
         let answers = hits.map(|case| {
@@ -261,7 +281,7 @@ mod a_sphere_an_ulp_too_small {
     /// as oc·oc is a few times as large, and then D is 0 as for a tangent.
     #[test]
     fn is_still_hit_when_the_ray_comes_from_afar() {
-        let tangents = sampling::samples(&strategies::tangents(), CASES);
+        let tangents = samples(&strategies::tangents(), CASES);
         let too_small: Vec<Case> = tangents
             .into_iter()
             .map(|case| Case {
@@ -303,7 +323,7 @@ struct Survey {
 }
 
 fn each_chapter(strategy: &impl Strategy<Value = Case>) -> Vec<Survey> {
-    let cases = sampling::samples(strategy, CASES);
+    let cases = samples(strategy, CASES);
     CHAPTERS
         .iter()
         .map(|(name, solve)| {

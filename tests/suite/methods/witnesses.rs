@@ -18,8 +18,8 @@ fn the_certified_methods_answer_each_of_them_rightly() {
     let mut wrong = String::new();
     for row in &recorded.rows {
         let asked = asked(row);
-        if let Err(broken) = is_certified(&asked) {
-            wrong += &format!("{}:\n{broken}\n{asked}\n\n", row.bound);
+        if let Err(failure) = is_certified(&asked) {
+            wrong += &format!("{}:\n{failure}\n{asked}\n\n", row.bound);
         }
     }
     assert!(wrong.is_empty(), "bounds that are too small\n\n{wrong}");

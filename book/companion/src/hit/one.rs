@@ -6,7 +6,7 @@ use common::engine::output;
 use common::rtweekend::*;
 use figures::number::three_digits;
 use laws::oracle::Exact;
-use laws::truth::Truth;
+use measure::truth::Truth;
 use speed_vs_accuracy::{Case, Method, Precision};
 
 use super::number::{ends, shortest};

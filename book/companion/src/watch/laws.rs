@@ -8,6 +8,7 @@ use std::time::Duration;
 
 use ::laws::answers::{ANSWERS, Answers};
 use check::whole::Laws;
+use slips::Chapter;
 
 use crate::subprocess::{self, End};
 
@@ -20,10 +21,10 @@ pub(super) struct Asked {
 }
 
 /// Runs the test of a reader's crate.
-pub(super) fn ask(test: &OsStr, folder: &Path, limit: Duration) -> Asked {
+pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration) -> Asked {
     let Ok(kept) = tempfile::tempdir() else {
         return Asked {
-            answers: Answers::default(),
+            answers: Answers::read(chapter, ""),
             outcome: Laws::Unknown("there is no room for a folder of answers".to_owned()),
         };
     };
@@ -31,7 +32,7 @@ pub(super) fn ask(test: &OsStr, folder: &Path, limit: Duration) -> Asked {
     let mut command = Command::new(test);
     command.arg("--nocapture").current_dir(folder);
     command.env(ANSWERS, &file);
-    let answers = || Answers::read(&fs::read_to_string(&file).unwrap_or_default());
+    let answers = || Answers::read(chapter, &fs::read_to_string(&file).unwrap_or_default());
     let outcome = match subprocess::run(command, limit, &mut || false) {
         Ok((End::Itself(status, _), _)) if status.success() => Laws::Obeyed,
         Ok((End::Itself(..), errors)) => match Laws::reported(&errors) {

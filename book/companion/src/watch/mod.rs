@@ -196,7 +196,8 @@ impl Subject {
                 && (!is_crate || has_own_prelude || slip.is_in_a_chapter())
         };
         let (tests, warnings) = built.map_or((None, Vec::new()), |it| (it.laws, it.warnings));
-        let asked = tests.map(|test| laws::ask(&test, &self.folder, self.limit));
+        let asked =
+            tests.map(|test| laws::ask(&test, self.scene.chapter, &self.folder, self.limit));
         let answers = asked.as_ref().map(|it| &it.answers);
         let unlike =
             answers.map(|answers| |program: &Program| answers.unlike(program, MOST_UNLIKE));

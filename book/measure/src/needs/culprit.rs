@@ -1,9 +1,9 @@
 //! Blame: from the first wrong pixel to the ray and the sphere at which a method errs.
 
+use crate::truth::Truth;
 use crate::wrong_pixels::View;
 use common::rtweekend::*;
 use laws::oracle::Exact;
-use laws::truth::Truth;
 use speed_vs_accuracy::{Case, Eye, Hit, Method, Scene, T_MIN_OF_SHADOWS};
 
 /// A question that a method answers wrongly, and the pixel that shows it.

@@ -1,7 +1,6 @@
 //! Your functions, under the laws: `cargo test`
 
-use laws::runner::all_succeed;
-use laws::{Chapter, Trial};
+use laws::{Chapter, Trial, all_succeed};
 use my_chapter::{hit_sphere, ray_color};
 
 #[test]

@@ -2,19 +2,17 @@
 
 use common::rtweekend as ours;
 use laws::prelude::Prelude;
-use laws::runner::all_succeed;
-use laws::{Chapter, Trial};
+use laws::{Chapter, Trial, all_succeed};
 use my_chapter::rtweekend::{Ray, Vec3};
 
 #[test]
 fn prelude_sphere_record_list_and_ray_color_obey_the_laws() {
     let trial = Trial::of(Chapter::MyChapter);
     all_succeed([
-        trial.prelude(&|asked| asked.put_to(&prelude())),
+        trial.prelude(&prelude()),
         trial.nearest_in_range(&hit),
         trial.record(&record),
         trial.list(&nearest),
-        trial.range(&range),
         trial.ray_color(&ray_color),
     ]);
 }

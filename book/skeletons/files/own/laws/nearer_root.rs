@@ -2,15 +2,14 @@
 
 use common::rtweekend as ours;
 use laws::prelude::Prelude;
-use laws::runner::all_succeed;
-use laws::{Chapter, Trial};
+use laws::{Chapter, Trial, all_succeed};
 use my_chapter::rtweekend::{Ray, Vec3};
 
 #[test]
 fn prelude_hit_sphere_and_ray_color_obey_the_laws() {
     let trial = Trial::of(Chapter::MyChapter);
     all_succeed([
-        trial.prelude(&|asked| asked.put_to(&prelude())),
+        trial.prelude(&prelude()),
         trial.nearer_root(&hit_sphere),
         trial.ray_color(&ray_color),
     ]);

@@ -3,7 +3,7 @@
 
 use speed_vs_accuracy::Precision;
 
-use crate::oracle::Exact;
+use laws::oracle::Exact;
 
 /// The nearest root, kept so that an error takes a few operations instead of
 /// long integers.

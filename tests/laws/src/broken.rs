@@ -1,11 +1,11 @@
-//! A verdict: what a law says of a question, in words that teach.
+//! A broken law, in words that teach.
 
 use std::fmt;
 
 /// Whether a law holds, and if not, how it is broken.
 pub type Verdict = Result<(), Broken>;
 
-/// A law that does not hold.
+/// A law that does not hold. In a test by proptest, `?` makes it the reason of the failure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Broken {
     /// What should hold.
@@ -20,24 +20,20 @@ pub struct Broken {
     pub page: &'static str,
 }
 
-impl Broken {
-    /// The same, where more is known of what makes it so.
-    pub(crate) fn explained_by(&self, usually: &str) -> String {
+impl std::error::Error for Broken {}
+
+impl fmt::Display for Broken {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self {
             law,
             found,
             allowed,
+            usually,
             page,
-            ..
         } = self;
-        format!(
+        write!(
+            f,
             "the law:  {law}\nfound:    {found}\nallowed:  {allowed}\nusually:  {usually}\nread:     {page}"
         )
-    }
-}
-
-impl fmt::Display for Broken {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.explained_by(self.usually))
     }
 }

@@ -1,74 +1,18 @@
-//! The law for what finds the first of several spheres exactly, and strategies for
-//! spheres that touch, meet or nearly are one.
+//! Strategies for spheres that touch, meet or nearly are one.
 
 use common::rtweekend::*;
+use laws::list::World;
+use laws::oracle::Exact;
+use laws::strategies::{ahead_if_zero, unit, whole_vector};
+use laws::{Case, WithInterval};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
-use speed_vs_accuracy::Case;
 
-use crate::intervals::WithInterval;
-use crate::list::World;
-use crate::oracle::{Exact, Root};
-use crate::strategies::{self, ulps_away, unit, whole_vector};
-use crate::verdict::{Broken, Verdict};
-
-/// Finds the sphere that is hit first, by its index, and where.
-pub type Nearest<'a> = dyn Fn(&World) -> Option<(usize, f64)> + 'a;
-
-/// For every finite input, the sphere with the least root in the range is found,
-/// the first of the list where roots are equal, and `t` is within an ulp of it. A
-/// root that no `f64` reaches becomes the largest one.
-pub fn the_first_sphere_is_exactly_right(nearest: &Nearest, world: &World) -> Verdict {
-    let exacts: Vec<Option<Exact>> = cases(world).map(|case| Exact::of_finite(&case)).collect();
-    let expected = first_root(&exacts, world);
-    let found = nearest(world);
-    let is_right = match (found, expected) {
-        (None, None) => true,
-        (Some((index, t)), Some((first, root))) => {
-            let is_near = root.error_in_ulps(t) <= 1.0
-                || (root.rounded().is_infinite() && t.abs() == f64::MAX);
-            index == first && is_near && world.t_min < t && t < world.t_max
-        }
-        _ => false,
-    };
-    if is_right {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "the sphere that is hit first is found, and t is its root to an ulp",
-        found: format!("{found:?}"),
-        allowed: match expected {
-            Some((first, root)) => format!("sphere {first}, at {:?}", root.rounded()),
-            None => "a miss".to_owned(),
-        },
-        usually: "two roots were compared after they were rounded",
-        page: "the proofs of chapter 6",
-    })
-}
-
-fn cases(world: &World) -> impl Iterator<Item = Case> {
-    world.spheres.iter().map(|&(center, radius)| Case {
-        center,
-        radius,
-        ray: world.ray,
-    })
-}
-
-fn first_root<'a>(exacts: &'a [Option<Exact>], world: &World) -> Option<(usize, Root<'a>)> {
-    // Between two neighbors there is no number to return.
-    if world.t_min.next_up() >= world.t_max {
-        return None;
-    }
-    let roots = exacts.iter().enumerate().filter_map(|(index, exact)| {
-        let root = exact.as_ref()?.nearest_root_in(world.t_min, world.t_max)?;
-        Some((index, root))
-    });
-    roots.reduce(|first, other| if other.1 < first.1 { other } else { first })
-}
+use crate::hostile::{self, ulps_away, with_hostile_interval};
 
 /// Any of the worlds below.
-pub fn hostile() -> impl Strategy<Value = World> {
+pub(crate) fn hostile() -> impl Strategy<Value = World> {
     prop_oneof![
         2 => beside_one(),
         1 => through_one_point(),
@@ -79,8 +23,8 @@ pub fn hostile() -> impl Strategy<Value = World> {
 
 /// A hostile case with its interval, and one to five neighbors of its sphere, in
 /// any order.
-pub fn beside_one() -> impl Strategy<Value = World> {
-    let asked = strategies::with_hostile_interval(strategies::hostile());
+fn beside_one() -> impl Strategy<Value = World> {
+    let asked = with_hostile_interval(hostile::hostile());
     (asked, vec(neighbor(), 1..=5), 0..=5_usize).prop_map(|(asked, neighbors, place)| {
         let WithInterval { case, t_min, t_max } = asked;
         let mut spheres: Vec<(Point3, f64)> = neighbors
@@ -119,7 +63,7 @@ fn neighbor() -> impl Strategy<Value = Neighbor> {
         size().prop_map(Neighbor::Nested),
         (unit(), size()).prop_map(|(way, size)| Neighbor::Touching(way, size)),
         (unit(), size()).prop_map(|(way, size)| Neighbor::ThroughTheHit(way, size)),
-        strategies::hostile().prop_map(|case| Neighbor::Stranger(case.center, case.radius)),
+        hostile::hostile().prop_map(|case| Neighbor::Stranger(case.center, case.radius)),
     ]
 }
 
@@ -147,7 +91,7 @@ impl Neighbor {
 
 /// Spheres of whole numbers through one point of the ray, which some of them enter
 /// there, some leave and some touch: their roots there are equal.
-pub fn through_one_point() -> impl Strategy<Value = World> {
+fn through_one_point() -> impl Strategy<Value = World> {
     // Three sides of a box, and its diagonal.
     let boxes = vec![
         [0.0, 0.0, 1.0, 1.0],
@@ -170,9 +114,7 @@ pub fn through_one_point() -> impl Strategy<Value = World> {
     let ray = (whole_vector(99), whole_vector(9), 1..=9);
     (vec(sphere, 2..=6), ray, end(), end()).prop_map(
         |(mut spheres, (origin, direction, t), low, high)| {
-            // A direction of zero points nowhere: let it point ahead.
-            let direction = Some(direction).filter(|&d| d != Vec3::ZERO);
-            let (direction, t) = (direction.unwrap_or(Vec3::NEG_Z), f64::from(t));
+            let (direction, t) = (ahead_if_zero(direction), f64::from(t));
             for (center, _) in &mut spheres {
                 *center += origin + t * direction;
             }
@@ -188,7 +130,7 @@ pub fn through_one_point() -> impl Strategy<Value = World> {
 
 /// Mirror images of one sphere in planes through the ray: their roots are equal, and
 /// most of them are irrational.
-pub fn mirrored() -> impl Strategy<Value = World> {
+fn mirrored() -> impl Strategy<Value = World> {
     let image = (any::<[bool; 3]>(), ulps());
     (whole_vector(9), 1..=9, 1..=9, vec(image, 2..=6)).prop_map(
         |(center, radius, speed, images)| {

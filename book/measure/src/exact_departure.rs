@@ -12,7 +12,7 @@ use common::rtweekend::*;
 use dashu_int::{IBig, UBig};
 use speed_vs_accuracy::Case;
 
-use crate::oracle::{dot, integers};
+use laws::oracle::{dot, integers};
 
 /// A sphere by its center and its radius.
 pub type Ball = (Point3, f64);
@@ -130,6 +130,43 @@ impl Root {
             // They add up to twice one of them, or to nothing.
             Ordering::Equal if p.sign() == q.sign() => p.cmp(&IBig::ZERO),
             Ordering::Equal => Ordering::Equal,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use laws::oracle::Exact;
+
+    /// The points of contact of a ray with whole numbers, from which an oracle that knows
+    /// no roots can tell as well.
+    #[test]
+    fn is_that_of_a_point_with_whole_coordinates() {
+        let towards = [1.0, 2.0, -1.0, 0.0, -3.0];
+        for (x, y, z) in [(3.0, 4.0, 12.0), (-12.0, 3.0, 4.0), (5.0, -12.0, 0.0)] {
+            let point = Point3::new(x, y, z);
+            let radius = point.length();
+            let looked = Case {
+                center: Point3::ZERO,
+                radius,
+                ray: Ray::new(3.0 * point, -2.0 * point),
+            };
+            for (dx, dy) in towards.iter().flat_map(|dx| towards.map(|dy| (*dx, dy))) {
+                let direction = Vec3::new(dx, dy, 1.0);
+                let exact = ExactDeparture::new(looked, direction);
+                for center in [Point3::ZERO, Point3::new(7.0, 9.0, 30.0), 2.0 * point] {
+                    let ray = Ray::new(point, direction);
+                    let from_there = Case {
+                        center,
+                        radius,
+                        ray,
+                    };
+                    let root = Exact::of(&from_there);
+                    let is_met = root.nearest_root_in(0.0, f64::INFINITY).is_some();
+                    assert_eq!(exact.meets((center, radius)), is_met, "{from_there}");
+                }
+            }
         }
     }
 }

@@ -1,0 +1,189 @@
+//! Strategies for methods that claim to be right for every input: what only arithmetic
+//! without end gets right.
+
+use common::rtweekend::*;
+use laws::oracle::Exact;
+use laws::strategies::{
+    ahead_if_zero, anywhere, far, number, ordinary_sphere, tangents, unit, whole_vector,
+};
+use laws::{Case, WithInterval};
+use proptest::prelude::*;
+use proptest::sample::select;
+use std::ops::RangeInclusive;
+
+/// Numbers that programs forget: zeros of either sign, the least and the
+/// largest, and one.
+pub(crate) fn specks() -> impl Strategy<Value = Case> {
+    let number = select(vec![
+        0.0,
+        -0.0,
+        1.0,
+        -1.0,
+        f64::from_bits(1),
+        -f64::from_bits(1),
+        f64::MIN_POSITIVE,
+        f64::EPSILON,
+        1e154,
+        -1e154,
+        f64::MAX,
+        f64::MIN,
+    ]);
+    proptest::array::uniform10(number).prop_map(Case::from_numbers)
+}
+
+/// All of the above, and what only arithmetic without end gets right: for
+/// methods that claim to be right for every input.
+pub(crate) fn hostile() -> impl Strategy<Value = Case> {
+    prop_oneof![
+        4 => anywhere(),
+        1 => specks(),
+        1 => far(15.0..=17.0),
+        1 => leaving_the_surface(0.0..=9.0),
+        1 => almost_tangents(),
+        1 => whole_number_tangents_an_ulp_off(),
+        1 => in_another_unit(anywhere()),
+        1 => moved_away(anywhere()),
+        1 => any_numbers(),
+    ]
+}
+
+/// A ray that starts on the surface, up to one rounding of each coordinate, as
+/// the book scatters it: in the direction of the normal plus any unit vector.
+/// The sphere has a radius of 10ᵏ.
+pub(crate) fn leaving_the_surface(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
+    (number(k), ordinary_sphere(), unit(), unit()).prop_map(|(k, (center, _), normal, scatter)| {
+        let radius = 10f64.powf(k);
+        Case {
+            center,
+            radius,
+            ray: Ray::new(center + radius * normal, normal + scatter),
+        }
+    })
+}
+
+/// Whole numbers, and a radius within three ulps of the line's distance from the
+/// center.
+pub(crate) fn almost_tangents() -> impl Strategy<Value = Case> {
+    (whole_vector(50), whole_vector(50), whole_vector(50), -3..=3).prop_map(
+        |(center, origin, direction, ulps)| {
+            let d = ahead_if_zero(direction);
+            let across = d.cross(center - origin);
+            let distance = (across.length_squared() / d.length_squared()).sqrt();
+            Case {
+                center,
+                radius: ulps_away(distance, ulps),
+                ray: Ray::new(origin, d),
+            }
+        },
+    )
+}
+
+/// [`tangents`] whose radius is one ulp too small, right, or one too large.
+pub(crate) fn whole_number_tangents_an_ulp_off() -> impl Strategy<Value = Case> {
+    (tangents(), -1..=1).prop_map(|(case, ulps)| Case {
+        radius: ulps_away(case.radius, ulps),
+        ..case
+    })
+}
+
+/// Lengths, and apart from them the direction, times a power of two from 2⁻⁵⁰⁰
+/// to 2⁵⁰⁰: the digits stay what they are.
+pub(crate) fn in_another_unit(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = Case> {
+    (cases, -500..=500, -500..=500).prop_map(|(case, length, direction)| {
+        let [length, direction] = [length, direction].map(|k| f64::exp2(f64::from(k)));
+        Case {
+            center: length * case.center,
+            radius: length * case.radius,
+            ray: Ray::new(length * case.ray.origin, direction * case.ray.direction),
+        }
+    })
+}
+
+/// Sphere and ray together up to 2⁶⁰ away: C and Q have fewer digits in common
+/// with C − Q, which is then rounded.
+pub(crate) fn moved_away(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = Case> {
+    (cases, unit(), number(0.0..=60.0)).prop_map(|(case, way, exponent)| {
+        let by = f64::exp2(exponent) * way;
+        Case {
+            center: case.center + by,
+            ..case.with_ray(case.ray.origin + by, case.ray.direction)
+        }
+    })
+}
+
+/// Any ten finite numbers: all bits at random.
+pub(crate) fn any_numbers() -> impl Strategy<Value = Case> {
+    use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
+    proptest::array::uniform10(POSITIVE | NEGATIVE | NORMAL | SUBNORMAL | ZERO)
+        .prop_map(Case::from_numbers)
+}
+
+/// A case, and an interval whose ends lie at a root, within two ulps of one, at
+/// 0 or 1, or at an end of all numbers; one in a hundred is NaN.
+pub(crate) fn with_hostile_interval(
+    cases: impl Strategy<Value = Case>,
+) -> impl Strategy<Value = WithInterval> {
+    (cases, end(), end()).prop_map(|(case, low, high)| WithInterval {
+        case,
+        t_min: low.of(&case).unwrap_or(0.0),
+        t_max: high.of(&case).unwrap_or(f64::INFINITY),
+    })
+}
+
+/// An end of a hostile interval.
+#[derive(Clone, Copy, Debug)]
+enum End {
+    /// What a program asks for: 0 and ∞.
+    Usual,
+    /// A root, and so many ulps from it.
+    Root { nearer: bool, ulps: i32 },
+    /// A number, whatever the roots are.
+    At(f64),
+}
+
+fn end() -> impl Strategy<Value = End> {
+    let fixed = vec![
+        0.0,
+        1.0,
+        -1.0,
+        f64::MIN,
+        f64::MAX,
+        f64::NEG_INFINITY,
+        f64::INFINITY,
+    ];
+    prop_oneof![
+        50 => Just(End::Usual),
+        40 => (any::<bool>(), -2..=2).prop_map(|(nearer, ulps)| End::Root { nearer, ulps }),
+        9 => select(fixed).prop_map(End::At),
+        1 => Just(End::At(f64::NAN)),
+    ]
+}
+
+impl End {
+    /// Where the end is; `None` where a program would have it.
+    fn of(self, case: &Case) -> Option<f64> {
+        match self {
+            Self::Usual => None,
+            Self::At(x) => Some(x),
+            Self::Root { nearer, ulps } => {
+                let exact = Exact::of(case);
+                let root = if nearer {
+                    exact.nearer_root()
+                } else {
+                    exact.farther_root()
+                };
+                Some(ulps_away(root?.rounded(), ulps))
+            }
+        }
+    }
+}
+
+/// `x`, and then so many steps up or down to the next number.
+pub(crate) fn ulps_away(x: f64, ulps: i32) -> f64 {
+    let step = if ulps > 0 {
+        f64::next_up
+    } else {
+        f64::next_down
+    };
+    (0..ulps.abs()).fold(x, |x, _| step(x))
+}
