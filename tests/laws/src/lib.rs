@@ -8,16 +8,21 @@
 //! ```
 //! use laws::{config, nearer_root, strategies};
 //! use proptest::prelude::*;
-//! # fn hit_sphere(_: common::rtweekend::Point3, _: f64, _: &common::rtweekend::Ray) -> Option<f64> { None }
+//! # use laws::{Point3, Ray};
+//! # fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
+//! #     speed_vs_accuracy::half_b(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY)
+//! # }
 //!
 //! proptest! {
 //!     #![proptest_config(config())]
-//!     # #[cfg(any())]
+//!     # /*
 //!     #[test]
+//!     # */
 //!     fn the_point_lies_on_the_sphere(case in strategies::anywhere()) {
 //!         nearer_root::the_point_lies_on_the_sphere(&hit_sphere, &case)?;
 //!     }
 //! }
+//! # the_point_lies_on_the_sphere();
 //! ```
 //!
 //! A [`Trial`] puts a function of a reader's under all laws of its kind, by proptest's

@@ -4,6 +4,8 @@
 //! shares no line with the method `exact`: each would notice a mistake of the
 //! other. Where a method is known to fail, it is asserted to fail.
 
+use std::ops::RangeInclusive;
+
 use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
 use laws::nearer_root::{BAND, NEARER_ROOT, root_bound};
@@ -377,94 +379,76 @@ mod the_certified_methods {
     }
 }
 
-/// The thresholds of the plain methods, from both sides. The numbers in brackets
-/// are shares of wrong decisions.
-mod far_away {
+/// Each method on rays of one kind, and how often it decides wrongly or how many ulps it is
+/// off: the thresholds, from both sides. Those of `half_b` are those of the chapters.
+mod thresholds {
     use super::*;
 
     #[test]
-    fn half_b_decides_by_chance_where_the_others_do_not_err() {
-        for method in [Method::HALF_B, Method::HALF_B_Q] {
-            assert_between(0.0, wrong(method, &far(5.0)), 0.001, method);
-            assert_between(0.001, wrong(method, &far(7.0)), 0.05, method);
-            assert_between(0.25, wrong(method, &far(9.0)), 0.6, method);
-        }
-        for method in by(Discriminant::Distance).chain([&Method::DOUBLE_DOUBLE]) {
-            assert_eq!(wrong(*method, &far(9.0)), 0.0, "{}", method.name);
-            assert_eq!(wrong(*method, &far(11.0)), 0.0, "{}", method.name);
+    fn of_wrong_decisions_are_where_the_rows_say() {
+        let far = |k: f64| samples(&strategies::far(k..=k), CASES);
+        let [plain, double_double] = [Method::HALF_B_Q, Method::DOUBLE_DOUBLE].map(|it| vec![it]);
+        let distance: Vec<Method> = by(Discriminant::Distance).copied().collect();
+        let certain: Vec<Method> = by(Discriminant::Certain).copied().collect();
+        let widened = vec![Method::WIDENED_HALF_B_Q_F32];
+        let single = of(Precision::Single).copied().collect();
+        // A scattered ray starts on the surface up to a rounding. Whether it meets the
+        // sphere again is a matter of the sign of c, which is that rounding.
+        let leaving = || samples(&hostile::leaving_the_surface(3.0..=3.0), CASES);
+        let few_digits_of_c = vec![Method::HALF_B_Q, Method::CROSS_Q];
+        let all_digits_of_c = vec![Method::ADAPTIVE_Q, Method::DOUBLE_DOUBLE];
+        let rows = [
+            (plain.clone(), far(5.0), 0.0..=0.001),
+            (plain.clone(), far(7.0), 0.001..=0.05),
+            (plain, far(9.0), 0.25..=0.6),
+            (distance.clone(), far(11.0), 0.0..=0.0),
+            (distance, far(15.0), 0.01..=0.06),
+            (double_double.clone(), far(11.0), 0.0..=0.0),
+            (double_double, far(15.0), 0.001..=0.03),
+            (certain.clone(), far(15.0), 0.0..=0.0),
+            // Single precision is lost at the square root of the distance.
+            (vec![Method::HALF_B_F32], far(3.0), 0.02..=0.1),
+            (widened.clone(), far(4.0), 0.0..=0.0),
+            (widened, far(8.0), 0.01..=0.6),
+            (few_digits_of_c, leaving(), 0.1..=0.35),
+            (all_digits_of_c, leaving(), 0.0..=0.0),
+            (certain, leaving(), 0.0..=0.0),
+            // It is enough for the book.
+            (
+                single,
+                samples(&strategies::book_rays(), 10 * CASES),
+                0.0..=1e-4,
+            ),
+        ];
+        for (row, (methods, cases, share)) in rows.iter().enumerate() {
+            for method in methods {
+                assert_within(share, wrong(*method, cases), row, method);
+            }
         }
     }
 
+    /// A huge ground costs digits unless c has them all.
     #[test]
-    fn the_distance_to_the_line_is_lost_at_a_quadrillion_radii() {
-        for method in by(Discriminant::Distance) {
-            assert_between(0.01, wrong(*method, &far(15.0)), 0.06, *method);
+    fn of_lost_digits_are_where_the_rows_say() {
+        let ground = samples(&strategies::above_the_ground(6.0..=6.0), CASES);
+        let rows = [
+            (Method::HALF_B_Q, 1e2..=1e7),
+            (Method::CROSS_Q, 1e2..=1e7),
+            (Method::ADAPTIVE_Q, 0.0..=2.0),
+            (Method::DOUBLE_DOUBLE, 0.0..=2.0),
+            (Method::CERTIFIED_T, 0.0..=2.0),
+        ];
+        for (row, (method, ulps)) in rows.iter().enumerate() {
+            assert_within(ulps, percentile(*method, &ground, 0.5), row, method);
         }
     }
 
-    #[test]
-    fn twice_the_digits_are_too_few_from_a_quadrillion_radii() {
-        assert_between(
-            1e-3,
-            wrong(Method::DOUBLE_DOUBLE, &far(15.0)),
-            0.03,
-            Method::DOUBLE_DOUBLE,
+    fn assert_within(range: &RangeInclusive<f64>, found: f64, row: usize, method: &Method) {
+        let name = method.name;
+        assert!(
+            range.contains(&found),
+            "row {row}: {found} for {name}, not {range:?}: if it is better, say so there"
         );
-        for method in by(Discriminant::Certain) {
-            assert_eq!(wrong(*method, &far(15.0)), 0.0, "{}", method.name);
-        }
-    }
-
-    #[test]
-    fn single_precision_is_lost_at_the_square_root_of_the_distance() {
-        assert_eq!(wrong(Method::WIDENED_HALF_B_Q_F32, &far(4.0)), 0.0);
-        for (method, k, low, high) in [
-            (Method::HALF_B_F32, 3.0, 0.02, 0.1),
-            (Method::WIDENED_HALF_B_Q_F32, 8.0, 0.01, 0.6),
-        ] {
-            assert_between(low, wrong(method, &far(k)), high, method);
-        }
-    }
-
-    fn far(k: f64) -> Vec<Case> {
-        samples(&strategies::far(k..=k), CASES)
-    }
-}
-
-mod near_the_surface {
-    use super::*;
-
-    /// A scattered ray starts on the surface up to a rounding. Whether it meets
-    /// the sphere again is a matter of the sign of c, which is that rounding.
-    #[test]
-    fn only_a_c_with_all_its_digits_knows_the_side_of_the_origin() {
-        let cases = samples(&hostile::leaving_the_surface(3.0..=3.0), CASES);
-        for method in [Method::HALF_B, Method::HALF_B_Q, Method::CROSS_Q] {
-            assert_between(0.1, wrong(method, &cases), 0.35, method);
-        }
-        for method in [
-            Method::ADAPTIVE_Q,
-            Method::DOUBLE_DOUBLE,
-            Method::CERTIFIED_HIT,
-            Method::CERTIFIED_T,
-        ] {
-            assert_eq!(wrong(method, &cases), 0.0, "{}", method.name);
-        }
-    }
-
-    #[test]
-    fn a_huge_ground_costs_digits_unless_c_has_them_all() {
-        let cases = samples(&strategies::above_the_ground(6.0..=6.0), CASES);
-        for method in [Method::HALF_B, Method::HALF_B_Q, Method::CROSS_Q] {
-            assert_between(1e2, median_ulps(method, &cases), 1e7, method);
-        }
-        for method in [
-            Method::ADAPTIVE_Q,
-            Method::DOUBLE_DOUBLE,
-            Method::CERTIFIED_T,
-        ] {
-            assert_between(0.0, median_ulps(method, &cases), 2.0, method);
-        }
     }
 }
 
@@ -517,16 +501,8 @@ mod surprises {
         let ground = book_ground();
         let [plain, cross] =
             [Method::HALF_B_Q, Method::CROSS_Q].map(|method| percentile(method, &ground, 0.999));
-        assert_between(1.0, plain, 20.0, Method::HALF_B_Q);
-        assert_between(20.0 * plain, cross, 1e4, Method::CROSS_Q);
-    }
-
-    #[test]
-    fn single_precision_is_enough_for_the_book() {
-        let cases = samples(&strategies::book_rays(), 10 * CASES);
-        for method in of(Precision::Single) {
-            assert_between(0.0, wrong(*method, &cases), 1e-4, *method);
-        }
+        assert!((1.0..=20.0).contains(&plain), "{plain}");
+        assert!((20.0 * plain..=1e4).contains(&cross), "{cross}");
     }
 
     fn book_ground() -> Vec<Case> {
@@ -618,10 +594,6 @@ fn is_hit(case: &Case) -> bool {
     exact.nearest_root_in(0.0, f64::INFINITY).is_some()
 }
 
-fn median_ulps(method: Method, cases: &[Case]) -> f64 {
-    percentile(method, cases, 0.5)
-}
-
 /// The error in ulps that this share of the hits in front does not exceed.
 fn percentile(method: Method, cases: &[Case], share: f64) -> f64 {
     let mut errors: Vec<f64> = cases
@@ -634,13 +606,4 @@ fn percentile(method: Method, cases: &[Case], share: f64) -> f64 {
         .collect();
     errors.sort_by(f64::total_cmp);
     errors[((errors.len() - 1) as f64 * share) as usize]
-}
-
-fn assert_between(low: f64, value: f64, high: f64, method: Method) {
-    let name = method.name;
-    assert!(
-        value >= low,
-        "{name}: {value} is less than {low}: better? Say so here"
-    );
-    assert!(value <= high, "{name}: {value} is more than {high}: worse");
 }
