@@ -67,9 +67,12 @@ pub fn same(one: &[f64], other: &[f64]) -> bool {
     one.len() == other.len() && one.iter().zip(other).all(near)
 }
 
+/// The telling questions of one kind.
+type TellingOf = fn(Chapter) -> Vec<Box<dyn Question>>;
+
 /// The telling questions to all functions of the chapter.
 pub(crate) fn all(chapter: Chapter) -> Vec<Box<dyn Question>> {
-    let kinds: &[fn(Chapter) -> Vec<Box<dyn Question>>] = match chapter {
+    let kinds: &[TellingOf] = match chapter {
         Chapter::BuildTest | Chapter::SpeedVsAccuracy => &[],
         Chapter::Gradient => &[of::<Asked>, of::<Traced>],
         Chapter::RedSphere | Chapter::Normals | Chapter::HalfBSphere => {

@@ -216,13 +216,12 @@ impl Trial {
     /// becomes of a hit.
     pub fn program(&self, program: &Program) -> Outcome {
         let ball = |center, radius| Ball { center, radius };
+        let solve = |center, radius, ray: &Ray| program.hit_sphere(center, radius, ray);
         match program.chapter {
-            Chapter::RedSphere => self.decision(&|center, radius, ray| {
-                program.hit_sphere(center, radius, ray).is_some()
-            })?,
-            Chapter::Normals | Chapter::HalfBSphere => {
-                self.nearer_root(&|center, radius, ray| program.hit_sphere(center, radius, ray))?
+            Chapter::RedSphere => {
+                self.decision(&|center, radius, ray| solve(center, radius, ray).is_some())?;
             }
+            Chapter::Normals | Chapter::HalfBSphere => self.nearer_root(&solve)?,
             Chapter::HittableList => {
                 self.nearest_in_range(&|center, radius, ray, t_min, t_max| {
                     program.hit(ball(center, radius), ray, t_min, t_max)

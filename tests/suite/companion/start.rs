@@ -311,7 +311,7 @@ const MISTAKES: &[(&str, &str, &str)] = &[
     (
         "hittable_list",
         "world.hit(ray, 0.0, f64::INFINITY)",
-        "world.hit(ray, f64::INFINITY, 0.0)",
+        "world.hit(ray, 0.0, 100.0)",
     ),
 ];
 
