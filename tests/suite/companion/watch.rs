@@ -59,7 +59,7 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
     // The third: the sign of b.
     mine.edit("normals", "let b = -2.0", "let b = 2.0");
     let screen = plain(&desk.see("Wrong:"));
-    assert!(screen.contains("the page   let b = -2.0"), "{screen}");
+    assert!(screen.contains("should be  let b = -2.0"), "{screen}");
     mine.edit("normals", "let b = 2.0", "let b = -2.0");
     keep("right", &desk.see("The laws hold."));
 
