@@ -24,7 +24,7 @@ pub(crate) fn elsewhere(evidence: &Evidence) -> Vec<Candidate> {
         return Vec::new();
     }
     let probes = PROBES.into_iter().filter(|probe| probe.spheres.is_some());
-    let scenes = probes.map(Some).chain([None]);
+    let scenes = [None].into_iter().chain(probes.map(Some));
     let scenes = scenes.filter(|probe| *probe != own.probe);
     let scenes = scenes.filter_map(|probe| Scene::new(own.chapter, probe));
     let chapters = Chapter::OF_THE_BOOK.into_iter();

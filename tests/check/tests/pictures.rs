@@ -1,5 +1,7 @@
 //! What a picture comes to: a table of programs, and of ways in which their pictures change.
 
+use std::thread;
+
 use check::known::Known;
 use check::names_of;
 use check::reading::Reading;
@@ -119,14 +121,17 @@ fn the_picture_of_each_slip_is_named_with_a_few_odd_pixels_too() {
 #[test]
 #[ignore = "it judges some thousand pictures"]
 fn the_picture_of_each_slip_is_named_in_each_chapter_and_size() {
-    let mut unnamed = String::new();
-    for slip in slips::all() {
-        for &chapter in slip.chapters {
-            for way in [same, odd::<1>, odd::<5>] {
-                unnamed += &unnamed_in(slip, chapter, 400, way);
-            }
-        }
-    }
+    let unnamed = |chapter: Chapter| {
+        let slips = slips::all().filter(|slip| slip.chapters.contains(&chapter));
+        let all = slips.flat_map(|slip| [(slip, same as Way), (slip, odd::<1>), (slip, odd::<5>)]);
+        all.map(|(slip, way)| unnamed_in(slip, chapter, 400, way))
+            .collect::<String>()
+    };
+    let unnamed: String = thread::scope(|scope| {
+        let threads = Chapter::OF_THE_BOOK.map(|chapter| scope.spawn(move || unnamed(chapter)));
+        let said = threads.map(|it| it.join().expect("no answer panics"));
+        said.concat()
+    });
     assert!(unnamed.is_empty(), "\n{unnamed}");
 }
 
