@@ -14,7 +14,7 @@ use crate::words::{Row, names_of};
 pub struct Judged<'a> {
     /// What it should show.
     pub scene: Scene,
-    /// Whether nobody has said so.
+    /// Whether that was guessed from the picture.
     pub is_guessed: bool,
     /// What the picture is called.
     pub name: String,
@@ -186,7 +186,7 @@ impl Judged<'_> {
         parts
     }
 
-    /// What is seen, where nobody has said what it is and too little in it tells.
+    /// What is seen, where the chapter was guessed and the picture says too little of it.
     fn unrecognized(&self) -> Option<String> {
         // Levels that are none are said first.
         if !self.is_guessed || matches!(self.check, Check::NotAPicture { .. }) {
@@ -271,7 +271,7 @@ impl Right {
     }
 }
 
-/// What may have given a picture its shape, if nobody chose it.
+/// What may have given a picture its shape, if the reader did not choose it.
 fn given_by(slips: &[&Slip]) -> Option<String> {
     let said = |slip: &&Slip| {
         let words = slip.words(Letters::Book(Edition::V4), slip.chapters[0]);

@@ -1,5 +1,5 @@
 //! Classification by the nearest program: which chapter a picture is meant to be, where
-//! nobody says so.
+//! no chapter is named.
 
 use slips::{Chapter, Edition, PROBES};
 

@@ -1,4 +1,4 @@
-//! HTML: what is told, in the elements of a page of the book.
+//! HTML: the rows of an answer, in the elements of a page of the book.
 
 use std::fmt::Display;
 

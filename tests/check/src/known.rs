@@ -28,7 +28,7 @@ pub struct Known<'a> {
     pub steps: Vec<bool>,
 }
 
-/// Of more answers than one in fifty nobody can say that they are due to rounding.
+/// More answers than one in fifty are not due to rounding.
 const REFUTING: usize = 50;
 
 impl Known<'_> {

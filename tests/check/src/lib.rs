@@ -4,7 +4,7 @@
 //! may be anything, the judge asks which program draws it, and the [`verdict`] is laid out as
 //! an [`answer`] to a picture, as the [`whole`] verdict on a program that is being typed, or
 //! as a [`report`] on a page. If the picture is right, [`blind_spots`] knows what it hides. Of
-//! a picture that nobody has named [`guess`] says which chapter it is.
+//! a picture without a chapter's name [`guess`] says which chapter it is.
 
 pub mod answer;
 pub mod blind_spots;

@@ -367,11 +367,6 @@ impl Mistakes {
             left: fit.left,
         }
     }
-
-    /// Whether every pixel is explained to the last bit.
-    pub fn is_exact(&self) -> bool {
-        self.left.is_nothing() && !self.is_antialiased
-    }
 }
 
 impl Near {

@@ -216,7 +216,7 @@ impl Place<'_> {
                 &own
             };
             let right = given + &part.file.said(own);
-            // Who asks the other way round does so of the same thing.
+            // A question asked the other way round is about the same thing.
             let turned = turned(&right).map(|right| (format!("!({with})"), right));
             let variants = [Some((with, right)), turned].into_iter().flatten();
             variants.map(|(with, right)| {
