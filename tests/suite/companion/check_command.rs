@@ -148,7 +148,7 @@ fn a_picture_may_come_from_standard_input_or_from_a_program() {
         &["check", "gradient", "--", &normals, "-"],
     ));
     assert_eq!(output.status.code(), Some(1));
-    assert!(text(&output.stdout).contains("a picture of the chapter normals"));
+    assert!(text(&output.stdout).contains("rtrace check normals PICTURE"));
 
     for (words, problem) in [
         (&["no-such-program"][..], "does not start"),
