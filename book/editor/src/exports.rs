@@ -15,7 +15,7 @@ use crate::{Said, Text, home, next};
 struct State {
     given: Vec<u8>,
     text: Option<Text>,
-    program: Option<typed::Program>,
+    program: Option<interpreter::Program>,
     picture: Option<Picture>,
     said: Vec<u8>,
 }

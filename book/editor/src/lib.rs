@@ -1,6 +1,6 @@
 //! What the editor of a page calls, compiled to WebAssembly: texts in; pixels and words out.
 //!
-//! [`typed`] reads and draws what a reader types, [`laws`] ask its functions, and [`check`]
+//! [`interpreter`] reads and draws what a reader types, [`laws`] ask its functions, and [`check`]
 //! says what it has come to, in the words that `watch` has for the same crate. Here these only
 //! become HTML. It is one module, because two of them that talk to each other would both bring
 //! the mistakes and the chapters along, and a reader who types loads all of it. `.ci/live`
@@ -21,10 +21,10 @@ use check::sources::Sources;
 use check::verdict;
 use check::whole::{Evidence, Laws, Line, Verdict};
 use common::rtweekend::*;
+use interpreter::Fault;
 use laws::Trial;
 use laws::answers::Answers;
 use slips::{Chapter, Letters, Program, Slip, steps};
-use typed::Fault;
 
 /// What a reader has typed, by the names of the files.
 pub struct Text {
@@ -73,24 +73,24 @@ impl Text {
     ///
     /// # Errors
     /// What a compiler would complain of.
-    pub fn read(&self) -> Result<typed::Program, Said> {
+    pub fn read(&self) -> Result<interpreter::Program, Said> {
         // The root comes first, and is typed last.
         let files = self.files.iter();
         let mut files: Vec<_> = files.map(|(name, text)| (&name[..], &text[..])).collect();
         files.rotate_right(1);
-        typed::read(&files).map_err(|faults| self.not_compiled(&faults))
+        interpreter::read(&files).map_err(|faults| self.not_compiled(&faults))
     }
 
     /// Draws what was read.
     ///
     /// # Errors
     /// What stops the program.
-    pub fn draw(&self, program: &typed::Program, width: u32) -> Result<Picture, Said> {
+    pub fn draw(&self, program: &interpreter::Program, width: u32) -> Result<Picture, Said> {
         program.draw(width).map_err(|fault| self.stopped(&fault))
     }
 
     /// What the picture, the laws and the typed lines come to.
-    pub fn verdict(&self, program: &'static typed::Program, picture: &Picture) -> Verdict {
+    pub fn verdict(&self, program: &'static interpreter::Program, picture: &Picture) -> Verdict {
         let scene = Scene::new(self.chapter, None).expect("without a probe it is a scene");
         let mut asked = Program {
             code: Some(program),

@@ -126,6 +126,9 @@ const TURNS: u32 = 200_000;
 /// So deep is no call in a chapter.
 const DEEPEST: u32 = 60;
 
+/// Pixels, each with the levels that it should have.
+pub type Sample = [(u32, [u8; 3])];
+
 /// What runs a program: the values of all functions that are being called.
 pub(crate) struct Machine {
     pub(crate) code: Arc<Code>,
@@ -133,6 +136,9 @@ pub(crate) struct Machine {
     base: usize,
     depth: u32,
     turns: u32,
+    pub(crate) sample: Option<Rc<Sample>>,
+    pub(crate) matched: usize,
+    has_f32: bool,
 }
 
 /// What only another type could have, of which the checker has made sure.
@@ -225,6 +231,9 @@ impl Machine {
             base: 0,
             depth: 0,
             turns: TURNS,
+            sample: None,
+            matched: 0,
+            has_f32: code.types.iter().any(|it| it.is(Head::F32)),
         }
     }
 
@@ -366,7 +375,133 @@ impl Machine {
         nodes.iter().map(|node| self.eval(node)).collect()
     }
 
+    /// What most nodes are, each with its result where it belongs.
     pub(crate) fn eval(&mut self, node: &Node) -> Eval {
+        match node {
+            Node::Local(slot) => Ok(self.stack[self.base + slot].clone()),
+            Node::Float(it) => Ok(Value::Float(*it)),
+            Node::Field(of, n) => match &**of {
+                Node::Local(slot) => Ok(self.stack[self.base + slot].field(*n)),
+                of => Ok(self.eval(of)?.field(*n)),
+            },
+            Node::Arithmetic(how, nodes) => self.operation(how, nodes),
+            Node::Compare(order, nodes) => self.comparison(*order, nodes),
+            Node::And(nodes) => match self.eval(&nodes[0])?.truth() {
+                true => self.eval(&nodes[1]),
+                false => Ok(Value::Bool(false)),
+            },
+            Node::Or(nodes) => match self.eval(&nodes[0])?.truth() {
+                false => self.eval(&nodes[1]),
+                true => Ok(Value::Bool(true)),
+            },
+            Node::If(condition, then, other) => match self.eval(condition)?.truth() {
+                true => self.eval(then),
+                false => self.eval(other),
+            },
+            Node::Block(nodes, true) if !nodes.is_empty() => {
+                let (last, before) = nodes.split_last().expect("not empty");
+                for node in before {
+                    self.eval(node)?;
+                }
+                self.eval(last)
+            }
+            Node::Let(pattern, value, None) => self.bound(pattern, value),
+            Node::Call(function, nodes) if nodes.len() <= 4 => {
+                let mut arguments: [Value; 4] = Default::default();
+                for (argument, node) in arguments.iter_mut().zip(nodes) {
+                    *argument = self.eval(node)?;
+                }
+                self.run(*function, &arguments[..nodes.len()])
+            }
+            Node::Dispatch(of, name, nodes) if nodes.len() <= 4 => {
+                let mut arguments: [Value; 4] = Default::default();
+                for (argument, node) in arguments.iter_mut().zip(nodes) {
+                    *argument = self.eval(node)?;
+                }
+                self.dispatch(*of, name, &mut arguments[..nodes.len()])
+            }
+            Node::Deref(of) => {
+                let reference = self.eval(of)?;
+                Ok(self.followed(&reference))
+            }
+            Node::Native(native, nodes, ty, at) => self.native(*native, nodes, *ty, at),
+            node => self.eval_rest(node),
+        }
+    }
+
+    #[inline(never)]
+    fn bound(&mut self, pattern: &Pattern, value: &Node) -> Eval {
+        let value = self.eval(value)?;
+        match pattern {
+            Pattern::Bind(slot, inner) if matches!(**inner, Pattern::Any) => {
+                let slot = self.base + slot;
+                self.stack[slot] = value;
+            }
+            pattern => drop(self.binds(pattern, &value)?),
+        }
+        Ok(Value::Unit)
+    }
+
+    #[inline(never)]
+    fn native(&mut self, native: usize, nodes: &[Node], ty: TypeId, at: &Place) -> Eval {
+        let mut arguments: [Value; 4] = Default::default();
+        for (argument, node) in arguments.iter_mut().zip(nodes) {
+            *argument = self.eval(node)?;
+        }
+        let value = prelude::run(native, self, &mut arguments[..nodes.len()], at)?;
+        match value {
+            Value::Float(it) if self.has_f32 && self.is(ty, Head::F32) => {
+                Ok(Value::Float(f64::from(it as f32)))
+            }
+            value => Ok(value),
+        }
+    }
+
+    #[inline(never)]
+    fn operation(&mut self, how: &Arithmetic, nodes: &[Node; 2]) -> Eval {
+        let left = self.eval(&nodes[0])?;
+        let right = self.eval(&nodes[1])?;
+        match (&left, &right) {
+            (Value::Float(a), Value::Float(b)) if !self.has_f32 => match how.sign {
+                Sign::Plus => return Ok(Value::Float(a + b)),
+                Sign::Minus => return Ok(Value::Float(a - b)),
+                Sign::Times => return Ok(Value::Float(a * b)),
+                Sign::Over => return Ok(Value::Float(a / b)),
+                _ => {}
+            },
+            _ => {}
+        }
+        self.arithmetic(how, left, right)
+    }
+
+    #[inline(never)]
+    fn comparison(&mut self, order: Order, nodes: &[Node; 2]) -> Eval {
+        let left = self.eval(&nodes[0])?;
+        let right = self.eval(&nodes[1])?;
+        if let (Value::Float(a), Value::Float(b)) = (&left, &right) {
+            return Ok(Value::Bool(match order {
+                Order::Equal => a == b,
+                Order::Unequal => a != b,
+                Order::Less => a < b,
+                Order::AtMost => a <= b,
+                Order::More => a > b,
+                Order::AtLeast => a >= b,
+            }));
+        }
+        Ok(Value::Bool(match order {
+            Order::Equal => left.equals(&right),
+            Order::Unequal => !left.equals(&right),
+            order => left.compared(&right).is_some_and(|it| match order {
+                Order::Less => it.is_lt(),
+                Order::AtMost => it.is_le(),
+                Order::More => it.is_gt(),
+                _ => it.is_ge(),
+            }),
+        }))
+    }
+
+    #[inline(never)]
+    fn eval_rest(&mut self, node: &Node) -> Eval {
         Ok(match node {
             Node::Unit => Value::Unit,
             Node::Bool(it) => Value::Bool(*it),

@@ -24,6 +24,7 @@ use common::rtweekend::*;
 use slips::{Ball, Hit, Interpreted};
 
 use items::Items;
+pub use run::Sample;
 use run::{Code, Machine, Value};
 
 /// Why a text does not run.
@@ -146,6 +147,20 @@ impl Program {
             rgb.extend(pixel);
         }
         Picture::from_rgb(size.0, size.1, rgb).ok_or_else(|| missing("a picture"))
+    }
+
+    /// How many of these pixels are right, up to the first that is not.
+    ///
+    /// # Errors
+    /// Where the program stops by itself.
+    pub fn matches(&self, width: u32, pixels: &Rc<Sample>) -> Result<usize, Fault> {
+        let mut machine = Machine::new(&self.code);
+        machine.sample = Some(Rc::clone(pixels));
+        if let Some(picture) = self.names.picture {
+            machine.call(picture, &[Value::Int(width.into())])?;
+            return Ok(machine.matched);
+        }
+        Err(missing("a picture"))
     }
 
     /// The range that `ray_color` asks the world for.

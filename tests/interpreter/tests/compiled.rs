@@ -7,13 +7,13 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use common::rtweekend::*;
+use interpreter::Program;
 use slips::{Chapter, Interpreted, Letters};
-use typed::Program;
 
 const WIDTHS: [u32; 3] = [40, 63, 100];
 
 fn program_of(files: &[(&str, &str)]) -> Result<Program, String> {
-    typed::read(files).map_err(|faults| faults[0].to_string())
+    interpreter::read(files).map_err(|faults| faults[0].to_string())
 }
 
 /// The chapter with the first of these words replaced in one of its files.
@@ -257,7 +257,7 @@ fn what_the_compiler_refuses_is_refused_at_the_same_line() {
         let said = said_of(&folder);
         let lines = lines_of_errors(&said);
         assert!(!lines.is_empty(), "{wrong} compiles: {said}");
-        let faults = typed::read(&[("src/lib.rs", &changed)]).expect_err(wrong);
+        let faults = interpreter::read(&[("src/lib.rs", &changed)]).expect_err(wrong);
         let place = faults[0].place.as_ref().expect("it is somewhere");
         let is_near = lines.iter().any(|it| it.abs_diff(place.line) <= 1);
         // Of a body that gives nothing the compiler shows the type that is promised.
