@@ -17,6 +17,8 @@ pub(crate) struct Items<'a> {
     pub(crate) bodies: Vec<Option<Body<'a>>>,
     /// The names that each file knows.
     scopes: Vec<HashMap<String, Named>>,
+    /// Those that it knows by a `*`: names of its own go before them.
+    globs: Vec<HashMap<String, Named>>,
     /// Which file each module is.
     modules: HashMap<String, usize>,
 }
@@ -119,6 +121,7 @@ impl<'a> Items<'a> {
         scope.extend(of_std(&["cmp"], "Ordering").map(|it| ("Ordering".to_owned(), it)));
         Self {
             scopes: vec![scope],
+            globs: vec![HashMap::new()],
             ..Self::default()
         }
     }
@@ -127,6 +130,7 @@ impl<'a> Items<'a> {
     pub(crate) fn of(files: &'a [(String, syn::File)]) -> Result<Self, Vec<Fault>> {
         let mut items = Self {
             scopes: vec![HashMap::new(); files.len()],
+            globs: vec![HashMap::new(); files.len()],
             ..Self::default()
         };
         for (file, (module, _)) in files.iter().enumerate() {
@@ -146,14 +150,28 @@ impl<'a> Items<'a> {
             }
         };
         each(&mut items, &mut Self::declare);
-        // A name may be handed on, from file to file.
+        // A name may be handed on from file to file, and a type by another name.
         for is_last in [false, false, true] {
-            each(&mut items, &mut |items, file, item| match item {
-                syn::Item::Use(it) => items.import(file, &[], &it.tree, is_last),
-                _ => Ok(()),
+            each(&mut items, &mut Self::import_all);
+            each(&mut items, &mut |items, file, item| {
+                let named = items.define_type(file, item);
+                if is_last { named } else { Ok(()) }
             });
         }
-        each(&mut items, &mut Self::define);
+        each(&mut items, &mut |items, file, item| match item {
+            syn::Item::Trait(_) => items.define(file, item),
+            _ => Ok(()),
+        });
+        each(&mut items, &mut |items, file, item| match item {
+            syn::Item::Trait(_) => Ok(()),
+            _ => items.define(file, item),
+        });
+        // Functions have their names now.
+        each(&mut items, &mut Self::import_all);
+        each(&mut items, &mut |items, file, item| match item {
+            syn::Item::Use(it) => items.import(file, &[], &it.tree, true),
+            _ => Ok(()),
+        });
         let is_complete = items.are_traits_complete();
         faults.extend(is_complete.err());
         match faults.is_empty() {
@@ -237,6 +255,13 @@ impl<'a> Items<'a> {
         Named::Type(Type::plain(Head::Own(self.kinds.len() - 1)))
     }
 
+    fn import_all(&mut self, file: usize, item: &syn::Item) -> Result<(), Fault> {
+        match item {
+            syn::Item::Use(it) => self.import(file, &[], &it.tree, false),
+            _ => Ok(()),
+        }
+    }
+
     fn import(
         &mut self,
         file: usize,
@@ -255,7 +280,11 @@ impl<'a> Items<'a> {
             }
             syn::UseTree::Glob(_) => {
                 let names = match self.module(file, before) {
-                    Some(module) => self.scopes[module].clone(),
+                    Some(module) => {
+                        let mut names = self.globs[module].clone();
+                        names.extend(self.scopes[module].clone());
+                        names
+                    }
                     None => match before.join("::").as_str() {
                         "common::rtweekend" => prelude(),
                         path if must_be => {
@@ -264,9 +293,7 @@ impl<'a> Items<'a> {
                         _ => return Ok(()),
                     },
                 };
-                for (name, named) in names {
-                    self.scopes[file].entry(name).or_insert(named);
-                }
+                self.globs[file].extend(names);
                 return Ok(());
             }
             syn::UseTree::Name(it) if it.ident == "self" => return Ok(()),
@@ -302,7 +329,9 @@ impl<'a> Items<'a> {
     pub(crate) fn found(&self, file: usize, path: &[String]) -> Option<Named> {
         let (name, modules) = path.split_last()?;
         if let Some(module) = self.module(file, modules)
-            && let Some(named) = self.scopes[module].get(name)
+            && let Some(named) = self.scopes[module]
+                .get(name)
+                .or_else(|| self.globs[module].get(name))
         {
             return Some(named.clone());
         }
@@ -332,10 +361,6 @@ impl<'a> Items<'a> {
                     self.fields(&context, &it.ident, &variant.ident, &variant.fields)
                 })
             }
-            syn::Item::Type(it) => {
-                let ty = self.ty(&context, &it.ty)?;
-                self.name(file, &it.ident, Named::Type(ty))
-            }
             syn::Item::Const(it) => self.constant(&context, &it.ident, &it.ty, &it.expr),
             syn::Item::Static(it) => self.constant(&context, &it.ident, &it.ty, &it.expr),
             syn::Item::Fn(it) => {
@@ -364,6 +389,22 @@ impl<'a> Items<'a> {
             syn::Item::Impl(it) => self.implementation(context, it),
             _ => Ok(()),
         }
+    }
+
+    /// Another name for a type.
+    fn define_type(&mut self, file: usize, item: &syn::Item) -> Result<(), Fault> {
+        let syn::Item::Type(it) = item else {
+            return Ok(());
+        };
+        if self.scopes[file].contains_key(&it.ident.to_string()) {
+            return Ok(());
+        }
+        let context = Context {
+            file,
+            ..Context::default()
+        };
+        let ty = self.ty(&context, &it.ty)?;
+        self.name(file, &it.ident, Named::Type(ty))
     }
 
     fn fields(
@@ -786,7 +827,8 @@ impl<'a> Items<'a> {
         } else if let Some((module, _)) = elsewhere.next().and_then(module) {
             format!("`use crate::{module}::{name};` is missing")
         } else {
-            let known = self.scopes[file].keys().map(String::as_str);
+            let known = self.scopes[file].keys().chain(self.globs[file].keys());
+            let known = known.map(String::as_str);
             similar(name, known).map_or(String::new(), |it| format!("there is `{it}`"))
         };
         Fault::at(Some(place), &message, "not found in this scope", &help)

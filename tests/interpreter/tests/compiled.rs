@@ -68,6 +68,35 @@ fn mistakes_draw_what_they_draw_when_they_are_compiled() {
     assert!(drawn > 100, "{drawn} mistakes are drawn");
 }
 
+/// What readers have beside the chapter's text.
+#[test]
+fn what_the_compiler_reads_is_read() {
+    let (_, normals) = Chapter::Normals.files()[0];
+    let sky = "\nfn sky(ray: &Ray) -> Color {\n    Color::new(0.0, ray.direction.y, 1.0)\n}\n";
+    let own_sky = format!("{normals}{sky}");
+    let program = program_of(&[("src/lib.rs", &own_sky)]).expect("its own name goes first");
+    let drawn = program.draw(40).expect("nothing stops it");
+    assert_ne!(drawn, Chapter::Normals.picture(40));
+
+    let renamed = normals.replace(
+        "use common::rtweekend::*;",
+        "mod names;\nuse common::rtweekend::*;\nuse names::Where;",
+    );
+    let renamed = renamed.replace("center: Point3", "center: Where");
+    let names = "pub type Where = common::rtweekend::Point3;\n";
+    let program = program_of(&[("src/lib.rs", &renamed), ("src/names.rs", names)])
+        .expect("a type may have two names");
+    let drawn = program.draw(40).expect("nothing stops it");
+    assert_eq!(drawn, Chapter::Normals.picture(40));
+
+    // An `impl` may be read before its trait.
+    let mut files = Chapter::HittableList.files().to_vec();
+    files[1..].reverse();
+    let program = program_of(&files).expect("the order of files says nothing");
+    let drawn = program.draw(40).expect("nothing stops it");
+    assert_eq!(drawn, Chapter::HittableList.picture(40));
+}
+
 /// Nobody can make the page wait, or end it.
 #[test]
 fn a_hostile_text_is_answered_at_once() {
