@@ -2,14 +2,13 @@
 
 use std::error::Error;
 use std::ffi::OsString;
-use std::io::{self, IsTerminal, Read, Write};
+use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, ExitStatus, Stdio};
 use std::{env, thread};
 
-use course::names;
-
 use crate::draw;
+use crate::misuse::complain;
 
 /// A package of this workspace that is built when it is asked for.
 pub struct Package {
@@ -60,12 +59,7 @@ impl Package {
         let built = run(build, self.says)
             .map_err(|cause| format!("cargo, which builds `{name}`, does not start: {cause}"))?;
         if !built.status.success() {
-            let why = if built.is_shown {
-                "see above"
-            } else {
-                built.said.trim_end()
-            };
-            return Err(format!("cargo has not built `{name}`: {why}").into());
+            return Err(format!("cargo has not built `{name}`: {}", built.said.trim_end()).into());
         }
         let program = programs.join(self.program);
         Ok(Command::new(
@@ -121,95 +115,53 @@ pub struct Run {
     pub printed: Vec<u8>,
     /// What it said besides.
     pub said: String,
-    /// Whether the reader has seen that.
-    pub is_shown: bool,
 }
 
-/// Runs cargo. If it builds more than a reader's own crate, what it says is seen, and `first`
-/// before it.
+/// Runs cargo. If it builds more than a reader's own crate, what it says is seen as it comes,
+/// and `first` before it.
 ///
 /// # Errors
 /// If it does not start, or can't be read from.
 pub fn run(mut cargo: Command, first: &str) -> io::Result<Run> {
-    cargo.env("CARGO_TERM_COLOR", "never");
-    if io::stderr().is_terminal() {
-        // It sees no terminal, and is told that there is one, and how wide.
-        let columns = terminal_size::terminal_size().map_or(80, |(width, _)| width.0);
-        cargo.env("CARGO_TERM_PROGRESS_WHEN", "always");
-        cargo.env("CARGO_TERM_PROGRESS_WIDTH", columns.to_string());
-    }
-    cargo
-        .stdin(Stdio::null())
+    cargo.env("CARGO_TERM_COLOR", "never").stdin(Stdio::null());
+    let mut child = cargo
         .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    let mut child = cargo.spawn()?;
-    let mut output = child.stdout.take().expect("it is piped");
-    let errors = child.stderr.take().expect("it is piped");
-    let (printed, said) = thread::scope(|scope| {
+        .stderr(Stdio::piped())
+        .spawn()?;
+    let errors = BufReader::new(child.stderr.take().expect("it is piped"));
+    thread::scope(|scope| {
         let said = scope.spawn(|| show(errors, first));
-        let mut printed = Vec::new();
-        output.read_to_end(&mut printed)?;
-        io::Result::Ok((printed, said.join().expect("it only reads")))
-    })?;
-    let (said, is_shown) = said?;
-    Ok(Run {
-        status: child.wait()?,
-        printed,
-        said,
-        is_shown,
+        let output = child.wait_with_output()?;
+        Ok(Run {
+            status: output.status,
+            printed: output.stdout,
+            said: said.join().expect("it only reads"),
+        })
     })
 }
 
-/// Reads to the end what cargo says, and shows it meanwhile: whether it has.
-fn show(mut errors: impl Read, first: &str) -> io::Result<(String, bool)> {
-    let mut said = Vec::new();
-    let mut shown = None;
-    let mut piece = [0; 4096];
-    loop {
-        let length = errors.read(&mut piece)?;
-        said.extend_from_slice(&piece[..length]);
-        if shown.is_none() && has_work(&said) {
-            tell(&format!("{first}\n"));
-            shown = Some(0);
+/// Reads to the end what cargo says, and shows it from the first line on that tells of work.
+fn show(errors: impl BufRead, first: &str) -> String {
+    let mut said = String::new();
+    let mut is_shown = false;
+    for line in errors.split(b'\n').map_while(Result::ok) {
+        let line = String::from_utf8_lossy(&line);
+        if !is_shown && is_work(&line) {
+            is_shown = true;
+            complain(first);
         }
-        // A letter may have more bytes than one, and an end of a line has not.
-        let end = said.iter().rposition(|byte| b"\r\n".contains(byte));
-        if let (Some(shown), Some(end)) = (&mut shown, end) {
-            tell(&String::from_utf8_lossy(&said[*shown..=end]));
-            *shown = end + 1;
+        if is_shown {
+            complain(&line);
         }
-        if length == 0 {
-            let said = String::from_utf8_lossy(&said).into_owned();
-            return Ok((said, shown.is_some()));
-        }
+        said += &format!("{line}\n");
     }
+    said
 }
 
-/// Whether a line tells of work, but for that on a reader's own crate, which takes no time.
-fn has_work(said: &[u8]) -> bool {
+/// Whether the line tells of work, but for that on a reader's own crate, which takes no time.
+fn is_work(line: &str) -> bool {
     const WORK: [&str; 3] = ["Compiling", "Downloading", "Updating"];
-    let said = String::from_utf8_lossy(said);
-    let is_work = |line: &str| {
-        line.ends_with('\n') && !line.contains(" my_") && WORK.iter().any(|it| line.contains(it))
-    };
-    said.split_inclusive('\n').any(is_work)
-}
-
-/// Says it on standard error, where each line takes the place of what was there. What a
-/// terminal would obey in it, from the script of a package perhaps, is spelled out.
-fn tell(text: &str) {
-    const ERASE: &str = "\x1b[K";
-    let erase = if io::stderr().is_terminal() {
-        ERASE
-    } else {
-        ""
-    };
-    for line in text.replace(ERASE, "").split_inclusive(['\r', '\n']) {
-        let said = line.trim_end_matches(['\r', '\n']);
-        let end = &line[said.len()..];
-        // If it can't be written, nobody looks.
-        let _ = write!(io::stderr(), "{}{erase}{end}", names::visible(said));
-    }
+    !line.contains(" my_") && WORK.iter().any(|work| line.trim_start().starts_with(work))
 }
 
 /// Becomes that program, whose input, signals and exit code are its own.

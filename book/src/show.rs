@@ -12,7 +12,7 @@ use course::names;
 
 use crate::chapter::OneOf;
 use crate::draw;
-use crate::misuse::{Misuse, misuse};
+use crate::misuse::misuse;
 use crate::save::{Format, save};
 use crate::terminal::{self, Palette};
 
@@ -46,12 +46,6 @@ pub fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         open,
     } = arguments;
     let picture = || chapter.picture(width.unwrap_or(chapter.book_width()));
-    if !matches!(
-        output,
-        Some(Destination::Stdout | Destination::File(_, Format::Ppm))
-    ) {
-        check_memory(&picture())?;
-    }
     match output {
         Some(Destination::Stdout) if *open => Err(misuse(
             "--open needs a file: name one with --output, or leave --output out",
@@ -102,17 +96,6 @@ fn save_and_say(
         })?;
     }
     Ok(())
-}
-
-/// Refuses a picture that does not fit into memory, unless it is to be printed.
-fn check_memory(picture: &Picture) -> Result<(), Misuse> {
-    let bytes = 3 * picture.width() as usize * picture.height() as usize;
-    Vec::<u8>::new().try_reserve_exact(bytes).map_err(|_| {
-        Misuse(format!(
-            "there is no memory for {} MB: choose a smaller width, or a .ppm file",
-            bytes / 1_000_000
-        ))
-    })
 }
 
 fn destination_parser() -> impl TypedValueParser<Value = Destination> {

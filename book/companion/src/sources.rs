@@ -16,7 +16,7 @@ pub(crate) fn of_crate(folder: &Path, chapter: Chapter) -> Sources {
 /// names, or else those of the folder, unless it has several programs.
 pub(crate) fn of_program(words: &[OsString], folder: &Path) -> (Sources, Option<Letters>) {
     let named = words.iter().map(|word| folder.join(word));
-    let named: Vec<_> = named.filter(|path| language(path).is_some()).collect();
+    let named: Vec<_> = named.filter(|path| is_source(path)).collect();
     let files = match &named[..] {
         [] => [files_in(folder, ""), files_in(&folder.join("src"), "src/")].concat(),
         paths => paths.iter().filter_map(|path| file(path, "")).collect(),
@@ -29,6 +29,11 @@ pub(crate) fn of_program(words: &[OsString], folder: &Path) -> (Sources, Option<
     (Sources::new(files, Vec::new()), first.flatten())
 }
 
+/// Whether the file is a source in a language that is known here.
+pub(crate) fn is_source(path: &Path) -> bool {
+    language(path).is_some()
+}
+
 /// No program of these chapters has more files, or a longer one.
 const MOST_FILES: usize = 40;
 const MOST_BYTES: u64 = 1 << 17;
@@ -38,7 +43,7 @@ fn files_in(folder: &Path, before: &str) -> Vec<(String, String)> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut paths: Vec<_> = entries.map(|entry| entry.path()).collect();
     paths.sort();
-    let sources = paths.iter().filter(|path| language(path).is_some());
+    let sources = paths.iter().filter(|path| is_source(path));
     let files = sources.filter_map(|path| file(path, before));
     files.take(MOST_FILES).collect()
 }

@@ -1,93 +1,111 @@
 //! Templates: the files of a crate of the reader's own, which `start` and a page begin with.
 //!
-//! A skeleton says by marks what becomes of what the reader wrote in the chapter before.
+//! Those of a chapter are made from the chapter itself, those of a prelude are written by hand.
+
+pub mod source;
 
 use slips::Chapter;
 
-/// The files of the chapter with nothing in its functions, `src/lib.rs` first: the same as
-/// those that the page lists.
+/// The files of the chapter with nothing in the functions that are to be typed, `src/lib.rs`
+/// first: the same as those that the page lists.
 pub fn files(chapter: Chapter, own: bool) -> Vec<(&'static str, String)> {
-    let lib = match chapter {
-        Chapter::BuildTest => include_str!("../files/build_test.rs"),
-        Chapter::Gradient => include_str!("../files/gradient.rs"),
-        Chapter::RedSphere => include_str!("../files/red_sphere.rs"),
-        Chapter::Normals | Chapter::HalfBSphere => include_str!("../files/normals.rs"),
-        Chapter::HittableList => include_str!("../files/hittable_list/lib.rs"),
-        Chapter::SpeedVsAccuracy => unreachable!("it is not typed"),
+    let of_lib = if own {
+        include_str!("../files/own/head.rs")
+    } else {
+        PRELUDE
     };
-    // Both draw normals, so only what hits the sphere is typed again.
-    let lib = match chapter {
-        Chapter::HalfBSphere => lib.replace("// show ray_color", "// carry ray_color"),
-        _ => lib.to_owned(),
-    };
-    let modules = match chapter {
-        Chapter::HittableList => HITTABLE_LIST,
-        _ => &[],
-    };
-    let (head, prelude) = match own {
-        true => (
-            include_str!("../files/own/head.rs"),
-            "use crate::rtweekend::*;\n",
-        ),
-        false => {
-            let prelude = include_str!("../files/head.rs");
-            (prelude, prelude)
+    let skeleton = |&(name, text): &(&'static str, &str)| {
+        let text = source::to_type(text, given(chapter));
+        if name == "src/lib.rs" {
+            let text = text
+                .replacen(&format!("{PRELUDE}\n"), "", 1)
+                .replace(GROUND, "");
+            let is_head = |line: &&str| line.starts_with("//!") || line.is_empty();
+            let lines = text.lines().skip_while(is_head);
+            let lines: String = lines.map(|line| format!("{line}\n")).collect();
+            (name, format!("{of_lib}\n{lines}"))
+        } else if own {
+            (name, text.replace("common::rtweekend", "crate::rtweekend"))
+        } else {
+            (name, text)
         }
     };
-    let mut files = vec![("src/lib.rs", format!("{head}\n{lib}"))];
-    files.extend(modules.iter().map(|&(name, module)| {
-        let above = match module.starts_with("use ") {
-            true => prelude.to_owned(),
-            false => format!("{prelude}\n"),
-        };
-        (name, above + module)
-    }));
+    let mut files: Vec<_> = chapter.files().iter().map(skeleton).collect();
+    files.sort_by_key(|(name, _)| ORDER.iter().position(|it| it == name));
     files
 }
 
-/// The same for who takes nothing over from the chapter before, in the order in which they are
-/// typed.
+/// What a chapter takes from the prelude.
+const PRELUDE: &str = "use common::rtweekend::*;\n";
+
+/// A step of chapter 5.
+const GROUND: &str = "    world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0));\n";
+
+/// The files of a chapter. All but the first are in the order in which they are typed.
+const ORDER: [&str; 4] = [
+    "src/lib.rs",
+    "src/hittable.rs",
+    "src/sphere.rs",
+    "src/hittable_list.rs",
+];
+
+/// The functions of a chapter that the reader need not type.
+fn given(chapter: Chapter) -> &'static [&'static str] {
+    match chapter {
+        Chapter::BuildTest => &[],
+        Chapter::RedSphere => &["picture", "ray_color"],
+        _ => &["picture", "world", "new", "add"],
+    }
+}
+
+/// The same for a reader who takes nothing over from the chapter before, in the order in which
+/// they are typed.
 pub fn plain(chapter: Chapter) -> Vec<(&'static str, String)> {
     let mut files = files(chapter, false);
     files.rotate_left(1);
-    for (_, text) in &mut files {
-        *text = without_marks(text);
-    }
     files
 }
 
-fn without_marks(skeleton: &str) -> String {
-    let mut text = String::new();
-    let mut lines = skeleton.lines();
-    while let Some(line) = lines.next() {
-        let words: Vec<&str> = line.split(' ').collect();
-        match words[..] {
-            // The mark goes, and the empty line below it.
-            ["//", "carry", _, "as", _] => drop(lines.next()),
-            ["//", "carry" | "show", _] => {}
-            _ => text += &format!("{line}\n"),
-        }
-    }
-    text
+/// What becomes of a function that the reader wrote in the chapter before.
+pub struct Carry {
+    /// The name of the function.
+    pub name: &'static str,
+    /// The item of the skeleton that it has to do with, by some of its text.
+    pub at: &'static str,
+    /// What becomes of it.
+    pub how: How,
 }
 
-/// The modules of chapter 5.
-const HITTABLE_LIST: &[(&str, &str)] = &[
-    (
-        "src/hittable.rs",
-        include_str!("../files/hittable_list/hittable.rs"),
-    ),
-    (
-        "src/sphere.rs",
-        include_str!("../files/hittable_list/sphere.rs"),
-    ),
-    (
-        "src/hittable_list.rs",
-        include_str!("../files/hittable_list/hittable_list.rs"),
-    ),
-];
+/// How a function is carried over.
+pub enum How {
+    /// It takes the place of the item.
+    InPlace,
+    /// It stands before the item, by this name.
+    As(&'static str),
+    /// It stands before the item as a comment, to be looked at.
+    Shown,
+}
 
-/// The sky, for who types the prelude and has not typed it in chapter 1.
+/// What becomes of the functions of the chapter before.
+pub fn carried(chapter: Chapter) -> Vec<Carry> {
+    use How::{As, InPlace, Shown};
+    let carry = |(name, at, how)| Carry { name, at, how };
+    let hit_sphere = ("hit_sphere", "fn hit_sphere", Shown);
+    let all = match chapter {
+        Chapter::RedSphere => vec![("ray_color", "fn ray_color", As("sky"))],
+        Chapter::Normals => vec![("ray_color", "fn ray_color", Shown), hit_sphere],
+        // Both draw normals, so only what hits the sphere is typed again.
+        Chapter::HalfBSphere => vec![("ray_color", "fn ray_color", InPlace), hit_sphere],
+        Chapter::HittableList => vec![
+            ("ray_color", "fn ray_color", Shown),
+            ("hit_sphere", "impl Hittable for Sphere", Shown),
+        ],
+        _ => Vec::new(),
+    };
+    all.into_iter().map(carry).collect()
+}
+
+/// The sky, for a reader who types the prelude and has not typed it in chapter 1.
 pub const OWN_SKY: &str = include_str!("../files/own/sky.rs");
 
 /// The files of a prelude that the reader types.

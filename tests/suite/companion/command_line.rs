@@ -4,76 +4,65 @@ use std::fs;
 
 use insta::assert_snapshot;
 use slips::Chapter;
-use suite::command::{picture_in, program_with, rtrace_alone, run, text, transcript, woven};
+use suite::command::{picture_in, rtrace_alone, text, woven};
+use suite::desk::Desk;
 use suite::drawn::p3;
 
 #[test]
 fn a_chapter_explains_itself_when_asked_and_when_misunderstood() {
-    let gradient = |words: &[&str]| program_with("gradient", words);
-    let help = transcript(&mut [gradient(&["--help"])]);
+    let desk = Desk::default();
+    let help = desk.transcript("gradient --help");
     let (_, usage) = help.split_once('\n').expect("what it says");
-    let said = transcript(&mut [
-        gradient(&["picture.PNG"]),
-        gradient(&["a.ppm", "b.ppm"]),
-        gradient(&["a.ppm", "--width"]),
-        gradient(&["--width", "0"]),
-        gradient(&["--width=16385"]),
-        gradient(&["--width", "-3"]),
-        gradient(&["--width=four", "a.ppm"]),
-        gradient(&["-w"]),
-    ]);
-    assert_snapshot!(help.clone() + &said.replace(usage, "(the same)\n"));
+    let said = desk.transcript(
+        "gradient picture.PNG
+         gradient a.ppm b.ppm
+         gradient a.ppm --width
+         gradient --width 0
+         gradient --width=16385
+         gradient --width -3
+         gradient --width=four a.ppm
+         gradient -w",
+    );
+    let usage = usage.trim_end();
+    assert_snapshot!(help.clone() + &said.replace(usage, "(the same)"));
 }
 
-/// Each command of the companion is listed by the first command, which builds it.
-#[test]
-fn the_first_command_and_the_companion_have_the_same_help() {
-    let help = |name| run(&mut program_with(name, &["--help"])).stdout;
-    assert_eq!(text(&help("launcher")), text(&help("rtrace")));
-}
-
-/// Odd words, and words that only the companion knows: with the same output and exit code.
+/// Each command of the companion is listed by the first command, which builds it, and hands on
+/// odd words, and words that only the companion knows.
 #[test]
 fn the_first_command_hands_on_what_it_does_not_do_itself() {
-    let here = tempfile::TempDir::new().expect("a folder");
-    for words in [
-        &["check", "--help"][..],
-        &["help", "watch"],
-        &["probes", "gradient"],
-        &["check", "normals", "-"],
-        &["check", "normals", "--", "echo", "--", "a b", "*", "\u{1b}"],
-        &["slips", "no-such"],
-        &["hit", "--origin", "-1,0,0"],
+    let desk = Desk::default();
+    for line in [
+        "--help",
+        "help watch",
+        "check normals -- echo -- * \u{1b}",
+        "slips no-such",
+        "hit --origin -1,0,0",
     ] {
-        let [handed_on, itself] = ["launcher", "rtrace"].map(|name| {
-            let mut command = program_with(name, words);
-            run(command.current_dir(here.path()))
-        });
-        assert_eq!(handed_on, itself, "{words:?}");
+        let [handed_on, itself] =
+            ["launcher", "rtrace"].map(|name| desk.run(&format!("{name} {line}")));
+        assert_eq!(handed_on, itself, "{line}");
     }
 }
 
 #[test]
 fn the_companion_explains_itself_when_asked_and_when_misunderstood() {
-    let rtrace = |words: &[&str]| program_with("rtrace", words);
-    assert_snapshot!(transcript(&mut [
-        rtrace(&["--help"]),
-        rtrace(&["show", "--help"]),
-        rtrace(&["sho"]),
-        rtrace(&["show", "hitable-list"]),
-        rtrace(&["show", "gradient"]),
-        rtrace(&["show", "gradient", "--open", "--output", "-"]),
-        rtrace(&["show", "gradient", "--output", "picture.jpg"]),
-        rtrace(&["show", "gradient", "--output", ".png"]),
-        rtrace(&["show", "gradient", "--output", "-", "--width", "0"]),
-        rtrace(&["show", "gradient", "--output", "-", "--width", "-1"]),
-        rtrace(&["show", "gradient", "--output", "-", "--width", "4294967296"]),
-        rtrace(&["check", "gradient", "--timeout", "nan", "--", "true"]),
-        rtrace(&["check", "gradient", "mine.ppm", "--probe", "inside"]),
-        rtrace(&["watch", "gradient", "--in", "nowhere"]),
-        rtrace(&["done", ""]),
-        rtrace(&["book", "--source", "nowhere"]),
-    ]));
+    assert_snapshot!(Desk::default().transcript(
+        "rtrace --help
+         rtrace show --help
+         rtrace sho
+         rtrace show hitable-list
+         rtrace show gradient
+         rtrace show gradient --open --output -
+         rtrace show gradient --output picture.jpg
+         rtrace show gradient --output .png
+         rtrace show gradient --output - --width 0
+         rtrace check gradient --timeout nan -- true
+         rtrace check gradient mine.ppm --probe inside
+         rtrace watch gradient --in nowhere
+         rtrace done \"\"
+         rtrace book --source nowhere"
+    ));
 }
 
 /// A terminal obeys some characters, and others turn the order of letters. On Windows no
@@ -81,28 +70,19 @@ fn the_companion_explains_itself_when_asked_and_when_misunderstood() {
 #[cfg(unix)]
 #[test]
 fn names_are_shown_and_not_obeyed() {
-    let here = tempfile::TempDir::new().expect("a folder");
+    let lines = "gradient ODD/a.ppm
+         gradient ODD.png
+         gradient --ODD
+         rtrace ODD
+         rtrace show ODD
+         rtrace show gradient --output ODD.ppm
+         rtrace check gradient ODD.ppm --report ODD
+         rtrace check normals -- ODD
+         rtrace check normals -- echo ODD
+         rtrace hit --csv ODD
+         rtrace book --source ODD";
     let odd = "\u{1b}[31m\u{9b}\u{202e}\u{200f}é";
-    let [png, ppm, below] = ["odd.png", "odd.ppm", "/a.ppm"].map(|end| format!("{odd}{end}"));
-    let mut commands = [
-        &["gradient", &below][..],
-        &["gradient", &png],
-        &["gradient", &format!("--{odd}")],
-        &["rtrace", odd],
-        &["rtrace", "show", odd],
-        &["rtrace", "show", "gradient", "--output", &ppm],
-        &["rtrace", "check", "gradient", &ppm, "--report", odd],
-        &["rtrace", "check", "normals", "--", odd],
-        &["rtrace", "check", "normals", "--", "echo", odd],
-        &["rtrace", "hit", "--csv", odd],
-        &["rtrace", "book", "--source", odd],
-    ]
-    .map(|words| {
-        let mut command = program_with(words[0], &words[1..]);
-        command.current_dir(here.path());
-        command
-    });
-    let said = transcript(&mut commands);
+    let said = Desk::default().transcript(&lines.replace("ODD", odd));
     assert!(
         !said.contains(['\u{1b}', '\u{9b}', '\u{202e}', '\u{200f}']),
         "{said:?}"
@@ -136,28 +116,19 @@ fn open_hands_the_picture_to_the_viewer() {
     use std::os::unix::fs::PermissionsExt;
     use std::time::{Duration, Instant};
 
-    use suite::command::assert_success;
-
-    let here = tempfile::TempDir::new().expect("a folder");
-    let [viewer, seen, picture] =
-        ["xdg-open", "seen", "picture.png"].map(|name| here.path().join(name));
-    let script = format!(
-        "#!/bin/sh\ncp \"$1\" '{0}.new' && mv '{0}.new' '{0}'\n",
-        seen.display()
-    );
-    fs::write(&viewer, script).expect("a viewer");
-    fs::set_permissions(&viewer, fs::Permissions::from_mode(0o755)).expect("the mode is set");
+    let desk = Desk::default();
+    desk.write("xdg-open", "#!/bin/sh\ncp \"$1\" new && mv new seen\n");
+    fs::set_permissions(desk.path("xdg-open"), fs::Permissions::from_mode(0o755))
+        .expect("its mode");
     let path = std::env::var("PATH").expect("a PATH");
-    let mut show = program_with("rtrace", &["show", "normals", "--open", "-o"]);
-    show.arg(&picture)
-        .env("PATH", format!("{}:{path}", here.path().display()));
-    let output = run(&mut show);
-    assert_success(&output);
+    let mut show = desk.command("rtrace show normals --open -o picture.png");
+    show.env("PATH", format!("{}:{path}", desk.path("").display()));
+    let output = suite::command::run(&mut show);
     assert!(text(&output.stdout).starts_with("400 × 225 pixels in "));
     let patience = Instant::now() + Duration::from_secs(10);
-    while !seen.is_file() {
+    while !desk.path("seen").is_file() {
         assert!(Instant::now() < patience, "the viewer has not been asked");
         std::thread::sleep(Duration::from_millis(10));
     }
-    assert!(fs::read(seen).expect("it") == fs::read(picture).expect("it"));
+    assert!(picture_in(&desk.path("seen")) == normals::picture(400));
 }

@@ -10,7 +10,7 @@ use check::whole::Line;
 use editor::Text;
 use editor::home::archive;
 use slips::Chapter;
-use suite::command::{assert_success, files, run};
+use suite::command::files;
 use suite::left_out::left_out;
 use suite::mine::Mine;
 
@@ -25,7 +25,7 @@ fn the_page_says_what_watch_says_of_the_same_text() {
         *file = file.replace(old, new);
         let folder = mine.path().join(chapter.name());
         if !folder.exists() {
-            assert_success(&run(&mut mine.start(chapter.name(), &[])));
+            mine.make(chapter.name(), &[]);
         }
         for (name, text) in &text.files {
             fs::write(folder.join(name), text).expect("it is typed");
@@ -120,7 +120,7 @@ fn what_is_taken_home_from_a_page_is_the_crate_that_start_makes() {
         given.write_all(&archive(&skeleton, 7)).expect("it reads");
         drop(given);
         assert!(tar.wait().expect("it ends").success());
-        assert_success(&run(&mut mine.start(name, &[])));
+        mine.make(name, &[]);
         let started = mine.path().join(name);
         let is_typed = |file: &Path| ["src", "tests"].iter().any(|it| file.starts_with(it));
         for file in files(&started) {

@@ -1,6 +1,5 @@
 //! `hit`: rays and spheres under a microscope, by every method.
 
-mod cases;
 mod number;
 mod one;
 mod strain;
@@ -16,7 +15,6 @@ use speed_vs_accuracy::{Case, METHODS, Method, find};
 
 pub(crate) use one::{ORDINARY, under_the_microscope};
 
-use crate::misuse::misuse;
 use number::{bound, finite, vector};
 
 /// What `cargo rtrace hit` is told.
@@ -46,9 +44,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "T", value_parser = bound, default_value = "inf", allow_hyphen_values = true)]
     t_max: f64,
 
-    /// Many rays and spheres, a row each, a million at most, from a file with the
-    /// columns ox, oy, oz, dx, dy, dz, cx, cy, cz and r, or from standard input if
-    /// it is -; prints row,method,t as the rows come
+    /// Many rays and spheres, a row each, from a file with the columns ox, oy, oz, dx,
+    /// dy, dz, cx, cy, cz and r, or from standard input if it is -; prints row,method,t
     #[arg(long, value_name = "FILE", conflicts_with_all = ["origin", "direction", "center", "radius"])]
     csv: Option<PathBuf>,
 
@@ -64,28 +61,26 @@ pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         Some(method) => std::slice::from_ref(method),
         None => METHODS,
     };
-    match arguments {
-        Arguments {
-            csv: Some(path), ..
-        } => table::print(path, methods, range),
-        Arguments {
-            origin: Some(origin),
-            direction: Some(direction),
-            center: Some(center),
-            radius: Some(radius),
-            ..
-        } => {
-            let case = Case {
-                center: *center,
-                radius: *radius,
-                ray: Ray::new(*origin, *direction),
-            };
-            one::print(&case, methods, range)
-        }
-        _ => Err(misuse(
-            "a ray and a sphere are needed: --origin, --direction, --center and --radius",
-        )),
+    if let Some(path) = &arguments.csv {
+        return table::print(path, methods, range);
     }
+    let Arguments {
+        origin: Some(origin),
+        direction: Some(direction),
+        center: Some(center),
+        radius: Some(radius),
+        ..
+    } = *arguments
+    else {
+        unreachable!("they are required without a file");
+    };
+    let ray = Ray::new(origin, direction);
+    let case = Case {
+        center,
+        radius,
+        ray,
+    };
+    one::print(&case, methods, range)
 }
 
 fn method_parser() -> impl TypedValueParser<Value = Method> {

@@ -59,8 +59,11 @@ pub(crate) fn under_the_microscope(
     } else {
         ", after the numbers are rounded to it"
     };
-    let found = match truth {
-        Some(truth) => whereabouts(truth, precision, &exact, range_of_it),
+    let found = match truth.map(|truth| truth.nearest()) {
+        Some(t) if t.abs() >= ends(precision).1 => {
+            return format!("These numbers do not fit into {name}: t overflows.\n");
+        }
+        Some(t) => format!("the ray hits at t = {t:?}"),
         None if rounded.ray.direction == Vec3::ZERO => {
             "the direction is zero, and such a ray hits nothing".to_owned()
         }
@@ -74,30 +77,12 @@ pub(crate) fn under_the_microscope(
     text
 }
 
-/// Where the ray hits, also where no number says it.
-fn whereabouts(truth: Truth, precision: Precision, exact: &Exact, range: (f64, f64)) -> String {
-    let t = truth.nearest();
-    let is_zero = || {
-        exact
-            .nearest_root_in(range.0, range.1)
-            .is_some_and(|root| root == 0.0)
-    };
-    if is_at_the_end(t, precision) {
-        let (end, name) = (end(t, precision), precision.name());
-        format!("the ray hits at t = {end:?} or beyond, where {name} ends")
-    } else if t == 0.0 && !is_zero() {
-        "the ray hits at a t so small that it rounds to 0".to_owned()
-    } else {
-        format!("the ray hits at t = {t:?}")
-    }
-}
-
 fn line(method: &Method, case: &Case, t: Option<f64>, truth: Option<Truth>) -> String {
     let answer = t.map_or("miss".to_owned(), |t| {
         format!("hit  {}", shortest(method, t))
     });
     let (verdict, is_ordinary) = match (t, truth) {
-        (Some(t), Some(truth)) => how_far_off(t, truth, method.precision()),
+        (Some(t), Some(truth)) => how_far_off(t, truth),
         (None, None) => ("right".to_owned(), true),
         (Some(_), None) => ("WRONG: it misses".to_owned(), false),
         (None, Some(_)) => ("WRONG: it hits".to_owned(), false),
@@ -113,15 +98,7 @@ fn line(method: &Method, case: &Case, t: Option<f64>, truth: Option<Truth>) -> S
 }
 
 /// The error of `t` in words, and whether it needs no reason.
-fn how_far_off(t: f64, truth: Truth, precision: Precision) -> (String, bool) {
-    if is_at_the_end(truth.nearest(), precision) {
-        // Beyond the end there are no ulps to count.
-        return if t == end(truth.nearest(), precision) {
-            (format!("as far as {} goes", precision.name()), true)
-        } else {
-            ("WRONG: not so far".to_owned(), false)
-        };
-    }
+fn how_far_off(t: f64, truth: Truth) -> (String, bool) {
     match truth.error_in_ulps(t) {
         f64::INFINITY => ("more than 1e308 ulps off".to_owned(), false),
         1.0 => ("1 ulp off".to_owned(), true),
@@ -130,14 +107,4 @@ fn how_far_off(t: f64, truth: Truth, precision: Precision) -> (String, bool) {
             error <= ORDINARY,
         ),
     }
-}
-
-/// Whether no number of the precision is beyond `t`.
-fn is_at_the_end(t: f64, precision: Precision) -> bool {
-    t.abs() >= ends(precision).1
-}
-
-/// The last number on the side of `t`.
-fn end(t: f64, precision: Precision) -> f64 {
-    ends(precision).1.copysign(t)
 }

@@ -65,18 +65,10 @@ fn discriminant(method: &Method, case: &Case, exact: &Exact) -> Option<(f64, Str
     }
 }
 
-/// How far the origin is from the center, in radii. Infinite only if the quotient is
-/// too large for a number, or the radius is 0.
+/// How far the origin is from the center, in radii, without a square that overflows.
 fn away(case: &Case) -> f64 {
-    let (center, origin, radius) = (case.center, case.ray.origin, case.radius.abs());
-    let largest = (center.abs().max(origin.abs()).max_element()).max(radius);
-    // A power of two, by which no square overflows, and none underflows that counts.
-    let scale = match largest {
-        ..1e-150 => 2.0_f64.powi(1000),
-        1e150.. => 2.0_f64.powi(-600),
-        _ => 1.0,
-    };
-    (center * scale - origin * scale).length() / (radius * scale)
+    let oc = case.center - case.ray.origin;
+    oc.x.hypot(oc.y).hypot(oc.z) / case.radius.abs()
 }
 
 /// How many digits c loses.

@@ -4,7 +4,6 @@ mod carry;
 mod place;
 mod settings;
 
-use std::collections::BTreeSet;
 use std::error::Error;
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::path::{Path, PathBuf};
@@ -89,21 +88,16 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 /// Whatever is in our folders belongs to our workspace, and it would take the crate for
 /// one of its own.
 fn refuse_ours(mine: &Mine) -> Result<(), Box<dyn Error>> {
-    let ours = [".git", "common", "chapters", "book", "tests"];
+    const OURS: [&str; 5] = [".git", "common", "chapters", "book", "tests"];
+    let real = |folder: &Path| fs::canonicalize(folder).ok();
     // A link may lead there.
-    let mut above = mine.folder().ancestors();
-    let real = above.find_map(|it| fs::canonicalize(it).ok());
-    let is_in = |real: &Path, folder: &Path| {
-        fs::canonicalize(folder).is_ok_and(|folder| real.starts_with(folder))
-    };
-    let is_ours = |workspace: &Path| {
-        let is_in = |name| {
-            real.as_deref()
-                .is_some_and(|it| is_in(it, &workspace.join(name)))
-        };
-        ours.into_iter().any(is_in)
-    };
-    if workspace().is_some_and(is_ours) {
+    let existing = mine.folder().ancestors().find_map(real);
+    let workspace = workspace().and_then(real);
+    let below = existing.zip(workspace).and_then(|(existing, workspace)| {
+        let below = existing.strip_prefix(workspace).ok()?;
+        Some(below.iter().next()?.to_owned())
+    });
+    if below.is_some_and(|folder| OURS.iter().any(|ours| folder == *ours)) {
         return Err(misuse(
             "that folder belongs to this workspace: choose one of your own, such as mine",
         ));
@@ -138,11 +132,11 @@ impl New {
         let written = before.map(Written::read);
         let has_own = written.as_ref().is_some_and(Written::has_own_prelude);
         let own = arguments.own_prelude || has_own;
-        let mut carried = carry::into(skeletons::files(chapter, own), written.as_ref());
+        let mut carried = carry::into(chapter, own, written.as_ref());
         let (_, lib) = &mut carried.files[0];
         lib.insert_str(0, &settings::about(chapter));
         if own && written.is_none() && chapter > Chapter::Gradient {
-            *lib += skeletons::OWN_SKY;
+            *lib += &format!("\n{}", skeletons::OWN_SKY);
         }
         let ours = settings::from_crate(folder, workspace);
         let lock = fs::read_to_string(workspace.join("Cargo.lock"));
@@ -191,18 +185,8 @@ impl New {
         for (name, text) in &self.files {
             fs::write(place(name.as_ref())?, text)?;
         }
-        let copied = self.copies.iter().map(|(_, name)| name.as_path());
-        let written = self.files.iter().map(|(name, _)| Path::new(name));
-        let names = copied.chain(written.clone());
-        let with_folders: BTreeSet<&Path> = names.flat_map(Path::ancestors).collect();
         for before in self.before.iter().map(PathBuf::as_path).chain([old]) {
-            for name in &with_folders {
-                place::close_like(&before.join(name), &new.join(name))?;
-            }
-            // Whatever is carried over was in this one.
-            for name in written.clone().filter(|name| name.starts_with("src")) {
-                place::close_like(&before.join("src/lib.rs"), &new.join(name))?;
-            }
+            place::close_like(before, new)?;
         }
         Ok(())
     }

@@ -65,19 +65,21 @@ impl Place {
     }
 }
 
-/// Lets nobody into `new` who is kept out of its namesake `old`, if there is one: what is
-/// carried from one to the other stays private.
+/// Keeps out of the crate `new` whom the crate `old`, if there is one, keeps from its chapter:
+/// what is carried from one to the other stays private.
 #[cfg(unix)]
 pub(super) fn close_like(old: &Path, new: &Path) -> io::Result<()> {
     use std::os::unix::fs::PermissionsExt;
 
-    let Ok(old) = fs::metadata(old) else {
-        return Ok(());
-    };
-    let mode = fs::metadata(new)?.permissions().mode();
-    // The owner has to be able to go on.
-    let closed = mode & (old.permissions().mode() | 0o700) & 0o777;
-    fs::set_permissions(new, fs::Permissions::from_mode(closed))
+    let mut mode = fs::metadata(new)?.permissions().mode();
+    for part in ["", "src", "src/lib.rs"] {
+        if let Ok(old) = fs::metadata(old.join(part)) {
+            let readers = (old.permissions().mode() & 0o044) >> 2;
+            // A digit of the mode is all or nothing; the owner has to be able to go on.
+            mode &= 0o700 | (readers * 7);
+        }
+    }
+    fs::set_permissions(new, fs::Permissions::from_mode(mode))
 }
 
 #[cfg(not(unix))]

@@ -28,52 +28,37 @@ pub(super) struct Problem {
     pub(super) more: usize,
 }
 
-/// Builds the crate in `folder`, and the test that puts it under the laws.
-pub(super) fn build(folder: &Path) -> Result<Built, Problem> {
-    let has_test = folder.join("tests/laws.rs").is_file();
-    let format = match Palette::of_stdout() {
-        Some(_) => "--message-format=json-diagnostic-rendered-ansi",
-        None => "--message-format=json",
-    };
-    let mut command = Command::new(cargo::cargo());
-    // A test brings its program with it.
-    command.args(if has_test {
-        &["test", "--no-run", "--test", "laws"][..]
-    } else {
-        &["build"]
-    });
-    command.arg(format).current_dir(folder);
-    let run = cargo::run(command, FIRST)
-        .map_err(|cause| problem(&[], &format!("cargo does not start: {cause}")))?;
-    let messages = messages(&run.printed);
-    if run.status.success() {
-        built(&messages)
-    } else if folder.join("src/lib.rs").is_file() {
-        Err(problem(&messages, &run.said))
-    } else {
-        Err(problem(&[], "src/lib.rs is missing: the chapter itself"))
-    }
-}
-
 /// What is said before more is built than the crate.
 const FIRST: &str =
-    "Building what your crates stand on: once for all of them, and about half a minute";
+    "\nBuilding what your crates stand on: once for all of them, and about half a minute";
 
-/// What cargo has printed, message by message.
-fn messages(said: &[u8]) -> Vec<Value> {
-    let text = String::from_utf8_lossy(said);
-    let messages = text.lines().map(serde_json::from_str);
-    messages.filter_map(Result::ok).collect()
-}
-
-fn built(messages: &[Value]) -> Result<Built, Problem> {
+/// Builds the crate in `folder`, and the test that puts it under the laws.
+pub(super) fn build(folder: &Path) -> Result<Built, Problem> {
+    let mut command = Command::new(cargo::cargo());
+    // A test brings its program with it.
+    if folder.join("tests/laws.rs").is_file() {
+        command.args(["test", "--no-run", "--test", "laws"]);
+    } else {
+        command.arg("build");
+    }
+    command.arg(match Palette::of_stdout() {
+        Some(_) => "--message-format=json-diagnostic-rendered-ansi",
+        None => "--message-format=json",
+    });
+    command.current_dir(folder);
+    let run = cargo::run(command, FIRST)
+        .map_err(|cause| problem(&[], &format!("cargo does not start: {cause}")))?;
+    let printed = String::from_utf8_lossy(&run.printed);
+    let messages = printed.lines().map(serde_json::from_str);
+    let messages: Vec<Value> = messages.filter_map(Result::ok).collect();
+    if !run.status.success() {
+        return Err(problem(&messages, &run.said));
+    }
     let missing = "the crate has no program: src/main.rs is missing";
-    let program = executable(messages, "bin").ok_or_else(|| problem(&[], missing))?;
-    let laws = executable(messages, "test");
     Ok(Built {
-        program,
-        laws,
-        warnings: warnings(messages),
+        program: executable(&messages, "bin").ok_or_else(|| problem(&[], missing))?,
+        laws: executable(&messages, "test"),
+        warnings: warnings(&messages),
     })
 }
 
@@ -113,18 +98,9 @@ fn problem(messages: &[Value], said: &str) -> Problem {
     }
 }
 
-/// The program that was built of a target of this kind: of several, the one that `start`
-/// named.
+/// The program that was built of a target of this kind.
 fn executable(messages: &[Value], kind: &str) -> Option<OsString> {
-    messages
-        .iter()
-        .filter(|message| message["target"]["kind"][0] == kind)
-        .filter_map(|message| {
-            Some((
-                message["target"]["name"].as_str()?,
-                message["executable"].as_str()?,
-            ))
-        })
-        .max_by_key(|(name, _)| name.starts_with("my_"))
-        .map(|(_, program)| program.into())
+    let of_kind = |message: &&Value| message["target"]["kind"][0] == kind;
+    let program = |message: &Value| Some(message["executable"].as_str()?.into());
+    messages.iter().filter(of_kind).find_map(program)
 }

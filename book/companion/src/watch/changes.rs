@@ -1,209 +1,128 @@
-//! File notification: waits until something below a folder is saved.
+//! Polling: looks a few times a second whether a file below a folder was saved.
 //!
-//! What counts is what a file holds once nothing happens any more. A program that draws
-//! the same picture again, or an editor that saves twice, changes nothing.
+//! A file is another one if its length or its time has changed. What changes while the
+//! reader's program runs was written by that, unless it is a source, or is known to be saved
+//! by the reader.
 
 use std::collections::{HashMap, HashSet};
-use std::fs::{self, File};
-use std::hash::{DefaultHasher, Hash, Hasher};
-use std::io::Read;
-use std::mem;
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::thread;
 use std::time::{Duration, Instant, SystemTime};
 
-use notify::event::{EventKind, ModifyKind};
-use notify::{Config, Event, PollWatcher, RecommendedWatcher, RecursiveMode, Watcher};
-
 use crate::done::DONE;
+use crate::sources;
 
 /// The files below a folder, as far as they change.
 pub(super) struct Changes {
     folder: PathBuf,
-    /// When the folder was made, where the system knows: another one may take its place.
-    made: Option<SystemTime>,
-    events: Receiver<notify::Result<Event>>,
-    /// What something has happened to since it was last looked at.
-    touched: HashSet<PathBuf>,
-    /// What the files held when they were last looked at.
-    held: HashMap<PathBuf, u64>,
-    /// Whether all files are the reader's, because nothing else writes there.
-    are_all_typed: bool,
-    /// Files that have changed while no program ran: the reader's too.
+    /// The files as they were when the last run began, or when they were last waited for.
+    judged: Files,
+    /// What has changed while no program ran.
     typed: HashSet<PathBuf>,
-    /// In how many runs, one after the other, other files have changed.
-    restless: u32,
-    /// Ends the notification when it is dropped.
-    _watcher: Box<dyn Watcher>,
+    last_look: Instant,
 }
 
-/// How long nothing must happen before a save counts as finished, and after what time it
-/// does whatever happens.
-const QUIET: Duration = Duration::from_millis(40);
-const PATIENCE: Duration = Duration::from_secs(1);
+/// The time and the length of each file.
+type Files = HashMap<PathBuf, (Option<SystemTime>, u64)>;
 
-/// How often to see whether the folder is still there.
-const LOOK: Duration = Duration::from_millis(500);
+/// How often to look.
+const LOOK: Duration = Duration::from_millis(100);
 
-/// What changes in every one of so many runs is written by the program.
-const OFTEN: u32 = 3;
+/// So many looks at most, one after the other, until a save counts as finished.
+const PATIENCE: usize = 20;
 
-/// So much of a file is looked at: more than any source has.
-const MOST: u64 = 1 << 24;
+/// No more files are looked at: a folder with more than that has something else in it.
+const MOST_FILES: usize = 10_000;
 
 impl Changes {
-    pub(super) fn below(folder: &Path, are_all_typed: bool) -> notify::Result<Self> {
-        let (sender, events) = channel();
-        // A link may lead to all that there is.
-        let config = Config::default().with_follow_symlinks(false);
-        let config = config.with_poll_interval(LOOK);
-        let mut watcher: Box<dyn Watcher> =
-            Box::new(RecommendedWatcher::new(sender.clone(), config)?);
-        // Where the system has no more watches to give, looking now and then will do.
-        if watcher.watch(folder, RecursiveMode::Recursive).is_err() {
-            watcher = Box::new(PollWatcher::new(sender, config)?);
-            watcher.watch(folder, RecursiveMode::Recursive)?;
-        }
-        Ok(Self {
+    pub(super) fn below(folder: &Path) -> Self {
+        Self {
             folder: folder.to_owned(),
-            made: made(folder),
-            events,
-            touched: HashSet::new(),
-            held: HashMap::new(),
-            are_all_typed,
+            judged: files_in(folder),
             typed: HashSet::new(),
-            restless: 0,
-            _watcher: watcher,
-        })
+            last_look: Instant::now(),
+        }
     }
 
     /// Whether the reader has saved something since the program was started.
     pub(super) fn has_a_save(&mut self) -> bool {
-        while let Ok(event) = self.events.try_recv() {
-            self.touch(event);
+        if self.last_look.elapsed() < LOOK {
+            return false;
         }
-        let is_news = |path: &PathBuf| holds(path).as_ref() != self.held.get(path);
-        let is_typed = |path: &&PathBuf| self.are_all_typed || self.typed.contains(*path);
-        self.touched.iter().filter(is_typed).any(is_news)
+        self.last_look = Instant::now();
+        let now = files_in(&self.folder);
+        changed(&self.judged, &now).any(|path| self.is_typed(path))
     }
 
     /// Waits for a save, or returns at once if there was one since the program was
-    /// started, which has ended at `end`; `false` if the folder is gone.
-    ///
-    /// # Errors
-    /// If another folder has taken its place and can't be watched.
-    pub(super) fn wait(&mut self, end: SystemTime) -> notify::Result<bool> {
-        self.settle();
-        let (later, during): (HashSet<PathBuf>, HashSet<PathBuf>) =
-            self.news().partition(|path| is_from_after(path, end));
-        self.restless = if during.is_empty() {
-            0
-        } else {
-            self.restless + 1
-        };
-        let is_typed = |path: &PathBuf| self.typed.contains(path);
-        let mut again = !later.is_empty() || during.iter().any(is_typed);
-        again |= (1..OFTEN).contains(&self.restless);
-        self.typed.extend(later);
+    /// started; `false` if the folder is gone.
+    pub(super) fn wait(&mut self) -> bool {
+        let now = files_in(&self.folder);
+        let mut again = changed(&self.judged, &now).any(|path| self.is_typed(path));
+        self.judged = now;
         while !again {
-            if !self.folder.is_dir() {
-                return Ok(false);
+            thread::sleep(LOOK);
+            let now = settled(&self.folder);
+            if now.is_empty() && !self.folder.is_dir() {
+                return false;
             }
-            if made(&self.folder) != self.made {
-                *self = Self::below(&self.folder, self.are_all_typed)?;
-                return Ok(true);
-            }
-            match self.events.recv_timeout(LOOK) {
-                Ok(event) => {
-                    if self.touch(event) {
-                        self.settle();
-                    }
-                    let news: Vec<PathBuf> = self.news().collect();
-                    again = !news.is_empty();
-                    self.typed.extend(news);
-                }
-                Err(RecvTimeoutError::Timeout) => {}
-                Err(RecvTimeoutError::Disconnected) => return Ok(false),
-            }
+            let saved: Vec<PathBuf> = changed(&self.judged, &now).cloned().collect();
+            again = !saved.is_empty();
+            self.typed.extend(saved);
+            self.judged = now;
         }
-        Ok(true)
+        true
     }
 
-    /// Takes events until nothing happens any more to what is watched.
-    fn settle(&mut self) {
-        let patience = Instant::now() + PATIENCE;
-        let mut quiet = Instant::now() + QUIET;
-        while let Ok(event) = self.events.recv_timeout(quiet - Instant::now().min(quiet)) {
-            if self.touch(event) {
-                quiet = (Instant::now() + QUIET).min(patience);
-            }
-        }
-    }
-
-    /// Notes what something has happened to, and says whether that is watched.
-    fn touch(&mut self, event: notify::Result<Event>) -> bool {
-        let Ok(Event { kind, paths, .. }) = event else {
-            return false;
-        };
-        if let EventKind::Access(_) | EventKind::Modify(ModifyKind::Metadata(_)) = kind {
-            return false;
-        }
-        let mut watched = false;
-        for path in paths {
-            if is_watched(&self.folder, &path) {
-                self.touched.insert(path);
-                watched = true;
-            }
-        }
-        watched
-    }
-
-    /// The files that hold something else than when they were last looked at.
-    fn news(&mut self) -> impl Iterator<Item = PathBuf> + use<'_> {
-        let Self { held, typed, .. } = self;
-        mem::take(&mut self.touched)
-            .into_iter()
-            .filter(move |path| match holds(path) {
-                Some(now) => held.insert(path.clone(), now) != Some(now),
-                // What a program has removed comes back as it was.
-                None => typed.contains(path) && held.remove(path).is_some(),
-            })
+    fn is_typed(&self, path: &Path) -> bool {
+        sources::is_source(path) || self.typed.contains(path)
     }
 }
 
-/// Not what is hidden, what is built, and what is written here.
-fn is_watched(folder: &Path, path: &Path) -> bool {
-    path.strip_prefix(folder)
-        .unwrap_or(path)
-        .iter()
-        .all(|name| {
+/// What is not the same in both.
+fn changed<'a>(old: &'a Files, new: &'a Files) -> impl Iterator<Item = &'a PathBuf> {
+    let gone = old.keys().filter(|path| !new.contains_key(*path));
+    let is_news = |(path, now): &(&PathBuf, &_)| old.get(*path) != Some(*now);
+    gone.chain(new.iter().filter(is_news).map(|(path, _)| path))
+}
+
+/// The files as soon as nothing happens to them any more.
+fn settled(folder: &Path) -> Files {
+    let mut files = files_in(folder);
+    for _ in 0..PATIENCE {
+        thread::sleep(LOOK / 2);
+        let now = files_in(folder);
+        if now == files {
+            break;
+        }
+        files = now;
+    }
+    files
+}
+
+/// All files below the folder, but for what is hidden, what is built, and what is written
+/// here. A link may lead to all that there is: it is not followed.
+fn files_in(folder: &Path) -> Files {
+    let mut files = Files::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(folder) = folders.pop()
+        && files.len() < MOST_FILES
+    {
+        for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+            let name = entry.file_name();
             let name = name.to_string_lossy();
-            !name.starts_with('.') && !["target", "__pycache__", DONE].contains(&&*name)
-        })
-}
-
-/// What the file holds, as a number; `None` for what is no file, or is gone.
-fn holds(path: &Path) -> Option<u64> {
-    // To open a pipe would be to wait for somebody at its other end.
-    let file = fs::metadata(path).ok().filter(|file| file.is_file())?;
-    let mut bytes = Vec::new();
-    File::open(path)
-        .ok()?
-        .take(MOST)
-        .read_to_end(&mut bytes)
-        .ok()?;
-    let mut hasher = DefaultHasher::new();
-    (file.len(), bytes).hash(&mut hasher);
-    Some(hasher.finish())
-}
-
-fn is_from_after(path: &Path, end: SystemTime) -> bool {
-    let saved = fs::metadata(path).and_then(|file| file.modified());
-    saved.is_ok_and(|saved| saved > end)
-}
-
-fn made(folder: &Path) -> Option<SystemTime> {
-    fs::metadata(folder)
-        .and_then(|folder| folder.created())
-        .ok()
+            if name.starts_with('.') || ["target", "__pycache__", DONE].contains(&&*name) {
+                continue;
+            }
+            match entry.metadata() {
+                Ok(file) if file.is_dir() => folders.push(entry.path()),
+                Ok(file) => {
+                    files.insert(entry.path(), (file.modified().ok(), file.len()));
+                }
+                Err(_) => {}
+            }
+        }
+    }
+    files
 }

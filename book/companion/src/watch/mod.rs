@@ -11,7 +11,7 @@ use std::error::Error;
 use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::time::{Duration, Instant, SystemTime};
+use std::time::{Duration, Instant};
 
 use check::known::Known;
 use check::names::{companion, from_here};
@@ -64,18 +64,13 @@ pub(crate) struct Arguments {
 /// Says how far the reader is, now and whenever something is saved.
 pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     let subject = Subject::of(arguments)?;
-    let mut changes = Changes::below(&subject.folder, subject.program.is_empty())?;
-    let mut was_stale = false;
+    let mut changes = Changes::below(&subject.folder);
     loop {
         let start = Instant::now();
         if screen::replaces_the_last() {
             output::to_stdout(|out| out.write_all("judging …".as_bytes()))?;
         }
-        // Twice in a row would be for ever, if the program itself writes what changes.
-        let may_be_old = !arguments.once && !was_stale;
-        let verdict = subject.judge(&mut || may_be_old && changes.has_a_save());
-        let end = SystemTime::now();
-        was_stale = verdict.is_none();
+        let verdict = subject.judge(&mut || !arguments.once && changes.has_a_save());
         if let Some(verdict) = &verdict {
             let news = subject.done.add_all(&verdict.done);
             let news = news.unwrap_or_else(|problem| vec![problem.to_string()]);
@@ -86,7 +81,7 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
             let is_right = verdict.is_some_and(|it| it.is_right);
             return Ok(ExitCode::from(u8::from(!is_right)));
         }
-        if !changes.wait(end)? {
+        if !changes.wait() {
             return Err(format!("{} is not there any more", from_here(&subject.folder)).into());
         }
     }

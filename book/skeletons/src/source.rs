@@ -1,0 +1,83 @@
+//! Source-to-source: a Rust source by its items, and without the bodies of its functions.
+
+use std::ops::Range;
+
+use syn::spanned::Spanned;
+use syn::{Block, Ident, ImplItem, Item};
+
+/// Each item that has a name, and where it is, its documentation included.
+///
+/// # Errors
+/// The line of what is no Rust, and why.
+pub fn items(source: &str) -> Result<Vec<(String, Range<usize>)>, String> {
+    let file = syn::parse_file(source)
+        .map_err(|cause| format!("line {}: {cause}", cause.span().start().line))?;
+    let named = |item: &Item| Some((name(item, source)?, item.span().byte_range()));
+    Ok(file.items.iter().filter_map(named).collect())
+}
+
+/// What an item goes by: an impl block by its type, so that it stays with that.
+fn name(item: &Item, source: &str) -> Option<String> {
+    let written = |part: &dyn Spanned| source[part.span().byte_range()].to_owned();
+    Some(match item {
+        Item::Const(item) => item.ident.to_string(),
+        Item::Enum(item) => item.ident.to_string(),
+        Item::Fn(item) => item.sig.ident.to_string(),
+        Item::Macro(item) => item.ident.as_ref()?.to_string(),
+        Item::Mod(item) => item.ident.to_string(),
+        Item::Static(item) => item.ident.to_string(),
+        Item::Struct(item) => item.ident.to_string(),
+        Item::Trait(item) => item.ident.to_string(),
+        Item::Type(item) => item.ident.to_string(),
+        Item::Use(item) => written(&item.tree),
+        Item::Impl(block) => written(&block.self_ty),
+        _ => return None,
+    })
+}
+
+/// The source with `todo!()` in the functions that are not `given`, and the first sentence of
+/// each piece of documentation.
+pub(crate) fn to_type(source: &str, given: &[&str]) -> String {
+    let file = syn::parse_file(source).expect("a chapter is Rust");
+    let mut functions: Vec<(&Ident, &Block)> = Vec::new();
+    for item in &file.items {
+        match item {
+            Item::Fn(function) => functions.push((&function.sig.ident, &function.block)),
+            Item::Impl(block) => functions.extend(block.items.iter().filter_map(method)),
+            _ => {}
+        }
+    }
+    functions.retain(|(name, _)| !given.iter().any(|given| name == given));
+    let mut text = source.to_owned();
+    // From the last one on: the places of those before stay as they are.
+    for (_, body) in functions.into_iter().rev() {
+        let indent = " ".repeat(body.brace_token.span.close().start().column);
+        let todo = format!("{{\n{indent}    todo!()\n{indent}}}");
+        text.replace_range(body.span().byte_range(), &todo);
+    }
+    first_sentences(&text)
+}
+
+fn method(item: &ImplItem) -> Option<(&Ident, &Block)> {
+    match item {
+        ImplItem::Fn(method) => Some((&method.sig.ident, &method.block)),
+        _ => None,
+    }
+}
+
+fn first_sentences(source: &str) -> String {
+    let mut text = String::new();
+    let mut is_open = true;
+    for line in source.lines().filter(|line| !line.starts_with("#[inline")) {
+        if !line.trim_start().starts_with("///") {
+            text += &format!("{line}\n");
+            is_open = true;
+        } else if is_open {
+            let ends = line.split_once(". ").map(|(first, _)| format!("{first}."));
+            let line = ends.unwrap_or(line.to_owned());
+            is_open = !line.ends_with('.');
+            text += &format!("{line}\n");
+        }
+    }
+    text
+}
