@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::svg::{Anchor, Svg};
+use crate::svg::{Anchor, Step, Svg, spot};
 use crate::text::{SMALL, width};
 
 /// The numbers from `least` to `most` on a straight stretch of the sheet, to the right or
@@ -11,43 +11,29 @@ use crate::text::{SMALL, width};
 pub(crate) struct Axis {
     pub(crate) start: DVec2,
     pub(crate) end: DVec2,
-    least: f64,
-    most: f64,
+    pub(crate) least: f64,
+    pub(crate) most: f64,
     /// Whether equal steps are equal ratios.
-    is_logarithmic: bool,
+    pub(crate) is_logarithmic: bool,
 }
 
 /// A number, and what stands there.
 pub(crate) type Tick = (f64, String);
 
 impl Axis {
-    /// An axis to the right, from (x, y) on so long.
+    /// A linear axis to the right, from (x, y) on so long.
     pub(crate) const fn new(x: f64, y: f64, long: f64, least: f64, most: f64) -> Self {
         Self {
-            start: DVec2::new(x, y),
-            end: DVec2::new(x + long, y),
+            start: spot(x, y),
+            end: spot(x + long, y),
             least,
             most,
             is_logarithmic: false,
         }
     }
 
-    /// The same numbers, with equal steps for equal ratios.
-    pub(crate) fn logarithmic(self) -> Self {
-        let is_logarithmic = true;
-        Self {
-            is_logarithmic,
-            ..self
-        }
-    }
-
-    /// The same numbers elsewhere on the sheet.
-    pub(crate) fn between(self, start: DVec2, end: DVec2) -> Self {
-        Self { start, end, ..self }
-    }
-
     /// Where `value` is, or the end that is nearer to it.
-    pub(crate) fn at(&self, value: f64) -> DVec2 {
+    pub(crate) fn point(&self, value: f64) -> DVec2 {
         let Self { least, most, .. } = *self;
         let part = if self.is_logarithmic {
             (value / least).ln() / (most / least).ln()
@@ -58,9 +44,15 @@ impl Axis {
     }
 
     /// Which number is there on a linear axis to the right, or would be beyond its end.
-    pub(crate) fn value(&self, at: DVec2) -> f64 {
+    pub(crate) fn place(&self, at: DVec2) -> f64 {
         let part = (at.x - self.start.x) / (self.end.x - self.start.x);
         self.least + part * (self.most - self.least)
+    }
+
+    /// Draws it to the right, with a short line at each tick.
+    pub(crate) fn draw(&self, svg: &mut Svg, ticks: &[Tick]) {
+        svg.line("ink line", self.start, self.end);
+        self.draw_ticks(svg, "ink line", spot(0.0, 5.0), ticks);
     }
 
     /// Draws a line of that class at each tick, as far as `reach`, and its words: below the
@@ -69,16 +61,14 @@ impl Axis {
         let is_upright = self.start.x == self.end.x;
         let mut written = f64::NEG_INFINITY;
         for (value, words) in ticks {
-            let at = self.at(*value);
+            let at = self.point(*value);
             svg.line(class, at, at + reach);
             let half = 0.5 * width(words, SMALL);
             if is_upright {
-                let beside = at + DVec2::new(-7.0, 4.0);
-                svg.small_label("faint", beside, Anchor::End, words);
+                svg.small_label("faint", at + spot(-7.0, 4.0), Anchor::End, words);
             } else if at.x - half > written {
                 // Where lines are near to each other not each has its number.
-                let below = at + DVec2::new(0.0, 18.0);
-                svg.small_label("faint", below, Anchor::Middle, words);
+                svg.small_label("faint", at.down(18.0), Anchor::Middle, words);
                 written = at.x + half + 4.0;
             }
         }

@@ -25,13 +25,12 @@ fn draw() -> String {
     let frame = Frame::new(112.0, 46.0, side / f64::from(WIDTH));
     frame.draw(&mut svg, &picture);
 
-    let at = |x, y| frame.corner + DVec2::new(x, y);
+    let at = |x, y| frame.corner + spot(x, y);
     svg.arrow("ink line", at(0.0, -14.0), at(side, -14.0));
     svg.arrow("ink line", at(-14.0, 0.0), at(-14.0, side));
-    let (half, words) = (0.5 * side, "column *i*, more red");
-    svg.label("ink", at(half, -22.0), Middle, words);
-    svg.label("ink", at(-22.0, half - 4.0), End, "row *j*,");
-    svg.label("ink", at(-22.0, half + 14.0), End, "more green");
+    svg.label("ink", at(96.0, -22.0), Middle, "column *i*, more red");
+    svg.label("ink", at(-22.0, 92.0), End, "row *j*,");
+    svg.label("ink", at(-22.0, 110.0), End, "more green");
 
     let (pixels, _) = picture.rgb().as_chunks();
     for (pixel, words, anchor) in [

@@ -36,7 +36,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         fewer of them: it looks small.",
     handles: &[Handle {
         field: "side",
-        at: |it| KNOB + KNOB_ROOM * DVec2::new(it.side.x / 180.0, -it.side.y / 90.0),
+        at: |it| KNOB + KNOB_ROOM * spot(it.side.x / 180.0, -it.side.y / 90.0),
         drag: |it, to| {
             let way = (to - KNOB) / KNOB_ROOM;
             it.side = xy(180.0 * way.x, -90.0 * way.y);
@@ -72,7 +72,7 @@ fn answer(&Parameters { side, row }: &Parameters) -> Answer {
 struct View {
     right: Vec3,
     up: Vec3,
-    /// From the scene towards whoever looks.
+    /// From the scene towards the reader's eye.
     back: Vec3,
 }
 
@@ -87,16 +87,11 @@ impl View {
         Self { right, up, back }
     }
 
-    /// Whoever looks.
-    fn place(&self) -> Point3 {
-        PIVOT + DISTANCE * self.back
-    }
-
     /// A point of the scene on the sheet, in perspective.
     fn point(&self, point: Point3) -> DVec2 {
         let way = point - PIVOT;
         let scale = ZOOM / (DISTANCE - way.dot(self.back));
-        MIDDLE + scale * DVec2::new(way.dot(self.right), -way.dot(self.up))
+        MIDDLE + scale * spot(way.dot(self.right), -way.dot(self.up))
     }
 
     /// A circle of the scene, around a unit normal.
@@ -114,12 +109,12 @@ const PIVOT: Point3 = Point3::new(0.0, 0.0, -0.7);
 const DISTANCE: f64 = 7.0;
 
 /// Where the pivot is on the sheet, and how large what is 1 unit away.
-const MIDDLE: DVec2 = DVec2::new(200.0, 140.0);
+const MIDDLE: DVec2 = spot(200.0, 140.0);
 const ZOOM: f64 = 620.0;
 
 /// Where the knob is that turns the scene, and how far it can be moved.
-const KNOB: DVec2 = DVec2::new(200.0, 302.0);
-const KNOB_ROOM: DVec2 = DVec2::new(150.0, 26.0);
+const KNOB: DVec2 = spot(200.0, 302.0);
+const KNOB_ROOM: DVec2 = spot(150.0, 26.0);
 
 /// How far a ray is drawn that meets nothing.
 const FAR: f64 = 1.4;
@@ -144,10 +139,9 @@ fn draw(view: &View, camera: &Camera, row: u32, rays: &[Ray]) -> Svg {
 /// The pixels, those of the row filled.
 fn draw_viewport(svg: &mut Svg, view: &View, camera: &Camera, row: u32) {
     let (width, height) = (camera.image_width, camera.image_height);
-    let corner = |i: u32, j: u32| {
-        let across = (f64::from(i) - 0.5) * camera.pixel_delta_u;
-        view.point(camera.pixel00 + across + (f64::from(j) - 0.5) * camera.pixel_delta_v)
-    };
+    let (u, v) = (camera.pixel_delta_u, camera.pixel_delta_v);
+    let first = camera.pixel00 - 0.5 * (u + v);
+    let corner = |i: u32, j: u32| view.point(first + f64::from(i) * u + f64::from(j) * v);
     let strip = |j: u32, end: u32| {
         [(0, j), (width, j), (width, end), (0, end), (0, j)].map(|(i, j)| corner(i, j))
     };
@@ -163,9 +157,7 @@ fn draw_viewport(svg: &mut Svg, view: &View, camera: &Camera, row: u32) {
 
 /// Its outline, where the lines of sight touch it, and its equator.
 fn draw_sphere(svg: &mut Svg, view: &View) {
-    let way = view.place() - CENTER;
-    let distance = way.length();
-    let towards = way * (1.0 / distance);
+    let (towards, distance) = (PIVOT + DISTANCE * view.back - CENTER).normalize_and_length();
     let nearer = RADIUS * RADIUS / distance;
     let radius = (RADIUS * RADIUS - nearer * nearer).sqrt();
     let outline = view.circle(CENTER + nearer * towards, radius, towards);
@@ -176,17 +168,16 @@ fn draw_sphere(svg: &mut Svg, view: &View) {
 fn draw_axes(svg: &mut Svg, view: &View, eye: Point3) {
     for (axis, name) in [(Vec3::X, "*x*"), (Vec3::Y, "*y*"), (Vec3::Z, "*z*")] {
         svg.arrow("ink line", view.point(eye), view.point(eye + 0.7 * axis));
-        let beyond = view.point(eye + 0.85 * axis) + DVec2::new(0.0, 5.0);
-        svg.label("ink", beyond, Middle, name);
+        let beyond = view.point(eye + 0.85 * axis);
+        svg.label("ink", beyond.down(5.0), Middle, name);
     }
     svg.dot("ink", view.point(eye), Below, "eye");
 }
 
 /// What the knob slides on.
 fn draw_knob(svg: &mut Svg) {
-    let [across, up] = [DVec2::new(KNOB_ROOM.x, 0.0), DVec2::new(0.0, KNOB_ROOM.y)];
-    svg.line("faint thin", KNOB - across, KNOB + across);
-    svg.line("faint thin", KNOB - up, KNOB + up);
-    let beside = KNOB + across + DVec2::new(0.0, 20.0);
-    svg.small_label("faint", beside, End, "drag to turn");
+    let DVec2 { x, y } = KNOB_ROOM;
+    svg.line("faint thin", KNOB.right(-x), KNOB.right(x));
+    svg.line("faint thin", KNOB.down(-y), KNOB.down(y));
+    svg.small_label("faint", KNOB.right(x).down(20.0), End, "drag to turn");
 }

@@ -8,9 +8,9 @@ use crate::vocabulary::*;
 /// What is computed for a ray, and what is right.
 pub(crate) struct Numbers {
     /// h², rounded.
-    pub(crate) h_squared: f64,
+    h_squared: f64,
     /// a·c, rounded.
-    pub(crate) ac: f64,
+    ac: f64,
     /// D, as `half_b` has it.
     pub(crate) discriminant: f64,
     /// D, to within an ulp.
@@ -38,7 +38,7 @@ impl Numbers {
 
     /// In how many digits h² and a·c agree.
     pub(crate) fn agreeing(&self) -> usize {
-        let [one, other] = self.aligned([self.h_squared, self.ac]);
+        let [one, other] = [self.h_squared, self.ac].map(|it| places(it, self.first()));
         agreeing(&one, &other)
     }
 
@@ -49,60 +49,56 @@ impl Numbers {
         Some(agreeing(&places(t, first), &places(exact, first)))
     }
 
-    /// How far off D is, in sizes of D; 0 if it is right.
+    /// How far off D is, in sizes of D.
     pub(crate) fn error(&self) -> f64 {
-        let off = (self.discriminant - self.exact_discriminant).abs();
-        match off {
-            0.0 => 0.0,
-            _ => off / self.exact_discriminant.abs(),
-        }
+        ((self.discriminant - self.exact_discriminant) / self.exact_discriminant).abs()
     }
 
     /// Draws six rows: how D comes about and what it should be, then t and what it should
     /// be.
     pub(crate) fn draw(&self, svg: &mut Svg) {
-        self.draw_discriminant(svg);
-        let exponent_of = |t: Option<f64>| t.map_or(i32::MIN, exponent);
-        let first = exponent_of(self.t).max(exponent_of(self.exact_t));
-        let right = self.right_digits().unwrap_or(0);
-        let judged = [(RIGHT, right), (WRONG, PLACES)];
-        for (n, name, t, classes) in [
-            (4, "*t*", self.t, &judged[..]),
-            (5, "exactly", self.exact_t, &[("ink", PLACES)]),
-        ] {
-            let at = name_row(svg, n, name);
-            match t {
-                Some(t) => draw_number(svg, at, (t, first), classes),
-                None => svg.label("ink", at, Start, "no hit"),
-            }
+        let first = self.first();
+        let row = |y, name, x| Row { y, name, x, first };
+        let struck = [("faint struck", self.agreeing()), ("ink", PLACES)];
+        row(298.0, "*h*²", self.h_squared).draw(svg, &struck);
+        row(317.0, "*ac*", self.ac).draw(svg, &struck);
+        let [zeros, right, exact_zeros] = self.digits_of_discriminant();
+        let found = row(336.0, "*D*", self.discriminant);
+        found.draw(svg, &[("faint", zeros), (RIGHT, right), (WRONG, PLACES)]);
+        let exact = row(355.0, "exactly", self.exact_discriminant);
+        exact.draw(svg, &[("faint", exact_zeros), ("ink", PLACES)]);
+        for Row { y, x, .. } in [found, exact] {
+            let words = format!("= {}", printed(x));
+            svg.small_label("ink", spot(290.0, y), Start, &words);
         }
+        self.draw_roots(svg);
     }
 
-    fn draw_discriminant(&self, svg: &mut Svg) {
-        let struck = [("faint struck", self.agreeing()), ("ink", PLACES)];
-        let [zeros, right, exact_zeros] = self.digits_of_discriminant();
-        let judged = [("faint", zeros), (RIGHT, right), (WRONG, PLACES)];
-        let judge = [("faint", exact_zeros), ("ink", PLACES)];
-        for (n, name, x, classes) in [
-            (0, "*h*²", self.h_squared, &struck[..]),
-            (1, "*ac*", self.ac, &struck),
-            (2, "*D*", self.discriminant, &judged),
-            (3, "exactly", self.exact_discriminant, &judge),
-        ] {
-            let at = name_row(svg, n, name);
-            draw_number(svg, at, (x, self.first()), classes);
-        }
-        for (n, value) in [(2, self.discriminant), (3, self.exact_discriminant)] {
-            let beside = digits_of_row(n) + DVec2::new(206.0, 0.0);
-            let words = format!("= {}", printed(value));
-            svg.small_label("ink", beside, Start, &words);
+    fn draw_roots(&self, svg: &mut Svg) {
+        let roots = [self.t, self.exact_t];
+        let first = roots.into_iter().flatten().map(exponent).max();
+        let right = self.right_digits().unwrap_or(0);
+        let judged = [(RIGHT, right), (WRONG, PLACES)];
+        let rows = [
+            (383.0, "*t*", &judged[..]),
+            (402.0, "exactly", &[("ink", PLACES)]),
+        ];
+        for ((y, name, classes), t) in rows.into_iter().zip(roots) {
+            match (t, first) {
+                (Some(x), Some(first)) => Row { y, name, x, first }.draw(svg, classes),
+                _ => {
+                    svg.label("ink", spot(65.0, y), End, name);
+                    svg.label("ink", spot(84.0, y), Start, "no hit");
+                }
+            }
         }
     }
 
     /// Before which place there are only zeros that D should have too, before which one its
     /// digits are right, and before which one there are only zeros in the exact D.
     fn digits_of_discriminant(&self) -> [usize; 3] {
-        let [found, exact] = self.aligned([self.discriminant, self.exact_discriminant]);
+        let both = [self.discriminant, self.exact_discriminant];
+        let [found, exact] = both.map(|it| places(it, self.first()));
         let shared = zeros(&found).min(zeros(&exact));
         let has_right_sign = self.discriminant * self.exact_discriminant > 0.0;
         let right = if has_right_sign {
@@ -113,12 +109,8 @@ impl Numbers {
         [shared, right, zeros(&exact)]
     }
 
-    /// Digits one below the other, from the first place of the largest on.
-    fn aligned<const N: usize>(&self, numbers: [f64; N]) -> [String; N] {
-        numbers.map(|number| places(number, self.first()))
-    }
-
-    /// The exponent of that place. D has none before it, because c is positive here.
+    /// The exponent of the first place of the largest number. D has none before it, because
+    /// c is positive here.
     fn first(&self) -> i32 {
         exponent(self.h_squared).max(exponent(self.ac))
     }
@@ -127,37 +119,36 @@ impl Numbers {
 const RIGHT: &str = "certain vector";
 const WRONG: &str = "wrong underlined";
 
-/// A number from the place of 10 to the power `first` on; its digits are of these classes,
-/// each up to some place.
-fn draw_number(svg: &mut Svg, at: DVec2, (x, first): (f64, i32), classes: &[(&str, usize)]) {
-    if x < 0.0 {
-        svg.label("ink", at - DVec2::new(3.0, 0.0), End, "−");
-    }
-    let digits = places(x, first);
-    let mut spans = Vec::new();
-    let mut from = 0;
-    for &(class, to) in classes {
-        let to = to.max(from);
-        spans.push((class, &digits[from..to]));
-        from = to;
-    }
-    svg.digits(at, &spans);
-    let beside = at + DVec2::new(160.0, 0.0);
-    let words = format!("· 10{}", raised(first));
-    svg.small_label("ink", beside, Start, &words);
+/// A number with its name, at that height: from the place of 10 to the power `first` on.
+#[derive(Clone, Copy)]
+struct Row {
+    y: f64,
+    name: &'static str,
+    x: f64,
+    first: i32,
 }
 
-/// Where the digits of the row `n` begin.
-fn digits_of_row(n: u8) -> DVec2 {
-    // Between D and t there is a gap.
-    DVec2::new(84.0, 298.0 + 19.0 * f64::from(n) + 9.0 * f64::from(n / 4))
-}
-
-/// Names the row `n`; returns where its digits begin.
-fn name_row(svg: &mut Svg, n: u8, name: &str) -> DVec2 {
-    let at = digits_of_row(n);
-    svg.label("ink", at - DVec2::new(19.0, 0.0), End, name);
-    at
+impl Row {
+    /// The digits are of these classes, each up to some place.
+    fn draw(&self, svg: &mut Svg, classes: &[(&str, usize)]) {
+        let at = spot(84.0, self.y);
+        svg.label("ink", at.right(-19.0), End, self.name);
+        if self.x < 0.0 {
+            svg.label("ink", at.right(-3.0), End, "−");
+        }
+        let mut digits = places(self.x, self.first);
+        digits.insert(1, '.');
+        let mut from = 0;
+        let stretches = classes.iter().map(|&(class, to)| {
+            // The point follows the first digit.
+            let to = if to == 0 { 0 } else { to + 1 }.max(from);
+            let start = std::mem::replace(&mut from, to);
+            (class, &digits[start..to])
+        });
+        svg.digits(at, &stretches.collect::<Vec<_>>());
+        let words = format!("· {}", power_of_ten(self.first));
+        svg.small_label("ink", at.right(160.0), Start, &words);
+    }
 }
 
 /// How many zeros come first.

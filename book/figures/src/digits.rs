@@ -7,19 +7,15 @@ use crate::cancellation::Numbers;
 use crate::vocabulary::*;
 
 parameters! {
-    exponent: f64 = Number {
-        steps: 10.0,
-        ..Number::new("Distance in radii, as a power of ten", 0.0, 16.0, 7.0)
-    };
+    exponent: f64 = Number::whole("Distance in radii, as a power of ten", 0.0, 16.0, 7.0);
     pixel: Vec3 =
         Number::whole("Pixel, to the right of the middle", -7.0, 7.0, -3.0),
         Number::whole("Pixel, above the middle", -7.0, 7.0, 2.0);
-    radius: f64 = Number::choice("Radius", &["6/7", "1/700", "5000/7"]);
 }
 
-/// The choices of a radius: not such that squares are round numbers, of which *ac* is a
+/// The radius of the star: not such that squares are round numbers, of which *ac* is a
 /// little less and has no digit in common.
-const RADII: [f64; 3] = [6.0 / 7.0, 1.0 / 700.0, 5000.0 / 7.0];
+const RADIUS: f64 = 6.0 / 7.0;
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
@@ -42,11 +38,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     solution: "From about 10⁸ radii on: then the square of the distance has no digit left for the square of \
         the radius.",
     handles: &[
-        Handle {
-            field: "exponent",
-            at: |it| AXIS.at(it.exponent),
-            drag: |it, to| it.exponent = AXIS.value(to),
-        },
+        point!(AXIS, exponent),
         point!(SKIES[0], pixel),
         point!(SKIES[1], pixel),
     ],
@@ -58,40 +50,20 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     answer,
 };
 
-/// A star, and the ray of a pixel.
-#[derive(Clone, Copy)]
-struct Star {
-    /// From the eye to the center it is ten to the power of so many tenths, in radii.
-    tenths: u8,
-    /// Its radius.
-    radius: f64,
-    /// The pixel of whose ray there are numbers, counted from the middle to the right and
-    /// upwards.
-    pixel: Vec3,
-}
-
 fn answer(it: &Parameters) -> Answer {
-    let star = Star {
-        tenths: (10.0 * it.exponent).round() as u8,
-        radius: RADII[it.radius as usize],
-        pixel: it.pixel,
-    };
-    let case = star.case();
+    let case = it.case();
     let found = Numbers::of(&case);
-    let away = star.away_in_words();
+    let away = power_of_ten(it.exponent as i32);
     let agreeing = found.agreeing();
-    let sentence = format!(
-        "{away} radii away *h*² and *ac* agree in {agreeing} of their 17 digits. {} {}{}",
-        of_discriminant(&found),
-        of_t(&found, case.ray.direction.length() / case.radius),
-        of_step(star.step()),
-    );
     let digits = if agreeing == 1 { "digit" } else { "digits" };
-    let says = vec![
-        ("distance", away),
-        ("agree", format!("{agreeing} {digits}")),
-    ];
-    Answer::new(draw(&star, &found), sentence, says)
+    let sentence = format!(
+        "{away} radii away *h*² and *ac* agree in {agreeing} of their 17 digits. {} {}",
+        of_discriminant(&found),
+        of_t(&found, case.ray.direction.length() / RADIUS),
+    );
+    let agree = format!("{agreeing} {digits}");
+    let says = vec![("distance", away), ("agree", agree)];
+    Answer::new(draw(it, &found), sentence, says)
 }
 
 /// What is left of D.
@@ -129,18 +101,6 @@ fn of_t(found: &Numbers, radii: f64) -> String {
     }
 }
 
-/// What the right picture suffers from.
-fn of_step(radii: f64) -> String {
-    if radii < 0.03 {
-        return String::new();
-    }
-    let radii = printed(radii);
-    format!(
-        " From one number *t* to the next the ray goes on by {radii} radii: so coarse is the right \
-        picture, too."
-    )
-}
-
 /// Pixels in a row, and how many of them are as wide as the radius: the half keeps rays
 /// off the rim.
 const PIXELS: u32 = 15;
@@ -161,65 +121,33 @@ const SIDE: f64 = 12.5;
 /// The distances, as powers of ten.
 const AXIS: Axis = Axis::new(20.0, 236.0, 360.0, 0.0, 16.0);
 
-impl Star {
+impl Parameters {
     /// From the eye to the center, in radii.
     fn away(&self) -> f64 {
-        // From a table, since not every machine computes the same powers.
-        const TENTHS: [f64; 10] = [
-            1.0,
-            1.2589254117941673,
-            1.5848931924611136,
-            1.9952623149688795,
-            2.51188643150958,
-            3.1622776601683795,
-            3.9810717055349722,
-            5.011872336272722,
-            6.309573444801933,
-            7.943282347242816,
-        ];
-        TENTHS[usize::from(self.tenths % 10)] * ten_to(self.tenths / 10)
-    }
-
-    /// The same in a few characters.
-    fn away_in_words(&self) -> String {
-        let power = raised((self.tenths / 10).into());
-        match (self.tenths / 10, self.tenths % 10) {
-            (0, _) => format!("{:.1}", self.away()),
-            (_, 0) => format!("10{power}"),
-            (tens, _) => format!("{:.1} · 10{power}", self.away() / ten_to(tens)),
-        }
+        (0..self.exponent as u8).fold(1.0, |power, _| 10.0 * power)
     }
 
     /// The star, and the ray.
     fn case(&self) -> Case {
-        let (center, radius) = self.sphere();
-        let ray = self.scene().ray(&self.ray(self.pixel));
         Case {
-            center,
-            radius,
-            ray,
+            center: self.center(),
+            radius: RADIUS,
+            ray: self.scene().ray(&self.ray(self.pixel)),
         }
     }
 
-    /// How far a ray goes from one `f64` t to the next where the star is, in radii.
-    fn step(&self) -> f64 {
-        let t = self.radius * self.away();
-        (t.next_up() - t) / self.radius
+    fn center(&self) -> Point3 {
+        RADIUS * Point3::new(0.25, -0.5, -self.away())
     }
 
     fn scene(&self) -> Scene {
         Scene {
-            name: LIVE.figure.name.to_owned(),
+            name: LIVE.name().to_owned(),
             width: PIXELS,
             sun: None,
             lens: Lens::new(Point3::ZERO, Vec3::NEG_Z, [self.away() / CLOSER; 2]),
-            spheres: vec![self.sphere()],
+            spheres: vec![(self.center(), RADIUS)],
         }
-    }
-
-    fn sphere(&self) -> (Point3, f64) {
-        let in_radii = Point3::new(0.25, -0.5, -self.away());
-        (self.radius * in_radii, self.radius)
     }
 
     /// The ray of the book's camera that the lens sends through that pixel.
@@ -239,31 +167,19 @@ impl Star {
 }
 
 /// Draws the star twice, the axis, and the numbers of the chosen ray.
-fn draw(star: &Star, numbers: &Numbers) -> Svg {
+fn draw(it: &Parameters, numbers: &Numbers) -> Svg {
     let mut svg = LIVE.figure.sheet(410.0);
     for (sky, method) in SKIES.into_iter().zip(EYES) {
-        let above = DVec2::new(sky.origin.x, 14.0);
-        svg.label("ink", above, Middle, method.name);
+        svg.label("ink", spot(sky.origin.x, 14.0), Middle, method.name);
         let corner = sky.origin - 0.5 * SIDE * f64::from(PIXELS);
-        Frame { corner, side: SIDE }.draw(&mut svg, &star.picture(method));
-        let chosen = sky.point(star.pixel) - 0.5 * SIDE;
+        Frame { corner, side: SIDE }.draw(&mut svg, &it.picture(method));
+        let chosen = sky.point(it.pixel) - 0.5 * SIDE;
         svg.rect("black line", chosen, DVec2::splat(SIDE));
     }
-    draw_axis(&mut svg, star.tenths);
+    let powers = [0.0, 4.0, 8.0, 12.0, 16.0].into_iter();
+    AXIS.draw(&mut svg, &ticks(powers, |it| power_of_ten(it as i32)));
+    svg.small_label("ink", spot(200.0, 272.0), Middle, "distance in radii");
+    svg.circle("ray solid", AXIS.point(it.exponent), 4.5);
     numbers.draw(&mut svg);
     svg
-}
-
-fn draw_axis(svg: &mut Svg, tenths: u8) {
-    svg.line("ink line", AXIS.start, AXIS.end);
-    let powers = (0..=16).step_by(4).map(f64::from);
-    let powers = ticks(powers, |exponent| format!("10{}", raised(exponent as i32)));
-    AXIS.draw_ticks(svg, "ink line", DVec2::new(0.0, 5.0), &powers);
-    let below = AXIS.at(8.0) + DVec2::new(0.0, 36.0);
-    svg.small_label("ink", below, Middle, "distance in radii");
-    svg.circle("ray solid", AXIS.at(0.1 * f64::from(tenths)), 4.5);
-}
-
-fn ten_to(exponent: u8) -> f64 {
-    (0..exponent).fold(1.0, |power, _| 10.0 * power)
 }

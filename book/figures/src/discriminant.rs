@@ -1,10 +1,6 @@
-//! A ray, a sphere, and the roots on the axis of t. Ray and sphere move, and slips break the
-//! formula.
-
-use std::cmp::Ordering;
+//! A ray, a sphere, and the roots on the axis of t. Ray and sphere move.
 
 use normals::hit_sphere;
-use slips::{Chapter, Program};
 
 use crate::roots::roots;
 use crate::traced::red_sphere_lines;
@@ -21,7 +17,6 @@ parameters! {
         Number::new("C, to the right", 0.5, 4.8, 3.0),
         Number::new("C, upwards", -0.6, 0.8, 0.6);
     radius: f64 = Number::new("radius", 0.2, 1.3, 1.2);
-    formula: f64 = Number::choice("The formula", CHOICES);
 }
 
 /// The figure, as a reader moves it.
@@ -62,97 +57,49 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     answer,
 };
 
-/// The formula as it should be, and three slips: their names in the catalogue.
-const SLIPS: [&str; 3] = ["b-sign", "plus-b", "radius-not-squared"];
-const CHOICES: &[&str] = &[
-    "as it should be",
-    "b = 2 d · (C − Q)",
-    "t = (b − √(b² − 4ac)) / 2a",
-    "c = (C − Q)² − r",
-];
-
 impl Parameters {
     /// Puts eye and sphere there; the ray goes to the right.
     fn put(&mut self, q: Point3, c: Point3, radius: f64) {
         let d = Vec3::X;
-        *self = Self {
-            q,
-            d,
-            c,
-            radius,
-            ..*self
-        };
+        *self = Self { q, d, c, radius };
     }
 
-    /// Ray and sphere, and the program that finds the roots.
-    fn scene(&self, slipped: Option<Program>) -> Scene {
-        Scene {
-            center: self.c,
-            radius: self.radius,
-            ray: ray(self.q, self.d),
-            slipped,
-        }
+    fn ray(&self) -> Ray {
+        ray(self.q, self.d)
     }
-}
 
-/// A sphere and a ray in the plane of x and y.
-struct Scene {
-    center: Point3,
-    radius: f64,
-    ray: Ray,
-    /// What a slip makes of chapter 3; or else the chapter itself finds the roots.
-    slipped: Option<Program>,
-}
-
-impl Scene {
-    /// All t that are found.
+    /// All t at which the line meets the sphere.
     fn roots(&self) -> Vec<f64> {
-        roots(&self.ray, |ray| match &self.slipped {
-            Some(program) => program.hit_sphere(self.center, self.radius, ray),
-            None => hit_sphere(self.center, self.radius, ray),
-        })
-    }
-
-    /// The a, b and c of the quadratic equation.
-    fn coefficients(&self) -> [f64; 3] {
-        let (Ray { origin, direction }, r) = (self.ray, self.radius);
-        let Some(program) = &self.slipped else {
-            let oc = self.center - origin;
-            let a = direction.dot(direction);
-            return [a, -2.0 * direction.dot(oc), oc.dot(oc) - r * r];
-        };
-        let oc = (program.oc)(self.center, origin);
-        [
-            (program.a)(program, direction),
-            (program.linear)((program.dot)(direction, oc)),
-            (program.constant)((program.squared)(program, oc), r),
-        ]
+        roots(&self.ray(), |ray| hit_sphere(self.c, self.radius, ray))
     }
 
     /// The point of the line that is nearest to the center.
     fn foot(&self) -> Point3 {
-        self.ray.at(nearest(&self.ray, self.center))
+        self.ray().at(nearest(&self.ray(), self.c))
     }
 }
 
-fn answer(parameters: &Parameters) -> Answer {
-    let right = parameters.scene(None);
-    let slip = chosen(parameters.formula, &SLIPS);
-    let slipped = slip.map(|slip| parameters.scene(Some(slip.program(Chapter::Normals))));
-    let sentence = match &slipped {
-        None => sentence(&right),
-        Some(wrong) => sentence_on(wrong, &right),
+fn answer(it: &Parameters) -> Answer {
+    let roots = it.roots();
+    let at = listed(&roots);
+    let in_words = match roots.len() {
+        0 => "there is no root".to_owned(),
+        1 => format!("there is one root, {at}"),
+        _ => format!("the roots are {at}"),
     };
-    let lines = red_sphere_lines(right.center, right.radius, &right.ray);
-    let says = [vec![("roots", roots_in_words(&right.roots()))], lines].concat();
-    let drawing = draw(slipped.as_ref().unwrap_or(&right));
-    Answer::new(drawing, sentence, says)
+    let lines = red_sphere_lines(it.c, it.radius, &it.ray());
+    let says = [vec![("roots", in_words)], lines].concat();
+    Answer::new(draw(it, &roots), sentence(&roots), says)
+}
+
+fn listed(roots: &[f64]) -> String {
+    let roots: Vec<String> = roots.iter().copied().map(spoken).collect();
+    roots.join(" and ")
 }
 
 /// What the roots mean.
-fn sentence(right: &Scene) -> String {
-    let roots = right.roots();
-    let at = listed(&roots);
+fn sentence(roots: &[f64]) -> String {
+    let at = listed(roots);
     match roots[..] {
         [] => "The discriminant is negative: the line passes the center farther away than *r*. There is no root, and the \
             ray misses.".to_owned(),
@@ -175,136 +122,74 @@ fn sentence(right: &Scene) -> String {
     }
 }
 
-/// What a slip makes of it.
-fn sentence_on(wrong: &Scene, right: &Scene) -> String {
-    let [found, true_ones] = [wrong, right].map(Scene::roots);
-    let is_right = |t: &f64| true_ones.iter().any(|it| near(*it, *t));
-    let off: Vec<f64> = found.iter().copied().filter(|t| !is_right(t)).collect();
-    if off.is_empty() && found.len() == true_ones.len() {
-        let no_harm = match found[..] {
-            [] => "there is no root, as there should be none",
-            _ => "the roots are the right ones",
-        };
-        return format!(
-            "Here the slip does no harm: {no_harm}. Change something, for example the radius."
-        );
-    }
-    let should = match true_ones[..] {
-        [] => "There should be no root".to_owned(),
-        [_] => format!("The root should be {}", listed(&true_ones)),
-        _ => format!("The roots should be {}", listed(&true_ones)),
-    };
-    let comes = if found.len() == 2 { "come" } else { "comes" };
-    let places = match off[..] {
-        [] => String::new(),
-        [only] => format!(" At {} the line is not on the sphere.", spoken(only)),
-        _ => " These places are not on the sphere.".to_owned(),
-    };
-    let farther = if found.iter().all(is_on_axis) {
-        ""
-    } else {
-        " A root that is not on the axis is beyond its end."
-    };
-    format!(
-        "{should}, but {} {comes} out.{places}{farther}",
-        listed(&found)
-    )
-}
-
 /// Whether two roots differ by rounding alone, in this figure.
 fn near(one: f64, other: f64) -> bool {
     (one - other).abs() < 1e-9
 }
 
-fn roots_in_words(roots: &[f64]) -> String {
-    match roots {
-        [] => "there is no root".to_owned(),
-        [_] => format!("there is one root, {}", listed(roots)),
-        _ => format!("the roots are {}", listed(roots)),
-    }
-}
-
-fn listed(roots: &[f64]) -> String {
-    let roots: Vec<String> = roots.iter().copied().map(spoken).collect();
-    match &roots[..] {
-        [] => "none".to_owned(),
-        roots => roots.join(" and "),
-    }
-}
-
 /// Where the scene is on the sheet, and its size.
 const PLANE: Plane = Plane::new(60.0, 118.0, 60.0);
-const SIZE: DVec2 = DVec2::new(400.0, 226.0);
+const SIZE: DVec2 = spot(400.0, 226.0);
 
 /// Where a t is, below the scene.
-const AXIS: Axis = Axis::new(23.0, 258.0, 357.0, LEAST, MOST);
-const LEAST: f64 = -2.5;
-const MOST: f64 = 6.0;
-
-/// Whether a root is shown on the axis.
-fn is_on_axis(t: &f64) -> bool {
-    (LEAST..=MOST).contains(t)
-}
+const AXIS: Axis = Axis::new(23.0, 258.0, 357.0, -2.5, 6.0);
 
 /// Draws the scene, the axis, and the numbers.
-fn draw(scene: &Scene) -> Svg {
+fn draw(it: &Parameters, roots: &[f64]) -> Svg {
     let mut svg = LIVE.figure.sheet(352.0);
-    draw_scene(&mut svg, scene);
-    let roots = scene.roots();
-    draw_axis(&mut svg, &roots);
-    for (t, n) in roots.into_iter().zip(1..) {
-        let point = PLANE.point(scene.ray.at(t));
+    draw_scene(&mut svg, it);
+    draw_axis(&mut svg, roots);
+    for (&t, n) in roots.iter().zip(1..) {
+        let point = PLANE.point(it.ray().at(t));
         let name = format!("*t*_{{{n}}}");
         if point.clamp(DVec2::ZERO, SIZE) == point {
             svg.circle("ink hollow", point, 5.0);
             svg.label("ink", point, Below, &name);
         }
-        if is_on_axis(&t) {
-            svg.circle("ink hollow", AXIS.at(t), 5.0);
-            svg.label("ink", AXIS.at(t), Above, &name);
+        if (AXIS.least..=AXIS.most).contains(&t) {
+            svg.circle("ink hollow", AXIS.point(t), 5.0);
+            svg.label("ink", AXIS.point(t), Above, &name);
         }
     }
-    let [left, right] = numbers(scene);
-    svg.readout(DVec2::new(14.0, 302.0), &left);
-    svg.readout(DVec2::new(150.0, 302.0), &right);
+    let [left, right] = numbers(it);
+    svg.readout(spot(14.0, 302.0), &left);
+    svg.readout(spot(150.0, 302.0), &right);
     svg
 }
 
-fn draw_scene(svg: &mut Svg, scene: &Scene) {
-    let [middle, foot] = [scene.center, scene.foot()].map(|it| PLANE.point(it));
-    svg.circle("sphere area", middle, PLANE.scale * scene.radius);
+fn draw_scene(svg: &mut Svg, it: &Parameters) {
+    let [middle, foot] = [it.c, it.foot()].map(|it| PLANE.point(it));
+    svg.circle("sphere area", middle, PLANE.scale * it.radius);
     svg.line("sphere dashed", middle, foot);
-    PLANE.draw_line(svg, &scene.ray, SIZE, f64::INFINITY);
-    PLANE.draw_ray(svg, &scene.ray);
+    PLANE.draw_line(svg, &it.ray(), SIZE, f64::INFINITY);
+    PLANE.draw_ray(svg, &it.ray());
     svg.dot("sphere", middle, UpperRight, "**C**");
     svg.label("sphere", 0.5 * (middle + foot), Right, "*l*");
 }
 
 fn draw_axis(svg: &mut Svg, roots: &[f64]) {
-    let [start, zero, end] = [LEAST, 0.0, MOST].map(|t| AXIS.at(t));
-    let corner = start - DVec2::new(0.0, 42.0);
-    let size = zero - start + DVec2::new(0.0, 46.0);
-    svg.rect("faint wash", corner, size);
-    let inside = corner + DVec2::new(6.0, 13.0);
-    svg.small_label("ink", inside, Start, "behind");
-    svg.arrow("ray line", start, end + DVec2::new(10.0, 0.0));
+    let [start, zero] = [AXIS.start, AXIS.point(0.0)];
+    svg.rect("faint wash", start.down(-42.0), (zero - start).down(46.0));
+    svg.small_label("ink", start + spot(6.0, -29.0), Start, "behind");
+    svg.arrow("ray line", start, AXIS.end.right(10.0));
     let whole = ticks((-2..=6).map(f64::from), spoken);
-    AXIS.draw_ticks(svg, "ray thin", DVec2::new(0.0, 5.0), &whole);
+    AXIS.draw_ticks(svg, "ray thin", spot(0.0, 5.0), &whole);
     if let &[nearer, farther] = roots {
-        svg.line("ink bold", AXIS.at(nearer), AXIS.at(farther));
+        svg.line("ink bold", AXIS.point(nearer), AXIS.point(farther));
     }
 }
 
 /// The coefficients, and what they come to.
-fn numbers(scene: &Scene) -> [Vec<String>; 2] {
-    let [a, b, c] = scene.coefficients();
-    let passing = (scene.center - scene.foot()).length();
-    let relation = match passing.total_cmp(&scene.radius) {
-        Ordering::Less => '<',
-        Ordering::Equal => '=',
-        Ordering::Greater => '>',
-    };
-    let [l, r, discriminant] = [passing, scene.radius, b * b - 4.0 * a * c].map(spoken);
+fn numbers(it: &Parameters) -> [Vec<String>; 2] {
+    let (d, oc) = (it.ray().direction, it.c - it.q);
+    let (a, b, c) = (
+        d.dot(d),
+        -2.0 * d.dot(oc),
+        oc.dot(oc) - it.radius * it.radius,
+    );
+    let passing = (it.c - it.foot()).length();
+    let relation = sign(passing, it.radius);
+    let [l, r, discriminant] = [passing, it.radius, b * b - 4.0 * a * c].map(spoken);
     let coefficients = [("a", a), ("b", b), ("c", c)];
     [
         coefficients

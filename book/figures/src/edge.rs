@@ -53,11 +53,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     solution: "Until a step from cell to cell changes *D* by less than its rounding error. Then the method on the left \
         is wrong. On the right integers decide, which are never rounded.",
     handles: &[
-        Handle {
-            field: "doublings",
-            at: |it| SIZES.at(it.doublings),
-            drag: |it, to| it.doublings = SIZES.value(to),
-        },
+        point!(SIZES, doublings),
         point!(MAPS[0], cell),
         point!(MAPS[1], tangent),
     ],
@@ -79,12 +75,14 @@ fn answer(it: &Parameters) -> Answer {
     let decisions = it.decisions();
     let wrong = decisions.iter().filter(|it| it.is_wrong()).count();
     let chosen = it.decision(it.cell);
-    let numbers = it.discriminants();
+    let case = it.case(it.cell);
     let name = it.method().name;
+    let found = if chosen.found { "hit" } else { "miss" };
+    let verdict = if chosen.is_wrong() { "wrong" } else { "right" };
     let sentence = format!(
-        "{} {} On this map {name} is wrong in {wrong} of {} cells.",
-        of_method(name, &chosen),
-        of_stage(chosen.stage, &numbers),
+        "In the chosen cell {name} says {found}, and is {verdict}. {} On this map {name} is wrong in {wrong} of \
+        {} cells.",
+        of_stage(chosen.stage, &case),
         decisions.len()
     );
     let says = vec![
@@ -92,24 +90,14 @@ fn answer(it: &Parameters) -> Answer {
         ("method", name.to_owned()),
         ("wrong", wrong.to_string()),
     ];
-    Answer::new(draw(it, &decisions, &numbers), sentence, says)
-}
-
-/// What the plain method says of the chosen cell.
-fn of_method(name: &str, decision: &Decision) -> String {
-    let found = if decision.found { "hit" } else { "miss" };
-    let verdict = if decision.is_wrong() {
-        "wrong"
-    } else {
-        "right"
-    };
-    format!("In the chosen cell {name} says {found}, and is {verdict}.")
+    Answer::new(draw(it, &decisions), sentence, says)
 }
 
 /// Why that stage answered.
-fn of_stage(stage: Stage, numbers: &Discriminants) -> String {
-    let [computed, bound] = [numbers.computed, numbers.bound].map(printed);
-    let found = format!("The filter's *D* is {computed}, give or take {bound}");
+fn of_stage(stage: Stage, case: &Case) -> String {
+    let (computed, bound) = (case.discriminant(), bound(case));
+    let [d, band] = [computed, bound].map(printed);
+    let found = format!("The filter's *D* is {d}, give or take {band}");
     let name = match stage {
         Stage::Filter => return format!("{found}, so its sign is certain."),
         Stage::Rescaled => "the filter in other units",
@@ -117,7 +105,7 @@ fn of_stage(stage: Stage, numbers: &Discriminants) -> String {
         Stage::FixedWidth => "integers of fixed width",
         Stage::Exact => "integers of any length",
     };
-    let why = if numbers.computed.abs() <= numbers.bound {
+    let why = if computed.abs() <= bound {
         "it may have either sign"
     } else {
         "its sign is certain, but not yet the root"
@@ -160,14 +148,9 @@ impl Decision {
     }
 }
 
-/// D of a ray, its bound, and what it should be.
-struct Discriminants {
-    /// D, as the filter has it.
-    computed: f64,
-    /// It is off by so much at most.
-    bound: f64,
-    /// D, to within an ulp.
-    exact: f64,
+/// By so much the filter's D is off at most.
+fn bound(case: &Case) -> f64 {
+    D_BAND * case.a() * case.m()
 }
 
 impl Parameters {
@@ -203,21 +186,10 @@ impl Parameters {
             .map(|cell| self.decision(cell))
             .collect()
     }
-
-    /// The numbers of the chosen cell.
-    fn discriminants(&self) -> Discriminants {
-        let case = self.case(self.cell);
-        let exact = exact_discriminant(case.center, case.radius, &case.ray);
-        Discriminants {
-            computed: case.discriminant(),
-            bound: D_BAND * case.a() * case.m(),
-            exact: exact.expect("finite numbers"),
-        }
-    }
 }
 
 /// Draws both maps of these decisions, the axis of sizes, and D of the chosen cell.
-fn draw(it: &Parameters, decisions: &[Decision], numbers: &Discriminants) -> Svg {
+fn draw(it: &Parameters, decisions: &[Decision]) -> Svg {
     let mut svg = LIVE.figure.sheet(378.0);
     let set = |of: fn(&Decision) -> bool| decisions.iter().map(of).collect::<Vec<bool>>();
     let (hits, wrong) = (set(|it| it.hits), set(Decision::is_wrong));
@@ -234,7 +206,7 @@ fn draw(it: &Parameters, decisions: &[Decision], numbers: &Discriminants) -> Svg
     svg.key(SHARPER, DVec2::new(208.0, 218.0), "sharper filter");
     svg.key(INTEGERS, DVec2::new(318.0, 218.0), "integers");
     draw_sizes(&mut svg, it.doublings);
-    draw_discriminants(&mut svg, numbers);
+    draw_discriminants(&mut svg, &it.case(it.cell));
     svg
 }
 
@@ -248,8 +220,7 @@ const INTEGERS: &str = "depth-3 certain solid";
 fn draw_map(svg: &mut Svg, it: &Parameters, map: Plane, name: &str, cells: &[(&str, Vec<bool>)]) {
     let half = 0.5 * SIDE * CELLS as f64;
     let corner = map.origin - half;
-    let above = map.origin - DVec2::new(0.0, half + 8.0);
-    svg.label("ink", above, Middle, name);
+    svg.label("ink", map.origin.down(-half - 8.0), Middle, name);
     Frame { corner, side: SIDE }.map(svg, CELLS, cells);
     svg.circle("ink line", map.point(it.tangent), 4.0);
     let chosen = map.point(it.cell) - 0.5 * SIDE;
@@ -257,13 +228,10 @@ fn draw_map(svg: &mut Svg, it: &Parameters, map: Plane, name: &str, cells: &[(&s
 }
 
 fn draw_sizes(svg: &mut Svg, doublings: f64) {
-    svg.line("ink line", SIZES.start, SIZES.end);
-    let marks = ticks([0.0, 16.0, 32.0, 48.0].into_iter(), ulps);
-    SIZES.draw_ticks(svg, "ink line", DVec2::new(0.0, 5.0), &marks);
-    svg.circle("ray solid", SIZES.at(doublings), 4.5);
-    let below = SIZES.at(24.0) + DVec2::new(0.0, 38.0);
+    SIZES.draw(svg, &ticks([0.0, 16.0, 32.0, 48.0].into_iter(), ulps));
+    svg.circle("ray solid", SIZES.point(doublings), 4.5);
     let words = format!("from cell to cell: {}", ulps(doublings));
-    svg.small_label("ink", below, Middle, &words);
+    svg.small_label("ink", SIZES.point(24.0).down(38.0), Middle, &words);
 }
 
 /// An ulp, doubled so many times.
@@ -275,30 +243,24 @@ fn ulps(doublings: f64) -> String {
 }
 
 /// An axis of D around 0, counted in bounds.
-fn draw_discriminants(svg: &mut Svg, numbers: &Discriminants) {
-    let half = DVec2::new(0.0, 6.0);
-    let [low, high] = [-1.0, 1.0].map(|bounds| IN_BOUNDS.at(bounds));
-    let beyond = IN_BOUNDS.end + DVec2::new(12.0, 0.0);
-    svg.arrow("ink line", IN_BOUNDS.start, beyond);
-    svg.rect("viewport wash", low - half, high - low + 2.0 * half);
+fn draw_discriminants(svg: &mut Svg, case: &Case) {
+    let [low, high] = [-1.0, 1.0].map(|bounds| IN_BOUNDS.point(bounds));
+    svg.arrow("ink line", IN_BOUNDS.start, IN_BOUNDS.end.right(12.0));
+    svg.rect("viewport wash", low.down(-6.0), (high - low).down(12.0));
     for (bounds, words) in [(-1.0, "−bound"), (0.0, "0"), (1.0, "bound")] {
-        let at = IN_BOUNDS.at(bounds);
-        svg.line("viewport line", at - half, at + half);
-        let beneath = at + DVec2::new(0.0, 20.0);
-        svg.small_label("viewport", beneath, Middle, words);
+        let at = IN_BOUNDS.point(bounds);
+        svg.line("viewport line", at.down(-6.0), at.down(6.0));
+        svg.small_label("viewport", at.down(20.0), Middle, words);
     }
-    let at = |value| IN_BOUNDS.at(value / numbers.bound);
-    let (computed, exact) = (numbers.computed, numbers.exact);
-    let down = DVec2::new(0.0, 10.0);
-    svg.line("ink bold", at(exact) - down, at(exact) + down);
-    svg.circle("ray solid", at(computed), 4.5);
-    for (idea, value, name, down) in [
-        ("ray", computed, "the filter's *D*", -16.0),
-        ("ink", exact, "*D* exactly", 37.0),
-    ] {
-        // So that the words stay on the sheet.
-        let place = DVec2::new(at(value).x.clamp(100.0, 300.0), at(value).y + down);
-        let words = format!("{name}: {}", printed(value));
-        svg.small_label(idea, place, Middle, &words);
-    }
+    let exact = exact_discriminant(case.center, case.radius, &case.ray).expect("finite numbers");
+    let computed = case.discriminant();
+    let [found, right] = [computed, exact].map(|it| IN_BOUNDS.point(it / bound(case)));
+    svg.line("ink bold", right.down(-10.0), right.down(10.0));
+    svg.circle("ray solid", found, 4.5);
+    // So that the words stay on the sheet.
+    let beside = |at: DVec2, down| spot(at.x.clamp(100.0, 300.0), at.y + down);
+    let words = format!("the filter's *D*: {}", printed(computed));
+    svg.small_label("ray", beside(found, -16.0), Middle, &words);
+    let words = format!("*D* exactly: {}", printed(exact));
+    svg.small_label("ink", beside(right, 37.0), Middle, &words);
 }

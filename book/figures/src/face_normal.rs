@@ -45,41 +45,26 @@ fn answer(&Parameters { origin }: &Parameters) -> Answer {
 }
 
 fn sentence(ray: &Ray) -> String {
-    let found = hit(ray).map(|record| (ray.direction.dot(outward(&record)), record.front_face));
-    let Point3 { x, y, .. } = ray.origin;
-    match found {
-        None if (ray.origin.length() - 1.0).abs() < 1e-9 => {
-            "This ray starts on the sphere and leaves it. There *t* is 0, and only more than that counts: \
-            a surface does not meet what comes from it."
-                .to_owned()
-        }
-        None if x < 0.0 && y.abs() == 1.0 => {
-            "This ray only touches the sphere, and rounding makes a miss of it.".to_owned()
-        }
-        None => "This ray does not meet the sphere: there is no normal to turn.".to_owned(),
-        Some((0.0, _)) => {
-            "**d**·**n** is exactly 0: the ray grazes. The code asks for < 0, so front_face is \
-            false."
-                .to_owned()
-        }
-        Some((product, front_face)) if product.abs() < 1e-6 => format!(
-            "**d**·**n** should be 0, as the ray grazes. Rounding makes {} of it, so front_face is \
-            {front_face}.",
+    let Some(record) = hit(ray) else {
+        return "This ray does not meet the sphere: there is no normal to turn.".to_owned();
+    };
+    let (product, front_face) = (ray.direction.dot(record.point), record.front_face);
+    if product.abs() < 1e-6 {
+        return format!(
+            "**d**·**n** is {}: the ray grazes. The code asks for < 0, so front_face is {front_face}.",
             printed(product)
-        ),
-        Some((product, front_face)) => {
-            let product = spoken(product);
-            let (side, normal) = if front_face {
-                ("outside", "stays")
-            } else {
-                ("inside", "is turned round")
-            };
-            format!(
-                "**d**·**n** = {product} with the outward normal: the ray comes from {side}, front_face is \
-                {front_face}, and the normal {normal}."
-            )
-        }
+        );
     }
+    let (side, normal) = if front_face {
+        ("outside", "stays")
+    } else {
+        ("inside", "is turned round")
+    };
+    format!(
+        "**d**·**n** = {} with the outward normal: the ray comes from {side}, front_face is {front_face}, \
+        and the normal {normal}.",
+        spoken(product)
+    )
 }
 
 /// Where the left of the two spheres is on the sheet, and where the right one.
@@ -88,15 +73,10 @@ const PLANES: [Plane; 2] = [
     Plane::new(302.0, 180.0, 64.0),
 ];
 
-/// Where a ray meets the sphere.
+/// Where a ray meets the sphere. It has radius 1 around the origin, so a point of it is the
+/// normal there that points out.
 fn hit(ray: &Ray) -> Option<HitRecord> {
     Sphere::new(Point3::ZERO, 1.0).hit(ray, 0.0, f64::INFINITY)
-}
-
-/// The sphere has radius 1 around the origin: a point of it is the normal there that points
-/// out.
-fn outward(record: &HitRecord) -> Vec3 {
-    record.point
 }
 
 /// A ray that comes from outside.
@@ -109,7 +89,7 @@ fn draw(lower: &Ray) -> Svg {
     let mut svg = LIVE.figure.sheet(328.0);
     let titles = [("outward", false), ("against the ray", true)];
     for (plane, (title, against)) in PLANES.iter().zip(titles) {
-        let at = |y| DVec2::new(plane.origin.x, y);
+        let at = |y| spot(plane.origin.x, y);
         svg.label("ink", at(22.0), Middle, title);
         svg.circle("sphere area", plane.origin, plane.scale);
         // No normal reaches so far up, nor so far down.
@@ -118,8 +98,7 @@ fn draw(lower: &Ray) -> Svg {
             svg.small_label("ink", at(y), Middle, &words);
         }
     }
-    let [top, bottom] = [12.0, 316.0].map(|y| DVec2::new(200.0, y));
-    svg.line("grid thin", top, bottom);
+    svg.line("grid thin", spot(200.0, 12.0), spot(200.0, 316.0));
     svg
 }
 
@@ -131,30 +110,17 @@ fn meet(svg: &mut Svg, plane: &Plane, ray: &Ray, against: bool) -> String {
         svg.arrow("ray line", origin, plane.point(ray.at(0.5)));
         return "no hit".to_owned();
     };
-    let outward = outward(&record);
+    let outward = record.point;
     let normal = if against { record.normal } else { outward };
-    let point = plane.point(record.point);
-    svg.arrow("ray line", origin, point);
-    svg.arrow(
-        "normal bold",
-        point,
-        plane.point(record.point + 0.6 * normal),
-    );
-    svg.circle("ink solid", point, 4.0);
-    let beyond = plane.point(record.point + 0.8 * normal) + DVec2::new(0.0, 5.0);
-    svg.label("normal", beyond, Middle, "**n**");
+    let along = |length: f64| plane.point(record.point + length * normal);
+    svg.arrow("ray line", origin, along(0.0));
+    svg.arrow("normal bold", along(0.0), along(0.6));
+    svg.circle("ink solid", along(0.0), 4.0);
+    svg.label("normal", along(0.8).down(5.0), Middle, "**n**");
     if against {
         format!("front_face = {}", record.front_face)
     } else {
-        format!("**d**·**n** {} 0", sign(ray.direction.dot(normal)))
-    }
-}
-
-/// How a number stands to 0.
-fn sign(value: f64) -> char {
-    match value {
-        ..0.0 => '<',
-        0.0 => '=',
-        _ => '>',
+        let sign = sign(ray.direction.dot(normal), 0.0);
+        format!("**d**·**n** {sign} 0")
     }
 }

@@ -1,7 +1,5 @@
 //! What the book knows about a figure.
 
-use glam::DVec2;
-
 use crate::svg::Svg;
 use crate::text::html;
 
@@ -12,7 +10,7 @@ pub struct Figure {
     pub name: &'static str,
     /// A few words, read aloud where the drawing cannot be seen.
     pub title: &'static str,
-    /// What is to be seen, in sentences, for whoever cannot see it.
+    /// What is to be seen, in sentences, for a reader who cannot see it.
     pub description: &'static str,
     /// What stands below it on the page; `*t*` is a number, `**P**` a vector.
     pub caption: &'static str,
@@ -26,9 +24,8 @@ impl Figure {
         html(self.caption)
     }
 
-    /// An empty drawing with the words of this figure, as wide as all are.
+    /// An empty drawing with the words of this figure.
     pub(crate) fn sheet(&self, height: f64) -> Svg {
-        let size = DVec2::new(400.0, height);
-        Svg::new(self.name, self.title, self.description, size)
+        Svg::new(self.name, self.title, self.description, height)
     }
 }

@@ -10,8 +10,6 @@
 //! in [`LESSON`](crate::LESSON). From then on `{{figure NAME}}` weaves it with its handles.
 //! `.ci/live` builds the module of the pages anew.
 
-use std::fmt::Write;
-
 use glam::DVec2;
 
 use crate::figure::Figure;
@@ -30,20 +28,21 @@ pub(crate) struct Handle<P> {
     pub(crate) drag: fn(&mut P, DVec2),
 }
 
-/// A draggable point: a field that is a point of a plane, or a vector of it from there.
+/// A draggable point: a field that is a point of a plane or a number on an axis, or that is
+/// a vector from such a point.
 macro_rules! point {
-    ($plane:expr, $field:ident) => {
+    ($frame:expr, $field:ident) => {
         crate::live::Handle {
             field: stringify!($field),
-            at: |it| $plane.point(it.$field),
-            drag: |it, to| it.$field = $plane.place(to),
+            at: |it| $frame.point(it.$field),
+            drag: |it, to| it.$field = $frame.place(to),
         }
     };
-    ($plane:expr, $field:ident from $origin:ident) => {
+    ($frame:expr, $field:ident from $origin:ident) => {
         crate::live::Handle {
             field: stringify!($field),
-            at: |it| $plane.point(it.$origin + it.$field),
-            drag: |it, to| it.$field = $plane.place(to) - it.$origin,
+            at: |it| $frame.point(it.$origin + it.$field),
+            drag: |it, to| it.$field = $frame.place(to) - it.$origin,
         }
     };
 }
@@ -69,6 +68,9 @@ pub(crate) struct Live<P: 'static> {
     pub(crate) answer: fn(&P) -> Answer,
 }
 
+/// Numbers by name, for the sentences of the page that show them.
+pub(crate) type Says = Vec<(&'static str, String)>;
+
 /// What a figure answers.
 #[derive(Clone, Debug)]
 pub struct Answer {
@@ -78,26 +80,24 @@ pub struct Answer {
     pub sentence: String,
     /// Where each handle is on the sheet.
     pub handles: Vec<DVec2>,
-    /// Numbers by name, for the sentences of the page that tell them.
+    /// Numbers by name, for the sentences of the page that show them.
     pub says: Vec<(&'static str, String)>,
 }
 
 impl Answer {
     /// An answer whose handles are where the figure says.
-    pub(crate) fn new(drawing: Svg, sentence: String, says: Vec<(&'static str, String)>) -> Self {
+    pub(crate) fn new(drawing: Svg, sentence: String, says: Says) -> Self {
+        let handles = Vec::new();
         Self {
             drawing,
             sentence,
-            handles: Vec::new(),
+            handles,
             says,
         }
     }
 }
 
 /// A live figure, whatever its parameters are: they go in and come out as a list of numbers.
-///
-/// A page does not call the last three of these functions of a figure, but those of
-/// `dyn Movable`, which keep each number within its range.
 pub trait Movable: Sync {
     /// The figure, as the page shows it.
     fn figure(&self) -> &Figure;
@@ -117,14 +117,57 @@ pub trait Movable: Sync {
     /// What each button says.
     fn actions(&self) -> Vec<&'static str>;
 
-    /// Moves a handle to a place on the sheet.
-    fn moved(&self, handle: usize, numbers: &mut [f64], to: DVec2);
+    /// Drags a handle to a place on the sheet: what it changes comes onto a step.
+    fn drag(&self, handle: usize, numbers: &mut [f64], to: DVec2);
 
     /// Does what a button says.
-    fn acted(&self, action: usize, numbers: &mut [f64]);
+    fn act(&self, action: usize, numbers: &mut [f64]);
 
-    /// The figure for these numbers.
-    fn drawn(&self, numbers: &[f64]) -> Answer;
+    /// The figure for these numbers, each within its range.
+    fn answer(&self, numbers: &[f64]) -> Answer;
+
+    /// How pages name the figure.
+    fn name(&self) -> &'static str {
+        self.figure().name
+    }
+
+    /// What it shows, in a few words.
+    fn title(&self) -> &'static str {
+        self.figure().title
+    }
+
+    /// The numbers of the figure on the page.
+    fn defaults(&self) -> Vec<f64> {
+        self.numbers().iter().map(|it| it.default).collect()
+    }
+
+    /// Puts each number into its range, and whole ones on a whole number; what is no number
+    /// becomes the default.
+    fn confine(&self, numbers: &mut [f64]) {
+        for (n, number) in self.numbers().iter().enumerate() {
+            numbers[n] = number.confine(numbers[n]);
+            numbers[n] = numbers[n].min(number.most_among(numbers));
+        }
+    }
+
+    /// The answer in lines: the drawing, the sentence, and then with a word before them
+    /// the places of the handles, the numbers with their words and their greatest values,
+    /// and what sentences of the page show.
+    fn text(&self, numbers: &[f64]) -> String {
+        let answer = self.answer(numbers);
+        let mut text = format!("{}\n{}", answer.drawing.finish(), html(&answer.sentence));
+        for place in answer.handles {
+            text += &format!("\nhandle\t{}\t{}", place.x, place.y);
+        }
+        for (number, value) in self.numbers().iter().zip(numbers) {
+            let (words, most) = (number.in_words(*value), number.most_among(numbers));
+            text += &format!("\nvalue\t{value}\t{words}\t{most}");
+        }
+        for (name, value) in answer.says {
+            text += &format!("\nsays\t{name}\t{value}");
+        }
+        text
+    }
 }
 
 impl<P: Parameters> Movable for Live<P> {
@@ -146,9 +189,9 @@ impl<P: Parameters> Movable for Live<P> {
 
     fn handles(&self) -> Vec<Vec<usize>> {
         let places = |handle: &Handle<P>| {
-            let numbers = P::NUMBERS.iter().zip(0..);
-            let changed = numbers.filter(|(number, _)| number.field == handle.field);
-            changed.map(|(_, place)| place).collect()
+            let places = 0..P::NUMBERS.len();
+            let is_changed = |place: &usize| P::NUMBERS[*place].field == handle.field;
+            places.filter(is_changed).collect()
         };
         self.handles.iter().map(places).collect()
     }
@@ -157,103 +200,39 @@ impl<P: Parameters> Movable for Live<P> {
         self.actions.iter().map(|(name, _)| *name).collect()
     }
 
-    fn moved(&self, handle: usize, numbers: &mut [f64], to: DVec2) {
+    fn drag(&self, handle: usize, numbers: &mut [f64], to: DVec2) {
         let mut parameters = P::of(numbers);
         (self.handles[handle].drag)(&mut parameters, to);
         numbers.copy_from_slice(&parameters.numbers());
+        for &place in &self.handles()[handle] {
+            numbers[place] = P::NUMBERS[place].on_a_step(numbers[place]);
+        }
+        self.confine(numbers);
     }
 
-    fn acted(&self, action: usize, numbers: &mut [f64]) {
+    fn act(&self, action: usize, numbers: &mut [f64]) {
         let mut parameters = P::of(numbers);
         (self.actions[action].1)(&mut parameters);
         numbers.copy_from_slice(&parameters.numbers());
+        self.confine(numbers);
     }
 
-    fn drawn(&self, numbers: &[f64]) -> Answer {
+    fn answer(&self, numbers: &[f64]) -> Answer {
         let parameters = P::of(numbers);
-        let handles = self.handles.iter().map(|it| (it.at)(&parameters));
-        Answer {
-            handles: handles.collect(),
-            ..(self.answer)(&parameters)
+        let mut answer = (self.answer)(&parameters);
+        // The figure's own description is of what the page shows.
+        if numbers != self.defaults() {
+            answer.drawing.describe(&answer.sentence);
         }
+        let handles = self.handles.iter().map(|it| (it.at)(&parameters));
+        answer.handles = handles.collect();
+        answer
     }
 }
 
 impl<P: Parameters> Live<P> {
     /// The drawing on the page.
     pub(crate) fn on_page(&self) -> String {
-        let live: &dyn Movable = self;
-        live.answer(&live.defaults()).drawing.finish()
-    }
-}
-
-/// What is the same for all figures.
-impl dyn Movable + '_ {
-    /// How pages name the figure.
-    pub fn name(&self) -> &'static str {
-        self.figure().name
-    }
-
-    /// What it shows, in a few words.
-    pub fn title(&self) -> &'static str {
-        self.figure().title
-    }
-
-    /// The numbers of the figure on the page.
-    pub fn defaults(&self) -> Vec<f64> {
-        self.numbers().iter().map(|it| it.default).collect()
-    }
-
-    /// Drags a handle to a place on the sheet: what it changes comes onto a step.
-    pub fn drag(&self, handle: usize, numbers: &mut [f64], to: DVec2) {
-        self.moved(handle, numbers, to);
-        for &place in &self.handles()[handle] {
-            numbers[place] = self.numbers()[place].on_a_step(numbers[place]);
-        }
-        self.confine(numbers);
-    }
-
-    /// Does what a button says.
-    pub fn act(&self, action: usize, numbers: &mut [f64]) {
-        self.acted(action, numbers);
-        self.confine(numbers);
-    }
-
-    /// Puts each number into its range, and whole ones on a whole number; what is no number
-    /// becomes the default.
-    pub fn confine(&self, numbers: &mut [f64]) {
-        for (n, number) in self.numbers().iter().enumerate() {
-            numbers[n] = number.confine(numbers[n]);
-            numbers[n] = numbers[n].min(number.most_among(numbers));
-        }
-    }
-
-    /// The figure for these numbers, each within its range.
-    pub fn answer(&self, numbers: &[f64]) -> Answer {
-        let mut answer = self.drawn(numbers);
-        // The figure's own description is of what the page shows.
-        if numbers != self.defaults() {
-            answer.drawing.describe(&answer.sentence);
-        }
-        answer
-    }
-
-    /// The answer in lines: the drawing, the sentence, and then with a word before them
-    /// the places of the handles, the numbers with their words and their greatest values,
-    /// and what sentences of the page tell.
-    pub fn text(&self, numbers: &[f64]) -> String {
-        let answer = self.answer(numbers);
-        let mut text = format!("{}\n{}", answer.drawing.finish(), html(&answer.sentence));
-        for place in answer.handles {
-            let _ = write!(text, "\nhandle\t{}\t{}", place.x, place.y);
-        }
-        for (number, value) in self.numbers().iter().zip(numbers) {
-            let (words, most) = (number.in_words(*value), number.most_among(numbers));
-            let _ = write!(text, "\nvalue\t{value}\t{words}\t{most}");
-        }
-        for (name, value) in answer.says {
-            let _ = write!(text, "\nsays\t{name}\t{value}");
-        }
-        text
+        Movable::answer(self, &self.defaults()).drawing.finish()
     }
 }

@@ -1,8 +1,7 @@
 //! How a list finds the nearest hit: each hit ends the interval for the next sphere. Spheres
-//! and ray move, the order changes, the loop goes on turn by turn, and slips break it.
+//! and ray move, the order changes, the loop goes on turn by turn, and mistakes break it.
 
-use hittable_list::{Hittable, HittableList, Sphere};
-use slips::{Ball, Chapter, Program, World};
+use hittable_list::{Hittable, Sphere};
 
 use crate::vocabulary::*;
 
@@ -24,7 +23,11 @@ parameters! {
         Number::new("Q, upwards", -0.6, 0.6, 0.0);
     turns: f64 = Number::whole("Turns", 0.0, 3.0, 3.0);
     list: f64 = Number::choice("The list", LISTS);
-    search: f64 = Number::choice("The search", SEARCHES);
+    search: f64 = Number::choice("The search", &[
+        "as it should be",
+        "returns at the first hit",
+        "closest_so_far is not handed on",
+    ]);
 }
 
 /// The figure, as a reader moves it.
@@ -56,62 +59,13 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     answer,
 };
 
-/// The orders of the list: who comes first, second and third, as places of the spheres.
-const ORDERS: [[usize; 3]; 6] = [
-    [0, 1, 2],
-    [0, 2, 1],
-    [1, 0, 2],
-    [1, 2, 0],
-    [2, 0, 1],
-    [2, 1, 0],
-];
+/// The list: the spheres in their order.
 const LISTS: &[&str] = &[
     "1, 2, 3", "1, 3, 2", "2, 1, 3", "2, 3, 1", "3, 1, 2", "3, 2, 1",
 ];
 
-/// The search as it should be, and two slips: their names in the catalogue. The second one
-/// goes on after a hit.
-const SLIPS: [&str; 2] = ["first-hit-wins", "closest-ignored"];
-const SEARCHES: &[&str] = &[
-    "as it should be",
-    "returns at the first hit",
-    "closest_so_far is not handed on",
-];
-
 /// The radii of the three spheres.
 const RADII: [f64; 3] = [0.7, 0.6, 0.5];
-
-impl Parameters {
-    fn scene(&self, slipped: Option<Program>) -> Scene {
-        let centers = [self.one, self.two, self.three];
-        Scene {
-            spheres: std::array::from_fn(|n| Ball {
-                center: centers[n],
-                radius: RADII[n],
-            }),
-            order: ORDERS[self.list as usize],
-            ray: Ray::new(self.q, self.d),
-            turns: self.turns as usize,
-            slipped,
-            goes_on: self.search >= 2.0,
-        }
-    }
-}
-
-/// Spheres in an order, and a ray, in the plane of x and y.
-struct Scene {
-    /// The spheres 1, 2 and 3.
-    spheres: [Ball; 3],
-    /// The list: who comes first, second and third, as places in `spheres`.
-    order: [usize; 3],
-    ray: Ray,
-    /// How many of the list have had their turn.
-    turns: usize,
-    /// What a slip makes of the search; or else it is that of chapter 5.
-    slipped: Option<Program>,
-    /// Whether the slip goes on after a hit.
-    goes_on: bool,
-}
 
 /// What becomes of a sphere when it has its turn.
 struct Turn {
@@ -137,85 +91,68 @@ impl Turn {
     }
 }
 
-impl Scene {
-    /// The turns so far. A search of the list as far as it has come tells what it holds after
-    /// each of them.
+impl Parameters {
+    fn centers(&self) -> [Point3; 3] {
+        [self.one, self.two, self.three]
+    }
+
+    fn ray(&self) -> Ray {
+        Ray::new(self.q, self.d)
+    }
+
+    /// The turns so far.
     fn turns(&self) -> Vec<Turn> {
-        let turn = |n: usize| {
-            let [before, after] = [n, n + 1].map(|count| self.held_after(count));
-            Turn {
-                sphere: self.order[n] + 1,
-                t_max: self.t_max(before.map(|(t, _)| t)),
-                hit: after.filter(|_| after != before).map(|(t, _)| t),
-            }
-        };
-        (0..self.turns).map(turn).collect()
+        let mut turns: Vec<Turn> = Vec::new();
+        let list = LISTS[self.list as usize].split(", ");
+        for name in list.take(self.turns as usize) {
+            let number: usize = name.parse().expect("the number of a sphere");
+            let sphere = Sphere::new(self.centers()[number - 1], RADII[number - 1]);
+            let t_max = self.t_max(held(&turns));
+            let hit = t_max.and_then(|t_max| sphere.hit(&self.ray(), 0.0, t_max));
+            turns.push(Turn {
+                sphere: number,
+                t_max,
+                hit: hit.map(|it| it.t),
+            });
+        }
+        turns
     }
 
-    /// What the search holds after the turns so far: t, and the number of the sphere.
-    fn held(&self) -> Option<(f64, usize)> {
-        self.held_after(self.turns)
-    }
-
-    fn held_after(&self, turns: usize) -> Option<(f64, usize)> {
-        let list = &self.order.map(|place| self.spheres[place])[..turns];
-        let (t, place) = match self.slipped {
-            None => nearest(list, &self.ray)?,
-            Some(program) => {
-                let world = World::of(list);
-                let (t, hit) = Program { world, ..program }.search(&self.ray)?;
-                (t, list.iter().position(|&it| it == hit)?)
-            }
-        };
-        Some((t, self.order[place] + 1))
-    }
-
-    /// Up to which t the next sphere is asked, given the t of the last hit; `None` if it is
-    /// not asked.
-    fn t_max(&self, last_hit: Option<f64>) -> Option<f64> {
-        match self.slipped {
-            None => Some(last_hit.unwrap_or(f64::INFINITY)),
-            Some(_) if last_hit.is_some() && !self.goes_on => None,
-            Some(program) => Some(program.t_max),
+    /// Up to which t the next sphere is asked; `None` if it is not asked.
+    fn t_max(&self, held: Option<(f64, usize)>) -> Option<f64> {
+        match (self.search as u8, held) {
+            (0, Some((closest_so_far, _))) => Some(closest_so_far),
+            (1, Some(_)) => None,
+            _ => Some(f64::INFINITY),
         }
     }
 }
 
-/// The t of the nearest hit by the list of chapter 5, and the place of the sphere that is hit.
-fn nearest(list: &[Ball], ray: &Ray) -> Option<(f64, usize)> {
-    let sphere = |&Ball { center, radius }| Sphere::new(center, radius);
-    let t_of = |object: &dyn Hittable| object.hit(ray, 0.0, f64::INFINITY).map(|it| it.t);
-    let mut world = HittableList::default();
-    list.iter().for_each(|ball| world.add(sphere(ball)));
-    let nearest = t_of(&world)?;
-    // Of two that are equally near, the first one counts.
-    let place = list
-        .iter()
-        .position(|ball| t_of(&sphere(ball)) == Some(nearest))?;
-    Some((nearest, place))
+/// What the search holds after these turns: t, and the number of the sphere.
+fn held(turns: &[Turn]) -> Option<(f64, usize)> {
+    let mut last_first = turns.iter().rev();
+    last_first.find_map(|turn| Some((turn.hit?, turn.sphere)))
 }
 
-fn answer(parameters: &Parameters) -> Answer {
-    let right = parameters.scene(None);
-    let slip = chosen(parameters.search, &SLIPS);
-    let slipped = slip.map(|slip| parameters.scene(Some(slip.program(Chapter::HittableList))));
-    let shown = slipped.as_ref().unwrap_or(&right);
-    let held = |turns| right.held_after(turns).map_or(f64::INFINITY, |(t, _)| t);
-    let held: Vec<String> = (0..=right.turns).map(|n| in_digits(held(n))).collect();
-    let sentence = match shown.turns().last() {
-        Some(turn) => turn.in_words() + &end(shown, &right),
+fn answer(it: &Parameters) -> Answer {
+    let right = Parameters { search: 0.0, ..*it }.turns();
+    let closest = (0..=right.len()).map(|n| held(&right[..n]));
+    let closest = closest.map(|held| in_digits(held.map_or(f64::INFINITY, |(t, _)| t)));
+    let closest: Vec<String> = closest.collect();
+    let turns = it.turns();
+    let sentence = match turns.last() {
+        Some(turn) => turn.in_words() + &end(&turns, &right),
         None => "No sphere has had its turn: the first one will be asked for every *t* above 0."
             .to_owned(),
     };
-    Answer::new(draw(shown), sentence, vec![("held", held.join(", "))])
+    let says = vec![("held", closest.join(", "))];
+    Answer::new(draw(it, &turns), sentence, says)
 }
 
 /// What comes out when all had their turn.
-fn end(shown: &Scene, right: &Scene) -> String {
-    if shown.turns < shown.order.len() {
-        return String::new();
-    }
-    match (shown.held(), right.held()) {
+fn end(turns: &[Turn], right: &[Turn]) -> String {
+    match (held(turns), held(right)) {
+        _ if turns.len() < RADII.len() => String::new(),
         (Some((t, sphere)), Some((nearest, nearer))) if t > nearest => format!(
             " Sphere {sphere} wins, and is painted over sphere {nearer}, which is nearer: its *t* is {}.",
             in_digits(nearest)
@@ -235,7 +172,7 @@ fn in_digits(t: f64) -> String {
 
 /// Where the scene is on the sheet, and its size.
 const PLANE: Plane = Plane::new(24.0, 96.0, 82.0);
-const SIZE: DVec2 = DVec2::new(400.0, 192.0);
+const SIZE: DVec2 = spot(400.0, 192.0);
 
 /// The greatest t on a bar.
 const MOST: f64 = 4.4;
@@ -248,25 +185,23 @@ fn bar(row: usize) -> Axis {
 }
 
 /// Draws the spheres and the ray, then a bar for each turn so far, and what is held.
-fn draw(scene: &Scene) -> Svg {
+fn draw(it: &Parameters, turns: &[Turn]) -> Svg {
     let mut svg = LIVE.figure.sheet(352.0);
-    for (Ball { center, radius }, name) in scene.spheres.iter().zip(1..) {
+    for ((center, radius), name) in it.centers().iter().zip(RADII).zip(1..) {
         let middle = PLANE.point(*center);
         svg.circle("sphere area", middle, PLANE.scale * radius);
-        let down = middle + DVec2::new(0.0, 5.0);
-        svg.label("sphere", down, Middle, &format!("{name}"));
+        svg.label("sphere", middle.down(5.0), Middle, &format!("{name}"));
     }
-    PLANE.draw_line(&mut svg, &scene.ray, SIZE, f64::INFINITY);
-    PLANE.draw_ray(&mut svg, &scene.ray);
-    let turns = scene.turns();
+    PLANE.draw_line(&mut svg, &it.ray(), SIZE, f64::INFINITY);
+    PLANE.draw_ray(&mut svg, &it.ray());
     for (turn, row) in turns.iter().zip(0..) {
         draw_turn(&mut svg, turn, row);
-        let point = turn.hit.map(|t| PLANE.point(scene.ray.at(t)));
+        let point = turn.hit.map(|t| PLANE.point(it.ray().at(t)));
         if let Some(point) = point.filter(|it| it.cmple(SIZE).all()) {
             svg.circle("ray hollow", point, 5.0);
         }
     }
-    draw_held(&mut svg, scene, turns.len());
+    draw_held(&mut svg, it, turns);
     svg
 }
 
@@ -276,37 +211,36 @@ fn draw_turn(svg: &mut Svg, turn: &Turn, row: usize) {
         draw_bar(svg, "sphere", end, row);
     }
     if let Some(t) = turn.hit.filter(|&t| t < MOST) {
-        svg.circle("ray hollow", bar(row).at(t), 5.0);
+        svg.circle("ray hollow", bar(row).point(t), 5.0);
     }
 }
 
-fn draw_held(svg: &mut Svg, scene: &Scene, row: usize) {
-    let held = scene.held();
+fn draw_held(svg: &mut Svg, it: &Parameters, turns: &[Turn]) {
+    let held = held(turns);
     let (t, sphere) = match held {
         None => (f64::INFINITY, String::new()),
         Some((t, sphere)) => (t, format!(", sphere {sphere}")),
     };
-    let name = match scene.t_max(held.map(|(t, _)| t)) {
+    let name = match it.t_max(held) {
         Some(_) => "closest_so_far",
         None => "returned *t*",
     };
     let words = format!("{name} = {}{sphere}", in_digits(t));
-    svg.small_label("ray", above(row), Start, &words);
-    draw_bar(svg, "ray", t, row);
+    svg.small_label("ray", above(turns.len()), Start, &words);
+    draw_bar(svg, "ray", t, turns.len());
 }
 
 /// All t from 0 to `end`.
 fn draw_bar(svg: &mut Svg, idea: &str, end: f64, row: usize) {
-    let (from, to) = (bar(row).start, bar(row).at(end));
+    let (from, to) = (bar(row).start, bar(row).point(end));
     let bold = format!("{idea} bold");
     if end >= MOST {
         return svg.arrow(&bold, from, to);
     }
-    let half = DVec2::new(0.0, 6.0);
     svg.line(&bold, from, to);
-    svg.line(&format!("{idea} line"), to - half, to + half);
+    svg.line(&format!("{idea} line"), to.down(-6.0), to.down(6.0));
 }
 
 fn above(row: usize) -> DVec2 {
-    bar(row).start - DVec2::new(0.0, 10.0)
+    bar(row).start.down(-10.0)
 }

@@ -33,24 +33,22 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         nearer root is behind **Q**, so *t* is negative, and this chapter paints the sky.",
     handles: &[point!(PLANE, d from q), point!(PLANE, q)],
     actions: &[
-        ("At the center", |it| it.put(xy(-3.1, 0.0), Vec3::X)),
-        ("Past it", |it| it.put(xy(-3.1, 1.75), Vec3::X)),
-        ("From inside", |it| it.put(xy(-0.6, 0.5), xy(1.0, 0.25))),
+        ("At the center", |it| {
+            (it.q, it.d) = (xy(-3.1, 0.0), Vec3::X);
+        }),
+        ("Past it", |it| (it.q, it.d) = (xy(-3.1, 1.75), Vec3::X)),
+        ("From inside", |it| {
+            (it.q, it.d) = (xy(-0.6, 0.5), xy(1.0, 0.25));
+        }),
     ],
     answer,
 };
-
-impl Parameters {
-    fn put(&mut self, q: Point3, d: Vec3) {
-        *self = Self { q, d };
-    }
-}
 
 /// The sphere, in the plane of x and y, and where that is on the sheet.
 const CENTER: Point3 = Point3::ZERO;
 const RADIUS: f64 = 1.6;
 const PLANE: Plane = Plane::new(235.0, 180.0, 68.0);
-const SIZE: DVec2 = DVec2::new(400.0, 300.0);
+const SIZE: DVec2 = spot(400.0, 300.0);
 
 fn answer(parameters: &Parameters) -> Answer {
     let ray = ray(parameters.q, parameters.d);
@@ -58,9 +56,8 @@ fn answer(parameters: &Parameters) -> Answer {
     let sentence = match root {
         None => "The line of the ray misses the sphere, and there is no normal.".to_owned(),
         Some(t) if t > 0.0 => {
-            let [x, y, _] = normal(ray.at(t)).to_array().map(spoken);
-            let t = spoken(t);
-            format!("The nearer root is *t* = {t}, and there **n** = ({x}, {y}, 0).")
+            let (t, normal) = (spoken(t), triple(normal(ray.at(t))));
+            format!("The nearer root is *t* = {t}, and there **n** = {normal}.")
         }
         Some(t) => {
             let t = spoken(t);
@@ -104,7 +101,6 @@ fn draw_normal(svg: &mut Svg, point: Point3) {
     svg.circle("ink solid", hit, 4.5);
     let half = 0.5 * (middle + hit);
     svg.label("sphere", half, UpperRight, "**P** − **C**");
-    let down = DVec2::new(0.0, 5.0);
-    svg.label("normal", tip + 12.0 * out + down, Middle, "**n**");
-    svg.label("ink", hit - 20.0 * along + down, Middle, "**P**");
+    svg.label("normal", (tip + 12.0 * out).down(5.0), Middle, "**n**");
+    svg.label("ink", (hit - 20.0 * along).down(5.0), Middle, "**P**");
 }

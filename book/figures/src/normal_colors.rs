@@ -87,13 +87,13 @@ fn draw(first: Point3) -> Svg {
     for ((point, name), row) in points.zip(["1", "2", "3", "4", "5"]).zip(0..) {
         let (color, normal) = seen(point);
         let from = viewport().point(point);
-        let towards = normal.map_or(DVec2::ZERO, |it| 46.0 * DVec2::new(it.x, -it.y));
+        let towards = normal.map_or(DVec2::ZERO, |it| 46.0 * spot(it.x, -it.y));
         if towards.length() > 12.0 {
             svg.arrow("black bold", from, from + towards);
         }
         disc(&mut svg, from, name);
-        let at = DVec2::new(18.0, 252.0 + 23.0 * f64::from(row));
-        disc(&mut svg, at - DVec2::new(0.0, 4.5), name);
+        let at = spot(18.0, 252.0).down(23.0 * f64::from(row));
+        disc(&mut svg, at.down(-4.5), name);
         entry(&mut svg, at, normal, color);
     }
     svg
@@ -101,25 +101,16 @@ fn draw(first: Point3) -> Svg {
 
 fn disc(svg: &mut Svg, middle: DVec2, name: &str) {
     svg.circle("disc", middle, 9.0);
-    let down = middle + DVec2::new(0.0, 4.5);
-    svg.small_label("on-disc", down, Middle, name);
+    svg.small_label("on-disc", middle.down(4.5), Middle, name);
 }
 
 /// A line of the table: the normal of a point, and its color.
 fn entry(svg: &mut Svg, at: DVec2, normal: Option<Vec3>, color: Color) {
-    let right = |x| at + DVec2::new(x, 0.0);
     let words = match normal {
-        Some(normal) => format!("**n** = {}", decimals(normal).replace('-', "−")),
+        Some(normal) => format!("**n** = {}", triple(normal)),
         None => "no normal: it is sky".to_owned(),
     };
-    svg.label("ink", right(18.0), Start, &words);
-    let corner = right(196.0) - DVec2::new(0.0, 14.0);
-    svg.pixel(corner, DVec2::new(26.0, 18.0), levels(color));
-    svg.label("ink", right(232.0), Start, &decimals(color));
-}
-
-/// Components with two decimals, and no minus before zero.
-fn decimals(vector: Vec3) -> String {
-    let [x, y, z] = (vector + Vec3::ZERO).to_array();
-    format!("({x:.2}, {y:.2}, {z:.2})")
+    svg.label("ink", at.right(18.0), Start, &words);
+    svg.pixel(at + spot(196.0, -14.0), spot(26.0, 18.0), levels(color));
+    svg.label("ink", at.right(232.0), Start, &triple(color));
 }

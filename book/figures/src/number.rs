@@ -1,5 +1,7 @@
 //! Numbers in few characters.
 
+use std::cmp::Ordering;
+
 use common::rtweekend::*;
 
 /// Such as 0.41, 158, 1.3e-16.
@@ -17,14 +19,10 @@ pub fn three_digits(value: f64) -> String {
 
 /// The same as it is printed: −0.41, 158, 1.3·10⁻¹⁶.
 pub fn printed(value: f64) -> String {
-    let sign = if value < 0.0 { "−" } else { "" };
-    let text = three_digits(value.abs());
+    let text = three_digits(value).replace('-', "−");
     match text.split_once('e') {
-        Some((digits, exponent)) => {
-            let exponent = exponent.parse().map_or(String::new(), raised);
-            format!("{sign}{digits}·10{exponent}")
-        }
-        None => format!("{sign}{text}"),
+        Some((digits, exponent)) => format!("{digits}·10{}", raised(exponent)),
+        None => text,
     }
 }
 
@@ -44,17 +42,22 @@ pub(crate) fn short(value: f64) -> String {
 }
 
 /// Decimals without the zeros at their end.
-pub(crate) fn trimmed(decimals: &str) -> &str {
+fn trimmed(decimals: &str) -> &str {
     decimals.trim_end_matches('0').trim_end_matches('.')
 }
 
 /// A number as an exponent.
-pub(crate) fn raised(number: i32) -> String {
+pub(crate) fn raised(number: impl ToString) -> String {
     let raised = |digit: char| match digit.to_digit(10) {
         Some(digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize),
         None => Some('⁻'),
     };
     number.to_string().chars().filter_map(raised).collect()
+}
+
+/// Ten to that power.
+pub(crate) fn power_of_ten(exponent: i32) -> String {
+    format!("10{}", raised(exponent))
 }
 
 /// A number with at most two decimals, and no minus before zero.
@@ -68,6 +71,15 @@ pub(crate) fn number(value: f64) -> String {
 /// a real minus.
 pub fn spoken(value: f64) -> String {
     number((100.0 * value).round() / 100.0).replace('-', "−")
+}
+
+/// How a number stands to another.
+pub(crate) fn sign(one: f64, other: f64) -> char {
+    match one.total_cmp(&other) {
+        Ordering::Less => '<',
+        Ordering::Equal => '=',
+        Ordering::Greater => '>',
+    }
 }
 
 /// A vector in such numbers.

@@ -1,7 +1,6 @@
 //! The parameters of a figure: numbers with names, ranges and steps.
 
 use common::rtweekend::*;
-use slips::Slip;
 
 use crate::number::spoken;
 use crate::plane::xy;
@@ -88,12 +87,6 @@ impl Number {
             None => spoken(value).replace('−', "minus "),
         }
     }
-}
-
-/// The slip that was chosen after what is right, the first choice.
-pub(crate) fn chosen(choice: f64, slips: &[&str]) -> Option<&'static Slip> {
-    let place = (choice as usize).checked_sub(1)?;
-    slips::find(slips[place])
 }
 
 /// The parameters of a figure, as numbers.

@@ -35,10 +35,8 @@ fn draw() -> String {
         let entry = plane.point(ray.at(t));
         svg.line("sphere line", c, entry);
         svg.circle("ray hollow", entry, 5.0);
-        let half = 0.5 * (c + entry);
-        svg.label("sphere", half, LowerRight, "*r*");
-        let below = foot + DVec2::new(2.0, 20.0);
-        svg.label("ink", below, End, "√(*r*² − *l*²)");
+        svg.label("sphere", 0.5 * (c + entry), LowerRight, "*r*");
+        svg.label("ink", foot + spot(2.0, 20.0), End, "√(*r*² − *l*²)");
     }
     svg.dot("sphere", c, UpperRight, "**C**");
     svg.dot("ray", q, Below, "**Q**");

@@ -98,12 +98,10 @@ fn draw(center: Point3, ray: &Ray, roots: &[f64]) -> Svg {
 
 /// A measured stretch of the ray, so far below it.
 fn span(svg: &mut Svg, ray: &Ray, ends: [f64; 2], below: f64, words: &str) {
-    let [from, to] = ends.map(|t| PLANE.point(ray.at(t)) + DVec2::new(0.0, below));
-    let mark = DVec2::new(0.0, 5.0);
+    let [from, to] = ends.map(|t| PLANE.point(ray.at(t)).down(below));
     svg.line("ink line", from, to);
     for end in [from, to] {
-        svg.line("ink line", end - mark, end + mark);
+        svg.line("ink line", end.down(-5.0), end.down(5.0));
     }
-    let middle = 0.5 * (from + to) + DVec2::new(0.0, 18.0);
-    svg.label("ink", middle, Middle, words);
+    svg.label("ink", (0.5 * (from + to)).down(18.0), Middle, words);
 }

@@ -1,6 +1,5 @@
 //! Figure 2 of the notes: P(t) = Q + t·d. Q, the tip of d, and P along the line move.
 
-use crate::live::Movable;
 use crate::parameters::Parameters as _;
 use crate::vocabulary::*;
 
@@ -57,8 +56,7 @@ impl Parameters {
         let (d, t) = (factor * self.d, self.t / factor);
         let stretched = Self { d, t, ..*self };
         let mut numbers = stretched.numbers();
-        let live: &dyn Movable = &LIVE;
-        live.confine(&mut numbers);
+        LIVE.confine(&mut numbers);
         if numbers == stretched.numbers() {
             *self = stretched;
         }
@@ -91,7 +89,7 @@ fn answer(parameters: &Parameters) -> Answer {
 
 /// Where the scene is on the sheet, and its size.
 const PLANE: Plane = Plane::new(142.0, 142.0, 60.0);
-const SIZE: DVec2 = DVec2::new(400.0, 206.0);
+const SIZE: DVec2 = spot(400.0, 206.0);
 
 /// The values of t that are marked.
 const MARKS: [f64; 5] = [-1.0, 0.0, 1.0, 2.0, 3.0];
@@ -107,12 +105,12 @@ fn draw(ray: &Ray, t: f64) -> Svg {
         seen.for_each(|mark| draw_mark(&mut svg, ray, *mark));
     }
     svg.arrow("ray bold", at(0.0), at(1.0));
-    let beside = aside(ray) + DVec2::new(0.0, 5.0);
+    let beside = aside(ray).down(5.0);
     svg.label("ray", at(0.5) + beside, Middle, "**d**");
     svg.label("ink", at(0.0) + beside, Middle, "**Q**");
     svg.circle("ink hollow", at(t), 6.0);
     svg.label("ink", at(t) + beside, Middle, "**P**");
-    svg.readout(DVec2::new(14.0, SIZE.y + 20.0), &formulas(ray, t));
+    svg.readout(spot(14.0, SIZE.y + 20.0), &formulas(ray, t));
     svg
 }
 
@@ -125,9 +123,8 @@ fn aside(ray: &Ray) -> DVec2 {
 fn draw_mark(svg: &mut Svg, ray: &Ray, mark: f64) {
     let point = PLANE.point(ray.at(mark));
     svg.circle("ray solid", point, 4.5);
-    let beyond = point - 0.8 * aside(ray) + DVec2::new(0.0, 4.0);
-    let is_left = aside(ray).x > 0.0;
-    let anchor = if is_left { End } else { Start };
+    let beyond = (point - 0.8 * aside(ray)).down(4.0);
+    let anchor = if aside(ray).x > 0.0 { End } else { Start };
     if PLANE.vector(ray.direction).length() > 40.0 {
         let words = format!("*t* = {}", spoken(mark));
         svg.small_label("faint", beyond, anchor, &words);

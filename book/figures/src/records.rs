@@ -5,10 +5,9 @@
 //! of times, or measured by a clock, the benchmarks of the package `measure` record
 //! anew.
 
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 use speed_vs_accuracy::Precision;
 
-use crate::number;
 use crate::table::{Record, Table};
 
 /// How exact a method is in a regime, all levels together, with t from 0 to
@@ -28,26 +27,19 @@ pub struct Accuracy {
     /// How many of them have a root.
     pub hits: usize,
     /// Hits where there is no root, and misses where there is one.
-    #[serde(serialize_with = "three_digits")]
     pub wrong_per_million: f64,
     /// The error of t where both say hit, in units of the last place that the
     /// root has in this precision. None where nothing was hit, as with those below.
-    #[serde(serialize_with = "three_digits")]
     pub median_ulps: Option<f64>,
     /// The error that 999 of 1000 do not exceed.
-    #[serde(serialize_with = "three_digits")]
     pub p999_ulps: Option<f64>,
     /// The largest error.
-    #[serde(serialize_with = "three_digits")]
     pub largest_ulps: Option<f64>,
     /// How far the point at t is from the sphere, in radii.
-    #[serde(serialize_with = "three_digits")]
     pub surface_median_radii: Option<f64>,
     /// What 999 of 1000 do not exceed.
-    #[serde(serialize_with = "three_digits")]
     pub surface_p999_radii: Option<f64>,
     /// The farthest.
-    #[serde(serialize_with = "three_digits")]
     pub surface_largest_radii: Option<f64>,
     /// Answers that are NaN or infinite.
     pub nans: usize,
@@ -67,13 +59,10 @@ pub struct Worst {
     /// From the top, from 0, of 2160.
     pub row: u32,
     /// √D, half the slope of F at the root.
-    #[serde(serialize_with = "three_digits")]
     pub sqrt_d: f64,
     /// How far off t is.
-    #[serde(serialize_with = "three_digits")]
     pub ulps: f64,
     /// How far off it should be by the rule, u·M / 2√D.
-    #[serde(serialize_with = "three_digits")]
     pub rule_ulps: f64,
 }
 
@@ -113,13 +102,10 @@ pub struct Level {
     /// The name of the method.
     pub method: String,
     /// Hits where there is no root, and misses where there is one.
-    #[serde(serialize_with = "three_digits")]
     pub wrong_per_million: f64,
     /// The error of t that half of the hits do not exceed.
-    #[serde(serialize_with = "three_digits")]
     pub median_ulps: Option<f64>,
     /// The error of t that 999 of 1000 hits do not exceed.
-    #[serde(serialize_with = "three_digits")]
     pub p999_ulps: Option<f64>,
     /// A sum of the first few answers, by which a test knows them again.
     pub answers: u64,
@@ -141,14 +127,11 @@ pub struct Shadows {
     /// How many questions it was asked.
     pub questions: usize,
     /// Of a million answers, those that see a shadow where the sun shines.
-    #[serde(serialize_with = "three_digits")]
     pub false_shadows_per_million: f64,
     /// Of a million answers, those that see the sun where something is in its way.
-    #[serde(serialize_with = "three_digits")]
     pub light_leaks_per_million: f64,
     /// How far from the hit point the first hit is that counts, in radii of the ground:
     /// half of the rays pass over no more.
-    #[serde(serialize_with = "three_digits")]
     pub passed_over_radii: f64,
     /// A sum of the first few answers, by which a test knows them again.
     pub answers: u64,
@@ -171,22 +154,6 @@ pub struct WrongPixels {
     pub wrong: usize,
     /// How many are one level off: the eye does not see them.
     pub off_by_one: usize,
-}
-
-/// The method that takes the fewest instructions of those that draw a scene without
-/// a wrong pixel: what follows from [`WrongPixels`] and [`Timing`].
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-pub struct Least {
-    /// The name of the scene.
-    pub scene: String,
-    /// The precision that methods were chosen from.
-    #[serde(with = "PrecisionName")]
-    pub precision: Precision,
-    /// The name of the method, if there is one.
-    pub method: Option<String>,
-    /// How many it takes for one of the book's camera rays.
-    #[serde(serialize_with = "decimals::<0, _, _>")]
-    pub instructions: Option<f64>,
 }
 
 /// How long one test takes, or one ray, as the benchmark `clock` measured it.
@@ -218,13 +185,11 @@ pub struct Timing {
     /// half of the rounds agree, as `ratio` has.
     pub median_ns: f64,
     /// Nanoseconds in the quickest round.
-    #[serde(serialize_with = "decimals::<2, _, _>")]
     pub least_ns: f64,
     /// The median, over rounds, of the time divided by that of the first of its group in
     /// the same round: `half_b` on the same rays, or the way to leave `at_once`.
     pub ratio: f64,
     /// Instructions, as valgrind counts them. Only of `book` and `all_hits`.
-    #[serde(serialize_with = "decimals::<0, _, _>")]
     pub instructions: Option<f64>,
 }
 
@@ -249,22 +214,16 @@ pub struct Race {
     /// then each kept the bytes of the picture in memory, on one thread.
     pub to: String,
     /// Milliseconds of our program: half of the runs took less, half more.
-    #[serde(serialize_with = "decimals::<2, _, _>")]
     pub rust_median_ms: f64,
     /// Our quickest run.
-    #[serde(serialize_with = "decimals::<2, _, _>")]
     pub rust_least_ms: f64,
     /// Our slowest run.
-    #[serde(serialize_with = "decimals::<2, _, _>")]
     pub rust_greatest_ms: f64,
     /// Milliseconds of the C++ program.
-    #[serde(serialize_with = "decimals::<2, _, _>")]
     pub cpp_median_ms: f64,
     /// Its quickest run.
-    #[serde(serialize_with = "decimals::<2, _, _>")]
     pub cpp_least_ms: f64,
     /// Its slowest run.
-    #[serde(serialize_with = "decimals::<2, _, _>")]
     pub cpp_greatest_ms: f64,
 }
 
@@ -291,7 +250,6 @@ files! {
     Level: "measured/sweeps.csv",
     Shadows: "measured/shadows.csv",
     WrongPixels: "measured/scenes.snap.csv",
-    Least: "measured/least.snap.csv",
     Timing: "measured/timings.csv",
     Race: "speed/heats.csv",
 }
@@ -304,26 +262,4 @@ enum PrecisionName {
     Double,
     #[serde(rename = "f32")]
     Single,
-}
-
-/// Writes a number with N decimals, or nothing where there is none.
-fn decimals<const N: usize, T: Copy + Into<Option<f64>>, S: Serializer>(
-    value: &T,
-    field: S,
-) -> Result<S::Ok, S::Error> {
-    match (*value).into() {
-        Some(value) => field.collect_str(&format_args!("{value:.N$}")),
-        None => field.serialize_none(),
-    }
-}
-
-/// Writes the first three digits of a number, or nothing where there is none.
-fn three_digits<T: Copy + Into<Option<f64>>, S: Serializer>(
-    value: &T,
-    field: S,
-) -> Result<S::Ok, S::Error> {
-    match (*value).into() {
-        Some(value) => field.serialize_str(&number::three_digits(value)),
-        None => field.serialize_none(),
-    }
 }

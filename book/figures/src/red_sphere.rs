@@ -44,15 +44,13 @@ fn draw() -> String {
     // On the colors of the picture, as there.
     let (pixels, _) = picture.rgb().as_chunks();
     let half = pixels.len() / 2;
-    for (x, n, hits, words) in [
-        (8.0, half, true, "the ray hits"),
-        (140.0, 0, false, "it misses"),
+    for (corner, n, hits, words) in [
+        (spot(8.0, 224.0), half, true, "the ray hits"),
+        (spot(140.0, 224.0), 0, false, "it misses"),
     ] {
-        let corner = DVec2::new(x, 224.0);
         svg.pixel(corner, DVec2::splat(18.0), pixels[n]);
         svg.circle(mark(hits), corner + 9.0, 3.0);
-        let beside = corner + DVec2::new(26.0, 14.0);
-        svg.label("ink", beside, Start, words);
+        svg.label("ink", corner + spot(26.0, 14.0), Start, words);
     }
     svg.finish()
 }
@@ -66,17 +64,8 @@ fn mark(hits: bool) -> &'static str {
 const CENTER: Point3 = Point3::new(0.0, 0.0, -1.0);
 const RADIUS: f64 = 0.5;
 
-/// How far from the middle of the viewport a ray just still hits, by halving.
+/// How far from the middle of the viewport a ray just still hits: the tangent of the angle
+/// whose sine is the radius, since the center is at distance 1.
 fn outline() -> f64 {
-    let (mut hits, mut misses) = (0.0, 1.0);
-    for _ in 0..50 {
-        let between = 0.5 * (hits + misses);
-        let ray = Ray::new(Point3::ZERO, Vec3::new(between, 0.0, -1.0));
-        if hit_sphere(CENTER, RADIUS, &ray) {
-            hits = between;
-        } else {
-            misses = between;
-        }
-    }
-    hits
+    RADIUS / (1.0 - RADIUS * RADIUS).sqrt()
 }

@@ -37,18 +37,12 @@ fn draw() -> String {
             let anchor = if is_left { UpperLeft } else { UpperRight };
             svg.label("ink", at(t), anchor, &format!("*t* = {}", spoken(t)));
         }
-        let (count, sign) = [
-            ("no root", "< 0"),
-            ("one root", "= 0"),
-            ("two roots", "> 0"),
-        ][roots.len()];
-        let beside = at(3.8) + DVec2::new(2.0, -2.0);
+        let counts = [("no root", '<'), ("one root", '='), ("two roots", '>')];
+        let (count, sign) = counts[roots.len()];
+        let beside = at(3.8) + spot(2.0, -2.0);
         svg.label("ink", beside, Start, count);
-        let (below, words) = (
-            beside + DVec2::new(0.0, 16.0),
-            format!("*b*² − 4*ac* {sign}"),
-        );
-        svg.small_label("faint", below, Start, &words);
+        let words = format!("*b*² − 4*ac* {sign} 0");
+        svg.small_label("faint", beside.down(16.0), Start, &words);
     }
     svg.finish()
 }

@@ -35,11 +35,7 @@ fn draw() -> String {
     });
     let frame = Frame::new(8.0, 8.0, 384.0 / f64::from(WIDTH));
     frame.draw(&mut svg, &picture);
-    let viewport = frame.viewport(&camera);
-    svg.circle(
-        "black line",
-        viewport.point(center),
-        viewport.scale * radius,
-    );
+    let Plane { origin, scale } = frame.viewport(&camera);
+    svg.circle("black line", origin, scale * radius);
     svg.finish()
 }

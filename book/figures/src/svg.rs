@@ -1,11 +1,9 @@
 //! A drawing in SVG, written element by element.
 
-use std::fmt::Write;
-
 use glam::DVec2;
 
 use crate::number::number;
-use crate::text::{SMALL, TEXT, escape, plain, spans, width};
+use crate::text::{SMALL, TEXT, escape, plain, spans};
 
 /// A drawing while it is made: x to the right, y down, in units of the viewBox.
 ///
@@ -17,9 +15,32 @@ pub struct Svg {
     name: String,
     title: String,
     description: String,
-    size: DVec2,
+    height: f64,
     /// The elements so far.
     text: String,
+}
+
+/// A place on a sheet.
+pub(crate) const fn spot(x: f64, y: f64) -> DVec2 {
+    DVec2::new(x, y)
+}
+
+/// Steps on a sheet.
+pub(crate) trait Step {
+    /// So far to the right.
+    fn right(self, by: f64) -> Self;
+    /// So far down.
+    fn down(self, by: f64) -> Self;
+}
+
+impl Step for DVec2 {
+    fn right(self, by: f64) -> Self {
+        self + spot(by, 0.0)
+    }
+
+    fn down(self, by: f64) -> Self {
+        self + spot(0.0, by)
+    }
 }
 
 /// Where a label stands relative to its point.
@@ -56,19 +77,20 @@ impl Anchor {
             Self::UpperRight => (8.0, -9.0, ""),
             Self::LowerRight => (8.0, 16.0, ""),
         };
-        (DVec2::new(x, y), end)
+        (spot(x, y), end)
     }
 }
 
 impl Svg {
-    /// An empty drawing. Its ids begin with `name`, so several drawings can share a page; a
-    /// reader who cannot see it is told `title` and `description`.
-    pub(crate) fn new(name: &str, title: &str, description: &str, size: DVec2) -> Self {
+    /// An empty drawing, as wide as the screen of a phone lets one read. Its ids begin with
+    /// `name`, so several drawings can share a page; a reader who cannot see it hears `title`
+    /// and `description`.
+    pub(crate) fn new(name: &str, title: &str, description: &str, height: f64) -> Self {
         Self {
             name: name.to_owned(),
             title: title.to_owned(),
             description: description.to_owned(),
-            size,
+            height,
             text: String::new(),
         }
     }
@@ -87,24 +109,11 @@ impl Svg {
     /// A line through several points; filled, if the class says so.
     pub(crate) fn path(&mut self, class: &str, points: &[DVec2]) {
         let mut path = String::new();
-        for (point, step) in points.iter().zip("ML".chars().chain("L".chars().cycle())) {
-            let _ = write!(path, "{step}{} {}", number(point.x), number(point.y));
+        for (n, point) in points.iter().enumerate() {
+            let step = if n == 0 { "M" } else { "L" };
+            path += &format!("{step}{} {}", number(point.x), number(point.y));
         }
-        let _ = write!(self.text, "<path class=\"{class}\" d=\"{path}\"/>");
-    }
-
-    /// A disc at each of these points, all in one path: the round ends of lines of no length.
-    pub(crate) fn dots(&mut self, idea: &str, points: impl Iterator<Item = DVec2>, diameter: f64) {
-        let mut path = String::new();
-        for point in points {
-            let _ = write!(path, "M{} {}h0", number(point.x), number(point.y));
-        }
-        let diameter = number(diameter);
-        let _ = write!(
-            self.text,
-            "<path class=\"{idea}\" fill=\"none\" stroke=\"currentColor\" \
-             stroke-linecap=\"round\" stroke-width=\"{diameter}\" d=\"{path}\"/>"
-        );
+        self.text += &format!("<path class=\"{class}\" d=\"{path}\"/>");
     }
 
     /// A circle, or where the class fills it, a disc.
@@ -155,8 +164,7 @@ impl Svg {
 
     /// A smaller label.
     pub(crate) fn small_label(&mut self, idea: &str, at: DVec2, anchor: Anchor, text: &str) {
-        let size = format!(" font-size=\"{SMALL}\"");
-        self.sized_label(idea, &size, at, anchor, text);
+        self.sized_label(idea, &format!(" font-size=\"{SMALL}\""), at, anchor, text);
     }
 
     fn sized_label(&mut self, idea: &str, size: &str, at: DVec2, anchor: Anchor, text: &str) {
@@ -167,8 +175,7 @@ impl Svg {
             end => format!(" text-anchor=\"{end}\""),
         };
         let text = spans(text);
-        let _ = write!(
-            self.text,
+        self.text += &format!(
             "<text class=\"{idea} label\" x=\"{x}\" y=\"{y}\"{anchor}{size}>{text}</text>"
         );
     }
@@ -176,35 +183,24 @@ impl Svg {
     /// Numbers in words, line below line.
     pub(crate) fn readout(&mut self, at: DVec2, lines: &[String]) {
         for (line, n) in lines.iter().zip(0..) {
-            let at = at + DVec2::new(0.0, 21.0 * f64::from(n));
-            self.label("ink", at, Anchor::Start, line);
+            let line_below = at.down(21.0 * f64::from(n));
+            self.label("ink", line_below, Anchor::Start, line);
         }
     }
 
-    /// A square of a class, and what it means; returns how wide both are.
-    pub(crate) fn key(&mut self, class: &str, corner: DVec2, words: &str) -> f64 {
+    /// A square of a class, and what it means.
+    pub(crate) fn key(&mut self, class: &str, corner: DVec2, words: &str) {
         self.rect(class, corner, DVec2::splat(12.0));
-        let beside = corner + DVec2::new(18.0, 11.0);
+        let beside = corner + spot(18.0, 11.0);
         self.small_label("ink", beside, Anchor::Start, words);
-        18.0 + width(words, SMALL)
     }
 
-    /// The digits of a decimal number, each span of a class; after the first one a point.
-    pub(crate) fn digits(&mut self, at: DVec2, spans: &[(&str, &str)]) {
+    /// Digits of equal width, each stretch of a class.
+    pub(crate) fn digits(&mut self, at: DVec2, stretches: &[(&str, &str)]) {
         let [x, y] = at.to_array().map(number);
-        let _ = write!(
-            self.text,
-            "<text class=\"digits label\" x=\"{x}\" y=\"{y}\">"
-        );
-        let mut is_first = true;
-        for (class, digits) in spans.iter().filter(|(_, digits)| !digits.is_empty()) {
-            let (first, rest) = digits.split_at(usize::from(is_first));
-            let point = if is_first { "." } else { "" };
-            let _ = write!(
-                self.text,
-                "<tspan class=\"{class}\">{first}{point}{rest}</tspan>"
-            );
-            is_first = false;
+        self.text += &format!("<text class=\"digits label\" x=\"{x}\" y=\"{y}\">");
+        for (class, digits) in stretches.iter().filter(|(_, it)| !it.is_empty()) {
+            self.text += &format!("<tspan class=\"{class}\">{digits}</tspan>");
         }
         self.text += "</text>";
     }
@@ -220,14 +216,14 @@ impl Svg {
         let mut path = String::new();
         for (corner, size) in bars {
             let [x, y, width, height] = [corner.x, corner.y, size.x, size.y].map(number);
-            let _ = write!(path, "M{x} {y}h{width}v{height}h-{width}z");
+            path += &format!("M{x} {y}h{width}v{height}h-{width}z");
         }
-        let _ = write!(self.text, "<path {paint} d=\"{path}\"/>");
+        self.text += &format!("<path {paint} d=\"{path}\"/>");
     }
 
     /// What `draw` draws, as a group of that class.
     pub(crate) fn group(&mut self, class: &str, draw: impl FnOnce(&mut Self)) {
-        let _ = write!(self.text, "<g class=\"{class}\">");
+        self.text += &format!("<g class=\"{class}\">");
         draw(self);
         self.text += "</g>";
     }
@@ -236,10 +232,10 @@ impl Svg {
     pub fn finish(self) -> String {
         let id = format!("drawing-{}", self.name.replace('_', "-"));
         let [title, description] = [&self.title, &self.description].map(|words| escape(words));
-        let [width, height] = self.size.to_array().map(number);
+        let height = number(self.height);
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" \
-             viewBox=\"0 0 {width} {height}\" role=\"img\" \
+             viewBox=\"0 0 400 {height}\" role=\"img\" \
              aria-labelledby=\"{id}-title\" aria-describedby=\"{id}-description\" font-size=\"{TEXT}\">\
              <title id=\"{id}-title\">{title}</title>\
              <desc id=\"{id}-description\">{description}</desc>{}</svg>",
@@ -248,9 +244,9 @@ impl Svg {
     }
 
     fn element(&mut self, name: &str, class: &str, attributes: &[(&str, f64)]) {
-        let _ = write!(self.text, "<{name} class=\"{class}\"");
+        self.text += &format!("<{name} class=\"{class}\"");
         for (attribute, value) in attributes {
-            let _ = write!(self.text, " {attribute}=\"{}\"", number(*value));
+            self.text += &format!(" {attribute}=\"{}\"", number(*value));
         }
         self.text += "/>";
     }

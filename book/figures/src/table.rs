@@ -6,9 +6,11 @@
 
 use std::collections::BTreeMap;
 
-use csv::{Error, ErrorKind, Reader, ReaderBuilder, StringRecord, Writer};
+use csv::{Error, Reader, ReaderBuilder, Writer};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+
+use crate::number::three_digits;
 
 /// A type of row, of which one file is made.
 pub trait Record: Serialize + DeserializeOwned {
@@ -38,31 +40,39 @@ impl<Row: Record> Table<Row> {
     /// # Errors
     /// What is wrong in which line and column of the file.
     pub fn read(text: &str) -> Result<Self, String> {
-        let mut reader = reader(text);
-        let columns = reader.headers().expect("memory can be read").clone();
-        let rows: Result<Vec<Row>, Error> = reader.deserialize().collect();
-        match rows {
-            Ok(rows) if rows.is_empty() => Err(format!("{} has no rows", Row::FILE)),
-            Ok(rows) => Ok(Self {
-                about: about(text),
-                rows,
-            }),
-            Err(error) => Err(format!("{}, {}", Row::FILE, told(&error, &columns))),
+        let rows: Result<Vec<Row>, Error> = reader(text).deserialize().collect();
+        let rows = rows.map_err(|error| format!("{}: {error}", Row::FILE))?;
+        if rows.is_empty() {
+            return Err(format!("{} has no rows", Row::FILE));
         }
+        let about = about(text);
+        Ok(Self { about, rows })
     }
 
-    /// The file, which [`Table::read`] reads.
+    /// The file, which [`Table::read`] reads. Of a number with a fraction it has three digits.
     pub fn text(&self) -> String {
-        let about = self.about.iter();
-        let about: String = about
-            .map(|(key, value)| format!("# {key}: {value}\n"))
-            .collect();
-        let mut writer = Writer::from_writer(about.into_bytes());
+        let mut text = String::new();
+        for (key, value) in &self.about {
+            text += &format!("# {key}: {value}\n");
+        }
+        let mut writer = Writer::from_writer(Vec::new());
         for row in &self.rows {
             writer.serialize(row).expect("no field of a row is a list");
         }
-        let text = writer.into_inner().expect("memory takes it");
-        String::from_utf8(text).expect("it is made of texts")
+        let rows = writer.into_inner().expect("memory takes it");
+        let rows = String::from_utf8(rows).expect("it is made of texts");
+        for row in rows.lines() {
+            let fields: Vec<String> = row.split(',').map(in_few_digits).collect();
+            text += &(fields.join(",") + "\n");
+        }
+        text
+    }
+}
+
+fn in_few_digits(field: &str) -> String {
+    match field.parse() {
+        Ok(value) if field.contains(['.', 'e']) => three_digits(value),
+        _ => field.to_owned(),
     }
 }
 
@@ -80,22 +90,4 @@ pub fn about(text: &str) -> BTreeMap<String, String> {
         .filter_map(|remark| remark.split_once(": "))
         .map(|(key, value)| (key.to_owned(), value.to_owned()))
         .collect()
-}
-
-/// Line, column and cause: csv itself counts columns from 0.
-fn told(error: &Error, columns: &StringRecord) -> String {
-    let line = error.position().map_or(0, |position| position.line());
-    match error.kind() {
-        ErrorKind::Deserialize { err, .. } => {
-            let column = err.field().and_then(|n| columns.get(n as usize));
-            match column {
-                Some(column) => format!("line {line}, column `{column}`: {}", err.kind()),
-                None => format!("line {line}: {err}"),
-            }
-        }
-        ErrorKind::UnequalLengths {
-            expected_len, len, ..
-        } => format!("line {line}: {len} fields under {expected_len} columns"),
-        _ => error.to_string(),
-    }
 }

@@ -22,7 +22,7 @@ pub(crate) type Lines = Vec<(&'static str, String)>;
 /// The lines of `hit_sphere` in chapter 2.
 pub(crate) fn red_sphere_lines(center: Point3, radius: f64, ray: &Ray) -> Lines {
     lines(red_sphere::LINES, |trace| {
-        Some(red_sphere::hit_sphere(center, radius, ray, trace).shown())
+        Some(red_sphere::hit_sphere(center, radius, ray, trace).to_string())
     })
 }
 
@@ -87,12 +87,6 @@ trait Shown {
 impl Shown for f64 {
     fn shown(&self) -> String {
         spoken(*self)
-    }
-}
-
-impl Shown for bool {
-    fn shown(&self) -> String {
-        self.to_string()
     }
 }
 

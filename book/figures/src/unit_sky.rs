@@ -39,19 +39,14 @@ fn draw() -> String {
         let tip = from_the_side(ray.direction.normalize());
         svg.line("ray dashed", tip, from_the_side(ray.direction));
         svg.arrow("ray bold", PLANE.origin, tip);
-        svg.line("ink dashed", tip, DVec2::new(LEFT, tip.y));
-        let beside = DVec2::new(LEFT + WIDE, tip.y);
-        let words = format!("*a* = {:.3}", share_of_blue(&ray));
-        svg.label("ink", beside, Right, &words);
+        svg.line("ink dashed", tip, spot(LEFT, tip.y));
+        // How far `sky` went from white to blue, in red, where the way is ½ long.
+        let share = (1.0 - sky(&ray).x) / 0.5;
+        let words = format!("*a* = {share:.3}");
+        svg.label("ink", spot(LEFT + WIDE, tip.y), Right, &words);
     }
     svg.dot("ink", PLANE.origin, Left, "eye");
     svg.finish()
-}
-
-/// The share of blue that `ray` gets: how far `sky` went from white to blue, in
-/// red, where the way is ½ long.
-fn share_of_blue(ray: &Ray) -> f64 {
-    (1.0 - sky(ray).x) / 0.5
 }
 
 /// The front half of the circle on which unit directions end.
@@ -62,28 +57,26 @@ fn draw_arc(svg: &mut Svg) {
     };
     let points: Vec<DVec2> = (-90..=90).step_by(3).map(point).collect();
     svg.path("faint dashed", &points);
-    let below = point(-69) + DVec2::new(-6.0, 18.0);
-    svg.small_label("faint", below, Start, "length 1");
+    svg.small_label("faint", point(-69) + spot(-6.0, 18.0), Start, "length 1");
 }
 
 /// The sky from straight down to straight up.
 fn draw_scale(svg: &mut Svg) {
     const STEPS: i32 = 40;
     let step = 2.0 / f64::from(STEPS);
-    let at = |y: f64| DVec2::new(LEFT, PLANE.origin.y - PLANE.scale * y);
+    let at = |y: f64| spot(LEFT, PLANE.point(xy(0.0, y)).y);
     svg.group("pixels", |svg| {
         for n in 0..STEPS {
             let y = -1.0 + step * (f64::from(n) + 0.5);
             let direction = Vec3::new(0.0, y, -(1.0 - y * y).sqrt());
             let mut rgb = [0; 3];
             write_color(&mut rgb, sky(&Ray::new(Point3::ZERO, direction)));
-            let size = DVec2::new(WIDE, PLANE.scale * step);
+            let size = spot(WIDE, PLANE.scale * step);
             svg.pixel(at(y + 0.5 * step), size, rgb);
         }
     });
-    svg.rect("faint thin", at(1.0), DVec2::new(WIDE, 2.0 * PLANE.scale));
+    svg.rect("faint thin", at(1.0), spot(WIDE, 2.0 * PLANE.scale));
     for (y, words) in [(1.14, "1, straight up"), (-1.14, "0, straight down")] {
-        let middle = at(y) + DVec2::new(0.5 * WIDE, 4.0);
-        svg.small_label("faint", middle, Middle, words);
+        svg.small_label("faint", at(y) + spot(13.0, 4.0), Middle, words);
     }
 }

@@ -1,8 +1,6 @@
 //! Figure 4 of the notes: the viewport and its grid of pixels. The width of the picture
 //! changes, and the marked pixel moves.
 
-use slips::Chapter;
-
 use crate::vocabulary::*;
 
 parameters! {
@@ -17,7 +15,7 @@ parameters! {
             downwards: true,
             ..Number::whole("Row j", 0.0, 21.0, 2.0)
         };
-    first: f64 = Number::choice("The first P", CHOICES);
+    first: f64 = Number::choice("The first P", &["half a pixel in", "at the corner"]);
 }
 
 /// The figure, as a reader moves it: the height jumps, and a pixel has its ray.
@@ -41,8 +39,8 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         pixel it goes to the upper left corner of its pixel.",
     handles: &[Handle {
         field: "pixel",
-        at: |it| it.grid().at(it.grid().pixel),
-        drag: |it, to| it.pixel = it.grid().pixel_at(to),
+        at: |it| Grid::of(it).at(Grid::of(it).pixel),
+        drag: |it, to| it.pixel = Grid::of(it).pixel_at(to),
     }],
     // The pixel stays, where there is one.
     actions: &[
@@ -53,59 +51,35 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     answer,
 };
 
-/// What may be wrong at the first point: the name of the slip in the catalogue.
-const SLIPS: [&str; 1] = ["grid-not-inset"];
-const CHOICES: &[&str] = &["half a pixel in", "at the corner"];
-
-impl Parameters {
-    /// The camera of the chapter.
-    fn right(&self) -> Camera {
-        Camera::new(self.width as u32)
-    }
-
-    /// The grid of the camera that is shown.
-    fn grid(&self) -> Grid {
-        let right = self.right();
-        let slip = chosen(self.first, &SLIPS).map(|slip| slip.program(Chapter::Gradient));
-        let camera = slip.map_or(right, |program| program.camera(right.image_width));
-        let pixel = [self.pixel.x, self.pixel.y].map(|it| it as u32);
-        Grid { camera, pixel }
-    }
-}
-
-fn answer(parameters: &Parameters) -> Answer {
-    let grid = parameters.grid();
-    let width = grid.camera.image_width;
+fn answer(it: &Parameters) -> Answer {
+    let grid = Grid::of(it);
+    let Camera {
+        image_width: width,
+        image_height: height,
+        ..
+    } = grid.camera;
     let [i, j] = grid.pixel;
-    let right = parameters.right().ray(i, j).direction;
-    let (rows, because) = (rows(width), because(width));
+    let right = triple(Camera::new(width).ray(i, j).direction);
+    let way = triple(grid.camera.ray(i, j).direction);
+    let aside = match &right {
+        _ if way == right => String::new(),
+        _ => format!(", to its corner: half a pixel up and to the left of {right}"),
+    };
+    let rows = if height == 1 { "row" } else { "rows" };
+    let rows = format!("{height} {rows}");
+    let because = because(width);
     let sentence = format!(
-        "{} A picture {width} wide has {rows}: {because}.",
-        way(&grid, right)
+        "The ray of pixel ({i}, {j}) has the direction {way}{aside}. A picture {width} wide has \
+        {rows}: {because}."
     );
     let says = vec![
         ("width", width.to_string()),
         ("rows", rows),
         ("because", because),
         ("pixel", format!("({i}, {j})")),
-        ("direction", triple(right)),
+        ("direction", right),
     ];
     Answer::new(draw(&grid), sentence, says)
-}
-
-/// Where the ray of the pixel goes, and that it should go to the `right`.
-fn way(grid: &Grid, right: Vec3) -> String {
-    let [i, j] = grid.pixel;
-    let way = grid.camera.ray(i, j).direction;
-    let said = format!(
-        "The ray of pixel ({i}, {j}) has the direction {}",
-        triple(way)
-    );
-    if way == right {
-        return said + ".";
-    }
-    let right = triple(right);
-    format!("{said}, to its corner: half a pixel up and to the left of {right}.")
 }
 
 /// Why there are so many rows.
@@ -120,44 +94,39 @@ fn because(width: u32) -> String {
     format!("{width} / (16/9) = {quotient}{end}")
 }
 
-fn rows(width: u32) -> String {
-    match Camera::new(width).image_height {
-        1 => "1 row".to_owned(),
-        rows => format!("{rows} rows"),
-    }
-}
-
 /// A grid with a pixel that is marked.
 struct Grid {
     /// Whose grid it is.
     camera: Camera,
     /// Column and row of the pixel.
     pixel: [u32; 2],
+    /// The viewport's upper edge from left to right, and its left edge downwards.
+    edges: [Vec3; 2],
+    /// The upper left corner of the viewport, by the formula of the page.
+    corner: Point3,
+    /// Where the scene is on the sheet: the viewport as wide, or as high, as there is room.
+    plane: Plane,
 }
 
 impl Grid {
-    /// Where the scene is on the sheet: the viewport as wide, or as high, as there is room.
-    fn plane(&self) -> Plane {
-        let [u, v] = self.viewport();
+    /// The grid of the chapter's camera, unless that forgets the half pixel.
+    fn of(it: &Parameters) -> Self {
+        let mut camera = Camera::new(it.width as u32);
+        let u = f64::from(camera.image_width) * camera.pixel_delta_u;
+        let v = f64::from(camera.image_height) * camera.pixel_delta_v;
+        if it.first > 0.0 {
+            camera.pixel00 -= 0.5 * (camera.pixel_delta_u + camera.pixel_delta_v);
+        }
+        let corner = camera.center - Vec3::Z - 0.5 * u - 0.5 * v;
         let scale = (ROOM.x / u.x).min(ROOM.y / -v.y);
-        let corner = self.corner();
-        let origin = CORNER - scale * DVec2::new(corner.x, -corner.y);
-        Plane { origin, scale }
-    }
-
-    /// The viewport's upper edge from left to right, and its left edge downwards.
-    fn viewport(&self) -> [Vec3; 2] {
-        let camera = &self.camera;
-        [
-            f64::from(camera.image_width) * camera.pixel_delta_u,
-            f64::from(camera.image_height) * camera.pixel_delta_v,
-        ]
-    }
-
-    /// The upper left corner of the viewport, by the formula of the page.
-    fn corner(&self) -> Point3 {
-        let [u, v] = self.viewport();
-        self.camera.center - Vec3::Z - 0.5 * u - 0.5 * v
+        let origin = CORNER - scale * spot(corner.x, -corner.y);
+        Self {
+            camera,
+            pixel: [it.pixel.x, it.pixel.y].map(|it| it as u32),
+            edges: [u, v],
+            corner,
+            plane: Plane { origin, scale },
+        }
     }
 
     /// The place through which the ray of a pixel goes.
@@ -167,27 +136,40 @@ impl Grid {
 
     /// The same on the sheet.
     fn at(&self, pixel: [u32; 2]) -> DVec2 {
-        self.plane().point(self.place(pixel))
+        self.plane.point(self.place(pixel))
     }
 
     /// The column and the row that are there on the sheet.
     fn pixel_at(&self, to: DVec2) -> Vec3 {
-        let camera = &self.camera;
-        let way = self.plane().place(to) - camera.pixel00;
+        let way = self.plane.place(to) - self.camera.pixel00;
         let along = |step: Vec3| way.dot(step) / step.length_squared();
-        xy(along(camera.pixel_delta_u), along(camera.pixel_delta_v))
+        xy(
+            along(self.camera.pixel_delta_u),
+            along(self.camera.pixel_delta_v),
+        )
+    }
+
+    /// From one pixel to the next on the sheet, along both edges.
+    fn steps(&self) -> [DVec2; 2] {
+        let steps = [self.camera.pixel_delta_u, self.camera.pixel_delta_v];
+        steps.map(|step| self.plane.vector(step))
+    }
+
+    /// How large the dot of a pixel is.
+    fn dot(&self) -> f64 {
+        (self.steps()[0].x / 3.0).min(5.0)
     }
 }
 
 /// Where the upper left corner of the viewport is on the sheet.
-const CORNER: DVec2 = DVec2::new(84.0, 40.0);
+const CORNER: DVec2 = spot(84.0, 40.0);
 
 /// How large the viewport can be there.
-const ROOM: DVec2 = DVec2::new(288.0, 164.0);
+const ROOM: DVec2 = spot(288.0, 164.0);
 
 /// Draws the grid with its points and vectors, and the numbers below.
 fn draw(grid: &Grid) -> Svg {
-    let mut svg = LIVE.figure.sheet(346.0);
+    let mut svg = LIVE.figure.sheet(326.0);
     draw_grid(&mut svg, grid);
     draw_viewport(&mut svg, grid);
     draw_steps(&mut svg, grid);
@@ -198,27 +180,27 @@ fn draw(grid: &Grid) -> Svg {
 
 /// The edges of all pixels, of which one is marked, and where their rays go through.
 fn draw_grid(svg: &mut Svg, grid: &Grid) {
-    let (camera, plane) = (&grid.camera, grid.plane());
-    let (width, height) = (camera.image_width, camera.image_height);
-    let [u, v] = grid.viewport().map(|edge| plane.vector(edge));
-    let step = plane.vector(camera.pixel_delta_u + camera.pixel_delta_v);
-    let corner = |[i, j]: [u32; 2]| CORNER + step * DVec2::new(i.into(), j.into());
-    svg.rect("viewport wash", CORNER, u + v);
-    svg.rect("ray area", corner(grid.pixel), step);
+    let (width, height) = (grid.camera.image_width, grid.camera.image_height);
+    let [u, v] = grid.steps();
+    let corner = |i: u32, j: u32| CORNER + f64::from(i) * u + f64::from(j) * v;
+    let [i, j] = grid.pixel;
+    svg.rect("viewport wash", CORNER, corner(width, height) - CORNER);
+    svg.rect("ray area", corner(i, j), u + v);
     for i in 0..=width {
-        svg.line("faint thin", corner([i, 0]), corner([i, height]));
+        svg.line("faint thin", corner(i, 0), corner(i, height));
     }
     for j in 0..=height {
-        svg.line("faint thin", corner([0, j]), corner([width, j]));
+        svg.line("faint thin", corner(0, j), corner(width, j));
     }
     let pixels = (0..height).flat_map(|j| (0..width).map(move |i| [i, j]));
-    let points = pixels.map(|pixel| plane.point(grid.place(pixel)));
-    svg.dots("faint", points, (step.x / 3.0).min(5.0));
+    for pixel in pixels {
+        svg.circle("faint solid", grid.at(pixel), 0.5 * grid.dot());
+    }
 }
 
 /// The two edges from the corner.
 fn draw_viewport(svg: &mut Svg, grid: &Grid) {
-    let [u, v] = grid.viewport().map(|edge| grid.plane().vector(edge));
+    let [u, v] = grid.edges.map(|edge| grid.plane.vector(edge));
     svg.vector("viewport", CORNER, CORNER + u, "**V**_{u}");
     svg.arrow("viewport bold", CORNER, CORNER + v);
     svg.dot("viewport", CORNER, UpperLeft, "**V**_{0}");
@@ -228,23 +210,19 @@ fn draw_viewport(svg: &mut Svg, grid: &Grid) {
 
 /// The first point, and from there the steps to its neighbors, as far as there are any.
 fn draw_steps(svg: &mut Svg, grid: &Grid) {
-    let (camera, first) = (&grid.camera, grid.at([0, 0]));
-    let steps = [camera.pixel_delta_u, camera.pixel_delta_v];
-    let [u, v] = steps.map(|step| grid.plane().vector(step));
+    let ([u, v], first) = (grid.steps(), grid.at([0, 0]));
     let has_room = u.x >= LABELED;
-    if camera.image_width > 1 && has_room {
+    if grid.camera.image_width > 1 && has_room {
         svg.arrow("ray bold", first, first + u);
-        let above = first + 0.5 * u - DVec2::new(0.0, 6.0);
-        svg.label("ray", above, Middle, "Δ**u**");
+        svg.label("ray", (first + 0.5 * u).down(-6.0), Middle, "Δ**u**");
     }
-    if camera.image_height > 1 && has_room {
+    if grid.camera.image_height > 1 && has_room {
         svg.arrow("ray bold", first, first + v);
-        let beside = first + 0.5 * v + DVec2::new(8.0, 0.0);
-        svg.label("ray", beside, Start, "Δ**v**");
+        svg.label("ray", (first + 0.5 * v).right(8.0), Start, "Δ**v**");
     }
-    let beside = DVec2::new(CORNER.x - 10.0, first.y);
+    let beside = spot(CORNER.x - 10.0, first.y);
     svg.line("faint dashed", beside, first);
-    svg.circle("ink solid", first, (u.x / 3.0).min(5.0));
+    svg.circle("ink solid", first, grid.dot());
     svg.label("ink", beside, Left, "**P**_{0,0}");
 }
 
@@ -253,42 +231,36 @@ const LABELED: f64 = 26.0;
 
 /// The point of the marked pixel, and its name.
 fn draw_pixel(svg: &mut Svg, grid: &Grid) {
-    let ([i, j], camera) = (grid.pixel, &grid.camera);
-    let step = grid.plane().vector(camera.pixel_delta_u);
-    let point = grid.at(grid.pixel);
-    svg.circle("ink solid", point, (step.x / 3.0).min(5.0));
-    if grid.pixel == [0, 0] {
+    let [i, j] = grid.pixel;
+    let point = grid.at([i, j]);
+    svg.circle("ink solid", point, grid.dot());
+    if [i, j] == [0, 0] {
         return;
     }
     // Towards the middle there is always room.
-    let is_left = 2 * i < camera.image_width;
-    let is_upper = 2 * j < camera.image_height;
+    let is_left = 2 * i < grid.camera.image_width;
+    let is_upper = 2 * j < grid.camera.image_height;
     let (right, anchor) = if is_left { (16.0, Start) } else { (-16.0, End) };
     let down = if is_upper { 22.0 } else { -14.0 };
     let name = format!("**P**_{{{i},{j}}}");
-    svg.label("ink", point + DVec2::new(right, down), anchor, &name);
+    svg.label("ink", point + spot(right, down), anchor, &name);
 }
 
-/// The vectors in numbers, below the grid in two columns, and the ratio.
+/// The vectors in numbers, below the grid in two columns.
 fn draw_numbers(svg: &mut Svg, grid: &Grid) {
-    let (camera, [i, j]) = (&grid.camera, grid.pixel);
-    let (width, height) = (camera.image_width, camera.image_height);
-    let [u, v] = grid.viewport().map(triple);
-    let [delta_u, delta_v] = [camera.pixel_delta_u, camera.pixel_delta_v].map(triple);
-    let [first, pixel] = [[0, 0], grid.pixel].map(|it| triple(grid.place(it)));
-    let [real, ideal] = [f64::from(width) / f64::from(height), 16.0 / 9.0].map(spoken);
+    let [i, j] = grid.pixel;
+    let [u, v] = grid.edges.map(triple);
     let left = [
         format!("**V**_{{u}} = {u}"),
-        format!("Δ**u** = {delta_u}"),
-        format!("**V**_{{0}} = {}", triple(grid.corner())),
-        format!("**P**_{{{i},{j}}} = {pixel}"),
-        format!("{width} : {height} = {real}, where 16 : 9 = {ideal}"),
+        format!("Δ**u** = {}", triple(grid.camera.pixel_delta_u)),
+        format!("**V**_{{0}} = {}", triple(grid.corner)),
+        format!("**P**_{{{i},{j}}} = {}", triple(grid.place([i, j]))),
     ];
     let right = [
         format!("**V**_{{v}} = {v}"),
-        format!("Δ**v** = {delta_v}"),
-        format!("**P**_{{0,0}} = {first}"),
+        format!("Δ**v** = {}", triple(grid.camera.pixel_delta_v)),
+        format!("**P**_{{0,0}} = {}", triple(grid.place([0, 0]))),
     ];
-    svg.readout(DVec2::new(14.0, 238.0), &left);
-    svg.readout(DVec2::new(204.0, 238.0), &right);
+    svg.readout(spot(14.0, 238.0), &left);
+    svg.readout(spot(204.0, 238.0), &right);
 }

@@ -1,11 +1,10 @@
-//! Image comparison: how many pixels each method gets wrong, and what is the least
-//! that a scene needs.
+//! Image comparison: how many pixels each method gets wrong.
 
 use common::rtweekend::*;
-use figures::records::{Least, Timing, WrongPixels};
+use figures::records::WrongPixels;
 use figures::table::Table;
 use rayon::prelude::*;
-use speed_vs_accuracy::{Eye, METHODS, Method, Precision, Scene, Sight};
+use speed_vs_accuracy::{Eye, METHODS, Method, Scene, Sight};
 
 use crate::scene_file::SCENES;
 
@@ -13,32 +12,6 @@ use crate::scene_file::SCENES;
 pub fn table(width: u32) -> Table<WrongPixels> {
     let rows = SCENES.par_iter().flat_map_iter(|scene| rows(scene, width));
     rows.collect::<Vec<_>>().into()
-}
-
-/// The cheapest method without a wrong pixel, from what was measured.
-pub fn least(pixels: &Table<WrongPixels>, timings: &Table<Timing>) -> Table<Least> {
-    let row = |(scene, precision): (&Scene, Precision)| {
-        let is_right = |row: &&WrongPixels| {
-            row.scene == scene.name && row.precision == precision && row.wrong == 0
-        };
-        let cheapest = pixels
-            .rows
-            .iter()
-            .filter(is_right)
-            .filter_map(|row| timings.find("method", &row.method, "book"))
-            .filter_map(|timing| Some((timing, timing.instructions?)))
-            .min_by(|(_, one), (_, other)| one.total_cmp(other));
-        Least {
-            scene: scene.name.clone(),
-            precision,
-            method: cheapest.map(|(timing, _)| timing.name.clone()),
-            instructions: cheapest.map(|(_, instructions)| instructions),
-        }
-    };
-    let both = SCENES
-        .iter()
-        .flat_map(|scene| Precision::ALL.map(|precision| (scene, precision)));
-    both.map(row).collect::<Vec<_>>().into()
 }
 
 fn rows(scene: &Scene, width: u32) -> impl Iterator<Item = WrongPixels> {

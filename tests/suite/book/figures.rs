@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-use figures::{CSS, FIGURES, standalone};
+use figures::{CSS, FIGURES, standalone, width};
 use insta::assert_binary_snapshot;
 use roxmltree::{Document, Node};
 
@@ -53,7 +53,8 @@ fn faults(name: &str, svg: &str) -> String {
     let mut faults = String::new();
     let drawing = parse(svg);
     let (width, height) = size(&drawing);
-    let labels: Vec<Label> = texts(&drawing).map(|text| Label::of(&text)).collect();
+    let texts = drawing.descendants().filter(|it| it.has_tag_name("text"));
+    let labels: Vec<Label> = texts.map(|text| Label::of(&text)).collect();
     for (n, label) in labels.iter().enumerate() {
         if !label.lies_within(width, height) {
             faults += &format!("{name}: {label:?} leaves the sheet\n");
@@ -101,16 +102,10 @@ fn f(node: &Node, attribute: &str) -> f64 {
         .unwrap_or_else(|_| panic!("{attribute} is no number: {value}"))
 }
 
-fn texts<'a>(drawing: &'a Document) -> impl Iterator<Item = Node<'a, 'a>> {
-    drawing
-        .descendants()
-        .filter(|node| node.has_tag_name("text"))
-}
-
-fn words(text: &Node) -> String {
-    text.descendants()
-        .filter_map(|node| node.is_text().then(|| node.text()).flatten())
-        .collect()
+/// The size of the font in an element, or what it has from outside.
+fn size_of(node: &Node, outer: f64) -> f64 {
+    let has_one = node.has_attribute("font-size");
+    if has_one { f(node, "font-size") } else { outer }
 }
 
 /// The place that a text takes, in the widest of the usual fonts.
@@ -126,35 +121,24 @@ struct Label {
 
 impl Label {
     fn of(text: &Node) -> Self {
-        let size = |node: &Node| {
-            node.has_attribute("font-size")
-                .then(|| f(node, "font-size"))
+        let own = size_of(text, 14.0);
+        let pieces = || text.descendants().filter(Node::is_text);
+        let words = |piece: &Node| piece.text().unwrap_or_default().to_owned();
+        let long = |piece: Node| {
+            let parent = piece.parent().expect("text is in an element");
+            width(&words(&piece), size_of(&parent, own))
         };
-        let own = size(text).unwrap_or(14.0);
-        let width: f64 = text
-            .descendants()
-            .filter(Node::is_text)
-            .map(|piece| {
-                let parent = piece.parent().expect("text is in an element");
-                let size = size(&parent).unwrap_or(own);
-                size * piece
-                    .text()
-                    .unwrap_or_default()
-                    .chars()
-                    .map(advance)
-                    .sum::<f64>()
-            })
-            .sum();
+        let long: f64 = pieces().map(long).sum();
         let (x, y) = (f(text, "x"), f(text, "y"));
         let left = match text.attribute("text-anchor") {
-            Some("middle") => x - 0.5 * width,
-            Some("end") => x - width,
+            Some("middle") => x - 0.5 * long,
+            Some("end") => x - long,
             _ => x,
         };
         Self {
-            words: words(text),
+            words: pieces().map(|piece| words(&piece)).collect(),
             left,
-            right: left + width,
+            right: left + long,
             top: y - 0.76 * own,
             bottom: y + 0.2 * own,
         }
@@ -169,16 +153,5 @@ impl Label {
             && other.left < self.right
             && self.top < other.bottom
             && other.top < self.bottom
-    }
-}
-
-/// How wide a letter is, in sizes of the font: as in DejaVu Sans, rounded up.
-fn advance(letter: char) -> f64 {
-    match letter {
-        'i' | 'j' | 'l' | ' ' | ',' | '.' | ':' | '|' => 0.34,
-        'f' | 't' | 'r' | '(' | ')' | '-' | '·' => 0.42,
-        'm' | 'w' | 'M' | 'W' | '−' | '<' | '>' | '=' | '+' | '×' | '∞' => 0.86,
-        'A'..='Z' | 'Δ' => 0.74,
-        _ => 0.64,
     }
 }

@@ -5,8 +5,10 @@ use std::fmt::Write;
 
 use ::live::picture::{self, PICTURES, Painting};
 use common::rtweekend::*;
-use figures::{Movable, Number, live_figures, number::spoken};
+use figures::number::{spoken, three_digits};
+use figures::{Movable, Number, live_figures};
 use glam::DVec2;
+use hittable_list::{Hittable, HittableList, Sphere};
 use insta::assert_snapshot;
 use slips::{Chapter, Slip};
 use speed_vs_accuracy::Random;
@@ -108,6 +110,25 @@ fn the_values_beside_a_listing_end_with_the_chapters_own_answer() {
                 "{name} {numbers:?}"
             );
         }
+    }
+}
+
+/// The figure goes through the list turn by turn, and ends where chapter 5's own list does.
+#[test]
+fn the_nearest_hit_of_the_figure_is_that_of_the_list() {
+    let live = figures::find_live("nearest").expect("a live figure");
+    for mut numbers in questions(live, 60) {
+        numbers[10] = 3.0;
+        let place = |n: usize| Point3::new(numbers[n], numbers[n + 1], 0.0);
+        let mut list = HittableList::default();
+        for (n, radius) in [(0, 0.7), (2, 0.6), (4, 0.5)] {
+            list.add(Sphere::new(place(n), radius));
+        }
+        let ray = Ray::new(place(8), place(6));
+        let nearest = list.hit(&ray, 0.0, f64::INFINITY);
+        let expected = nearest.map_or("∞".to_owned(), |record| three_digits(record.t));
+        let (_, held) = &live.answer(&numbers).says[0];
+        assert_eq!(held.split(", ").last(), Some(&expected[..]), "{numbers:?}");
     }
 }
 

@@ -6,7 +6,7 @@
 
 use std::fs;
 
-use figures::records::{Accuracy, Level, Timing};
+use figures::records::{Accuracy, Level};
 use figures::table::{Record, Table};
 use insta::assert_binary_snapshot;
 use measure::{accuracy, worst, wrong_pixels};
@@ -24,14 +24,9 @@ const SEED: u64 = 1;
 mod the_snapshot_holds {
     use super::*;
 
-    /// Where the times are recorded anew, this follows.
     #[test]
-    fn scenes_and_least() {
-        let table = wrong_pixels::table(WIDTH);
-        let timings = include_str!("../../../book/notes/measured/timings.csv");
-        let timings = Table::<Timing>::read(timings).expect("the file is well-formed");
-        assert_measured("least", &wrong_pixels::least(&table, &timings));
-        assert_measured("scenes", &table);
+    fn scenes() {
+        assert_measured("scenes", &wrong_pixels::table(WIDTH));
     }
 
     #[test]

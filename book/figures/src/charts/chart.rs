@@ -3,8 +3,6 @@
 use std::fs;
 use std::path::Path;
 
-use glam::DVec2;
-
 use crate::svg::Svg;
 
 /// A chart: words, the files that it is drawn from, and a function that does it.
@@ -14,7 +12,7 @@ pub struct Chart {
     pub name: &'static str,
     /// What it shows, in a few words.
     pub title: &'static str,
-    /// What is to be seen, in sentences, for whoever cannot see it.
+    /// What is to be seen, in sentences, for a reader who cannot see it.
     pub description: &'static str,
     /// What stands below it on the page.
     pub caption: &'static str,
@@ -43,34 +41,26 @@ impl Chart {
     /// # Errors
     /// A file that cannot be read, or what is wrong in which line of it.
     pub fn draw_from(&self, notes: &Path) -> Result<Drawn, String> {
-        let texts: Vec<String> = self
-            .files
-            .iter()
-            .map(|file| {
-                let path = notes.join(file);
-                fs::read_to_string(&path).map_err(|cause| format!("{}: {cause}", path.display()))
-            })
-            .collect::<Result<_, _>>()?;
+        let read = |file: &&str| {
+            let path = notes.join(file);
+            fs::read_to_string(&path).map_err(|cause| format!("{}: {cause}", path.display()))
+        };
+        let texts: Vec<String> = self.files.iter().map(read).collect::<Result<_, _>>()?;
         let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
         (self.draw)(&texts)
     }
 
     /// An empty drawing with the words of this chart.
     pub(super) fn sheet(&self, height: f64) -> Svg {
-        Svg::new(self.name, self.title, self.description, size(height))
+        Svg::new(self.name, self.title, self.description, height)
     }
 
     /// An empty drawing for a panel of several, with what it shows.
     pub(super) fn panel(&self, place: usize, shows: &str, height: f64) -> Svg {
         let name = format!("{}_{place}", self.name);
         let title = format!("{}: {shows}", self.title);
-        Svg::new(&name, &title, self.description, size(height))
+        Svg::new(&name, &title, self.description, height)
     }
-}
-
-/// Charts are as wide as the screen of a phone lets one read.
-pub(super) fn size(height: f64) -> DVec2 {
-    DVec2::new(400.0, height)
 }
 
 /// A table in Markdown: names in the first columns, so many, and then numbers.

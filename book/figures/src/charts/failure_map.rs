@@ -5,7 +5,7 @@ use speed_vs_accuracy::{FailureMap, METHODS, failure_map};
 
 use super::chart::{Chart, Drawn, table};
 use crate::pixels::Frame;
-use crate::svg::{Anchor, Svg};
+use crate::svg::{Anchor, Step, Svg, spot};
 
 /// The map, which is computed by the methods when it is drawn.
 pub(super) const CHART: Chart = Chart {
@@ -28,15 +28,15 @@ const CELLS: usize = 48;
 
 fn draw() -> Drawn {
     let mut svg = CHART.sheet(40.0 + PITCH.y * METHODS.len().div_ceil(COLUMNS) as f64);
-    let wide = svg.key("sphere wash", DVec2::new(4.0, 9.0), "hits");
-    let beside = DVec2::new(20.0 + wide, 9.0);
-    svg.key("wrong solid", beside, "wrong decisions, and their number");
+    svg.key("sphere wash", spot(4.0, 9.0), "hits");
+    let words = "wrong decisions, and their number";
+    svg.key("wrong solid", spot(66.0, 9.0), words);
     let mut rows = Vec::new();
     for (n, method) in METHODS.iter().enumerate() {
-        let place = DVec2::new((n % COLUMNS) as f64, (n / COLUMNS) as f64);
+        let place = spot((n % COLUMNS) as f64, (n / COLUMNS) as f64);
         let map = failure_map(method, CELLS);
         let count = map.wrong.iter().filter(|wrong| **wrong).count();
-        let corner = DVec2::new(4.0, 54.0) + PITCH * place;
+        let corner = spot(4.0, 54.0) + PITCH * place;
         draw_map(&mut svg, corner, method.name, map, count);
         rows.push(vec![format!("`{}`", method.name), count.to_string()]);
     }
@@ -49,17 +49,16 @@ fn draw() -> Drawn {
 
 /// Maps beside each other, and from one to the next.
 const COLUMNS: usize = 2;
-const PITCH: DVec2 = DVec2::new(200.0, 216.0);
+const PITCH: DVec2 = spot(200.0, 216.0);
 
 /// The side of a map.
 const SIDE: f64 = 190.0;
 
 fn draw_map(svg: &mut Svg, corner: DVec2, method: &str, map: FailureMap, count: usize) {
-    let above = corner - DVec2::new(0.0, 6.0);
-    svg.small_label("ink", above, Anchor::Start, method);
-    let above = corner + DVec2::new(SIDE, -6.0);
+    svg.small_label("ink", corner.down(-6.0), Anchor::Start, method);
     let idea = if count == 0 { "faint" } else { "wrong" };
-    svg.small_label(idea, above, Anchor::End, &count.to_string());
+    let right = corner + spot(SIDE, -6.0);
+    svg.small_label(idea, right, Anchor::End, &count.to_string());
     let side = SIDE / CELLS as f64;
     let classes = [("sphere wash", map.hits), ("wrong solid", map.wrong)];
     Frame { corner, side }.map(svg, CELLS, &classes);

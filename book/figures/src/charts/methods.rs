@@ -5,9 +5,8 @@ use speed_vs_accuracy::Precision::{Double, Single};
 use speed_vs_accuracy::{Method, Precision, find};
 
 use crate::records::{Accuracy, Timing};
-use crate::svg::{Anchor, Svg};
+use crate::svg::{Anchor, Svg, spot};
 use crate::table::Table;
-use crate::text::{SMALL, width};
 
 /// What was measured of a method in a regime.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,23 +31,16 @@ pub(super) fn read(accuracy: &str, timings: &str) -> Result<Vec<Measured>, Strin
 }
 
 impl Measured {
-    /// Its name.
-    pub(super) fn method(&self) -> &str {
-        &self.accuracy.method
-    }
-
-    /// How many decimal digits of t are right, but for one hit in a thousand.
-    pub(super) fn digits(&self) -> f64 {
-        digits(self.accuracy.p999_ulps, self.accuracy.precision)
-    }
-
-    /// Where it is on a chart.
+    /// Where it is on a chart: with so many digits right, but for one hit in a thousand.
     pub(super) fn point(&self) -> Point {
+        let Accuracy {
+            method, precision, ..
+        } = &self.accuracy;
         Point {
-            method: self.method().to_owned(),
-            precision: self.accuracy.precision,
+            method: method.clone(),
+            precision: *precision,
             ns: self.time.median_ns,
-            digits: self.digits(),
+            digits: digits(self.accuracy.p999_ulps, *precision),
             is_wrong: self.accuracy.wrong_per_million > 0.0,
         }
     }
@@ -127,34 +119,22 @@ pub(super) fn mark(svg: &mut Svg, idea: &str, precision: Precision, at: DVec2) {
 
 /// The mark of a wrong decision.
 pub(super) fn cross(svg: &mut Svg, at: DVec2) {
-    for way in [DVec2::splat(7.0), DVec2::new(7.0, -7.0)] {
+    for way in [spot(7.0, 7.0), spot(7.0, -7.0)] {
         svg.line("wrong line", at - way, at + way);
     }
 }
 
-/// Explains the marks at the top of a chart, and what a cross means there. Returns where
-/// that ends.
-pub(super) fn legend(svg: &mut Svg, wrong: &str) -> f64 {
-    let mut at = DVec2::new(4.0, 18.0);
-    for (idea, precision, words) in [
-        ("ink", Some(Double), "f64"),
-        ("ink", Some(Single), "f32"),
-        ("reference", Some(Double), "half_b, as in the chapters"),
-        ("certain", Some(Double), "certified"),
-        ("wrong", None, wrong),
+/// Explains the marks at the top of a chart, on two lines, and what a cross means there.
+pub(super) fn legend(svg: &mut Svg, wrong: &str) {
+    for (x, idea, precision, words) in [
+        (4.0, "ink", Double, "f64"),
+        (58.0, "ink", Single, "f32"),
+        (112.0, "reference", Double, "half_b, as in the chapters"),
+        (309.0, "certain", Double, "certified"),
     ] {
-        let size = 20.0 + width(words, SMALL);
-        if at.x + size > 400.0 {
-            at = DVec2::new(4.0, at.y + 20.0);
-        }
-        let middle = at + DVec2::new(8.0, -4.5);
-        match precision {
-            Some(precision) => mark(svg, idea, precision, middle),
-            None => cross(svg, middle),
-        }
-        let beside = at + DVec2::new(20.0, 0.0);
-        svg.small_label("ink", beside, Anchor::Start, words);
-        at.x += size + 12.0;
+        mark(svg, idea, precision, spot(x + 8.0, 13.5));
+        svg.small_label("ink", spot(x + 20.0, 18.0), Anchor::Start, words);
     }
-    at.y
+    cross(svg, spot(12.0, 33.5));
+    svg.small_label("ink", spot(24.0, 38.0), Anchor::Start, wrong);
 }

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::axis::{Axis, Tick, ticks};
 use crate::number::number;
-use crate::svg::{Anchor, Svg};
+use crate::svg::{Anchor, Step, Svg, spot};
 
 /// What is measured along one side of a panel.
 #[derive(Clone, Debug)]
@@ -27,11 +27,9 @@ impl Measure {
         }
     }
 
-    /// Equal steps for equal ratios, wide enough for all `values`, with ticks at 1, 2 and 5
-    /// times powers of ten, or at these powers alone if there are many.
-    pub(super) fn logarithmic(title: &str, values: impl Iterator<Item = f64> + Clone) -> Self {
-        let least = values.clone().fold(f64::INFINITY, f64::min) / 1.25;
-        let most = values.fold(0.0, f64::max) * 1.25;
+    /// Equal steps for equal ratios, with ticks at 1, 2 and 5 times powers of ten, or at these
+    /// powers alone if there are many.
+    pub(super) fn logarithmic(title: &str, least: f64, most: f64) -> Self {
         let has_many = (most / least).log10() > 2.5;
         let factors: &[f64] = if has_many { &[1.0] } else { &[1.0, 2.0, 5.0] };
         let decades = least.log10().floor() as i32..=most.log10().ceil() as i32;
@@ -39,18 +37,12 @@ impl Measure {
         let numbers = powers.flat_map(|power| factors.iter().map(move |factor| factor * power));
         Self {
             title: title.to_owned(),
-            axis: Axis::new(0.0, 0.0, 1.0, least, most).logarithmic(),
-            ticks: ticks(numbers.filter(|it| (least..=most).contains(it)), round),
+            axis: Axis {
+                is_logarithmic: true,
+                ..Axis::new(0.0, 0.0, 1.0, least, most)
+            },
+            ticks: ticks(numbers.filter(|it| (least..=most).contains(it)), number),
         }
-    }
-}
-
-/// A round number in few characters.
-fn round(value: f64) -> String {
-    match value {
-        1e6.. => format!("{} M", number(value / 1e6)),
-        1e4.. => format!("{} 000", number(value / 1e3)),
-        _ => number(value),
     }
 }
 
@@ -61,39 +53,32 @@ pub(super) struct Panel {
     pub(super) corner: DVec2,
     /// From there to the lower right corner.
     pub(super) size: DVec2,
-    x: Measure,
+    pub(super) x: Measure,
     y: Measure,
 }
 
 impl Panel {
-    pub(super) fn new(corner: DVec2, size: DVec2, x: Measure, y: Measure) -> Self {
-        let low = corner + DVec2::new(0.0, size.y);
-        let place = |it: Measure, end| Measure {
-            axis: it.axis.between(low, end),
-            ..it
-        };
-        Self {
-            corner,
-            size,
-            x: place(x, corner + size),
-            y: place(y, corner),
-        }
+    pub(super) fn new(corner: DVec2, size: DVec2, mut x: Measure, mut y: Measure) -> Self {
+        let low = corner.down(size.y);
+        (x.axis.start, x.axis.end) = (low, corner + size);
+        (y.axis.start, y.axis.end) = (low, corner);
+        Self { corner, size, x, y }
     }
 
     /// Where two numbers are on the sheet.
     pub(super) fn at(&self, x: f64, y: f64) -> DVec2 {
-        DVec2::new(self.x.axis.at(x).x, self.y.axis.at(y).y)
+        spot(self.x.axis.point(x).x, self.y.axis.point(y).y)
     }
 
     /// Draws the grid, the numbers at its lines and the titles of the axes.
     pub(super) fn draw(&self, svg: &mut Svg) {
         let Self { x, y, size, .. } = self;
-        let (up, right) = (DVec2::new(0.0, -size.y), DVec2::new(size.x, 0.0));
+        let (up, right) = (spot(0.0, -size.y), spot(size.x, 0.0));
         x.axis.draw_ticks(svg, "grid thin", up, &x.ticks);
         y.axis.draw_ticks(svg, "grid thin", right, &y.ticks);
-        let below = self.corner + size + DVec2::new(0.0, 36.0);
+        let below = (self.corner + size).down(36.0);
         svg.small_label("faint", below, Anchor::End, &x.title);
-        let above = self.corner - DVec2::new(24.0, 12.0);
+        let above = self.corner + spot(-24.0, -12.0);
         svg.small_label("faint", above, Anchor::Start, &y.title);
     }
 }

@@ -1,10 +1,8 @@
 //! A bar chart of times: the pictures by our programs and by the one in C++.
 
-use glam::DVec2;
-
 use super::chart::{Chart, Drawn, table};
 use crate::records::Race;
-use crate::svg::Anchor;
+use crate::svg::{Anchor, Step, spot};
 use crate::table::{Record, Table};
 
 /// Program against program: from the start of each process to its end, with the text.
@@ -50,9 +48,8 @@ fn draw(chart: &Chart, file: &str, to: &str, title: &str) -> Result<Drawn, Strin
     })
 }
 
-/// From one picture to the next, from one bar to the next, and the longest bar.
+/// From one picture to the next, and the longest bar.
 const PITCH: f64 = 96.0;
-const STEP: f64 = 36.0;
 const WIDE: f64 = 392.0;
 
 fn bars(chart: &Chart, races: &[Race], title: &str) -> String {
@@ -61,22 +58,21 @@ fn bars(chart: &Chart, races: &[Race], title: &str) -> String {
         .flat_map(|it| [it.cpp_median_ms, it.rust_median_ms]);
     let longest = times.fold(1.0, f64::max);
     let mut svg = chart.sheet(40.0 + PITCH * races.len() as f64);
-    let at = |y| DVec2::new(4.0, y);
     let title = format!("milliseconds: {title}");
-    svg.small_label("faint", at(18.0), Anchor::Start, &title);
+    svg.small_label("faint", spot(4.0, 18.0), Anchor::Start, &title);
     for (race, place) in races.iter().zip(0..) {
-        let top = 46.0 + PITCH * f64::from(place);
-        svg.label("ink", at(top), Anchor::Start, &race.chapter);
+        let top = spot(4.0, 46.0 + PITCH * f64::from(place));
+        svg.label("ink", top, Anchor::Start, &race.chapter);
         let (rust, cpp) = (race.rust_median_ms, race.cpp_median_ms);
         let ours = format!("{rust:.0} Rust, {}", times_as_fast(race.ratio()));
         let rival = format!("{cpp:.0} C++");
-        for (idea, time, words, y) in [
-            ("ray", rust, ours, top + 17.0),
-            ("faint", cpp, rival, top + 17.0 + STEP),
+        for (idea, time, words, below) in [
+            ("ray", rust, ours, top.down(17.0)),
+            ("faint", cpp, rival, top.down(53.0)),
         ] {
-            svg.small_label("ink", at(y), Anchor::Start, &words);
-            let size = DVec2::new(WIDE * time / longest, 14.0);
-            svg.rect(&format!("{idea} solid"), at(y + 5.0), size);
+            svg.small_label("ink", below, Anchor::Start, &words);
+            let size = spot(WIDE * time / longest, 14.0);
+            svg.rect(&format!("{idea} solid"), below.down(5.0), size);
         }
     }
     svg.finish()

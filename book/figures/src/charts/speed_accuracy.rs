@@ -3,13 +3,13 @@
 use glam::DVec2;
 use speed_vs_accuracy::find_regime;
 
-use super::chart::{Chart, Drawn, size, table};
-use super::labels::{Labels, Place};
+use super::chart::{Chart, Drawn, table};
+use super::labels::{Label, Place, write};
 use super::methods::{Measured, Point, legend, read};
 use super::panel::{Measure, Panel};
 use crate::number::short;
 use crate::records::{Accuracy, Timing};
-use crate::svg::{Anchor, Svg};
+use crate::svg::{Anchor, Svg, spot};
 use crate::table::Record;
 
 const FILES: &[&str] = &[Accuracy::FILE, Timing::FILE];
@@ -53,24 +53,13 @@ pub(super) const REGIMES: Chart = Chart {
     files: FILES,
     draw: |files| {
         let all = read(files[0], files[1])?;
-        let mut regimes: Vec<&str> = Vec::new();
-        for one in &all {
-            if !regimes.contains(&&one.accuracy.regime[..]) {
-                regimes.push(&one.accuracy.regime);
-            }
-        }
-        let mut panels = Vec::new();
-        let mut rows = Vec::new();
-        let points_of_all = points(&all);
-        for (n, regime) in regimes.into_iter().enumerate() {
-            let shown = of_regime(&all, regime);
-            let title = find_regime(regime).map_or(regime, |regime| regime.title);
-            panels.push(small_panel(n, title, &points(&shown), &points_of_all));
-            rows.extend(shown);
-        }
+        let mut regimes: Vec<&str> = all.iter().map(|one| &one.accuracy.regime[..]).collect();
+        regimes.dedup();
+        let situations: Vec<_> = regimes.into_iter().map(|it| of_regime(&all, it)).collect();
+        let panel = |(n, shown): (usize, &Vec<Measured>)| small_panel(n, shown, &all);
         Ok(Drawn {
-            panels,
-            table: numbers(&rows),
+            panels: situations.iter().enumerate().map(panel).collect(),
+            table: numbers(&situations.concat()),
         })
     },
 };
@@ -83,27 +72,19 @@ pub fn scene_chart(name: &str, shown: &[Point]) -> String {
     let description = "A point for each method: how long a question takes, from left to right, and \
         how many digits of the worst hit point are right, upwards. A method with wrong pixels has a \
         cross. A line joins the methods that no other beats in both.";
-    let svg = Svg::new("scene", &title, description, size(720.0));
+    let svg = Svg::new("scene", &title, description, 720.0);
     let digits = "digits of the worst hit point that are right";
     one_panel(svg, digits, "has wrong pixels", shown)
 }
 
 fn one_panel(mut svg: Svg, digits: &str, wrong: &str, shown: &[Point]) -> String {
-    let top = 50.0 + legend(&mut svg, wrong);
-    let corner = DVec2::new(28.0, top);
-    let size = DVec2::new(354.0, 676.0 - top);
+    legend(&mut svg, wrong);
     // More room for the fast ones: what is much slower stands at the right edge.
-    let slowest = 8.0 * shown.iter().map(|one| one.ns).fold(f64::INFINITY, f64::min);
+    let [fastest, slowest] = range(shown);
+    let range = [fastest, slowest.min(8.0 * fastest)];
     let plot = Plot {
-        panel: panel(
-            digits,
-            corner,
-            size,
-            shown.iter().map(|one| one.ns.min(slowest)),
-        ),
+        panel: panel(digits, spot(28.0, 88.0), spot(354.0, 588.0), range),
         shown,
-        front: front(shown),
-        slowest,
         name_all: true,
     };
     plot.draw(&mut svg);
@@ -111,36 +92,42 @@ fn one_panel(mut svg: Svg, digits: &str, wrong: &str, shown: &[Point]) -> String
 }
 
 /// A situation on scales that are wide enough for `all`; the marks are explained in the first.
-fn small_panel(n: usize, title: &str, shown: &[Point], all: &[Point]) -> String {
-    let mut svg = match n {
-        0 => REGIMES.panel(1, title, 334.0),
-        _ => REGIMES.panel(n + 1, title, 296.0),
-    };
-    let top = if n == 0 {
-        56.0 + legend(&mut svg, CONFUSED)
-    } else {
-        56.0
-    };
-    svg.label("ink", DVec2::new(4.0, top - 34.0), Anchor::Start, title);
-    let (corner, size) = (DVec2::new(28.0, top), DVec2::new(354.0, 196.0));
+fn small_panel(n: usize, shown: &[Measured], all: &[Measured]) -> String {
+    let regime = &shown[0].accuracy.regime;
+    let title = find_regime(regime).map_or(&regime[..], |regime| regime.title);
+    let explained = if n == 0 { 38.0 } else { 0.0 };
+    let mut svg = REGIMES.panel(n + 1, title, 296.0 + explained);
+    if n == 0 {
+        legend(&mut svg, CONFUSED);
+    }
+    let top = 56.0 + explained;
+    svg.label("ink", spot(4.0, top - 34.0), Anchor::Start, title);
     let plot = Plot {
-        panel: panel(DIGITS, corner, size, all.iter().map(|one| one.ns)),
-        shown,
-        front: front(shown),
-        slowest: f64::INFINITY,
+        panel: panel(
+            DIGITS,
+            spot(28.0, top),
+            spot(354.0, 196.0),
+            range(&points(all)),
+        ),
+        shown: &points(shown),
         name_all: false,
     };
     plot.draw(&mut svg);
     svg.finish()
 }
 
-fn panel(
-    digits: &str,
-    corner: DVec2,
-    size: DVec2,
-    times: impl Iterator<Item = f64> + Clone,
-) -> Panel {
-    let times = Measure::logarithmic("nanoseconds for one test", times);
+/// The least and the greatest time.
+fn range(points: &[Point]) -> [f64; 2] {
+    let times = || points.iter().map(|one| one.ns);
+    [
+        times().fold(f64::INFINITY, f64::min),
+        times().fold(0.0, f64::max),
+    ]
+}
+
+fn panel(digits: &str, corner: DVec2, size: DVec2, [fastest, slowest]: [f64; 2]) -> Panel {
+    let title = "nanoseconds for one test";
+    let times = Measure::logarithmic(title, fastest / 1.25, slowest * 1.25);
     let digits = Measure::linear(digits, -1.0, 17.0, 4.0);
     Panel::new(corner, size, times, digits)
 }
@@ -150,51 +137,56 @@ fn points(shown: &[Measured]) -> Vec<Point> {
 }
 
 fn of_regime(all: &[Measured], regime: &str) -> Vec<Measured> {
-    let of_regime = |one: &&Measured| one.accuracy.regime == regime;
-    let has_hit = |one: &&Measured| one.accuracy.p999_ulps.is_some();
-    let of = all.iter().filter(of_regime).filter(has_hit);
-    of.cloned().collect()
+    let is_shown =
+        |one: &&Measured| one.accuracy.regime == regime && one.accuracy.p999_ulps.is_some();
+    all.iter().filter(is_shown).cloned().collect()
 }
 
 /// A panel, and what is drawn in it.
 struct Plot<'a> {
     panel: Panel,
     shown: &'a [Point],
-    front: Vec<&'a Point>,
-    /// What is slower than this stands at the right edge.
-    slowest: f64,
     name_all: bool,
 }
 
 impl Plot<'_> {
     fn at(&self, one: &Point) -> DVec2 {
-        let shown = one.ns.min(self.slowest);
-        self.panel.at(shown, one.digits)
+        self.panel.at(one.ns, one.digits)
     }
 
     fn draw(&self, svg: &mut Svg) {
         self.panel.draw(svg);
-        let steps = steps(self.front.iter().map(|one| self.at(one)));
+        let front = front(self.shown);
+        let steps = steps(front.iter().map(|one| self.at(one)));
         svg.path("front line", &steps);
         let mut lines = vec![steps];
         for ends in self.through_reference() {
             svg.line("reference dashed", ends[0], ends[1]);
             lines.push(ends.to_vec());
         }
+        let mut sorted: Vec<&Point> = self.shown.iter().collect();
+        // The most important ones in front, and named first.
+        sorted.sort_by_key(|one| IDEAS.iter().position(|idea| *idea == one.idea()));
+        for one in sorted.iter().rev() {
+            one.mark(svg, self.at(one));
+        }
         let pairs = lines.iter().flat_map(|line| line.windows(2));
         let along = pairs.flat_map(|ends| Place::along(ends[0], ends[1]));
-        let marks = self
-            .shown
-            .iter()
-            .map(|one| Place::around(self.at(one), 6.0));
-        let (corner, size) = (self.panel.corner, self.panel.size);
-        let room = Place::new(corner - DVec2::new(0.0, 8.0), size + DVec2::new(16.0, 8.0));
-        let labels = Labels {
-            room,
-            lines: along.collect(),
-            taken: marks.collect(),
-        };
-        self.draw_methods(svg, labels);
+        let marks = sorted.iter().map(|one| Place::around(self.at(one), 6.0));
+        let (low, high) = (self.panel.corner, self.panel.corner + self.panel.size);
+        let room = Place(low - spot(0.0, 8.0), high + spot(16.0, 0.0));
+        let labels = sorted.iter().filter_map(|one| {
+            let name = one.method.clone();
+            let is_named = self.name_all || one.idea() != "ink" || front.contains(one);
+            let text = if one.ns > self.panel.x.axis.most {
+                format!("{name}, {:.0} ns →", one.ns)
+            } else {
+                is_named.then_some(name)?
+            };
+            Some((one.idea(), self.at(one), text))
+        });
+        let labels: Vec<Label> = labels.collect();
+        write(svg, room, marks.chain(along).collect(), &labels);
     }
 
     /// The two lines that meet in `half_b`.
@@ -205,27 +197,9 @@ impl Plot<'_> {
         let DVec2 { x, y } = self.at(reference);
         let (low, high) = (self.panel.corner, self.panel.corner + self.panel.size);
         vec![
-            [DVec2::new(x, low.y), DVec2::new(x, high.y)],
-            [DVec2::new(low.x, y), DVec2::new(high.x, y)],
+            [spot(x, low.y), spot(x, high.y)],
+            [spot(low.x, y), spot(high.x, y)],
         ]
-    }
-
-    fn draw_methods(&self, svg: &mut Svg, mut labels: Labels) {
-        let mut sorted: Vec<&Point> = self.shown.iter().collect();
-        // The most important ones in front, and named first.
-        sorted.sort_by_key(|one| IDEAS.iter().position(|idea| *idea == one.idea()));
-        for one in sorted.iter().rev() {
-            one.mark(svg, self.at(one));
-        }
-        for one in sorted {
-            let named = self.name_all || one.idea() != "ink" || self.front.contains(&one);
-            if one.ns > self.slowest {
-                let text = format!("{}, {:.0} ns →", one.method, one.ns);
-                labels.put(svg, one.idea(), self.at(one), &text);
-            } else if named {
-                labels.put(svg, one.idea(), self.at(one), &one.method);
-            }
-        }
     }
 }
 
@@ -235,19 +209,18 @@ const IDEAS: [&str; 3] = ["reference", "certain", "ink"];
 /// The methods that no other beats in both speed and accuracy, the fastest
 /// first. To be fast and have no digit right is not worth a place.
 fn front(shown: &[Point]) -> Vec<&Point> {
-    let mut sorted: Vec<&Point> = shown.iter().filter(|one| one.digits >= 1.0).collect();
-    sorted.sort_by(|one, other| {
-        one.ns
-            .total_cmp(&other.ns)
-            .then(other.digits.total_cmp(&one.digits))
+    let mut front: Vec<&Point> = shown.iter().filter(|one| one.digits >= 1.0).collect();
+    front.sort_by(|one, other| {
+        let by_digits = other.digits.total_cmp(&one.digits);
+        one.ns.total_cmp(&other.ns).then(by_digits)
     });
-    let mut best: Vec<&Point> = Vec::new();
-    for one in sorted {
-        if best.last().is_none_or(|last| one.digits > last.digits) {
-            best.push(one);
-        }
-    }
-    best
+    let mut best = 0.0;
+    front.retain(|one| {
+        let is_better = one.digits > best;
+        best = one.digits.max(best);
+        is_better
+    });
+    front
 }
 
 /// Stairs through `points`: what lies below and to the right of a step is
@@ -256,7 +229,7 @@ fn steps(points: impl Iterator<Item = DVec2>) -> Vec<DVec2> {
     let mut stairs: Vec<DVec2> = Vec::new();
     for point in points {
         if let Some(last) = stairs.last() {
-            stairs.push(DVec2::new(point.x, last.y));
+            stairs.push(spot(point.x, last.y));
         }
         stairs.push(point);
     }
@@ -276,10 +249,10 @@ fn numbers(shown: &[Measured]) -> String {
     let row = |one: &Measured| {
         vec![
             one.accuracy.regime.replace('_', " "),
-            format!("`{}`", one.method()),
+            format!("`{}`", one.accuracy.method),
             format!("{:.2}", one.time.median_ns),
             format!("{:.2}", one.time.ratio),
-            format!("{:.1}", one.digits()),
+            format!("{:.1}", one.point().digits),
             one.accuracy.p999_ulps.map_or("none".to_owned(), short),
             short(one.accuracy.wrong_per_million),
         ]
