@@ -66,7 +66,7 @@ const observer = new ResizeObserver((entries) => requestAnimationFrame(() => {
         }
     }
 }));
-const boxes = "main .table-wrapper, main pre > code, main p:has(img[src*='terminal/'])";
+const boxes = "main .table-wrapper, main pre > code, main .formula, main td:has(math), main p:has(img[src*='terminal/'])";
 document.fonts.ready.then(() => {
     document.querySelectorAll(boxes).forEach((box) => observer.observe(box));
 });
@@ -109,7 +109,7 @@ for (const listing of document.querySelectorAll(".listing")) {
         button.className = "type";
         button.textContent = "Type it here";
         button.addEventListener("click", async () => {
-            editor ??= load("typed", "worker", "editor");
+            editor ??= load("judge", "worker", "editor");
             await editor;
             openEditor(listing, chapter, name);
         });

@@ -2,7 +2,7 @@
 //!
 //! A page shows a figure as a drawing that was made when the book was woven. Where a figure
 //! is live, a reader may move what is in it, and the same function draws it anew in the page,
-//! compiled to WebAssembly (package `live`). A figure's file has all that is known about it:
+//! compiled to WebAssembly (package `page`). A figure's file has all that is known about it:
 //! its words, its parameters with their ranges, which of them can be grasped on the sheet,
 //! the drawing, and the sentence below.
 //!

@@ -29,8 +29,7 @@ class CheckPage {
 
     offer(choices) {
         for (const [list, name, what] of choices) {
-            const words = list === "edition" ? what : name;
-            this.form.elements[list].append(new Option(words, name));
+            this.form.elements[list].append(new Option(what, name));
         }
         this.form.classList.add("alive");
     }
@@ -119,7 +118,7 @@ class CheckPage {
         this.status.textContent = `${file.name} is being judged …`;
         const asked = this.lists.map((list) => list.selectedIndex);
         try {
-            const answer = await this.judge.judge({ name: file.name, file, most: MOST_BYTES, asked });
+            const answer = await this.judge.judge({ file, most: MOST_BYTES, asked });
             this.show(answer, handle);
         } catch (error) {
             if (turn === this.turn) {

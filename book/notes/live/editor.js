@@ -26,8 +26,8 @@ function typing(rust, { bytes, text, give }) {
     const asked = (fields) => give(fields.join("\0"));
 
     // Where it is, what it is, and more.
-    function said() {
-        const [places, headline, ...rest] = text(rust.length()).split("\n");
+    function said(length) {
+        const [places, headline, ...rest] = text(length).split("\n");
         const numbers = (place) => place.split(" ").map(Number);
         return { places: places ? places.split("\t").map(numbers) : [], headline, rest: rest.join("\n") };
     }
@@ -40,15 +40,13 @@ function typing(rust, { bytes, text, give }) {
         },
         draw({ fields, width }) {
             asked(fields);
-            const height = rust.read() && rust.draw(width);
-            return height ? { width, height, rgba: bytes(rust.picture()).slice() } : { said: said() };
+            const height = rust.draw(width);
+            const length = rust.length();
+            return height ? { width, height, rgba: bytes(length).slice() } : { said: said(length) };
         },
         judge({ fields, width }) {
             asked(fields);
-            if (rust.read() && rust.draw(width)) {
-                rust.judge();
-            }
-            return said();
+            return said(rust.judge(width));
         },
         next({ fields }) {
             asked(fields);
@@ -73,8 +71,8 @@ class Editor {
         this.width = width;
         this.turn = 0;
         this.judged = 0;
-        Editor.drawing ??= new Asked(typing, typedModule);
-        Editor.judging ??= new Asked(typing, typedModule);
+        Editor.drawing ??= new Asked(typing, judgeModule);
+        Editor.judging ??= new Asked(typing, judgeModule);
         this.desk = document.createElement("section");
         this.desk.className = "check typing alive";
         this.desk.setAttribute("aria-label", `Chapter ${chapter}, typed by you`);

@@ -1,6 +1,6 @@
 // Live figures: carries what a reader does to Rust, and Rust's answer to the page.
 //
-// What is shown, said and allowed is computed by the package `live`, compiled into
+// What is shown, said and allowed is computed by the package `page`, compiled into
 // the modules. This script knows nothing of rays: only numbers in, and lines of text out.
 // What it shares with pictures.js is in start.js.
 
@@ -156,8 +156,8 @@ class LiveFigure {
             }
         });
         of("says").forEach(([name, value]) => {
-            for (const told of document.querySelectorAll(`[data-told="${this.figure.id} ${name}"]`)) {
-                told.textContent = value;
+            for (const number of document.querySelectorAll(`[data-told="${this.figure.id} ${name}"]`)) {
+                number.textContent = value;
             }
         });
     }

@@ -23,8 +23,8 @@ function serve(work) {
     const text = (length) => new TextDecoder().decode(bytes(length));
 
     // Puts what Rust is asked about where Rust wants it. Returns the length of the first part.
-    function give(name, ...parts) {
-        const all = [new TextEncoder().encode(name), ...parts];
+    function give(question, ...parts) {
+        const all = [new TextEncoder().encode(question), ...parts];
         let place = rust.take(all.reduce((sum, part) => sum + part.length, 0));
         for (const part of all) {
             new Uint8Array(rust.memory.buffer).set(part, place);
@@ -49,30 +49,31 @@ function serve(work) {
 // The answers of the judge of pictures.
 function judging(rust, { bytes, text, give }) {
     // The lines of facts, of the verdict, and of the rest.
-    function told(length) {
+    function said(length) {
         const [facts, verdict, ...rest] = text(length).split("\n");
-        const [code, chapter, probe, edition, cause, size, different] = facts.split("\t");
+        const [chapter, probe, cause, size, different] = facts.split("\t");
         const [width, height, column, row] = size.split(" ").map(Number);
         return {
-            facts, code, chapter, probe, edition, cause, verdict, rest: rest.join("\n"),
+            chapter, probe, cause, verdict, rest: rest.join("\n"),
             width, height, first: [column, row], different: Number(different),
         };
     }
 
-    async function judge({ name, file, most, asked }) {
+    async function judge({ file, most, asked }) {
+        const question = [file.name, ...asked].join("\0");
         if (file.size > most) {
-            return told(rust.too_large(give(name)));
+            return said(rust.too_large(give(question)));
         }
         const bytes = new Uint8Array(await file.arrayBuffer());
-        const answer = told(rust.judge(give(name, bytes), ...asked));
+        const answer = said(rust.check(give(question, bytes)));
         // A WebP begins with RIFF. It loses levels in ways that the judge does not know.
         const isWebP = bytes[0] === 0x52 && bytes[1] === 0x49;
         const isForeign = answer.cause === "other-format" && !isWebP;
-        return isForeign ? await decoded(name, bytes, asked) ?? answer : answer;
+        return isForeign ? await decoded(question, bytes) ?? answer : answer;
     }
 
     // What the browser makes of a format that Rust does not read, with its colors as they are.
-    async function decoded(name, bytes, asked) {
+    async function decoded(question, bytes) {
         const options = { colorSpaceConversion: "none", premultiplyAlpha: "none" };
         const bitmap = await createImageBitmap(new Blob([bytes]), options).catch(() => null);
         // Rust says no to more, and a canvas may not hold it.
@@ -84,7 +85,7 @@ function judging(rust, { bytes, text, give }) {
         canvas.drawImage(bitmap, 0, 0);
         const why = bytes.subarray(0, 64);
         const { data } = canvas.getImageData(0, 0, width, height);
-        return told(rust.decoded(give(name, why, data), why.length, width, height, ...asked));
+        return said(rust.decoded(give(question, why, data), why.length, width, height));
     }
 
     // The right picture, the reader's, and the difference; null if there is none.
@@ -131,7 +132,7 @@ class Asked {
             data.error ? reject?.(new Error(data.error)) : resolve?.(data.answer);
         };
         this.started = this.ask("start", { base64: this.base64 });
-        // Who asks later hears of it.
+        // A question that comes later hears of it.
         this.started.catch(() => {});
     }
 

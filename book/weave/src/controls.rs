@@ -5,9 +5,9 @@
 
 use std::fmt::Write;
 
-use figures::{ACCURACY, LESSON, Movable, Number, escape, html, live_figures};
+use figures::{ACCURACY, LESSON, Movable, Number, html, live_figures};
 
-use crate::directive::named;
+use crate::ground::{escaped, named};
 
 /// The figure `live`: its question, its `drawing` under handles, what is to be seen, buttons,
 /// the answer, closed, and the caption. Its place is that in the module that draws it.
@@ -28,7 +28,7 @@ pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String
          <details class=\"answer\"><summary>Answer</summary>{solution}</details>\
          <figcaption>{caption}</figcaption></figure>",
         name = live.name(),
-        title = escape(live.title()),
+        title = escaped(live.title()),
         question = html(live.question()),
         solution = html(live.solution()),
         handles = handles(live),
@@ -38,26 +38,26 @@ pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String
     )
 }
 
-/// A number that the live figure of that name tells: at first as it is on the page.
+/// A number that the live figure of that name says: at first as it is on the page.
 pub(crate) fn number(figure: &str, name: &str) -> Result<String, String> {
     let kind = format!("number of {figure}");
     let (_, value) = named(&kind, name, says(figure)?, |(name, _)| name)?;
-    Ok(told(figure, name, &value))
+    Ok(followed(figure, name, &value))
 }
 
-/// What the live figure of that name tells at first.
+/// What the live figure of that name says at first.
 pub(crate) fn says(figure: &str) -> Result<Vec<(&'static str, String)>, String> {
     let live = named("live figure", figure, live_figures(), |live| live.name())?;
     Ok(live.answer(&live.defaults()).says)
 }
 
-/// What is told, where the script puts what is told later.
-pub(crate) fn told(figure: &str, name: &str, value: &str) -> String {
+/// A number in the text, in whose place the script puts what the figure says later.
+pub(crate) fn followed(figure: &str, name: &str, value: &str) -> String {
     format!("<span class=\"told\" data-told=\"{figure} {name}\">{value}</span>")
 }
 
 /// Each handle holds a slider for each number that it changes: for the keyboard, and for
-/// whoever listens. Where two handles change the same, the Tab key stops at the first.
+/// a reader who listens. Where two handles change the same, the Tab key stops at the first.
 fn handles(live: &dyn Movable) -> String {
     let mut html = String::new();
     let all = live.handles();

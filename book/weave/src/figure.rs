@@ -5,7 +5,7 @@ use std::path::Path;
 use figures::{CHARTS, FIGURES};
 
 use crate::controls;
-use crate::directive::named;
+use crate::ground::named;
 
 /// The figure of that name, drawn now, with its caption; and if it is live, with what
 /// moves it.

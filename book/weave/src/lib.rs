@@ -5,17 +5,18 @@
 //! before by [`Weaver`]. Whatever goes wrong fails the build, with the file, the
 //! line and the cause.
 
-mod breaks;
 mod changes;
 mod code;
 mod controls;
 mod directive;
 mod figure;
+mod ground;
 mod maths;
 mod measured;
 mod page;
 mod picture;
 mod slip;
+mod source;
 mod step;
 mod symbols;
 mod time;
@@ -44,10 +45,10 @@ pub fn weave(source: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
         book.with_preprocessor(Weaver);
         book.build().map_err(cannot_weave)
     })?;
-    match warnings.is_empty() {
-        true => Ok(()),
-        false => Err(format!("mdBook warns about the book\n{}", warnings.join("\n")).into()),
+    if warnings.is_empty() {
+        return Ok(());
     }
+    Err(format!("mdBook warns about the book\n{}", warnings.join("\n")).into())
 }
 
 fn cannot_weave(error: Cause) -> Box<dyn Error> {
@@ -64,22 +65,22 @@ impl Preprocessor for Weaver {
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Done<Book> {
         let notes = context.root.join(&context.config.book.src);
-        let mut maths = Maths::new(Symbols::read(&notes));
+        let maths = Maths::new(Symbols::read(&notes));
         let mut problems = Vec::new();
         book.for_each_mut(|item| {
             if let BookItem::Chapter(chapter) = item
                 && let Some(path) = &chapter.source_path
             {
                 let page = Page::new(notes.join(path), &chapter.content);
-                match page.weave(&mut maths) {
+                match page.weave(&maths) {
                     Ok(woven) => chapter.content = woven,
                     Err(causes) => problems.extend(causes),
                 }
             }
         });
-        match problems.is_empty() {
-            true => Ok(book),
-            false => Err(Cause::msg(problems.join("\n"))),
+        if problems.is_empty() {
+            return Ok(book);
         }
+        Err(Cause::msg(problems.join("\n")))
     }
 }

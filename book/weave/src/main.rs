@@ -4,10 +4,9 @@
 //! `cargo rtrace book` has cargo build this and runs it. So it builds without mdBook itself.
 
 use std::error::Error;
-use std::path::{self, Path};
+use std::path::Path;
 use std::process::ExitCode;
 
-use course::names::from_here;
 use rtrace::files;
 use rtrace::misuse::{exit_code, misuse};
 
@@ -24,23 +23,8 @@ const KIND: &str = "book";
 
 /// Weaves beside the old book, which stays until the new one is whole.
 fn replace(source: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
-    refuse_pages(folder)?;
     files::refuse_strangers(folder, KIND)?;
     let woven = tempfile::tempdir()?;
     weave::weave(source, woven.path())?;
     files::fill(folder, KIND, &files::read(woven.path())?)
-}
-
-/// mdBook copies what lies among the pages into the book: the last book, too.
-fn refuse_pages(folder: &Path) -> Result<(), Box<dyn Error>> {
-    let folder = path::absolute(folder)?;
-    let has_pages = |above: &Path| above.join("SUMMARY.md").is_file();
-    if !folder.ancestors().any(has_pages) {
-        return Ok(());
-    }
-    Err(misuse(&format!(
-        "{} lies among the pages of a book, and would become a part of the next one\n\
-         Name a folder elsewhere.",
-        from_here(&folder)
-    )))
 }

@@ -1,30 +1,23 @@
 //! Formulas: LaTeX becomes MathML, which browsers draw without any help.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
-use crate::breaks::with_breaks;
 use crate::symbols::Symbols;
 
-/// The formulas of the book, and the numbers that are taken.
+/// The formulas of the book.
 pub(crate) struct Maths {
     converter: LatexToMathML,
-    /// Where the equation of each number stands.
-    numbered: HashMap<String, String>,
     symbols: Symbols,
 }
 
 impl Maths {
-    /// Maths without macros, and no equation numbered yet.
+    /// Maths without macros.
     pub(crate) fn new(symbols: Symbols) -> Self {
         let converter = LatexToMathML::new(MathCoreConfig::default())
             .expect("without macros there is none that can be wrong");
-        Self {
-            converter,
-            numbered: HashMap::new(),
-            symbols,
-        }
+        Self { converter, symbols }
     }
 
     /// A formula inside a line, which does not part from the `punctuation` behind it. A symbol
@@ -36,7 +29,6 @@ impl Maths {
         met: Option<&mut HashSet<String>>,
     ) -> Result<String, String> {
         let mathml = self.convert(latex, MathDisplay::Inline)?;
-        let mathml = untouched_by_markdown(&mathml);
         let mathml = match met {
             Some(met) => self.symbols.explained(latex, mathml, met),
             None => mathml,
@@ -47,41 +39,29 @@ impl Maths {
         })
     }
 
-    /// A formula in a table, which may need to be narrow.
-    pub(crate) fn in_table(&self, latex: &str) -> Result<String, String> {
-        let mathml = self.convert(latex, MathDisplay::Inline)?;
-        Ok(untouched_by_markdown(&with_breaks(&mathml)))
-    }
-
-    /// A formula on a line of its own; `\tag{n}` makes it equation n of the book.
-    pub(crate) fn equation(
-        &mut self,
-        latex: &str,
-        place: impl Fn() -> String,
-    ) -> Result<String, String> {
+    /// A formula on a line of its own; `\tag{n}` makes it equation n of the book. What follows
+    /// a wide gap may go on in the next line.
+    pub(crate) fn equation(&self, latex: &str) -> Result<String, String> {
         let (formula, number) = without_tag(latex)?;
-        let math = with_breaks(&self.convert(&formula, MathDisplay::Block)?);
-        let math = untouched_by_markdown(&math);
-        let Some(number) = number else {
-            return Ok(format!(
-                "<div class=\"equation\"><div class=\"formula\">{math}</div></div>"
-            ));
-        };
-        if let Some(first) = self.numbered.insert(number.to_owned(), place()) {
-            return Err(format!(
-                "equation ({number}) is a second one: the first is at {first}"
-            ));
-        }
-        Ok(format!(
-            "<div class=\"equation\" id=\"eq-{number}\"><div class=\"formula\">{math}</div>\
-             <a class=\"number\" href=\"#eq-{number}\" aria-label=\"Equation {number}\">({number})</a></div>"
-        ))
+        let formula = formula.replace(r"\qquad", r"\quad");
+        let parts: Result<String, String> = formula
+            .split(r"\quad")
+            .map(|part| self.convert(part, MathDisplay::Block))
+            .collect();
+        let math = format!("<div class=\"formula\">{}</div>", parts?);
+        Ok(match number {
+            None => format!("<div class=\"equation\">{math}</div>"),
+            Some(number) => format!(
+                "<div class=\"equation\" id=\"eq-{number}\">{math}\
+                 <a class=\"number\" href=\"#eq-{number}\" aria-label=\"Equation {number}\">({number})</a></div>"
+            ),
+        })
     }
 
     fn convert(&self, latex: &str, display: MathDisplay) -> Result<String, String> {
-        self.converter
-            .convert_with_local_state(latex, display)
-            .map(|result| result.mathml)
+        let converted = self.converter.convert_with_local_state(latex, display);
+        converted
+            .map(|result| untouched_by_markdown(&result.mathml))
             .map_err(|error| format!("the formula `{latex}` is wrong: {}", error.error_message()))
     }
 }
@@ -91,16 +71,13 @@ fn without_tag(latex: &str) -> Result<(String, Option<&str>), String> {
     let Some((before, rest)) = latex.split_once(r"\tag{") else {
         return Ok((latex.to_owned(), None));
     };
-    let Some((number, after)) = rest.split_once('}') else {
-        return Err(r"a \tag{ has no }".to_owned());
-    };
-    if after.contains(r"\tag{") {
-        return Err(r"one formula has one \tag".to_owned());
+    let is_letter = |letter: char| letter.is_ascii_alphanumeric();
+    match rest.split_once('}') {
+        Some((number, after)) if number.chars().all(is_letter) => {
+            Ok((format!("{before}{after}"), Some(number)))
+        }
+        _ => Err(format!("\\tag{{{rest} is no number in braces")),
     }
-    if number.is_empty() || !number.chars().all(|letter| letter.is_ascii_alphanumeric()) {
-        return Err(format!("\\tag{{{number}}} is no number"));
-    }
-    Ok((format!("{before}{after}"), Some(number)))
 }
 
 /// MathML that means the same after Markdown: on one line, and the punctuation

@@ -1,27 +1,26 @@
 //! Numbers that were measured, out of the tables (CSV) that hold them.
 
-use std::fs;
 use std::path::Path;
 
 use figures::table;
+
+use crate::ground::read;
 
 /// The value at `key` in the table at `path`, as it is printed.
 ///
 /// The key is `CELL/CELL.COLUMN`, where the cells are those that the row begins
 /// with, or that of a line `# KEY: value`.
 pub(crate) fn value(path: &Path, key: &str) -> Result<String, String> {
-    let shown = path.display();
-    let text = fs::read_to_string(path).map_err(|cause| format!("{shown}: {cause}"))?;
+    let text = read(path)?;
     let found = match key.rsplit_once('.') {
-        Some((cells, column)) => {
-            in_table(&text, cells, column).map_err(|cause| format!("{shown}: {cause}"))?
-        }
+        Some((cells, column)) => in_table(&text, cells, column)
+            .map_err(|cause| format!("{}: {cause}", path.display()))?,
         None => table::about(&text).remove(key).into_iter().collect(),
     };
     match &found[..] {
         [value] => Ok(printed(value)),
-        [] => Err(format!("{shown} has no value `{key}`")),
-        _ => Err(format!("{shown} has several values `{key}`")),
+        [] => Err(format!("{} has no value `{key}`", path.display())),
+        _ => Err(format!("{} has several values `{key}`", path.display())),
     }
 }
 
@@ -31,13 +30,9 @@ fn in_table(text: &str, cells: &str, column: &str) -> csv::Result<Vec<String>> {
     let mut found = Vec::new();
     for row in reader.records() {
         let row = row?;
-        let is_wanted = cells
-            .split('/')
-            .zip(&row)
-            .all(|(cell, field)| cell == field);
-        if is_wanted && let Some(field) = place.and_then(|place| row.get(place)) {
-            found.push(field.to_owned());
-        }
+        let is_wanted = cells.split('/').zip(&row).all(|(cell, it)| cell == it);
+        let field = place.and_then(|place| row.get(place));
+        found.extend(field.filter(|_| is_wanted).map(str::to_owned));
     }
     Ok(found)
 }

@@ -32,7 +32,7 @@ impl<'a> Page<'a> {
     }
 
     /// The page as mdBook understands it, or each cause why there is none.
-    pub(crate) fn weave(&self, maths: &mut Maths) -> Result<String, Vec<String>> {
+    pub(crate) fn weave(&self, maths: &Maths) -> Result<String, Vec<String>> {
         let (mut pieces, opaque) = self.formulas(maths);
         pieces.extend(self.directives(&opaque));
         pieces.sort_by_key(|(range, _)| range.start);
@@ -50,9 +50,10 @@ impl<'a> Page<'a> {
             done = range.end;
         }
         woven += &self.text[done..];
-        match problems.is_empty() {
-            true => Ok(woven),
-            false => Err(problems),
+        if problems.is_empty() {
+            Ok(woven)
+        } else {
+            Err(problems)
         }
     }
 
@@ -65,52 +66,34 @@ impl<'a> Page<'a> {
     }
 
     /// The formulas, and the ranges in which braces mean what they are.
-    fn formulas(&self, maths: &mut Maths) -> (Vec<Piece>, Vec<Range<usize>>) {
+    fn formulas(&self, maths: &Maths) -> (Vec<Piece>, Vec<Range<usize>>) {
         let mut pieces = Vec::new();
         let mut opaque: Vec<Range<usize>> = Vec::new();
-        let mut in_table = false;
-        // In a heading or a link there is no room for another link.
-        let mut linked = 0;
+        // In a heading, a link, or a table there is no room for another link.
+        let mut full = 0;
         let mut met = HashSet::new();
         for (event, range) in parser(self.text).into_offset_iter() {
             match event {
-                Event::InlineMath(formula) if in_table => {
-                    pieces.push((range.clone(), maths.in_table(&formula).map(Woven::Inline)));
-                }
                 Event::InlineMath(formula) => {
                     let end = self.end_of_punctuation(range.end);
-                    let met = (linked == 0).then_some(&mut met);
+                    let met = (full == 0).then_some(&mut met);
                     let woven = maths.inline(&formula, &self.text[range.end..end], met);
                     pieces.push((range.start..end, woven.map(Woven::Inline)));
+                    opaque.push(range);
                 }
                 Event::DisplayMath(formula) => {
-                    let equation = maths.equation(&formula, || self.place(range.start));
+                    let equation = maths.equation(&formula);
                     pieces.push((range.clone(), equation.map(Woven::Block)));
+                    opaque.push(range);
                 }
-                Event::Start(Tag::CodeBlock(_)) | Event::Code(_) => {}
-                Event::Start(Tag::Heading { .. } | Tag::Link { .. }) => {
-                    linked += 1;
-                    continue;
-                }
-                Event::End(TagEnd::Heading(_) | TagEnd::Link) => {
-                    linked -= 1;
-                    continue;
-                }
-                Event::Start(Tag::TableCell) => {
-                    in_table = true;
-                    continue;
-                }
-                Event::End(TagEnd::TableCell) => {
-                    in_table = false;
-                    continue;
-                }
+                Event::Start(Tag::CodeBlock(_)) | Event::Code(_) => opaque.push(range),
+                Event::Start(Tag::Heading { .. } | Tag::Link { .. } | Tag::Table(_)) => full += 1,
+                Event::End(TagEnd::Heading(_) | TagEnd::Link | TagEnd::Table) => full -= 1,
                 Event::Text(_) if opaque.last().is_none_or(|code| code.end <= range.start) => {
                     pieces.extend(self.stray_dollar(range));
-                    continue;
                 }
-                _ => continue,
+                _ => {}
             }
-            opaque.push(range);
         }
         (pieces, opaque)
     }
@@ -141,39 +124,21 @@ impl<'a> Page<'a> {
                 from = range.end;
                 continue;
             }
-            let line_end = self.text[start..]
-                .find('\n')
-                .map_or(self.text.len(), |at| start + at);
-            let Some(end) = self.text[start..line_end].find("}}") else {
-                let cause = "a directive ends with }} on the same line".to_owned();
-                pieces.push((start..line_end, Err(cause)));
-                from = line_end;
-                continue;
+            let line = self.text[start..].lines().next().unwrap_or("");
+            let (length, woven) = match line.find("}}") {
+                Some(end) => {
+                    let woven = directive::resolve(&line[2..end], self.folder(), &mut listed);
+                    (end + 2, woven)
+                }
+                None => {
+                    let cause = "a directive ends with }} on the same line";
+                    (line.len(), Err(cause.to_owned()))
+                }
             };
-            let range = start..start + end + 2;
-            let text = &self.text[start + 2..start + end];
-            let woven = directive::resolve(text, self.folder(), &mut listed);
-            pieces.push((range.clone(), self.alone_if_block(&range, woven)));
-            from = range.end;
+            from = start + length;
+            pieces.push((start..from, woven));
         }
         pieces
-    }
-
-    /// What needs lines of its own must be written on a line of its own.
-    fn alone_if_block(
-        &self,
-        range: &Range<usize>,
-        woven: Result<Woven, String>,
-    ) -> Result<Woven, String> {
-        let before = self.text[..range.start].rsplit('\n').next().unwrap_or("");
-        let after = self.text[range.end..].split('\n').next().unwrap_or("");
-        let alone = after.trim().is_empty() && before.trim_matches([' ', '>']).is_empty();
-        match woven {
-            Ok(Woven::Block(_)) if !alone => {
-                Err("this directive needs a line of its own".to_owned())
-            }
-            woven => woven,
-        }
     }
 
     /// `text` between empty lines, each indented or quoted as the line at `start` is.

@@ -2,26 +2,19 @@
 
 use slips::{Chapter, Program, steps};
 
-use crate::directive::named;
+use crate::ground::{escaped, named};
 use crate::slip::image;
 
 /// The picture of step `number` of the chapter, drawn now, and what to type for it.
 pub(crate) fn step(chapter: &str, number: &str) -> Result<String, String> {
     let chapter = named("chapter", chapter, Chapter::ALL, |chapter| chapter.name())?;
-    let steps = steps::of(chapter);
-    let number = number.parse().unwrap_or(0);
-    let step = (1..).zip(steps).find(|&(it, _)| it == number);
-    let (_, step) = step.ok_or_else(|| {
-        format!(
-            "{} has no step {number}: it has {}",
-            chapter.name(),
-            steps.len()
-        )
-    })?;
-    let picture = step
-        .put_to(Program::right(chapter))
-        .run(chapter.book_width())
-        .picture();
+    let (name, steps) = (chapter.name(), steps::of(chapter));
+    let place = number.parse::<usize>().unwrap_or(0).checked_sub(1);
+    let step = place
+        .and_then(|place| steps.get(place))
+        .ok_or_else(|| format!("{name} has no step {number}: it has {}", steps.len()))?;
+    let program = step.put_to(Program::right(chapter));
+    let picture = program.run(chapter.book_width()).picture();
     Ok(format!(
         "<figure>{}<figcaption>{}</figcaption></figure>",
         image(&picture, step.seen),
@@ -31,10 +24,9 @@ pub(crate) fn step(chapter: &str, number: &str) -> Result<String, String> {
 
 /// What stands between backticks is code.
 fn with_code(says: &str) -> String {
-    let pieces = says
-        .split('`')
-        .zip([["", ""], ["<code>", "</code>"]].iter().cycle());
+    let tags = [["", ""], ["<code>", "</code>"]].into_iter().cycle();
+    let pieces = says.split('`').zip(tags);
     pieces
-        .map(|(piece, [before, after])| format!("{before}{}{after}", piece.replace('<', "&lt;")))
+        .map(|(piece, [before, after])| format!("{before}{}{after}", escaped(piece)))
         .collect()
 }

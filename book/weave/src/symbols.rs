@@ -1,10 +1,9 @@
 //! A glossary in place: the first time that a symbol stands in a page, it says what it means.
 
 use std::collections::{HashMap, HashSet};
-use std::fs;
 use std::path::Path;
 
-use figures::escape;
+use crate::ground::{escaped, read};
 
 /// The page that has all symbols.
 const PAGE: &str = "symbols.md";
@@ -16,7 +15,7 @@ pub(crate) struct Symbols(HashMap<String, [String; 2]>);
 impl Symbols {
     /// Those of the page in the folder `notes`; none, if there is no such page.
     pub(crate) fn read(notes: &Path) -> Self {
-        let text = fs::read_to_string(notes.join(PAGE)).unwrap_or_default();
+        let text = read(&notes.join(PAGE)).unwrap_or_default();
         Self(text.lines().flat_map(row).collect())
     }
 
@@ -36,7 +35,7 @@ impl Symbols {
         }
         format!(
             "<a class=\"symbol\" href=\"symbols.html\" title=\"{}\">{mathml}<span hidden> {typed} </span></a>",
-            escape(meaning)
+            escaped(meaning)
         )
     }
 }

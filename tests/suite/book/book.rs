@@ -13,7 +13,7 @@ use suite::command::names_in;
 
 /// The workspace, and in it the sources of the book.
 pub(crate) const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-const NOTES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes");
+pub(crate) const NOTES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes");
 
 #[test]
 fn every_page_in_the_folder_is_in_the_summary() {
@@ -50,18 +50,13 @@ fn every_redirect_leads_to_a_heading() {
 /// In a code span no directive is seen: `{{value …}}` would stand there as it is.
 #[test]
 fn no_directive_is_left() {
+    let begins = [
+        "value", "code", "figure", "chart", "changes", "snapshot", "slip",
+    ];
     for page in chapters(&pages()) {
-        for main in page.all("main") {
-            let text = text_of(main);
-            for name in [
-                "value", "code", "figure", "chart", "changes", "snapshot", "slip",
-            ] {
-                assert!(
-                    !text.contains(&format!("{{{{{name}")),
-                    "{name} in {}",
-                    page.name
-                );
-            }
+        let text: String = page.all("main").into_iter().map(text_of).collect();
+        for name in begins.map(|name| format!("{{{{{name}")) {
+            assert!(!text.contains(&name), "{name} in {}", page.name);
         }
     }
 }
@@ -87,24 +82,20 @@ fn every_slip_is_in_the_gallery() {
     }
 }
 
-/// Code that is typed into a page is code that nobody compiles: `rust,ignore` says that it
-/// need not be. The C++ is that of the program that draws the same bytes.
+/// What is typed into a page is never compiled: `rust,ignore` says that it need not be. The C++
+/// is that of the program that draws the same bytes.
 #[test]
 fn every_listing_comes_from_a_source() {
     let plain = |text: &str| -> String { text.split_whitespace().collect() };
     let rival = Path::new(WORKSPACE).join("book/measure/rival/book.cc");
     let rival = plain(&fs::read_to_string(rival).expect("the book's program"));
     for page in chapters(&pages()) {
-        let listed: Vec<String> = page.all(".listing code").into_iter().map(text_of).collect();
-        for code in page
-            .all("code.language-rust:not(.ignore)")
-            .into_iter()
-            .map(text_of)
-        {
+        let all = |selector| page.all(selector).into_iter().map(text_of);
+        let listed: Vec<String> = all(".listing code").collect();
+        for code in all("code.language-rust:not(.ignore)") {
             assert!(listed.contains(&code), "typed into {}:\n{code}", page.name);
         }
-        let cpp = page.all("code.language-cpp").into_iter().map(text_of);
-        for code in cpp.filter(|_| page.name == "cpp_to_rust.html") {
+        for code in all("code.language-cpp").filter(|_| page.name == "cpp_to_rust.html") {
             assert!(
                 rival.contains(&plain(&code)),
                 "not in rival/book.cc:\n{code}"
@@ -154,27 +145,6 @@ fn every_id_is_given_once_on_its_page() {
     }
 }
 
-/// Speed and accuracy are read from where they were measured: `{{value FILE KEY}}`.
-#[test]
-fn no_measured_number_is_typed_into_a_page() {
-    let units = ["ns", "µs", "ms", "ulp", "ulps"];
-    for name in names_in(Path::new(NOTES)) {
-        if !name.ends_with(".md") {
-            continue;
-        }
-        let text = fs::read_to_string(Path::new(NOTES).join(&name)).expect("a page");
-        for line in outside_code(&text) {
-            let words: Vec<&str> = line.split_whitespace().collect();
-            for [number, unit] in words.array_windows() {
-                let number = number.trim_start_matches(['(', '~', '≈', '*']);
-                let unit = unit.trim_end_matches(['.', ',', ';', ':', ')', '*', '|']);
-                let typed = number.parse::<f64>().is_ok() && units.contains(&unit);
-                assert!(!typed, "{number} {unit} is typed into {name}");
-            }
-        }
-    }
-}
-
 /// So that a reader can look up what a letter means: each has one meaning.
 #[test]
 fn each_letter_of_the_lesson_is_on_the_page_of_symbols() {
@@ -184,14 +154,12 @@ fn each_letter_of_the_lesson_is_on_the_page_of_symbols() {
     for chapter in Chapter::OF_THE_BOOK {
         let name = page_of(chapter).replace(".html", ".md");
         for formula in formulas(&page(&name)) {
-            let letter = formula
-                .trim_start_matches("\\mathbf")
-                .trim_matches(['{', '}']);
+            let letter = formula.trim_start_matches("\\mathbf");
+            let mut letters = letter.trim_matches(['{', '}']).chars();
+            let is_letter = letters.next().is_some_and(char::is_alphabetic);
             assert!(
-                letter.chars().count() > 1
-                    || letter.parse::<u8>().is_ok()
-                    || explained.contains(formula),
-                "{name}: nobody says what {formula} is"
+                !is_letter || letters.next().is_some() || explained.contains(formula),
+                "{name} does not say what {formula} is"
             );
         }
     }
@@ -301,14 +269,4 @@ pub(crate) fn text_of(element: ElementRef) -> String {
 /// Whether the link names a protocol, or a computer.
 fn is_elsewhere(link: &str) -> bool {
     link.contains("://") || link.starts_with("//") || link.starts_with("mailto:")
-}
-
-/// The lines of a page of Markdown that are no code.
-fn outside_code(text: &str) -> impl Iterator<Item = &str> {
-    let mut inside = false;
-    text.lines().filter(move |line| {
-        let is_fence = line.trim_start().starts_with("```");
-        inside ^= is_fence;
-        !inside && !is_fence
-    })
 }

@@ -3,14 +3,12 @@
 //! Each is a slip of the hand, made in the chapter in which it is likely.
 
 use std::fs;
-use std::path::Path;
 use std::process::Command;
 
 use insta::assert_snapshot;
 use serde_json::Value;
 use slips::Chapter;
 
-use crate::book::{WORKSPACE, folder_of};
 use suite::command::{assert_success, cargo, run, text};
 use suite::drawn::shown_in;
 use suite::left_out::left_out;
@@ -92,29 +90,21 @@ fn the_pages_show_what_the_compiler_says() {
 impl Mistake {
     /// Types the chapter with the mistake in it.
     fn make(&self, mine: &Mine) {
-        let name = self.chapter.name();
-        if !mine.path().join(name).exists() {
-            assert_success(&run(&mut mine.start(name, &[])));
+        let folder = mine.path().join(self.chapter.name());
+        if !folder.exists() {
+            assert_success(&run(&mut mine.start(self.chapter.name(), &[])));
         }
-        let ours = Path::new(WORKSPACE)
-            .join(folder_of(self.chapter))
-            .join("src");
-        let typed = mine.path().join(name).join("src");
-        for file in fs::read_dir(&ours).expect("the chapter") {
-            let file = file.expect("a file").file_name();
-            if file != "main.rs" {
-                fs::copy(ours.join(&file), typed.join(&file)).expect("it is copied");
-            }
+        for &(name, text) in self.chapter.files() {
+            let is_mistaken = name == format!("src/{}", self.file);
+            let mistaken = text.replacen(self.right, self.wrong, 1);
+            assert!(
+                !is_mistaken || mistaken != text,
+                "{name} has no {}",
+                self.right
+            );
+            let typed = if is_mistaken { &mistaken } else { text };
+            fs::write(folder.join(name), typed).expect("it is saved");
         }
-        let source = fs::read_to_string(typed.join(self.file)).expect("a source");
-        assert!(
-            source.contains(self.right),
-            "{} has no {}",
-            self.file,
-            self.right
-        );
-        let mistaken = source.replacen(self.right, self.wrong, 1);
-        fs::write(typed.join(self.file), mistaken).expect("it is saved");
     }
 }
 

@@ -1,12 +1,10 @@
 //! The book: is it whole, and is what it shows what there is?
 
 mod book;
-mod changes;
-mod charts;
 mod compiler;
+mod drawings;
 mod editions;
 mod errata;
-mod figures;
 mod live;
 mod programs;
 mod typed;

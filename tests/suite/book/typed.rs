@@ -17,7 +17,6 @@ use suite::drawn::p3;
 #[ignore = "builds what the pages list"]
 fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
     let typed = listed();
-    assert_nothing_is_left_out(&typed);
     let folder = workspace_with("typed", typed);
     let programs = build(&folder);
     for chapter in Chapter::OF_THE_BOOK {
@@ -107,42 +106,23 @@ fn add(typed: &mut BTreeMap<PathBuf, String>, file: PathBuf, code: &str) {
     *text += code;
 }
 
-/// What nobody types: the engine, and what cargo is told.
-fn given() -> BTreeMap<PathBuf, String> {
-    let manifests = packages().map(|package| package.join("Cargo.toml"));
-    let engine = sources_in(Path::new("common/src/engine"));
-    let read = |file: PathBuf| {
-        let text = fs::read_to_string(Path::new(WORKSPACE).join(&file)).expect("a source");
-        (file, text)
-    };
-    let mut given: BTreeMap<PathBuf, String> = manifests.chain(engine).map(read).collect();
-    // An answer of chapter 4 compares its picture with that of chapter 1.
-    let half_b = folder_of(Chapter::HalfBSphere).join("Cargo.toml");
-    let half_b = given.get_mut(&half_b).expect("a manifest");
-    *half_b += "\n[dev-dependencies]\ngradient.workspace = true\n";
-    given
+/// Whether a reader types the file: all but the engine, and what cargo is told.
+fn is_typed(file: &Path) -> bool {
+    let is_in = |folder: &str| file.components().any(|it| it.as_os_str() == folder);
+    is_in("src") && !is_in("engine")
 }
 
-/// Each source of the chapters, and of what they share, is listed somewhere.
-fn assert_nothing_is_left_out(typed: &BTreeMap<PathBuf, String>) {
-    let given = given();
-    for file in packages().flat_map(|package| sources_in(&package.join("src"))) {
-        let is_there = typed.contains_key(&file) || given.contains_key(&file);
-        assert!(is_there, "no page lists anything of {}", file.display());
-    }
-}
-
-fn packages() -> impl Iterator<Item = PathBuf> {
-    let chapters = Chapter::OF_THE_BOOK.map(folder_of);
-    chapters.into_iter().chain([PathBuf::from("common")])
-}
-
-/// The files of a folder of the workspace, as seen from there.
-fn sources_in(folder: &Path) -> Vec<PathBuf> {
+/// The files of `common` and of the chapters, as seen from the workspace.
+fn ours() -> impl Iterator<Item = (PathBuf, String)> {
     let workspace = Path::new(WORKSPACE);
-    let from_there = |file: PathBuf| file.strip_prefix(workspace).map(Path::to_owned);
-    let files = files(&workspace.join(folder)).into_iter().map(from_there);
-    files.collect::<Result<_, _>>().expect("they are ours")
+    let packages = Chapter::OF_THE_BOOK.map(folder_of).into_iter();
+    let packages = packages.chain([PathBuf::from("common")]);
+    let files = packages.flat_map(|package| files(&workspace.join(package)));
+    files.map(move |file| {
+        let text = fs::read_to_string(&file).expect("it is text");
+        let below = file.strip_prefix(workspace).expect("it is ours");
+        (below.to_owned(), text)
+    })
 }
 
 /// Builds the programs, and asks the answers to the exercises what they promise.
@@ -168,9 +148,8 @@ fn build(folder: &Path) -> PathBuf {
 /// place of their sources.
 fn workspace_with(name: &str, typed: BTreeMap<PathBuf, String>) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let ours =
-        |file: &str| fs::read_to_string(Path::new(WORKSPACE).join(file)).expect("it is ours");
-    let manifest = ours("Cargo.toml");
+    let read = |file| fs::read_to_string(Path::new(WORKSPACE).join(file)).expect("it is ours");
+    let manifest = read("Cargo.toml");
     let lines = manifest.lines().filter(|line| !line.contains("members ="));
     let manifest = lines.collect::<Vec<_>>().join("\n");
     let only = "[workspace]\nmembers = [\"common\", \"chapters/*\"]";
@@ -179,10 +158,20 @@ fn workspace_with(name: &str, typed: BTreeMap<PathBuf, String>) -> PathBuf {
         &manifest.replacen("[workspace]", only, 1),
     );
     // The same versions, which are there already.
-    write(&folder.join("Cargo.lock"), &ours("Cargo.lock"));
-    for (file, text) in given().into_iter().chain(typed) {
+    write(&folder.join("Cargo.lock"), &read("Cargo.lock"));
+    let given = ours().filter(|(file, _)| !is_typed(file));
+    for (file, text) in given.chain(typed) {
         write(&folder.join(file), &text);
     }
+    // An answer of chapter 4 compares its picture with that of chapter 1.
+    let half_b = folder
+        .join(folder_of(Chapter::HalfBSphere))
+        .join("Cargo.toml");
+    let manifest = fs::read_to_string(&half_b).expect("a manifest");
+    write(
+        &half_b,
+        &(manifest + "\n[dev-dependencies]\ngradient.workspace = true\n"),
+    );
     folder
 }
 

@@ -1,8 +1,8 @@
 //! What helps a reader who types in a page. That it is the same text that is judged there is
 //! in the room of the companion, and what browsers make of it in `tests/browser`.
 
-use editor::Text;
-use editor::next::next;
+use page::next::next;
+use page::typed::Text;
 use slips::Chapter;
 
 /// As many times as it takes.

@@ -7,8 +7,8 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use check::whole::Line;
-use editor::Text;
-use editor::home::archive;
+use page::home::archive;
+use page::typed::Text;
 use slips::Chapter;
 use suite::command::files;
 use suite::left_out::left_out;

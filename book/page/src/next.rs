@@ -1,6 +1,6 @@
 //! Line diff: the first line of a chapter that is not in what a reader has typed so far.
 
-use crate::Text;
+use crate::typed::Text;
 
 /// A line of the chapter that is still to be typed.
 #[derive(Debug, PartialEq, Eq)]
@@ -63,13 +63,11 @@ fn is_same(yours: &str, theirs: &str) -> bool {
         let mut words = line.split_whitespace();
         (words.next() == Some("let")).then(|| words.next().map(str::to_owned))
     };
-    match is_end(theirs) {
+    if is_end(theirs) {
         // The indentation says of what it is the end.
-        true => yours == theirs,
-        false => {
-            yours.trim() == theirs.trim() || name(theirs).is_some_and(|it| name(yours) == Some(it))
-        }
+        return yours == theirs;
     }
+    yours.trim() == theirs.trim() || name(theirs).is_some_and(|it| name(yours) == Some(it))
 }
 
 fn is_end(line: &str) -> bool {

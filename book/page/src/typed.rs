@@ -1,21 +1,12 @@
-//! What the editor of a page calls, compiled to WebAssembly: texts in; pixels and words out.
+//! What the editor of a page asks: texts in; pixels and words out.
 //!
 //! [`interpreter`] reads and draws what a reader types, [`laws`] ask its functions, and [`check`]
 //! says what it has come to, in the words that `watch` has for the same crate. Here these only
-//! become HTML. It is one module, because two of them that talk to each other would both bring
-//! the mistakes and the chapters along, and a reader who types loads all of it. `.ci/live`
-//! builds the module that a page loads when its editor is opened.
+//! become HTML.
 
-#[cfg(target_family = "wasm")]
-mod exports;
-pub mod home;
-pub mod next;
-
-use check::html;
 use check::known::Known;
 use check::names::companion;
 use check::reading::Reading;
-use check::report::escaped;
 use check::scene::Scene;
 use check::sources::Sources;
 use check::verdict;
@@ -26,6 +17,8 @@ use laws::Trial;
 use laws::answers::Answers;
 use slips::{Chapter, Letters, Program, Slip, steps};
 
+use crate::html;
+
 /// What a reader has typed, by the names of the files.
 pub struct Text {
     /// The chapter that it is to be.
@@ -35,7 +28,7 @@ pub struct Text {
 }
 
 /// What is said of a text.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Said {
     /// The places that it is about: file and line, and from which to which column.
     pub places: Vec<[usize; 4]>,
@@ -43,6 +36,26 @@ pub struct Said {
     pub headline: String,
     /// The rest, as HTML.
     pub rest: String,
+}
+
+impl Said {
+    fn new(verdict: &Verdict, places: Vec<[usize; 4]>) -> Self {
+        Self {
+            places,
+            headline: html::typed_headline(verdict),
+            rest: html::typed_rest(verdict),
+        }
+    }
+}
+
+/// What an editor begins with: of each file of the chapter its name, with nothing in its
+/// functions, and in full. After them the steps.
+pub fn beginning(chapter: Chapter) -> Vec<String> {
+    let files = Text::skeleton(chapter).files.into_iter();
+    let files = files.zip(Text::full(chapter).files);
+    let files = files.flat_map(|((name, empty), (_, full))| [name, empty, full]);
+    let steps: Vec<&str> = steps::of(chapter).iter().map(|step| step.says).collect();
+    files.chain([steps.join("\n")]).collect()
 }
 
 impl Text {
@@ -89,6 +102,18 @@ impl Text {
         program.draw(width).map_err(|fault| self.stopped(&fault))
     }
 
+    /// Reads it, draws it, and judges its picture of that width.
+    ///
+    /// # Errors
+    /// What keeps it from being a program, or stops it.
+    pub fn judged(&self, width: u32) -> Result<Said, Said> {
+        let program = self.read()?;
+        let picture = self.draw(&program, width)?;
+        // What judges keeps programs for good: the page begins with a new worker now and then.
+        let verdict = self.verdict(Box::leak(Box::new(program)), &picture);
+        Ok(Said::new(&verdict, Vec::new()))
+    }
+
     /// What the picture, the laws and the typed lines come to.
     pub fn verdict(&self, program: &'static interpreter::Program, picture: &Picture) -> Verdict {
         let scene = Scene::new(self.chapter, None).expect("without a probe it is a scene");
@@ -128,37 +153,32 @@ impl Text {
     }
 
     fn not_compiled(&self, faults: &[Fault]) -> Said {
-        let place = |fault: &Fault| self.place(fault).map_or(String::new(), |it| it + "  ");
         let line = |fault: &Fault| {
             let parts = [&fault.message, &fault.label, &fault.help].map(String::as_str);
-            let said: Vec<&str> = parts.into_iter().filter(|it| !it.is_empty()).collect();
-            Line::Printed(place(fault) + &said.join(": "))
+            let parts: Vec<&str> = parts.into_iter().filter(|it| !it.is_empty()).collect();
+            let place = self.place(fault).map_or(String::new(), |it| it + "  ");
+            Line::Printed(place + &parts.join(": "))
         };
         let first = faults.iter().take(MOST_FAULTS).map(line).collect();
-        Said {
-            places: faults.iter().filter_map(|it| self.columns(it)).collect(),
-            ..Said::of(&Verdict::not_compiled(faults.len(), first))
-        }
+        let places = faults.iter().filter_map(|it| self.columns(it)).collect();
+        Said::new(&Verdict::not_compiled(faults.len(), first), places)
     }
 
     fn stopped(&self, fault: &Fault) -> Said {
-        let place = self.place(fault);
-        let verdict = match (fault.message.starts_with(NOT_WRITTEN), &place) {
-            (true, Some(place)) => Verdict::not_written(self.chapter, place),
-            _ => Verdict {
-                headline: format!(
-                    "It stopped{}: {}.",
-                    place.map_or(String::new(), |place| format!(" at {place}")),
-                    fault.message
-                ),
-                next: fault.help.clone(),
-                ..Verdict::default()
-            },
+        let verdict = match self.place(fault) {
+            Some(place) if fault.message.starts_with(NOT_WRITTEN) => {
+                Verdict::not_written(self.chapter, &place)
+            }
+            place => {
+                let place = place.map_or(String::new(), |place| format!(" at {place}"));
+                Verdict {
+                    headline: format!("It stopped{place}: {}.", fault.message),
+                    next: fault.help.clone(),
+                    ..Verdict::default()
+                }
+            }
         };
-        Said {
-            places: self.columns(fault).into_iter().collect(),
-            ..Said::of(&verdict)
-        }
+        Said::new(&verdict, self.columns(fault).into_iter().collect())
     }
 
     /// As rustc names a place: file, line and column, from 1.
@@ -179,7 +199,7 @@ impl Text {
 
 /// What a panic says that comes of `todo!()`.
 const NOT_WRITTEN: &str = "not yet implemented";
-/// So many faults are told; more of them come from the first.
+/// So many faults are shown: later ones often come from the first.
 const MOST_FAULTS: usize = 5;
 /// After so many answers that a program would not give, no more are counted.
 const MOST_UNLIKE: usize = 60;
@@ -188,42 +208,15 @@ const CASES: u32 = 100;
 
 /// Whether the laws hold for what a program computes, if it hits something.
 fn laws_of(program: &Program) -> Option<Laws> {
+    if program.chapter <= Chapter::Gradient {
+        return None;
+    }
     let trial = Trial {
         cases: CASES,
         ..Trial::of(program.chapter)
     };
-    let broken = trial.program(program);
-    (program.chapter > Chapter::Gradient).then(|| match broken {
-        Ok(()) => Laws::Obeyed,
-        Err(report) => Laws::Broken(Laws::reported(&report.to_string()).unwrap_or_default()),
-    })
-}
-
-impl Said {
-    /// A verdict as HTML.
-    pub fn of(verdict: &Verdict) -> Self {
-        let class = if verdict.is_right { "right" } else { "wrong" };
-        let mut rest = String::new();
-        let mut rows: Vec<(&str, &str)> = Vec::new();
-        for line in &verdict.cause {
-            match line {
-                Line::Labeled(label, text) => rows.push((label, text)),
-                Line::Printed(text) => {
-                    rest += &format!("<p class=\"printed\">{}</p>", escaped(text));
-                }
-            }
-        }
-        if !verdict.next.is_empty() {
-            rows.push(("next", &verdict.next));
-        }
-        let read: String = verdict.read.iter().map(|slip| html::read(slip)).collect();
-        Self {
-            places: Vec::new(),
-            headline: format!(
-                "<strong class=\"{class}\">{}</strong>",
-                escaped(&verdict.headline)
-            ),
-            rest: rest + &html::list(&rows) + &read,
-        }
-    }
+    let broken = trial.program(program).err();
+    Some(broken.map_or(Laws::Obeyed, |report| {
+        Laws::Broken(Laws::reported(&report.to_string()).unwrap_or_default())
+    }))
 }

@@ -2,32 +2,24 @@
 //! `tar` in which each file follows a block that tells its name and its length, so that it
 //! needs no library here, and no program there.
 
-use crate::Text;
+use crate::typed::Text;
 
 /// An archive to be unpacked in the workspace: the reader's crate of the chapter in `mine`,
 /// with a number that no other crate has.
 pub fn archive(text: &Text, number: u64) -> Vec<u8> {
     let chapter = text.chapter;
+    let manifest = skeletons::manifest(chapter, false, "../..", number);
+    let config = "[build]\ntarget-dir = \"../../target/mine\"\n".to_owned();
     let given = [
         ("src/main.rs", skeletons::main(chapter, false)),
         ("tests/laws.rs", skeletons::test(chapter, false)),
-        (
-            "Cargo.toml",
-            skeletons::manifest(chapter, false, "../..", number),
-        ),
-        (
-            ".cargo/config.toml",
-            "[build]\ntarget-dir = \"../../target/mine\"\n".to_owned(),
-        ),
+        ("Cargo.toml", manifest),
+        (".cargo/config.toml", config),
     ];
-    let given = given.map(|(name, text)| (name.to_owned(), text));
-    let files = text
-        .files
-        .iter()
-        .cloned()
-        .chain(given)
-        .filter(|(_, text)| !text.is_empty());
+    let typed = text.files.iter().cloned();
+    let files = typed.chain(given.map(|(name, text)| (name.to_owned(), text)));
     let mut archive: Vec<u8> = files
+        .filter(|(_, text)| !text.is_empty())
         .flat_map(|(name, text)| entry(&format!("mine/{}/{name}", chapter.name()), text.as_bytes()))
         .collect();
     // Two empty blocks are its end.
@@ -43,7 +35,7 @@ fn entry(name: &str, bytes: &[u8]) -> Vec<u8> {
     let mut put =
         |at: usize, text: &str| block[at..at + text.len()].copy_from_slice(text.as_bytes());
     put(0, name);
-    // May be read by all and written by its owner, who is nobody in particular.
+    // May be read by all and written by an owner without a name.
     put(100, "0000644\x000000000\x000000000\0");
     put(124, &format!("{:011o}\0{:011o}\0", bytes.len(), 0));
     // The sum is made with blanks in its own place.

@@ -1,0 +1,84 @@
+//! What the workers of an editor call.
+//!
+//! What is given is the name of a chapter, and then the name and the text of each file, with a
+//! zero byte between them.
+
+use slips::Chapter;
+
+use super::{given::given, keep};
+use crate::rgba;
+use crate::typed::{Said, Text};
+use crate::{home, next, typed};
+
+/// The files of the chapter whose name was given: of each its name, with nothing in its
+/// functions, and in full. After them the steps.
+#[unsafe(no_mangle)]
+extern "C" fn begin() -> usize {
+    keep(typed::beginning(text().chapter).join("\0"))
+}
+
+/// Draws the text: the height of the picture, whose pixels are the answer; or 0, and the answer
+/// is what is said of a text that is no program, or that stops.
+#[unsafe(no_mangle)]
+extern "C" fn draw(width: u32) -> u32 {
+    let text = text();
+    match text.read().and_then(|program| text.draw(&program, width)) {
+        Ok(picture) => {
+            keep(rgba(&picture));
+            picture.height()
+        }
+        Err(said) => {
+            keep(lines(&said));
+            0
+        }
+    }
+}
+
+/// How long the answer is.
+#[unsafe(no_mangle)]
+extern "C" fn length() -> usize {
+    super::ANSWER.with_borrow(Vec::len)
+}
+
+/// Judges the text by its picture of that width.
+#[unsafe(no_mangle)]
+extern "C" fn judge(width: u32) -> usize {
+    keep(lines(&text().judged(width).unwrap_or_else(|said| said)))
+}
+
+/// The next line to type: its file, what it goes above, whether it takes that place, and the
+/// line itself. Nothing if all is there.
+#[unsafe(no_mangle)]
+extern "C" fn next_line() -> usize {
+    let next = next::next(&text());
+    let next = next.map(|it| {
+        let is_last = u8::from(it.is_last);
+        format!("{}\t{}\t{is_last}\t{}", it.file, it.above, it.text)
+    });
+    keep(next.unwrap_or_default())
+}
+
+/// The archive of the crate, with a number that no other has.
+#[unsafe(no_mangle)]
+extern "C" fn take_home(number: f64) -> usize {
+    keep(home::archive(&text(), number as u64))
+}
+
+fn text() -> Text {
+    let given = given();
+    let given = String::from_utf8_lossy(&given);
+    let fields: Vec<String> = given.split('\0').map(str::to_owned).collect();
+    let (files, _) = fields[1..].as_chunks();
+    let pair = |[name, text]: &[String; 2]| (name.clone(), text.clone());
+    Text {
+        chapter: Chapter::find(&fields[0]).expect("a page names its chapter"),
+        files: files.iter().map(pair).collect(),
+    }
+}
+
+/// The places on a line, the headline on one, and then the rest.
+fn lines(said: &Said) -> String {
+    let place = |place: &[usize; 4]| place.map(|it| it.to_string()).join(" ");
+    let places: Vec<String> = said.places.iter().map(place).collect();
+    format!("{}\n{}\n{}", places.join("\t"), said.headline, said.rest)
+}

@@ -1,0 +1,27 @@
+//! What the pages call, compiled to WebAssembly: bytes and numbers in; words and pixels out.
+//!
+//! Nothing is computed here that is not computed elsewhere: the live figures are those of
+//! [`figures`], a live [`picture`] is its chapter's, a picture is [`checked`] by the package
+//! `check`, and a text that is [`typed`] is run by `interpreter`. `.ci/live` builds the
+//! modules that the scripts in `book/notes/live` load.
+
+pub mod checked;
+#[cfg(target_family = "wasm")]
+mod exports;
+pub mod home;
+mod html;
+pub mod next;
+pub mod picture;
+pub mod typed;
+
+use common::rtweekend::Picture;
+
+/// The bytes of a picture as a canvas has them: four a pixel.
+fn rgba(picture: &Picture) -> Vec<u8> {
+    let (pixels, _) = picture.rgb().as_chunks();
+    opaque(pixels.iter().copied())
+}
+
+fn opaque(pixels: impl Iterator<Item = [u8; 3]>) -> Vec<u8> {
+    pixels.flat_map(|[r, g, b]| [r, g, b, u8::MAX]).collect()
+}

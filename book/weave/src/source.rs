@@ -1,0 +1,177 @@
+//! Excerpts: items of a Rust source, found by their names in its syntax tree.
+
+use std::ops::Range;
+
+use proc_macro2::Span;
+use syn::spanned::Spanned;
+use syn::{Ident, ImplItem, Item, TraitItem};
+
+/// An item by its name or names, and the lines that it fills, from 0.
+///
+/// A function, type, trait or constant goes by its name, an import by its line, an impl block
+/// by its header, a method by either of them, `::` and its name. Doc comments and attributes
+/// belong to an item.
+pub(crate) struct Named {
+    pub(crate) names: Vec<String>,
+    pub(crate) lines: Range<usize>,
+    pub(crate) is_import: bool,
+    /// The block that it is a method of, if it is one.
+    block: Option<Block>,
+}
+
+/// The block around a method: its header, and the lines that the header fills.
+#[derive(Clone, PartialEq)]
+struct Block {
+    header: String,
+    lines: Range<usize>,
+}
+
+impl Named {
+    fn new(names: Vec<String>, span: Span) -> Self {
+        Self {
+            names,
+            lines: lines(span, span),
+            is_import: false,
+            block: None,
+        }
+    }
+
+    /// What stands in the source to look for: of a method, the header of its block.
+    pub(crate) fn called(&self) -> &str {
+        let block = self.block.as_ref().map(|block| &block.header);
+        block.unwrap_or(&self.names[0])
+    }
+}
+
+/// The items in `list`, with the names that commas separate there.
+///
+/// # Errors
+/// If the source is no Rust, or an item is not there, or twice.
+pub(crate) fn items(source: &str, list: &str) -> Result<Vec<Named>, String> {
+    let file = syn::parse_file(source)
+        .map_err(|cause| format!(": line {}: {cause}", cause.span().start().line))?;
+    let find = |name| {
+        let all = file.items.iter().flat_map(|item| named(item, source));
+        find(all.collect(), name).map_err(|cause| format!(" {cause}"))
+    };
+    names(list).into_iter().map(find).collect()
+}
+
+/// The names in a list; a comma inside brackets belongs to a name.
+fn names(list: &str) -> Vec<&str> {
+    let mut depth = 0;
+    let is_separator = |letter: char| {
+        depth += i32::from("<[({".contains(letter)) - i32::from(">])}".contains(letter));
+        letter == ',' && depth == 0
+    };
+    list.split(is_separator).map(str::trim).collect()
+}
+
+fn find(items: Vec<Named>, name: &str) -> Result<Named, String> {
+    let all: Vec<&str> = items.iter().map(|item| item.names[0].as_str()).collect();
+    let missing = format!("has no item `{name}`; it has {}", all.join(", "));
+    let has_name = |item: &Named| item.names.iter().any(|other| other == name);
+    let mut found = items.into_iter().filter(has_name);
+    let first = found.next().ok_or(missing)?;
+    match found.next() {
+        None => Ok(first),
+        Some(second) => Err(format!(
+            "has several items `{name}`, in lines {} and {}: name an impl block by its header",
+            1 + first.lines.start,
+            1 + second.lines.start
+        )),
+    }
+}
+
+/// The items, with an empty line between them unless they stand together in the source;
+/// methods of one block are in one block.
+pub(crate) fn excerpt(source: &str, items: &[Named]) -> String {
+    let source: Vec<&str> = source.lines().collect();
+    let text = |lines: &Range<usize>| source[lines.clone()].join("\n") + "\n";
+    let mut excerpt = String::new();
+    let mut end = None;
+    for together in items.chunk_by(|one, next| one.block.is_some() && one.block == next.block) {
+        if end.is_some_and(|end| end != together[0].lines.start) {
+            excerpt.push('\n');
+        }
+        let texts: Vec<String> = together.iter().map(|item| text(&item.lines)).collect();
+        excerpt += &match &together[0].block {
+            Some(block) => format!("{}{}}}\n", text(&block.lines), texts.join("\n")),
+            None => texts.concat(),
+        };
+        end = together.last().map(|item| item.lines.end);
+    }
+    excerpt
+}
+
+/// The item, and what can be named inside it.
+fn named(item: &Item, source: &str) -> Vec<Named> {
+    let plain = |name: &Ident| vec![Named::new(vec![name.to_string()], item.span())];
+    match item {
+        Item::Const(it) => plain(&it.ident),
+        Item::Enum(it) => plain(&it.ident),
+        Item::Fn(it) => plain(&it.sig.ident),
+        Item::Mod(it) => plain(&it.ident),
+        Item::Static(it) => plain(&it.ident),
+        Item::Struct(it) => plain(&it.ident),
+        Item::Type(it) => plain(&it.ident),
+        Item::Use(_) => {
+            let line = source[item.span().byte_range()].trim_end_matches(';');
+            vec![Named {
+                is_import: true,
+                ..Named::new(vec![line.to_owned()], item.span())
+            }]
+        }
+        Item::Trait(it) => {
+            let methods = it.items.iter().filter_map(|inner| match inner {
+                TraitItem::Fn(method) => Some((&method.sig.ident, method.span())),
+                _ => None,
+            });
+            let block = block(source, it.trait_token.span, it.brace_token.span.open());
+            let mut all = plain(&it.ident);
+            all.extend(in_block(&block, Some(it.ident.to_string()), methods));
+            all
+        }
+        Item::Impl(it) => {
+            let methods = it.items.iter().filter_map(|inner| match inner {
+                ImplItem::Fn(method) => Some((&method.sig.ident, method.span())),
+                _ => None,
+            });
+            let block = block(source, it.impl_token.span, it.brace_token.span.open());
+            let owner = source[it.self_ty.span().byte_range()].to_owned();
+            let owner = it.trait_.is_none().then_some(owner);
+            let mut all = vec![Named::new(vec![block.header.clone()], item.span())];
+            all.extend(in_block(&block, owner, methods));
+            all
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn block(source: &str, start: Span, brace: Span) -> Block {
+    let header = &source[start.byte_range().start..brace.byte_range().start];
+    Block {
+        header: header.split_whitespace().collect::<Vec<_>>().join(" "),
+        lines: lines(start, brace),
+    }
+}
+
+/// Methods by the header of their block, and by its owner, if it has one.
+fn in_block<'a>(
+    block: &Block,
+    owner: Option<String>,
+    methods: impl Iterator<Item = (&'a Ident, Span)>,
+) -> impl Iterator<Item = Named> {
+    methods.map(move |(name, span)| {
+        let by = [Some(&block.header), owner.as_ref()].into_iter().flatten();
+        Named {
+            block: Some(block.clone()),
+            ..Named::new(by.map(|it| format!("{it}::{name}")).collect(), span)
+        }
+    })
+}
+
+/// From the first line of one place to the last of another, from 0.
+fn lines(start: Span, end: Span) -> Range<usize> {
+    start.start().line - 1..end.end().line
+}

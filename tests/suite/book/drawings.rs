@@ -1,0 +1,59 @@
+//! Golden drawings: every figure and every chart is its snapshot. Whether their labels hide each
+//! other is seen in `tests/browser`.
+
+use std::fs;
+use std::path::Path;
+
+use figures::{CHARTS, FIGURES, find_chart, standalone};
+use insta::assert_binary_snapshot;
+use suite::drawn::shown_in;
+
+use crate::book::NOTES;
+
+#[test]
+fn every_figure_is_its_snapshot() {
+    for figure in FIGURES {
+        shown_in("figures").bind(|| {
+            let file = standalone(&(figure.draw)());
+            assert_binary_snapshot!(&format!("{}.svg", figure.name), file.into_bytes());
+        });
+    }
+}
+
+#[test]
+fn every_chart_is_its_snapshot() {
+    for chart in CHARTS {
+        let drawn = chart.draw_from(Path::new(NOTES)).expect("its numbers");
+        shown_in("charts").bind(|| {
+            let name = chart.name;
+            for (panel, n) in drawn.panels.iter().zip(1..) {
+                let file = standalone(panel).into_bytes();
+                assert_binary_snapshot!(&format!("{name}_{n}.svg"), file);
+            }
+            assert_binary_snapshot!(&format!("{name}_table.md"), drawn.table.into_bytes());
+        });
+    }
+}
+
+#[test]
+fn a_mistake_in_a_file_is_named_with_its_line() {
+    let read = |file| fs::read_to_string(format!("{NOTES}/measured/{file}")).expect("a file");
+    let accuracy = read("accuracy.csv");
+    let draw = find_chart("speed_accuracy").expect("a chart").draw;
+    assert!(draw(&[&accuracy, &read("timings.csv")]).is_ok());
+    let columns = "what,name,precision,where,n,median_ns,least_ns,greatest_ns,ratio\n";
+    for (rows, message) in [
+        (
+            "method,half_b,f64,book,1,four,4,4,1\n",
+            "measured/timings.csv, line 2, column `median_ns`: invalid float literal",
+        ),
+        (
+            "method,half_b,f64,book,1,4,4,4\n",
+            "measured/timings.csv, line 2: 8 fields under 9 columns",
+        ),
+        ("", "measured/timings.csv has no rows"),
+    ] {
+        let timings = format!("{columns}{rows}");
+        assert_eq!(draw(&[&accuracy, &timings]), Err(message.to_owned()));
+    }
+}
