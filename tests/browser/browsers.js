@@ -21,23 +21,20 @@ export const PAGES = readdirSync(BOOK).filter(
 export const textOf = (name) => readFileSync(join(BOOK, name), "utf8");
 
 const BROWSERS = {
-    Chromium: {
-        browser: "chrome",
-        executablePath: find("CHROMIUM", ["chromium", "chromium-browser", "google-chrome"]),
-        // Only pages of this book are opened, and root has no sandbox.
-        args: ["--no-sandbox", "--disable-gpu"],
-    },
+    // Only pages of this book are opened, and root has no sandbox.
+    Chromium: { browser: "chrome", args: ["--no-sandbox", "--disable-gpu"],
+        executablePath: find("CHROMIUM", ["chromium", "chromium-browser", "google-chrome"]) },
     Firefox: { browser: "firefox", executablePath: find("FIREFOX", ["firefox", "firefox-esr"]) },
 };
 
 // A program: there where the variable says, or by one of its names on the path.
 function find(variable, names) {
-    const places = process.env.PATH.split(delimiter)
-        .flatMap((folder) => names.map((name) => join(folder, name)));
+    const folders = process.env.PATH.split(delimiter);
+    const places = folders.flatMap((folder) => names.map((name) => join(folder, name)));
     return process.env[variable] ?? places.find(existsSync);
 }
 
-// Registers a test for each of these browsers. One that is not installed is told as skipped.
+// Registers a test for each of these browsers. One that is not installed is shown as skipped.
 export function inBrowsers(sentence, look, names = Object.keys(BROWSERS)) {
     for (const name of names) {
         const browser = BROWSERS[name];

@@ -1,38 +1,30 @@
 // The texts on the page whose contrast with what is behind them is below 4.5, as WCAG 2.2
 // measures it. Unlike axe-core, this knows drawings, and is fast enough for each theme.
 export function faintTexts() {
-    // Red, green, blue from 0 to 255 and alpha from 0 to 1. What was mixed comes as color(srgb …).
-    const rgba = (color) => {
-        const [r, g, b, a = 1] = color.match(/[\d.]+/g).map(Number);
-        return color.startsWith("rgb") ? [r, g, b, a] : [255 * r, 255 * g, 255 * b, a];
+    const dot = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
+    // What is seen of layers one over the other: red, green, blue. Each has a color, and an opacity.
+    const seen = (layers) => {
+        for (const [color, opacity] of [["white", 1], ...layers]) {
+            dot.globalAlpha = opacity;
+            dot.fillStyle = color;
+            dot.fillRect(0, 0, 1, 1);
+        }
+        return [...dot.getImageData(0, 0, 1, 1).data.slice(0, 3)];
     };
-    const over = ([r, g, b, a], below) => [r, g, b].map((level, i) => a * level + (1 - a) * below[i]);
+    const around = (element) => element ? [...around(element.parentElement), element] : [];
+    const styles = (element) => around(element).map((it) => getComputedStyle(it));
 
-    // What is behind an element: the grounds of all around it, one over the other.
-    const ground = (element) => {
-        const below = element.parentElement ? ground(element.parentElement) : [255, 255, 255];
-        return over(rgba(getComputedStyle(element).backgroundColor), below);
-    };
-    const opacity = (element) =>
-        element ? getComputedStyle(element).opacity * opacity(element.parentElement) : 1;
-
-    // What is behind a text in a drawing: the shapes that were drawn there before it, and a halo.
-    const groundInDrawing = (text) => {
+    // The shapes that were drawn before a text of a drawing, where it stands, and its halo.
+    const behind = (text) => {
         const { x, y, width, height } = text.getBoundingClientRect();
         const middle = new DOMPoint(x + width / 2, y + height / 2);
-        let behind = ground(text);
-        for (const shape of text.ownerSVGElement.querySelectorAll("rect, circle, ellipse, path, polygon")) {
-            const { fill, fillOpacity } = getComputedStyle(shape);
-            const isBefore = shape.compareDocumentPosition(text) & Node.DOCUMENT_POSITION_FOLLOWING;
-            const isFilled = fill !== "none" && !fill.startsWith("url");
-            const place = middle.matrixTransform(shape.getScreenCTM().inverse());
-            if (isBefore && isFilled && shape.isPointInFill(place)) {
-                const [r, g, b, a] = rgba(fill);
-                behind = over([r, g, b, a * fillOpacity], behind);
-            }
-        }
+        const shapes = [...text.ownerSVGElement.querySelectorAll("rect, circle, ellipse, path, polygon")]
+            .filter((shape) => shape.compareDocumentPosition(text) & Node.DOCUMENT_POSITION_FOLLOWING)
+            .filter((shape) => shape.isPointInFill(middle.matrixTransform(shape.getScreenCTM().inverse())))
+            .map((shape) => [getComputedStyle(shape).fill, getComputedStyle(shape).fillOpacity])
+            .filter(([fill]) => fill !== "none" && !fill.startsWith("url"));
         const { paintOrder, stroke } = getComputedStyle(text);
-        return paintOrder.startsWith("stroke") && stroke !== "none" ? over(rgba(stroke), behind) : behind;
+        return paintOrder.startsWith("stroke") && stroke !== "none" ? [...shapes, [stroke, 1]] : shapes;
     };
 
     const luminance = (color) => {
@@ -40,15 +32,15 @@ export function faintTexts() {
             .map((part) => part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4);
         return 0.2126 * r + 0.7152 * g + 0.0722 * b;
     };
-    // The ratio, and what was measured.
     const contrast = (element) => {
         const text = element.closest("svg text");
         const { color, fill } = getComputedStyle(element);
-        const [r, g, b, a] = rgba(text ? fill : color);
-        const behind = text ? groundInDrawing(text) : ground(element);
-        const ink = over([r, g, b, a * opacity(element)], behind);
-        const [darker, lighter] = [ink, behind].map(luminance).sort((one, other) => one - other);
-        return { ratio: (lighter + 0.05) / (darker + 0.05), ink, behind };
+        const grounds = styles(element).map((style) => [style.backgroundColor, 1]);
+        const opacity = styles(element).reduce((product, style) => product * style.opacity, 1);
+        const ground = text ? [...grounds, ...behind(text)] : grounds;
+        const colors = [seen(ground), seen([...ground, [text ? fill : color, opacity]])];
+        const [darker, lighter] = colors.map(luminance).sort((one, other) => one - other);
+        return { ratio: (lighter + 0.05) / (darker + 0.05), colors: colors.join(" under ") };
     };
 
     const hasWords = (element) => [...element.childNodes].some(
@@ -57,5 +49,5 @@ export function faintTexts() {
         .filter((element) => hasWords(element) && element.checkVisibility({ visibilityProperty: true }))
         .map((element) => ({ ...contrast(element), words: element.textContent.trim().slice(0, 40) }))
         .filter(({ ratio }) => ratio < 4.5)
-        .map(({ ratio, ink, behind, words }) => `contrast ${ratio.toFixed(2)}, rgb(${ink}) on rgb(${behind}): ${words}`);
+        .map(({ ratio, colors, words }) => `contrast ${ratio.toFixed(2)}, ${colors}: ${words}`);
 }

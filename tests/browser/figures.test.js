@@ -30,11 +30,9 @@ for (const [place, name] of FIGURES) {
     });
 }
 
-inBrowsers("a button changes a figure, the text and the link, which leads back to it", async (page) => {
-    const before = await visit(page, "gradient.html#ray", "ray");
+inBrowsers("a button changes a figure, and the link leads back to it", async (page) => {
+    await visit(page, "gradient.html#ray", "ray");
     const after = await click(page, "ray", "0");
-    assert.notEqual(after.sentence, before.sentence);
-    assert.notDeepEqual(after.told, before.told);
     assert.deepEqual(await visit(page, `gradient.html${after.link}`, "ray"), after);
 });
 

@@ -1,42 +1,47 @@
-// Functions that run in a page, and list what is wrong with it.
+// What is wrong with a page, at its width: this function runs in the page.
+export function faults() {
+    const all = (selector) => [...document.querySelectorAll(selector)].filter((it) => it.checkVisibility());
+    const as = (fault) => (element) => `${fault}: ${element.outerHTML.slice(0, 80)}`;
 
-// Each element that sticks out to the right, unless it is in a box that scrolls.
-export function overflow() {
+    // Each element that sticks out to the right, unless it is in a box that scrolls.
     const width = document.documentElement.clientWidth;
     const scrolls = (element) => ["auto", "scroll"].includes(getComputedStyle(element).overflowX);
     const inScrollingBox = ({ parentElement: around }) =>
         around.localName !== "main" && (scrolls(around) || inScrollingBox(around));
     const isOut = (element) => element.getBoundingClientRect().right > width + 0.5 && !inScrollingBox(element);
-    const wrong = [...document.querySelectorAll("main *")].filter(isOut)
-        .map((element) => `it sticks out: ${element.outerHTML.slice(0, 80)}`);
     const whole = document.documentElement.scrollWidth - width;
-    return whole > 0 ? [`the page scrolls sideways by ${whole} pixels`, ...wrong] : wrong;
-}
 
-// Pictures whose width and height are not in the ratio of their own, but for 2 %: a sphere in
-// them is an egg.
-export function eggs() {
-    return [...document.querySelectorAll("main :is(img, canvas, svg[viewBox])")].flatMap((picture) => {
+    // Pictures whose width and height are not in the ratio of their own, but for 2 %: a sphere in
+    // them is an egg.
+    const isEgg = (picture) => {
         const style = getComputedStyle(picture);
-        const [width, height] = [style.width, style.height].map(parseFloat);
         const own = picture.viewBox?.baseVal ?? picture;
-        const [ownWidth, ownHeight] = [own.naturalWidth ?? own.width, own.naturalHeight ?? own.height];
-        const isRound = Math.abs(width / height * ownHeight / ownWidth - 1) <= 0.02;
-        return isRound || !picture.checkVisibility() ? [] : [
-            `an egg, ${width} × ${height} of ${ownWidth} × ${ownHeight}: ${picture.outerHTML.slice(0, 80)}`,
-        ];
-    });
-}
+        const ratio = parseFloat(style.width) / parseFloat(style.height);
+        return Math.abs(ratio * (own.naturalHeight ?? own.height) / (own.naturalWidth ?? own.width) - 1) > 0.02;
+    };
 
-// Drawings and terminals with words of less than ten pixels, or nine on the narrowest phone.
-// A terminal's picture is 740 wide with words of 14.
-export function smallWords() {
-    const least = innerWidth > 320 ? 10 : 8.5;
-    const drawings = [...document.querySelectorAll("svg.drawing text")].map((text) =>
-        [text, parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a]);
-    const terminals = [...document.querySelectorAll("img[src*=terminal]")].map((terminal) =>
-        [terminal, 14 / 740 * terminal.width]);
-    return [...drawings, ...terminals]
-        .filter(([element, size]) => element.checkVisibility() && size < least)
-        .map(([element, size]) => `words of ${size} pixels: ${element.outerHTML.slice(0, 80)}`);
+    // Words of less than ten pixels, or nine on the narrowest phone. A terminal's picture is 740
+    // wide with words of 14.
+    const isSmall = (element) => (element.localName === "img" ? 14 / 740 * element.width
+        : parseFloat(getComputedStyle(element).fontSize) * element.getScreenCTM().a) < (innerWidth > 320 ? 10 : 8.5);
+
+    // Words of a drawing that lie on others. Above and below its letters a text has room to share.
+    const box = (text) => {
+        const { left, right, top, bottom, height } = text.getBoundingClientRect();
+        return { text, left, right, top: top + 0.2 * height, bottom: bottom - 0.2 * height };
+    };
+    const meet = (one, other) => one.text !== other.text && one.left < other.right && other.left < one.right
+        && one.top < other.bottom && other.top < one.bottom;
+    const hidden = all("svg.drawing").flatMap((drawing) => {
+        const boxes = [...drawing.querySelectorAll("text")].filter((it) => it.checkVisibility()).map(box);
+        return boxes.filter((one) => boxes.some((other) => meet(one, other)));
+    });
+
+    return [
+        ...whole > 0 ? [`the page scrolls sideways by ${whole} pixels`] : [],
+        ...all("main *").filter(isOut).map(as("it sticks out")),
+        ...all("main :is(img, canvas, svg[viewBox])").filter(isEgg).map(as("an egg")),
+        ...all("svg.drawing text, img[src*=terminal]").filter(isSmall).map(as("small words")),
+        ...hidden.map(({ text }) => as("it lies on others")(text)),
+    ];
 }

@@ -1,9 +1,8 @@
-// Does a reader find, reach and print what is on a page?
+// Does a reader find and reach what is on a page?
 
 import assert from "node:assert/strict";
 
 import { alive, inBrowsers, open } from "./browsers.js";
-import { eggs, overflow } from "./looks.js";
 
 const FOUND = {
     "hit_sphere": "#listing-hit-sphere",
@@ -22,7 +21,7 @@ inBrowsers("the first that the search finds is the listing of a name", async (pa
     }
 });
 
-// Only in Chromium: a Firefox that nobody looks at shows no focus.
+// Only in Chromium: a Firefox without a window shows no focus.
 inBrowsers("an answer opens by keyboard and shows where the keyboard is", async (page) => {
     // The keyboard goes on from the heading that was jumped to.
     await open(page, "normals.html#exercises");
@@ -33,20 +32,6 @@ inBrowsers("an answer opens by keyboard and shows where the keyboard is", async 
     assert.notEqual(await page.$eval(answer, (it) => getComputedStyle(it).outlineStyle), "none");
     await page.keyboard.press("Enter");
     assert.ok(await page.$eval(answer, (it) => it.parentElement.open));
-}, ["Chromium"]);
-
-// Only in Chromium, which can be told that a screen is paper.
-inBrowsers("on paper answers are open, and a live figure is a drawing with a caption", async (page) => {
-    // As wide as a sheet between its margins.
-    await open(page, "normals.html", 670);
-    await page.emulateMediaType("print");
-    const height = await page.$eval("#exercises ~ details.answer", (it) => it.clientHeight);
-    const parts = await page.$$eval("#normal :is(.question, .handle, .sentence, button, svg, figcaption)", (all) =>
-        all.filter((it) => it.checkVisibility()).map((it) => it.localName));
-    const wrong = [...await page.evaluate(overflow), ...await page.evaluate(eggs)];
-    await page.emulateMediaType();
-    assert.ok(height > 50 + await page.$eval("#exercises ~ details.answer", (it) => it.clientHeight));
-    assert.deepEqual([...parts, ...wrong], ["svg", "figcaption"]);
 }, ["Chromium"]);
 
 inBrowsers("an arrow turns the page only where nothing has the keyboard", async (page) => {
