@@ -9,11 +9,12 @@ use slips::{Chapter, Edition, Letters, PROBES, Program, Slip, Unseen, Words};
 
 use crate::opaque;
 
-/// A picture while it is painted: pieces of it in reading order, four bytes a pixel as a
-/// canvas takes them.
+/// A picture while it is painted.
 pub struct Painting {
-    size: (u32, u32),
-    pieces: Box<dyn Iterator<Item = Vec<u8>>>,
+    /// Width and height in pixels. A slip may swap them.
+    pub size: (u32, u32),
+    /// Pieces of it in reading order, four bytes a pixel as a canvas takes them.
+    pub pieces: Box<dyn Iterator<Item = Vec<u8>>>,
 }
 
 impl Painting {
@@ -50,19 +51,6 @@ impl Painting {
             size: output.size(),
             pieces: Box::new(iter::from_fn(piece)),
         }
-    }
-
-    /// Width and height in pixels. A slip may swap them.
-    pub fn size(&self) -> (u32, u32) {
-        self.size
-    }
-}
-
-impl Iterator for Painting {
-    type Item = Vec<u8>;
-
-    fn next(&mut self) -> Option<Vec<u8>> {
-        self.pieces.next()
     }
 }
 

@@ -124,13 +124,17 @@ fn a_live_picture_is_what_its_chapter_draws_and_what_a_slip_draws() {
     for chapter in Chapter::OF_THE_BOOK {
         let right = Painting::new(chapter, None, 97);
         assert!(
-            right.flatten().eq(opaque(&chapter.picture(97))),
+            right.pieces.flatten().eq(opaque(&chapter.picture(97))),
             "{chapter:?}"
         );
         for slip in slips::all().filter(|slip| slip.chapters.contains(&chapter)) {
             let drawn = slip.program(chapter).run(97).picture();
             let painting = Painting::new(chapter, Some(slip), 97);
-            assert!(painting.flatten().eq(opaque(&drawn)), "{}", slip.name);
+            assert!(
+                painting.pieces.flatten().eq(opaque(&drawn)),
+                "{}",
+                slip.name
+            );
         }
     }
 }

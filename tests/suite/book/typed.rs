@@ -29,7 +29,7 @@ fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
     }
 }
 
-/// Chapter 5 has several files: whoever types them may stop after each listing.
+/// Chapter 5 has several files: a reader may stop after each listing.
 #[test]
 #[ignore = "builds what the pages list"]
 fn chapter_5_compiles_after_each_listing_of_its_page() {
@@ -106,7 +106,7 @@ fn add(typed: &mut BTreeMap<PathBuf, String>, file: PathBuf, code: &str) {
     *text += code;
 }
 
-/// Whether a reader types the file: all but the engine, and what cargo is told.
+/// Whether a reader types the file: all but the engine, and what cargo reads.
 fn is_typed(file: &Path) -> bool {
     let is_in = |folder: &str| file.components().any(|it| it.as_os_str() == folder);
     is_in("src") && !is_in("engine")

@@ -16,7 +16,7 @@ thread_local! {
 #[unsafe(no_mangle)]
 extern "C" fn paint(chapter: usize, slip: usize, width: u32) {
     let painting = Painting::new(chapter_at(chapter), slip_at(slip), width);
-    let (width, height) = painting.size();
+    let (width, height) = painting.size;
     set(0, width.into());
     set(1, height.into());
     PAINTING.set(Some(painting));
@@ -25,7 +25,7 @@ extern "C" fn paint(chapter: usize, slip: usize, width: u32) {
 /// Paints a piece of it; nothing at the end.
 #[unsafe(no_mangle)]
 extern "C" fn piece() -> usize {
-    let piece = PAINTING.with_borrow_mut(|painting| painting.as_mut().and_then(Iterator::next));
+    let piece = PAINTING.with_borrow_mut(|painting| painting.as_mut()?.pieces.next());
     keep(piece.unwrap_or_default())
 }
 
