@@ -3,8 +3,6 @@
 //! Everything is on the page from the start, so nothing jumps when the script comes, and
 //! the style sheet hides what does nothing without it.
 
-use std::fmt::Write;
-
 use figures::{ACCURACY, LESSON, Movable, Number, html, live_figures};
 
 use crate::ground::{escaped, named};
@@ -59,18 +57,17 @@ pub(crate) fn followed(figure: &str, name: &str, value: &str) -> String {
 /// Each handle holds a slider for each number that it changes: for the keyboard, and for
 /// a reader who listens. Where two handles change the same, the Tab key stops at the first.
 fn handles(live: &dyn Movable) -> String {
-    let mut html = String::new();
     let all = live.handles();
-    for (k, places) in all.iter().enumerate() {
-        html += "<span class=\"handle\">";
+    let handle = |(k, places): (usize, &Vec<usize>)| {
         let first = if all[..k].contains(places) { "-1" } else { "0" };
-        for (&n, order) in places.iter().zip([first, "-1"]) {
-            let number = &live.numbers()[n];
-            let _ = write!(html, "<input tabindex=\"{order}\" {}>", slider(n, number));
-        }
-        html += "</span>";
-    }
-    html
+        let sliders = places.iter().zip([first, "-1"]).map(|(&n, order)| {
+            let slider = slider(n, &live.numbers()[n]);
+            format!("<input tabindex=\"{order}\" {slider}>")
+        });
+        let sliders: String = sliders.collect();
+        format!("<span class=\"handle\">{sliders}</span>")
+    };
+    all.iter().enumerate().map(handle).collect()
 }
 
 fn slider(n: usize, number: &Number) -> String {
@@ -79,50 +76,50 @@ fn slider(n: usize, number: &Number) -> String {
         least,
         most,
         default,
-        downwards,
         ..
     } = number;
-    let downwards = if *downwards { " data-downwards" } else { "" };
+    let downwards = if number.downwards {
+        " data-downwards"
+    } else {
+        ""
+    };
+    let step = 1.0 / number.steps;
     format!(
         "type=\"range\"{downwards} data-number=\"{n}\" aria-label=\"{name}\" min=\"{least}\" max=\"{most}\" \
-         step=\"{}\" value=\"{default}\"",
-        1.0 / number.steps,
+         step=\"{step}\" value=\"{default}\""
     )
 }
 
 /// For each number that no handle changes a list, if it is a choice, or a slider.
 fn inputs(live: &dyn Movable) -> String {
-    let mut html = String::new();
-    for (n, number) in live.numbers().iter().enumerate() {
-        let has_handle = live.handles().iter().any(|places| places.contains(&n));
-        if !has_handle {
-            let input = match number.choices {
-                [] => format!("<input {}>", slider(n, number)),
-                _ => choice(n, number),
-            };
-            let _ = write!(html, "<label>{} {input}</label>", number.name);
-        }
-    }
-    html
+    let handled = live.handles().concat();
+    let numbers = live.numbers().iter().enumerate();
+    let free = numbers.filter(|(n, _)| !handled.contains(n));
+    free.map(|(n, number)| {
+        let input = match number.choices {
+            [] => format!("<input {}>", slider(n, number)),
+            _ => choice(n, number),
+        };
+        format!("<label>{} {input}</label>", number.name)
+    })
+    .collect()
 }
 
 fn choice(n: usize, number: &Number) -> String {
-    let mut html = format!("<select data-number=\"{n}\">");
-    for (choice, value) in number.choices.iter().zip(0..) {
+    let options = number.choices.iter().zip(0..).map(|(choice, value)| {
         let value = number.least + f64::from(value);
-        let _ = write!(html, "<option value=\"{value}\">{choice}</option>");
-    }
-    html + "</select>"
+        format!("<option value=\"{value}\">{choice}</option>")
+    });
+    let options: String = options.collect();
+    format!("<select data-number=\"{n}\">{options}</select>")
 }
 
 fn buttons(live: &dyn Movable) -> String {
-    let mut html = String::new();
-    for (n, action) in live.actions().iter().enumerate() {
-        let _ = write!(
-            html,
-            "<button type=\"button\" data-action=\"{n}\">{action}</button>"
-        );
-    }
-    html + "<button type=\"button\" data-action=\"reset\">Reset</button>\
-        <a class=\"this-case\">Link to this case</a>"
+    let actions = live.actions().into_iter().enumerate();
+    let buttons: String = actions
+        .map(|(n, action)| format!("<button type=\"button\" data-action=\"{n}\">{action}</button>"))
+        .collect();
+    buttons
+        + "<button type=\"button\" data-action=\"reset\">Reset</button>\
+           <a class=\"this-case\">Link to this case</a>"
 }

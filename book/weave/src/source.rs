@@ -67,18 +67,14 @@ fn names(list: &str) -> Vec<&str> {
     list.split(is_separator).map(str::trim).collect()
 }
 
-fn find(items: Vec<Named>, name: &str) -> Result<Named, String> {
-    let all: Vec<&str> = items.iter().map(|item| item.names[0].as_str()).collect();
-    let missing = format!("has no item `{name}`; it has {}", all.join(", "));
-    let has_name = |item: &Named| item.names.iter().any(|other| other == name);
-    let mut found = items.into_iter().filter(has_name);
-    let first = found.next().ok_or(missing)?;
-    match found.next() {
-        None => Ok(first),
-        Some(second) => Err(format!(
-            "has several items `{name}`, in lines {} and {}: name an impl block by its header",
-            1 + first.lines.start,
-            1 + second.lines.start
+fn find(mut items: Vec<Named>, name: &str) -> Result<Named, String> {
+    let all: Vec<String> = items.iter().map(|item| item.names[0].clone()).collect();
+    items.retain(|item| item.names.iter().any(|other| other == name));
+    match items.pop() {
+        None => Err(format!("has no item `{name}`; it has {}", all.join(", "))),
+        Some(item) if items.is_empty() => Ok(item),
+        Some(_) => Err(format!(
+            "has several items `{name}`: name an impl block by its header"
         )),
     }
 }
