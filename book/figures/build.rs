@@ -51,8 +51,8 @@ fn method(item: ImplItem) -> Option<ImplItemFn> {
     }
 }
 
-/// The names of its lines, in order, and the function with a note behind each `let`, unless
-/// the value changes later.
+/// The names of its lines, in order, and the function with a note of the value behind each
+/// `let`, unless it changes later.
 fn traced(mut function: ImplItemFn) -> impl ToTokens {
     let mut names = Vec::new();
     let mut body = Vec::new();
@@ -63,17 +63,22 @@ fn traced(mut function: ImplItemFn) -> impl ToTokens {
                 pat: Pat::Ident(it),
                 ..
             }) if it.mutability.is_none() => {
-                let name = it.ident.to_string();
-                body.push(quote!(trace.note(#name, &#it);));
-                names.push(name);
+                names.push(it.ident.to_string());
+                body.push(quote!(notes.push(#it.shown());));
             }
             // These chapters ask only whether to return early.
-            Stmt::Expr(Expr::If(_), _) => names.push("none".to_owned()),
+            Stmt::Expr(Expr::If(_), _) => {
+                names.push("none".to_owned());
+                body.push(quote!(notes.push(String::new());));
+            }
             _ => {}
         }
     }
     function.vis = parse_quote!(pub(super));
-    function.sig.inputs.push(parse_quote!(trace: &mut Trace));
+    function
+        .sig
+        .inputs
+        .push(parse_quote!(notes: &mut Vec<String>));
     function.block = parse_quote!({ #(#body)* });
     let function = match function.sig.receiver() {
         Some(_) => quote!(impl Sphere { #function }),

@@ -83,19 +83,12 @@ fn of_discriminant(found: &Numbers) -> String {
 /// What is left of t, of which 1 is so many `radii` long.
 fn of_t(found: &Numbers, radii: f64) -> String {
     match (found.t, found.exact_t, found.right_digits()) {
-        (Some(t), Some(exact), _) if t == exact => {
-            "No digit of *t* is wrong: exact arithmetic gives the same number.".to_owned()
-        }
-        (Some(t), Some(exact), Some(right @ 2..)) => {
-            let off = radii * (t - exact).abs();
-            format!(
-                "The first {right} digits of *t* are right, and it is off by {} radii.",
-                printed(off)
-            )
-        }
-        (Some(_), Some(_), Some(1)) => "Only the first digit of *t* is right.".to_owned(),
-        (Some(_), Some(_), _) => "Not even the first digit of *t* is right.".to_owned(),
-        (Some(_), None, _) => "The ray misses the star, and half_b sees a hit.".to_owned(),
+        (Some(t), Some(exact), _) if t == exact => "No digit of *t* is wrong.".to_owned(),
+        (Some(t), Some(exact), Some(right)) => format!(
+            "Of the 17 digits of *t* {right} are right, and it is off by {} radii.",
+            printed(radii * (t - exact).abs())
+        ),
+        (Some(_), _, _) => "The ray misses the star, and half_b sees a hit.".to_owned(),
         (None, Some(_), _) => "The ray hits the star, and half_b sees a miss.".to_owned(),
         (None, None, _) => "The ray misses the star, as half_b says.".to_owned(),
     }

@@ -39,7 +39,7 @@ mod unit_sky;
 mod viewport_grid;
 mod vocabulary;
 
-pub use charts::{CHARTS, Chart, Drawn, Point, find_chart, scene_chart};
+pub use charts::{CHARTS, Chart, Drawn, Point, scene_chart};
 pub use figure::Figure;
 pub use live::{Answer, Movable};
 pub use parameters::Number;

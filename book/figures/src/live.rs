@@ -68,7 +68,7 @@ pub(crate) struct Live<P: 'static> {
     pub(crate) answer: fn(&P) -> Answer,
 }
 
-/// Numbers by name, for the sentences of the page that show them.
+/// Words by name: for sentences of the page, and for the lines of a listing.
 pub(crate) type Says = Vec<(&'static str, String)>;
 
 /// What a figure answers.
@@ -80,18 +80,17 @@ pub struct Answer {
     pub sentence: String,
     /// Where each handle is on the sheet.
     pub handles: Vec<DVec2>,
-    /// Numbers by name, for the sentences of the page that show them.
-    pub says: Vec<(&'static str, String)>,
+    /// What the page shows beside it.
+    pub says: Says,
 }
 
 impl Answer {
     /// An answer whose handles are where the figure says.
     pub(crate) fn new(drawing: Svg, sentence: String, says: Says) -> Self {
-        let handles = Vec::new();
         Self {
             drawing,
             sentence,
-            handles,
+            handles: Vec::new(),
             says,
         }
     }

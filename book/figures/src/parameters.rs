@@ -80,7 +80,7 @@ impl Number {
         self.confine((value * self.steps).round() / self.steps)
     }
 
-    /// The value in words, for whoever cannot see the slider.
+    /// The value in words, for a reader who cannot see the slider.
     pub(crate) fn in_words(&self, value: f64) -> String {
         match self.choices.get((value - self.least) as usize) {
             Some(&choice) => choice.to_owned(),

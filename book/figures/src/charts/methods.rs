@@ -8,42 +8,19 @@ use crate::records::{Accuracy, Timing};
 use crate::svg::{Anchor, Svg, spot};
 use crate::table::Table;
 
-/// What was measured of a method in a regime.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Measured {
-    /// How exact it is.
-    pub(super) accuracy: Accuracy,
-    /// How long it takes.
-    pub(super) time: Timing,
-}
+/// How exact a method is in a regime, and how long it takes.
+pub(super) type Measured = (Accuracy, Timing);
 
 /// Joins the file of errors and the file of times. Methods without a time are
 /// left out.
 pub(super) fn read(accuracy: &str, timings: &str) -> Result<Vec<Measured>, String> {
     let times = Table::<Timing>::read(timings)?;
     let rows = Table::<Accuracy>::read(accuracy)?.rows.into_iter();
-    let join = |accuracy: Accuracy| {
-        let time = times.find("method", &accuracy.method, &accuracy.regime)?;
-        let time = time.clone();
-        Some(Measured { accuracy, time })
+    let join = |row: Accuracy| {
+        let time = times.find("method", &row.method, &row.regime)?.clone();
+        Some((row, time))
     };
     Ok(rows.filter_map(join).collect())
-}
-
-impl Measured {
-    /// Where it is on a chart: with so many digits right, but for one hit in a thousand.
-    pub(super) fn point(&self) -> Point {
-        let Accuracy {
-            method, precision, ..
-        } = &self.accuracy;
-        Point {
-            method: method.clone(),
-            precision: *precision,
-            ns: self.time.median_ns,
-            digits: digits(self.accuracy.p999_ulps, *precision),
-            is_wrong: self.accuracy.wrong_per_million > 0.0,
-        }
-    }
 }
 
 /// A method on a chart of speed against accuracy.
@@ -62,6 +39,17 @@ pub struct Point {
 }
 
 impl Point {
+    /// What was measured: with so many digits right, but for one hit in a thousand.
+    pub(super) fn of((row, time): &Measured) -> Self {
+        Self {
+            method: row.method.clone(),
+            precision: row.precision,
+            ns: time.median_ns,
+            digits: digits(row.p999_ulps, row.precision),
+            is_wrong: row.wrong_per_million > 0.0,
+        }
+    }
+
     /// What color and mark it has.
     pub(super) fn idea(&self) -> &'static str {
         idea(&self.method)
@@ -85,16 +73,10 @@ pub(super) fn idea(method: &str) -> &'static str {
     }
 }
 
-/// How many decimal digits an error of so many ulps leaves.
-///
-/// An ulp is at most 2⁻⁵² of a number in `f64`, and 2⁻²³ in `f32`. Nothing has
-/// fewer than no digits, and what never hit has none.
+/// How many decimal digits an error of so many ulps leaves, of which one is at most the
+/// epsilon of a number. Nothing has fewer than no digits, and what never hit has none.
 pub(super) fn digits(ulps: Option<f64>, precision: Precision) -> f64 {
-    let bits = match precision {
-        Precision::Double => 52.0,
-        Precision::Single => 23.0,
-    };
-    let left = |ulps: f64| bits * 2_f64.log10() - ulps.max(0.5).log10();
+    let left = |ulps: f64| -(precision.epsilon() * ulps.max(0.5)).log10();
     ulps.map_or(0.0, left).max(0.0)
 }
 

@@ -28,8 +28,3 @@ pub const CHARTS: &[Chart] = &[
     race::PROGRAMS,
     race::TRACING,
 ];
-
-/// The chart of that name.
-pub fn find_chart(name: &str) -> Option<&'static Chart> {
-    CHARTS.iter().find(|chart| chart.name == name)
-}

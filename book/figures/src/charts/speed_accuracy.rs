@@ -9,7 +9,7 @@ use super::methods::{Measured, Point, legend, read};
 use super::panel::{Measure, Panel};
 use crate::number::short;
 use crate::records::{Accuracy, Timing};
-use crate::svg::{Anchor, Svg, spot};
+use crate::svg::{Anchor, Step, Svg, spot};
 use crate::table::Record;
 
 const FILES: &[&str] = &[Accuracy::FILE, Timing::FILE];
@@ -31,8 +31,8 @@ pub(super) const BOOK: Chart = Chart {
         right edge, with its time.",
     files: FILES,
     draw: |files| {
-        let all = read(files[0], files[1])?;
-        let shown = of_regime(&all, "book");
+        let mut shown = with_hits(&read(files[0], files[1])?);
+        shown.retain(|(row, _)| row.regime == "book");
         let svg = BOOK.sheet(720.0);
         Ok(Drawn {
             panels: vec![one_panel(svg, DIGITS, CONFUSED, &points(&shown))],
@@ -53,9 +53,8 @@ pub(super) const REGIMES: Chart = Chart {
     files: FILES,
     draw: |files| {
         let all = read(files[0], files[1])?;
-        let mut regimes: Vec<&str> = all.iter().map(|one| &one.accuracy.regime[..]).collect();
-        regimes.dedup();
-        let situations: Vec<_> = regimes.into_iter().map(|it| of_regime(&all, it)).collect();
+        let situations = all.chunk_by(|(one, _), (other, _)| one.regime == other.regime);
+        let situations: Vec<_> = situations.map(with_hits).collect();
         let panel = |(n, shown): (usize, &Vec<Measured>)| small_panel(n, shown, &all);
         Ok(Drawn {
             panels: situations.iter().enumerate().map(panel).collect(),
@@ -83,7 +82,7 @@ fn one_panel(mut svg: Svg, digits: &str, wrong: &str, shown: &[Point]) -> String
     let [fastest, slowest] = range(shown);
     let range = [fastest, slowest.min(8.0 * fastest)];
     let plot = Plot {
-        panel: panel(digits, spot(28.0, 88.0), spot(354.0, 588.0), range),
+        panel: panel(digits, 88.0, 588.0, range),
         shown,
         name_all: true,
     };
@@ -93,7 +92,7 @@ fn one_panel(mut svg: Svg, digits: &str, wrong: &str, shown: &[Point]) -> String
 
 /// A situation on scales that are wide enough for `all`; the marks are explained in the first.
 fn small_panel(n: usize, shown: &[Measured], all: &[Measured]) -> String {
-    let regime = &shown[0].accuracy.regime;
+    let regime = &shown[0].0.regime;
     let title = find_regime(regime).map_or(&regime[..], |regime| regime.title);
     let explained = if n == 0 { 38.0 } else { 0.0 };
     let mut svg = REGIMES.panel(n + 1, title, 296.0 + explained);
@@ -103,12 +102,7 @@ fn small_panel(n: usize, shown: &[Measured], all: &[Measured]) -> String {
     let top = 56.0 + explained;
     svg.label("ink", spot(4.0, top - 34.0), Anchor::Start, title);
     let plot = Plot {
-        panel: panel(
-            DIGITS,
-            spot(28.0, top),
-            spot(354.0, 196.0),
-            range(&points(all)),
-        ),
+        panel: panel(DIGITS, top, 196.0, range(&points(all))),
         shown: &points(shown),
         name_all: false,
     };
@@ -118,28 +112,28 @@ fn small_panel(n: usize, shown: &[Measured], all: &[Measured]) -> String {
 
 /// The least and the greatest time.
 fn range(points: &[Point]) -> [f64; 2] {
-    let times = || points.iter().map(|one| one.ns);
-    [
-        times().fold(f64::INFINITY, f64::min),
-        times().fold(0.0, f64::max),
-    ]
+    let times = points.iter().map(|one| one.ns);
+    times.fold([f64::INFINITY, 0.0], |[least, most], ns| {
+        [ns.min(least), ns.max(most)]
+    })
 }
 
-fn panel(digits: &str, corner: DVec2, size: DVec2, [fastest, slowest]: [f64; 2]) -> Panel {
+/// A panel of that height, so far below the upper edge of the sheet.
+fn panel(digits: &str, top: f64, height: f64, [fastest, slowest]: [f64; 2]) -> Panel {
     let title = "nanoseconds for one test";
     let times = Measure::logarithmic(title, fastest / 1.25, slowest * 1.25);
     let digits = Measure::linear(digits, -1.0, 17.0, 4.0);
-    Panel::new(corner, size, times, digits)
+    Panel::new(spot(28.0, top), spot(354.0, height), times, digits)
 }
 
 fn points(shown: &[Measured]) -> Vec<Point> {
-    shown.iter().map(Measured::point).collect()
+    shown.iter().map(Point::of).collect()
 }
 
-fn of_regime(all: &[Measured], regime: &str) -> Vec<Measured> {
-    let is_shown =
-        |one: &&Measured| one.accuracy.regime == regime && one.accuracy.p999_ulps.is_some();
-    all.iter().filter(is_shown).cloned().collect()
+/// What has hit anything.
+fn with_hits(measured: &[Measured]) -> Vec<Measured> {
+    let has_hit = |(row, _): &&Measured| row.p999_ulps.is_some();
+    measured.iter().filter(has_hit).cloned().collect()
 }
 
 /// A panel, and what is drawn in it.
@@ -156,13 +150,11 @@ impl Plot<'_> {
 
     fn draw(&self, svg: &mut Svg) {
         self.panel.draw(svg);
+        let mut lines = self.through_reference();
         let front = front(self.shown);
-        let steps = steps(front.iter().map(|one| self.at(one)));
-        svg.path("front line", &steps);
-        let mut lines = vec![steps];
-        for ends in self.through_reference() {
-            svg.line("reference dashed", ends[0], ends[1]);
-            lines.push(ends.to_vec());
+        lines.push(("front line", steps(front.iter().map(|one| self.at(one)))));
+        for (class, points) in &lines {
+            svg.path(class, points);
         }
         let mut sorted: Vec<&Point> = self.shown.iter().collect();
         // The most important ones in front, and named first.
@@ -170,36 +162,45 @@ impl Plot<'_> {
         for one in sorted.iter().rev() {
             one.mark(svg, self.at(one));
         }
-        let pairs = lines.iter().flat_map(|line| line.windows(2));
-        let along = pairs.flat_map(|ends| Place::along(ends[0], ends[1]));
         let marks = sorted.iter().map(|one| Place::around(self.at(one), 6.0));
-        let (low, high) = (self.panel.corner, self.panel.corner + self.panel.size);
-        let room = Place(low - spot(0.0, 8.0), high + spot(16.0, 0.0));
-        let labels = sorted.iter().filter_map(|one| {
-            let name = one.method.clone();
-            let is_named = self.name_all || one.idea() != "ink" || front.contains(one);
-            let text = if one.ns > self.panel.x.axis.most {
-                format!("{name}, {:.0} ns →", one.ns)
-            } else {
-                is_named.then_some(name)?
-            };
-            Some((one.idea(), self.at(one), text))
-        });
-        let labels: Vec<Label> = labels.collect();
+        let pairs = lines.iter().flat_map(|(_, points)| points.windows(2));
+        let along = pairs.flat_map(|ends| Place::along(ends[0], ends[1]));
+        let (low, high) = self.corners();
+        let room = Place(low.down(-8.0), high.right(16.0));
+        let is_named = |one: &Point| self.name_all || one.idea() != "ink" || front.contains(&one);
+        let labels: Vec<Label> = sorted
+            .iter()
+            .filter(|one| is_named(one))
+            .map(|one| self.label(one))
+            .collect();
         write(svg, room, marks.chain(along).collect(), &labels);
     }
 
+    /// The name of a method, at the right edge with its time.
+    fn label(&self, one: &Point) -> Label {
+        let text = if one.ns > self.panel.x.axis.most {
+            format!("{}, {:.0} ns →", one.method, one.ns)
+        } else {
+            one.method.clone()
+        };
+        (one.idea(), self.at(one), text)
+    }
+
     /// The two lines that meet in `half_b`.
-    fn through_reference(&self) -> Vec<[DVec2; 2]> {
+    fn through_reference(&self) -> Vec<(&str, Vec<DVec2>)> {
         let Some(reference) = self.shown.iter().find(|one| one.idea() == "reference") else {
             return Vec::new();
         };
         let DVec2 { x, y } = self.at(reference);
-        let (low, high) = (self.panel.corner, self.panel.corner + self.panel.size);
+        let (low, high) = self.corners();
         vec![
-            [spot(x, low.y), spot(x, high.y)],
-            [spot(low.x, y), spot(high.x, y)],
+            ("reference dashed", vec![spot(x, low.y), spot(x, high.y)]),
+            ("reference dashed", vec![spot(low.x, y), spot(high.x, y)]),
         ]
+    }
+
+    fn corners(&self) -> (DVec2, DVec2) {
+        (self.panel.corner, self.panel.corner + self.panel.size)
     }
 }
 
@@ -247,14 +248,15 @@ fn numbers(shown: &[Measured]) -> String {
         "✗ per million",
     ];
     let row = |one: &Measured| {
+        let (row, time) = one;
         vec![
-            one.accuracy.regime.replace('_', " "),
-            format!("`{}`", one.accuracy.method),
-            format!("{:.2}", one.time.median_ns),
-            format!("{:.2}", one.time.ratio),
-            format!("{:.1}", one.point().digits),
-            one.accuracy.p999_ulps.map_or("none".to_owned(), short),
-            short(one.accuracy.wrong_per_million),
+            row.regime.replace('_', " "),
+            format!("`{}`", row.method),
+            format!("{:.2}", time.median_ns),
+            format!("{:.2}", time.ratio),
+            format!("{:.1}", Point::of(one).digits),
+            row.p999_ulps.map_or("none".to_owned(), short),
+            short(row.wrong_per_million),
         ]
     };
     table(2, &heads.map(str::to_owned), shown.iter().map(row))

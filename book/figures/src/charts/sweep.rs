@@ -97,15 +97,13 @@ fn last<'a>(lines: impl Iterator<Item = &'a Line>) -> i32 {
     lines.flatten().map(|row| row.level).fold(1, i32::max)
 }
 
-/// Draws the lines, and their names beside the panel, in the order in which the
-/// lines end. A cross on a line may lie on several: the name of its method has one too.
+/// Draws the lines, and their names beside the panel. A cross on a line may lie on several:
+/// the name of its method has one too.
 fn plot(svg: &mut Svg, panel: &Panel, lines: &[&Line]) {
     let mut ends: Vec<(DVec2, &Line)> = Vec::new();
     for (idea, stroke) in STROKES {
-        for line in lines
-            .iter()
-            .filter(|line| self::idea(&line[0].method) == idea)
-        {
+        let has_it = |line: &&&Line| self::idea(&line[0].method) == idea;
+        for line in lines.iter().filter(has_it) {
             let at = |row: &Level| panel.at(f64::from(row.level), right_digits(row));
             let points: Vec<DVec2> = line.iter().map(at).collect();
             svg.path(&format!("{idea} {stroke}"), &points);
@@ -116,17 +114,21 @@ fn plot(svg: &mut Svg, panel: &Panel, lines: &[&Line]) {
         }
     }
     ends.sort_by(|one, other| one.0.y.total_cmp(&other.0.y));
-    let heights: Vec<f64> = ends.iter().map(|end| end.0.y).collect();
+    draw_names(svg, panel, &ends);
+}
+
+/// The names of lines, in the order in which these end.
+fn draw_names(svg: &mut Svg, panel: &Panel, ends: &[(DVec2, &Line)]) {
+    let heights: Vec<f64> = ends.iter().map(|(end, _)| end.y).collect();
     let low = panel.corner + panel.size;
     let places = spread(&heights, SMALL + 4.0, panel.corner.y - 6.0, low.y);
-    for ((end, line), y) in ends.into_iter().zip(places) {
+    for ((end, line), y) in ends.iter().zip(places) {
         let beside = spot(low.x + 12.0, y);
-        svg.line("faint thin", end, beside);
+        svg.line("faint thin", *end, beside);
         if first_wrong(line).is_some() {
             cross(svg, beside.right(8.0));
         }
-        let name = beside + spot(16.0, 4.0);
-        let method = &line[0].method;
+        let (name, method) = (beside + spot(16.0, 4.0), &line[0].method);
         svg.small_label(idea(method), name, Anchor::Start, method);
     }
 }
