@@ -41,16 +41,16 @@ impl Package {
     /// If the workspace or cargo is missing, or it can't be built.
     pub fn built(&self) -> Result<Command, Box<dyn Error>> {
         let workspace = draw::workspace()?;
-        let Place {
-            target,
-            profile,
-            programs,
-        } = Place::of_this_program(workspace);
+        let (target, programs) = places(workspace);
         let mut build = Command::new(cargo());
         build
             .args(["build", "--package", self.name, "--bin", self.program])
             // What the tests stand on has the features that they ask for: it is built once.
-            .args(["--package", "suite", "--profile", &profile])
+            .args(["--package", "suite", "--profile"])
+            .arg(match programs.file_name() {
+                Some(profile) if profile != "debug" => profile,
+                _ => "dev".as_ref(),
+            })
             .arg("--manifest-path")
             .arg(workspace.join("Cargo.toml"))
             .arg("--target-dir")
@@ -68,38 +68,20 @@ impl Package {
     }
 }
 
-/// Where cargo puts programs.
-struct Place {
-    target: PathBuf,
-    profile: String,
-    programs: PathBuf,
-}
-
-impl Place {
-    /// Where cargo has put this program; or else, if it is installed, the usual place.
-    fn of_this_program(workspace: &Path) -> Self {
-        let beside = || {
-            let programs = env::current_exe().ok()?.parent()?.to_owned();
-            // Cargo keeps there what it knows of its compiler.
-            let is_target = |folder: &&Path| folder.join(".rustc_info.json").is_file();
-            let target = programs.ancestors().find(is_target)?.to_owned();
-            let folder = programs.file_name()?.to_str()?;
-            let profile = if folder == "debug" { "dev" } else { folder };
-            Some(Self {
-                target,
-                profile: profile.to_owned(),
-                programs,
-            })
-        };
-        beside().unwrap_or_else(|| {
-            let target = workspace.join("target");
-            Self {
-                profile: "dev".to_owned(),
-                programs: target.join("debug"),
-                target,
-            }
-        })
-    }
+/// Where cargo puts all that it builds, and where this program is among that; or else, if it
+/// is installed, the usual places.
+fn places(workspace: &Path) -> (PathBuf, PathBuf) {
+    let beside = || {
+        let programs = env::current_exe().ok()?.parent()?.to_owned();
+        // Cargo keeps there what it knows of its compiler.
+        let is_target = |folder: &&Path| folder.join(".rustc_info.json").is_file();
+        let target = programs.ancestors().find(is_target)?.to_owned();
+        Some((target, programs))
+    };
+    beside().unwrap_or_else(|| {
+        let target = workspace.join("target");
+        (target.clone(), target.join("debug"))
+    })
 }
 
 /// The program that builds crates.

@@ -1,5 +1,5 @@
-//! A chapter on a command line: its name, its number, or its folder as a shell completes
-//! it.
+//! Names on a command line. That of a chapter may be its number, or its folder as a shell
+//! completes it.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -76,4 +76,20 @@ fn is_meant(typed: &OsStr, chapter: Chapter) -> bool {
     [name, &format!("{number}"), &format!("{number}_{name}")]
         .map(OsStr::new)
         .contains(&last)
+}
+
+/// Takes the name of one of these things. Of those that have one name, the first one is meant.
+pub fn named<T>(
+    things: impl IntoIterator<Item = (&'static str, T)>,
+) -> impl TypedValueParser<Value = T>
+where
+    T: Clone + Send + Sync + 'static,
+{
+    let mut things: Vec<(&str, T)> = things.into_iter().collect();
+    things.dedup_by_key(|(name, _)| *name);
+    let names: Vec<&str> = things.iter().map(|(name, _)| *name).collect();
+    PossibleValuesParser::new(names).map(move |typed| {
+        let found = things.iter().find(|(name, _)| typed == *name);
+        found.expect("only their names are accepted").1.clone()
+    })
 }

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use common::engine::output;
 use course::chapter::Chapter;
-use course::names::{companion, from_here};
+use course::names::from_here;
 
 use crate::save::{Format, save};
 
@@ -28,9 +28,8 @@ pub fn folder() -> Result<PathBuf, Box<dyn Error>> {
     fs::create_dir_all(&folder).map_err(|cause| {
         format!(
             "cannot create the folder {}: {cause}\n\
-             Remove what is in its way, or allow yourself to write there. {}",
-            folder.display(),
-            without_it()
+             Remove what is in its way, or allow yourself to write there.",
+            folder.display()
         )
     })?;
     Ok(folder)
@@ -39,19 +38,10 @@ pub fn folder() -> Result<PathBuf, Box<dyn Error>> {
 /// The workspace, which has the sources of the book.
 pub fn workspace() -> Result<&'static Path, Box<dyn Error>> {
     course::workspace::workspace().ok_or_else(|| {
-        format!(
-            "the workspace that this program was built from is not there any more\n\
-             Run this in another clone of it. {}",
-            without_it()
-        )
-        .into()
+        "the workspace that this program was built from is not there any more\n\
+         Run this in another clone of it."
+            .into()
     })
-}
-
-/// What can be done where nothing can be written into the workspace.
-fn without_it() -> String {
-    let companion = companion();
-    format!("To write the picture elsewhere: {companion} show CHAPTER --output FILE")
 }
 
 fn draw(chapter: Chapter, folder: &Path) -> Result<String, Box<dyn Error>> {
@@ -70,7 +60,7 @@ fn draw(chapter: Chapter, folder: &Path) -> Result<String, Box<dyn Error>> {
         let path = folder
             .join(chapter.name())
             .with_extension(format.extension());
-        save(&picture, format, &path).map_err(|error| format!("{error}\n{}", without_it()))?;
+        save(&picture, format, &path)?;
         let kilobytes = fs::metadata(&path)?.len() as f64 / 1e3;
         line += &format!("  .{} {kilobytes:6.1} kB", format.extension());
     }

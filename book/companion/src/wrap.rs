@@ -1,5 +1,7 @@
 //! Line breaking: text as wide as the terminal.
 
+use textwrap::{Options, WordSplitter};
+
 /// How wide text should be, in characters: as the terminal, but no wider than is easy to
 /// read.
 pub(crate) fn text_width() -> usize {
@@ -9,7 +11,18 @@ pub(crate) fn text_width() -> usize {
 
 /// `text` in lines that are no wider than that, those after the first with this indent.
 pub(crate) fn hanging(text: &str, indent: usize) -> String {
-    let indent = " ".repeat(indent);
-    let options = textwrap::Options::new(text_width()).subsequent_indent(&indent);
-    textwrap::fill(text, options)
+    filled(text, text_width(), "", &" ".repeat(indent))
+}
+
+/// `text` in lines of this width, but for a word that is longer, with `first` before the first
+/// of them, and `rest` before the others.
+pub(crate) fn filled(text: &str, width: usize, first: &str, rest: &str) -> String {
+    let options = Options::new(width)
+        .initial_indent(first)
+        .subsequent_indent(rest)
+        .break_words(false)
+        .word_splitter(WordSplitter::NoHyphenation);
+    // A size stays on one line.
+    let text = text.replace(" × ", "\u{a0}×\u{a0}");
+    textwrap::fill(&text, options).replace('\u{a0}', " ")
 }

@@ -177,11 +177,10 @@ fn what_is_known_is_listed_and_drawn() {
     assert_snapshot!(desk.transcript(
         "rtrace probes gradient
          rtrace slips minus-h
-         rtrace slips draw dot-with-swapped-letter --width 32 -o small.ppm
-         rtrace slips draw minus-h --chapter gradient -o other.ppm
-         rtrace slips draw minus-g -o other.ppm
-         rtrace slips draw height-may-be-zero --width 1 -o other.png"
+         rtrace slips dot-with-swapped-letter -o wrong.ppm
+         rtrace slips normals -o other.ppm
+         rtrace slips minus-h -o other.gif"
     ));
     let wrong = suite::slip("dot-with-swapped-letter").program(Chapter::HittableList);
-    assert_eq!(desk.read("small.ppm"), wrong.run(32).to_string());
+    assert_eq!(desk.read("wrong.ppm"), wrong.run(400).to_string());
 }

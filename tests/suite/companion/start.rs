@@ -189,8 +189,10 @@ fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
                 text(&output.stdout) + &text(&output.stderr)
             };
             let said = test(&[]);
-            let (_, pasted) = said.split_once("#[test]\n").expect("a test to paste");
-            let (pasted, _) = pasted.split_once("\n}\n").expect("its end");
+            let pasted = said
+                .split_once("#[test]\n")
+                .and_then(|(_, it)| it.split_once("\n}\n"));
+            let (pasted, _) = pasted.unwrap_or_else(|| panic!("{chapter}, {wrong}: {said}"));
             let source = fs::read_to_string(&law).expect("the test");
             fs::write(&law, format!("{source}\n#[test]\n{pasted}\n}}\n")).expect("it is pasted");
             let said = test(&["this_case_is_right"]);

@@ -19,15 +19,14 @@ use check::scene::Scene;
 use check::sources::Sources;
 use check::verdict::{self, Check};
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::TypedValueParser;
 use common::engine::output;
-use slips::Chapter;
-use slips::{self, Edition, PROBES, Probe, Slip};
+use slips::{Chapter, Edition, PROBES, Probe, Slip};
 
 use input::Source;
 pub(crate) use text::Style;
 
-use crate::chapter::{ChapterOrPicture, First};
+use crate::chapter::{ChapterOrPicture, First, named};
 use crate::misuse::complain;
 use crate::{files, sources};
 
@@ -199,17 +198,9 @@ pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
 }
 
 fn edition_parser() -> impl TypedValueParser<Value = Edition> {
-    // Version 1 in both precisions has one name.
-    let mut names = Edition::ALL.map(Edition::name).to_vec();
-    names.dedup();
-    PossibleValuesParser::new(names).map(|name| {
-        let is_it = |edition: &Edition| edition.name() == name;
-        let edition = Edition::ALL.into_iter().find(is_it);
-        edition.expect("only names of editions are accepted")
-    })
+    named(Edition::ALL.map(|edition| (edition.name(), edition)))
 }
 
 pub(crate) fn probe_parser() -> impl TypedValueParser<Value = Probe> {
-    PossibleValuesParser::new(PROBES.map(|probe| probe.name))
-        .map(|name| slips::find_probe(&name).expect("only names of probes are accepted"))
+    named(PROBES.map(|probe| (probe.name, probe)))
 }

@@ -7,9 +7,9 @@ use check::blind_spots::Next;
 use check::names::{self, companion};
 use check::{Row, workspace};
 use slips::Slip;
-use textwrap::{Options, WordSplitter};
 
 use crate::terminal::Palette;
+use crate::wrap::filled;
 
 /// Bold and color, or neither.
 #[derive(Clone, Copy)]
@@ -106,19 +106,12 @@ fn probe(next: &Next) -> String {
     format!("\n{first}  {}\n", next.scene.command())
 }
 
-/// No line is longer, but for a word that is.
+/// How wide the answer is, whatever the terminal.
 const WIDTH: usize = 100;
 
 /// The text, with this before its first line and that before the others.
 fn wrapped(text: &str, first: &str, rest: &str) -> String {
-    let options = Options::new(WIDTH)
-        .initial_indent(first)
-        .subsequent_indent(rest)
-        .break_words(false)
-        .word_splitter(WordSplitter::NoHyphenation);
-    // A size stays on one line.
-    let text = text.replace(" × ", "\u{a0}×\u{a0}");
-    textwrap::fill(&text, options).replace('\u{a0}', " ") + "\n"
+    filled(text, WIDTH, first, rest) + "\n"
 }
 
 /// The page and the file that have it right.

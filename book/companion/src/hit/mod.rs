@@ -9,12 +9,13 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::TypedValueParser;
 use common::rtweekend::*;
-use speed_vs_accuracy::{Case, METHODS, Method, find};
+use speed_vs_accuracy::{Case, METHODS, Method};
 
 pub(crate) use one::{ORDINARY, under_the_microscope};
 
+use crate::chapter::named;
 use number::{bound, finite, vector};
 
 /// What `cargo rtrace hit` is told.
@@ -84,6 +85,5 @@ pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 }
 
 fn method_parser() -> impl TypedValueParser<Value = Method> {
-    PossibleValuesParser::new(METHODS.iter().map(|method| method.name))
-        .map(|name| find(&name).expect("only names of methods are accepted"))
+    named(METHODS.iter().map(|method| (method.name, *method)))
 }

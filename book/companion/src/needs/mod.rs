@@ -3,14 +3,15 @@
 //! The scene is drawn by every method, each is timed on its rays, and the cheapest
 //! one that draws every pixel right is named, in each precision.
 
-mod file;
 mod folder;
 mod text;
 
 use std::error::Error;
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use check::names;
 use clap::{Args, value_parser};
 use common::engine::output;
 use common::rtweekend::*;
@@ -18,7 +19,7 @@ use measure::contest::Effort;
 use measure::cost;
 use measure::needs::Found;
 use measure::progress::Progress;
-use measure::scene_file::WIDEST;
+use measure::scene_file::{self, WIDEST};
 use measure::wrong_pixels::{self, Drawn};
 use speed_vs_accuracy::{METHODS, Precision, Scene};
 
@@ -72,7 +73,7 @@ const EFFORT: Effort = Effort {
 
 /// Draws the scene by every method, and says what it needs.
 pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let mut scene = file::read(&arguments.scene)?;
+    let mut scene = read(&arguments.scene)?;
     scene.width = arguments.width.unwrap_or(scene.width);
     let folder = match &arguments.output {
         Some(folder) => folder.clone(),
@@ -103,4 +104,17 @@ fn look_into(scene: &Scene) -> (Picture, Vec<Found>) {
     let found = precisions.into_iter().zip([double, single]);
     let found = found.map(|(precision, views)| Found::new(scene, precision, views, &times));
     (right, found.collect())
+}
+
+/// The scene that the file at `path` describes, under the name of the file.
+///
+/// # Errors
+/// If it can't be read; or its first mistake, with line and column.
+fn read(path: &Path) -> Result<Scene, Box<dyn Error>> {
+    let shown = names::spelled(path);
+    let text = fs::read_to_string(path).map_err(|cause| {
+        format!("cannot read {shown}: {cause}\nA scene is a TOML file; --help shows an example.")
+    })?;
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    scene_file::read(&name, &text).map_err(|mistake| format!("{shown}: {mistake}").into())
 }

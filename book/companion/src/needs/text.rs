@@ -21,18 +21,11 @@ pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[Strin
         1 => "1 sphere".to_owned(),
         count => format!("{count} spheres"),
     };
-    let sun = if scene.sun.is_some() {
-        " and a sun"
-    } else {
-        ""
-    };
+    let sun = scene.sun.map_or("", |_| " and a sun");
     let name = names::visible(&scene.name);
     let mut text = format!("{name}: {spheres}{sun}, {width} × {height} pixels\n");
-    if found
-        .iter()
-        .flat_map(|found| &found.rows)
-        .all(|row| row.view.radii.is_none())
-    {
+    let mut rows = found.iter().flat_map(|found| &found.rows);
+    if rows.all(|row| row.view.radii.is_none()) {
         text += "No ray meets a sphere: the picture shows only sky.\n";
     }
     for precision in Precision::ALL {
@@ -42,31 +35,17 @@ pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[Strin
             None => text += "These numbers do not fit into f32: they overflow, or become 0.\n",
         }
     }
-    let times = format!(
-        "Times: {} profile, {}.{}",
-        profile(),
-        machine::machine(),
-        faster()
-    );
+    let profile = if cfg!(debug_assertions) {
+        "dev profile"
+    } else {
+        "release profile"
+    };
+    let times = format!("Times: {profile}, {}. {FASTER}", machine::machine());
     let written = format!("In {}: {}", names::spelled(folder), files.join(", "));
     text + "\n" + &paragraph(&times) + &paragraph(&written)
 }
 
-/// What the compiler was allowed to do.
-fn profile() -> &'static str {
-    if cfg!(debug_assertions) {
-        "dev"
-    } else {
-        "release"
-    }
-}
-
-fn faster() -> &'static str {
-    match profile() {
-        "dev" => " Fully optimized: cargo run --release --package companion -- needs SCENE",
-        _ => "",
-    }
-}
+const FASTER: &str = "Fully optimized: cargo run --release --package companion -- needs SCENE";
 
 fn one_precision(found: &Found) -> String {
     let mut text = paragraph(&verdict(found));

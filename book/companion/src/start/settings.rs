@@ -7,6 +7,8 @@ use check::workspace::workspace;
 use common::engine::output;
 use slips::{Chapter, steps};
 
+use crate::wrap::filled;
+
 /// Where the workspace is, as seen from a crate: one that lies in it moves with it.
 pub(super) fn from_crate(folder: &Path, workspace: &Path) -> PathBuf {
     let real = |folder: &Path| folder.canonicalize().ok();
@@ -61,15 +63,9 @@ pub(super) fn about(chapter: Chapter) -> String {
         "//! Chapter {number}, {}, typed by hand.\n//!\n",
         chapter.name()
     );
-    for (step, says) in (1..).zip(steps::of(chapter).iter().map(|step| step.says)) {
-        let lines = textwrap::wrap(says, 72);
-        for (n, line) in lines.iter().enumerate() {
-            let label = match n {
-                0 => format!("{step}."),
-                _ => "  ".to_owned(),
-            };
-            about += &format!("//! {label} {line}\n");
-        }
+    for (number, step) in (1..).zip(steps::of(chapter)) {
+        about += &filled(step.says, 76, &format!("//! {number}. "), "//!    ");
+        about.push('\n');
     }
     about + "\n"
 }

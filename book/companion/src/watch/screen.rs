@@ -9,7 +9,7 @@ use check::whole::{Line, Verdict};
 
 use crate::check::Style;
 use crate::terminal::{self, Palette};
-use crate::wrap::text_width;
+use crate::wrap::{filled, text_width};
 
 /// No more lines than this, whatever there is to say.
 const MOST_LINES: usize = 25;
@@ -21,9 +21,8 @@ const PICTURE: (u32, u32) = (32, 9);
 pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], took: Duration) -> String {
     let mut lines = vec![head(title, took)];
     lines.extend(pictures(verdict));
-    let headline = names::visible(&verdict.headline);
-    let headline = textwrap::wrap(&headline, text_width());
-    lines.extend(headline.iter().map(|line| colored(line, verdict)));
+    let headline = filled(&names::visible(&verdict.headline), text_width(), "", "");
+    lines.extend(headline.lines().map(|line| colored(line, verdict)));
     let next = match verdict.next.as_str() {
         "" => Vec::new(),
         next => wrapped("next", next),
@@ -118,14 +117,7 @@ fn shown(line: &Line) -> Vec<String> {
 
 /// The text in as many lines as it takes, with the label before the first.
 fn wrapped(label: &str, text: &str) -> Vec<String> {
-    let lines = textwrap::wrap(text, text_width() - labeled("", "").len()).into_iter();
-    let labels = iter::once(label).chain(iter::repeat(""));
-    labels
-        .zip(lines)
-        .map(|(label, line)| labeled(label, &line))
-        .collect()
-}
-
-fn labeled(label: &str, text: &str) -> String {
-    format!("{label:<9}  {}", names::visible(text))
+    let (first, rest) = (format!("{label:<9}  "), " ".repeat(11));
+    let lines = filled(&names::visible(text), text_width(), &first, &rest);
+    lines.lines().map(str::to_owned).collect()
 }
