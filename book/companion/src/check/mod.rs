@@ -83,14 +83,14 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     if let Some(folder) = &arguments.report {
         files::refuse_strangers(folder, page::KIND)?;
     }
-    let named = match chapter {
-        Some(chapter) => Some(arguments.scene(chapter)?),
-        None => None,
-    };
+    let scene = chapter
+        .map(|chapter| arguments.scene(chapter))
+        .transpose()?;
     // What a program is made of may lie beside it.
-    let (sources, letters) = match arguments.program.is_empty() {
-        true => (Sources::default(), None),
-        false => sources::of_program(&arguments.program, Path::new(".")),
+    let (sources, letters) = if arguments.program.is_empty() {
+        (Sources::default(), None)
+    } else {
+        sources::of_program(&arguments.program, Path::new("."))
     };
     let can_be_made = |slip: &Slip| letters.is_none_or(|letters| slip.can_be_made_in(letters));
     let known = Known {
@@ -99,34 +99,7 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         can_be_made: Some(&can_be_made),
         ..Known::default()
     };
-    let bytes = source.read(arguments.timeout);
-    let reading = bytes.and_then(|bytes| reading::read(&bytes));
-    let tolerance = arguments.tolerance;
-    let (scene, check, encoding) = match reading {
-        Ok(reading) => {
-            let (scene, check) = match named {
-                Some(scene) => (scene, verdict::judge(&scene, &reading, tolerance, &known)),
-                None => {
-                    let guessed = arguments.guessed(&reading)?;
-                    verdict::judge_guessed(&guessed, &reading, tolerance, &known)
-                }
-            };
-            (scene, check, reading.encoding)
-        }
-        Err(cause) => {
-            let scene = named.map_or_else(|| arguments.scene(Chapter::BuildTest), Ok)?;
-            let finding = None;
-            (scene, Check::NotAPicture { cause, finding }, None)
-        }
-    };
-    let judged = Judged {
-        scene,
-        is_guessed: named.is_none(),
-        name: source.to_string(),
-        encoding,
-        known,
-        check,
-    };
+    let judged = arguments.judged(scene, &source, known)?;
     let report = arguments.report.as_ref();
     let report = report
         .map(|folder| page::write(folder, &judged))
@@ -134,14 +107,8 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     let page = report.as_ref().ok().and_then(Option::as_deref);
     let said = text::text(&judged, page, Style::of_stdout());
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
-    match report {
-        Ok(_) => Ok(judged.check.exit_code()),
-        // The picture is judged all the same.
-        Err(error) => {
-            complain(&format!("rtrace: {error}"));
-            Ok(2)
-        }
-    }
+    // The picture is judged all the same.
+    report.map(|_| judged.check.exit_code())
 }
 
 impl Arguments {
@@ -164,6 +131,41 @@ impl Arguments {
             .into()),
             (None, _) => Ok((None, program)),
         }
+    }
+
+    /// The judgment on the picture: of the `scene`, if a chapter is named.
+    fn judged<'a>(
+        &self,
+        scene: Option<Scene>,
+        source: &Source,
+        known: Known<'a>,
+    ) -> Result<Judged<'a>, Box<dyn Error>> {
+        let (is_guessed, tolerance) = (scene.is_none(), self.tolerance);
+        let bytes = source.read(self.timeout);
+        let (scene, check, encoding) = match (bytes.and_then(|it| reading::read(&it)), scene) {
+            (Ok(reading), Some(scene)) => {
+                let check = verdict::judge(&scene, &reading, tolerance, &known);
+                (scene, check, reading.encoding)
+            }
+            (Ok(reading), None) => {
+                let guessed = self.guessed(&reading)?;
+                let (scene, check) = verdict::judge_guessed(&guessed, &reading, tolerance, &known);
+                (scene, check, reading.encoding)
+            }
+            (Err(cause), scene) => {
+                let scene = scene.map_or_else(|| self.scene(Chapter::BuildTest), Ok)?;
+                let finding = None;
+                (scene, Check::NotAPicture { cause, finding }, None)
+            }
+        };
+        Ok(Judged {
+            scene,
+            is_guessed,
+            name: source.to_string(),
+            encoding,
+            known,
+            check,
+        })
     }
 
     fn scene(&self, chapter: Chapter) -> Result<Scene, Box<dyn Error>> {

@@ -138,27 +138,13 @@ impl New {
         if own && written.is_none() && chapter > Chapter::Gradient {
             *lib += &format!("\n{}", skeletons::OWN_SKY);
         }
-        let ours = settings::from_crate(folder, workspace);
-        let lock = fs::read_to_string(workspace.join("Cargo.lock"));
-        let path = settings::with_slashes(&ours);
-        // The standard library asks the system for a random number to seed its hash tables.
-        let number = RandomState::new().build_hasher().finish();
-        let texts = [
-            ("src/main.rs", skeletons::main(chapter, own)),
-            ("tests/laws.rs", skeletons::test(chapter, own)),
-            (
-                "Cargo.toml",
-                skeletons::manifest(chapter, own, &path, number),
-            ),
-            // The same versions as ours: they have been downloaded.
-            ("Cargo.lock", lock.unwrap_or_default()),
-            (".cargo/config.toml", settings::config(&ours, workspace)),
-        ];
         let prelude = skeletons::OWN_PRELUDE.map(|(name, text)| (name, text.to_owned()));
         let prelude = prelude.into_iter().filter(|_| own && !has_own);
         // In the order in which they are typed.
         carried.files.rotate_left(1);
-        let files = prelude.chain(carried.files).chain(texts);
+        let files = prelude
+            .chain(carried.files)
+            .chain(given(chapter, own, folder, workspace));
         let copies = written.map_or(Vec::new(), |Written { folder, files, .. }| {
             let copy = |name: PathBuf| (folder.join(&name), name);
             files.into_iter().map(copy).collect()
@@ -210,4 +196,27 @@ impl New {
             mine.watch(self.chapter)
         )
     }
+}
+
+/// The files that the reader need not touch.
+fn given(
+    chapter: Chapter,
+    own: bool,
+    folder: &Path,
+    workspace: &Path,
+) -> [(&'static str, String); 5] {
+    let ours = settings::from_crate(folder, workspace);
+    let path = settings::with_slashes(&ours);
+    // The standard library asks the system for a random number to seed its hash tables.
+    let number = RandomState::new().build_hasher().finish();
+    let manifest = skeletons::manifest(chapter, own, &path, number);
+    let lock = fs::read_to_string(workspace.join("Cargo.lock"));
+    [
+        ("src/main.rs", skeletons::main(chapter, own)),
+        ("tests/laws.rs", skeletons::test(chapter, own)),
+        ("Cargo.toml", manifest),
+        // The same versions as ours: they have been downloaded.
+        ("Cargo.lock", lock.unwrap_or_default()),
+        (".cargo/config.toml", settings::config(&ours, workspace)),
+    ]
 }

@@ -64,7 +64,7 @@ pub(super) fn about(chapter: Chapter) -> String {
         chapter.name()
     );
     for (number, step) in (1..).zip(steps::of(chapter)) {
-        about += &filled(step.says, 76, &format!("//! {number}. "), "//!    ");
+        about += &filled(step.says, 79, &format!("//! {number}. "), "//!    ");
         about.push('\n');
     }
     about + "\n"
