@@ -4,7 +4,7 @@ use std::fs;
 
 use insta::assert_snapshot;
 use slips::Chapter;
-use suite::command::{picture_in, rtrace_alone, text, woven};
+use suite::command::{picture_in, rtrace_alone, woven};
 use suite::desk::Desk;
 use suite::drawn::p3;
 
@@ -107,28 +107,4 @@ fn rtrace_alone_draws_every_picture_twice_and_then_weaves_the_book() {
     let [pictures, book] = ["The pictures are in", "The book is in"].map(|it| report.find(it));
     assert!(pictures < book, "{report}");
     assert!(woven().join("index.html").is_file());
-}
-
-/// Linux asks `xdg-open`, in the place of which there is a script that takes a copy.
-#[cfg(target_os = "linux")]
-#[test]
-fn open_hands_the_picture_to_the_viewer() {
-    use std::os::unix::fs::PermissionsExt;
-    use std::time::{Duration, Instant};
-
-    let desk = Desk::default();
-    desk.write("xdg-open", "#!/bin/sh\ncp \"$1\" new && mv new seen\n");
-    fs::set_permissions(desk.path("xdg-open"), fs::Permissions::from_mode(0o755))
-        .expect("its mode");
-    let path = std::env::var("PATH").expect("a PATH");
-    let mut show = desk.command("rtrace show normals --open -o picture.png");
-    show.env("PATH", format!("{}:{path}", desk.path("").display()));
-    let output = suite::command::run(&mut show);
-    assert!(text(&output.stdout).starts_with("400 × 225 pixels in "));
-    let patience = Instant::now() + Duration::from_secs(10);
-    while !desk.path("seen").is_file() {
-        assert!(Instant::now() < patience, "the viewer has not been asked");
-        std::thread::sleep(Duration::from_millis(10));
-    }
-    assert!(picture_in(&desk.path("seen")) == normals::picture(400));
 }

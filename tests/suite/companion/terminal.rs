@@ -5,9 +5,9 @@ use std::fs::File;
 use std::io::Read;
 use std::os::fd::OwnedFd;
 use std::path::PathBuf;
-use std::process::{Command, Output, Stdio};
-use std::sync::LazyLock;
-use std::thread;
+use std::process::{Child, Command, Output, Stdio};
+use std::sync::{Arc, LazyLock, Mutex};
+use std::thread::{self, JoinHandle};
 
 use rustix::fs::{Mode, OFlags};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
@@ -16,7 +16,7 @@ use suite::command::{assert_success, path_of, program, program_with, text};
 
 /// A terminal of 80 columns and 24 lines: what it shows can be read from the first end,
 /// and a program writes to the second.
-pub(crate) fn open() -> (File, OwnedFd) {
+fn open() -> (File, OwnedFd) {
     let controller = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).expect("a terminal");
     grantpt(&controller).expect("access to the terminal");
     unlockpt(&controller).expect("the terminal is unlocked");
@@ -33,8 +33,35 @@ pub(crate) fn open() -> (File, OwnedFd) {
     (File::from(controller), terminal)
 }
 
+/// What has appeared on a terminal.
+pub(crate) struct Screen {
+    pub(crate) shown: Arc<Mutex<Vec<u8>>>,
+    reader: JoinHandle<()>,
+}
+
+/// Starts `command` with a terminal of 80 columns and 24 lines as its standard output.
+pub(crate) fn start(command: &mut Command) -> (Child, Screen) {
+    let (mut controller, end) = open();
+    forget_ours(command);
+    let child = command.stdout(end).spawn().expect("the program starts");
+    // The command holds the terminal too, and its end is read only when that is closed.
+    command.stdout(Stdio::null());
+    let shown = Arc::new(Mutex::new(Vec::new()));
+    let screen = Arc::clone(&shown);
+    let reader = thread::spawn(move || {
+        let mut piece = [0; 4096];
+        // When the other end is closed, some systems end the file and some
+        // report an error; what was read until then counts.
+        while let Ok(length @ 1..) = controller.read(&mut piece) {
+            let mut screen = screen.lock().expect("the other thread only reads");
+            screen.extend_from_slice(&piece[..length]);
+        }
+    });
+    (child, Screen { shown, reader })
+}
+
 /// Takes nothing from whoever runs the tests that says which colors a terminal has.
-pub(crate) fn forget_ours(command: &mut Command) {
+fn forget_ours(command: &mut Command) {
     let said: Vec<OsString> = command.get_envs().map(|(name, _)| name.into()).collect();
     for name in ["COLORTERM", "NO_COLOR", "FORCE_COLOR", "CI"] {
         if !said.iter().any(|said| said == name) {
@@ -130,23 +157,13 @@ fn show(chapter: &str) -> Command {
     program_with("rtrace", &["show", chapter])
 }
 
-/// Runs `command` with a terminal of 80 columns and 24 lines as its standard
-/// output. Returns what it did, and what appeared on that terminal.
+/// Runs `command` to its end. Returns what it did, and what appeared on its terminal.
 fn run_in_terminal(command: &mut Command) -> (Output, String) {
-    let (mut controller, end) = open();
-    forget_ours(command);
-    let reader = thread::spawn(move || {
-        let mut screen = Vec::new();
-        // When the other end is closed, some systems end the file and some
-        // report an error; what was read until then counts.
-        let _ = controller.read_to_end(&mut screen);
-        text(&screen).replace("\r\n", "\n")
-    });
-    let child = command.stdout(end).stderr(Stdio::piped()).spawn();
-    let child = child.expect("the program starts");
-    // The command holds the terminal too; only when nobody does, the reader
-    // sees the end.
-    command.stdout(Stdio::null());
+    let (child, screen) = start(command.stderr(Stdio::piped()));
     let output = child.wait_with_output().expect("the program ends");
-    (output, reader.join().expect("the screen was read"))
+    screen.reader.join().expect("the screen was read");
+    (
+        output,
+        text(&screen.shown.lock().expect("it")).replace("\r\n", "\n"),
+    )
 }

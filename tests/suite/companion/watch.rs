@@ -1,17 +1,16 @@
 //! The loop from a save to a verdict, watched in a terminal as a reader sees it.
 
 use std::fs;
-use std::io::Read;
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use insta::assert_binary_snapshot;
 use rustix::process::{Pid, Signal, kill_process};
 
-use crate::terminal::{self, hears_signals};
+use crate::terminal::{self, Screen, hears_signals};
 use suite::command::{run, text};
+use suite::desk::Desk;
 use suite::drawn::shown_in;
 use suite::left_out::left_out;
 use suite::mine::Mine;
@@ -24,11 +23,11 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
     mine.make("red_sphere", &[]);
     let started = mine.desk.run("rtrace start normals");
     keep("start", &text(&started.stdout));
-    let mut desk = Desk::sit_down(&mine.rtrace(&["watch", "normals"]));
-    desk.see("Not written yet");
+    let mut watch = Watched::start(&mine.rtrace(&["watch", "normals"]));
+    watch.see("Not written yet");
 
     mine.edit("normals", RAY_COLOR_TODO, RED_DISC);
-    desk.see("src/lib.rs:");
+    watch.see("src/lib.rs:");
     // The first mistake: a bracket too few. The compiler says so itself.
     let bracket_lost = FULL.replace("(2.0 * a)", "(2.0 * a");
     mine.edit(
@@ -36,13 +35,13 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
         HIT_SPHERE_TODO,
         &HIT_SPHERE_TODO.replace("todo!()", &bracket_lost),
     );
-    let screen = desk.see("It does not compile");
+    let screen = watch.see("It does not compile");
     assert!(plain(&screen).contains("src/lib.rs"), "{screen}");
     mine.edit("normals", "(2.0 * a", "(2.0 * a)");
-    keep("step", &desk.see("Step 1 of 3 is right."));
+    keep("step", &watch.see("Step 1 of 3 is right."));
 
     mine.edit("normals", RED_BODY, GRAY_BODY);
-    keep("gray", &desk.see("Step 2 of 3 is right."));
+    keep("gray", &watch.see("Step 2 of 3 is right."));
 
     // The second: the normal points inwards.
     mine.edit(
@@ -50,18 +49,18 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
         GRAY_BODY,
         &NORMAL_BODY.replace("ray.at(t) - center", "center - ray.at(t)"),
     );
-    keep("wrong", &desk.see("Wrong:"));
+    keep("wrong", &watch.see("Wrong:"));
     mine.edit("normals", "center - ray.at(t)", "ray.at(t) - center");
-    desk.see("The laws hold.");
+    watch.see("The laws hold.");
 
     // The third: the sign of b.
     mine.edit("normals", "let b = -2.0", "let b = 2.0");
-    let screen = plain(&desk.see("Wrong:"));
+    let screen = plain(&watch.see("Wrong:"));
     assert!(screen.contains("should be  let b = -2.0"), "{screen}");
     mine.edit("normals", "let b = 2.0", "let b = -2.0");
-    keep("right", &desk.see("The laws hold."));
+    keep("right", &watch.see("The laws hold."));
 
-    for screen in desk.screens() {
+    for screen in watch.screens() {
         let lines: Vec<usize> = plain(&screen)
             .lines()
             .map(|line| line.chars().count())
@@ -73,7 +72,7 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
             plain(&screen)
         );
     }
-    desk.leave();
+    watch.leave();
     let list = fs::read_to_string(mine.path().join("done.md")).expect("the list");
     for done in ["step 1 shows", "the picture is right", "the laws hold"] {
         assert_eq!(list.matches(done).count(), 1, "{list}");
@@ -93,11 +92,11 @@ fn a_program_in_any_language_is_watched_with_its_folder() {
         left_out("there is no Python here to watch a program of");
         return;
     };
-    let here = suite::desk::Desk::default();
+    let here = Desk::default();
     here.write("gradient.py", GRADIENT_PY);
-    let watch = format!("rtrace watch gradient --timeout 60 -- {python} gradient.py");
-    let mut desk = Desk::sit_down(&here.command(&watch));
-    desk.see("Right: all 64 × 36 pixels");
+    let line = format!("rtrace watch gradient --timeout 60 -- {python} gradient.py");
+    let mut watch = Watched::start(&here.command(&line));
+    watch.see("Right: all 64 × 36 pixels");
 
     let save = |old: &str, new: &str| {
         let source = here.read("gradient.py");
@@ -105,26 +104,26 @@ fn a_program_in_any_language_is_watched_with_its_folder() {
         here.write("gradient.py", source.replace(old, new));
     };
     save("(1 - a) * 1 + a * 0.5", "(1 - a) * 1 + a * a * 0.5");
-    desk.see("Wrong:");
+    watch.see("Wrong:");
     save("import math", "import maths");
-    assert!(plain(&desk.see("It ended with")).contains("maths"));
+    assert!(plain(&watch.see("It ended with")).contains("maths"));
     save("import maths", "import math\nimport time\ntime.sleep(600)");
     // It hangs, and is not waited for once there is something newer.
     thread::sleep(Duration::from_millis(400));
     let writes = "open(str(time.time()), 'w').write('own')";
     save("time.sleep(600)", writes);
-    desk.see("Wrong:");
+    watch.see("Wrong:");
     // A program that writes a new file on every run is not judged for ever.
-    desk.see_no_more();
+    watch.see_no_more();
     save("(1 - a) * 1 + a * a * 0.5", "(1 - a) * 1 + a * 0.5");
-    desk.see("Right:");
+    watch.see("Right:");
     fs::remove_dir_all(here.path("")).expect("the folder goes");
-    assert!(!desk.ended().success());
+    assert!(!watch.ended().success());
 }
 
 #[test]
 fn what_cannot_be_watched_is_said() {
-    let here = suite::desk::Desk::default();
+    let here = Desk::default();
     // The terminal shows it, and does not obey.
     let bell = r"printf 'panicked at \007:\nnot yet implemented' >&2; exit 101";
     here.write("bell.sh", bell);
@@ -142,20 +141,19 @@ fn what_cannot_be_watched_is_said() {
     insta::assert_snapshot!(said.lines().map(timed).collect::<String>());
 }
 
-/// Somebody at a terminal, before whom the program runs.
-struct Desk {
+/// A program that runs at a terminal.
+struct Watched {
     child: Child,
-    shown: Arc<Mutex<Vec<u8>>>,
-    /// How much of it has been seen.
+    screen: Screen,
+    /// How many screens have been seen.
     seen: usize,
 }
 
 /// What clears the screen.
 const CLEAR: &str = "\x1b[2J\x1b[H";
 
-impl Desk {
-    fn sit_down(wanted: &Command) -> Self {
-        let (mut controller, end) = terminal::open();
+impl Watched {
+    fn start(wanted: &Command) -> Self {
         let mut command = hears_signals(wanted.get_program().into());
         command.args(wanted.get_args());
         for (name, value) in wanted.get_envs() {
@@ -164,29 +162,22 @@ impl Desk {
         if let Some(folder) = wanted.get_current_dir() {
             command.current_dir(folder);
         }
-        command.env("COLORTERM", "truecolor");
-        terminal::forget_ours(&mut command);
-        command.stdout(end).stderr(Stdio::null());
-        let child = command.spawn().expect("the program starts");
-        let shown = Arc::new(Mutex::new(Vec::new()));
-        let screen = Arc::clone(&shown);
-        thread::spawn(move || {
-            let mut piece = [0; 4096];
-            while let Ok(length @ 1..) = controller.read(&mut piece) {
-                let mut screen = screen.lock().expect("nobody panics with it");
-                screen.extend_from_slice(&piece[..length]);
-            }
-        });
+        command.env("COLORTERM", "truecolor").stderr(Stdio::null());
+        let (child, screen) = terminal::start(&mut command);
         Self {
             child,
-            shown,
+            screen,
             seen: 0,
         }
     }
 
+    fn shown(&self) -> String {
+        text(&self.screen.shown.lock().expect("it is only read")).replace("\r\n", "\n")
+    }
+
     /// All screens so far, each as it was before the next one replaced it.
     fn screens(&self) -> Vec<String> {
-        let shown = text(&self.shown.lock().expect("nobody panics with it")).replace("\r\n", "\n");
+        let shown = self.shown();
         let screens = shown.split(CLEAR).skip(1);
         // What is said while the next one is made stays on the line of the cursor.
         let whole = screens.map(|screen| screen.trim_end_matches("judging …"));
@@ -241,7 +232,7 @@ impl Desk {
     fn leave(mut self) {
         kill_process(Pid::from_child(&self.child), Signal::INT).expect("it is running");
         assert!(!self.ended().success());
-        let shown = text(&self.shown.lock().expect("nobody panics with it"));
+        let shown = self.shown();
         assert!(
             !shown.contains("\x1b[?"),
             "a mode of the terminal was changed"
@@ -251,7 +242,7 @@ impl Desk {
     }
 }
 
-impl Drop for Desk {
+impl Drop for Watched {
     fn drop(&mut self) {
         let _ = self.child.kill();
         let _ = self.child.wait();
