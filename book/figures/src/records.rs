@@ -111,32 +111,6 @@ pub struct Level {
     pub answers: u64,
 }
 
-/// How often a way to leave a surface is wrong about the sun, on a ground of one radius
-/// near a ball that may be in the way.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-pub struct Shadows {
-    /// The name of the way to leave.
-    pub leaving: String,
-    /// What numbers there are.
-    #[serde(with = "PrecisionName")]
-    pub precision: Precision,
-    /// The k of a radius of 10ᵏ.
-    pub level: i32,
-    /// The method that says what is in the way of a ray that has left.
-    pub tester: String,
-    /// How many questions it was asked.
-    pub questions: usize,
-    /// Of a million answers, those that see a shadow where the sun shines.
-    pub false_shadows_per_million: f64,
-    /// Of a million answers, those that see the sun where something is in its way.
-    pub light_leaks_per_million: f64,
-    /// How far from the hit point the first hit is that counts, in radii of the ground:
-    /// half of the rays pass over no more.
-    pub passed_over_radii: f64,
-    /// A sum of the first few answers, by which a test knows them again.
-    pub answers: u64,
-}
-
 /// How many pixels of a scene a method gets wrong.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct WrongPixels {
@@ -167,27 +141,25 @@ pub struct Timing {
     /// | `chain` | a method | the same where each ray waits for the answer before it: the latency |
     /// | `record` | `half_b` | chapter 5's own function, with its record of the hit |
     /// | `ray` | `nothing` | the ray is made, and nothing is asked |
-    /// | `leaving` | a way to leave | where one ray starts that leaves a sphere, and whether it meets it |
-    /// | `nearest` | `half_b`, `certified_nearest` | which of `n` spheres is first, by a loop over the method and for certain |
     pub what: String,
-    /// A method, or a way to leave.
+    /// A method.
     pub name: String,
     /// What numbers it computes with.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
     /// A regime, or `all_hits`: the rays of `book` that hit; `_shuffled` if they are not in
-    /// the picture's order. For `nearest` also `many`: 64 spheres at random.
+    /// the picture's order.
     #[serde(rename = "where")]
     pub place: String,
-    /// How many at a time: rays, or spheres.
+    /// How many rays at a time.
     pub n: usize,
     /// Nanoseconds: half of the rounds took less, half more. It has the digits on which
     /// half of the rounds agree, as `ratio` has.
     pub median_ns: f64,
     /// Nanoseconds in the quickest round.
     pub least_ns: f64,
-    /// The median, over rounds, of the time divided by that of the first of its group in
-    /// the same round: `half_b` on the same rays, or the way to leave `at_once`.
+    /// The median, over rounds, of the time divided by that of `half_b` on the same rays in
+    /// the same round.
     pub ratio: f64,
     /// Instructions, as valgrind counts them. Only of `book` and `all_hits`.
     pub instructions: Option<f64>,
@@ -248,7 +220,6 @@ files! {
     Worst: "measured/worst.snap.csv",
     Tightness: "measured/tightness.csv",
     Level: "measured/sweeps.csv",
-    Shadows: "measured/shadows.csv",
     WrongPixels: "measured/scenes.snap.csv",
     Timing: "measured/timings.csv",
     Race: "speed/heats.csv",

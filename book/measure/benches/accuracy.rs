@@ -8,7 +8,7 @@ use std::path::Path;
 use clap::Parser;
 use common::engine::output;
 use figures::table::{Record, Table};
-use measure::{accuracy, shadows};
+use measure::accuracy;
 
 /// How exact each method of chapter 6 is.
 #[derive(Parser)]
@@ -21,8 +21,8 @@ struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
 
-    /// Ask a million cases, 3840 × 2160 pixels, and 100 000 cases at each level and
-    /// on each ground, and keep the result in book/notes/measured
+    /// Ask a million cases, 3840 × 2160 pixels, and 100 000 cases at each level, and
+    /// keep the result in book/notes/measured
     #[arg(long, conflicts_with_all = ["cases", "seed"])]
     record: bool,
 
@@ -40,8 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     } = Arguments::parse();
     if record {
         keep(accuracy::table(1_000_000, usize::MAX, seed))?;
-        keep(accuracy::sweeps(100_000, seed))?;
-        return Ok(keep(shadows::table(100_000, seed))?);
+        return Ok(keep(accuracy::sweeps(100_000, seed))?);
     }
     let table = accuracy::table(cases.get(), cases.get(), seed);
     Ok(output::to_stdout(|out| {

@@ -10,9 +10,8 @@ mod precision;
 mod workload;
 
 pub use certified::{
-    D_BAND, Departure, LEAVINGS, Leaving, Stage, after_t_min, at_once, certified_f32,
-    certified_hit, certified_nearest, certified_t, exact, exact_discriminant, integer_offset,
-    optix_offset, pbrt_offset, proven_offset, stage_of_hit, stage_of_t,
+    D_BAND, Stage, certified_f32, certified_hit, certified_nearest, certified_t, exact,
+    exact_discriminant, proven_offset, stage_of_hit, stage_of_t,
 };
 pub use method::{Discriminant, Method, Solve};
 pub use methods::{

@@ -1,162 +1,145 @@
 //! Rays that leave a surface: what `proven_offset` promises, for spheres and points that
-//! nobody would draw. The judges are exact arithmetic and the plain tests themselves.
+//! a search for trouble would draw. The judges are exact arithmetic and the plain tests
+//! themselves.
 
 use std::ops::RangeInclusive;
 
 use common::rtweekend::*;
-use figures::records::Shadows;
-use figures::table::{Record, Table};
 use laws::Case;
 use laws::oracle::Exact;
 use laws::strategies::samples;
-use measure::shadows;
+use measure::scene_file::find_scene;
 use proptest::prelude::*;
-use speed_vs_accuracy::{Departure, Method, Precision, proven_offset};
+use speed_vs_accuracy::{Method, Precision, proven_offset};
 
-mod the_proven_offset {
-    use super::*;
-
-    #[test]
-    fn lets_no_ray_out_into_its_sphere_and_no_ray_in_beside_it() {
-        for precision in Precision::ALL {
-            for case in hostile(precision) {
-                let left = leave(&case, precision);
-                assert_eq!(left.t_min, 0.0);
-                for method in plain(precision).iter().chain([&Method::EXACT]) {
-                    assert_eq!(
-                        is_met(&case, &left, method),
-                        goes_in(&case),
-                        "{} in {}: {case}",
-                        method.name,
-                        precision.name()
-                    );
-                }
-            }
-        }
-    }
-
-    /// |c| > 8u·M is what the filter of the certified methods asks for.
-    #[test]
-    fn starts_where_the_sign_of_c_survives_its_rounding() {
-        for case in hostile(Precision::Double) {
-            let Departure { ray, .. } = leave(&case, Precision::Double);
-            let oc_squared = (case.center - ray.origin).length_squared();
-            let r_squared = case.radius * case.radius;
-            let c = oc_squared - r_squared;
-            let away = if goes_in(&case) { -c } else { c };
-            let band = 4.0 * f64::EPSILON * (oc_squared + r_squared);
-            assert!(away > band, "{away} of {band}: {case}");
-        }
-    }
-
-    /// The proof says from 15.4u·r + 0.9u·|C| to 29u·r + 3.1u·|C|.
-    #[test]
-    fn goes_as_far_as_is_proved_and_no_farther() {
-        for precision in Precision::ALL {
-            let u = precision.epsilon() / 2.0;
-            for case in hostile(precision) {
-                let left = leave(&case, precision);
-                let moved = case.with_ray(left.ray.origin, left.ray.direction);
-                // With x = |P − C|/r, the margin is (x² − 1) / (x² + 1).
-                let margin = Exact::of(&moved).origin_margin();
-                let x = ((1.0 + margin) / (1.0 - margin)).sqrt();
-                let away = (x - 1.0).abs();
-                let center = u * case.center.length() / case.radius;
-                // What is found here is itself rounded to f64.
-                let rounding = 4.0 * f64::EPSILON;
-                let [least, most] = [15.4 * u + 0.9 * center, 29.0 * u + 3.1 * center];
-                let proved = least - rounding..=most + rounding;
-                assert!(proved.contains(&away), "{away} of {proved:?}: {case}");
-            }
-        }
-    }
-
-    #[test]
-    fn is_none_where_there_may_be_no_such_point() {
-        let leave = |center: Point3, radius: f64, point: Point3| {
-            proven_offset(center, radius, point, Vec3::X, Precision::Double)
+/// The scene of the specks, in `f32`: the ground shades itself in spite of 0.001, and not
+/// if the ray starts where it should. A small ball casts no shadow because of 0.001.
+#[test]
+fn a_thousandth_is_too_little_on_a_large_ground_and_too_much_under_a_small_ball() {
+    let scene = find_scene("shadows").expect("it is one of the seven");
+    let sun = scene.sun.expect("it casts shadows");
+    let (center, radius) = scene.spheres[1];
+    let camera = Camera::new(100);
+    let pixels = (0..camera.image_height).flat_map(|j| (0..100).map(move |i| (i, j)));
+    let leaving = pixels.filter_map(|(i, j)| {
+        let ground = Case {
+            center,
+            radius,
+            ray: scene.ray(&camera.ray(i, j)),
         };
-        assert!(leave(Point3::ZERO, 1.0, Point3::X).is_some());
-        for radius in [0.0, -1.0, 1e-80, 1e80, f64::INFINITY, f64::NAN] {
-            assert_eq!(leave(Point3::ZERO, radius, Point3::X), None, "{radius}");
-        }
-        for point in [0.0, 1e-80, 1e80, f64::INFINITY, f64::NAN] {
-            let point = Point3::new(point, 0.0, 0.0);
-            assert_eq!(leave(Point3::ZERO, 1.0, point), None, "{point}");
-        }
-        // On either side of the sizes for which there is a proof.
-        let single = |radius: f64| {
-            let point = radius * Point3::X;
-            proven_offset(Point3::ZERO, radius, point, Vec3::X, Precision::Single).is_some()
+        let t = ground.put_to(&Method::HALF_B_F32, 0.0, f64::INFINITY)?;
+        let point = ground.point(t, Precision::Single);
+        Some(ground.with_ray(point, sun).rounded(Precision::Single))
+    });
+    let is_met = |case: &Case, t_min| {
+        case.put_to(&Method::HALF_B_F32, t_min, f64::INFINITY)
+            .is_some()
+    };
+    let leaving: Vec<Case> = leaving.collect();
+    let specks = leaving.iter().filter(|case| is_met(case, 0.001)).count();
+    assert!(100 * specks > leaving.len(), "{specks}");
+    for case in leaving {
+        assert!(!is_met(&moved(&case, Precision::Single), 0.0), "{case}");
+    }
+
+    let ball = Case {
+        center: Point3::new(0.0, 1.0005, 0.0),
+        radius: 0.0004,
+        ray: Ray::new(Point3::Y, Vec3::Y),
+    };
+    let ground = Case {
+        center: Point3::ZERO,
+        radius: 1.0,
+        ..ball
+    };
+    let from_there = ball.with_ray(moved(&ground, Precision::Double).ray.origin, Vec3::Y);
+    let hits = |case: &Case, t_min| case.put_to(&Method::HALF_B, t_min, f64::INFINITY);
+    assert_eq!(hits(&ball, 0.001), None);
+    assert!(hits(&from_there, 0.0).is_some());
+}
+
+/// By whichever test: every third ray that goes out does so, as exact arithmetic sees it.
+#[test]
+fn a_ray_that_leaves_at_once_may_meet_its_own_sphere() {
+    let asked = samples(&crate::hostile::leaving_the_surface(0.0..=3.0), 4000);
+    let out: Vec<Case> = asked.into_iter().filter(|case| !goes_in(case)).collect();
+    let met = out.iter().filter(|case| is_met(case, &Method::EXACT));
+    let share = met.count() as f64 / out.len() as f64;
+    assert!((0.2..0.5).contains(&share), "{share}");
+}
+
+#[test]
+fn the_proven_offset_lets_no_ray_out_into_its_sphere_and_no_ray_in_beside_it() {
+    for precision in Precision::ALL {
+        // Those whose answer is proved.
+        let methods: &[Method] = match precision {
+            Precision::Double => &[Method::EXACT, Method::HALF_B, Method::HALF_B_Q],
+            Precision::Single => &[Method::EXACT, Method::HALF_B_F32],
         };
-        assert_eq!(
-            [0.9e-7, 1.1e-7, 0.9e9, 1.1e9].map(single),
-            [false, true, true, false]
-        );
-        let at = |away: f64| leave(away / f64::EPSILON * Point3::Y, 1.0, Point3::ZERO).is_some();
-        assert_eq!([0.49, 0.51].map(at), [true, false]);
-        // Where numbers are 2 apart, there is no room for a sphere.
-        for center in [1e16, f64::INFINITY, f64::NAN] {
-            let center = Point3::new(center, 0.0, 0.0);
-            assert_eq!(leave(center, 1.0, Point3::ZERO), None, "{center}");
+        for case in hostile(precision) {
+            for method in methods {
+                let name = method.name;
+                let is_met = is_met(&moved(&case, precision), method);
+                assert_eq!(is_met, goes_in(&case), "{name} in {precision:?}: {case}");
+            }
         }
     }
 }
 
-/// `measured/shadows.csv`
-mod what_was_measured {
-    use super::*;
-
-    /// So many that the first five hundred clear ones are among them.
-    #[test]
-    fn is_answered_as_it_was_when_a_part_is_asked_again() {
-        let again = shadows::table(700, 1).rows;
-        let recorded = recorded();
-        assert_eq!(recorded.len(), again.len(), "rows of {}", Shadows::FILE);
-        for (old, new) in recorded.iter().zip(&again) {
-            let key = |row: &Shadows| (row.leaving.clone(), row.level, row.tester.clone());
-            assert_eq!(
-                (key(old), old.answers),
-                (key(new), new.answers),
-                "it was measured otherwise. If that was meant:\n\
-                 cargo bench -p measure --bench accuracy -- --record"
-            );
-        }
-    }
-
-    #[test]
-    fn is_wrong_with_the_others_at_their_scales() {
-        for row in recorded() {
-            let [dark, light] = wrong(&row).map(|share| share > 0.0);
-            let k = row.level;
-            let expected = match (&*row.leaving, row.precision) {
-                ("at_once", _) => [true, false],
-                ("after_t_min", Precision::Double) => [false, k <= 3],
-                ("after_t_min", Precision::Single) => [k >= 1, k <= -1],
-                ("integer_offset", _) => [k != 0, k <= -2],
-                ("optix_offset", Precision::Double) => [k == 7 && row.tester == "exact", false],
-                _ => [false, false],
-            };
-            assert_eq!([dark, light], expected, "{row:?}");
-        }
-    }
-
-    fn wrong(row: &Shadows) -> [f64; 2] {
-        [row.false_shadows_per_million, row.light_leaks_per_million]
-    }
-
-    fn recorded() -> Vec<Shadows> {
-        let file = include_str!("../../../book/notes/measured/shadows.csv");
-        Table::read(file).expect("the file is well-formed").rows
+/// |c| > 8u·M is what the filter of the certified methods asks for.
+#[test]
+fn the_sign_of_c_survives_its_rounding_at_the_proven_offset() {
+    for case in hostile(Precision::Double) {
+        let moved = moved(&case, Precision::Double);
+        let away = if goes_in(&case) {
+            -moved.c()
+        } else {
+            moved.c()
+        };
+        let band = 4.0 * f64::EPSILON * moved.m();
+        assert!(away > band, "{away} of {band}: {case}");
     }
 }
 
-/// Methods whose answer is proved.
-fn plain(precision: Precision) -> &'static [Method] {
-    match precision {
-        Precision::Double => &[Method::HALF_B, Method::HALF_B_Q],
-        Precision::Single => &[Method::HALF_B_F32],
+/// The proof says from 15.4u·r + 0.9u·|C| to 29u·r + 3.1u·|C|.
+#[test]
+fn the_proven_offset_goes_as_far_as_is_proved_and_no_farther() {
+    for precision in Precision::ALL {
+        let u = precision.epsilon() / 2.0;
+        for case in hostile(precision) {
+            // With x = |P − C|/r, the margin is (x² − 1) / (x² + 1).
+            let margin = Exact::of(&moved(&case, precision)).origin_margin();
+            let x = ((1.0 + margin) / (1.0 - margin)).sqrt();
+            let away = (x - 1.0).abs();
+            let center = u * case.center.length() / case.radius;
+            // What is found here is itself rounded to f64.
+            let rounding = 4.0 * f64::EPSILON;
+            let [least, most] = [15.4 * u + 0.9 * center, 29.0 * u + 3.1 * center];
+            let proved = least - rounding..=most + rounding;
+            assert!(proved.contains(&away), "{away} of {proved:?}: {case}");
+        }
     }
+}
+
+#[test]
+fn there_is_no_proven_offset_where_there_may_be_no_such_point() {
+    let is_some = |precision, away: f64, radius: f64, point: f64| {
+        let center = away * Point3::Y;
+        proven_offset(center, radius, point * Point3::X, Vec3::X, precision).is_some()
+    };
+    let double = |away, radius, point| is_some(Precision::Double, away, radius, point);
+    assert!(double(0.0, 1.0, 1.0));
+    for size in [0.0, -1.0, 1e-80, 1e80, f64::INFINITY, f64::NAN] {
+        assert!(!double(0.0, size, 1.0), "{size}");
+        assert!(size == -1.0 || !double(0.0, 1.0, size), "{size}");
+    }
+    // On either side of the sizes for which there is a proof.
+    let single = |size| is_some(Precision::Single, 0.0, size, size);
+    let found = [0.9e-7, 1.1e-7, 0.9e9, 1.1e9].map(single);
+    assert_eq!(found, [false, true, true, false]);
+    let far = [0.49, 0.51, f64::INFINITY, f64::NAN].map(|away| away / f64::EPSILON);
+    let found = far.map(|away| double(away, 1.0, 0.0));
+    assert_eq!(found, [true, false, false, false]);
 }
 
 /// Spheres, points on them or far off, as the origins of rays, and directions as near to a
@@ -168,6 +151,7 @@ fn hostile(precision: Precision) -> Vec<Case> {
     };
     let size = |k: RangeInclusive<f64>| k.prop_map(|k| 10_f64.powf(k));
     let sign = || prop_oneof![Just(1.0), Just(-1.0)];
+    let unit = laws::strategies::unit;
     let strategy = (
         (size(sizes), size(distances), unit()),
         (unit(), unit(), sign(), size(offs)),
@@ -194,16 +178,12 @@ fn hostile(precision: Precision) -> Vec<Case> {
     cases.filter(is_off_center).collect()
 }
 
-fn unit() -> impl Strategy<Value = Vec3> {
-    let number = || -1.0..1.0;
-    (number(), number(), number())
-        .prop_map(|(x, y, z)| Vec3::new(x, y, z).try_normalize().unwrap_or(Vec3::X))
-}
-
-fn leave(case: &Case, precision: Precision) -> Departure {
+/// The same ray, from where it should start.
+fn moved(case: &Case, precision: Precision) -> Case {
     let Ray { origin, direction } = case.ray;
-    proven_offset(case.center, case.radius, origin, direction, precision)
-        .unwrap_or_else(|| panic!("there is no way to leave: {case}"))
+    let from = proven_offset(case.center, case.radius, origin, direction, precision)
+        .unwrap_or_else(|| panic!("there is no way to leave: {case}"));
+    case.with_ray(from, direction)
 }
 
 /// As the function itself sees it: the ray turns towards the center.
@@ -211,7 +191,6 @@ fn goes_in(case: &Case) -> bool {
     case.ray.direction.dot(case.ray.origin - case.center) < 0.0
 }
 
-fn is_met(case: &Case, left: &Departure, method: &Method) -> bool {
-    let case = case.with_ray(left.ray.origin, left.ray.direction);
-    case.put_to(method, left.t_min, f64::INFINITY).is_some()
+fn is_met(case: &Case, method: &Method) -> bool {
+    case.put_to(method, 0.0, f64::INFINITY).is_some()
 }

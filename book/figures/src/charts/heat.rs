@@ -4,14 +4,12 @@ use glam::DVec2;
 
 use crate::svg::{Anchor, Svg};
 
-/// Draws a cell of which this share is wrong, in one of six depths: a tick where none is,
+/// Draws a cell of which this share is wrong, in one of four depths: a tick where none is,
 /// and otherwise these `words`.
 pub(super) fn cell(svg: &mut Svg, corner: DVec2, size: DVec2, wrong: f64, words: &str) {
     let depth = match wrong {
         0.0 => 0,
-        ..1e-4 => 1,
-        ..1e-3 => 2,
-        ..1e-2 => 3,
+        ..1e-2 => 1,
         ..1e-1 => 4,
         _ => 5,
     };

@@ -7,7 +7,6 @@ mod labels;
 mod methods;
 mod panel;
 mod race;
-mod shadows;
 mod speed_accuracy;
 mod sweep;
 mod wrong_pixels;
@@ -24,7 +23,6 @@ pub const CHARTS: &[Chart] = &[
     sweep::GRAZING,
     failure_map::CHART,
     wrong_pixels::CHART,
-    shadows::CHART,
     race::PROGRAMS,
     race::TRACING,
 ];

@@ -1,10 +1,8 @@
-//! Microbenchmark: how long each method of chapter 6 takes, and each way to leave a surface.
+//! Microbenchmark: how long each method of chapter 6 takes.
 
 mod about;
 mod instructions;
-mod leaving;
 mod one_by_one;
-mod several_spheres;
 
 use std::error::Error;
 use std::path::Path;
@@ -17,7 +15,7 @@ use speed_vs_accuracy::{METHODS, Method};
 
 use measure::contest::{Effort, Group};
 
-/// How long each method of chapter 6 takes, and each way to leave a surface.
+/// How long each method of chapter 6 takes.
 #[derive(Parser)]
 struct Arguments {
     /// A tenth of the rounds: within seconds instead of a minute or two
@@ -52,8 +50,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut groups: Vec<Group> = one_by_one::in_order().into();
     let counted: usize = groups.iter().map(|group| group.0.len()).sum();
     groups.extend(one_by_one::groups());
-    groups.push(leaving::group());
-    groups.extend(several_spheres::groups());
     let mut timings = Table::<Timing> {
         about: about::about(&effort),
         rows: measure::contest::run(groups, &effort),

@@ -10,10 +10,10 @@ use speed_vs_accuracy::{Precision, REGIMES, Random, certified_hit};
 pub(crate) const CASES: usize = 16_384;
 
 /// Which cases.
-pub(crate) const SEED: u64 = 1;
+const SEED: u64 = 1;
 
 /// The spheres of the book.
-pub(crate) const SPHERES: [(Point3, f64); 2] = [
+const SPHERES: [(Point3, f64); 2] = [
     (Point3::new(0.0, 0.0, -1.0), 0.5),
     (Point3::new(0.0, -100.5, -1.0), 100.0),
 ];
@@ -57,7 +57,7 @@ pub(crate) fn groups() -> Vec<Group> {
 }
 
 /// The camera of the book.
-pub(crate) fn camera() -> Camera {
+fn camera() -> Camera {
     Camera::new(400)
 }
 

@@ -33,10 +33,7 @@ use sharper::sharper;
 
 pub use exact::{exact, exact_discriminant};
 pub use filter::D_BAND;
-pub use leaving::{
-    Departure, LEAVINGS, Leaving, after_t_min, at_once, integer_offset, optix_offset, pbrt_offset,
-    proven_offset,
-};
+pub use leaving::proven_offset;
 pub use nearest::certified_nearest;
 
 impl Method {
