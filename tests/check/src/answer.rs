@@ -164,7 +164,9 @@ impl Judged<'_> {
     fn explained(&self, finding: &Finding) -> Vec<Part> {
         let pixels = finding.right.rgb().len() / 3;
         let mut parts = Vec::new();
-        if let Some(mistakes) = &finding.mistakes {
+        if finding.repair.is_some() {
+            // The lines say it.
+        } else if let Some(mistakes) = &finding.mistakes {
             parts.push(Part::Title(mistakes.title(pixels)));
             let single = finding.single();
             if single.iter().any(|slip| !slip.name.is_empty()) {

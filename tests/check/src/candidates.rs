@@ -72,7 +72,9 @@ pub(crate) fn pairs<'a>(
 /// The chapter with an expression as the reader has it.
 pub(crate) fn typed(evidence: &Evidence) -> Vec<Candidate> {
     let scene = evidence.scene;
-    if evidence.known.sources.is_empty() || scene.probe.is_some() {
+    // A crate of ours is repaired.
+    let sources = &evidence.known.sources;
+    if sources.is_empty() || sources.are_of_the_chapter() || scene.probe.is_some() {
         return Vec::new();
     }
     let changes = transplant::typed(scene.chapter, &evidence.known.sources);

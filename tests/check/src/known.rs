@@ -4,9 +4,10 @@ use slips::{Edition, Letters, Program, Slip, Words};
 
 use crate::candidate::Candidate;
 use crate::reading::Reading;
+use crate::repair::Repair;
 use crate::scene::Scene;
 pub(crate) use crate::sources::Said;
-use crate::sources::{Line, Sources, Unlike, in_no_language};
+use crate::sources::{Line, Sources, in_no_language};
 
 /// How many answers were given, and how many of them a program would not give.
 pub type Asked<'a> = dyn Fn(&Program) -> (usize, usize) + 'a;
@@ -62,15 +63,11 @@ impl Known<'_> {
         self.can_be_made.is_none_or(|can_be| can_be(slip)) && self.said(slip, scene) != Said::Right
     }
 
-    /// The few places that are not as the chapter has them, if one of them may have the
-    /// mistake: an own prelude may have it too, unless a function answers wrongly.
-    pub(crate) fn unlike(&self, scene: &Scene) -> &[Unlike] {
-        let is_right = || self.is_answered_by(&scene.unchanged().program(&[]));
-        if self.sources.have_a_prelude() && is_right() {
-            &[]
-        } else {
-            self.sources.unlike()
-        }
+    /// Whether the slip's line is right in the reader's files once they are repaired.
+    pub(crate) fn is_mended(&self, slip: &Slip, scene: &Scene, repair: &Repair) -> bool {
+        let words = self.words(slip, scene);
+        let repaired = Sources::new(repair.files.clone(), Vec::new());
+        self.sources.say(&words) != Said::Right && repaired.say(&words) == Said::Right
     }
 
     /// What the reader's files say of the slip. A line that an older edition has is wrong in

@@ -22,6 +22,7 @@ pub mod known;
 mod pixels;
 pub mod png;
 pub mod reading;
+mod repair;
 pub mod report;
 pub mod scene;
 mod seen;

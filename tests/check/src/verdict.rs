@@ -8,6 +8,7 @@ use crate::comparison::{Comparison, Difference};
 use crate::judge::{Explanation, Fit, explain};
 use crate::known::{Evidence, Known};
 use crate::reading::{self, Cause, Reading};
+use crate::repair::Repair;
 use crate::scene::Scene;
 use crate::telling;
 use crate::{causes, copies, seen};
@@ -88,8 +89,8 @@ pub struct Finding {
     pub sights: Vec<String>,
     /// The numbers of the first pixel that differs, as they should be, likewise.
     pub first: Vec<(&'static str, String)>,
-    /// Whether the few lines that are not as the chapter has them explain it.
-    pub is_typed: bool,
+    /// What makes the reader's program right, if that was found.
+    pub repair: Option<Repair>,
     /// Whether it explains all answers of the reader's functions, too.
     pub is_answered: bool,
 }
@@ -216,7 +217,7 @@ fn of_right(
 ) -> Check {
     if !known.is_answered_by(&right.scene.program(&[]))
         && let Answer::Of(finding) = Finding::of(scene, reading, known)
-        && finding.mistakes.is_some()
+        && (finding.mistakes.is_some() || finding.repair.is_some())
     {
         return Check::Wrong(*finding);
     }
@@ -243,7 +244,7 @@ impl Finding {
     /// What explains the picture.
     fn of(scene: &Scene, reading: &Reading, known: &Known) -> Answer {
         let evidence = Evidence::new(scene, reading, known);
-        Answer::Of(Box::new(match explain(&evidence) {
+        let finding = match explain(&evidence) {
             Explanation::Another(scenes) => return Answer::Another(scenes),
             // The width that a probe is about was forgotten.
             Explanation::Near(fit)
@@ -269,7 +270,31 @@ impl Finding {
                 ..Self::beside(&evidence, &fit.candidates[0])
             },
             Explanation::Nothing(right) => Self::unknown(&evidence, &right),
-        }))
+        };
+        Answer::Of(Box::new(finding.repaired(&evidence)))
+    }
+
+    /// The same with what makes the reader's program right, and of the mistakes that draw its
+    /// picture only that which goes with it.
+    fn repaired(mut self, evidence: &Evidence) -> Self {
+        let is_exact = self.near.as_ref().is_some_and(Near::is_exact);
+        if self.scene.step().is_some() || is_exact && self.is_answered {
+            return self;
+        }
+        let sources = &evidence.known.sources;
+        let Some(repair) = Repair::of(&evidence.scene, evidence.reading, sources) else {
+            return self;
+        };
+        // Colors of the reader's own remain a choice.
+        self.near = self.near.filter(Near::has_own_colors);
+        if let Some(mistakes) = &mut self.mistakes {
+            let (known, scene) = (evidence.known, mistakes.scene);
+            let is_mended = |slip: &&'static Slip| known.is_mended(slip, &scene, &repair);
+            mistakes.all.retain(|slips| slips.iter().all(is_mended));
+        }
+        self.mistakes = self.mistakes.filter(|it| it.all.len() == 1);
+        self.repair = Some(repair);
+        self
     }
 
     /// What is the same whatever explains it.
@@ -292,7 +317,7 @@ impl Finding {
             mistakes: None,
             sights: Vec::new(),
             first: Vec::new(),
-            is_typed: false,
+            repair: None,
             is_answered: evidence.known.is_answered_by(&program),
         }
     }
@@ -311,7 +336,6 @@ impl Finding {
         Self {
             sights,
             first,
-            is_typed: !evidence.known.unlike(&evidence.scene).is_empty(),
             ..finding
         }
     }
@@ -372,8 +396,11 @@ impl Mistakes {
 impl Near {
     /// Whether it is right to the last bit: a step on the way.
     pub fn is_exact(&self) -> bool {
-        let is_the_books = self.scene.chosen == self.scene.without_choices().chosen;
-        self.left.is_nothing() && !self.is_antialiased && is_the_books
+        self.left.is_nothing() && !self.is_antialiased && !self.has_own_colors()
+    }
+
+    fn has_own_colors(&self) -> bool {
+        self.scene.chosen != self.scene.without_choices().chosen
     }
 }
 

@@ -10,7 +10,6 @@ use crate::names;
 use crate::reading::Cause;
 use crate::scene::Scene;
 use crate::verdict::{self, Check, Finding, Right};
-use crate::words::unlike;
 
 /// What a program has come to.
 #[derive(Default)]
@@ -191,9 +190,7 @@ impl Evidence<'_> {
         }
         let (can_say, cause) = match self.laws {
             Some(Laws::Broken(report) | Laws::BrokenPrelude(report)) => {
-                let unlike = unlike(self.scene, self.known).into_iter();
-                let unlike = unlike.map(|(label, text)| labeled(label, text));
-                ("a law is broken", unlike.chain(law(report)).collect())
+                ("a law is broken", law(report))
             }
             Some(Laws::Unknown(errors)) => ("the laws can't be tried", printed(errors)),
             Some(Laws::Obeyed) | None => {
@@ -241,6 +238,7 @@ impl Evidence<'_> {
     fn of_near_picture(&self, finding: Finding) -> Verdict {
         let verdict = Verdict {
             headline: format!("Right, but {}.", finding.but()),
+            cause: self.rows(&finding),
             next: "as the book has it, it can be compared to the last bit".to_owned(),
             ..Verdict::default()
         };
@@ -327,7 +325,7 @@ impl Evidence<'_> {
         let mut cause = self.rows(&finding);
         let is_unknown = finding.mistakes.is_none();
         match self.laws {
-            _ if finding.is_typed => {}
+            _ if finding.repair.is_some() => {}
             Some(Laws::Broken(report)) if !finding.is_answered || is_unknown => {
                 cause.extend(law(report));
             }

@@ -7,8 +7,9 @@ use slips::{Letters, Probe, Slip};
 
 use crate::candidate::{Conversion, Left};
 use crate::known::Known;
+use crate::repair::{Change, Repair, Right};
 use crate::scene::{Chosen, Scene};
-use crate::sources::{Line, Unlike};
+use crate::sources::Line;
 use crate::verdict::{Finding, Mistakes, Near};
 
 /// A label and what it is about; without a label it goes on with the row before.
@@ -22,25 +23,29 @@ const WARNINGS: usize = 2;
 impl Finding {
     /// What explains the picture, or else what is to be seen.
     pub fn rows(&self, known: &Known) -> Vec<Row> {
+        if let Some(repair) = &self.repair {
+            let why = self
+                .single()
+                .first()
+                .map(|slip| known.words(slip, &self.scene).why);
+            let why = why.filter(|why| !why.is_empty());
+            let why = why.map(|why| ("why", why.to_owned()));
+            return repair.rows().into_iter().chain(why).collect();
+        }
         if self.near.is_some() {
             return Vec::new();
         }
         let warnings = known.warnings.iter().take(WARNINGS);
         let warnings = warnings.map(|it| ("warned", it.clone()));
-        let unlike = unlike(&self.scene, known);
         let explained = match &self.mistakes {
-            Some(mistakes) => mistakes.rows(known, &unlike),
+            Some(mistakes) => mistakes.rows(known),
             None => {
                 let seen = self.sights.iter().map(|it| ("seen", it.clone()));
                 let first = self.first.iter().cloned();
                 seen.chain(first).collect()
             }
         };
-        warnings
-            .chain(lints(known))
-            .chain(unlike)
-            .chain(explained)
-            .collect()
+        warnings.chain(lints(known)).chain(explained).collect()
     }
 
     /// A small change that tells the mistakes apart, and the command that judges its picture.
@@ -99,11 +104,10 @@ impl Mistakes {
         format!("this picture, but for {}", self.left.said(pixels))
     }
 
-    /// Each mistake in the reader's letters. Lines of the reader's that are not the chapter's
-    /// stand for it, if there are.
-    fn rows(&self, known: &Known, unlike: &[Row]) -> Vec<Row> {
+    /// Each mistake in the reader's letters.
+    fn rows(&self, known: &Known) -> Vec<Row> {
         if let [mistake] = &self.all[..] {
-            return self.in_full(mistake, known, !unlike.is_empty());
+            return self.in_full(mistake, known);
         }
         let wrong = |mistake: &Vec<&'static Slip>| {
             let words = mistake.iter().map(|slip| known.words(slip, &self.scene));
@@ -117,7 +121,7 @@ impl Mistakes {
         shown.chain(more).collect()
     }
 
-    fn in_full(&self, mistake: &[&'static Slip], known: &Known, is_shown: bool) -> Vec<Row> {
+    fn in_full(&self, mistake: &[&'static Slip], known: &Known) -> Vec<Row> {
         let rows = mistake.iter().flat_map(|slip| {
             let words = known.words(slip, &self.scene);
             let is_typed = self.is_typed();
@@ -127,8 +131,7 @@ impl Mistakes {
                 None => ("probably", words.wrong.into_owned()),
             };
             let lines = [wrong, ("should be", words.right.into_owned())];
-            let lines = lines.into_iter().filter(move |_| !is_shown);
-            let lines = lines.filter(|(_, said)| !said.is_empty());
+            let lines = lines.into_iter().filter(|(_, said)| !said.is_empty());
             let why = Some(words.why).filter(|why| !why.is_empty());
             lines.chain(why.map(|why| ("why", why.to_owned())))
         });
@@ -201,18 +204,35 @@ pub fn names_of(mistake: &[&'static Slip]) -> String {
     names.join(" and ")
 }
 
-/// The reader's lines that are not as the chapter has them, with the chapter's.
-pub(crate) fn unlike(scene: &Scene, known: &Known) -> Vec<Row> {
-    known.unlike(scene).iter().flat_map(rows_of).collect()
+impl Repair {
+    /// The reader's lines and what should be there, and that it was tried.
+    fn rows(&self) -> Vec<Row> {
+        let with = match &self.changes[..] {
+            [_] => "with it",
+            _ => "with all of this",
+        };
+        let tried = match self.is_hidden {
+            true => format!("{with} your functions answer as the chapter's do"),
+            false => format!("{with} your program draws the picture"),
+        };
+        let changes = self.changes.iter().flat_map(Change::rows);
+        changes.chain([("tried", tried)]).collect()
+    }
 }
 
-fn rows_of(unlike: &Unlike) -> Vec<Row> {
-    let Unlike { yours, chapter, .. } = unlike;
-    if unlike.is_missing {
-        let below = format!("below {}:{}  {chapter}", yours.file, yours.number);
-        return vec![("missing", below)];
+impl Change {
+    fn rows(&self) -> Vec<Row> {
+        let Line { file, number, .. } = &self.yours;
+        let right = match &self.right {
+            Right::More(where_to, line) => {
+                return vec![("missing", format!("{where_to} {file}:{number}  {line}"))];
+            }
+            Right::Line(line) => line.clone(),
+            Right::Nothing => "left out".to_owned(),
+            Right::Function(chapters) => format!("as in {}:{}", chapters.file, chapters.number),
+        };
+        vec![("yours", self.yours.to_string()), ("should be", right)]
     }
-    vec![("yours", yours.to_string()), ("should be", chapter.clone())]
 }
 
 /// The reader's lines that are wrong in any program.

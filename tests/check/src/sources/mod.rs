@@ -108,6 +108,15 @@ impl Sources {
         self.yours.iter().any(|it| it.name == "src/rtweekend.rs")
     }
 
+    /// Those in Rust but for the program's own, the root first.
+    pub(crate) fn in_rust(&self) -> Vec<(String, String)> {
+        let is_read = |it: &&File| it.name.ends_with(".rs") && !it.name.ends_with("main.rs");
+        let files = self.yours.iter().filter(is_read);
+        let mut files: Vec<_> = files.map(|it| (it.name.clone(), it.text.clone())).collect();
+        files.sort_by_key(|(name, _)| !name.ends_with("lib.rs"));
+        files
+    }
+
     /// Whether nothing is known of them.
     pub(crate) fn is_empty(&self) -> bool {
         self.yours.is_empty()

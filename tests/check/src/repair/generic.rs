@@ -1,0 +1,232 @@
+//! Mutation operators, backwards: edits that undo what is often mistyped, at each expression of
+//! a function.
+
+use super::edit::{Edit, Proposal, ranked, roots};
+use super::functions::Function;
+use super::letters::locals;
+use super::tree::{ATOM, Tree};
+
+/// Each is less likely than an edit that brings the chapter nearer.
+const UNLIKELY: u32 = 5;
+/// Signs, comparisons and methods, each of which is mistaken for the others of its group.
+const MISTAKEN: [&[&str]; 9] = [
+    &["+", "-", "*", "/"],
+    &["<", ">", "<=", ">="],
+    &["&&", "||"],
+    &["length", "length_squared"],
+    &["min", "max"],
+    &["first", "last"],
+    &["any", "all"],
+    &["x", "y", "z"],
+    &["origin", "direction"],
+];
+/// Numbers that stand in many formulas, and factors that are forgotten.
+const NUMBERS: [&str; 4] = ["0.0", "1.0", "0.5", "2.0"];
+const FACTORS: [&str; 3] = ["0.5", "2.0", "4.0"];
+const METHODS: [&str; 3] = ["normalize", "sqrt", "abs"];
+
+/// The edits of a function, with the numbers of the chapter's if there is one.
+pub(super) fn edits(yours: &Function, right: Option<&Function>) -> Vec<Edit> {
+    let mut names: Vec<String> = yours.parameters.clone();
+    names.extend(locals(&yours.body).iter().map(|it| it.name.to_owned()));
+    let fields = yours
+        .body
+        .nodes()
+        .into_iter()
+        .chain(right.iter().flat_map(|it| it.body.nodes()));
+    let fields = fields
+        .map(Tree::text)
+        .filter(|it| it.starts_with("self.") && !it.contains('('));
+    names.extend(fields.filter(|it| it.matches('.').count() == 1));
+    let mut numbers: Vec<String> = NUMBERS.map(str::to_owned).to_vec();
+    let theirs = right.map_or(Vec::new(), |it| it.body.nodes());
+    let theirs = theirs
+        .iter()
+        .filter(|it| is_number(it))
+        .map(|it| it.op.clone());
+    numbers.extend(theirs);
+    for all in [&mut names, &mut numbers] {
+        all.sort();
+        all.dedup();
+    }
+    let mut known = Known {
+        names,
+        numbers,
+        proposals: Vec::new(),
+    };
+    known.walk(&yours.body, 0);
+    for (_, root) in roots(&yours.body) {
+        known.swapped(root);
+    }
+    ranked(yours, known.proposals)
+}
+
+/// What can take the place of something else.
+struct Known {
+    names: Vec<String>,
+    numbers: Vec<String>,
+    proposals: Vec<Proposal>,
+}
+
+impl Known {
+    fn walk(&mut self, node: &Tree, least: u8) {
+        self.mistaken(node, least);
+        self.left_out(node, least);
+        self.too_much(node, least);
+        self.exchanged(node, least);
+        self.another(node);
+        for (n, part) in node.parts.iter().enumerate() {
+            // A function is called by its name.
+            if !(n == 0 && node.op.starts_with("□(")) {
+                self.walk(part, node.least(n));
+            }
+        }
+    }
+
+    fn propose(&mut self, node: &Tree, new: String, penalty: u32) {
+        let penalty = UNLIKELY + penalty;
+        self.proposals
+            .push(Proposal::new(node.at.clone(), new, penalty));
+    }
+
+    /// One sign, method or field for another of its group.
+    fn mistaken(&mut self, node: &Tree, least: u8) {
+        let Some(name) = node.sign().or(node.member()) else {
+            return;
+        };
+        for group in MISTAKEN.iter().filter(|group| group.contains(&name)) {
+            for other in group.iter().filter(|other| **other != name) {
+                let op = node.op.replacen(name, other, 1);
+                let new = Tree { op, ..node.clone() };
+                self.propose(node, new.within(least), 2);
+            }
+        }
+    }
+
+    /// A sign, a factor, a method or a square that may have been forgotten.
+    fn left_out(&mut self, node: &Tree, least: u8) {
+        let is_name = self.names.contains(&node.text());
+        let is_value = is_name
+            || node.member().is_some()
+            || node.op.starts_with("□(")
+            || matches!(node.sign(), Some("+" | "-" | "*" | "/"));
+        if is_value && node.op != "self" {
+            let own = |parts| Tree::new("□ * □", parts);
+            let leaf = |op: &str| Tree::new(op, Vec::new());
+            let negated = Tree::new("-□", vec![node.clone()]);
+            self.propose(node, negated.within(least), 3);
+            for factor in FACTORS {
+                let product = own(vec![leaf(factor), node.clone()]);
+                self.propose(node, product.within(least), 4);
+            }
+            for method in METHODS {
+                self.propose(node, format!("{}.{method}()", node.within(ATOM)), 4);
+            }
+            let square = own(vec![node.clone(), node.clone()]);
+            self.propose(node, square.within(least), 4);
+        }
+        let is_condition = least == 0 && (is_name || node.sign().is_some_and(is_comparison));
+        if is_condition {
+            self.propose(node, Tree::new("!□", vec![node.clone()]).text(), 4);
+        }
+    }
+
+    /// One of two operands, a sign or a method that may be too much, and a statement.
+    fn too_much(&mut self, node: &Tree, least: u8) {
+        let is_method = node.member().is_some() && node.op.ends_with(')');
+        let is_negated = matches!(node.op.as_str(), "-□" | "!□");
+        let is_operation = node.sign().is_some_and(|sign| sign != "=");
+        if is_method || is_negated || is_operation {
+            for (n, part) in node.parts.iter().enumerate() {
+                self.propose(node, part.within(least), 2 + n as u32);
+            }
+        }
+        if node.is_block() {
+            for statement in node
+                .parts
+                .iter()
+                .filter(|it| it.op == "□;" || it.op.starts_with("if "))
+            {
+                let size = statement.nodes().len() as u32;
+                self.propose(statement, String::new(), size);
+            }
+        }
+    }
+
+    /// Two operands, arguments or branches, the one for the other, and two statements.
+    fn exchanged(&mut self, node: &Tree, least: u8) {
+        let is_call = node.op.contains('(') || node.op.starts_with('[');
+        let first = match node.sign() {
+            Some("-" | "/") => 0,
+            None if is_call => 1 - usize::from(node.op.starts_with('[') || node.parts.len() == 2),
+            None if node.is_block() => 0,
+            None if node.op.starts_with("if ") && node.parts.len() == 3 => 1,
+            _ => return,
+        };
+        for n in first..node.parts.len().saturating_sub(1) {
+            let mut new = node.clone();
+            new.parts.swap(n, n + 1);
+            if !node.is_block() {
+                self.propose(node, new.within(least), 3);
+            } else if node.parts[n + 1].op.ends_with(';') {
+                let at = node.parts[n].at.start..node.parts[n + 1].at.end;
+                let both = format!("{} {}", new.parts[n].text(), new.parts[n + 1].text());
+                self.proposals.push(Proposal::new(at, both, 0));
+            }
+        }
+    }
+
+    /// Two names, wherever they stand in an expression, the one for the other.
+    fn swapped(&mut self, root: &Tree) {
+        let stands = |name: &&String| root.nodes().iter().any(|it| it.op == **name);
+        let here: Vec<String> = self.names.iter().filter(stands).cloned().collect();
+        for (n, one) in here.iter().enumerate() {
+            for other in &here[..n] {
+                self.propose(root, exchanged(root, [one, other]).text(), 0);
+            }
+        }
+    }
+
+    /// Another name or number.
+    fn another(&mut self, node: &Tree) {
+        let all = match is_number(node) {
+            true => {
+                self.propose(node, format!("-{}", node.op), 3);
+                self.numbers.clone()
+            }
+            false if self.names.contains(&node.text()) => self.names.clone(),
+            false => return,
+        };
+        for other in all
+            .into_iter()
+            .filter(|it| *it != node.text() && it != "self")
+        {
+            self.propose(node, other, 3);
+        }
+    }
+}
+
+/// The tree with two names exchanged.
+fn exchanged(tree: &Tree, [one, other]: [&str; 2]) -> Tree {
+    let op = match &*tree.op {
+        op if op == one => other,
+        op if op == other => one,
+        op => op,
+    };
+    let parts = tree.parts.iter().map(|it| exchanged(it, [one, other]));
+    Tree {
+        op: op.to_owned(),
+        parts: parts.collect(),
+        ..tree.clone()
+    }
+}
+
+fn is_number(node: &Tree) -> bool {
+    node.parts.is_empty()
+        && node.op.contains('.')
+        && node.op.starts_with(|c: char| c.is_ascii_digit())
+}
+
+fn is_comparison(sign: &str) -> bool {
+    matches!(sign, "<" | ">" | "<=" | ">=")
+}

@@ -1,0 +1,240 @@
+//! Verified repair: a table of wrong programs, each an edit of a right one, and the line that is
+//! named.
+
+use std::collections::HashSet;
+
+use check::known::Known;
+use check::reading::Reading;
+use check::scene::Scene;
+use check::sources::Sources;
+use check::verdict::{Check, judge};
+use slips::{Chapter, Letters, Program};
+
+/// Chapters, whether in their own text or in another form, and what stands there wrong for what
+/// is right.
+const MISTAKES: [(Text, &str, &str); 40] = [
+    (GRADIENT, "unit_direction.y + 1.0", "unit_direction.y - 1.0"),
+    (GRADIENT, "ray.direction.normalize()", "ray.direction"),
+    (
+        GRADIENT,
+        "(1.0 - a) * white + a * blue",
+        "a * white + (1.0 - a) * blue",
+    ),
+    (OTHER_GRADIENT, "(dir.y + 1.0) * 0.5", "dir.y + 1.0 * 0.5"),
+    (
+        OTHER_GRADIENT,
+        "(1.0 - t) * from + t * to",
+        "(1.0 - t) * to + t * from",
+    ),
+    (RED_SPHERE, "center - ray.origin", "center + ray.origin"),
+    (RED_SPHERE, "4.0 * a * c", "4.0 * a"),
+    (RED_SPHERE, "discriminant >= 0.0", "discriminant <= 0.0"),
+    (RED_SPHERE, "oc.dot(oc) - radius", "oc.dot(oc) + radius"),
+    (NORMALS, "-2.0 * ray", "2.0 * ray"),
+    (NORMALS, "/ (2.0 * a)", "/ 2.0 * a"),
+    (NORMALS, "- radius * radius", "- radius"),
+    (NORMALS, "ray.at(t) - center", "center - ray.at(t)"),
+    (
+        NORMALS,
+        ".normalize();\n        return",
+        ";\n        return",
+    ),
+    (NORMALS, "normal + Vec3::ONE", "normal"),
+    (OTHER_NORMALS, "t > 0.0", "t < 0.0"),
+    (OTHER_NORMALS, "n.y + 1.0", "n.z + 1.0"),
+    (OTHER_NORMALS, "* -2.0", "* 2.0"),
+    (OTHER_NORMALS, "(-b - root)", "(-b + root)"),
+    (OTHER_NORMALS, "center - r.origin", "r.origin - center"),
+    (HALF_B_SPHERE, "h * h - a * c", "h * h - 4.0 * a * c"),
+    (
+        HALF_B_SPHERE,
+        "discriminant.sqrt()) / a",
+        "discriminant) / a",
+    ),
+    (
+        HALF_B_SPHERE,
+        "ray.direction.dot(oc)",
+        "2.0 * ray.direction.dot(oc)",
+    ),
+    (HALF_B_SPHERE, "discriminant < 0.0", "discriminant > 0.0"),
+    (
+        HITTABLE_LIST,
+        "ray.direction.dot(outward_normal) < 0.0",
+        "ray.direction.dot(outward_normal) > 0.0",
+    ),
+    (HITTABLE_LIST, "closest_so_far = record.t;\n", "\n"),
+    (
+        HITTABLE_LIST,
+        "record.set_face_normal(ray, outward_normal);\n",
+        "\n",
+    ),
+    (HITTABLE_LIST, "t_min, closest_so_far)", "t_min, t_max)"),
+    (
+        HITTABLE_LIST,
+        "(record.point - self.center)",
+        "record.point - self.center",
+    ),
+    (HITTABLE_LIST, "self.radius * self.radius", "self.radius"),
+    (HITTABLE_LIST, "t_min < t && t < t_max", "t < t_max"),
+    (HITTABLE_LIST, "-100.5", "100.5"),
+    (
+        HITTABLE_LIST,
+        "[(h - sqrtd) / a, (h + sqrtd) / a]",
+        "[(h + sqrtd) / a, (h - sqrtd) / a]",
+    ),
+    (OTHER_LIST, "closest = rec.t;\n", "\n"),
+    (
+        OTHER_LIST,
+        "t = (half_b + root) / a",
+        "t = (half_b - root) / a",
+    ),
+    (
+        OTHER_LIST,
+        "self.normal = -outward",
+        "self.normal = outward",
+    ),
+    (OTHER_LIST, "/ self.radius", "/ self.radius * self.radius"),
+    (
+        OTHER_LIST,
+        "object.hit(r, t_min, closest)",
+        "object.hit(r, closest, t_max)",
+    ),
+    (OTHER_LIST, "if disc < 0.0", "if disc < 1.0"),
+    (
+        OTHER_LIST,
+        "rec.normal + Color::ONE",
+        "rec.normal - Color::ONE",
+    ),
+];
+
+/// What is wrong in these is said to be right in words that are more like the chapter's.
+const IN_OTHER_WORDS: [(&str, &str); 2] = [
+    ("dir.y + 1.0 * 0.5", "let t = 0.5 * (dir.y + 1.0);"),
+    (
+        "/ self.radius * self.radius",
+        "rec.set_face_normal(r, (rec.point - self.center) * (1.0 / self.radius));",
+    ),
+];
+
+/// A right program.
+#[derive(Clone, Copy)]
+struct Text {
+    chapter: Chapter,
+    /// The text in another form than the chapter's.
+    other: Option<&'static str>,
+}
+
+const fn own(chapter: Chapter) -> Text {
+    Text {
+        chapter,
+        other: None,
+    }
+}
+
+const fn other(chapter: Chapter, text: &'static str) -> Text {
+    Text {
+        chapter,
+        other: Some(text),
+    }
+}
+
+const GRADIENT: Text = own(Chapter::Gradient);
+const OTHER_GRADIENT: Text = other(Chapter::Gradient, include_str!("forms/gradient.rs"));
+const RED_SPHERE: Text = own(Chapter::RedSphere);
+const NORMALS: Text = own(Chapter::Normals);
+const OTHER_NORMALS: Text = other(Chapter::Normals, include_str!("forms/normals.rs"));
+const HALF_B_SPHERE: Text = own(Chapter::HalfBSphere);
+const HITTABLE_LIST: Text = own(Chapter::HittableList);
+const OTHER_LIST: Text = other(
+    Chapter::HittableList,
+    include_str!("forms/hittable_list.rs"),
+);
+
+#[test]
+fn each_mistake_is_named_by_its_line_and_by_what_was_tried() {
+    let mut missed = String::new();
+    for (text, right, wrong) in MISTAKES {
+        let files = text.files();
+        let (at, changed) = files
+            .iter()
+            .enumerate()
+            .find_map(|(n, (_, it))| {
+                it.contains(right)
+                    .then(|| (n, it.replacen(right, wrong, 1)))
+            })
+            .unwrap_or_else(|| panic!("{right}"));
+        let lines = |text: &str| -> HashSet<String> { text.lines().map(squeezed).collect() };
+        let (before, after) = (lines(&files[at].1), lines(&changed));
+        let mut expected: Vec<String> = before.difference(&after).cloned().collect();
+        if let Some((_, line)) = IN_OTHER_WORDS.iter().find(|(it, _)| *it == wrong) {
+            expected = vec![(*line).to_owned()];
+        }
+        let mut wrong_files = files.clone();
+        wrong_files[at].1 = changed;
+        let said = said(text.chapter, &wrong_files, true);
+        let named = said
+            .iter()
+            .filter(|(label, _)| ["should be", "missing"].contains(label));
+        let is_named = |line: &String| {
+            said.iter().any(|(label, it)| {
+                *label == "should be" && it == line || *label == "missing" && it.ends_with(line)
+            })
+        };
+        if !expected.iter().all(is_named) || named.count() != expected.len() {
+            missed += &format!("{right}  ←  {wrong}\n    {said:?}\n");
+        }
+    }
+    assert!(missed.is_empty(), "\n{missed}");
+}
+
+#[test]
+fn a_right_program_in_another_form_gets_no_remark() {
+    for text in [OTHER_GRADIENT, OTHER_NORMALS, OTHER_LIST] {
+        assert_eq!(
+            said(text.chapter, &text.files(), false),
+            [("right", String::new())]
+        );
+    }
+}
+
+impl Text {
+    fn files(self) -> Vec<(String, String)> {
+        let owned = |&(name, text): &(&str, &str)| (name.to_owned(), text.to_owned());
+        match self.other {
+            Some(text) => vec![("src/lib.rs".to_owned(), text.to_owned())],
+            None => self.chapter.files().iter().map(owned).collect(),
+        }
+    }
+}
+
+/// The rows about a program that draws its picture in the interpreter. If it is wrong, it breaks
+/// a law where the picture is right.
+fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<check::Row> {
+    let mut read: Vec<(&str, &str)> = files
+        .iter()
+        .map(|(name, text)| (&**name, &**text))
+        .collect();
+    read.sort_by_key(|(name, _)| *name != "src/lib.rs");
+    let program = interpreter::read(&read).unwrap_or_else(|faults| panic!("{}", faults[0]));
+    let picture = program.draw(WIDTH).expect("it draws");
+    let is_hidden = is_wrong && picture == chapter.picture(WIDTH);
+    let unlike = |_: &Program| (1, 1);
+    let known = Known {
+        answers: is_hidden.then_some(&unlike),
+        letters: Some(Letters::Rust),
+        sources: Sources::of_chapter(files.to_vec(), chapter),
+        ..Known::default()
+    };
+    let scene = Scene::new(chapter, None).expect("without a probe it is a scene");
+    let check = judge(&scene, &Reading::of(&picture), 0, &known);
+    match &check {
+        Check::Right(_) => vec![("right", String::new())],
+        _ => check.finding().map_or(Vec::new(), |it| it.rows(&known)),
+    }
+}
+
+const WIDTH: u32 = 200;
+
+fn squeezed(line: &str) -> String {
+    line.split_whitespace().collect::<Vec<_>>().join(" ")
+}
