@@ -79,9 +79,13 @@ fn next(it: &Next) -> String {
 
 /// The headline of a verdict on a text.
 pub(crate) fn typed_headline(verdict: &Verdict) -> String {
-    let class = if verdict.is_right { RIGHT } else { WRONG };
     let said = escaped(&verdict.headline);
-    format!("<strong class=\"{class}\">{said}</strong>")
+    if verdict.is_right {
+        let unchecked = interpreter::UNCHECKED;
+        format!("<strong class=\"{RIGHT}\">{said}</strong> {unchecked}")
+    } else {
+        format!("<strong class=\"{WRONG}\">{said}</strong>")
+    }
 }
 
 /// What is below it: as a compiler prints it, in rows, and pages to read.

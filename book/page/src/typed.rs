@@ -99,7 +99,13 @@ impl Text {
     /// # Errors
     /// What stops the program.
     pub fn draw(&self, program: &interpreter::Program, width: u32) -> Result<Picture, Said> {
-        program.draw(width).map_err(|fault| self.stopped(&fault))
+        program.draw(width).map_err(|fault| {
+            if fault.is_refused {
+                self.not_compiled(&[fault])
+            } else {
+                self.stopped(&fault)
+            }
+        })
     }
 
     /// Reads it, draws it, and judges its picture of that width.
@@ -110,8 +116,11 @@ impl Text {
         let program = self.read()?;
         let picture = self.draw(&program, width)?;
         // What judges keeps programs for good: the page begins with a new worker now and then.
-        let verdict = self.verdict(Box::leak(Box::new(program)), &picture);
-        Ok(Said::new(&verdict, Vec::new()))
+        let program = Box::leak(Box::new(program));
+        let verdict = self.verdict(program, &picture);
+        // A line that the picture never runs is run by the laws.
+        self.refused(program)
+            .map_or_else(|| Ok(Said::new(&verdict, Vec::new())), Err)
     }
 
     /// What the picture, the laws and the typed lines come to.
@@ -150,6 +159,12 @@ impl Text {
         };
         let reading = Reading::of(picture);
         evidence.of(verdict::judge(&scene, &reading, 0, &known))
+    }
+
+    /// What the compiler would refuse and was seen only when the laws asked.
+    fn refused(&self, program: &interpreter::Program) -> Option<Said> {
+        let fault = program.refused()?;
+        Some(self.not_compiled(std::slice::from_ref(fault)))
     }
 
     fn not_compiled(&self, faults: &[Fault]) -> Said {

@@ -1,31 +1,39 @@
 //! Runs what a reader types in the page: the Rust that our chapters are written in, and
 //! what people write instead.
 //!
-//! `read` makes trees of the files, `items` finds what their names mean, `check` finds a
-//! type for each expression, and `run` walks what is left. Operations on numbers happen in
-//! the order in which they are written, so a picture is that of the compiled program to the
-//! last bit. What is not known here is refused by its name. Moves and borrows are not
-//! checked: the compiler does that.
+//! `read` makes trees of the files, `names` finds what their names mean, `lower` makes nodes
+//! of the trees, and `run` walks these. Operations on numbers happen in the order in which
+//! they are written, so a picture is that of the compiled program to the last bit. What is not
+//! known here is refused by its name. What is not checked at all, [`UNCHECKED`] says.
 
-mod check;
-mod items;
+mod lower;
+mod names;
 mod node;
+mod operators;
 mod prelude;
 mod read;
 mod run;
 mod types;
+mod value;
 
 use std::fmt;
 use std::ops::Range;
 use std::rc::Rc;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use common::rtweekend::*;
 use slips::{Ball, Hit, Interpreted};
 
-use items::Items;
+use names::{Names, Signature};
+use read::Refusal;
 pub use run::Sample;
-use run::{Code, Machine, Value};
+use run::{Code, Machine};
+use types::{Head, Type};
+use value::Value;
+
+/// What an answer must add that calls a text right: only the compiler sees the rest.
+pub const UNCHECKED: &str =
+    "Moves, borrows and lines that never ran are not checked here: cargo does that.";
 
 /// Why a text does not run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,6 +46,8 @@ pub struct Fault {
     pub label: String,
     /// What to do, or nothing.
     pub help: String,
+    /// Whether the compiler refuses the text; else it compiles, and stops when it runs.
+    pub is_refused: bool,
 }
 
 /// A place in a text.
@@ -55,14 +65,15 @@ pub struct Place {
 #[derive(Debug)]
 pub struct Program {
     code: Arc<Code>,
-    names: Names,
+    roles: Roles,
     /// What the compiler would warn of, in its words.
     pub warnings: Vec<String>,
+    refused: OnceLock<Fault>,
 }
 
-/// The functions of a chapter, by their numbers.
+/// The functions of a chapter, by their numbers, and its types.
 #[derive(Debug, Default)]
-struct Names {
+struct Roles {
     picture: Option<usize>,
     ray_color: Option<usize>,
     hit_sphere: Option<usize>,
@@ -71,80 +82,90 @@ struct Names {
     list: Option<List>,
     /// Where `t`, `point`, `normal` and `front_face` are in a record.
     record: Option<[usize; 4]>,
+    /// The reader's own kinds of these, if they are not ours.
+    own_ray: Option<u32>,
+    own_vec3: Option<u32>,
 }
 
 #[derive(Debug)]
 struct List {
-    kind: u32,
+    ty: Type,
     new: Option<usize>,
     add: usize,
     hit: usize,
 }
 
+/// So many turns of loops and calls are no pixel's of a chapter.
+const TURNS: u32 = 200_000;
+/// A reader's own loop over all pixels takes more.
+const TURNS_OF_A_PICTURE: u32 = 20_000_000;
+
 /// Reads the files of a crate: their names, such as `src/lib.rs`, and their texts. The
-/// first is the root.
+/// root is `lib.rs`, or the first.
 ///
 /// # Errors
-/// Whatever the compiler would refuse, apart from moves and borrows, and what is not known
-/// here.
+/// What the compiler would refuse and reading shows, and what is not known here.
 pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
     // Places of an earlier text are not needed any more.
     proc_macro2::extra::invalidate_current_thread_spans();
-    let trees: Vec<_> = files
-        .iter()
-        .enumerate()
-        .map(|(n, (name, text))| Ok((module(name), read::parse(n, text)?)))
-        .collect();
-    let faults: Vec<Fault> = trees
-        .iter()
-        .filter_map(|it| it.as_ref().err().cloned())
-        .collect();
-    if !faults.is_empty() {
-        return Err(faults);
+    let texts: Vec<String> = files.iter().map(|it| it.1.to_owned()).collect();
+    let refused = |all: Vec<Refusal>| {
+        all.into_iter()
+            .map(|it| it.fault(&texts))
+            .collect::<Vec<_>>()
+    };
+    let (mut trees, mut faults) = (Vec::new(), Vec::new());
+    for (n, (name, text)) in files.iter().enumerate() {
+        match read::parse(n, text) {
+            Ok(tree) => trees.push(((*name).to_owned(), tree)),
+            Err(fault) => faults.push(fault),
+        }
     }
-    let trees: Vec<_> = trees.into_iter().filter_map(Result::ok).collect();
-    let items = Items::of(&trees)?;
-    let (code, warnings) = check::check(&items)?;
+    if !faults.is_empty() {
+        return Err(refused(faults));
+    }
+    let (names, bodies) = names::collect(&trees).map_err(refused)?;
+    let mut functions = Vec::new();
+    let mut warnings = Vec::new();
+    for (signature, body) in names.functions.iter().zip(&bodies) {
+        match lower::lower(&names, signature, body.as_ref(), &mut warnings) {
+            Ok(function) => functions.push(Arc::new(function)),
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(refused(faults));
+    }
     Ok(Program {
-        names: Names::of(&items),
-        code: Arc::new(code),
+        roles: Roles::of(&names),
+        code: Arc::new(Code {
+            names,
+            functions,
+            texts,
+        }),
         warnings,
+        refused: OnceLock::new(),
     })
-}
-
-/// The module that a file is.
-fn module(file: &str) -> String {
-    let name = file.rsplit('/').next().unwrap_or(file);
-    name.trim_end_matches(".rs").to_owned()
 }
 
 impl Program {
     /// The picture that the text draws: by `picture`, or by `ray_color` alone.
     ///
     /// # Errors
-    /// Where the program stops by itself: a panic, an overflow, a loop without end.
+    /// Where the program stops by itself: a panic, an overflow, too many turns of a loop; and
+    /// where the compiler would refuse it, which is seen when it runs.
     pub fn draw(&self, width: u32) -> Result<Picture, Fault> {
-        let mut machine = Machine::new(&self.code);
-        if let Some(picture) = self.names.picture {
-            let drawn = machine.call(picture, &[Value::Int(width.into())])?;
+        let mut machine = self.machine();
+        if let Some(picture) = self.roles.picture {
+            let drawn = self.ran(machine.call(picture, &[u32_value(width)]))?;
             return prelude::picture(&drawn).ok_or_else(|| missing("a picture"));
         }
-        let color = self.names.ray_color.ok_or_else(|| missing("`ray_color`"))?;
-        let world = self
-            .names
-            .world
-            .map(|it| machine.call(it, &[]))
-            .transpose()?;
         let camera = Camera::new(width);
         let size = (camera.image_width, camera.image_height);
+        let mut color = self.coloring(&mut machine)?;
         let mut rgb = Vec::with_capacity(3 * size.0 as usize * size.1 as usize);
         for (j, i) in (0..size.1).flat_map(|j| (0..size.0).map(move |i| (j, i))) {
-            machine.begin();
-            let ray = Value::Ray(Rc::new(camera.ray(i, j)));
-            let given: Vec<Value> = [ray].into_iter().chain(world.clone()).collect();
-            let mut pixel = [0; 3];
-            write_color(&mut pixel, machine.call(color, &given)?.vec3());
-            rgb.extend(pixel);
+            rgb.extend(color(&camera.ray(i, j))?);
         }
         Picture::from_rgb(size.0, size.1, rgb).ok_or_else(|| missing("a picture"))
     }
@@ -152,72 +173,207 @@ impl Program {
     /// How many of these pixels are right, up to the first that is not.
     ///
     /// # Errors
-    /// Where the program stops by itself.
+    /// As for the picture.
     pub fn matches(&self, width: u32, pixels: &Rc<Sample>) -> Result<usize, Fault> {
-        let mut machine = Machine::new(&self.code);
-        machine.sample = Some(Rc::clone(pixels));
-        if let Some(picture) = self.names.picture {
-            machine.call(picture, &[Value::Int(width.into())])?;
+        let mut machine = self.machine();
+        // A reader's own loop over all pixels can't be asked for some.
+        let picture = self.roles.picture.filter(|_| self.roles.own_ray.is_none());
+        if let Some(picture) = picture {
+            machine.sample = Some(Rc::clone(pixels));
+            self.ran(machine.call(picture, &[u32_value(width)]))?;
             return Ok(machine.matched);
         }
-        Err(missing("a picture"))
+        let camera = Camera::new(width);
+        let mut color = self.coloring(&mut machine)?;
+        for (n, (at, right)) in pixels.iter().enumerate() {
+            if color(&camera.ray(at % width, at / width))? != *right {
+                return Ok(n);
+            }
+        }
+        Ok(pixels.len())
+    }
+
+    /// What `ray_color` makes of rays, as levels.
+    fn coloring<'m>(
+        &'m self,
+        machine: &'m mut Machine<'_>,
+    ) -> Result<impl FnMut(&Ray) -> Result<[u8; 3], Fault>, Fault> {
+        let color = self.roles.ray_color.ok_or_else(|| missing("`ray_color`"))?;
+        let world = self.roles.world.map(|it| self.ran(machine.call(it, &[])));
+        let world = world.transpose()?;
+        Ok(move |ray: &Ray| {
+            machine.begin();
+            let given: Vec<Value> = [self.ray(ray)].into_iter().chain(world.clone()).collect();
+            let colored = self.ran(machine.call(color, &given))?;
+            let mut pixel = [0; 3];
+            write_color(&mut pixel, self.vec3_of(&colored).unwrap_or(Color::NAN));
+            Ok(pixel)
+        })
     }
 
     /// The range that `ray_color` asks the world for.
     pub fn range(&self, ray: &Ray) -> Option<[f64; 2]> {
+        let color = self.roles.ray_color?;
+        let world = self.code.names.functions[color].parameters.get(1)?;
+        if !matches!(world.stripped().0, Head::Dyn(_)) {
+            return None;
+        }
         let asked = Rc::default();
-        let given = [Value::Ray(Rc::new(*ray)), Value::Nothing(Rc::clone(&asked))];
-        self.call(self.names.ray_color?, &given)?;
+        self.call(color, &[self.ray(ray), Value::Nothing(Rc::clone(&asked))])?;
         asked.get()
     }
 
+    /// What the compiler refuses and was seen only when functions were asked by themselves.
+    pub fn refused(&self) -> Option<&Fault> {
+        self.refused.get()
+    }
+
+    fn machine(&self) -> Machine<'_> {
+        let limit = match self.roles.own_ray {
+            Some(_) => TURNS_OF_A_PICTURE,
+            None => TURNS,
+        };
+        Machine::new(&self.code, limit)
+    }
+
     fn call(&self, function: usize, given: &[Value]) -> Option<Value> {
-        Machine::new(&self.code).call(function, given).ok()
+        self.asked(self.machine().call(function, given))
+    }
+
+    fn ran<T>(&self, result: Result<T, Refusal>) -> Result<T, Fault> {
+        result.map_err(|it| it.fault(&self.code.texts))
+    }
+
+    /// The answer of a function, or none if it stops.
+    fn asked<T>(&self, result: Result<T, Refusal>) -> Option<T> {
+        match self.ran(result) {
+            Ok(value) => Some(value),
+            Err(fault) => {
+                if fault.is_refused {
+                    let _ = self.refused.set(fault);
+                }
+                None
+            }
+        }
+    }
+
+    fn vec3(&self, vector: Vec3) -> Value {
+        let parts = vector.to_array().map(Value::Float);
+        match self.roles.own_vec3 {
+            Some(kind) => self.own(kind, ["x", "y", "z"].into_iter().zip(parts)),
+            None => Value::Vec3(vector),
+        }
+    }
+
+    fn ray(&self, ray: &Ray) -> Value {
+        let parts = [ray.origin, ray.direction].map(|it| self.vec3(it));
+        match self.roles.own_ray {
+            Some(kind) => self.own(kind, ["origin", "direction"].into_iter().zip(parts)),
+            None => Value::Ray(Rc::new(*ray)),
+        }
+    }
+
+    /// One of the reader's kinds, by the names of its fields; what has other names keeps the
+    /// order.
+    fn own<'n>(&self, kind: u32, parts: impl Iterator<Item = (&'n str, Value)>) -> Value {
+        let known = self.code.names.kinds[kind as usize].variants[0].known();
+        let mut fields = vec![Value::Unit; known.len()];
+        for (n, (name, value)) in parts.enumerate() {
+            let place = known.iter().position(|it| it.0 == name).unwrap_or(n);
+            if let Some(field) = fields.get_mut(place) {
+                *field = value;
+            }
+        }
+        Value::Own(kind, 0, fields.into())
+    }
+
+    fn vec3_of(&self, value: &Value) -> Option<Vec3> {
+        let Value::Own(kind, _, fields) = value else {
+            return Some(value.vec3());
+        };
+        let known = self.code.names.kinds[*kind as usize].variants[0].known();
+        let parts = ["x", "y", "z"].into_iter().enumerate().map(|(n, name)| {
+            let place = known.iter().position(|it| it.0 == name).unwrap_or(n);
+            match fields.get(place)? {
+                Value::Float(it) => Some(*it),
+                _ => None,
+            }
+        });
+        let parts = parts.collect::<Option<Vec<f64>>>()?;
+        Some(Vec3::from_slice(&parts))
     }
 }
 
-fn missing(what: &str) -> Fault {
-    Fault::at(None, &format!("there is no {what} to draw"), "", "")
+fn u32_value(number: u32) -> Value {
+    Value::Int(number.into(), types::Int::U32)
 }
 
-impl Names {
-    fn of(items: &Items) -> Self {
-        let function = |name, parameters| {
-            let is_it = |it: &items::Signature| {
+fn missing(what: &str) -> Fault {
+    Fault {
+        place: None,
+        message: format!("there is no {what} to draw"),
+        label: String::new(),
+        help: String::new(),
+        is_refused: false,
+    }
+}
+
+impl Roles {
+    fn of(names: &Names) -> Self {
+        let function = |name: &str, parameters| {
+            let is_it = |it: &Signature| {
                 it.name == name
                     && it.of.is_none()
                     && it.parameters.len() == parameters
                     && !it.is_constant
             };
-            items.functions.iter().position(is_it)
+            names.functions.iter().position(is_it)
         };
-        let kind = |name: &str| items.kinds.iter().position(|it| it.name == name);
-        let method = |kind, name| items.method_or_default(kind, name);
+        let kind = |name: &str| {
+            let kind = names.kinds.iter().position(|it| it.name == name);
+            kind.map(|it| Type::from(Head::Own(it)))
+        };
+        let method = |ty: &Type, name| names.method_or_default(ty, name);
+        let ray_color = function("ray_color", 1).or_else(|| function("ray_color", 2));
+        // Vectors are what a ray is made of.
+        let ray = ray_color.and_then(|it| names.functions[it].parameters.first());
+        let own_ray = ray.and_then(own_kind);
+        let vec3 = own_ray.map(|it| &names.kinds[it as usize].variants[0].fields);
+        let own_vec3 = vec3.and_then(|it| own_kind(&it.first()?.ty));
         Self {
             picture: function("picture", 1),
-            ray_color: function("ray_color", 1).or_else(|| function("ray_color", 2)),
+            ray_color,
             hit_sphere: function("hit_sphere", 3),
             world: function("world", 0),
-            sphere: kind("Sphere").and_then(|it| Some((method(it, "new")?, method(it, "hit")?))),
+            sphere: kind("Sphere").and_then(|it| Some((method(&it, "new")?, method(&it, "hit")?))),
             list: kind("HittableList").and_then(|it| {
                 Some(List {
-                    kind: it as u32,
-                    new: method(it, "default").or_else(|| method(it, "new")),
-                    add: method(it, "add")?,
-                    hit: method(it, "hit")?,
+                    new: method(&it, "default").or_else(|| method(&it, "new")),
+                    add: method(&it, "add")?,
+                    hit: method(&it, "hit")?,
+                    ty: it,
                 })
             }),
             record: kind("HitRecord").and_then(|it| {
-                let fields = &items.kinds[it].variants.first()?.fields;
-                let place = |name| fields.iter().position(|it| it.name == name);
+                let fields = names.fields_of(&it);
+                let place = |name| fields.iter().position(|it| it.0 == name);
                 Some([
                     place("t")?,
-                    place("point")?,
+                    place("point").or_else(|| place("p"))?,
                     place("normal")?,
                     place("front_face")?,
                 ])
             }),
+            own_ray,
+            own_vec3,
         }
+    }
+}
+
+fn own_kind(ty: &Type) -> Option<u32> {
+    match ty.stripped().0 {
+        Head::Own(kind) => Some(kind as u32),
+        _ => None,
     }
 }
 
@@ -232,80 +388,63 @@ impl Interpreted for Program {
 
     fn ray_color(&self, ray: &Ray) -> Color {
         let color = || {
-            let mut machine = Machine::new(&self.code);
-            let world = match self.names.world {
-                Some(world) => Some(machine.call(world, &[]).ok()?),
-                None => None,
-            };
-            let ray = Value::Ray(Rc::new(*ray));
-            let given: Vec<Value> = [ray].into_iter().chain(world).collect();
-            machine.call(self.names.ray_color?, &given).ok()
+            let mut machine = self.machine();
+            let world = self.roles.world.map(|it| self.asked(machine.call(it, &[])));
+            let mut given = vec![Self::ray(self, ray)];
+            if let Some(world) = world {
+                given.push(world?);
+            }
+            let color = self.asked(machine.call(self.roles.ray_color?, &given))?;
+            self.vec3_of(&color)
         };
-        color().map_or(Color::NAN, |it| it.vec3())
+        color().unwrap_or(Color::NAN)
     }
 
     fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
         let given = [
-            Value::Vec3(center),
+            self.vec3(center),
             Value::Float(radius),
-            Value::Ray(Rc::new(*ray)),
+            Self::ray(self, ray),
         ];
-        match self.call(self.names.hit_sphere?, &given)? {
+        match self.call(self.roles.hit_sphere?, &given)? {
             Value::Bool(is_hit) => is_hit.then_some(0.0),
+            Value::Float(t) => Some(t),
             it => it.option().map(|t| t.float()),
         }
     }
 
     fn record(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
-        let (new, hit) = self.names.sphere?;
-        let sphere = self.call(new, &[Value::Vec3(ball.center), Value::Float(ball.radius)])?;
-        let given = [
-            sphere,
-            Value::Ray(Rc::new(*ray)),
-            Value::Float(t_min),
-            Value::Float(t_max),
-        ];
+        let (new, hit) = self.roles.sphere?;
+        let sphere = self.call(new, &[self.vec3(ball.center), Value::Float(ball.radius)])?;
+        let ray = Self::ray(self, ray);
+        let given = [sphere, ray, Value::Float(t_min), Value::Float(t_max)];
         let record = self.call(hit, &given)?.option()?;
-        let [t, point, normal, front_face] = self.names.record?.map(|n| record.field(n));
+        let [t, point, normal, front_face] = self.roles.record?.map(|n| record.field(n));
         Some(Hit {
             t: t.float(),
-            point: point.vec3(),
-            normal: normal.vec3(),
+            point: self.vec3_of(&point)?,
+            normal: self.vec3_of(&normal)?,
             front_face: front_face.truth(),
         })
     }
 
     fn nearest(&self, balls: &[Ball], ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
-        let (list, (new, _)) = (self.names.list.as_ref()?, self.names.sphere?);
-        let mut machine = Machine::new(&self.code);
+        let (list, (new, _)) = (self.roles.list.as_ref()?, self.roles.sphere?);
+        let mut machine = self.machine();
         let made = match list.new {
-            Some(new) => machine.call(new, &[]).ok()?,
-            None => machine.default_of(list.kind),
+            Some(new) => self.asked(machine.call(new, &[]))?,
+            None => machine.default(&list.ty).ok()?,
         };
-        let spheres: Result<Vec<Value>, Fault> = balls
-            .iter()
-            .map(|it| machine.call(new, &[Value::Vec3(it.center), Value::Float(it.radius)]))
-            .collect();
-        let filled = machine.filled(list.add, made, spheres.ok()?).ok()?;
-        let given = [
-            filled,
-            Value::Ray(Rc::new(*ray)),
-            Value::Float(t_min),
-            Value::Float(t_max),
-        ];
-        let record = machine.call(list.hit, &given).ok()?.option()?;
-        Some(record.field(self.names.record?[0]).float())
-    }
-}
-
-impl Fault {
-    pub(crate) fn at(place: Option<Place>, message: &str, label: &str, help: &str) -> Self {
-        Self {
-            place,
-            message: message.to_owned(),
-            label: label.to_owned(),
-            help: help.to_owned(),
+        let mut spheres = Vec::new();
+        for ball in balls {
+            let given = [self.vec3(ball.center), Value::Float(ball.radius)];
+            spheres.push(self.asked(machine.call(new, &given))?);
         }
+        let filled = self.asked(machine.filled(list.add, made, spheres))?;
+        let ray = Self::ray(self, ray);
+        let given = [filled, ray, Value::Float(t_min), Value::Float(t_max)];
+        let record = self.asked(machine.call(list.hit, &given))?.option()?;
+        Some(record.field(self.roles.record?[0]).float())
     }
 }
 

@@ -1,61 +1,73 @@
-//! An intermediate representation: what a text says, with its names, methods and types found.
+//! An intermediate representation: what a text says, with its names found.
+
+use std::cmp::Ordering;
+use std::sync::Arc;
 
 use common::rtweekend::Vec3;
 
-use crate::Place;
+use crate::types::{Int, Type};
 
 /// A part of a program, with variables by their slots.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) enum Node {
+    #[default]
     Unit,
     Bool(bool),
-    Int(i128),
+    Int(i128, Int),
     Float(f64),
+    Single(f32),
     Vec3(Vec3),
+    Str(Arc<str>),
     None,
-    Ordering(std::cmp::Ordering),
+    Ordering(Ordering),
     Local(usize),
     /// What a mutable reference leads to.
     Deref(Box<Node>),
-    Field(Box<Node>, usize),
-    Index(Box<Node>, Box<Node>, At),
+    Field(Box<Node>, Box<Member>),
+    Index(Box<[Node; 2]>, At),
     /// A mutable reference to a place.
     Address(Box<Target>),
     Set(Box<Target>, Box<Node>),
-    Update(Box<Target>, Box<Arithmetic>, Box<Node>),
+    Update(Box<Target>, Sign, Box<Node>, At),
     Let(Box<Pattern>, Box<Node>, Option<Box<Node>>),
-    Arithmetic(Box<Arithmetic>, Box<[Node; 2]>),
-    Compare(Order, Box<[Node; 2]>),
+    Arithmetic(Sign, Box<[Node; 2]>, At),
+    Compare(Order, Box<[Node; 2]>, At),
     And(Box<[Node; 2]>),
     Or(Box<[Node; 2]>),
-    Not(Box<Node>, TypeId),
-    Negate(Box<Node>, TypeId, At),
-    /// `as`, and what only has another type: an f32 is rounded.
-    Cast(Box<Node>, TypeId),
-    Default(TypeId),
-    Call(usize, Vec<Node>),
-    /// The method of that name that the first argument has.
-    Dispatch(usize, String, Vec<Node>),
-    Native(usize, Vec<Node>, TypeId, At),
+    Not(Box<Node>, At),
+    Negate(Box<Node>, At),
+    Cast(Box<Node>, Box<Type>, At),
+    /// What is declared to be of that type.
+    Declared(Box<Node>, Box<Type>, At),
+    Default(Box<Type>),
+    Call(usize, Box<[Node]>, At),
+    /// A constant is a function that is called once.
+    Constant(usize, At),
+    /// Of each of the reader's kinds the function that it has for a trait.
+    Dispatch(Box<[Option<usize>]>, Box<[Node]>, At),
+    /// A method of whatever the first argument is.
+    Method(Box<Method>, Box<[Node]>),
+    Native(usize, Box<[Node]>, At),
     /// A function that is a value.
-    CallValue(Box<Node>, Vec<Node>),
-    /// A closure: its number, and whether it takes what it uses along.
-    Closure(usize, bool),
+    Apply(Box<Node>, Box<[Node]>, At),
+    /// A closure, and whether it takes what it uses along.
+    Closure(Arc<Closure>, bool),
     Function(usize),
     NativeFunction(usize, At),
     /// A variant of one of the reader's types, its fields by their numbers, and a value that
     /// has the others.
-    New(usize, usize, Vec<(usize, Node)>, Option<Box<Node>>),
+    New(u32, u32, Vec<(usize, Node)>, Option<Box<Node>>),
     Some(Box<Node>),
     Many(Vec<Node>),
+    Tuple(Vec<Node>),
     Repeat(Box<Node>, usize),
     Range(Option<Box<Node>>, Option<Box<Node>>, bool),
-    If(Box<Node>, Box<Node>, Box<Node>),
+    If(Box<[Node; 3]>),
     Match(Box<Node>, Vec<Arm>, At),
     Matches(Box<Pattern>, Box<Node>),
     /// A condition, a body, and a number that `break` and `continue` name it by.
-    While(Box<Node>, Box<Node>, usize, At),
-    For(Box<Pattern>, Box<Node>, Box<Node>, usize, At),
+    While(Box<[Node; 2]>, usize, At),
+    For(Box<Pattern>, Box<[Node; 2]>, usize, At),
     /// A block that can be left by its number.
     Labeled(Box<Node>, usize),
     Break(usize, Box<Node>),
@@ -65,20 +77,34 @@ pub(crate) enum Node {
     /// What is done one after the other, and whether the last is what it comes to.
     Block(Vec<Node>, bool),
     Panic(String, At),
+    /// Words between values, each with how many digits follow its point.
+    Format(Vec<(String, Option<usize>)>, Vec<Node>),
 }
 
-/// Where something stands in the text, for what may fail when it runs.
-pub(crate) type At = Box<Place>;
+/// Where something stands in the texts: the file, and the bytes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct At {
+    pub(crate) file: u32,
+    pub(crate) start: u32,
+    pub(crate) end: u32,
+}
 
-/// A place in the list of types that are known when a function is read.
-pub(crate) type TypeId = usize;
-
-/// An operator between two numbers or vectors, and the type of what comes out.
+/// A field, by its number where that is known; else by its name, in a module, at a place.
 #[derive(Clone, Debug)]
-pub(crate) struct Arithmetic {
-    pub(crate) sign: Sign,
-    pub(crate) ty: TypeId,
-    pub(crate) at: Place,
+pub(crate) enum Member {
+    Number(usize),
+    Name(String, usize, At),
+}
+
+/// A method that is looked up when it is called.
+#[derive(Clone, Debug)]
+pub(crate) struct Method {
+    pub(crate) name: String,
+    pub(crate) at: At,
+    /// The module in which it is called.
+    pub(crate) module: usize,
+    /// Where the first argument is kept, if it may be changed there.
+    pub(crate) target: Option<Target>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,7 +149,7 @@ pub(crate) enum Root {
 
 #[derive(Clone, Debug)]
 pub(crate) enum Step {
-    Field(usize),
+    Field(Member),
     Index(Node, At),
 }
 
@@ -138,12 +164,12 @@ pub(crate) struct Arm {
 pub(crate) enum Pattern {
     Any,
     Bind(usize, Box<Pattern>),
-    Literal(Node),
+    Literal(Node, At),
     Range(Option<Node>, Option<Node>, bool),
-    None,
-    Some(Box<Pattern>),
-    /// A variant of one of the reader's types, and its fields by their numbers.
-    Variant(usize, Vec<(usize, Pattern)>),
+    None(At),
+    Some(Box<Pattern>, At),
+    /// One of the reader's kinds, a variant of it, and its fields by their numbers.
+    Variant(u32, u32, Vec<(usize, Pattern)>, At),
     /// The fields of a value that has no variants.
     Fields(Vec<(usize, Pattern)>),
     Many(Vec<Pattern>),
@@ -151,10 +177,17 @@ pub(crate) enum Pattern {
 }
 
 /// A function, ready to be run.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Function {
     pub(crate) slots: usize,
-    /// What each parameter is bound to.
+    /// How the parameters are taken apart, where one is more than a name.
+    pub(crate) patterns: Vec<(usize, Pattern)>,
+    pub(crate) body: Node,
+}
+
+/// The parameters of a closure, and its body.
+#[derive(Clone, Debug)]
+pub(crate) struct Closure {
     pub(crate) parameters: Vec<Pattern>,
     pub(crate) body: Node,
 }

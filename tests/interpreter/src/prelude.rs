@@ -3,7 +3,6 @@
 //!
 //! Iterators are lazy, as in Rust: each is a closure that gives the next value.
 
-use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -11,10 +10,11 @@ use std::sync::LazyLock;
 
 use common::rtweekend::{Camera, Picture, Ray, Vec3, sky, write_color};
 
-use crate::Place;
-use crate::items::{Context, Items, Signature};
-use crate::run::{Eval, Iter, Machine, Value, panic};
-use crate::types::{Head, Type};
+use crate::names::{Context, Names, Signature};
+use crate::node::{At, Node, Sign};
+use crate::run::{Eval, Machine};
+use crate::types::{Head, Int, Type};
+use crate::value::{Iter, Value};
 
 /// A function of the library.
 pub(crate) struct Native {
@@ -24,105 +24,111 @@ pub(crate) struct Native {
     run: Run,
 }
 
-type Run = fn(&mut Machine, &mut [Value], &Place) -> Eval;
+type Run = fn(&mut Machine<'_>, &mut [Value], At) -> Eval;
 
 /// Type parameters of the signatures: `T` is what a list, an option or an iterator is of.
 const PARAMETERS: [&str; 3] = ["T", "U", "Own"];
 
 /// The library, in the order of the list below.
 pub(crate) static NATIVES: LazyLock<Vec<Native>> = LazyLock::new(|| {
-    let items = Items::library();
-    let of = |(n, name): (usize, &&str)| ((*name).to_owned(), Type::plain(Head::Param(n)));
+    let names = Names::library();
+    let of = |(n, name): (usize, &&str)| ((*name).to_owned(), Head::Param(n).into());
     let context = Context {
-        own: Some(Type::plain(Head::Param(2))),
+        own: Some(Head::Param(2).into()),
         parameters: HashMap::from_iter(PARAMETERS.iter().enumerate().map(of)),
         ..Context::default()
     };
     let read = |&(owner, signature, run): &(&'static str, &str, Run)| {
         let tree = syn::parse_str(signature).expect("it is Rust");
-        let signature = items
-            .read_signature(&context, &tree)
-            .expect("its types are known");
+        let signature = names.signature(&context, &tree);
         Native {
             owner,
-            signature,
+            signature: signature.expect("its types are known"),
             run,
         }
     };
     LIBRARY.iter().map(read).collect()
 });
 
+/// Their numbers, by whose they are and their names.
+static NUMBERS: LazyLock<HashMap<(&str, &str), usize>> = LazyLock::new(|| {
+    let all = NATIVES.iter().enumerate();
+    all.map(|(n, it)| ((it.owner, it.signature.name.as_str()), n))
+        .collect()
+});
+
 /// Where the type's functions are in the list. What a list has a vector has, too.
 pub(crate) fn owners(ty: &Type) -> &'static [&'static str] {
-    match ty.head() {
-        Some(Head::F64 | Head::F32) => &["f64", "any"],
-        Some(Head::Int(_)) => &["int", "any"],
-        Some(Head::Bool) => &["bool", "any"],
-        Some(Head::Vec3) => &["Vec3", "any"],
-        Some(Head::Ray) => &["Ray", "any"],
-        Some(Head::Camera) => &["Camera", "any"],
-        Some(Head::Picture) => &["Picture"],
-        Some(Head::Ordering) => &["Ordering", "any"],
-        Some(Head::Option) => &["Option", "any"],
-        Some(Head::Box) => &["Box"],
-        Some(Head::Vec) => &["Vec", "list", "any"],
-        Some(Head::Array(_)) => &["array", "list", "any"],
-        Some(Head::Slice) => &["list"],
-        Some(Head::Range) => &["Range", "Iterator"],
-        Some(Head::Iterator) => &["Iterator"],
+    match ty.0 {
+        Head::F64 | Head::F32 => &["f64", "any"],
+        Head::Int(_) => &["int", "any"],
+        Head::Bool => &["bool", "any"],
+        Head::Vec3 => &["Vec3", "any"],
+        Head::Ray => &["Ray", "any"],
+        Head::Camera => &["Camera", "any"],
+        Head::Picture => &["Picture"],
+        Head::Str => &["str", "any"],
+        Head::Ordering => &["Ordering", "any"],
+        Head::Option => &["Option", "any"],
+        Head::Box => &["Box"],
+        Head::Vec => &["Vec", "list", "any"],
+        Head::Array(_) => &["array", "list", "any"],
+        Head::Slice => &["list"],
+        Head::Range => &["Range", "Iterator"],
+        Head::Iterator => &["Iterator"],
         _ => &["any"],
     }
 }
 
 /// The number of a function of the library.
 pub(crate) fn native(owner: &str, name: &str) -> Option<usize> {
-    let mut all = NATIVES.iter();
-    all.position(|it| it.owner == owner && it.signature.name == name)
+    NUMBERS.get(&(owner, name)).copied()
 }
 
 pub(crate) fn run(
     native: usize,
-    machine: &mut Machine,
+    machine: &mut Machine<'_>,
     arguments: &mut [Value],
-    at: &Place,
+    at: At,
 ) -> Eval {
-    (NATIVES[native].run)(machine, arguments, at)
+    let native = &NATIVES[native];
+    if let Some(Value::Single(_)) = arguments.first()
+        && native.owner == "f64"
+    {
+        return of_singles(native, machine, arguments, at);
+    }
+    (native.run)(machine, arguments, at)
 }
 
-/// What gives the values of a list, a range or an option, one after the other.
-pub(crate) fn iterator(of: &Value) -> Iter {
-    let made = match of {
-        Value::Iterator(it) => return it.clone(),
-        Value::Many(all) => each(all.to_vec()),
-        Value::Range(ends, is_closed) => {
-            let mut next = ends[0].int();
-            let end = match &ends[1] {
-                Value::Unit => i128::MAX,
-                end => end.int() + i128::from(*is_closed),
-            };
-            Iter::giving(move |_| {
-                let is_there = next < end;
-                next += i128::from(is_there);
-                Ok(is_there.then(|| Value::Int(next - 1)))
-            })
+/// What a function of an `f64` makes of an `f32`.
+fn of_singles(native: &Native, machine: &mut Machine<'_>, arguments: &mut [Value], at: At) -> Eval {
+    for value in arguments.iter_mut() {
+        if let Value::Single(it) = value {
+            *value = Value::Float((*it).into());
         }
-        other => each(other.option().into_iter().collect()),
-    };
-    made.iterator()
+    }
+    Ok(match (native.run)(machine, arguments, at)? {
+        Value::Float(it) => Value::Single(it as f32),
+        other => other,
+    })
 }
+
+/// More than a chapter has pixels is no list of a chapter.
+const LONGEST: usize = 1_000_000;
+/// Nor is more than the largest picture has as text.
+const LONGEST_TEXT: usize = 100_000_000;
 
 fn each(values: Vec<Value>) -> Value {
     let mut values = values.into_iter();
     Iter::giving(move |_| Ok(values.next()))
 }
 
-fn rest(machine: &mut Machine, of: &Value) -> Eval<Vec<Value>> {
-    let iterator = iterator(of);
+fn rest(machine: &mut Machine<'_>, of: &Value, at: At) -> Eval<Vec<Value>> {
+    let iterator = machine.iterator(of, at)?;
     let mut all = Vec::new();
     while let Some(value) = iterator.next(machine)? {
-        // More than a chapter has pixels is no list of a chapter.
-        if all.len() == 1_000_000 {
-            return panic(&Place::default(), "a list without end");
+        if all.len() == LONGEST {
+            return machine.panic(at, "a list of more than a million values");
         }
         all.push(value);
     }
@@ -131,54 +137,51 @@ fn rest(machine: &mut Machine, of: &Value) -> Eval<Vec<Value>> {
 
 /// An iterator that does something with each value of another, and gives some of the results.
 fn adapted(
+    machine: &mut Machine<'_>,
     of: &Value,
-    mut change: impl FnMut(&mut Machine, Value) -> Eval<Option<Value>> + 'static,
-) -> Value {
-    let iterator = iterator(of);
-    Iter::giving(move |machine| {
+    at: At,
+    mut change: impl FnMut(&mut Machine<'_>, Value) -> Eval<Option<Value>> + 'static,
+) -> Eval {
+    let iterator = machine.iterator(of, at)?;
+    Ok(Iter::giving(move |machine| {
         while let Some(value) = iterator.next(machine)? {
             if let Some(changed) = change(machine, value)? {
                 return Ok(Some(changed));
             }
         }
         Ok(None)
-    })
+    }))
 }
 
-/// The first value of which the function says yes.
+/// The first value of which the function says that, and how many are before it.
 fn found(
-    machine: &mut Machine,
+    machine: &mut Machine<'_>,
     a: &[Value],
-    says_yes: impl Fn(&Value) -> bool,
-) -> Eval<Option<(usize, Value, Value)>> {
-    let iterator = iterator(&a[0]);
+    at: At,
+    wanted: bool,
+) -> Eval<Option<(usize, Value)>> {
+    let iterator = machine.iterator(&a[0], at)?;
     let mut n = 0;
     while let Some(value) = iterator.next(machine)? {
-        let said = machine.apply(&a[1], &mut [value.clone()])?;
-        if says_yes(&said) {
-            return Ok(Some((n, value, said)));
+        if machine.asked(&a[1], &mut [value.clone()], at)? == wanted {
+            return Ok(Some((n, value)));
         }
         n += 1;
     }
     Ok(None)
 }
 
-/// The extreme value: of equal ones the first least or the last greatest, as in Rust.
-fn extreme(
-    machine: &mut Machine,
-    of: &Value,
-    is_least: bool,
-    mut compare: impl FnMut(&mut Machine, &Value, &Value) -> Eval<Ordering>,
-) -> Eval {
+/// The extreme value, which gives way to one that it stands in that order to: of equal ones
+/// the first least or the last greatest, as in Rust.
+fn extreme(machine: &mut Machine<'_>, a: &[Value], at: At, gives_way: Ordering) -> Eval {
     let mut best: Option<Value> = None;
-    for value in rest(machine, of)? {
+    for value in rest(machine, &a[0], at)? {
         let is_better = match &best {
             None => true,
-            Some(best) => match compare(machine, best, &value)? {
-                Ordering::Less => !is_least,
-                Ordering::Equal => !is_least,
-                Ordering::Greater => is_least,
-            },
+            Some(best) => {
+                let order = machine.ordered(&a[1], [best, &value], at)?;
+                order == gives_way || order.is_eq() && gives_way.is_lt()
+            }
         };
         if is_better {
             best = Some(value);
@@ -187,70 +190,41 @@ fn extreme(
     Ok(Value::of(best))
 }
 
-fn of_order(machine: &mut Machine, function: &Value, one: &Value, other: &Value) -> Eval<Ordering> {
-    Ok(machine
-        .apply(function, &mut [one.clone(), other.clone()])?
-        .ordering())
-}
-
-fn of_keys(machine: &mut Machine, function: &Value, one: &Value, other: &Value) -> Eval<Ordering> {
-    let one = machine.apply(function, &mut [one.clone()])?;
-    let other = machine.apply(function, &mut [other.clone()])?;
-    Ok(one.compared(&other).unwrap_or(Ordering::Equal))
-}
-
 /// The sum or the product of all.
-fn folded(machine: &mut Machine, of: &Value, start: f64, join: fn(Value, Value) -> Value) -> Eval {
-    let all = rest(machine, of)?;
-    let start = match all.first() {
-        Some(Value::Int(_)) => Value::Int(start as i128),
-        Some(Value::Vec3(_)) => Value::Vec3(Vec3::splat(start)),
-        _ => Value::Float(start),
+fn folded(machine: &mut Machine<'_>, of: &Value, at: At, none: f64, sign: Sign) -> Eval {
+    let mut all = rest(machine, of, at)?.into_iter();
+    let Some(first) = all.next() else {
+        return float(none);
     };
-    Ok(all.into_iter().fold(start, join))
-}
-
-fn plus(one: Value, other: Value) -> Value {
-    match (one, other) {
-        (Value::Int(a), Value::Int(b)) => Value::Int(a + b),
-        (Value::Vec3(a), Value::Vec3(b)) => Value::Vec3(a + b),
-        (a, b) => Value::Float(a.float() + b.float()),
-    }
-}
-
-fn times(one: Value, other: Value) -> Value {
-    match (one, other) {
-        (Value::Int(a), Value::Int(b)) => Value::Int(a * b),
-        (a, b) => Value::Float(a.float() * b.float()),
-    }
+    all.try_fold(first, |sum, it| machine.arithmetic(sign, sum, it, at))
 }
 
 /// A picture whose pixels a function colors.
 fn painted(
-    machine: &mut Machine,
+    machine: &mut Machine<'_>,
     (width, height): (u32, u32),
-    mut color: impl FnMut(&mut Machine, u32, u32) -> Eval,
+    mut color: impl FnMut(&mut Machine<'_>, u32, u32) -> Eval<Vec3>,
 ) -> Eval {
+    let mut levels = |machine: &mut Machine<'_>, i, j| {
+        machine.begin();
+        let mut pixel = [0; 3];
+        write_color(&mut pixel, color(machine, i, j)?);
+        Ok(pixel)
+    };
+    let mut rgb = Vec::new();
     if let Some(sample) = machine.sample.clone() {
+        let inside = sample.iter().take_while(|it| it.0 < width * height);
         machine.matched = 0;
-        for (at, right) in sample.iter() {
-            machine.begin();
-            let mut pixel = [0; 3];
-            write_color(&mut pixel, color(machine, at % width, at / width)?.vec3());
-            if width * height <= *at || pixel != *right {
+        for (at, right) in inside {
+            if levels(machine, at % width, at / width)? != *right {
                 break;
             }
             machine.matched += 1;
         }
-        return Ok(Value::Picture(Rc::new((width, height, Vec::new()))));
-    }
-    let mut rgb = Vec::with_capacity(3 * width as usize * height as usize);
-    for j in 0..height {
-        for i in 0..width {
-            machine.begin();
-            let mut pixel = [0; 3];
-            write_color(&mut pixel, color(machine, i, j)?.vec3());
-            rgb.extend(pixel);
+    } else {
+        rgb.reserve(3 * width as usize * height as usize);
+        for (j, i) in (0..height).flat_map(|j| (0..width).map(move |i| (j, i))) {
+            rgb.extend(levels(machine, i, j)?);
         }
     }
     Ok(Value::Picture(Rc::new((width, height, rgb))))
@@ -259,14 +233,45 @@ fn painted(
 /// The widest picture that is drawn here.
 const WIDEST: i128 = 4096;
 
-fn width(value: &Value, at: &Place) -> Eval<u32> {
+fn width(machine: &mut Machine<'_>, value: &Value, at: At) -> Eval<u32> {
     match value.int() {
         it @ 1..=WIDEST => Ok(it as u32),
-        _ => panic(
-            at,
-            &format!("a picture here is 1 to {WIDEST} pixels wide and high"),
-        ),
+        _ => {
+            let message = format!("a picture here is 1 to {WIDEST} pixels wide and high");
+            machine.panic(at, &message)
+        }
     }
+}
+
+/// What a function comes to that is given to another.
+impl Machine<'_> {
+    fn applied(&mut self, f: &Value, given: &mut [Value], ty: impl Into<Type>, at: At) -> Eval {
+        let value = self.apply(f, given, at)?;
+        self.declared(value, &ty.into(), at)
+    }
+
+    fn asked(&mut self, f: &Value, given: &mut [Value], at: At) -> Eval<bool> {
+        Ok(self.applied(f, given, Head::Bool, at)?.truth())
+    }
+
+    fn chosen(&mut self, f: &Value, given: &mut [Value], at: At) -> Eval<Option<Value>> {
+        let ty = Type::of(Head::Option, Type::UNKNOWN);
+        Ok(self.applied(f, given, ty, at)?.option())
+    }
+
+    fn ordered(&mut self, f: &Value, given: [&Value; 2], at: At) -> Eval<Ordering> {
+        let mut given = given.map(Value::clone);
+        Ok(self.applied(f, &mut given, Head::Ordering, at)?.ordering())
+    }
+
+    fn colored(&mut self, f: &Value, given: &mut [Value], at: At) -> Eval<Vec3> {
+        Ok(self.applied(f, given, Head::Vec3, at)?.vec3())
+    }
+}
+
+fn edited(machine: &mut Machine<'_>, list: &Value, edit: impl FnOnce(&mut Vec<Value>)) -> Eval {
+    machine.change_at(list, |list| changed(list, edit));
+    Ok(Value::Unit)
 }
 
 fn float(value: f64) -> Eval {
@@ -281,8 +286,20 @@ fn bool(value: bool) -> Eval {
     Ok(Value::Bool(value))
 }
 
-fn int(value: i128) -> Eval {
-    Ok(Value::Int(value))
+/// An integer of the same type.
+fn int(like: &Value, value: i128) -> Eval {
+    Ok(Value::Int(value, kind(like)))
+}
+
+fn kind(value: &Value) -> Int {
+    match value {
+        Value::Int(_, int) => *int,
+        _ => Int::Any,
+    }
+}
+
+fn text(value: String) -> Eval {
+    Ok(Value::Str(Rc::new(value)))
 }
 
 fn option(value: Option<Value>) -> Eval {
@@ -328,21 +345,19 @@ library! {
     }
     "f64" {
         fn powi(self, n: i32) -> Own => |_, a, _| float(a[0].float().powi(a[1].int() as i32));
-        fn clamp(self, least: Own, most: Own) -> Own => |_, a, at| {
+        fn clamp(self, least: Own, most: Own) -> Own => |m, a, at| {
             let [x, least, most] = [0, 1, 2].map(|n| a[n].float());
             match least <= most {
                 true => float(x.clamp(least, most)),
-                false => panic(
-                    at,
-                    &format!("min > max, or either was NaN. min = {least:?}, max = {most:?}"),
+                false => m.panic(at, &format!("min > max, or either was NaN. min = {least:?}, max = {most:?}"),
                 ),
             }
         };
         fn mul_add(self, a: Own, b: Own) -> Own => |_, a, _| float(a[0].float().mul_add(a[1].float(), a[2].float()));
-        fn from(value: U) -> Own => |_, a, at| match &a[0] {
-            Value::Int(it) => float(*it as f64),
+        fn from(value: U) -> Own => |m, a, at| match &a[0] {
+            Value::Int(it, _) => float(*it as f64),
             Value::Float(it) => float(*it),
-            _ => panic(at, "this is no number"),
+            _ => m.panic(at, "this is no number"),
         };
         fn is_nan(self) -> bool => |_, a, _| bool(a[0].float().is_nan());
         fn is_finite(self) -> bool => |_, a, _| bool(a[0].float().is_finite());
@@ -355,22 +370,22 @@ library! {
             |_, a, _| option(a[0].compared(&a[1]).map(Value::Ordering));
     }
     "int" {
-        fn abs(self) -> Own => |_, a, _| int(a[0].int().abs());
-        fn pow(self, n: u32) -> Own => |_, a, at| {
-            match a[0].int().checked_pow(a[1].int() as u32) {
-                Some(it) => int(it),
-                None => panic(at, "attempt to multiply with overflow"),
+        fn abs(self) -> Own => |_, a, _| int(&a[0], a[0].int().abs());
+        fn pow(self, n: u32) -> Own => |m, a, at| {
+            let power = a[0].int().checked_pow(a[1].int() as u32);
+            match power.filter(|it| kind(&a[0]).fits(*it)) {
+                Some(it) => int(&a[0], it),
+                None => m.panic(at, "attempt to multiply with overflow"),
             }
         };
-        fn max(self, other: Own) -> Own => |_, a, _| int(a[0].int().max(a[1].int()));
-        fn min(self, other: Own) -> Own => |_, a, _| int(a[0].int().min(a[1].int()));
-        fn signum(self) -> Own => |_, a, _| int(a[0].int().signum());
-        fn rem_euclid(self, other: Own) -> Own => |_, a, at| match a[1].int() {
-            0 => panic(
-                at,
-                "attempt to calculate the remainder with a divisor of zero",
-            ),
-            other => int(a[0].int().rem_euclid(other)),
+        fn max(self, other: Own) -> Own => |_, a, _| int(&a[0], a[0].int().max(a[1].int()));
+        fn min(self, other: Own) -> Own => |_, a, _| int(&a[0], a[0].int().min(a[1].int()));
+        fn clamp(self, least: Own, most: Own) -> Own =>
+            |_, a, _| int(&a[0], a[0].int().max(a[1].int()).min(a[2].int()));
+        fn signum(self) -> Own => |_, a, _| int(&a[0], a[0].int().signum());
+        fn rem_euclid(self, other: Own) -> Own => |m, a, at| match a[1].int() {
+            0 => m.panic(at, "attempt to calculate the remainder with a divisor of zero"),
+            other => int(&a[0], a[0].int().rem_euclid(other)),
         };
         fn cmp(&self, other: &Own) -> Ordering => |_, a, _| Ok(Value::Ordering(a[0].int().cmp(&a[1].int())));
         fn partial_cmp(&self, other: &Own) -> Option<Ordering> =>
@@ -378,8 +393,8 @@ library! {
     }
     "bool" {
         fn then_some(self, value: U) -> Option<U> => |_, a, _| option(a[0].truth().then(|| a[1].clone()));
-        fn then(self, value: impl FnOnce() -> U) -> Option<U> => |m, a, _| match a[0].truth() {
-            true => option(Some(m.apply(&a[1], &mut [])?)),
+        fn then(self, value: impl FnOnce() -> U) -> Option<U> => |m, a, at| match a[0].truth() {
+            true => option(Some(m.apply(&a[1], &mut [], at)?)),
             false => option(None),
         };
     }
@@ -416,27 +431,27 @@ library! {
         fn at(&self, t: f64) -> Vec3 => |_, a, _| vector(a[0].ray().at(a[1].float()));
     }
     "Camera" {
-        fn new(image_width: u32) -> Camera => |_, a, at| Ok(Value::Camera(Rc::new(Camera::new(width(&a[0], at)?))));
+        fn new(image_width: u32) -> Camera => |m, a, at| Ok(Value::Camera(Rc::new(Camera::new(width(m, &a[0], at)?))));
         fn with_size(image_width: u32, image_height: u32) -> Camera =>
-            |_, a, at| Ok(Value::Camera(Rc::new(Camera::with_size(width(&a[0], at)?, width(&a[1], at)?))));
+            |m, a, at| Ok(Value::Camera(Rc::new(Camera::with_size(width(m, &a[0], at)?, width(m, &a[1], at)?))));
         fn ray(&self, i: u32, j: u32) -> Ray =>
             |_, a, _| Ok(Value::Ray(Rc::new(a[0].camera().ray(a[1].int() as u32, a[2].int() as u32))));
     }
     "Picture" {
         fn paint(width: u32, height: u32, color_at: impl Fn(u32, u32) -> Vec3) -> Picture => |m, a, at| {
-            let size = (width(&a[0], at)?, width(&a[1], at)?);
+            let size = (width(m, &a[0], at)?, width(m, &a[1], at)?);
             let color = a[2].clone();
             painted(m, size, |m, i, j| {
-                m.apply(&color, &mut [Value::Int(i.into()), Value::Int(j.into())])
+                m.colored(&color, &mut [i, j].map(|it| Value::Int(it.into(), Int::U32)), at)
             })
         };
     }
     "" {
         fn render(width: u32, color: impl Fn(&Ray) -> Vec3) -> Picture => |m, a, at| {
-            let camera = Camera::new(width(&a[0], at)?);
+            let camera = Camera::new(width(m, &a[0], at)?);
             let color = a[1].clone();
             painted(m, (camera.image_width, camera.image_height), |m, i, j| {
-                m.apply(&color, &mut [Value::Ray(Rc::new(camera.ray(i, j)))])
+                m.colored(&color, &mut [Value::Ray(Rc::new(camera.ray(i, j)))], at)
             })
         };
         fn sky(ray: &Ray) -> Vec3 => |_, a, _| vector(sky(&a[0].ray()));
@@ -449,72 +464,61 @@ library! {
     "Option" {
         fn is_some(&self) -> bool => |_, a, _| bool(a[0].option().is_some());
         fn is_none(&self) -> bool => |_, a, _| bool(a[0].option().is_none());
-        fn unwrap(self) -> T => |_, a, at| {
+        fn unwrap(self) -> T => |m, a, at| {
             match a[0].option() {
                 Some(it) => Ok(it),
-                None => panic(at, "called `Option::unwrap()` on a `None` value"),
+                None => m.panic(at, "called `Option::unwrap()` on a `None` value"),
             }
         };
-        fn expect(self, message: &str) -> T => |_, a, at| match a[0].option() {
+        fn expect(self, message: &str) -> T => |m, a, at| match a[0].option() {
             Some(it) => Ok(it),
-            None => panic(at, "called `Option::expect()` on a `None` value"),
+            None => m.panic(at, "called `Option::expect()` on a `None` value"),
         };
         fn unwrap_or(self, other: T) -> T => |_, a, _| Ok(a[0].option().unwrap_or_else(|| a[1].clone()));
-        fn unwrap_or_else(self, other: impl FnOnce() -> T) -> T => |m, a, _| match a[0].option() {
+        fn unwrap_or_else(self, other: impl FnOnce() -> T) -> T => |m, a, at| match a[0].option() {
             Some(it) => Ok(it),
-            None => m.apply(&a[1], &mut []),
+            None => m.apply(&a[1], &mut [], at),
         };
-        fn map(self, f: impl FnOnce(T) -> U) -> Option<U> => |m, a, _| match a[0].option() {
-            Some(it) => option(Some(m.apply(&a[1], &mut [it])?)),
+        fn map(self, f: impl FnOnce(T) -> U) -> Option<U> => |m, a, at| match a[0].option() {
+            Some(it) => option(Some(m.apply(&a[1], &mut [it], at)?)),
             None => option(None),
         };
-        fn map_or(self, other: U, f: impl FnOnce(T) -> U) -> U => |m, a, _| match a[0].option() {
-            Some(it) => m.apply(&a[2], &mut [it]),
+        fn map_or(self, other: U, f: impl FnOnce(T) -> U) -> U => |m, a, at| match a[0].option() {
+            Some(it) => m.apply(&a[2], &mut [it], at),
             None => Ok(a[1].clone()),
         };
-        fn map_or_else(self, other: impl FnOnce() -> U, f: impl FnOnce(T) -> U) -> U => |m, a, _| match a[0].option() {
-            Some(it) => m.apply(&a[2], &mut [it]),
-            None => m.apply(&a[1], &mut []),
+        fn map_or_else(self, other: impl FnOnce() -> U, f: impl FnOnce(T) -> U) -> U => |m, a, at| match a[0].option() {
+            Some(it) => m.apply(&a[2], &mut [it], at),
+            None => m.apply(&a[1], &mut [], at),
         };
-        fn and_then(self, f: impl FnOnce(T) -> Option<U>) -> Option<U> => |m, a, _| match a[0].option() {
-            Some(it) => m.apply(&a[1], &mut [it]),
+        fn and_then(self, f: impl FnOnce(T) -> Option<U>) -> Option<U> => |m, a, at| match a[0].option() {
+            Some(it) => m.apply(&a[1], &mut [it], at),
             None => option(None),
         };
-        fn filter(self, f: impl FnOnce(&T) -> bool) -> Option<T> => |m, a, _| match a[0].option() {
-            Some(it) if m.apply(&a[1], &mut [it.clone()])?.truth() => option(Some(it)),
+        fn filter(self, f: impl FnOnce(&T) -> bool) -> Option<T> => |m, a, at| match a[0].option() {
+            Some(it) if m.asked(&a[1], &mut [it.clone()], at)? => option(Some(it)),
             _ => option(None),
         };
-        fn is_some_and(self, f: impl FnOnce(T) -> bool) -> bool => |m, a, _| match a[0].option() {
-            Some(it) => m.apply(&a[1], &mut [it]),
+        fn is_some_and(self, f: impl FnOnce(T) -> bool) -> bool => |m, a, at| match a[0].option() {
+            Some(it) => m.apply(&a[1], &mut [it], at),
             None => bool(false),
         };
-        fn is_none_or(self, f: impl FnOnce(T) -> bool) -> bool => |m, a, _| match a[0].option() {
-            Some(it) => m.apply(&a[1], &mut [it]),
+        fn is_none_or(self, f: impl FnOnce(T) -> bool) -> bool => |m, a, at| match a[0].option() {
+            Some(it) => m.apply(&a[1], &mut [it], at),
             None => bool(true),
         };
         fn or(self, other: Option<T>) -> Option<T> => |_, a, _| option(a[0].option().or_else(|| a[1].option()));
-        fn or_else(self, other: impl FnOnce() -> Option<T>) -> Option<T> => |m, a, _| match a[0].option() {
+        fn or_else(self, other: impl FnOnce() -> Option<T>) -> Option<T> => |m, a, at| match a[0].option() {
             Some(it) => option(Some(it)),
-            None => m.apply(&a[1], &mut []),
+            None => m.apply(&a[1], &mut [], at),
         };
-        fn and(self, other: Option<U>) -> Option<U> => |_, a, _| option(a[0].option().and_then(|_| a[1].option()));
-        fn xor(self, other: Option<T>) -> Option<T> => |_, a, _| option(a[0].option().xor(a[1].option()));
         fn as_ref(&self) -> Option<&T> => |_, a, _| Ok(a[0].clone());
         fn take(&mut self) -> Option<T> =>
             |m, a, _| Ok(m.change_at(&a[0], |place| std::mem::replace(place, Value::None)));
-        fn replace(&mut self, value: T) -> Option<T> => |m, a, _| {
-            let new = Value::of(Some(a[1].clone()));
-            Ok(m.change_at(&a[0], |place| std::mem::replace(place, new)))
-        };
-        fn insert(&mut self, value: T) -> T => |m, a, _| {
-            let new = a[1].clone();
-            m.change_at(&a[0], |place| *place = Value::of(Some(new)));
-            Ok(a[1].clone())
-        };
         fn copied(self: Option<&U>) -> Option<U> => |_, a, _| Ok(a[0].clone());
         fn cloned(self: Option<&U>) -> Option<U> => |_, a, _| Ok(a[0].clone());
-        fn iter(&self) -> Iterator<&T> => |_, a, _| Ok(Value::Iterator(iterator(&a[0])));
-        fn into_iter(self) -> Iterator<T> => |_, a, _| Ok(Value::Iterator(iterator(&a[0])));
+        fn iter(&self) -> Iterator<&T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
+        fn into_iter(self) -> Iterator<T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
     }
     "Box" {
         fn new(value: T) -> Own => |_, a, _| Ok(a[0].clone());
@@ -524,67 +528,80 @@ library! {
     "Vec" {
         fn new() -> Vec<T> => |_, _, _| list(Vec::new());
         fn with_capacity(n: usize) -> Vec<T> => |_, _, _| list(Vec::new());
-        fn push(&mut self, value: T) => |m, a, _| {
+        fn push(&mut self, value: T) => |m, a, at| {
             let value = std::mem::take(&mut a[1]);
-            Ok(m.change_at(&a[0], |list| changed(list, |all| all.push(value))))
+            match m.change_at(&a[0], |list| changed(list, |all| { all.push(value); all.len() })) < LONGEST {
+                true => Ok(Value::Unit),
+                false => m.panic(at, "a list of more than a million values"),
+            }
         };
         fn pop(&mut self) -> Option<T> => |m, a, _| {
             let mut last = None;
             m.change_at(&a[0], |list| changed(list, |all| last = all.pop()));
             option(last)
         };
-        fn clear(&mut self) => |m, a, _| Ok(m.change_at(&a[0], |list| changed(list, Vec::clear)));
-        fn extend(&mut self, more: Iterator<T>) => |m, a, _| {
-            let more = rest(m, &a[1])?;
-            Ok(m.change_at(&a[0], |list| changed(list, |all| all.extend(more))))
+        fn clear(&mut self) => |m, a, _| edited(m, &a[0], Vec::clear);
+        fn extend(&mut self, more: Iterator<T>) => |m, a, at| {
+            let more = rest(m, &a[1], at)?;
+            edited(m, &a[0], |all| all.extend(more))
         };
     }
     "list" {
-        fn reverse(&mut self) => |m, a, _| Ok(m.change_at(&a[0], |list| changed(list, |all| all.reverse())));
-        fn swap(&mut self, i: usize, j: usize) => |m, a, at| {
-            let [i, j] = [1, 2].map(|n| a[n].int() as usize);
-            let length = m.followed(&a[0]).many().len();
-            match i < length && j < length {
-                true => Ok(m.change_at(&a[0], |list| changed(list, |all| all.swap(i, j)))),
-                false => panic(
-                    at,
-                    &format!(
-                        "index out of bounds: the len is {length} but the index is {}",
-                        i.max(j)
-                    ),
-                ),
-            }
-        };
-        fn sort_by(&mut self, f: impl FnMut(&T, &T) -> Ordering) => |m, a, _| {
+        fn reverse(&mut self) => |m, a, _| edited(m, &a[0], |all| all.reverse());
+        fn sort_by(&mut self, f: impl FnMut(&T, &T) -> Ordering) => |m, a, at| {
             let mut sorted: Vec<Value> = Vec::new();
             for value in m.followed(&a[0]).many().iter() {
                 let mut place = sorted.len();
-                while place > 0 && of_order(m, &a[1], &sorted[place - 1], value)?.is_gt() {
+                while place > 0 && m.ordered(&a[1], [&sorted[place - 1], value], at)?.is_gt() {
                     place -= 1;
                 }
                 sorted.insert(place, value.clone());
             }
-            Ok(m.change_at(&a[0], |list| changed(list, |all| *all = sorted)))
+            edited(m, &a[0], |all| *all = sorted)
         };
-        fn len(&self) -> usize => |_, a, _| int(a[0].many().len() as i128);
+        fn len(&self) -> usize => |_, a, _| Ok(Value::usize(a[0].many().len()));
         fn is_empty(&self) -> bool => |_, a, _| bool(a[0].many().is_empty());
         fn first(&self) -> Option<&T> => |_, a, _| option(a[0].many().first().cloned());
         fn last(&self) -> Option<&T> => |_, a, _| option(a[0].many().last().cloned());
         fn get(&self, n: usize) -> Option<&T> => |_, a, _| option(a[0].many().get(a[1].int() as usize).cloned());
         fn contains(&self, value: &T) -> bool => |_, a, _| bool(a[0].many().iter().any(|it| it.equals(&a[1])));
-        fn iter(&self) -> Iterator<&T> => |_, a, _| Ok(Value::Iterator(iterator(&a[0])));
+        fn iter(&self) -> Iterator<&T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
         fn iter_mut(&mut self) -> Iterator<&mut T> => |m, a, _| Ok(each(m.each_at(&a[0])));
-        fn into_iter(self) -> Iterator<T> => |_, a, _| Ok(Value::Iterator(iterator(&a[0])));
+        fn into_iter(self) -> Iterator<T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
         fn to_vec(&self) -> Vec<T> => |_, a, _| Ok(a[0].clone());
     }
     "array" {
-        fn map(self, f: impl FnMut(T) -> U) -> Vec<U> => |m, a, _| {
+        fn map(self, f: impl FnMut(T) -> U) -> Vec<U> => |m, a, at| {
             let all = a[0]
                 .many()
                 .iter()
-                .map(|it| m.apply(&a[1], &mut [it.clone()]))
+                .map(|it| m.apply(&a[1], &mut [it.clone()], at))
                 .collect::<Eval<_>>()?;
             list(all)
+        };
+    }
+    "str" {
+        fn new() -> String => |_, _, _| text(String::new());
+        fn with_capacity(n: usize) -> String => |_, _, _| text(String::new());
+        fn from(value: &str) -> String => |_, a, _| Ok(a[0].clone());
+        fn to_string(&self) -> String => |_, a, _| Ok(a[0].clone());
+        fn to_owned(&self) -> String => |_, a, _| Ok(a[0].clone());
+        fn as_str(&self) -> &str => |_, a, _| Ok(a[0].clone());
+        fn len(&self) -> usize => |_, a, _| Ok(Value::usize(a[0].text().len()));
+        fn is_empty(&self) -> bool => |_, a, _| bool(a[0].text().is_empty());
+        fn push_str(&mut self, more: &str) => |m, a, at| {
+            let more = a[1].text();
+            let length = m.change_at(&a[0], |text| match text {
+                Value::Str(text) => {
+                    Rc::make_mut(text).push_str(&more);
+                    text.len()
+                }
+                _ => LONGEST_TEXT,
+            });
+            match length < LONGEST_TEXT {
+                true => Ok(Value::Unit),
+                false => m.panic(at, "a text of more than a hundred million bytes, or none"),
+            }
         };
     }
     "Range" {
@@ -603,216 +620,229 @@ library! {
         };
     }
     "Iterator" {
-        fn iter(self) -> Iterator<T> => |_, a, _| Ok(Value::Iterator(iterator(&a[0])));
-        fn into_iter(self) -> Iterator<T> => |_, a, _| Ok(Value::Iterator(iterator(&a[0])));
-        fn next(&self) -> Option<T> => |m, a, _| {
-            let next = iterator(&a[0]).next(m)?;
+        fn iter(self) -> Iterator<T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
+        fn into_iter(self) -> Iterator<T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
+        fn next(&self) -> Option<T> => |m, a, at| {
+            let next = m.iterator(&a[0], at)?.next(m)?;
             option(next)
         };
-        fn map(self, f: impl FnMut(T) -> U) -> Iterator<U> => |_, a, _| {
+        fn map(self, f: impl FnMut(T) -> U) -> Iterator<U> => |m, a, at| {
             let f = a[1].clone();
-            Ok(adapted(&a[0], move |m, it| {
-                Ok(Some(m.apply(&f, &mut [it])?))
-            }))
+            adapted(m, &a[0], at, move |m, it| {
+                Ok(Some(m.apply(&f, &mut [it], at)?))
+            })
         };
-        fn filter(self, f: impl FnMut(&T) -> bool) -> Iterator<T> => |_, a, _| {
+        fn filter(self, f: impl FnMut(&T) -> bool) -> Iterator<T> => |m, a, at| {
             let f = a[1].clone();
-            Ok(adapted(&a[0], move |m, it| {
-                Ok(m.apply(&f, &mut [it.clone()])?.truth().then_some(it))
-            }))
+            adapted(m, &a[0], at, move |m, it| {
+                Ok(m.asked(&f, &mut [it.clone()], at)?.then_some(it))
+            })
         };
-        fn filter_map(self, f: impl FnMut(T) -> Option<U>) -> Iterator<U> => |_, a, _| {
+        fn filter_map(self, f: impl FnMut(T) -> Option<U>) -> Iterator<U> => |m, a, at| {
             let f = a[1].clone();
-            Ok(adapted(&a[0], move |m, it| {
-                Ok(m.apply(&f, &mut [it])?.option())
-            }))
+            adapted(m, &a[0], at, move |m, it| m.chosen(&f, &mut [it], at))
         };
-        fn flat_map(self, f: impl FnMut(T) -> Option<U>) -> Iterator<U> => |_, a, _| {
+        fn flat_map(self, f: impl FnMut(T) -> Option<U>) -> Iterator<U> => |m, a, at| {
             let f = a[1].clone();
-            Ok(adapted(&a[0], move |m, it| {
-                Ok(m.apply(&f, &mut [it])?.option())
-            }))
+            adapted(m, &a[0], at, move |m, it| m.chosen(&f, &mut [it], at))
         };
-        fn flatten(self: Iterator<Option<U>>) -> Iterator<U> => |_, a, _| Ok(adapted(&a[0], |_, it| Ok(it.option())));
-        fn take_while(self, f: impl FnMut(&T) -> bool) -> Iterator<T> => |_, a, _| {
-            let (iterator, f) = (iterator(&a[0]), a[1].clone());
+        fn flatten(self: Iterator<Option<U>>) -> Iterator<U> => |m, a, at| adapted(m, &a[0], at, |_, it| Ok(it.option()));
+        fn take_while(self, f: impl FnMut(&T) -> bool) -> Iterator<T> => |m, a, at| {
+            let (iterator, f) = (m.iterator(&a[0], at)?, a[1].clone());
             let mut is_over = false;
             Ok(Iter::giving(move |m| {
                 let next = if is_over { None } else { iterator.next(m)? };
                 let Some(it) = next else { return Ok(None) };
-                is_over = !m.apply(&f, &mut [it.clone()])?.truth();
+                is_over = !m.asked(&f, &mut [it.clone()], at)?;
                 Ok((!is_over).then_some(it))
             }))
         };
-        fn skip_while(self, f: impl FnMut(&T) -> bool) -> Iterator<T> => |_, a, _| {
-            let f = a[1].clone();
-            let mut has_begun = false;
-            Ok(adapted(&a[0], move |m, it| {
-                has_begun = has_begun || !m.apply(&f, &mut [it.clone()])?.truth();
-                Ok(has_begun.then_some(it))
-            }))
-        };
-        fn take(self, n: usize) -> Iterator<T> => |_, a, _| {
-            let (iterator, mut left) = (iterator(&a[0]), a[1].int());
+        fn take(self, n: usize) -> Iterator<T> => |m, a, at| {
+            let (iterator, mut left) = (m.iterator(&a[0], at)?, a[1].int());
             Ok(Iter::giving(move |m| {
                 left -= 1;
                 if left < 0 { Ok(None) } else { iterator.next(m) }
             }))
         };
-        fn skip(self, n: usize) -> Iterator<T> => |_, a, _| {
+        fn skip(self, n: usize) -> Iterator<T> => |m, a, at| {
             let mut left = a[1].int();
-            Ok(adapted(&a[0], move |_, it| {
+            adapted(m, &a[0], at, move |_, it| {
                 left -= 1;
                 Ok((left < 0).then_some(it))
-            }))
+            })
         };
-        fn step_by(self, n: usize) -> Iterator<T> => |_, a, at| {
+        fn step_by(self, n: usize) -> Iterator<T> => |m, a, at| {
             let (step, mut n) = (a[1].int(), -1);
             if step == 0 {
-                return panic(at, "assertion failed: step != 0");
+                return m.panic(at, "assertion failed: step != 0");
             }
-            Ok(adapted(&a[0], move |_, it| {
+            adapted(m, &a[0], at, move |_, it| {
                 n += 1;
                 Ok((n % step == 0).then_some(it))
-            }))
+            })
         };
-        fn enumerate(self) -> Iterator<(usize, T)> => |_, a, _| {
+        fn enumerate(self) -> Iterator<(usize, T)> => |m, a, at| {
             let mut n = -1;
-            Ok(adapted(&a[0], move |_, it| {
+            adapted(m, &a[0], at, move |_, it| {
                 n += 1;
-                Ok(Some(Value::Many(Rc::new(vec![Value::Int(n), it]))))
-            }))
+                Ok(Some(Value::Tuple([Value::Int(n, Int::Usize), it].into())))
+            })
         };
-        fn rev(self) -> Iterator<T> => |m, a, _| {
-            let mut all = rest(m, &a[0])?;
+        fn rev(self) -> Iterator<T> => |m, a, at| {
+            let mut all = rest(m, &a[0], at)?;
             all.reverse();
             Ok(each(all))
         };
-        fn chain(self, more: Iterator<T>) -> Iterator<T> => |_, a, _| {
-            let both = [iterator(&a[0]), iterator(&a[1])];
+        fn chain(self, more: Iterator<T>) -> Iterator<T> => |m, a, at| {
+            let both = [m.iterator(&a[0], at)?, m.iterator(&a[1], at)?];
             Ok(Iter::giving(move |m| match both[0].next(m)? {
                 Some(it) => Ok(Some(it)),
                 None => both[1].next(m),
             }))
         };
-        fn zip(self, other: Iterator<U>) -> Iterator<(T, U)> => |_, a, _| {
-            let other = iterator(&a[1]);
-            let is_over = RefCell::new(false);
-            let first = iterator(&a[0]);
+        fn zip(self, other: Iterator<U>) -> Iterator<(T, U)> => |m, a, at| {
+            let both = [m.iterator(&a[0], at)?, m.iterator(&a[1], at)?];
             Ok(Iter::giving(move |m| {
-                if *is_over.borrow() {
-                    return Ok(None);
-                }
-                let both = match first.next(m)? {
-                    Some(one) => other.next(m)?.map(|other| vec![one, other]),
-                    None => None,
-                };
-                *is_over.borrow_mut() = both.is_none();
-                Ok(both.map(|both| Value::Many(Rc::new(both))))
+                let Some(one) = both[0].next(m)? else { return Ok(None) };
+                let other = both[1].next(m)?;
+                Ok(other.map(|other| Value::Tuple([one, other].into())))
             }))
         };
         fn copied(self: Iterator<&U>) -> Iterator<U> => |_, a, _| Ok(a[0].clone());
         fn cloned(self: Iterator<&U>) -> Iterator<U> => |_, a, _| Ok(a[0].clone());
         fn find(self, f: impl FnMut(&T) -> bool) -> Option<T> =>
-            |m, a, _| option(found(m, a, Value::truth)?.map(|(_, value, _)| value));
-        fn find_map(self, f: impl FnMut(T) -> Option<U>) -> Option<U> =>
-            |m, a, _| option(found(m, a, |said| said.option().is_some())?.and_then(|(_, _, said)| said.option()));
+            |m, a, at| option(found(m, a, at, true)?.map(|(_, value)| value));
+        fn find_map(self, f: impl FnMut(T) -> Option<U>) -> Option<U> => |m, a, at| {
+            let iterator = m.iterator(&a[0], at)?;
+            while let Some(value) = iterator.next(m)? {
+                if let Some(chosen) = m.chosen(&a[1], &mut [value], at)? {
+                    return option(Some(chosen));
+                }
+            }
+            option(None)
+        };
         fn position(self, f: impl FnMut(T) -> bool) -> Option<usize> =>
-            |m, a, _| option(found(m, a, Value::truth)?.map(|(n, _, _)| Value::Int(n as i128)));
-        fn any(self, f: impl FnMut(T) -> bool) -> bool => |m, a, _| bool(found(m, a, Value::truth)?.is_some());
+            |m, a, at| option(found(m, a, at, true)?.map(|(n, _)| Value::usize(n)));
+        fn any(self, f: impl FnMut(T) -> bool) -> bool => |m, a, at| bool(found(m, a, at, true)?.is_some());
         fn all(self, f: impl FnMut(T) -> bool) -> bool =>
-            |m, a, _| bool(found(m, a, |said| !said.truth())?.is_none());
-        fn for_each(self, f: impl FnMut(T)) => |m, a, _| {
-            found(m, a, |_| false)?;
+            |m, a, at| bool(found(m, a, at, false)?.is_none());
+        fn for_each(self, f: impl FnMut(T)) => |m, a, at| {
+            let iterator = m.iterator(&a[0], at)?;
+            while let Some(value) = iterator.next(m)? {
+                m.apply(&a[1], &mut [value], at)?;
+            }
             Ok(Value::Unit)
         };
-        fn fold(self, start: U, f: impl FnMut(U, T) -> U) -> U => |m, a, _| {
+        fn fold(self, start: U, f: impl FnMut(U, T) -> U) -> U => |m, a, at| {
             let mut sum = a[1].clone();
-            for value in rest(m, &a[0])? {
-                sum = m.apply(&a[2], &mut [sum, value])?;
+            for value in rest(m, &a[0], at)? {
+                sum = m.apply(&a[2], &mut [sum, value], at)?;
             }
             Ok(sum)
         };
-        fn reduce(self, f: impl FnMut(T, T) -> T) -> Option<T> => |m, a, _| {
+        fn reduce(self, f: impl FnMut(T, T) -> T) -> Option<T> => |m, a, at| {
             let mut sum = None;
-            for value in rest(m, &a[0])? {
+            for value in rest(m, &a[0], at)? {
                 sum = Some(match sum {
-                    Some(sum) => m.apply(&a[1], &mut [sum, value])?,
+                    Some(sum) => m.apply(&a[1], &mut [sum, value], at)?,
                     None => value,
                 });
             }
             option(sum)
         };
-        fn sum(self) -> T => |m, a, _| folded(m, &a[0], 0.0, plus);
-        fn product(self) -> T => |m, a, _| folded(m, &a[0], 1.0, times);
-        fn count(self) -> usize => |m, a, _| int(rest(m, &a[0])?.len() as i128);
-        fn last(self) -> Option<T> => |m, a, _| option(rest(m, &a[0])?.pop());
-        fn nth(&self, n: usize) -> Option<T> => |m, a, _| {
-            let iterator = iterator(&a[0]);
-            for _ in 0..a[1].int() {
-                iterator.next(m)?;
-            }
-            option(iterator.next(m)?)
-        };
+        fn sum(self) -> T => |m, a, at| folded(m, &a[0], at, 0.0, Sign::Plus);
+        fn product(self) -> T => |m, a, at| folded(m, &a[0], at, 1.0, Sign::Times);
+        fn count(self) -> usize => |m, a, at| Ok(Value::usize(rest(m, &a[0], at)?.len()));
+        fn last(self) -> Option<T> => |m, a, at| option(rest(m, &a[0], at)?.pop());
         fn min_by(self, f: impl FnMut(&T, &T) -> Ordering) -> Option<T> =>
-            |m, a, _| extreme(m, &a[0], true, |m, one, other| { of_order(m, &a[1], one, other) });
+            |m, a, at| extreme(m, a, at, Ordering::Greater);
         fn max_by(self, f: impl FnMut(&T, &T) -> Ordering) -> Option<T> =>
-            |m, a, _| extreme(m, &a[0], false, |m, one, other| { of_order(m, &a[1], one, other) });
-        fn min_by_key(self, f: impl FnMut(&T) -> U) -> Option<T> =>
-            |m, a, _| extreme(m, &a[0], true, |m, one, other| { of_keys(m, &a[1], one, other) });
-        fn max_by_key(self, f: impl FnMut(&T) -> U) -> Option<T> =>
-            |m, a, _| extreme(m, &a[0], false, |m, one, other| { of_keys(m, &a[1], one, other) });
-        fn collect(self) -> Vec<T> => |m, a, _| list(rest(m, &a[0])?);
+            |m, a, at| extreme(m, a, at, Ordering::Less);
+        fn collect(self) -> Vec<T> => |m, a, at| list(rest(m, &a[0], at)?);
     }
     "any" {
         fn clone(&self) -> Own => |_, a, _| Ok(a[0].clone());
     }
 }
 
-fn changed(list: &mut Value, change: impl FnOnce(&mut Vec<Value>)) -> Value {
+fn changed<R>(list: &mut Value, change: impl FnOnce(&mut Vec<Value>) -> R) -> R {
     match list {
         Value::Many(all) => change(Rc::make_mut(all)),
         other => unreachable!("types are checked, and {other:?} is no list"),
     }
-    Value::Unit
 }
 
-/// The bytes of a picture that a text has drawn.
+/// The picture that a text has drawn: by our `render`, or as the text of a P3 file.
 pub(crate) fn picture(value: &Value) -> Option<Picture> {
     match value {
         Value::Picture(it) => Picture::from_rgb(it.0, it.1, it.2.clone()),
+        Value::Str(text) => {
+            let mut words = text
+                .strip_prefix("P3")?
+                .split_whitespace()
+                .map(str::parse::<u32>);
+            let [width, height, most] = [(); 3].map(|()| words.next().and_then(Result::ok));
+            let levels = words.map(|it| u8::try_from(it.ok()?).ok());
+            most.filter(|&it| it == 255)?;
+            Picture::from_rgb(width?, height?, levels.collect::<Option<_>>()?)
+        }
         _ => None,
     }
 }
 
+/// The names and the types of what a type of the library has.
+pub(crate) fn fields(head: Head) -> impl Iterator<Item = (&'static str, Type)> {
+    let all: &'static [(&str, Head)] = match head {
+        Head::Vec3 => &[("x", Head::F64), ("y", Head::F64), ("z", Head::F64)],
+        Head::Ray => &[("origin", Head::Vec3), ("direction", Head::Vec3)],
+        Head::Camera => &[
+            ("image_width", Head::Int(Int::U32)),
+            ("image_height", Head::Int(Int::U32)),
+            ("center", Head::Vec3),
+            ("pixel00", Head::Vec3),
+            ("pixel_delta_u", Head::Vec3),
+            ("pixel_delta_v", Head::Vec3),
+        ],
+        _ => &[],
+    };
+    all.iter().map(|&(name, head)| (name, head.into()))
+}
+
 /// A constant of a type of the library.
-pub(crate) fn constant(owner: &Type, name: &str) -> Option<(Value, Type)> {
-    let vector = |it: Vec3| Some((Value::Vec3(it), Type::plain(Head::Vec3)));
-    let number = |it: f64| Some((Value::Float(it), owner.clone()));
-    match (owner.head()?, name) {
-        (Head::Vec3, "ZERO") => vector(Vec3::ZERO),
-        (Head::Vec3, "ONE") => vector(Vec3::ONE),
-        (Head::Vec3, "NEG_ONE") => vector(Vec3::NEG_ONE),
-        (Head::Vec3, "X") => vector(Vec3::X),
-        (Head::Vec3, "Y") => vector(Vec3::Y),
-        (Head::Vec3, "Z") => vector(Vec3::Z),
-        (Head::Vec3, "NEG_X") => vector(Vec3::NEG_X),
-        (Head::Vec3, "NEG_Y") => vector(Vec3::NEG_Y),
-        (Head::Vec3, "NEG_Z") => vector(Vec3::NEG_Z),
-        (Head::F64, "INFINITY") => number(f64::INFINITY),
-        (Head::F64, "NEG_INFINITY") => number(f64::NEG_INFINITY),
-        (Head::F64, "MAX") => number(f64::MAX),
-        (Head::F64, "MIN") => number(f64::MIN),
-        (Head::F64, "MIN_POSITIVE") => number(f64::MIN_POSITIVE),
-        (Head::F64, "EPSILON") => number(f64::EPSILON),
-        (Head::F64, "NAN") => number(f64::NAN),
-        (Head::F32, "INFINITY") => number(f64::INFINITY),
-        (Head::F32, "EPSILON") => number(f32::EPSILON.into()),
-        (Head::Int(int), "MAX") => Some((Value::Int(int.most), owner.clone())),
-        (Head::Int(int), "MIN") => Some((Value::Int(int.least), owner.clone())),
-        (Head::Ordering, "Less") => Some((Value::Ordering(Ordering::Less), owner.clone())),
-        (Head::Ordering, "Equal") => Some((Value::Ordering(Ordering::Equal), owner.clone())),
-        (Head::Ordering, "Greater") => Some((Value::Ordering(Ordering::Greater), owner.clone())),
-        _ => None,
-    }
+pub(crate) fn constant(owner: &Type, name: &str) -> Option<(Node, Type)> {
+    let node = match (owner.0, name) {
+        (Head::Vec3, name) => Node::Vec3(match name {
+            "ZERO" => Vec3::ZERO,
+            "ONE" => Vec3::ONE,
+            "NEG_ONE" => Vec3::NEG_ONE,
+            "X" => Vec3::X,
+            "Y" => Vec3::Y,
+            "Z" => Vec3::Z,
+            "NEG_X" => Vec3::NEG_X,
+            "NEG_Y" => Vec3::NEG_Y,
+            "NEG_Z" => Vec3::NEG_Z,
+            "NAN" => Vec3::NAN,
+            _ => return None,
+        }),
+        (Head::F64, name) => Node::Float(match name {
+            "INFINITY" => f64::INFINITY,
+            "NEG_INFINITY" => f64::NEG_INFINITY,
+            "MAX" => f64::MAX,
+            "MIN" => f64::MIN,
+            "MIN_POSITIVE" => f64::MIN_POSITIVE,
+            "EPSILON" => f64::EPSILON,
+            "NAN" => f64::NAN,
+            _ => return None,
+        }),
+        (Head::F32, "INFINITY") => Node::Single(f32::INFINITY),
+        (Head::F32, "MAX") => Node::Single(f32::MAX),
+        (Head::F32, "EPSILON") => Node::Single(f32::EPSILON),
+        (Head::Int(int), "MAX") => Node::Int(int.ends().1, int),
+        (Head::Int(int), "MIN") => Node::Int(int.ends().0, int),
+        (Head::Ordering, "Less") => Node::Ordering(Ordering::Less),
+        (Head::Ordering, "Equal") => Node::Ordering(Ordering::Equal),
+        (Head::Ordering, "Greater") => Node::Ordering(Ordering::Greater),
+        _ => return None,
+    };
+    Some((node, owner.clone()))
 }

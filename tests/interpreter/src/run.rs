@@ -1,128 +1,41 @@
 //! A tree-walking interpreter: each node is what it says, in the arithmetic of the compiled
-//! chapters.
-//!
-//! A shared reference is the value itself, since nothing changes while it lives. A mutable
-//! one is an address: a slot of the stack and the way from there to a part.
+//! chapters. What reading has left open is checked here: what is declared, and which types go
+//! together.
 
-use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
-use std::iter;
 use std::mem;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use common::rtweekend::{Camera, Ray, Vec3};
+use common::rtweekend::Vec3;
 
-use crate::node::{Arithmetic, Function, Node, Order, Pattern, Root, Sign, Step, Target, TypeId};
-use crate::prelude;
-use crate::types::{Head, Type};
-use crate::{Fault, Place};
+use crate::lower::miscounted;
+use crate::names::{Callee, Names, unknown};
+use crate::node::{At, Function, Member, Method, Node, Order, Pattern, Root, Sign, Step, Target};
+use crate::prelude::{self, NATIVES};
+use crate::read::Refusal;
+use crate::types::{Head, Int, Type};
+use crate::value::{Address, Frame, Iter, Source, Value};
 
 /// What runs.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Code {
-    pub(crate) functions: Vec<Function>,
-    pub(crate) closures: Vec<Closure>,
-    /// For each kind of the reader's, its methods by name.
-    pub(crate) methods: Vec<Vec<(String, usize)>>,
-    /// The types that some nodes need, and for each kind the types of its fields.
-    pub(crate) types: Vec<Type>,
-    pub(crate) fields: Vec<Vec<Type>>,
-    /// What a kind's own `default` is, if it has one.
-    pub(crate) defaults: Vec<Option<usize>>,
+    pub(crate) names: Names,
+    pub(crate) functions: Vec<Arc<Function>>,
+    pub(crate) texts: Vec<String>,
 }
 
-/// The parameters of a closure, and its body.
-#[derive(Debug)]
-pub(crate) struct Closure {
-    pub(crate) parameters: Vec<Pattern>,
-    pub(crate) body: Node,
-    pub(crate) slots: usize,
-}
-
-#[derive(Clone, Debug, Default)]
-pub(crate) enum Value {
-    #[default]
-    Unit,
-    Bool(bool),
-    Int(i128),
-    Float(f64),
-    Vec3(Vec3),
-    Ray(Rc<Ray>),
-    Camera(Rc<Camera>),
-    /// Width, height, and three bytes a pixel.
-    Picture(Rc<(u32, u32, Vec<u8>)>),
-    Ordering(Ordering),
-    None,
-    Some(Rc<Value>),
-    /// The number of a variant of one of the reader's kinds, and its fields.
-    Own(u32, u32, Rc<Vec<Value>>),
-    /// A list, an array or a tuple.
-    Many(Rc<Vec<Value>>),
-    Range(Rc<[Value; 2]>, bool),
-    Iterator(Iter),
-    Mut(Rc<Address>),
-    /// A closure, and the frame that it looks at or has taken along.
-    Closure(usize, Rc<Frame>),
-    Function(usize),
-    Native(usize, Rc<Place>),
-    /// Is never hit, and keeps the range that it was asked for.
-    Nothing(Rc<Cell<Option<[f64; 2]>>>),
-}
-
-#[derive(Clone, Debug)]
-pub(crate) struct Address {
-    slot: usize,
-    path: Vec<usize>,
-}
-
-#[derive(Debug)]
-pub(crate) enum Frame {
-    At(usize),
-    Taken(Vec<Value>),
-}
-
-type Next = dyn FnMut(&mut Machine) -> Eval<Option<Value>>;
-
-/// What gives one value after the other.
-#[derive(Clone)]
-pub(crate) struct Iter(Rc<RefCell<Box<Next>>>);
-
-impl std::fmt::Debug for Iter {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str("Iter")
-    }
-}
-
-impl Iter {
-    pub(crate) fn giving(next: impl FnMut(&mut Machine) -> Eval<Option<Value>> + 'static) -> Value {
-        Value::Iterator(Self(Rc::new(RefCell::new(Box::new(next)))))
-    }
-
-    pub(crate) fn next(&self, machine: &mut Machine) -> Eval<Option<Value>> {
-        (self.0.borrow_mut())(machine)
-    }
-}
-
-/// Why what follows is not run.
-#[derive(Debug)]
+/// Why what follows is not run. What is brought along is kept by the machine.
+#[derive(Clone, Copy, Debug)]
 pub(crate) enum Stop {
-    Return(Value),
-    Break(usize, Value),
+    Return,
+    Break(usize),
     Continue(usize),
-    Fault(Box<Fault>),
+    Fault,
 }
 
 pub(crate) type Eval<T = Value> = Result<T, Stop>;
 
-/// The text has stopped by itself.
-pub(crate) fn panic<T>(at: &Place, message: &str) -> Eval<T> {
-    let fault = Fault::at(Some(at.clone()), message, "the program stops here", "");
-    Err(Stop::Fault(Box::new(fault)))
-}
-
-/// So many turns of loops and calls are no pixel's: a loop has no end.
-const TURNS: u32 = 200_000;
 /// So deep is no call in a chapter.
 const DEEPEST: u32 = 60;
 
@@ -130,140 +43,69 @@ const DEEPEST: u32 = 60;
 pub type Sample = [(u32, [u8; 3])];
 
 /// What runs a program: the values of all functions that are being called.
-pub(crate) struct Machine {
-    pub(crate) code: Arc<Code>,
+pub(crate) struct Machine<'c> {
+    pub(crate) code: &'c Code,
     stack: Vec<Value>,
     base: usize,
     depth: u32,
+    /// How many turns of loops and calls there may be, and how many are left.
+    limit: u32,
     turns: u32,
+    /// What `return` and `break` bring along.
+    left: Value,
+    fault: Option<Refusal>,
+    constants: Vec<Option<Value>>,
     pub(crate) sample: Option<Rc<Sample>>,
     pub(crate) matched: usize,
-    has_f32: bool,
 }
 
-/// What only another type could have, of which the checker has made sure.
-macro_rules! taken {
-    ($name:ident, $variant:ident, $ty:ty) => {
-        pub(crate) fn $name(&self) -> $ty {
-            match self {
-                Self::$variant(it) => it.clone(),
-                other => unreachable!("types are checked, and this is {other:?}"),
-            }
-        }
-    };
-}
-
-impl Value {
-    taken!(float, Float, f64);
-    taken!(int, Int, i128);
-    taken!(truth, Bool, bool);
-    taken!(vec3, Vec3, Vec3);
-    taken!(ray, Ray, Rc<Ray>);
-    taken!(camera, Camera, Rc<Camera>);
-    taken!(many, Many, Rc<Vec<Value>>);
-    taken!(ordering, Ordering, Ordering);
-    taken!(iterator, Iterator, Iter);
-
-    pub(crate) fn option(&self) -> Option<Self> {
-        match self {
-            Self::Some(it) => Some(Self::clone(it)),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn of(option: Option<Self>) -> Self {
-        option.map_or(Self::None, |it| Self::Some(Rc::new(it)))
-    }
-
-    pub(crate) fn field(&self, n: usize) -> Self {
-        match self {
-            Self::Own(_, _, fields) | Self::Many(fields) => fields[n].clone(),
-            Self::Vec3(vector) => Self::Float(vector[n]),
-            Self::Ray(ray) => Self::Vec3([ray.origin, ray.direction][n]),
-            Self::Camera(it) => match n {
-                0 => Self::Int(it.image_width.into()),
-                1 => Self::Int(it.image_height.into()),
-                _ => Self::Vec3([it.center, it.pixel00, it.pixel_delta_u, it.pixel_delta_v][n - 2]),
-            },
-            other => unreachable!("types are checked, and {other:?} has no fields"),
-        }
-    }
-
-    /// Whether they are equal, as `derive(PartialEq)` has it.
-    pub(crate) fn equals(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Float(one), Self::Float(other)) => one == other,
-            (Self::Int(one), Self::Int(other)) => one == other,
-            (Self::Bool(one), Self::Bool(other)) => one == other,
-            (Self::Vec3(one), Self::Vec3(other)) => one == other,
-            (Self::Ray(one), Self::Ray(other)) => one == other,
-            (Self::Ordering(one), Self::Ordering(other)) => one == other,
-            (Self::None, Self::None) | (Self::Unit, Self::Unit) => true,
-            (Self::Some(one), Self::Some(other)) => one.equals(other),
-            (Self::Own(_, tag, fields), Self::Own(_, other, others)) => {
-                tag == other && all_equal(fields, others)
-            }
-            (Self::Many(fields), Self::Many(others)) => all_equal(fields, others),
-            _ => false,
-        }
-    }
-
-    /// How numbers are ordered, unless one is none.
-    pub(crate) fn compared(&self, other: &Self) -> Option<Ordering> {
-        match (self, other) {
-            (Self::Float(one), Self::Float(other)) => one.partial_cmp(other),
-            (Self::Int(one), Self::Int(other)) => one.partial_cmp(other),
-            (Self::Bool(one), Self::Bool(other)) => one.partial_cmp(other),
-            _ => None,
-        }
-    }
-}
-
-fn all_equal(one: &[Value], other: &[Value]) -> bool {
-    one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one.equals(other))
-}
-
-impl Machine {
-    pub(crate) fn new(code: &Arc<Code>) -> Self {
+impl<'c> Machine<'c> {
+    /// A machine that takes so many turns for what it is asked, and for each pixel.
+    pub(crate) fn new(code: &'c Code, limit: u32) -> Self {
         Self {
-            code: Arc::clone(code),
-            stack: Vec::new(),
+            code,
+            stack: Vec::with_capacity(64),
             base: 0,
             depth: 0,
-            turns: TURNS,
+            limit,
+            turns: limit,
+            left: Value::Unit,
+            fault: None,
+            constants: Vec::new(),
             sample: None,
             matched: 0,
-            has_f32: code.types.iter().any(|it| it.is(Head::F32)),
         }
     }
 
     /// Another pixel, which may take as long as the one before.
     pub(crate) fn begin(&mut self) {
-        self.turns = TURNS;
+        self.turns = self.limit;
     }
 
-    fn turn(&mut self, at: impl FnOnce() -> Option<Place>) -> Eval<()> {
+    fn turn(&mut self, at: At) -> Eval<()> {
         self.turns = self.turns.saturating_sub(1);
         if self.turns > 0 {
             return Ok(());
         }
-        let message = format!("a loop without end: after {TURNS} turns it was still going");
-        let help = "what ends it never comes true";
-        Err(Stop::Fault(Box::new(Fault::at(at(), &message, "", help))))
+        let message = format!("more than {} turns of loops and calls", grouped(self.limit));
+        let help = "the page counts no further: what ends a loop here may never come true";
+        self.refuse(Refusal::stop(at, &message, help))
     }
 
-    /// Calls a function; what stops it is a fault.
-    pub(crate) fn call(&mut self, function: usize, arguments: &[Value]) -> Result<Value, Fault> {
-        self.run(function, arguments).map_err(|stop| match stop {
-            Stop::Fault(fault) => *fault,
-            _ => unreachable!("loops and functions catch what leaves them"),
-        })
+    pub(crate) fn refuse<T>(&mut self, refusal: Refusal) -> Eval<T> {
+        self.fault = Some(refusal);
+        Err(Stop::Fault)
     }
 
-    /// A list of the reader's with no more than its default fields.
-    pub(crate) fn default_of(&mut self, kind: u32) -> Value {
-        let ty = Type::plain(Head::Own(kind as usize));
-        self.default(&ty).unwrap_or_default()
+    /// The text has stopped by itself.
+    pub(crate) fn panic<T>(&mut self, at: At, message: &str) -> Eval<T> {
+        self.refuse(Refusal::stop(at, message, ""))
+    }
+
+    /// Calls a function from outside; what stops it is a refusal.
+    pub(crate) fn call(&mut self, function: usize, arguments: &[Value]) -> Result<Value, Refusal> {
+        self.run(function, arguments, At::default())
+            .map_err(|_| self.fault.take().expect("functions catch what leaves them"))
     }
 
     /// What becomes of a value of which a method takes each of these, one after the other.
@@ -272,107 +114,169 @@ impl Machine {
         add: usize,
         value: Value,
         with: Vec<Value>,
-    ) -> Result<Value, Fault> {
+    ) -> Result<Value, Refusal> {
         self.stack.push(value);
         let slot = self.stack.len() - 1;
         for one in with {
-            let place = Value::Mut(Rc::new(Address {
-                slot,
-                path: Vec::new(),
-            }));
-            self.call(add, &[place, one])?;
+            let path = Vec::new();
+            self.call(add, &[Value::Mut(Rc::new(Address { slot, path })), one])?;
         }
         Ok(self.stack.pop().unwrap_or_default())
     }
 
-    fn run(&mut self, function: usize, arguments: &[Value]) -> Eval {
-        let code = Arc::clone(&self.code);
+    fn run(&mut self, function: usize, arguments: &[Value], at: At) -> Eval {
+        let start = self.stack.len();
+        self.stack.extend_from_slice(arguments);
+        self.enter(function, start, at)
+    }
+
+    /// Runs a function whose arguments are on the stack.
+    fn enter(&mut self, function: usize, start: usize, at: At) -> Eval {
+        let code = self.code;
         let function = &code.functions[function];
-        let frame = iter::repeat_n(Value::Unit, function.slots);
-        self.enter(&function.parameters, &function.body, arguments, frame)
+        let size = start + function.slots;
+        self.in_frame(start, size, at, |own| {
+            for (n, pattern) in &function.patterns {
+                let value = own.stack[start + n].clone();
+                own.binds(pattern, &value)?;
+            }
+            own.eval(&function.body)
+        })
     }
 
     /// Runs a body in a frame of its own.
-    fn enter(
+    fn in_frame(
         &mut self,
-        parameters: &[Pattern],
-        body: &Node,
-        arguments: &[Value],
-        frame: impl Iterator<Item = Value>,
+        start: usize,
+        end: usize,
+        at: At,
+        body: impl FnOnce(&mut Self) -> Eval,
     ) -> Eval {
         if self.depth == DEEPEST {
-            let message = format!("a function calls itself without end: {DEEPEST} calls are open");
-            return Err(Stop::Fault(Box::new(Fault::at(None, &message, "", ""))));
+            let message = format!("more than {DEEPEST} calls are open at once");
+            let help = "the page goes no deeper: a function that calls itself may have no end";
+            return self.refuse(Refusal::stop(at, &message, help));
         }
-        self.turn(|| None)?;
-        let base = mem::replace(&mut self.base, self.stack.len());
-        self.stack.extend(frame);
+        self.turn(at)?;
+        let base = mem::replace(&mut self.base, start);
+        self.stack.resize_with(end, Value::default);
         self.depth += 1;
-        let result = self
-            .bind_all(parameters, arguments)
-            .and_then(|()| self.eval(body));
+        let result = body(self);
         self.depth -= 1;
-        self.stack.truncate(self.base);
+        self.stack.truncate(start);
         self.base = base;
+        self.returned(result)
+    }
+
+    fn returned(&mut self, result: Eval) -> Eval {
         match result {
-            Err(Stop::Return(value)) => Ok(value),
+            Err(Stop::Return) => Ok(mem::take(&mut self.left)),
             result => result,
         }
     }
 
-    fn bind_all(&mut self, parameters: &[Pattern], arguments: &[Value]) -> Eval<()> {
-        for (pattern, value) in parameters.iter().zip(arguments) {
-            self.binds(pattern, value)?;
+    fn push_all(&mut self, nodes: &[Node]) -> Eval<usize> {
+        let start = self.stack.len();
+        for node in nodes {
+            let value = self.eval(node)?;
+            self.stack.push(value);
         }
-        Ok(())
+        Ok(start)
     }
 
     /// Calls a value that is a function.
-    pub(crate) fn apply(&mut self, function: &Value, arguments: &mut [Value]) -> Eval {
+    pub(crate) fn apply(&mut self, function: &Value, arguments: &mut [Value], at: At) -> Eval {
         match function {
-            Value::Function(function) => self.run(*function, arguments),
-            Value::Native(native, at) => prelude::run(*native, self, arguments, at),
+            Value::Function(function) => {
+                let wanted = self.code.names.functions[*function].parameters.clone();
+                let arguments = self.all_declared(&wanted, arguments, at)?;
+                self.run(*function, &arguments, at)
+            }
+            Value::Native(native, at) => {
+                let wanted = &NATIVES[*native].signature.parameters;
+                let mut arguments = self.all_declared(wanted, arguments, *at)?;
+                prelude::run(*native, self, &mut arguments, *at)
+            }
             Value::Closure(closure, frame) => {
-                let code = Arc::clone(&self.code);
-                let closure = &code.closures[*closure];
+                let body = |own: &mut Self| {
+                    for (pattern, value) in closure.parameters.iter().zip(arguments) {
+                        own.binds(pattern, value)?;
+                    }
+                    own.eval(&closure.body)
+                };
                 match &**frame {
                     Frame::Taken(frame) => {
-                        let rest = iter::repeat_n(Value::Unit, closure.slots - frame.len());
-                        let frame = frame.iter().cloned().chain(rest);
-                        self.enter(&closure.parameters, &closure.body, arguments, frame)
+                        let start = self.stack.len();
+                        self.stack.extend_from_slice(frame);
+                        self.in_frame(start, start + frame.len(), at, body)
                     }
                     // The function that made it is over, so it uses nothing of its.
-                    Frame::At(base) if *base > self.base => {
-                        let frame = iter::repeat_n(Value::Unit, closure.slots);
-                        self.enter(&closure.parameters, &closure.body, arguments, frame)
+                    Frame::At(base, slots) if *base > self.base => {
+                        let start = self.stack.len();
+                        self.in_frame(start, start + slots, at, body)
                     }
-                    Frame::At(base) => {
-                        self.turn(|| None)?;
+                    Frame::At(base, _) => {
+                        self.turn(at)?;
                         let base = mem::replace(&mut self.base, *base);
-                        let bound = self.bind_all(&closure.parameters, arguments);
-                        let result = bound.and_then(|()| self.eval(&closure.body));
+                        let result = body(self);
                         self.base = base;
-                        match result {
-                            Err(Stop::Return(value)) => Ok(value),
-                            result => result,
-                        }
+                        self.returned(result)
                     }
                 }
             }
-            other => unreachable!("types are checked, and {other:?} is no function"),
+            other => {
+                let name = other.ty().name(&self.code.names);
+                let message = format!("expected function, found `{name}`");
+                self.refuse(Refusal::new(at, &message, "", ""))
+            }
         }
     }
 
-    fn is(&self, ty: TypeId, head: Head) -> bool {
-        self.code.types[ty].is(head)
+    fn all_declared(&mut self, types: &[Type], values: &[Value], at: At) -> Eval<Vec<Value>> {
+        if types.len() != values.len() {
+            return self.refuse(miscounted(false, types.len(), values.len(), at));
+        }
+        let both = types.iter().zip(values);
+        both.map(|(ty, value)| self.declared(value.clone(), ty, at))
+            .collect()
     }
 
-    fn boxed(&mut self, nodes: &[Node; 2]) -> Eval<[Value; 2]> {
-        Ok([self.eval(&nodes[0])?, self.eval(&nodes[1])?])
+    /// A value as what is declared.
+    pub(crate) fn declared(&mut self, value: Value, ty: &Type, at: At) -> Eval {
+        let value = match (&value, ty.0) {
+            (Value::Float(_), Head::F64) | (Value::Vec3(_), Head::Vec3) => return Ok(value),
+            (Value::Mut(_), head) if !matches!(head, Head::RefMut | Head::Unknown) => {
+                self.followed(&value)
+            }
+            (Value::Int(it, Int::Any), Head::Int(int)) if int.fits(*it) => Value::Int(*it, int),
+            (Value::Int(_, Int::Any), Head::Int(_)) => {
+                return self.panic(at, "attempt to compute a number with overflow");
+            }
+            _ => value,
+        };
+        match value.fits(ty, &self.code.names) {
+            true => Ok(value),
+            false => self.refuse(self.code.names.mismatch(ty, &value.ty(), at)),
+        }
+    }
+
+    fn boxed<const N: usize>(&mut self, nodes: &[Node; N]) -> Eval<[Value; N]> {
+        let mut values = [const { Value::Unit }; N];
+        for (value, node) in values.iter_mut().zip(nodes) {
+            *value = self.eval(node)?;
+        }
+        Ok(values)
     }
 
     fn all(&mut self, nodes: &[Node]) -> Eval<Vec<Value>> {
         nodes.iter().map(|node| self.eval(node)).collect()
+    }
+
+    fn truth(&mut self, node: &Node) -> Eval<bool> {
+        match self.eval(node)? {
+            Value::Bool(it) => Ok(it),
+            other => unreachable!("conditions are declared, and this is {other:?}"),
+        }
     }
 
     /// What most nodes are, each with its result where it belongs.
@@ -380,53 +284,43 @@ impl Machine {
         match node {
             Node::Local(slot) => Ok(self.stack[self.base + slot].clone()),
             Node::Float(it) => Ok(Value::Float(*it)),
-            Node::Field(of, n) => match &**of {
-                Node::Local(slot) => Ok(self.stack[self.base + slot].field(*n)),
-                of => Ok(self.eval(of)?.field(*n)),
-            },
-            Node::Arithmetic(how, nodes) => self.operation(how, nodes),
-            Node::Compare(order, nodes) => self.comparison(*order, nodes),
-            Node::And(nodes) => match self.eval(&nodes[0])?.truth() {
+            Node::Field(of, member) => self.field(of, member),
+            Node::Arithmetic(sign, nodes, at) => self.operation(*sign, nodes, *at),
+            Node::Compare(order, nodes, at) => self.comparison(*order, nodes, *at),
+            Node::And(nodes) => Ok(Value::Bool(
+                self.truth(&nodes[0])? && self.truth(&nodes[1])?,
+            )),
+            Node::Or(nodes) => Ok(Value::Bool(
+                self.truth(&nodes[0])? || self.truth(&nodes[1])?,
+            )),
+            Node::If(nodes) => match self.truth(&nodes[0])? {
                 true => self.eval(&nodes[1]),
-                false => Ok(Value::Bool(false)),
+                false => self.eval(&nodes[2]),
             },
-            Node::Or(nodes) => match self.eval(&nodes[0])?.truth() {
-                false => self.eval(&nodes[1]),
-                true => Ok(Value::Bool(true)),
-            },
-            Node::If(condition, then, other) => match self.eval(condition)?.truth() {
-                true => self.eval(then),
-                false => self.eval(other),
-            },
-            Node::Block(nodes, true) if !nodes.is_empty() => {
-                let (last, before) = nodes.split_last().expect("not empty");
-                for node in before {
-                    self.eval(node)?;
-                }
-                self.eval(last)
-            }
+            Node::Block(nodes, has_value) => self.block(nodes, *has_value),
             Node::Let(pattern, value, None) => self.bound(pattern, value),
-            Node::Call(function, nodes) if nodes.len() <= 4 => {
-                let mut arguments: [Value; 4] = Default::default();
-                for (argument, node) in arguments.iter_mut().zip(nodes) {
-                    *argument = self.eval(node)?;
-                }
-                self.run(*function, &arguments[..nodes.len()])
+            Node::Call(function, nodes, at) => {
+                let start = self.push_all(nodes)?;
+                self.enter(*function, start, *at)
             }
-            Node::Dispatch(of, name, nodes) if nodes.len() <= 4 => {
-                let mut arguments: [Value; 4] = Default::default();
-                for (argument, node) in arguments.iter_mut().zip(nodes) {
-                    *argument = self.eval(node)?;
-                }
-                self.dispatch(*of, name, &mut arguments[..nodes.len()])
+            Node::Native(native, nodes, at) => self.native(*native, nodes, *at),
+            Node::Return(value) => {
+                self.left = self.eval(value)?;
+                Err(Stop::Return)
             }
-            Node::Deref(of) => {
-                let reference = self.eval(of)?;
-                Ok(self.followed(&reference))
-            }
-            Node::Native(native, nodes, ty, at) => self.native(*native, nodes, *ty, at),
             node => self.eval_rest(node),
         }
+    }
+
+    fn block(&mut self, nodes: &[Node], has_value: bool) -> Eval {
+        let Some((last, before)) = nodes.split_last() else {
+            return Ok(Value::Unit);
+        };
+        for node in before {
+            self.eval(node)?;
+        }
+        let last = self.eval(last)?;
+        Ok(if has_value { last } else { Value::Unit })
     }
 
     #[inline(never)]
@@ -443,39 +337,68 @@ impl Machine {
     }
 
     #[inline(never)]
-    fn native(&mut self, native: usize, nodes: &[Node], ty: TypeId, at: &Place) -> Eval {
-        let mut arguments: [Value; 4] = Default::default();
-        for (argument, node) in arguments.iter_mut().zip(nodes) {
-            *argument = self.eval(node)?;
-        }
-        let value = prelude::run(native, self, &mut arguments[..nodes.len()], at)?;
-        match value {
-            Value::Float(it) if self.has_f32 && self.is(ty, Head::F32) => {
-                Ok(Value::Float(f64::from(it as f32)))
+    fn field(&mut self, of: &Node, member: &Member) -> Eval {
+        // Without a copy of the whole.
+        if let (Node::Local(slot), Member::Number(n)) = (of, member) {
+            match &self.stack[self.base + slot] {
+                Value::Mut(address) => return Ok(self.at(address).field(*n)),
+                value => return Ok(value.field(*n)),
             }
-            value => Ok(value),
+        }
+        let value = self.eval(of)?;
+        let value = self.followed(&value);
+        Ok(value.field(self.number(&value, member)?))
+    }
+
+    /// The number of a part of the value.
+    fn number(&mut self, value: &Value, member: &Member) -> Eval<usize> {
+        match member {
+            Member::Number(n) => Ok(*n),
+            Member::Name(name, module, at) => {
+                match self.code.names.field(&value.ty(), name, *module, *at) {
+                    Ok((n, _)) => Ok(n),
+                    Err(refusal) => self.refuse(refusal),
+                }
+            }
         }
     }
 
     #[inline(never)]
-    fn operation(&mut self, how: &Arithmetic, nodes: &[Node; 2]) -> Eval {
+    fn native(&mut self, native: usize, nodes: &[Node], at: At) -> Eval {
+        match nodes {
+            [one] => {
+                let mut arguments = [self.eval(one)?];
+                prelude::run(native, self, &mut arguments, at)
+            }
+            [one, other] => {
+                let mut arguments = [self.eval(one)?, self.eval(other)?];
+                prelude::run(native, self, &mut arguments, at)
+            }
+            nodes => {
+                let mut arguments = self.all(nodes)?;
+                prelude::run(native, self, &mut arguments, at)
+            }
+        }
+    }
+
+    #[inline(never)]
+    fn operation(&mut self, sign: Sign, nodes: &[Node; 2], at: At) -> Eval {
         let left = self.eval(&nodes[0])?;
         let right = self.eval(&nodes[1])?;
-        match (&left, &right) {
-            (Value::Float(a), Value::Float(b)) if !self.has_f32 => match how.sign {
+        if let (Value::Float(a), Value::Float(b)) = (&left, &right) {
+            match sign {
                 Sign::Plus => return Ok(Value::Float(a + b)),
                 Sign::Minus => return Ok(Value::Float(a - b)),
                 Sign::Times => return Ok(Value::Float(a * b)),
                 Sign::Over => return Ok(Value::Float(a / b)),
                 _ => {}
-            },
-            _ => {}
+            }
         }
-        self.arithmetic(how, left, right)
+        self.arithmetic(sign, left, right, at)
     }
 
     #[inline(never)]
-    fn comparison(&mut self, order: Order, nodes: &[Node; 2]) -> Eval {
+    fn comparison(&mut self, order: Order, nodes: &[Node; 2], at: At) -> Eval {
         let left = self.eval(&nodes[0])?;
         let right = self.eval(&nodes[1])?;
         if let (Value::Float(a), Value::Float(b)) = (&left, &right) {
@@ -487,6 +410,11 @@ impl Machine {
                 Order::More => a > b,
                 Order::AtLeast => a >= b,
             }));
+        }
+        let [left, right] = [left, right].map(|it| self.followed(&it));
+        let types = [&left.ty(), &right.ty()];
+        if let Err(refusal) = self.code.names.comparable(order, types, at, at) {
+            return self.refuse(refusal);
         }
         Ok(Value::Bool(match order {
             Order::Equal => left.equals(&right),
@@ -505,58 +433,42 @@ impl Machine {
         Ok(match node {
             Node::Unit => Value::Unit,
             Node::Bool(it) => Value::Bool(*it),
-            Node::Int(it) => Value::Int(*it),
-            Node::Float(it) => Value::Float(*it),
+            Node::Int(it, int) => Value::Int(*it, *int),
+            Node::Single(it) => Value::Single(*it),
             Node::Vec3(it) => Value::Vec3(*it),
+            Node::Str(it) => Value::Str(Rc::new(it.to_string())),
             Node::None => Value::None,
             Node::Ordering(it) => Value::Ordering(*it),
-            Node::Local(slot) => self.stack[self.base + slot].clone(),
             Node::Deref(of) => {
                 let reference = self.eval(of)?;
                 self.followed(&reference)
             }
-            Node::Field(of, n) => match (&**of, *n) {
-                // Without a copy of the whole.
-                (Node::Local(slot), n) => self.stack[self.base + slot].field(n),
-                (of, n) => self.eval(of)?.field(n),
-            },
-            Node::Index(of, index, at) => {
-                let list = self.eval(of)?;
-                let index = self.eval(index)?.int();
-                match list {
-                    Value::Vec3(vector) if (0..3).contains(&index) => {
-                        Value::Float(vector[index as usize])
-                    }
-                    Value::Many(all) if (0..all.len() as i128).contains(&index) => {
-                        all[index as usize].clone()
-                    }
-                    Value::Many(all) => return out_of_bounds(at, all.len(), index),
-                    _ => return out_of_bounds(at, 3, index),
-                }
+            Node::Index(nodes, at) => {
+                let [list, index] = self.boxed(nodes)?;
+                let list = self.followed(&list);
+                let n = self.index(&list, &index, *at)?;
+                list.field(n)
             }
             Node::Address(target) => Value::Mut(Rc::new(self.address(target)?)),
             Node::Set(target, value) => {
                 let value = self.eval(value)?;
-                match &**target {
-                    Target {
-                        root: Root::Local(slot),
-                        steps,
-                    } if steps.is_empty() => {
+                match (&target.root, target.steps.as_slice()) {
+                    (Root::Local(slot), []) => {
                         let slot = self.base + slot;
                         self.stack[slot] = value;
                     }
-                    target => {
+                    _ => {
                         let address = self.address(target)?;
                         self.change(&address, |place| *place = value);
                     }
                 }
                 Value::Unit
             }
-            Node::Update(target, arithmetic, value) => {
+            Node::Update(target, sign, value, at) => {
                 let right = self.eval(value)?;
                 let address = self.address(target)?;
                 let left = self.at(&address);
-                let value = self.arithmetic(arithmetic, left, right)?;
+                let value = self.arithmetic(*sign, left, right, *at)?;
                 self.change(&address, |place| *place = value);
                 Value::Unit
             }
@@ -569,99 +481,72 @@ impl Machine {
                 }
                 Value::Unit
             }
-            Node::Arithmetic(how, nodes) => {
-                let [left, right] = self.boxed(nodes)?;
-                self.arithmetic(how, left, right)?
-            }
-            Node::Compare(order, nodes) => {
-                let [left, right] = self.boxed(nodes)?;
-                Value::Bool(match order {
-                    Order::Equal => left.equals(&right),
-                    Order::Unequal => !left.equals(&right),
-                    order => left.compared(&right).is_some_and(|it| match order {
-                        Order::Less => it.is_lt(),
-                        Order::AtMost => it.is_le(),
-                        Order::More => it.is_gt(),
-                        _ => it.is_ge(),
-                    }),
-                })
-            }
-            Node::And(nodes) => {
-                Value::Bool(self.eval(&nodes[0])?.truth() && self.eval(&nodes[1])?.truth())
-            }
-            Node::Or(nodes) => {
-                Value::Bool(self.eval(&nodes[0])?.truth() || self.eval(&nodes[1])?.truth())
-            }
-            Node::Not(of, ty) => match (self.eval(of)?, self.code.types[*ty].head()) {
-                (Value::Int(it), Some(Head::Int(int))) => Value::Int(int.wrapped(!it)),
-                (it, _) => Value::Bool(!it.truth()),
+            Node::Not(of, at) => match self.eval(of)? {
+                Value::Int(it, int) => Value::Int(int.wrapped(!it), int),
+                Value::Bool(it) => Value::Bool(!it),
+                it => return self.no_unary("!", &it, *at),
             },
-            Node::Negate(of, ty, at) => match self.eval(of)? {
+            Node::Negate(of, at) => match self.eval(of)? {
                 Value::Float(it) => Value::Float(-it),
+                Value::Single(it) => Value::Single(-it),
                 Value::Vec3(it) => Value::Vec3(-it),
-                it => match self.code.types[*ty].head() {
-                    Some(Head::Int(int)) if int.fits(-it.int()) => Value::Int(-it.int()),
-                    _ => return panic(at, "attempt to negate with overflow"),
+                Value::Int(it, int) if int.fits(-it) => Value::Int(-it, int),
+                Value::Int(..) => return self.panic(*at, "attempt to negate with overflow"),
+                it => match self.code.names.method(&it.ty(), "neg", None) {
+                    Some(own) => self.run(own, &[it], *at)?,
+                    None => return self.no_unary("-", &it, *at),
                 },
             },
-            Node::Cast(of, ty) => {
+            Node::Cast(of, ty, at) => {
                 let value = self.eval(of)?;
-                cast(&value, &self.code.types[*ty])
-            }
-            Node::Default(ty) => {
-                let ty = self.code.types[*ty].clone();
-                self.default(&ty)?
-            }
-            Node::Call(function, arguments) => {
-                let arguments = self.all(arguments)?;
-                self.run(*function, &arguments)?
-            }
-            Node::Dispatch(of, name, arguments) => {
-                let mut arguments = self.all(arguments)?;
-                self.dispatch(*of, name, &mut arguments)?
-            }
-            Node::Native(native, nodes, ty, at) => {
-                let mut arguments: [Value; 4] = Default::default();
-                for (argument, node) in arguments.iter_mut().zip(nodes) {
-                    *argument = self.eval(node)?;
-                }
-                let value = prelude::run(*native, self, &mut arguments[..nodes.len()], at)?;
-                match value {
-                    Value::Float(it) if self.is(*ty, Head::F32) => {
-                        Value::Float(f64::from(it as f32))
+                let value = self.followed(&value);
+                match value.cast(ty) {
+                    Some(it) => it,
+                    None => {
+                        let [one, other] = [&value.ty(), ty].map(|it| it.name(&self.code.names));
+                        let message = format!("non-primitive cast: `{one}` as `{other}`");
+                        return self.refuse(Refusal::new(*at, &message, "", ""));
                     }
-                    value => value,
                 }
             }
-            Node::CallValue(function, arguments) => {
+            Node::Declared(of, ty, at) => {
+                let value = self.eval(of)?;
+                self.declared(value, ty, *at)?
+            }
+            Node::Default(ty) => self.default(ty)?,
+            Node::Constant(function, at) => self.constant(*function, *at)?,
+            Node::Dispatch(all, nodes, at) => self.dispatch(all, nodes, *at)?,
+            Node::Method(method, nodes) => self.late_method(method, nodes)?,
+            Node::Apply(function, nodes, at) => {
                 let function = self.eval(function)?;
-                let mut arguments = self.all(arguments)?;
-                self.apply(&function, &mut arguments)?
+                let mut arguments = self.all(nodes)?;
+                self.apply(&function, &mut arguments, *at)?
             }
             Node::Closure(closure, is_moved) => {
                 let frame = match is_moved {
                     true => Frame::Taken(self.stack[self.base..].to_vec()),
-                    false => Frame::At(self.base),
+                    false => Frame::At(self.base, self.stack.len() - self.base),
                 };
-                Value::Closure(*closure, Rc::new(frame))
+                Value::Closure(Arc::clone(closure), Rc::new(frame))
             }
             Node::Function(function) => Value::Function(*function),
-            Node::NativeFunction(native, at) => Value::Native(*native, Rc::new((**at).clone())),
+            Node::NativeFunction(native, at) => Value::Native(*native, *at),
             Node::New(kind, variant, fields, base) => {
                 let mut all = match base {
                     Some(base) => match self.eval(base)? {
-                        Value::Own(_, _, fields) => Rc::unwrap_or_clone(fields),
-                        other => unreachable!("types are checked, and this is {other:?}"),
+                        Value::Own(_, _, fields) => fields.to_vec(),
+                        other => unreachable!("it is declared, and this is {other:?}"),
                     },
                     None => vec![Value::Unit; fields.len()],
                 };
                 for (n, node) in fields {
                     all[*n] = self.eval(node)?;
                 }
-                Value::Own(*kind as u32, *variant as u32, Rc::new(all))
+                Value::Own(*kind, *variant, all.into())
             }
             Node::Some(of) => Value::Some(Rc::new(self.eval(of)?)),
             Node::Many(nodes) => Value::Many(Rc::new(self.all(nodes)?)),
+            Node::Tuple(nodes) => Value::Tuple(self.all(nodes)?.into()),
             Node::Repeat(node, length) => Value::Many(Rc::new(vec![self.eval(node)?; *length])),
             Node::Range(from, to, is_closed) => {
                 let mut end = |node: &Option<Box<Node>>| match node {
@@ -670,137 +555,281 @@ impl Machine {
                 };
                 Value::Range(Rc::new([end(from)?, end(to)?]), *is_closed)
             }
-            Node::If(condition, then, other) => match self.eval(condition)?.truth() {
-                true => self.eval(then)?,
-                false => self.eval(other)?,
-            },
             Node::Match(of, arms, at) => {
                 let value = self.eval(of)?;
                 for arm in arms {
                     if self.binds(&arm.pattern, &value)?
                         && match &arm.guard {
-                            Some(guard) => self.eval(guard)?.truth(),
+                            Some(guard) => self.truth(guard)?,
                             None => true,
                         }
                     {
                         return self.eval(&arm.body);
                     }
                 }
-                return panic(
-                    at,
-                    "no arm matches this value: rustc would refuse the match",
-                );
+                let message = "non-exhaustive patterns: no arm matches this value";
+                return self.refuse(Refusal::new(*at, message, "", ""));
             }
             Node::Matches(pattern, of) => {
                 let value = self.eval(of)?;
                 Value::Bool(self.binds(pattern, &value)?)
             }
-            Node::While(condition, body, label, at) => loop {
-                self.turn(|| Some((**at).clone()))?;
-                if !self.eval(condition)?.truth() {
-                    break Value::Unit;
-                }
-                match self.eval(body) {
-                    Err(Stop::Break(to, value)) if to == *label => break value,
-                    Err(Stop::Continue(to)) if to == *label => {}
-                    result => drop(result?),
+            Node::While(nodes, label, at) => loop {
+                self.turn(*at)?;
+                if !self.truth(&nodes[0])? || self.is_left(&nodes[1], *label)? {
+                    break mem::take(&mut self.left);
                 }
             },
-            Node::For(pattern, of, body, label, at) => {
-                let each = self.eval(of)?;
-                let each = prelude::iterator(&each);
+            Node::For(pattern, nodes, label, at) => {
+                let each = self.eval(&nodes[0])?;
+                let each = self.iterator(&each, *at)?;
                 while let Some(value) = each.next(self)? {
-                    self.turn(|| Some((**at).clone()))?;
+                    self.turn(*at)?;
                     self.binds(pattern, &value)?;
-                    match self.eval(body) {
-                        Err(Stop::Break(to, _)) if to == *label => break,
-                        Err(Stop::Continue(to)) if to == *label => {}
-                        result => drop(result?),
+                    if self.is_left(&nodes[1], *label)? {
+                        break;
                     }
                 }
                 Value::Unit
             }
             Node::Labeled(body, label) => match self.eval(body) {
-                Err(Stop::Break(to, value)) if to == *label => value,
+                Err(Stop::Break(to)) if to == *label => mem::take(&mut self.left),
                 result => result?,
             },
-            Node::Break(label, value) => return Err(Stop::Break(*label, self.eval(value)?)),
+            Node::Break(label, value) => {
+                self.left = self.eval(value)?;
+                return Err(Stop::Break(*label));
+            }
             Node::Continue(label) => return Err(Stop::Continue(*label)),
-            Node::Return(value) => return Err(Stop::Return(self.eval(value)?)),
             Node::Try(of) => match self.eval(of)? {
                 Value::Some(value) => Rc::unwrap_or_clone(value),
-                _ => return Err(Stop::Return(Value::None)),
+                _ => {
+                    self.left = Value::None;
+                    return Err(Stop::Return);
+                }
             },
-            Node::Block(nodes, has_value) => {
-                let mut last = Value::Unit;
-                for node in nodes {
-                    last = self.eval(node)?;
+            Node::Panic(message, at) => return self.panic(*at, message),
+            Node::Format(pieces, nodes) => {
+                let values = self.all(nodes)?;
+                let mut text = String::new();
+                for (n, (before, digits)) in pieces.iter().enumerate() {
+                    text += before;
+                    if let Some(value) = values.get(n) {
+                        text += &self.shown(value, *digits)?;
+                    }
                 }
-                match has_value {
-                    true => last,
-                    false => Value::Unit,
-                }
+                Value::Str(Rc::new(text))
             }
-            Node::Panic(message, at) => return panic(at, message),
+            node => self.eval(node)?,
         })
     }
 
-    /// The method of the value's own kind, or of its trait.
-    fn dispatch(&mut self, by_trait: usize, name: &str, arguments: &mut [Value]) -> Eval {
-        let receiver = match &arguments[0] {
-            reference @ Value::Mut(_) => self.followed(reference),
-            value => value.clone(),
-        };
-        match receiver {
-            Value::Own(kind, _, _) => {
-                let mut methods = self.code.methods[kind as usize].iter();
-                let method = methods
-                    .find(|(own, _)| own == name)
-                    .map_or(by_trait, |it| it.1);
-                self.run(method, arguments)
+    /// Runs the body of a loop; whether it has left the loop.
+    fn is_left(&mut self, body: &Node, label: usize) -> Eval<bool> {
+        self.left = Value::Unit;
+        match self.eval(body) {
+            Err(Stop::Break(to)) if to == label => Ok(true),
+            Err(Stop::Continue(to)) if to == label => Ok(false),
+            Err(stop) => Err(stop),
+            Ok(_) => Ok(false),
+        }
+    }
+
+    fn no_unary(&mut self, sign: &str, value: &Value, at: At) -> Eval {
+        let name = value.ty().name(&self.code.names);
+        let message = format!("cannot apply unary operator `{sign}` to type `{name}`");
+        self.refuse(Refusal::new(at, &message, "", ""))
+    }
+
+    /// A value as text, as `{}` has it.
+    fn shown(&mut self, value: &Value, digits: Option<usize>) -> Eval<String> {
+        let value = self.followed(value);
+        Ok(match (&value, digits) {
+            (Value::Float(it), Some(digits)) => format!("{it:.digits$}"),
+            (Value::Float(it), None) => it.to_string(),
+            (Value::Single(it), _) => it.to_string(),
+            (Value::Int(it, _), _) => it.to_string(),
+            (Value::Bool(it), _) => it.to_string(),
+            (Value::Str(it), _) => it.to_string(),
+            (Value::Own(..), _) => {
+                let mut own = self.code.names.functions.iter();
+                let ty = value.ty();
+                let is_it = |it: &crate::names::Signature| {
+                    it.in_standard.as_deref() == Some("Display") && it.of.as_ref() == Some(&ty)
+                };
+                let Some(own) = own.position(is_it) else {
+                    return Ok(format!("{value:?}"));
+                };
+                self.stack.push(Value::Str(Rc::default()));
+                let slot = self.stack.len() - 1;
+                let path = Vec::new();
+                let place = Value::Mut(Rc::new(Address { slot, path }));
+                self.run(own, &[value, place], At::default())?;
+                self.stack.pop().unwrap_or_default().text().to_string()
             }
+            _ => format!("{value:?}"),
+        })
+    }
+
+    fn constant(&mut self, function: usize, at: At) -> Eval {
+        if let Some(Some(known)) = self.constants.get(function) {
+            return Ok(known.clone());
+        }
+        let value = self.run(function, &[], at)?;
+        self.constants.resize(self.code.functions.len(), None);
+        self.constants[function] = Some(value.clone());
+        Ok(value)
+    }
+
+    /// The function that the kind of the first argument has for a trait.
+    fn dispatch(&mut self, all: &[Option<usize>], nodes: &[Node], at: At) -> Eval {
+        let start = self.push_all(nodes)?;
+        let receiver = self.followed(&self.stack[start]);
+        let function = match &receiver {
+            Value::Own(kind, ..) => all[*kind as usize],
             Value::Nothing(asked) => {
-                asked.set(Some([arguments[2].float(), arguments[3].float()]));
-                Ok(Value::None)
+                let [from, to] = [2, 3].map(|n| self.stack[start + n].float());
+                asked.set(Some([from, to]));
+                self.stack.truncate(start);
+                return Ok(Value::None);
             }
-            other => unreachable!("types are checked, and this is {other:?}"),
+            _ => None,
+        };
+        let Some(function) = function else {
+            let name = receiver.ty().name(&self.code.names);
+            return self
+                .refuse(unknown::<()>(at, &format!("this trait for `{name}`")).unwrap_err());
+        };
+        if !self.code.names.functions[function].parameters[0].is(Head::RefMut) {
+            self.stack[start] = receiver;
+        }
+        self.enter(function, start, at)
+    }
+
+    /// A method of whatever the first argument is.
+    fn late_method(&mut self, method: &Method, nodes: &[Node]) -> Eval {
+        let mut arguments = self.all(nodes)?;
+        let receiver = self.followed(&arguments[0]);
+        let names = &self.code.names;
+        let Some(callee) = names.callee(&receiver.ty(), &method.name) else {
+            return self.refuse(names.no_method(&receiver.ty(), &method.name, method.at));
+        };
+        let (hidden, signature) = match callee {
+            Callee::Own(own) | Callee::Dynamic(own) => (
+                names.hidden(method.module, own, method.at),
+                &names.functions[own],
+            ),
+            Callee::Native(native) => (None, &NATIVES[native].signature),
+        };
+        if let Some(refusal) = hidden {
+            return self.refuse(refusal);
+        }
+        let (wanted, count) = (signature.parameters.len(), arguments.len());
+        if wanted != count {
+            return self.refuse(miscounted(true, wanted.max(1) - 1, count - 1, method.at));
+        }
+        let is_mut = signature.parameters[0].is(Head::RefMut);
+        match (&arguments[0], &method.target) {
+            (Value::Mut(_), _) if is_mut => {}
+            (_, Some(target)) if is_mut => {
+                arguments[0] = Value::Mut(Rc::new(self.address(target)?));
+            }
+            _ => arguments[0] = receiver,
+        }
+        for (value, ty) in arguments.iter_mut().zip(&signature.parameters).skip(1) {
+            *value = self.declared(mem::take(value), ty, method.at)?;
+        }
+        match callee {
+            Callee::Own(own) | Callee::Dynamic(own) => self.run(own, &arguments, method.at),
+            Callee::Native(native) => prelude::run(native, self, &mut arguments, method.at),
+        }
+    }
+
+    /// What gives the values of a list, a range or an option, one after the other.
+    pub(crate) fn iterator(&mut self, of: &Value, at: At) -> Eval<Iter> {
+        Ok(match self.followed(of) {
+            Value::Iterator(it) => it,
+            Value::Many(all) => Source::List(all, 0).into(),
+            Value::None => Source::List(Rc::default(), 0).into(),
+            Value::Some(it) => Source::List(Rc::new(vec![Value::clone(&it)]), 0).into(),
+            Value::Range(ends, is_closed) => {
+                let end = match &ends[1] {
+                    Value::Int(it, int) => Some((it + i128::from(is_closed), *int)),
+                    Value::Unit => Some((i128::MAX, Int::Any)),
+                    _ => None,
+                };
+                match (&ends[0], end) {
+                    (Value::Int(from, int), Some((to, other))) => {
+                        Source::Range(*from, to, int.joined(other).unwrap_or(*int)).into()
+                    }
+                    _ => return self.no_iterator(of, at),
+                }
+            }
+            _ => return self.no_iterator(of, at),
+        })
+    }
+
+    fn no_iterator<T>(&mut self, of: &Value, at: At) -> Eval<T> {
+        let message = format!("`{}` is not an iterator", of.ty().name(&self.code.names));
+        self.refuse(Refusal::new(at, &message, "", ""))
+    }
+
+    fn index(&mut self, list: &Value, index: &Value, at: At) -> Eval<usize> {
+        let (length, index) = match (list, index) {
+            (Value::Many(all), Value::Int(index, _)) => (all.len(), *index),
+            (Value::Vec3(_), Value::Int(index, _)) => (3, *index),
+            _ => {
+                let name = list.ty().name(&self.code.names);
+                let message = format!("cannot index into a value of type `{name}`");
+                return self.refuse(Refusal::new(at, &message, "", ""));
+            }
+        };
+        match (0..length as i128).contains(&index) {
+            true => Ok(index as usize),
+            false => {
+                let message =
+                    format!("index out of bounds: the len is {length} but the index is {index}");
+                self.panic(at, &message)
+            }
         }
     }
 
     fn address(&mut self, target: &Target) -> Eval<Address> {
+        let slot = |slot| Address {
+            slot,
+            path: Vec::new(),
+        };
         let mut address = match &target.root {
-            Root::Local(slot) => Address {
-                slot: self.base + slot,
-                path: Vec::new(),
+            // A variable may itself be a mutable reference.
+            Root::Local(n) => match &self.stack[self.base + n] {
+                Value::Mut(address) if !target.steps.is_empty() => Address::clone(address),
+                _ => slot(self.base + n),
             },
             Root::Through(reference) => match self.eval(reference)? {
                 Value::Mut(address) => Rc::unwrap_or_clone(address),
-                other => unreachable!("types are checked, and {other:?} is no address"),
-            },
-            Root::Temporary(slot, value) => {
-                let slot = self.base + slot;
-                self.stack[slot] = self.eval(value)?;
-                Address {
-                    slot,
-                    path: Vec::new(),
+                other => {
+                    let name = other.ty().name(&self.code.names);
+                    let message = format!("type `{name}` cannot be changed through a reference");
+                    return self.refuse(Refusal::new(At::default(), &message, "", ""));
                 }
+            },
+            Root::Temporary(n, value) => {
+                let value = self.eval(value)?;
+                let n = self.base + n;
+                self.stack[n] = value;
+                slot(n)
             }
         };
         for step in &target.steps {
-            match step {
-                Step::Field(n) => address.path.push(*n),
+            let whole = self.at(&address);
+            let n = match step {
+                Step::Field(member) => self.number(&whole, member)?,
                 Step::Index(index, at) => {
-                    let index = self.eval(index)?.int();
-                    let length = match self.at(&address) {
-                        Value::Many(all) => all.len(),
-                        _ => 3,
-                    };
-                    if !(0..length as i128).contains(&index) {
-                        return out_of_bounds(at, length, index);
-                    }
-                    address.path.push(index as usize);
+                    let index = self.eval(index)?;
+                    self.index(&whole, &index, *at)?
                 }
-            }
+            };
+            address.path.push(n);
         }
         Ok(address)
     }
@@ -808,28 +837,21 @@ impl Machine {
     /// The value at the end of a mutable reference, or of several.
     pub(crate) fn followed(&self, value: &Value) -> Value {
         match value {
-            Value::Mut(address) => self.at(address),
+            Value::Mut(address) => self.followed(&self.at(address)),
             value => value.clone(),
         }
     }
 
     fn at(&self, address: &Address) -> Value {
         let root = self.stack[address.slot].clone();
-        address.path.iter().fold(root, |value, &n| match value {
-            Value::Some(it) => Value::clone(&it),
-            value => value.field(n),
-        })
+        address.path.iter().fold(root, |value, &n| value.field(n))
     }
 
-    /// Changes what is at an address, or at the end of a reference that is there.
-    pub(crate) fn change<R>(
-        &mut self,
-        address: &Address,
-        change: impl FnOnce(&mut Value) -> R,
-    ) -> R {
+    /// Changes what is at an address.
+    fn change<R>(&mut self, address: &Address, change: impl FnOnce(&mut Value) -> R) -> R {
         let mut change = Some(change);
         let mut result = None;
-        reach(&mut self.stack[address.slot], &address.path, &mut |place| {
+        self.stack[address.slot].reach(&address.path, &mut |place| {
             result = change.take().map(|change| change(place));
         });
         result.expect("an address leads somewhere")
@@ -842,7 +864,10 @@ impl Machine {
         change: impl FnOnce(&mut Value) -> R,
     ) -> R {
         match reference {
-            Value::Mut(address) => self.change(&Rc::clone(address), change),
+            Value::Mut(address) => match self.at(address) {
+                inner @ Value::Mut(_) => self.change_at(&inner, change),
+                _ => self.change(&Rc::clone(address), change),
+            },
             other => unreachable!("types are checked, and {other:?} is no address"),
         }
     }
@@ -854,59 +879,68 @@ impl Machine {
         };
         let one = |n| {
             let path = [&address.path[..], &[n]].concat();
-            Value::Mut(Rc::new(Address {
-                slot: address.slot,
-                path,
-            }))
+            let slot = address.slot;
+            Value::Mut(Rc::new(Address { slot, path }))
         };
         (0..all.len()).map(one).collect()
     }
 
     /// Whether the value matches; if so, its parts have their names.
     fn binds(&mut self, pattern: &Pattern, value: &Value) -> Eval<bool> {
-        Ok(match (pattern, value) {
-            (Pattern::Any, _) => true,
-            (Pattern::Bind(slot, pattern), _) => {
+        match pattern {
+            Pattern::Any => return Ok(true),
+            Pattern::Bind(slot, pattern) => {
                 let slot = self.base + slot;
                 self.stack[slot] = value.clone();
-                self.binds(pattern, value)?
+                return self.binds(pattern, value);
             }
-            (Pattern::Literal(literal), _) => self.eval(literal)?.equals(value),
+            _ => {}
+        }
+        if let Value::Mut(_) = value {
+            let value = self.followed(value);
+            return self.binds(pattern, &value);
+        }
+        Ok(match (pattern, value) {
+            (Pattern::Literal(literal, at), _) => {
+                let literal = self.eval(literal)?;
+                if !literal.fits(&value.ty(), &self.code.names) && !matches!(value, Value::Int(..))
+                {
+                    return self.refuse(self.code.names.mismatch(&value.ty(), &literal.ty(), *at));
+                }
+                literal.equals(value)
+            }
             (Pattern::Range(from, to, is_closed), _) => {
                 let is_after = match from {
-                    Some(from) => value
-                        .compared(&self.eval(from)?)
-                        .is_some_and(Ordering::is_ge),
+                    Some(from) => {
+                        let from = self.eval(from)?;
+                        value.compared(&from).is_some_and(Ordering::is_ge)
+                    }
                     None => true,
                 };
+                let is_before = |it: Ordering| it.is_lt() || *is_closed && it.is_eq();
                 is_after
                     && match to {
-                        Some(to) => value
-                            .compared(&self.eval(to)?)
-                            .is_some_and(|it| it.is_lt() || *is_closed && it.is_eq()),
+                        Some(to) => value.compared(&self.eval(to)?).is_some_and(is_before),
                         None => true,
                     }
             }
-            (Pattern::None, value) => matches!(value, Value::None),
-            (Pattern::Some(pattern), Value::Some(value)) => self.binds(pattern, value)?,
-            (Pattern::Variant(variant, fields), Value::Own(_, own, values))
-                if *variant == *own as usize =>
+            (Pattern::None(_), Value::None) => true,
+            (Pattern::None(_), Value::Some(_)) | (Pattern::Some(..), Value::None) => false,
+            (Pattern::Some(pattern, _), Value::Some(value)) => self.binds(pattern, value)?,
+            (Pattern::None(at) | Pattern::Some(_, at), _) => {
+                let wanted = Type::of(Head::Option, Type::UNKNOWN);
+                return self.refuse(self.code.names.mismatch(&value.ty(), &wanted, *at));
+            }
+            (Pattern::Variant(kind, variant, fields, _), Value::Own(own, tag, values))
+                if kind == own =>
             {
-                for (n, pattern) in fields {
-                    if !self.binds(pattern, &values[*n])? {
-                        return Ok(false);
-                    }
-                }
-                true
+                variant == tag && self.all_bind(fields, |n| values[n].clone())?
             }
-            (Pattern::Fields(fields), value) => {
-                for (n, pattern) in fields {
-                    if !self.binds(pattern, &value.field(*n))? {
-                        return Ok(false);
-                    }
-                }
-                true
+            (Pattern::Variant(kind, _, _, at), _) => {
+                let wanted = Type::from(Head::Own(*kind as usize));
+                return self.refuse(self.code.names.mismatch(&value.ty(), &wanted, *at));
             }
+            (Pattern::Fields(fields), value) => self.all_bind(fields, |n| value.field(n))?,
             (Pattern::Many(patterns), Value::Many(values)) if patterns.len() == values.len() => {
                 for (pattern, value) in patterns.iter().zip(values.iter()) {
                     if !self.binds(pattern, value)? {
@@ -927,155 +961,188 @@ impl Machine {
         })
     }
 
-    fn arithmetic(&self, how: &Arithmetic, left: Value, right: Value) -> Eval {
-        use Value::{Float, Int, Vec3};
-        let float = |value: f64| match self.is(how.ty, Head::F32) {
-            true => Float(f64::from(value as f32)),
-            false => Float(value),
-        };
-        Ok(match (how.sign, left, right) {
-            (Sign::Plus, Float(a), Float(b)) => float(a + b),
-            (Sign::Minus, Float(a), Float(b)) => float(a - b),
-            (Sign::Times, Float(a), Float(b)) => float(a * b),
-            (Sign::Over, Float(a), Float(b)) => float(a / b),
-            (Sign::Remainder, Float(a), Float(b)) => float(a % b),
-            (Sign::Plus, Vec3(a), Vec3(b)) => Vec3(a + b),
-            (Sign::Minus, Vec3(a), Vec3(b)) => Vec3(a - b),
-            (Sign::Times, Vec3(a), Vec3(b)) => Vec3(a * b),
-            (Sign::Over, Vec3(a), Vec3(b)) => Vec3(a / b),
-            (Sign::Plus, Vec3(a), Float(b)) => Vec3(a + b),
-            (Sign::Minus, Vec3(a), Float(b)) => Vec3(a - b),
-            (Sign::Times, Vec3(a), Float(b)) => Vec3(a * b),
-            (Sign::Over, Vec3(a), Float(b)) => Vec3(a / b),
-            (Sign::Plus, Float(a), Vec3(b)) => Vec3(a + b),
-            (Sign::Minus, Float(a), Vec3(b)) => Vec3(a - b),
+    fn all_bind(
+        &mut self,
+        fields: &[(usize, Pattern)],
+        part: impl Fn(usize) -> Value,
+    ) -> Eval<bool> {
+        for (n, pattern) in fields {
+            if !self.binds(pattern, &part(*n))? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    #[inline(never)]
+    pub(crate) fn arithmetic(&mut self, sign: Sign, left: Value, right: Value, at: At) -> Eval {
+        use Value::{Float, Single, Vec3};
+        Ok(match (sign, left, right) {
             (Sign::Times, Float(a), Vec3(b)) => Vec3(a * b),
-            (Sign::Over, Float(a), Vec3(b)) => Vec3(a / b),
-            (sign, Value::Bool(a), Value::Bool(b)) => Value::Bool(match sign {
-                Sign::BitAnd => a & b,
-                Sign::BitOr => a | b,
-                _ => a ^ b,
+            (sign, Vec3(a), Vec3(b)) if has_vectors(sign) => Vec3(of_vectors(sign, a, b)),
+            (sign, Vec3(a), Float(b)) if has_vectors(sign) => match sign {
+                Sign::Plus => Vec3(a + b),
+                Sign::Minus => Vec3(a - b),
+                Sign::Times => Vec3(a * b),
+                _ => Vec3(a / b),
+            },
+            (sign, Float(a), Vec3(b)) if has_vectors(sign) => match sign {
+                Sign::Plus => Vec3(a + b),
+                Sign::Minus => Vec3(a - b),
+                _ => Vec3(a / b),
+            },
+            (sign, Float(a), Float(b)) if has_floats(sign) => Float(match sign {
+                Sign::Plus => a + b,
+                Sign::Minus => a - b,
+                Sign::Times => a * b,
+                Sign::Over => a / b,
+                _ => a % b,
             }),
-            (sign, Int(a), Int(b)) => Int(self.integer(how, sign, a, b)?),
-            (sign, a, b) => unreachable!("types are checked, and {a:?} {sign:?} {b:?} is nothing"),
+            (sign, Single(a), Single(b)) if has_floats(sign) => Single(match sign {
+                Sign::Plus => a + b,
+                Sign::Minus => a - b,
+                Sign::Times => a * b,
+                Sign::Over => a / b,
+                _ => a % b,
+            }),
+            (Sign::BitAnd, Value::Bool(a), Value::Bool(b)) => Value::Bool(a & b),
+            (Sign::BitOr, Value::Bool(a), Value::Bool(b)) => Value::Bool(a | b),
+            (Sign::BitXor, Value::Bool(a), Value::Bool(b)) => Value::Bool(a ^ b),
+            (Sign::Plus, Value::Str(a), Value::Str(b)) => Value::Str(Rc::new(format!("{a}{b}"))),
+            (sign, Value::Int(a, one), Value::Int(b, other)) => {
+                let int = match one.joined(other) {
+                    Some(int) => int,
+                    None if matches!(sign, Sign::Left | Sign::Right) => one,
+                    None => {
+                        return self.no_operator(
+                            sign,
+                            [Value::Int(a, one), Value::Int(b, other)],
+                            at,
+                        );
+                    }
+                };
+                Value::Int(self.integer(sign, int, a, b, at)?, int)
+            }
+            (sign, left, right) => return self.other_arithmetic(sign, left, right, at),
         })
     }
 
-    fn integer(&self, how: &Arithmetic, sign: Sign, a: i128, b: i128) -> Eval<i128> {
-        let Some(Head::Int(int)) = self.code.types[how.ty].head() else {
-            unreachable!("types are checked");
-        };
-        let (what, result) = match sign {
-            Sign::Plus => ("add", a + b),
-            Sign::Minus => ("subtract", a - b),
-            Sign::Times => ("multiply", a * b),
-            Sign::Over | Sign::Remainder if b == 0 => {
-                let what = match sign {
-                    Sign::Over => "attempt to divide by zero",
-                    _ => "attempt to calculate the remainder with a divisor of zero",
-                };
-                return panic(&how.at, what);
+    /// By an operator of the reader's, or of what references lead to.
+    fn other_arithmetic(&mut self, sign: Sign, left: Value, right: Value, at: At) -> Eval {
+        if let (Value::Mut(_), _) | (_, Value::Mut(_)) = (&left, &right) {
+            let [left, right] = [left, right].map(|it| self.followed(&it));
+            return self.arithmetic(sign, left, right, at);
+        }
+        let types = [&left.ty(), &right.ty()];
+        match self.code.names.operator(sign, false, types) {
+            Some(own) => self.run(own, &[left, right], at),
+            None => self.no_operator(sign, [left, right], at),
+        }
+    }
+
+    fn no_operator(&mut self, sign: Sign, values: [Value; 2], at: At) -> Eval {
+        let types = values.map(|it| it.ty());
+        self.refuse(
+            self.code
+                .names
+                .no_operator(sign, false, [&types[0], &types[1]], at),
+        )
+    }
+
+    fn integer(&mut self, sign: Sign, int: Int, a: i128, b: i128, at: At) -> Eval<i128> {
+        let (least, most) = int.ends();
+        let bits = (most - least + 1).ilog2();
+        let is_shift = matches!(sign, Sign::Left | Sign::Right);
+        if is_shift && !(0..i128::from(bits)).contains(&b) {
+            return self.panic(at, &sign.overflow());
+        }
+        let result = match sign {
+            Sign::Over if b == 0 => return self.panic(at, "attempt to divide by zero"),
+            Sign::Remainder if b == 0 => {
+                let message = "attempt to calculate the remainder with a divisor of zero";
+                return self.panic(at, message);
             }
-            Sign::Over => ("divide", a / b),
-            Sign::Remainder => ("calculate the remainder", a % b),
-            Sign::BitAnd => ("", a & b),
-            Sign::BitOr => ("", a | b),
-            Sign::BitXor => ("", a ^ b),
-            Sign::Left | Sign::Right => {
-                let bits = (int.most - int.least + 1).ilog2();
-                if !(0..i128::from(bits)).contains(&b) {
-                    let side = if sign == Sign::Left { "left" } else { "right" };
-                    return panic(&how.at, &format!("attempt to shift {side} with overflow"));
-                }
-                match sign {
-                    Sign::Left => ("", int.wrapped(a << b)),
-                    _ => ("", a >> b),
-                }
-            }
+            Sign::Plus => a + b,
+            Sign::Minus => a - b,
+            Sign::Times => a * b,
+            Sign::Over => a / b,
+            Sign::Remainder => a % b,
+            Sign::BitAnd => a & b,
+            Sign::BitOr => a | b,
+            Sign::BitXor => a ^ b,
+            Sign::Left => int.wrapped(a << b),
+            Sign::Right => a >> b,
         };
         match int.fits(result) {
             true => Ok(result),
-            false => panic(&how.at, &format!("attempt to {what} with overflow")),
+            false => self.panic(at, &sign.overflow()),
         }
     }
 
     /// What `Default` gives for the type.
-    fn default(&mut self, ty: &Type) -> Eval {
-        let Type::Of(head, arguments) = ty else {
-            unreachable!("types are checked");
-        };
-        Ok(match head {
+    pub(crate) fn default(&mut self, ty: &Type) -> Eval {
+        let code = self.code;
+        Ok(match ty.0 {
             Head::Bool => Value::Bool(false),
-            Head::F64 | Head::F32 => Value::Float(0.0),
-            Head::Int(_) => Value::Int(0),
+            Head::F64 => Value::Float(0.0),
+            Head::F32 => Value::Single(0.0),
+            Head::Int(int) => Value::Int(0, int),
             Head::Vec3 => Value::Vec3(Vec3::ZERO),
+            Head::Str => Value::Str(Rc::default()),
             Head::Option => Value::None,
             Head::Vec => Value::Many(Rc::default()),
-            Head::Box => self.default(&arguments[0])?,
-            Head::Tuple if arguments.is_empty() => Value::Unit,
-            Head::Tuple => {
-                let all = arguments.iter().map(|it| self.default(it));
-                Value::Many(Rc::new(all.collect::<Eval<_>>()?))
-            }
-            Head::Array(length) => {
-                Value::Many(Rc::new(vec![self.default(&arguments[0])?; *length]))
-            }
-            Head::Own(kind) => match self.code.defaults[*kind] {
-                Some(own) => self.run(own, &[])?,
+            Head::Box => self.default(&ty.1[0])?,
+            Head::Tuple if ty.1.is_empty() => Value::Unit,
+            Head::Tuple => Value::Tuple(self.defaults(ty.1.iter())?),
+            Head::Array(length) => Value::Many(Rc::new(vec![self.default(&ty.1[0])?; length])),
+            Head::Own(kind) => match code.names.method(ty, "default", None) {
+                Some(own) => self.run(own, &[], At::default())?,
                 None => {
-                    let code = Arc::clone(&self.code);
-                    let fields = code.fields[*kind].iter().map(|it| self.default(it));
-                    Value::Own(*kind as u32, 0, Rc::new(fields.collect::<Eval<_>>()?))
+                    let fields = code.names.kinds[kind].variants[0].fields.iter();
+                    let fields = self.defaults(fields.map(|it| &it.ty))?;
+                    Value::Own(kind as u32, 0, fields)
                 }
             },
-            _ => unreachable!("the checker allows no default for {ty:?}"),
+            _ => {
+                let message = format!(
+                    "this page does not know a default for `{}`",
+                    ty.name(&code.names)
+                );
+                return self.refuse(Refusal::new(At::default(), &message, "", "cargo does"));
+            }
         })
     }
-}
 
-fn out_of_bounds<T>(at: &Place, length: usize, index: i128) -> Eval<T> {
-    panic(
-        at,
-        &format!("index out of bounds: the len is {length} but the index is {index}"),
-    )
-}
-
-/// Changes the part of a value that a path leads to.
-fn reach(value: &mut Value, path: &[usize], change: &mut dyn FnMut(&mut Value)) {
-    let [first, rest @ ..] = path else {
-        return change(value);
-    };
-    match value {
-        Value::Own(_, _, fields) | Value::Many(fields) => {
-            reach(&mut Rc::make_mut(fields)[*first], rest, change);
-        }
-        Value::Some(inner) => reach(Rc::make_mut(inner), rest, change),
-        Value::Vec3(vector) => {
-            let mut part = Value::Float(vector[*first]);
-            reach(&mut part, rest, change);
-            vector[*first] = part.float();
-        }
-        Value::Ray(ray) => {
-            let mut part = Value::Vec3([ray.origin, ray.direction][*first]);
-            reach(&mut part, rest, change);
-            let ray = Rc::make_mut(ray);
-            *[&mut ray.origin, &mut ray.direction][*first] = part.vec3();
-        }
-        other => unreachable!("types are checked, and {other:?} has no parts to change"),
+    fn defaults<'t>(&mut self, types: impl Iterator<Item = &'t Type>) -> Eval<Rc<[Value]>> {
+        types.map(|it| self.default(it)).collect()
     }
 }
 
-/// `as`: rounds towards zero, stays at the ends of integers, and cuts integers off.
-pub(crate) fn cast(value: &Value, ty: &Type) -> Value {
-    match (value, ty.head()) {
-        (Value::Float(it), Some(Head::Int(int))) => {
-            Value::Int((*it as i128).clamp(int.least, int.most))
-        }
-        (Value::Float(it), Some(Head::F32)) => Value::Float(f64::from(*it as f32)),
-        (Value::Int(it), Some(Head::Int(int))) => Value::Int(int.wrapped(*it)),
-        (Value::Int(it), Some(Head::F64)) => Value::Float(*it as f64),
-        (Value::Int(it), Some(Head::F32)) => Value::Float(f64::from(*it as f32)),
-        (Value::Bool(it), Some(Head::Int(_))) => Value::Int((*it).into()),
-        (value, _) => value.clone(),
+fn has_vectors(sign: Sign) -> bool {
+    matches!(sign, Sign::Plus | Sign::Minus | Sign::Times | Sign::Over)
+}
+
+fn has_floats(sign: Sign) -> bool {
+    has_vectors(sign) || sign == Sign::Remainder
+}
+
+fn of_vectors(sign: Sign, a: Vec3, b: Vec3) -> Vec3 {
+    match sign {
+        Sign::Plus => a + b,
+        Sign::Minus => a - b,
+        Sign::Times => a * b,
+        _ => a / b,
     }
+}
+
+/// A number with its thousands apart.
+fn grouped(number: u32) -> String {
+    let digits = number.to_string();
+    let groups: Vec<&str> = digits
+        .as_bytes()
+        .rchunks(3)
+        .rev()
+        .filter_map(|it| std::str::from_utf8(it).ok())
+        .collect();
+    groups.join(",")
 }

@@ -1,24 +1,25 @@
-//! Hindley–Milner types: what is not written is a variable, and unification finds it.
+//! Declared types: what parameters, results, fields and variables are said to be, and whether
+//! what is found fits. Nothing is inferred: what is not known by reading is checked when it
+//! runs.
 
-use std::iter;
+use crate::names::Names;
 
-use crate::items::Items;
-
-/// A type, with variables for what is not known yet.
+/// A type, and those that it is made of.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Type {
-    Var(usize),
-    Of(Head, Vec<Type>),
-}
+pub(crate) struct Type(pub(crate) Head, pub(crate) Vec<Type>);
 
-/// What a type is apart from its arguments.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What a type is apart from those that it is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Head {
+    /// Nothing says what it is, or it fits whatever there is.
+    Unknown,
     Never,
     Bool,
     Str,
     F64,
     F32,
+    /// A number with a point of which nothing more is said.
+    Float,
     Int(Int),
     Vec3,
     Ray,
@@ -47,288 +48,238 @@ pub(crate) enum Head {
 }
 
 /// An integer type.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Int {
-    pub(crate) name: &'static str,
-    pub(crate) least: i128,
-    pub(crate) most: i128,
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Int {
+    /// That of a number without a point of which nothing more is said.
+    Any,
+    U8,
+    U16,
+    U32,
+    U64,
+    Usize,
+    I8,
+    I16,
+    I32,
+    I64,
+    Isize,
 }
 
-macro_rules! integers {
-    ($($kind:ident)*) => {
-        &[$(Int { name: stringify!($kind), least: $kind::MIN as i128, most: $kind::MAX as i128 },)*]
-    };
-}
-
-/// `usize` is that of a machine with 64 bits, also where a page has 32.
-pub(crate) const INTEGERS: &[Int] = integers! { u8 u16 u32 u64 i8 i16 i32 i64 };
+/// Each with its name and its ends. `usize` is that of a machine with 64 bits, also where a
+/// page has 32.
+const INTEGERS: [(Int, &str, i128, i128); 10] = [
+    (Int::U8, "u8", 0, u8::MAX as i128),
+    (Int::U16, "u16", 0, u16::MAX as i128),
+    (Int::U32, "u32", 0, u32::MAX as i128),
+    (Int::U64, "u64", 0, u64::MAX as i128),
+    (Int::Usize, "usize", 0, u64::MAX as i128),
+    (Int::I8, "i8", i8::MIN as i128, i8::MAX as i128),
+    (Int::I16, "i16", i16::MIN as i128, i16::MAX as i128),
+    (Int::I32, "i32", i32::MIN as i128, i32::MAX as i128),
+    (Int::I64, "i64", i64::MIN as i128, i64::MAX as i128),
+    (Int::Isize, "isize", i64::MIN as i128, i64::MAX as i128),
+];
 
 impl Int {
     pub(crate) fn named(name: &str) -> Option<Self> {
-        let sized = |name| Self::named(name);
-        match name {
-            "usize" => sized("u64").map(|it| Self {
-                name: "usize",
-                ..it
-            }),
-            "isize" => sized("i64").map(|it| Self {
-                name: "isize",
-                ..it
-            }),
-            _ => INTEGERS.iter().find(|it| it.name == name).copied(),
-        }
+        let mut all = INTEGERS.iter();
+        all.find(|it| it.1 == name).map(|it| it.0)
     }
 
-    /// The type of that name, which there is.
-    pub(crate) fn plain(name: &str) -> Type {
-        Type::plain(Head::Int(Self::named(name).expect("it is an integer type")))
+    pub(crate) fn name(self) -> &'static str {
+        let mut all = INTEGERS.iter();
+        all.find(|it| it.0 == self).map_or("{integer}", |it| it.1)
+    }
+
+    /// The least number and the greatest.
+    pub(crate) fn ends(self) -> (i128, i128) {
+        let mut all = INTEGERS.iter();
+        let own = all.find(|it| it.0 == self);
+        own.map_or((i64::MIN.into(), i64::MAX.into()), |it| (it.2, it.3))
+    }
+
+    pub(crate) fn fits(self, number: i128) -> bool {
+        let (least, most) = self.ends();
+        (least..=most).contains(&number)
     }
 
     /// What is left of a number that does not fit.
     pub(crate) fn wrapped(self, number: i128) -> i128 {
-        let size = self.most - self.least + 1;
-        (number - self.least).rem_euclid(size) + self.least
+        let (least, most) = self.ends();
+        (number - least).rem_euclid(most - least + 1) + least
     }
 
-    pub(crate) fn fits(self, number: i128) -> bool {
-        (self.least..=self.most).contains(&number)
+    pub(crate) fn is_signed(self) -> bool {
+        self.ends().0 < 0
+    }
+
+    /// Which of two it is, if a number without a type gives way.
+    pub(crate) fn joined(self, other: Self) -> Option<Self> {
+        match (self, other) {
+            (Self::Any, it) | (it, Self::Any) => Some(it),
+            (one, other) => (one == other).then_some(one),
+        }
+    }
+}
+
+impl From<Head> for Type {
+    fn from(head: Head) -> Self {
+        Self(head, Vec::new())
     }
 }
 
 impl Type {
-    pub(crate) const fn plain(head: Head) -> Self {
-        Self::Of(head, Vec::new())
-    }
+    pub(crate) const UNKNOWN: Self = Self(Head::Unknown, Vec::new());
+    pub(crate) const UNIT: Self = Self(Head::Tuple, Vec::new());
 
-    pub(crate) fn unit() -> Self {
-        Self::plain(Head::Tuple)
-    }
-
-    pub(crate) fn one(head: Head, of: Self) -> Self {
-        Self::Of(head, vec![of])
-    }
-
-    pub(crate) fn function(parameters: Vec<Self>, result: Self) -> Self {
-        Self::Of(
-            Head::Fn,
-            parameters.into_iter().chain(iter::once(result)).collect(),
-        )
-    }
-
-    pub(crate) fn head(&self) -> Option<Head> {
-        match self {
-            Self::Var(_) => None,
-            Self::Of(head, _) => Some(*head),
-        }
+    pub(crate) fn of(head: Head, of: Self) -> Self {
+        Self(head, vec![of])
     }
 
     pub(crate) fn is(&self, head: Head) -> bool {
-        self.head() == Some(head)
+        self.0 == head
     }
 
-    pub(crate) fn is_unit(&self) -> bool {
-        *self == Self::unit()
+    pub(crate) fn is_unknown(&self) -> bool {
+        self.is(Head::Unknown)
+    }
+
+    pub(crate) fn is_reference(&self) -> bool {
+        matches!(self.0, Head::Ref | Head::RefMut)
+    }
+
+    pub(crate) fn is_float(&self) -> bool {
+        matches!(self.0, Head::F64 | Head::F32 | Head::Float)
+    }
+
+    pub(crate) fn is_integer(&self) -> bool {
+        matches!(self.0, Head::Int(_))
     }
 
     /// What an `Option`, a `Box`, a list or a reference is of.
     pub(crate) fn inner(&self) -> Self {
-        match self {
-            Self::Of(_, arguments) => arguments.first().cloned().unwrap_or_else(Self::unit),
-            Self::Var(_) => self.clone(),
+        self.1.first().cloned().unwrap_or(Self::UNKNOWN)
+    }
+
+    /// Without its references and boxes.
+    pub(crate) fn stripped(&self) -> &Self {
+        match (self.0, self.1.first()) {
+            (Head::Ref | Head::RefMut | Head::Box, Some(inner)) => inner.stripped(),
+            _ => self,
+        }
+    }
+
+    /// As a part of a value of that type: behind a reference it is one, too.
+    pub(crate) fn behind(self, whole: &Self) -> Self {
+        match whole.0 {
+            Head::Ref | Head::RefMut if !self.is_unknown() => Self::of(whole.0, self),
+            _ => self,
         }
     }
 
     /// The same with each parameter replaced.
     pub(crate) fn with(&self, parameters: &[Self]) -> Self {
-        match self {
-            Self::Of(Head::Param(n), _) => parameters[*n].clone(),
-            Self::Of(head, arguments) => {
-                let arguments = arguments.iter().map(|it| it.with(parameters));
-                Self::Of(*head, arguments.collect())
-            }
-            Self::Var(_) => self.clone(),
-        }
-    }
-}
-
-/// What is known of a variable.
-#[derive(Clone, Debug)]
-enum Known {
-    Nothing,
-    /// It is a number without a point.
-    Integer,
-    /// It is a number with a point.
-    Float,
-    Is(Type),
-}
-
-/// The variables of a function.
-#[derive(Default)]
-pub(crate) struct Unifier {
-    variables: Vec<Known>,
-}
-
-impl Unifier {
-    pub(crate) fn any(&mut self) -> Type {
-        self.variable(Known::Nothing)
-    }
-
-    pub(crate) fn integer(&mut self) -> Type {
-        self.variable(Known::Integer)
-    }
-
-    pub(crate) fn float(&mut self) -> Type {
-        self.variable(Known::Float)
-    }
-
-    fn variable(&mut self, known: Known) -> Type {
-        self.variables.push(known);
-        Type::Var(self.variables.len() - 1)
-    }
-
-    pub(crate) fn is_integer(&self, ty: &Type) -> bool {
-        matches!(ty, Type::Var(n) if matches!(self.variables[*n], Known::Integer))
-            || matches!(ty.head(), Some(Head::Int(_)))
-    }
-
-    pub(crate) fn is_float(&self, ty: &Type) -> bool {
-        matches!(ty, Type::Var(n) if matches!(self.variables[*n], Known::Float))
-            || matches!(ty.head(), Some(Head::F64 | Head::F32))
-    }
-
-    /// The type as far as it is known, its arguments aside.
-    pub(crate) fn known(&self, ty: &Type) -> Type {
-        match ty {
-            Type::Var(n) => match &self.variables[*n] {
-                Known::Is(ty) => self.known(ty),
-                _ => ty.clone(),
-            },
-            Type::Of(..) => ty.clone(),
+        match self.0 {
+            Head::Param(n) => parameters[n].clone(),
+            head => Self(head, self.1.iter().map(|it| it.with(parameters)).collect()),
         }
     }
 
-    /// The type as far as it is known.
-    pub(crate) fn whole(&self, ty: &Type) -> Type {
-        match self.known(ty) {
-            Type::Of(head, arguments) => {
-                let arguments = arguments.iter().map(|it| self.whole(it));
-                Type::Of(head, arguments.collect())
-            }
-            variable @ Type::Var(_) => variable,
+    /// The type that a number has where nothing else is said.
+    pub(crate) fn settled(self) -> Self {
+        match self.0 {
+            Head::Float => Head::F64.into(),
+            Head::Int(Int::Any) => Self::UNKNOWN,
+            head => Self(head, self.1.into_iter().map(Self::settled).collect()),
         }
     }
 
-    /// The same, with the types that numbers have where nothing else is said.
-    pub(crate) fn settled(&self, ty: &Type) -> Type {
-        match self.known(ty) {
-            Type::Of(head, arguments) => {
-                let arguments = arguments.iter().map(|it| self.settled(it));
-                Type::Of(head, arguments.collect())
-            }
-            Type::Var(n) => match self.variables[n] {
-                Known::Integer => Int::plain("i32"),
-                Known::Float => Type::plain(Head::F64),
-                _ => Type::Var(n),
-            },
-        }
-    }
-
-    /// Makes both the same type, if they can be.
-    pub(crate) fn unify(&mut self, one: &Type, other: &Type) -> bool {
-        match (self.known(one), self.known(other)) {
-            (Type::Var(n), Type::Var(m)) if n == m => true,
-            (Type::Var(n), other) | (other, Type::Var(n)) => self.bind(n, other),
-            (Type::Of(one, of), Type::Of(other, others)) => {
-                one == other
-                    && of.len() == others.len()
-                    && of
-                        .iter()
-                        .zip(&others)
-                        .all(|(one, other)| self.unify(one, other))
-            }
-        }
-    }
-
-    fn bind(&mut self, variable: usize, ty: Type) -> bool {
-        let fits = match self.variables[variable] {
-            Known::Integer => self.is_integer(&ty),
-            Known::Float => self.is_float(&ty),
-            _ => true,
+    /// Whether a value of this type may be where the other is declared.
+    pub(crate) fn fits(&self, wanted: &Self, names: &Names) -> bool {
+        let fit = |one: &[Self], other: &[Self]| {
+            one.len() == other.len()
+                && one
+                    .iter()
+                    .zip(other)
+                    .all(|(one, other)| one.fits(other, names))
         };
-        match ty {
-            // Of two variables the one that knows less gives way.
-            Type::Var(other) if !fits && matches!(self.variables[other], Known::Nothing) => {
-                self.variables[other] = Known::Is(Type::Var(variable));
-                true
+        match (self.0, wanted.0) {
+            (Head::Unknown | Head::Never, _) | (_, Head::Unknown | Head::Param(_)) => true,
+            (Head::Float, Head::F64 | Head::F32) | (Head::F64 | Head::F32, Head::Float) => true,
+            (Head::Int(one), Head::Int(other)) => one.joined(other).is_some(),
+            (Head::Ref | Head::RefMut, Head::Ref) | (Head::RefMut, Head::RefMut) => {
+                self.inner().fits_behind(&wanted.inner(), names)
             }
-            _ if !fits || self.occurs(variable, &ty) => false,
-            _ => {
-                self.variables[variable] = Known::Is(ty);
-                true
+            (_, Head::Dyn(of)) => names.implements(self, of),
+            (Head::Vec | Head::Array(_) | Head::Range | Head::Option, Head::Iterator) => {
+                self.inner().fits(&wanted.inner(), names)
             }
+            (one, other) => one == other && fit(&self.1, &wanted.1),
         }
     }
 
-    fn occurs(&self, variable: usize, ty: &Type) -> bool {
-        match self.known(ty) {
-            Type::Var(n) => n == variable,
-            Type::Of(_, arguments) => arguments.iter().any(|it| self.occurs(variable, it)),
+    /// The same for what references lead to: boxes and lists are seen through.
+    fn fits_behind(&self, wanted: &Self, names: &Names) -> bool {
+        self.fits(wanted, names)
+            || match (self.0, wanted.0) {
+                (Head::Vec | Head::Array(_), Head::Slice) => {
+                    self.inner().fits(&wanted.inner(), names)
+                }
+                (Head::Box | Head::Ref | Head::RefMut, _) => {
+                    self.inner().fits_behind(wanted, names)
+                }
+                _ => false,
+            }
+    }
+
+    /// The type as the compiler says it in a label: in its quotes if it has a name.
+    pub(crate) fn said(&self, names: &Names) -> String {
+        match self.0 {
+            Head::Int(Int::Any) => "integer".to_owned(),
+            Head::Float => "floating-point number".to_owned(),
+            _ => format!("`{}`", self.name(names)),
         }
     }
 
-    /// The type as the compiler says it, in its quotes if it has a name.
-    pub(crate) fn said(&self, ty: &Type, items: &Items) -> String {
-        match self.known(ty) {
-            it @ Type::Var(_) if self.is_integer(&it) => "integer".to_owned(),
-            it @ Type::Var(_) if self.is_float(&it) => "floating-point number".to_owned(),
-            it => format!("`{}`", self.name(&it, items)),
-        }
-    }
-
-    pub(crate) fn name(&self, ty: &Type, items: &Items) -> String {
-        let ty = self.known(ty);
-        let Type::Of(head, arguments) = &ty else {
-            return match (self.is_integer(&ty), self.is_float(&ty)) {
-                (true, _) => "{integer}".to_owned(),
-                (_, true) => "{float}".to_owned(),
-                _ => "_".to_owned(),
-            };
-        };
-        let all: Vec<String> = arguments.iter().map(|it| self.name(it, items)).collect();
+    /// The same in a message.
+    pub(crate) fn name(&self, names: &Names) -> String {
+        let all: Vec<String> = self.1.iter().map(|it| it.name(names)).collect();
         let of = |name: &str| format!("{name}<{}>", all.join(", "));
-        match head {
-            Head::Never => "!".to_owned(),
-            Head::Bool => "bool".to_owned(),
-            Head::Str => "str".to_owned(),
-            Head::F64 => "f64".to_owned(),
-            Head::F32 => "f32".to_owned(),
-            Head::Int(int) => int.name.to_owned(),
-            Head::Vec3 => "Vec3".to_owned(),
-            Head::Ray => "Ray".to_owned(),
-            Head::Camera => "Camera".to_owned(),
-            Head::Picture => "Picture".to_owned(),
-            Head::Ordering => "Ordering".to_owned(),
-            Head::Option => of("Option"),
-            Head::Box => of("Box"),
-            Head::Vec => of("Vec"),
-            Head::Range => of("Range"),
-            Head::Iterator => of("Iterator"),
-            Head::Slice => format!("[{}]", all[0]),
-            Head::Array(length) => format!("[{}; {length}]", all[0]),
-            Head::Tuple if all.len() == 1 => format!("({},)", all[0]),
-            Head::Tuple => format!("({})", all.join(", ")),
-            Head::Ref => format!("&{}", all[0]),
-            Head::RefMut => format!("&mut {}", all[0]),
+        let plain = match self.0 {
+            Head::Unknown | Head::Param(_) => "_",
+            Head::Never => "!",
+            Head::Bool => "bool",
+            Head::Str => "str",
+            Head::F64 => "f64",
+            Head::F32 => "f32",
+            Head::Float => "{float}",
+            Head::Int(int) => int.name(),
+            Head::Vec3 => "Vec3",
+            Head::Ray => "Ray",
+            Head::Camera => "Camera",
+            Head::Picture => "Picture",
+            Head::Ordering => "Ordering",
+            Head::Own(n) => &names.kinds[n].name,
+            Head::Dyn(n) => return format!("dyn {}", names.traits[n].name),
+            Head::Option => return of("Option"),
+            Head::Box => return of("Box"),
+            Head::Vec => return of("Vec"),
+            Head::Range => return of("Range"),
+            Head::Iterator => return of("Iterator"),
+            Head::Slice => return format!("[{}]", all[0]),
+            Head::Array(length) => return format!("[{}; {length}]", all[0]),
+            Head::Tuple if all.len() == 1 => return format!("({},)", all[0]),
+            Head::Tuple => return format!("({})", all.join(", ")),
+            Head::Ref => return format!("&{}", all[0]),
+            Head::RefMut => return format!("&mut {}", all[0]),
             Head::Fn => {
                 let (result, parameters) = all.split_last().expect("a function has a result");
-                match result.as_str() {
-                    "()" => format!("fn({})", parameters.join(", ")),
-                    _ => format!("fn({}) -> {result}", parameters.join(", ")),
-                }
+                let result = match result.as_str() {
+                    "()" => String::new(),
+                    result => format!(" -> {result}"),
+                };
+                return format!("fn({}){result}", parameters.join(", "));
             }
-            Head::Own(n) => items.kinds[*n].name.clone(),
-            Head::Dyn(n) => format!("dyn {}", items.traits[*n].name),
-            Head::Param(n) => format!("T{n}"),
-        }
+        };
+        plain.to_owned()
     }
 }

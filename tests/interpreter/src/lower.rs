@@ -1,0 +1,1177 @@
+//! Lowering: trees become nodes, with variables in slots and names found. What is declared is
+//! known here; what is not is left to be checked when it runs.
+
+mod calls;
+mod macros;
+mod patterns;
+
+pub(crate) use calls::miscounted;
+
+use std::sync::Arc;
+
+use syn::spanned::Spanned;
+
+use crate::names::{Body, Context, Inside, Names, Signature, literal, names, similar, unknown};
+use crate::node::{At, Function, Member, Node, Root, Step, Target};
+use crate::operators::{Operator, operator};
+use crate::read::{Refusal, at, at_expr, at_span};
+use crate::types::{Head, Int, Type};
+
+type Lowered<T = Typed> = Result<T, Refusal>;
+
+/// A function that can be run; what the compiler would warn of is added to the warnings.
+pub(crate) fn lower(
+    names: &Names,
+    signature: &Signature,
+    body: Option<&Body>,
+    warnings: &mut Vec<String>,
+) -> Lowered<Function> {
+    let module = body.map_or(signature.module, |it| it.module);
+    let mut lowerer = Lowerer {
+        names,
+        file: names.file(module),
+        context: Context {
+            own: signature.of.clone(),
+            ..Context::of(module)
+        },
+        locals: Vec::new(),
+        slots: 0,
+        ways: Vec::new(),
+        result: signature.result.clone(),
+        warnings,
+    };
+    lowerer.function(signature, body)
+}
+
+/// An expression: what it does, its type as far as that is known, and what can be assigned to
+/// if it is a place.
+#[derive(Clone)]
+struct Typed {
+    node: Node,
+    ty: Type,
+    target: Option<Target>,
+    fixed: Option<Fixed>,
+}
+
+/// Why a place can't be changed: it is part of a variable that is not `mut`, or behind a `&`.
+#[derive(Clone)]
+enum Fixed {
+    Variable(String),
+    Behind,
+}
+
+impl Typed {
+    fn new(node: Node, ty: impl Into<Type>) -> Self {
+        Self {
+            node,
+            ty: ty.into(),
+            target: None,
+            fixed: None,
+        }
+    }
+}
+
+struct Local {
+    name: String,
+    slot: usize,
+    ty: Type,
+    is_mut: bool,
+    is_used: bool,
+}
+
+/// A loop or a block that can be left.
+struct Way {
+    label: Option<String>,
+    is_loop: bool,
+    /// Whether `break` may bring a value, and whether it is ever left.
+    has_value: bool,
+    is_left: bool,
+}
+
+struct Lowerer<'n> {
+    names: &'n Names,
+    file: u32,
+    context: Context,
+    locals: Vec<Local>,
+    slots: usize,
+    ways: Vec<Way>,
+    result: Type,
+    warnings: &'n mut Vec<String>,
+}
+
+impl Lowerer<'_> {
+    fn function(&mut self, signature: &Signature, body: Option<&Body>) -> Lowered<Function> {
+        let mut patterns = Vec::new();
+        let body = match body.map(|it| it.of) {
+            None => Node::Unit,
+            Some(Inside::Constant(value)) => self.given(value, &signature.result)?,
+            Some(Inside::Function(syntax, block)) => {
+                // The arguments are in the first slots.
+                self.slots = signature.parameters.len();
+                for (n, (input, ty)) in syntax.inputs.iter().zip(&signature.parameters).enumerate()
+                {
+                    match input {
+                        syn::FnArg::Receiver(it) => {
+                            self.named("self", n, ty.clone(), it.mutability.is_some());
+                        }
+                        syn::FnArg::Typed(it) => match &*it.pat {
+                            syn::Pat::Ident(name) if name.subpat.is_none() => {
+                                let is_mut = name.mutability.is_some();
+                                self.named(&name.ident.to_string(), n, ty.clone(), is_mut);
+                            }
+                            pattern => patterns.push((n, self.pattern(pattern, ty, false)?)),
+                        },
+                    }
+                }
+                self.body(block, &signature.result)?
+            }
+        };
+        self.leave(0);
+        Ok(Function {
+            slots: self.slots,
+            patterns,
+            body,
+        })
+    }
+
+    /// The body of a function, which comes to its result.
+    fn body(&mut self, block: &syn::Block, result: &Type) -> Lowered<Node> {
+        let body = self.block(block)?;
+        let last = block.stmts.last();
+        if let Some(syn::Stmt::Expr(last, Some(_))) = last
+            && body.ty == Type::UNIT
+            && !body.ty.fits(result, self.names)
+        {
+            let label = format!("expected {}, found `()`", result.said(self.names));
+            let help = "remove this semicolon to return this value";
+            return Err(Refusal::new(
+                self.at(last),
+                "mismatched types",
+                &label,
+                help,
+            ));
+        }
+        match last {
+            Some(syn::Stmt::Expr(last, None)) => self.declared(body, result, self.at(last)),
+            _ => {
+                let end = at_span(self.file, block.brace_token.span.close());
+                self.declared(body, result, end)
+            }
+        }
+    }
+
+    fn at(&self, it: &syn::Expr) -> At {
+        at_expr(self.file, it)
+    }
+
+    fn at_any(&self, it: &impl Spanned) -> At {
+        at(self.file, it)
+    }
+
+    fn fault<T>(&self, at: At, message: &str, label: &str, help: &str) -> Lowered<T> {
+        Err(Refusal::new(at, message, label, help))
+    }
+
+    fn local(&mut self, name: &str, ty: Type, is_mut: bool) -> usize {
+        let slot = self.slots;
+        self.slots += 1;
+        self.named(name, slot, ty, is_mut);
+        slot
+    }
+
+    fn named(&mut self, name: &str, slot: usize, ty: Type, is_mut: bool) {
+        self.locals.push(Local {
+            name: name.to_owned(),
+            slot,
+            ty,
+            is_mut,
+            is_used: false,
+        });
+    }
+
+    /// Forgets the variables of a block.
+    fn leave(&mut self, outside: usize) {
+        for local in self.locals.drain(outside..) {
+            if !local.is_used && !local.name.starts_with('_') && local.name != "self" {
+                self.warnings
+                    .push(format!("unused variable: `{}`", local.name));
+            }
+        }
+    }
+
+    /// A type without its references and boxes, and the value that they lead to.
+    fn stripped(&self, mut typed: Typed) -> Typed {
+        while matches!(typed.ty.0, Head::Ref | Head::Box | Head::RefMut) {
+            typed = self.dereferenced(typed);
+        }
+        typed
+    }
+
+    /// What a reference or a box leads to.
+    fn dereferenced(&self, typed: Typed) -> Typed {
+        let ty = typed.ty.inner();
+        match typed.ty.0 {
+            Head::RefMut | Head::Unknown => Typed {
+                target: Some(Target {
+                    root: Root::Through(typed.node.clone()),
+                    steps: Vec::new(),
+                }),
+                node: Node::Deref(Box::new(typed.node)),
+                ty,
+                fixed: None,
+            },
+            Head::Ref => Typed {
+                fixed: Some(Fixed::Behind),
+                ty,
+                ..typed
+            },
+            _ => Typed { ty, ..typed },
+        }
+    }
+
+    /// An expression whose value is to have that type.
+    fn given(&mut self, value: &syn::Expr, ty: &Type) -> Lowered<Node> {
+        let typed = match value {
+            syn::Expr::Closure(it) => self.closure(it, ty)?,
+            value => self.expr(value)?,
+        };
+        self.declared(typed, ty, self.at(value))
+    }
+
+    /// The same of what is known: refused, taken, or checked when it runs.
+    fn declared(&self, typed: Typed, ty: &Type, at: At) -> Lowered<Node> {
+        if !typed.ty.fits(ty, self.names) {
+            return Err(self.names.mismatch(ty, &typed.ty, at));
+        }
+        let node = match (typed.ty.0, ty.0) {
+            (Head::RefMut, head) if !matches!(head, Head::RefMut | Head::Unknown) => {
+                Node::Deref(Box::new(typed.node))
+            }
+            _ => typed.node,
+        };
+        match (typed.ty.0, ty.0) {
+            (Head::Never, _) | (_, Head::Unknown | Head::Fn | Head::Param(_)) => Ok(node),
+            (Head::Int(Int::Any), Head::Int(int)) if int != Int::Any => {
+                self.literal_as(node, ty, at)
+            }
+            (Head::Float, Head::F32) => self.literal_as(node, ty, at),
+            _ if typed.ty.is_certain() => Ok(node),
+            _ => Ok(Node::Declared(Box::new(node), Box::new(ty.clone()), at)),
+        }
+    }
+
+    /// A number as the type that it is to have.
+    fn literal_as(&self, node: Node, ty: &Type, at: At) -> Lowered<Node> {
+        match (node, ty.0) {
+            (Node::Int(it, _), Head::Int(int)) if int.fits(it) => Ok(Node::Int(it, int)),
+            (Node::Int(..), _) => {
+                let message = format!("literal out of range for `{}`", ty.name(self.names));
+                self.fault(at, &message, "", "")
+            }
+            (Node::Float(it), _) => Ok(Node::Single(it as f32)),
+            (Node::Negate(of, place), Head::F32) => {
+                let of = self.literal_as(*of, ty, at)?;
+                Ok(Node::Negate(Box::new(of), place))
+            }
+            (node, _) => Ok(Node::Declared(Box::new(node), Box::new(ty.clone()), at)),
+        }
+    }
+
+    fn block(&mut self, block: &syn::Block) -> Lowered {
+        let outside = self.locals.len();
+        let mut nodes = Vec::new();
+        let mut value = Type::UNIT;
+        let mut is_left = false;
+        let mut has_value = false;
+        for (n, statement) in block.stmts.iter().enumerate() {
+            let is_last = n + 1 == block.stmts.len();
+            has_value = false;
+            let done = match statement {
+                syn::Stmt::Local(it) => self.declaration(it)?,
+                // It is known already.
+                syn::Stmt::Item(_) => continue,
+                syn::Stmt::Macro(it) => {
+                    has_value = is_last && it.semi_token.is_none();
+                    self.macro_call(&it.mac)?
+                }
+                syn::Stmt::Expr(it, semicolon) => {
+                    has_value = is_last && semicolon.is_none();
+                    let typed = self.expr(it)?;
+                    let is_block = matches!(
+                        it,
+                        syn::Expr::If(_) | syn::Expr::Match(_) | syn::Expr::Block(_)
+                    );
+                    if semicolon.is_none() && !is_last && is_block {
+                        let node = self.declared(typed, &Type::UNIT, self.at(it))?;
+                        Typed::new(node, Type::UNIT)
+                    } else {
+                        typed
+                    }
+                }
+            };
+            is_left = is_left || done.ty.is(Head::Never);
+            if has_value {
+                value = done.ty;
+            }
+            nodes.push(done.node);
+        }
+        self.leave(outside);
+        if is_left && !has_value {
+            value = Head::Never.into();
+        }
+        Ok(Typed::new(Node::Block(nodes, has_value), value))
+    }
+
+    fn declaration(&mut self, it: &syn::Local) -> Lowered {
+        let (pattern, written) = match &it.pat {
+            syn::Pat::Type(it) => (&*it.pat, Some(self.names.ty(&self.context, &it.ty)?)),
+            pattern => (pattern, None),
+        };
+        let Some(init) = &it.init else {
+            // It gets its value later, once.
+            self.pattern(pattern, &written.unwrap_or(Type::UNKNOWN), true)?;
+            return Ok(Typed::new(Node::Unit, Type::UNIT));
+        };
+        let (node, ty) = match written {
+            Some(ty) => (self.given(&init.expr, &ty)?, ty),
+            None => {
+                let typed = self.expr(&init.expr)?;
+                (typed.node, typed.ty)
+            }
+        };
+        let other = match &init.diverge {
+            None => None,
+            Some((_, other)) => {
+                let typed = self.expr(other)?;
+                if !typed.ty.is(Head::Never) {
+                    let message = "`else` clause of `let...else` does not diverge";
+                    let label = format!("expected `!`, found {}", typed.ty.said(self.names));
+                    return self.fault(
+                        self.at(other),
+                        message,
+                        &label,
+                        "`return`, `break` or `continue` there",
+                    );
+                }
+                Some(Box::new(typed.node))
+            }
+        };
+        let is_never = ty.is(Head::Never);
+        let bound = self.pattern(pattern, &ty.settled(), false)?;
+        if other.is_none() && !bound.is_irrefutable() {
+            let message = "refutable pattern in local binding";
+            return self.fault(
+                self.at_any(pattern),
+                message,
+                "",
+                "`let … else { … }`, or `if let`",
+            );
+        }
+        let ty = if is_never {
+            Head::Never.into()
+        } else {
+            Type::UNIT
+        };
+        Ok(Typed::new(
+            Node::Let(Box::new(bound), Box::new(node), other),
+            ty,
+        ))
+    }
+
+    fn expr(&mut self, expr: &syn::Expr) -> Lowered {
+        let typed = |node, ty: Type| Ok(Typed::new(node, ty));
+        match expr {
+            syn::Expr::Lit(it) => self.literal(&it.lit),
+            syn::Expr::Paren(it) => self.expr(&it.expr),
+            syn::Expr::Group(it) => self.expr(&it.expr),
+            syn::Expr::Path(it) => self.path(it),
+            syn::Expr::Unary(it) => self.unary(it),
+            syn::Expr::Binary(it) => self.binary(it),
+            syn::Expr::Assign(it) => {
+                let left = self.expr(&it.left)?;
+                let right = self.given(&it.right, &left.ty)?;
+                let target = self.assignable(left, &it.left)?;
+                typed(Node::Set(Box::new(target), Box::new(right)), Type::UNIT)
+            }
+            syn::Expr::Call(it) => self.call(it),
+            syn::Expr::MethodCall(it) => self.method_call(it),
+            syn::Expr::Field(it) => self.field(it),
+            syn::Expr::Index(it) => self.index(it),
+            syn::Expr::Block(it) => self.labeled(it),
+            syn::Expr::If(it) => self.condition(it),
+            syn::Expr::Let(it) => {
+                let value = self.expr(&it.expr)?;
+                let pattern = self.pattern(&it.pat, &value.ty, false)?;
+                typed(
+                    Node::Matches(Box::new(pattern), Box::new(value.node)),
+                    Head::Bool.into(),
+                )
+            }
+            syn::Expr::Match(it) => self.matching(it),
+            syn::Expr::While(it) => {
+                let outside = self.locals.len();
+                let condition = self.given(&it.cond, &Head::Bool.into())?;
+                let (body, way, _) = self.looped(&it.body, it.label.as_ref(), false)?;
+                self.leave(outside);
+                let at = self.at_any(&it.while_token);
+                typed(
+                    Node::While(Box::new([condition, body]), way, at),
+                    Type::UNIT,
+                )
+            }
+            syn::Expr::Loop(it) => {
+                let (body, way, is_left) = self.looped(&it.body, it.label.as_ref(), true)?;
+                let ty = if is_left {
+                    Type::UNKNOWN
+                } else {
+                    Head::Never.into()
+                };
+                let at = self.at_any(&it.loop_token);
+                typed(Node::While(Box::new([Node::Bool(true), body]), way, at), ty)
+            }
+            syn::Expr::ForLoop(it) => {
+                let each = self.expr(&it.expr)?;
+                let (each, of) = self.iterated(each, &it.expr)?;
+                let outside = self.locals.len();
+                let pattern = self.pattern(&it.pat, &of, false)?;
+                let (body, way, _) = self.looped(&it.body, it.label.as_ref(), false)?;
+                self.leave(outside);
+                let at = self.at_any(&it.for_token);
+                typed(
+                    Node::For(Box::new(pattern), Box::new([each, body]), way, at),
+                    Type::UNIT,
+                )
+            }
+            syn::Expr::Break(it) => {
+                let way = self.way(it.label.as_ref(), self.at(expr), "break")?;
+                let value = match &it.expr {
+                    Some(value) if !self.ways[way].has_value => {
+                        let message = "`break` with value from a loop that has none";
+                        return self.fault(self.at(value), message, "", "only `loop` has a value");
+                    }
+                    Some(value) => self.expr(value)?.node,
+                    None => Node::Unit,
+                };
+                self.ways[way].is_left = true;
+                typed(Node::Break(way, Box::new(value)), Head::Never.into())
+            }
+            syn::Expr::Continue(it) => {
+                let way = self.way(it.label.as_ref(), self.at(expr), "continue")?;
+                typed(Node::Continue(way), Head::Never.into())
+            }
+            syn::Expr::Return(it) => {
+                let result = self.result.clone();
+                let value = match &it.expr {
+                    Some(value) => self.given(value, &result)?,
+                    None => {
+                        self.declared(Typed::new(Node::Unit, Type::UNIT), &result, self.at(expr))?
+                    }
+                };
+                typed(Node::Return(Box::new(value)), Head::Never.into())
+            }
+            syn::Expr::Closure(it) => self.closure(it, &Type::UNKNOWN),
+            syn::Expr::Tuple(it) if it.elems.is_empty() => typed(Node::Unit, Type::UNIT),
+            syn::Expr::Tuple(it) => {
+                let (nodes, types) = self.each(&it.elems)?;
+                typed(Node::Tuple(nodes), Type(Head::Tuple, types))
+            }
+            syn::Expr::Array(it) => {
+                let (nodes, of) = self.listed(&it.elems)?;
+                let head = Head::Array(nodes.len());
+                typed(Node::Many(nodes), Type::of(head, of))
+            }
+            syn::Expr::Repeat(it) => {
+                let of = self.expr(&it.expr)?;
+                match literal(&it.len) {
+                    Some(length) if length <= 1000 => typed(
+                        Node::Repeat(Box::new(of.node), length),
+                        Type::of(Head::Array(length), of.ty.settled()),
+                    ),
+                    _ => unknown(self.at(&it.len), "such a length"),
+                }
+            }
+            syn::Expr::Range(it) => self.range(it),
+            syn::Expr::Reference(it) => {
+                let of = self.expr(&it.expr)?;
+                if it.mutability.is_none() {
+                    return typed(of.node, Type::of(Head::Ref, of.ty));
+                }
+                let ty = Type::of(Head::RefMut, of.ty.clone());
+                let target = self.mutable(of, &it.expr)?;
+                typed(Node::Address(Box::new(target)), ty)
+            }
+            syn::Expr::Cast(it) => self.cast(it),
+            syn::Expr::Try(it) => self.tried(it),
+            syn::Expr::Struct(it) => self.structure(it),
+            syn::Expr::Macro(it) => self.macro_call(&it.mac),
+            syn::Expr::Unsafe(_) => unknown(self.at(expr), "`unsafe`"),
+            _ => unknown(self.at(expr), "this kind of expression"),
+        }
+    }
+
+    fn each<'s>(
+        &mut self,
+        all: impl IntoIterator<Item = &'s syn::Expr>,
+    ) -> Lowered<(Vec<Node>, Vec<Type>)> {
+        let all = all.into_iter().map(|it| {
+            let typed = self.expr(it)?;
+            Ok((typed.node, typed.ty.settled()))
+        });
+        all.collect()
+    }
+
+    /// Values of one type, as far as it is known.
+    fn listed<'s>(
+        &mut self,
+        all: impl IntoIterator<Item = &'s syn::Expr>,
+    ) -> Lowered<(Vec<Node>, Type)> {
+        let mut of = Type::UNKNOWN;
+        let nodes = all.into_iter().map(|it| {
+            let typed = self.expr(it)?;
+            if !typed.ty.fits(&of, self.names) {
+                return Err(self.names.mismatch(&of, &typed.ty, self.at(it)));
+            }
+            if of.is_unknown() {
+                of = typed.ty.clone().settled();
+            }
+            Ok(typed.node)
+        });
+        let nodes = nodes.collect::<Lowered<_>>()?;
+        Ok((nodes, of))
+    }
+
+    fn literal(&mut self, literal: &syn::Lit) -> Lowered {
+        let place = self.at_any(literal);
+        let suffixed = |suffix: &str, what: &str| match suffix {
+            "" => Ok(None),
+            "f64" => Ok(Some(Head::F64)),
+            "f32" => Ok(Some(Head::F32)),
+            name => match Int::named(name) {
+                Some(int) => Ok(Some(Head::Int(int))),
+                None => {
+                    let message = format!("invalid suffix `{name}` for {what} literal");
+                    let help = format!("a sign is missing before `{name}`, or a blank");
+                    Err(Refusal::new(
+                        place,
+                        &message,
+                        &format!("invalid suffix `{name}`"),
+                        &help,
+                    ))
+                }
+            },
+        };
+        Ok(match literal {
+            syn::Lit::Bool(it) => Typed::new(Node::Bool(it.value), Head::Bool),
+            syn::Lit::Float(it) => {
+                let value: f64 = it.base10_digits().parse().unwrap_or(f64::NAN);
+                match suffixed(it.suffix(), "float")? {
+                    Some(Head::F32) => Typed::new(Node::Single(value as f32), Head::F32),
+                    head => Typed::new(Node::Float(value), head.unwrap_or(Head::Float)),
+                }
+            }
+            syn::Lit::Int(it) => {
+                let Ok(value) = it.base10_digits().parse::<i128>() else {
+                    return self.fault(place, "integer literal is too large", "", "");
+                };
+                match suffixed(it.suffix(), "number")? {
+                    Some(Head::F64) => Typed::new(Node::Float(value as f64), Head::F64),
+                    Some(Head::F32) => Typed::new(Node::Single(value as f32), Head::F32),
+                    Some(Head::Int(int)) => Typed::new(Node::Int(value, int), Head::Int(int)),
+                    _ => Typed::new(Node::Int(value, Int::Any), Head::Int(Int::Any)),
+                }
+            }
+            syn::Lit::Str(it) => Typed::new(
+                Node::Str(Arc::from(it.value())),
+                Type::of(Head::Ref, Head::Str.into()),
+            ),
+            _ => return unknown(place, "this kind of literal"),
+        })
+    }
+
+    /// Looks a variable up.
+    fn variable(&mut self, name: &str) -> Option<Typed> {
+        let local = self.locals.iter_mut().rev().find(|it| it.name == name)?;
+        local.is_used = true;
+        Some(Typed {
+            node: Node::Local(local.slot),
+            ty: local.ty.clone(),
+            target: Some(Target {
+                root: Root::Local(local.slot),
+                steps: Vec::new(),
+            }),
+            fixed: (!local.is_mut).then(|| Fixed::Variable(name.to_owned())),
+        })
+    }
+
+    /// What may be borrowed to be changed.
+    fn mutable(&mut self, typed: Typed, at: &syn::Expr) -> Lowered<Target> {
+        let place = self.at(at);
+        match (typed.target, typed.fixed) {
+            (Some(_), Some(Fixed::Behind)) => {
+                let message = format!(
+                    "cannot borrow `{}` as mutable, as it is behind a `&` reference",
+                    said(at)
+                );
+                self.fault(place, &message, "", "it takes `&mut`")
+            }
+            (Some(_), Some(Fixed::Variable(name))) => {
+                let message =
+                    format!("cannot borrow `{name}` as mutable, as it is not declared as mutable");
+                self.fault(
+                    place,
+                    &message,
+                    "cannot borrow as mutable",
+                    &format!("`mut {name}`"),
+                )
+            }
+            (Some(target), None) => Ok(target),
+            (None, _) => {
+                let slot = self.slots;
+                self.slots += 1;
+                Ok(Target {
+                    root: Root::Temporary(slot, typed.node),
+                    steps: Vec::new(),
+                })
+            }
+        }
+    }
+
+    fn assignable(&self, typed: Typed, at: &syn::Expr) -> Lowered<Target> {
+        let place = self.at(at);
+        match (typed.target, typed.fixed) {
+            (Some(_), Some(Fixed::Behind)) => {
+                let message = format!(
+                    "cannot assign to `{}`, which is behind a `&` reference",
+                    said(at)
+                );
+                self.fault(place, &message, "", "it takes `&mut`")
+            }
+            (Some(target), Some(Fixed::Variable(name))) => {
+                let message = match target.steps.is_empty() {
+                    true => format!("cannot assign twice to immutable variable `{name}`"),
+                    false => format!(
+                        "cannot assign to `{}`, as `{name}` is not declared as mutable",
+                        said(at)
+                    ),
+                };
+                self.fault(place, &message, "", &format!("`mut {name}`"))
+            }
+            (Some(target), None) => Ok(target),
+            (None, _) => {
+                let message = "invalid left-hand side of assignment";
+                self.fault(place, message, "cannot assign to this expression", "")
+            }
+        }
+    }
+
+    fn condition(&mut self, it: &syn::ExprIf) -> Lowered {
+        let outside = self.locals.len();
+        let condition = self.given(&it.cond, &Head::Bool.into())?;
+        let then = self.block(&it.then_branch)?;
+        self.leave(outside);
+        let Some((_, other)) = &it.else_branch else {
+            if !then.ty.fits(&Type::UNIT, self.names) {
+                let last = it.then_branch.stmts.last();
+                let place = last.map_or_else(|| self.at_any(it), |last| self.at_any(last));
+                let label = format!("expected `()`, found {}", then.ty.said(self.names));
+                let help = "`return …;`, or an `else` that gives the other value";
+                return self.fault(place, "mismatched types", &label, help);
+            }
+            let at = self.at_any(&it.then_branch);
+            let then = self.declared(then, &Type::UNIT, at)?;
+            return Ok(Typed::new(
+                Node::If(Box::new([condition, then, Node::Unit])),
+                Type::UNIT,
+            ));
+        };
+        let other_typed = self.expr(other)?;
+        let place = match &**other {
+            syn::Expr::Block(it) => it.block.stmts.last().map(|it| self.at_any(it)),
+            _ => None,
+        };
+        let place = place.unwrap_or_else(|| self.at(other));
+        let ty = self.joined(
+            &then.ty,
+            &other_typed.ty,
+            "`if` and `else` have incompatible types",
+            place,
+        )?;
+        Ok(Typed::new(
+            Node::If(Box::new([condition, then.node, other_typed.node])),
+            ty,
+        ))
+    }
+
+    /// The type of two ways to the same value.
+    fn joined(&self, one: &Type, other: &Type, message: &str, at: At) -> Lowered<Type> {
+        if !one.fits(other, self.names) && !other.fits(one, self.names) {
+            let label = format!(
+                "expected {}, found {}",
+                one.said(self.names),
+                other.said(self.names)
+            );
+            return self.fault(at, message, &label, "");
+        }
+        Ok(
+            match (
+                one.is(Head::Never),
+                other.is_certain() && !other.is(Head::Never),
+            ) {
+                (false, true) if !one.is_certain() || one.is(Head::Float) => other.clone(),
+                (true, _) => other.clone(),
+                _ => one.clone(),
+            },
+        )
+    }
+
+    fn labeled(&mut self, it: &syn::ExprBlock) -> Lowered {
+        let Some(label) = &it.label else {
+            return self.block(&it.block);
+        };
+        self.ways.push(Way {
+            label: Some(label.name.to_string()),
+            is_loop: false,
+            has_value: true,
+            is_left: false,
+        });
+        let body = self.block(&it.block);
+        self.ways.pop();
+        Ok(Typed::new(
+            Node::Labeled(Box::new(body?.node), self.ways.len()),
+            Type::UNKNOWN,
+        ))
+    }
+
+    /// A body, its number, and whether it is ever left.
+    fn looped(
+        &mut self,
+        body: &syn::Block,
+        label: Option<&syn::Label>,
+        has_value: bool,
+    ) -> Lowered<(Node, usize, bool)> {
+        self.ways.push(Way {
+            label: label.map(|it| it.name.to_string()),
+            is_loop: true,
+            has_value,
+            is_left: false,
+        });
+        let typed = self.block(body)?;
+        let place = at_span(self.file, body.brace_token.span.close());
+        let node = self.declared(typed, &Type::UNIT, place)?;
+        let is_left = self.ways.pop().is_some_and(|it| it.is_left);
+        Ok((node, self.ways.len(), is_left))
+    }
+
+    fn way(&self, label: Option<&syn::Lifetime>, at: At, word: &str) -> Lowered<usize> {
+        let is_it = |way: &Way| match label {
+            Some(label) => way.label.as_deref() == Some(&label.to_string()),
+            None => way.is_loop,
+        };
+        match self.ways.iter().rposition(is_it) {
+            Some(way) => Ok(way),
+            None => self.fault(at, &format!("`{word}` outside of a loop"), "", ""),
+        }
+    }
+
+    /// What a loop goes over, and the type of each.
+    fn iterated(&mut self, each: Typed, at: &syn::Expr) -> Lowered<(Node, Type)> {
+        let ty = &each.ty;
+        let on = ty.stripped();
+        match (ty.0, on.0) {
+            (Head::RefMut, Head::Vec | Head::Array(_) | Head::Slice) => {
+                let of = Type::of(Head::RefMut, on.inner());
+                Ok((
+                    self.native("list", "iter_mut", vec![each.node], self.at(at)),
+                    of,
+                ))
+            }
+            (Head::RefMut, Head::Iterator) => Ok((Node::Deref(Box::new(each.node)), on.inner())),
+            (_, Head::Unknown | Head::Never) => Ok((each.node, Type::UNKNOWN)),
+            (Head::Range, _) if !on.inner().is_float() => Ok((each.node, on.inner().settled())),
+            (
+                Head::Vec | Head::Array(_) | Head::Iterator | Head::Option | Head::Ref,
+                Head::Vec | Head::Array(_) | Head::Slice | Head::Option | Head::Iterator,
+            ) => {
+                let of = on.inner().behind(ty);
+                Ok((each.node, of))
+            }
+            _ => {
+                let message = format!("`{}` is not an iterator", ty.name(self.names));
+                self.fault(self.at(at), &message, "", "")
+            }
+        }
+    }
+
+    fn range(&mut self, it: &syn::ExprRange) -> Lowered {
+        let mut of = Type::UNKNOWN;
+        let mut end = |own: &mut Self, end: &Option<Box<syn::Expr>>| {
+            let Some(end) = end else { return Ok(None) };
+            let typed = own.expr(end)?;
+            of = own.joined(&typed.ty, &of, "mismatched types", own.at(end))?;
+            Ok(Some(Box::new(typed.node)))
+        };
+        let (from, to) = (end(self, &it.start)?, end(self, &it.end)?);
+        let is_closed = matches!(it.limits, syn::RangeLimits::Closed(_));
+        Ok(Typed::new(
+            Node::Range(from, to, is_closed),
+            Type::of(Head::Range, of),
+        ))
+    }
+
+    fn cast(&mut self, it: &syn::ExprCast) -> Lowered {
+        let from = self.expr(&it.expr)?;
+        let to = self.names.ty(&self.context, &it.ty)?;
+        let ty = &from.ty;
+        let is_number = |it: &Type| it.is_integer() || it.is_float();
+        let fits = match to.0 {
+            _ if ty.is_unknown() || ty.is(Head::Never) => true,
+            Head::Int(_) if ty.is(Head::Bool) => true,
+            _ => is_number(ty) && is_number(&to) || *ty == to,
+        };
+        let at = self.at_any(it);
+        if !fits {
+            let [one, other] = [ty, &to].map(|it| it.name(self.names));
+            return self.fault(
+                at,
+                &format!("non-primitive cast: `{one}` as `{other}`"),
+                "",
+                "",
+            );
+        }
+        Ok(Typed::new(
+            Node::Cast(Box::new(from.node), Box::new(to.clone()), at),
+            to,
+        ))
+    }
+
+    fn tried(&mut self, it: &syn::ExprTry) -> Lowered {
+        let of = self.expr(&it.expr)?;
+        let at = self.at_any(&it.question_token);
+        if !of.ty.is_unknown() && !of.ty.is(Head::Option) {
+            let name = of.ty.name(self.names);
+            let message = format!(
+                "the `?` operator can only be applied to values that implement `Try`, and this is `{name}`"
+            );
+            return self.fault(self.at_any(it), &message, "", "");
+        }
+        if !self.result.is_unknown() && !self.result.is(Head::Option) {
+            let message =
+                "the `?` operator can only be used in a function that returns `Result` or `Option`";
+            let label = format!("this one returns `{}`", self.result.name(self.names));
+            return self.fault(at, message, &label, "");
+        }
+        Ok(Typed::new(Node::Try(Box::new(of.node)), of.ty.inner()))
+    }
+
+    fn structure(&mut self, it: &syn::ExprStruct) -> Lowered {
+        let path = names(&it.path);
+        let at_path = self.at_any(&it.path);
+        let Some((kind, variant)) = self.names.variant(&self.context, &path) else {
+            return match self.names.found(self.context.module, &path) {
+                Ok(crate::names::Named::Type(ty)) if matches!(ty.0, Head::Vec3 | Head::Ray) => {
+                    self.native_structure(it, &ty)
+                }
+                Ok(_) => {
+                    let message = format!(
+                        "expected struct, variant or union type, found `{}`",
+                        path.join("::")
+                    );
+                    self.fault(at_path, &message, "not a struct, variant or union type", "")
+                }
+                Err(lost) => {
+                    let what = "struct, variant or union type";
+                    Err(self
+                        .names
+                        .not_found(self.context.module, at_path, what, &path, lost))
+                }
+            };
+        };
+        let own = &self.names.kinds[kind];
+        let fields = &own.variants[variant].fields;
+        let nodes = self.fields_given(it, &own.name, &own.variants[variant].known())?;
+        if let Some((n, _)) = nodes.iter().find(|(n, _)| {
+            !self
+                .names
+                .sees(self.context.module, own.module, fields[*n].is_public)
+        }) {
+            let message = format!(
+                "field `{}` of struct `{}` is private",
+                fields[*n].name, own.name
+            );
+            return self.fault(
+                at_path,
+                &message,
+                "private field",
+                "`pub` before it shows it to other files",
+            );
+        }
+        let ty = Type::from(Head::Own(kind));
+        let base = match &it.rest {
+            Some(rest) => Some(Box::new(self.given(rest, &ty)?)),
+            None => None,
+        };
+        Ok(Typed::new(
+            Node::New(kind as u32, variant as u32, nodes, base),
+            ty,
+        ))
+    }
+
+    /// The fields of an initializer by their numbers.
+    fn fields_given(
+        &mut self,
+        it: &syn::ExprStruct,
+        name: &str,
+        known: &[(&str, Type)],
+    ) -> Lowered<Vec<(usize, Node)>> {
+        let mut nodes: Vec<(usize, Node)> = Vec::new();
+        for field in &it.fields {
+            let own = member(&field.member);
+            let at = self.at_any(&field.member);
+            let Some(n) = known.iter().position(|it| it.0 == own) else {
+                let message = format!("struct `{name}` has no field named `{own}`");
+                let near = similar(&own, known.iter().map(|it| it.0));
+                let help = near.map_or(String::new(), |it| format!("there is `{it}`"));
+                return self.fault(at, &message, "", &help);
+            };
+            if nodes.iter().any(|it| it.0 == n) {
+                return self.fault(
+                    at,
+                    &format!("field `{own}` specified more than once"),
+                    "",
+                    "",
+                );
+            }
+            nodes.push((n, self.given(&field.expr, &known[n].1)?));
+        }
+        let mut all = known.iter().enumerate();
+        let missing = all.find(|(n, _)| nodes.iter().all(|it| it.0 != *n));
+        match missing {
+            Some((_, missing)) if it.rest.is_none() => {
+                let message = format!("missing field `{}` in initializer of `{name}`", missing.0);
+                self.fault(self.at_any(&it.path), &message, "", "")
+            }
+            _ => Ok(nodes),
+        }
+    }
+
+    /// `Ray { origin, direction }`, and a vector by its components.
+    fn native_structure(&mut self, it: &syn::ExprStruct, ty: &Type) -> Lowered {
+        let name = ty.name(self.names);
+        let known = self.names.fields_of(ty);
+        let mut nodes = self.fields_given(it, &name, &known)?;
+        if it.rest.is_some() {
+            return unknown(self.at_any(it), "such an initializer");
+        }
+        nodes.sort_by_key(|it| it.0);
+        let nodes = nodes.into_iter().map(|it| it.1).collect();
+        let node = self.native(&name, "new", nodes, self.at_any(it));
+        Ok(Typed::new(node, ty.clone()))
+    }
+
+    fn field(&mut self, it: &syn::ExprField) -> Lowered {
+        let base = self.expr(&it.base)?;
+        let name = member(&it.member);
+        let at = at_span(self.file, it.member.span());
+        let (found, ty) = match base.ty.stripped().is_unknown() {
+            true => (Member::Name(name, self.context.module, at), Type::UNKNOWN),
+            false => {
+                let (n, ty) = self.names.field(&base.ty, &name, self.context.module, at)?;
+                (Member::Number(n), ty)
+            }
+        };
+        let on = self.stripped(base);
+        let target = on.target.map(|mut target| {
+            target.steps.push(Step::Field(found.clone()));
+            target
+        });
+        Ok(Typed {
+            node: Node::Field(Box::new(on.node), Box::new(found)),
+            ty,
+            target,
+            // What is not known may be a mutable reference.
+            fixed: on.fixed.filter(|_| !on.ty.is_unknown()),
+        })
+    }
+
+    fn index(&mut self, it: &syn::ExprIndex) -> Lowered {
+        let base = self.expr(&it.expr)?;
+        let name = base.ty.name(self.names);
+        let on = self.stripped(base);
+        let of = match on.ty.0 {
+            Head::Vec | Head::Slice | Head::Array(_) | Head::Unknown => on.ty.inner(),
+            Head::Vec3 => Head::F64.into(),
+            _ => {
+                let message = format!("cannot index into a value of type `{name}`");
+                return self.fault(self.at_any(it), &message, "", "");
+            }
+        };
+        let index = self.expr(&it.index)?;
+        let at = self.at_any(it);
+        if index.ty.is(Head::Range) {
+            return unknown(self.at(&it.index), "slices by a range");
+        }
+        let usize = Type::from(Head::Int(Int::Usize));
+        if !index.ty.fits(&usize, self.names) {
+            let [of, by] = [&of, &index.ty].map(|it| it.name(self.names));
+            let message = format!("the type `[{of}]` cannot be indexed by `{by}`");
+            return self.fault(self.at(&it.index), &message, "an index is a `usize`", "");
+        }
+        let index = self.declared(index, &usize, self.at(&it.index))?;
+        let target = on.target.map(|mut target| {
+            target.steps.push(Step::Index(index.clone(), at));
+            target
+        });
+        Ok(Typed {
+            node: Node::Index(Box::new([on.node, index]), at),
+            ty: of,
+            target,
+            fixed: on.fixed,
+        })
+    }
+
+    fn unary(&mut self, it: &syn::ExprUnary) -> Lowered {
+        let of = self.expr(&it.expr)?;
+        let at = self.at_any(it);
+        let name = of.ty.name(self.names);
+        let refused = |sign| format!("cannot apply unary operator `{sign}` to type `{name}`");
+        match it.op {
+            syn::UnOp::Deref(_) => match of.ty.0 {
+                Head::Ref | Head::RefMut | Head::Box | Head::Unknown => Ok(self.dereferenced(of)),
+                _ => self.fault(at, &format!("type `{name}` cannot be dereferenced"), "", ""),
+            },
+            syn::UnOp::Not(_) => {
+                let of = self.stripped(of);
+                match of.ty.0 {
+                    Head::Bool | Head::Int(_) | Head::Unknown => {
+                        Ok(Typed::new(Node::Not(Box::new(of.node), at), of.ty))
+                    }
+                    _ => self.fault(at, &refused("!"), "", ""),
+                }
+            }
+            syn::UnOp::Neg(_) => {
+                let of = self.stripped(of);
+                let own = self.names.method(&of.ty, "neg", None);
+                if let Some(own) = own {
+                    let result = self.names.functions[own].result.clone();
+                    return Ok(Typed::new(Node::Call(own, Box::new([of.node]), at), result));
+                }
+                let is_signed = match of.ty.0 {
+                    Head::Int(int) => int.is_signed(),
+                    Head::Vec3 | Head::Unknown | Head::Never => true,
+                    _ => of.ty.is_float(),
+                };
+                if !is_signed {
+                    return self.fault(at, &refused("-"), "", "");
+                }
+                let node = match of.node {
+                    Node::Int(it, int) => Node::Int(-it, int),
+                    node => Node::Negate(Box::new(node), at),
+                };
+                Ok(Typed::new(node, of.ty))
+            }
+            _ => unknown(at, "this operator"),
+        }
+    }
+
+    fn binary(&mut self, it: &syn::ExprBinary) -> Lowered {
+        let at = At {
+            end: self.at(&it.right).end,
+            ..self.at(&it.left)
+        };
+        let Some(operator) = operator(&it.op) else {
+            return unknown(at, "this operator");
+        };
+        let bool = Type::from(Head::Bool);
+        match operator {
+            Operator::And | Operator::Or => {
+                let nodes = Box::new([self.given(&it.left, &bool)?, self.given(&it.right, &bool)?]);
+                let node = match operator {
+                    Operator::And => Node::And(nodes),
+                    _ => Node::Or(nodes),
+                };
+                Ok(Typed::new(node, bool))
+            }
+            Operator::Compare(order) => {
+                let (left, right) = (self.expr(&it.left)?, self.expr(&it.right)?);
+                let types = [&left.ty, &right.ty];
+                self.names
+                    .comparable(order, types, at, self.at(&it.right))?;
+                let nodes = [left, right].map(|it| self.stripped(it).node);
+                Ok(Typed::new(Node::Compare(order, Box::new(nodes), at), bool))
+            }
+            Operator::Arithmetic(sign, is_assignment) => {
+                let (left, right) = (self.expr(&it.left)?, self.expr(&it.right)?);
+                self.arithmetic(sign, is_assignment, [left, right], &it.left, at)
+            }
+        }
+    }
+
+    fn arithmetic(
+        &mut self,
+        sign: crate::node::Sign,
+        is_assignment: bool,
+        [left, right]: [Typed; 2],
+        left_at: &syn::Expr,
+        at: At,
+    ) -> Lowered {
+        let [one, other] = [&left, &right].map(|it| self.stripped(it.clone()));
+        let refused = self
+            .names
+            .no_operator(sign, is_assignment, [&left.ty, &right.ty], at);
+        if is_assignment && let Some(own) = self.names.operator(sign, true, [&one.ty, &other.ty]) {
+            let target = Box::new(self.assignable(left, left_at)?);
+            let nodes = Box::new([Node::Address(target), other.node]);
+            return Ok(Typed::new(Node::Call(own, nodes, at), Type::UNIT));
+        }
+        let Some(ty) = self.names.result_of(sign, &one.ty, &other.ty) else {
+            return Err(refused);
+        };
+        if !is_assignment {
+            let nodes = Box::new([one.node, other.node]);
+            let node = match self.names.operator(sign, false, [&one.ty, &other.ty]) {
+                Some(own) if !one.ty.is_unknown() && !other.ty.is_unknown() => {
+                    Node::Call(own, nodes, at)
+                }
+                _ => Node::Arithmetic(sign, nodes, at),
+            };
+            return Ok(Typed::new(node, ty));
+        }
+        // `*x += 1`, but `x += 1` only where x is no reference.
+        if left.ty.is_reference() || !ty.fits(&one.ty, self.names) {
+            return Err(refused);
+        }
+        let target = self.assignable(left, left_at)?;
+        Ok(Typed::new(
+            Node::Update(Box::new(target), sign, Box::new(other.node), at),
+            Type::UNIT,
+        ))
+    }
+}
+
+impl Type {
+    /// Whether all of it is known, so that nothing need be checked when it runs.
+    fn is_certain(&self) -> bool {
+        let is_open = matches!(self.0, Head::Unknown | Head::Int(Int::Any) | Head::RefMut);
+        !is_open && self.1.iter().all(Self::is_certain)
+    }
+}
+
+/// The name of a field, or its number.
+fn member(it: &syn::Member) -> String {
+    match it {
+        syn::Member::Named(name) => name.to_string(),
+        syn::Member::Unnamed(n) => n.index.to_string(),
+    }
+}
+
+/// A place in the reader's words.
+fn said(it: &syn::Expr) -> String {
+    match it {
+        syn::Expr::Field(it) => format!("{}.{}", said(&it.base), member(&it.member)),
+        syn::Expr::Path(it) => names(&it.path).join("::"),
+        syn::Expr::Index(it) => format!("{}[_]", said(&it.expr)),
+        syn::Expr::Unary(it) => format!("*{}", said(&it.expr)),
+        syn::Expr::Paren(it) => said(&it.expr),
+        _ => "*…".to_owned(),
+    }
+}

@@ -1,0 +1,129 @@
+//! Macros: those that stop, those that ask, and those that make text.
+
+use syn::parse::Parser;
+use syn::punctuated::Punctuated;
+
+use super::{Lowered, Lowerer, Typed};
+use crate::names::unknown;
+use crate::node::{At, Node};
+use crate::types::{Head, Type};
+
+impl Lowerer<'_> {
+    pub(super) fn macro_call(&mut self, it: &syn::Macro) -> Lowered {
+        let at = self.at_any(&it.path);
+        let parser = Punctuated::<syn::Expr, syn::Token![,]>::parse_terminated;
+        let arguments: Vec<syn::Expr> = match parser.parse2(it.tokens.clone()) {
+            Ok(arguments) => arguments.into_iter().collect(),
+            Err(error) => return self.fault(at, &error.to_string(), "", ""),
+        };
+        let never = |said: &str| Ok(Typed::new(Node::Panic(said.to_owned(), at), Head::Never));
+        let name = it.path.segments.last().expect("a path has a name");
+        match name.ident.to_string().as_str() {
+            "todo" | "unimplemented" => never("not yet implemented"),
+            "unreachable" => never("internal error: entered unreachable code"),
+            "panic" => never("the program panics here"),
+            "assert" | "debug_assert" => {
+                let Some(condition) = arguments.first() else {
+                    let message = "requires a boolean expression as 1st argument";
+                    return self.fault(at, message, "", "");
+                };
+                let condition = self.given(condition, &Head::Bool.into())?;
+                let panic = Node::Panic("assertion failed".to_owned(), at);
+                let node = Node::If(Box::new([condition, Node::Unit, panic]));
+                Ok(Typed::new(node, Type::UNIT))
+            }
+            "vec" => {
+                let (nodes, of) = self.listed(&arguments)?;
+                Ok(Typed::new(Node::Many(nodes), Type::of(Head::Vec, of)))
+            }
+            "format" => Ok(Typed::new(self.formatted(&arguments, "", at)?, Head::Str)),
+            // Nothing shows what is printed beside the picture.
+            "println" | "eprintln" | "print" | "eprint" => {
+                let text = self.formatted(&arguments, "", at)?;
+                Ok(Typed::new(Node::Block(vec![text], false), Type::UNIT))
+            }
+            "write" => self.written(&arguments, "", at),
+            "writeln" => self.written(&arguments, "\n", at),
+            name => unknown(at, &format!("`{name}!`")),
+        }
+    }
+
+    /// What is added to a text.
+    fn written(&mut self, arguments: &[syn::Expr], end: &str, at: At) -> Lowered {
+        let Some((to, rest)) = arguments.split_first() else {
+            return self.fault(at, "requires at least a format string argument", "", "");
+        };
+        let typed = self.expr(to)?;
+        let place = match typed.ty.0 {
+            Head::RefMut | Head::Unknown => typed.node,
+            _ => Node::Address(Box::new(self.mutable(typed, to)?)),
+        };
+        let text = self.formatted(rest, end, at)?;
+        let written = self.native("str", "push_str", vec![place, text], at);
+        Ok(Typed::new(Node::Some(Box::new(written)), Type::UNKNOWN))
+    }
+
+    /// A text with values in its brackets: `{}`, `{name}`, `{0}` and `{:.3}`.
+    fn formatted(&mut self, arguments: &[syn::Expr], end: &str, at: At) -> Lowered<Node> {
+        let (text, values) = match arguments.split_first() {
+            None => (String::new(), arguments),
+            Some((syn::Expr::Lit(it), values)) => match &it.lit {
+                syn::Lit::Str(text) => (text.value(), values),
+                _ => return self.fault(at, "format argument must be a string literal", "", ""),
+            },
+            Some(_) => return self.fault(at, "format argument must be a string literal", "", ""),
+        };
+        // Two brackets stand for one.
+        let text = text.replace("{{", "\u{1}").replace("}}", "\u{2}") + end;
+        let plain = |text: &str| text.replace('\u{1}', "{").replace('\u{2}', "}");
+        let (mut pieces, mut nodes) = (Vec::new(), Vec::new());
+        let mut unnamed = values.iter();
+        let mut rest = text.as_str();
+        while let Some((before, inside, after)) = bracket(rest) {
+            let (name, how) = inside.split_once(':').unwrap_or((inside, ""));
+            let value = match name.parse::<usize>() {
+                _ if name.is_empty() => unnamed.next(),
+                Ok(n) => values.get(n),
+                Err(_) => {
+                    nodes.push(self.inline(name, at)?);
+                    pieces.push((plain(before), digits(how)));
+                    rest = after;
+                    continue;
+                }
+            };
+            let Some(value) = value else {
+                let message = "this text has more brackets than there are arguments";
+                return self.fault(at, message, "", "");
+            };
+            nodes.push(self.expr(value)?.node);
+            pieces.push((plain(before), digits(how)));
+            rest = after;
+        }
+        pieces.push((plain(rest), None));
+        match unnamed.next() {
+            Some(_) if !text.contains("{0") => self.fault(at, "argument never used", "", ""),
+            _ => Ok(Node::Format(pieces, nodes)),
+        }
+    }
+
+    fn inline(&mut self, name: &str, at: At) -> Lowered<Node> {
+        match self.variable(name) {
+            Some(typed) => Ok(typed.node),
+            None => {
+                let message = format!("cannot find value `{name}` in this scope");
+                self.fault(at, &message, "not found in this scope", "")
+            }
+        }
+    }
+}
+
+/// What is before the first bracket, in it, and after it.
+fn bracket(text: &str) -> Option<(&str, &str, &str)> {
+    let (before, after) = text.split_once('{')?;
+    let (inside, after) = after.split_once('}')?;
+    Some((before, inside, after))
+}
+
+fn digits(how: &str) -> Option<usize> {
+    how.split_once('.').and_then(|it| it.1.parse().ok())
+}

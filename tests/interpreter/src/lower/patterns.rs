@@ -1,0 +1,276 @@
+//! Patterns: what a value may look like, and the names of its parts.
+
+use super::{Lowered, Lowerer, Typed, member};
+use crate::names::{Named, Shape, names, unknown};
+use crate::node::{Arm, At, Node, Pattern};
+use crate::types::{Head, Type};
+
+impl Lowerer<'_> {
+    /// The pattern for a value of that type. Its names are variables from now on.
+    pub(super) fn pattern(&mut self, it: &syn::Pat, ty: &Type, is_late: bool) -> Lowered<Pattern> {
+        let at = self.at_any(it);
+        match it {
+            syn::Pat::Wild(_) => Ok(Pattern::Any),
+            syn::Pat::Paren(it) => self.pattern(&it.pat, ty, is_late),
+            syn::Pat::Type(it) => {
+                let written = self.names.ty(&self.context, &it.ty)?;
+                self.expect(ty, &written, at)?;
+                self.pattern(&it.pat, &written, is_late)
+            }
+            syn::Pat::Ident(name) if name.ident == "None" => self.option(ty, None, at),
+            syn::Pat::Ident(it) => {
+                let path = [it.ident.to_string()];
+                if let Some((kind, variant)) = self.names.variant(&self.context, &path)
+                    && self.names.kinds[kind].variants[variant].shape == Shape::Unit
+                {
+                    return self.fields(ty, (kind, variant), Vec::new(), at);
+                }
+                let inner = match &it.subpat {
+                    Some((_, pattern)) => self.pattern(pattern, ty, is_late)?,
+                    None => Pattern::Any,
+                };
+                let is_mut = it.mutability.is_some() || is_late;
+                let ty = match it.by_ref {
+                    Some(_) => Type::of(Head::Ref, ty.clone()),
+                    None => ty.clone(),
+                };
+                let slot = self.local(&path[0], ty, is_mut);
+                Ok(Pattern::Bind(slot, Box::new(inner)))
+            }
+            syn::Pat::Reference(it) => match ty.0 {
+                Head::Ref | Head::RefMut | Head::Unknown => {
+                    self.pattern(&it.pat, &ty.inner(), is_late)
+                }
+                _ => {
+                    let label = format!("expected {}, found reference", ty.said(self.names));
+                    self.fault(at, "mismatched types", &label, "leave the `&` out")
+                }
+            },
+            syn::Pat::Lit(it) => {
+                let literal = self.literal(&it.lit)?;
+                let literal = self.declared(literal, ty.stripped(), at)?;
+                Ok(Pattern::Literal(literal, at))
+            }
+            syn::Pat::Range(it) => {
+                let ty = ty.stripped().clone();
+                let mut end = |end: &Option<Box<syn::Expr>>| {
+                    end.as_ref().map(|end| self.given(end, &ty)).transpose()
+                };
+                let (from, to) = (end(&it.start)?, end(&it.end)?);
+                let is_closed = matches!(it.limits, syn::RangeLimits::Closed(_));
+                Ok(Pattern::Range(from, to, is_closed))
+            }
+            syn::Pat::Or(it) => {
+                let before = self.locals.len();
+                let all = it.cases.iter().map(|it| self.pattern(it, ty, is_late));
+                let all = all.collect::<Lowered<Vec<_>>>()?;
+                match all.len() > 1 && self.locals.len() > before {
+                    true => unknown(at, "names in alternatives"),
+                    false => Ok(Pattern::Or(all)),
+                }
+            }
+            syn::Pat::TupleStruct(it) if it.path.is_ident("Some") => match it.elems.first() {
+                Some(inner) if it.elems.len() == 1 => self.option(ty, Some(inner), at),
+                _ => {
+                    let message = "this pattern has the wrong number of fields";
+                    self.fault(at, message, "`Some` has 1", "")
+                }
+            },
+            syn::Pat::TupleStruct(it) => {
+                let named = it.elems.iter().enumerate();
+                let named = named.map(|(n, it)| (n.to_string(), it)).collect();
+                self.structure_pattern(&it.path, ty, named, at)
+            }
+            syn::Pat::Struct(it) => {
+                let named = it.fields.iter();
+                let named = named.map(|it| (member(&it.member), &*it.pat)).collect();
+                self.structure_pattern(&it.path, ty, named, at)
+            }
+            syn::Pat::Path(it) => match self.names.variant(&self.context, &names(&it.path)) {
+                Some(found) => self.fields(ty, found, Vec::new(), at),
+                None => {
+                    let constant = self.path(it)?;
+                    let constant = self.declared(constant, ty.stripped(), at)?;
+                    Ok(Pattern::Literal(constant, at))
+                }
+            },
+            syn::Pat::Tuple(tuple) => {
+                let on = ty.stripped();
+                let wanted = Type(Head::Tuple, vec![Type::UNKNOWN; tuple.elems.len()]);
+                self.expect(on, &wanted, at)?;
+                let all = tuple.elems.iter().enumerate().map(|(n, it)| {
+                    let part = on.1.get(n).cloned().unwrap_or(Type::UNKNOWN);
+                    Ok((n, self.pattern(it, &part.behind(ty), is_late)?))
+                });
+                Ok(Pattern::Fields(all.collect::<Lowered<_>>()?))
+            }
+            syn::Pat::Slice(slice) => {
+                let of = ty.stripped().inner().behind(ty);
+                let all = slice.elems.iter().map(|it| self.pattern(it, &of, is_late));
+                Ok(Pattern::Many(all.collect::<Lowered<_>>()?))
+            }
+            _ => unknown(at, "this kind of pattern"),
+        }
+    }
+
+    fn expect(&self, ty: &Type, wanted: &Type, at: At) -> Lowered<()> {
+        match wanted.fits(ty, self.names) || ty.fits(wanted, self.names) {
+            true => Ok(()),
+            false => Err(self.names.mismatch(ty, wanted, at)),
+        }
+    }
+
+    fn option(&mut self, ty: &Type, inner: Option<&syn::Pat>, at: At) -> Lowered<Pattern> {
+        let on = ty.stripped();
+        self.expect(on, &Type::of(Head::Option, Type::UNKNOWN), at)?;
+        let of = on.inner().behind(ty);
+        match inner {
+            None => Ok(Pattern::None(at)),
+            Some(inner) => {
+                let inner = self.pattern(inner, &of, false)?;
+                Ok(Pattern::Some(Box::new(inner), at))
+            }
+        }
+    }
+
+    fn structure_pattern(
+        &mut self,
+        path: &syn::Path,
+        ty: &Type,
+        given: Vec<(String, &syn::Pat)>,
+        at: At,
+    ) -> Lowered<Pattern> {
+        let names = names(path);
+        if let Some(found) = self.names.variant(&self.context, &names) {
+            return self.fields(ty, found, given, at);
+        }
+        match self.names.found(self.context.module, &names) {
+            Ok(Named::Type(own)) => {
+                self.expect(ty.stripped(), &own, at)?;
+                let known = self.names.fields_of(&own);
+                Ok(Pattern::Fields(self.parts(&known, ty, given, at)?))
+            }
+            Ok(_) => self.fault(at, "expected a struct or a variant", "", ""),
+            Err(lost) => {
+                let module = self.context.module;
+                Err(self
+                    .names
+                    .not_found(module, at, "struct or variant", &names, lost))
+            }
+        }
+    }
+
+    /// What has fields: a variant of one of the reader's types, or a struct.
+    fn fields(
+        &mut self,
+        ty: &Type,
+        (kind, variant): (usize, usize),
+        given: Vec<(String, &syn::Pat)>,
+        at: At,
+    ) -> Lowered<Pattern> {
+        self.expect(ty.stripped(), &Head::Own(kind).into(), at)?;
+        let own = &self.names.kinds[kind];
+        let known = own.variants[variant].known();
+        let parts = self.parts(&known, ty, given, at)?;
+        Ok(match own.is_enum {
+            true => Pattern::Variant(kind as u32, variant as u32, parts, at),
+            false => Pattern::Fields(parts),
+        })
+    }
+
+    fn parts(
+        &mut self,
+        known: &[(&str, Type)],
+        ty: &Type,
+        given: Vec<(String, &syn::Pat)>,
+        at: At,
+    ) -> Lowered<Vec<(usize, Pattern)>> {
+        let mut all = Vec::new();
+        for (name, pattern) in given {
+            if matches!(pattern, syn::Pat::Rest(_)) {
+                continue;
+            }
+            let Some(n) = known.iter().position(|it| it.0 == name) else {
+                return self.fault(at, &format!("there is no field `{name}`"), "", "");
+            };
+            let part = known[n].1.clone().behind(ty);
+            all.push((n, self.pattern(pattern, &part, false)?));
+        }
+        Ok(all)
+    }
+
+    pub(super) fn matching(&mut self, it: &syn::ExprMatch) -> Lowered {
+        let of = self.expr(&it.expr)?;
+        if of.ty.is(Head::RefMut) {
+            return unknown(self.at(&it.expr), "`match` on `&mut`");
+        }
+        let mut arms: Vec<Arm> = Vec::new();
+        let mut ty = Type::from(Head::Never);
+        for arm in &it.arms {
+            let outside = self.locals.len();
+            let (pattern, guard) = match &arm.pat {
+                syn::Pat::Guard(it) => (&*it.pat, Some(&it.guard)),
+                pattern => (pattern, None),
+            };
+            let pattern = self.pattern(pattern, &of.ty, false)?;
+            let guard = guard.map(|it| self.given(it, &Head::Bool.into()));
+            let guard = guard.transpose()?;
+            let body: Typed = self.expr(&arm.body)?;
+            self.leave(outside);
+            let message = "`match` arms have incompatible types";
+            ty = self.joined(&ty, &body.ty, message, self.at(&arm.body))?;
+            arms.push(Arm {
+                pattern,
+                guard,
+                body: body.node,
+            });
+        }
+        if let Some(missing) = self.missing(of.ty.stripped(), &arms) {
+            let message = format!("non-exhaustive patterns: {missing} not covered");
+            return self.fault(self.at(&it.expr), &message, "", "add an arm, or `_ => …`");
+        }
+        let at = self.at_any(&it.match_token);
+        Ok(Typed::new(Node::Match(Box::new(of.node), arms, at), ty))
+    }
+
+    /// What no arm matches, as far as single values go.
+    fn missing(&self, ty: &Type, arms: &[Arm]) -> Option<String> {
+        let unguarded = arms.iter().filter(|it| it.guard.is_none());
+        let all: Vec<&Pattern> = unguarded.flat_map(|it| alternatives(&it.pattern)).collect();
+        if all.iter().any(|it| it.is_irrefutable()) {
+            return None;
+        }
+        let lacks = |is_it: &dyn Fn(&Pattern) -> bool| !all.iter().any(|it| is_it(it));
+        match ty.0 {
+            Head::Option if lacks(&|it| matches!(it, Pattern::Some(..))) => {
+                Some("`Some(_)`".to_owned())
+            }
+            Head::Option => lacks(&|it| matches!(it, Pattern::None(_))).then(|| "`None`".to_owned()),
+            Head::Bool => [true, false].into_iter().find_map(|value| {
+                let is_it = |it: &Pattern| {
+                    matches!(it, Pattern::Literal(Node::Bool(own), _) if *own == value)
+                };
+                lacks(&is_it).then(|| format!("`{value}`"))
+            }),
+            Head::Own(kind) if self.names.kinds[kind].is_enum => {
+                let own = &self.names.kinds[kind];
+                let is_of = |it: &Pattern, n: usize| {
+                    matches!(it, Pattern::Variant(_, own, ..) if *own as usize == n)
+                };
+                let mut variants = own.variants.iter().enumerate();
+                let missing = variants.find(|(n, _)| lacks(&|it| is_of(it, *n)));
+                missing.map(|(_, it)| format!("`{}::{}`", own.name, it.name))
+            }
+            Head::F64 | Head::F32 | Head::Float | Head::Int(_) => Some("`_`".to_owned()),
+            _ => None,
+        }
+    }
+}
+
+fn alternatives(pattern: &Pattern) -> Vec<&Pattern> {
+    match pattern {
+        Pattern::Or(all) => all.iter().flat_map(alternatives).collect(),
+        Pattern::Bind(_, inner) if !matches!(**inner, Pattern::Any) => alternatives(inner),
+        pattern => vec![pattern],
+    }
+}

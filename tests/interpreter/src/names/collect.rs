@@ -1,0 +1,864 @@
+//! Declarations: what each item of the trees is, and the types of its parts.
+
+use std::ptr;
+
+use syn::punctuated::Punctuated;
+
+use super::{
+    Context, Entry, Field, Kind, Module, Named, Names, Shape, Signature, Trait, Variant, names,
+    unknown,
+};
+use crate::node::At;
+use crate::read::{Refusal, at};
+use crate::types::{Head, Type};
+
+type Read<T = ()> = Result<T, Refusal>;
+
+/// What is in a function.
+#[derive(Clone, Copy)]
+pub(crate) struct Body<'a> {
+    /// The module of the names in it.
+    pub(crate) module: usize,
+    pub(crate) of: Inside<'a>,
+}
+
+#[derive(Clone, Copy)]
+pub(crate) enum Inside<'a> {
+    Function(&'a syn::Signature, &'a syn::Block),
+    Constant(&'a syn::Expr),
+}
+
+/// What the files declare, each with its name and its tree; the root is `lib.rs`, or the first. Of each
+/// function what is in it, if anything is.
+pub(crate) fn collect<'a>(
+    files: &'a [(String, syn::File)],
+) -> Result<(Names, Vec<Option<Body<'a>>>), Vec<Refusal>> {
+    let mut collector = Collector {
+        files,
+        names: Names::default(),
+        items: Vec::new(),
+        blocks: Vec::new(),
+        bodies: Vec::new(),
+        faults: Vec::new(),
+    };
+    let root = files.iter().position(|it| it.0.ends_with("lib.rs"));
+    let root = root.unwrap_or_default();
+    let module = Module {
+        file: root as u32,
+        ..Module::default()
+    };
+    collector.module(module, &files[root].1.items);
+    collector.define();
+    match collector.faults.is_empty() {
+        true => Ok((collector.names, collector.bodies)),
+        false => Err(collector.faults),
+    }
+}
+
+struct Collector<'a> {
+    files: &'a [(String, syn::File)],
+    names: Names,
+    /// Each with its module.
+    items: Vec<(usize, &'a syn::Item)>,
+    /// The blocks that declare something, and what they are as modules.
+    blocks: Vec<(*const syn::Block, usize)>,
+    bodies: Vec<Option<Body<'a>>>,
+    faults: Vec<Refusal>,
+}
+
+impl<'a> Collector<'a> {
+    fn module(&mut self, module: Module, items: impl IntoIterator<Item = &'a syn::Item>) -> usize {
+        self.names.modules.push(module);
+        let own = self.names.modules.len() - 1;
+        for item in items {
+            if !is_test(item) {
+                self.items.push((own, item));
+                let declared = self.declare(own, item);
+                self.faults.extend(declared.err());
+            }
+        }
+        own
+    }
+
+    fn at(&self, module: usize, it: &impl syn::spanned::Spanned) -> At {
+        at(self.names.file(module), it)
+    }
+
+    fn declare(&mut self, module: usize, item: &'a syn::Item) -> Read {
+        let (name, visibility, named) = match item {
+            syn::Item::Struct(it) => {
+                self.no_generics(module, &it.generics)?;
+                (
+                    &it.ident,
+                    &it.vis,
+                    self.kind(module, &it.ident, &it.attrs, false),
+                )
+            }
+            syn::Item::Enum(it) => {
+                self.no_generics(module, &it.generics)?;
+                (
+                    &it.ident,
+                    &it.vis,
+                    self.kind(module, &it.ident, &it.attrs, true),
+                )
+            }
+            syn::Item::Trait(it) => {
+                self.no_generics(module, &it.generics)?;
+                self.names.traits.push(Trait {
+                    name: it.ident.to_string(),
+                    methods: Vec::new(),
+                    implemented_for: Vec::new(),
+                });
+                (
+                    &it.ident,
+                    &it.vis,
+                    Named::Trait(self.names.traits.len() - 1),
+                )
+            }
+            syn::Item::Fn(it) => {
+                self.block(module, &it.block);
+                (&it.sig.ident, &it.vis, self.function())
+            }
+            syn::Item::Const(it) => (&it.ident, &it.vis, self.function()),
+            syn::Item::Static(it) => (&it.ident, &it.vis, self.function()),
+            syn::Item::Mod(it) => (&it.ident, &it.vis, self.submodule(module, it)?),
+            syn::Item::Type(it) => (&it.ident, &it.vis, Named::Type(Type::UNKNOWN)),
+            syn::Item::Use(it) => return self.import(module, &it.vis, Vec::new(), &it.tree),
+            syn::Item::Impl(it) => {
+                for item in &it.items {
+                    if let syn::ImplItem::Fn(it) = item {
+                        self.block(module, &it.block);
+                    }
+                }
+                return Ok(());
+            }
+            _ => return unknown(self.at(module, item), "this kind of item"),
+        };
+        self.name(module, name, visibility, named)
+    }
+
+    fn name(
+        &mut self,
+        module: usize,
+        name: &syn::Ident,
+        visibility: &syn::Visibility,
+        named: Named,
+    ) -> Read {
+        let entry = Entry {
+            named,
+            is_public: !matches!(visibility, syn::Visibility::Inherited),
+        };
+        match self.names.modules[module]
+            .names
+            .insert(name.to_string(), entry)
+        {
+            None => Ok(()),
+            Some(_) => {
+                let message = format!("the name `{name}` is defined multiple times");
+                Err(Refusal::new(self.at(module, name), &message, "", ""))
+            }
+        }
+    }
+
+    /// A place for a function whose signature is read later.
+    fn function(&mut self) -> Named {
+        self.names.functions.push(Signature {
+            name: String::new(),
+            module: 0,
+            at: At::default(),
+            is_public: false,
+            parameters: Vec::new(),
+            has_self: false,
+            result: Type::UNIT,
+            of: None,
+            in_trait: None,
+            in_standard: None,
+            is_constant: false,
+            has_body: true,
+        });
+        self.bodies.push(None);
+        Named::Function(self.names.functions.len() - 1)
+    }
+
+    /// A block that declares something has names of its own.
+    fn block(&mut self, module: usize, block: &'a syn::Block) {
+        let mut items = block.stmts.iter().filter_map(|it| match it {
+            syn::Stmt::Item(it) => Some(it),
+            _ => None,
+        });
+        if let Some(first) = items.next() {
+            let own = Module {
+                file: self.names.file(module),
+                parent: module,
+                is_block: true,
+                ..Module::default()
+            };
+            let own = self.module(own, [first].into_iter().chain(items));
+            self.blocks.push((ptr::from_ref(block), own));
+        }
+    }
+
+    fn submodule(&mut self, module: usize, it: &'a syn::ItemMod) -> Read<Named> {
+        let name = it.ident.to_string();
+        let mut own = Module {
+            file: self.names.file(module),
+            parent: module,
+            name: name.clone(),
+            ..Module::default()
+        };
+        if let Some((_, items)) = &it.content {
+            return Ok(Named::Module(self.module(own, items)));
+        }
+        let is_it = |(file, _): &(String, syn::File)| {
+            let path = file.trim_end_matches("/mod.rs").trim_end_matches(".rs");
+            path.rsplit('/').next() == Some(&name)
+        };
+        let Some(file) = self.files.iter().position(is_it) else {
+            let message = format!("file not found for module `{name}`");
+            return Err(Refusal::new(self.at(module, &it.ident), &message, "", ""));
+        };
+        own.file = file as u32;
+        let files = self.files;
+        Ok(Named::Module(self.module(own, &files[file].1.items)))
+    }
+
+    fn kind(
+        &mut self,
+        module: usize,
+        name: &syn::Ident,
+        attributes: &[syn::Attribute],
+        is_enum: bool,
+    ) -> Named {
+        let mut derives = Vec::new();
+        for derive in attributes.iter().filter(|it| it.path().is_ident("derive")) {
+            let _ = derive.parse_nested_meta(|meta| {
+                derives.extend(meta.path.segments.last().map(|it| it.ident.to_string()));
+                Ok(())
+            });
+        }
+        self.names.kinds.push(Kind {
+            name: name.to_string(),
+            module,
+            is_enum,
+            variants: Vec::new(),
+            derives,
+        });
+        Named::Type(Head::Own(self.names.kinds.len() - 1).into())
+    }
+
+    fn import(
+        &mut self,
+        module: usize,
+        visibility: &syn::Visibility,
+        mut path: Vec<String>,
+        tree: &syn::UseTree,
+    ) -> Read {
+        let name = match tree {
+            syn::UseTree::Path(it) => {
+                path.push(it.ident.to_string());
+                return self.import(module, visibility, path, &it.tree);
+            }
+            syn::UseTree::Group(it) => {
+                let mut trees = it.items.iter();
+                return trees.try_for_each(|it| self.import(module, visibility, path.clone(), it));
+            }
+            syn::UseTree::Glob(_) => {
+                let is_public = !matches!(visibility, syn::Visibility::Inherited);
+                self.names.modules[module].globs.push((path, is_public));
+                return Ok(());
+            }
+            syn::UseTree::Name(it) if it.ident == "self" => {
+                let name =
+                    syn::Ident::new(path.last().map_or("self", String::as_str), it.ident.span());
+                return self.name(module, &name, visibility, Named::Import(path));
+            }
+            syn::UseTree::Name(it) => {
+                path.push(it.ident.to_string());
+                &it.ident
+            }
+            syn::UseTree::Rename(it) => {
+                path.push(it.ident.to_string());
+                &it.rename
+            }
+        };
+        if name == "_" {
+            return Ok(());
+        }
+        self.name(module, name, visibility, Named::Import(path))
+    }
+
+    /// Finds what all names mean, now that all are known.
+    fn define(&mut self) {
+        let items = std::mem::take(&mut self.items);
+        let each = |own: &mut Self, work: fn(&mut Self, usize, &'a syn::Item) -> Read| {
+            for &(module, item) in &items {
+                let done = work(own, module, item);
+                own.faults.extend(done.err());
+            }
+        };
+        // One name may stand for another.
+        for _ in 0..3 {
+            each(self, |own, module, item| {
+                own.alias(module, item).ok();
+                Ok(())
+            });
+        }
+        each(self, Self::alias);
+        each(self, Self::check_import);
+        if self.faults.is_empty() {
+            each(self, Self::fields_or_trait);
+            each(self, Self::functions);
+        }
+        if self.faults.is_empty() {
+            let complete = self.are_traits_complete();
+            self.faults.extend(complete.err());
+        }
+    }
+
+    fn alias(&mut self, module: usize, item: &'a syn::Item) -> Read {
+        let syn::Item::Type(it) = item else {
+            return Ok(());
+        };
+        let ty = self.names.ty(&Context::of(module), &it.ty)?;
+        let entry = self.names.modules[module]
+            .names
+            .get_mut(&it.ident.to_string());
+        entry.expect("it was declared").named = Named::Type(ty);
+        Ok(())
+    }
+
+    fn check_import(&mut self, module: usize, item: &'a syn::Item) -> Read {
+        let syn::Item::Use(it) = item else {
+            return Ok(());
+        };
+        self.check_tree(module, Vec::new(), &it.tree)
+    }
+
+    fn check_tree(&self, module: usize, mut path: Vec<String>, tree: &syn::UseTree) -> Read {
+        let name = match tree {
+            syn::UseTree::Path(it) => {
+                path.push(it.ident.to_string());
+                return self.check_tree(module, path, &it.tree);
+            }
+            syn::UseTree::Group(it) => {
+                let mut trees = it.items.iter();
+                return trees.try_for_each(|it| self.check_tree(module, path.clone(), it));
+            }
+            syn::UseTree::Name(it) => Some(&it.ident),
+            syn::UseTree::Rename(it) => Some(&it.ident),
+            syn::UseTree::Glob(_) => None,
+        };
+        path.extend(name.filter(|it| *it != "self").map(ToString::to_string));
+        match self.names.found(module, &path) {
+            Ok(_) => Ok(()),
+            Err(lost) => Err(self.names.unresolved(self.at(module, tree), &path, lost)),
+        }
+    }
+
+    fn fields_or_trait(&mut self, module: usize, item: &'a syn::Item) -> Read {
+        let context = Context::of(module);
+        match item {
+            syn::Item::Struct(it) => self.fields(&context, &it.ident, &it.ident, &it.fields),
+            syn::Item::Enum(it) => it.variants.iter().try_for_each(|variant| {
+                self.fields(&context, &it.ident, &variant.ident, &variant.fields)
+            }),
+            syn::Item::Trait(it) => {
+                let own = match self.names.modules[module].names[&it.ident.to_string()].named {
+                    Named::Trait(own) => own,
+                    _ => return Ok(()),
+                };
+                let context = Context {
+                    own: Some(Head::Dyn(own).into()),
+                    ..context
+                };
+                for item in &it.items {
+                    let syn::TraitItem::Fn(method) = item else {
+                        return unknown(self.at(module, item), "this in a trait");
+                    };
+                    let function =
+                        self.method(&context, &method.sig, method.default.as_ref(), true)?;
+                    self.names.traits[own].methods.push(function);
+                }
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn functions(&mut self, module: usize, item: &'a syn::Item) -> Read {
+        let context = Context::of(module);
+        let number = |own: &Self, name: &syn::Ident| match own.names.modules[module].names
+            [&name.to_string()]
+            .named
+        {
+            Named::Function(number) => number,
+            _ => unreachable!("it was declared as a function"),
+        };
+        match item {
+            syn::Item::Fn(it) => {
+                let is_public = !matches!(it.vis, syn::Visibility::Inherited);
+                self.put(
+                    number(self, &it.sig.ident),
+                    &context,
+                    &it.sig,
+                    Some(&it.block),
+                    is_public,
+                )
+            }
+            syn::Item::Const(it) => self.constant(
+                number(self, &it.ident),
+                &context,
+                &it.ident,
+                (&it.ty, &it.expr),
+            ),
+            syn::Item::Static(it) => self.constant(
+                number(self, &it.ident),
+                &context,
+                &it.ident,
+                (&it.ty, &it.expr),
+            ),
+            syn::Item::Impl(it) => self.implementation(context, it),
+            _ => Ok(()),
+        }
+    }
+
+    fn fields(
+        &mut self,
+        context: &Context,
+        kind: &syn::Ident,
+        name: &syn::Ident,
+        fields: &syn::Fields,
+    ) -> Read {
+        let own = self.names.modules[context.module].names[&kind.to_string()]
+            .named
+            .clone();
+        let Named::Type(Type(Head::Own(own), _)) = own else {
+            return Ok(());
+        };
+        let shape = match fields {
+            syn::Fields::Named(_) => Shape::Named,
+            syn::Fields::Unnamed(_) => Shape::Tuple,
+            syn::Fields::Unit => Shape::Unit,
+        };
+        let is_enum = self.names.kinds[own].is_enum;
+        let fields = fields.iter().enumerate().map(|(n, field)| {
+            let name = field.ident.as_ref();
+            Ok(Field {
+                name: name.map_or(n.to_string(), ToString::to_string),
+                ty: self.names.ty(context, &field.ty)?,
+                is_public: is_enum || !matches!(field.vis, syn::Visibility::Inherited),
+            })
+        });
+        let fields = fields.collect::<Read<Vec<_>>>()?;
+        self.names.kinds[own].variants.push(Variant {
+            name: name.to_string(),
+            fields,
+            shape,
+        });
+        Ok(())
+    }
+
+    /// Reads the signature of a function that has its number.
+    fn put(
+        &mut self,
+        number: usize,
+        context: &Context,
+        it: &'a syn::Signature,
+        block: Option<&'a syn::Block>,
+        is_public: bool,
+    ) -> Read {
+        self.names.functions[number] = Signature {
+            is_public,
+            has_body: block.is_some(),
+            ..self.names.signature(context, it)?
+        };
+        self.bodies[number] = block.map(|block| {
+            let own = self.blocks.iter().find(|it| ptr::eq(it.0, block));
+            Body {
+                module: own.map_or(context.module, |it| it.1),
+                of: Inside::Function(it, block),
+            }
+        });
+        Ok(())
+    }
+
+    fn method(
+        &mut self,
+        context: &Context,
+        it: &'a syn::Signature,
+        block: Option<&'a syn::Block>,
+        is_public: bool,
+    ) -> Read<usize> {
+        self.function();
+        let number = self.names.functions.len() - 1;
+        self.put(number, context, it, block, is_public)?;
+        Ok(number)
+    }
+
+    fn constant(
+        &mut self,
+        number: usize,
+        context: &Context,
+        name: &syn::Ident,
+        (ty, value): (&syn::Type, &'a syn::Expr),
+    ) -> Read {
+        let own = &mut self.names.functions[number];
+        own.name = name.to_string();
+        own.is_constant = true;
+        own.module = context.module;
+        own.of.clone_from(&context.own);
+        own.is_public = true;
+        own.at = at(self.names.modules[context.module].file, name);
+        self.names.functions[number].result = self.names.ty(context, ty)?;
+        self.bodies[number] = Some(Body {
+            module: context.module,
+            of: Inside::Constant(value),
+        });
+        Ok(())
+    }
+
+    fn implementation(&mut self, context: Context, it: &'a syn::ItemImpl) -> Read {
+        let module = context.module;
+        self.no_generics(module, &it.generics)?;
+        let own = self.names.ty(&context, &it.self_ty)?;
+        let (mut in_trait, mut in_standard) = (None, None);
+        if let Some((path, _)) = &it.trait_ {
+            match self.names.found(module, &names(path)) {
+                Ok(Named::Trait(found)) => {
+                    self.names.traits[found].implemented_for.push(own.clone());
+                    in_trait = Some(found);
+                }
+                Ok(Named::Standard(name)) => in_standard = Some(name),
+                Err(lost) => {
+                    let at = self.at(module, path);
+                    return Err(self
+                        .names
+                        .not_found(module, at, "trait", &names(path), lost));
+                }
+                Ok(_) => {
+                    let message = format!("expected trait, found `{}`", names(path).join("::"));
+                    return Err(Refusal::new(
+                        self.at(module, path),
+                        &message,
+                        "not a trait",
+                        "",
+                    ));
+                }
+            }
+        }
+        let mut context = Context {
+            own: Some(own),
+            ..context
+        };
+        for item in &it.items {
+            match item {
+                syn::ImplItem::Type(it) => {
+                    let ty = self.names.ty(&context, &it.ty)?;
+                    context.parameters.insert(format!("Self::{}", it.ident), ty);
+                }
+                syn::ImplItem::Fn(it) => {
+                    let is_public = !matches!(it.vis, syn::Visibility::Inherited);
+                    let made = self.method(&context, &it.sig, Some(&it.block), is_public)?;
+                    self.names.functions[made].in_trait = in_trait;
+                    self.names.functions[made]
+                        .in_standard
+                        .clone_from(&in_standard);
+                    self.fits_its_trait(made)?;
+                }
+                syn::ImplItem::Const(it) => {
+                    self.function();
+                    let made = self.names.functions.len() - 1;
+                    self.constant(made, &context, &it.ident, (&it.ty, &it.expr))?;
+                }
+                _ => return unknown(self.at(module, item), "this in an `impl`"),
+            }
+        }
+        Ok(())
+    }
+
+    fn fits_its_trait(&self, function: usize) -> Read {
+        let own = &self.names.functions[function];
+        let Some(implemented) = own.in_trait.map(|it| &self.names.traits[it]) else {
+            return Ok(());
+        };
+        let others = |it: &Signature| it.parameters[usize::from(it.has_self)..].to_vec();
+        let message = match self.names.method_of(implemented, &own.name) {
+            None => format!(
+                "method `{}` is not a member of trait `{}`",
+                own.name, implemented.name
+            ),
+            Some(promised) => {
+                let promised = &self.names.functions[promised];
+                let is_same = own.has_self == promised.has_self
+                    && others(own) == others(promised)
+                    && own.result == promised.result;
+                if is_same {
+                    return Ok(());
+                }
+                format!("method `{}` has an incompatible type for trait", own.name)
+            }
+        };
+        Err(Refusal::new(own.at, &message, "", ""))
+    }
+
+    fn are_traits_complete(&self) -> Read {
+        for (n, it) in self.names.traits.iter().enumerate() {
+            let promised = it.methods.iter().map(|&it| &self.names.functions[it]);
+            for missing in promised.filter(|it| !it.has_body) {
+                let lacks = |ty: &&Type| self.names.method(ty, &missing.name, Some(n)).is_none();
+                if let Some(ty) = it.implemented_for.iter().find(lacks) {
+                    let message = format!(
+                        "not all trait items implemented, missing: `{}`",
+                        missing.name
+                    );
+                    let label = format!("`{}` for `{}`", it.name, ty.name(&self.names));
+                    return Err(Refusal::new(missing.at, &message, &label, ""));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn no_generics(&self, module: usize, generics: &syn::Generics) -> Read {
+        let mut parameters = generics.params.iter();
+        match parameters.find(|it| !matches!(it, syn::GenericParam::Lifetime(_))) {
+            None => Ok(()),
+            Some(parameter) => unknown(
+                self.at(module, parameter),
+                "type parameters of structs, traits and `impl`s",
+            ),
+        }
+    }
+}
+
+fn is_test(item: &syn::Item) -> bool {
+    matches!(item, syn::Item::Mod(it) if it.ident == "tests")
+}
+
+impl Context {
+    pub(crate) fn of(module: usize) -> Self {
+        Self {
+            module,
+            ..Self::default()
+        }
+    }
+}
+
+impl Names {
+    /// A signature whose type parameters stand for what has their traits.
+    pub(crate) fn signature(&self, context: &Context, it: &syn::Signature) -> Read<Signature> {
+        let file = self.file(context.module);
+        let mut context = context.clone();
+        for parameter in &it.generics.params {
+            let syn::GenericParam::Type(parameter) = parameter else {
+                continue;
+            };
+            let bounds = match parameter.bounds.is_empty() {
+                true => where_bounds(&it.generics, &parameter.ident),
+                false => Some(&parameter.bounds),
+            };
+            let ty = match bounds {
+                Some(bounds) => self.bounded(&context, bounds)?,
+                None => Type::UNKNOWN,
+            };
+            context.parameters.insert(parameter.ident.to_string(), ty);
+        }
+        let parameters = it.inputs.iter().map(|input| match input {
+            syn::FnArg::Typed(input) => self.ty(&context, &input.ty),
+            syn::FnArg::Receiver(receiver) => {
+                let Some(own) = context.own.clone() else {
+                    let message = "`self` parameter is only allowed in associated functions";
+                    return Err(Refusal::new(at(file, receiver), message, "", ""));
+                };
+                match &receiver.kind {
+                    syn::ReceiverKind::Value => Ok(own),
+                    syn::ReceiverKind::Reference(_, _, Some(_)) => Ok(Type::of(Head::RefMut, own)),
+                    syn::ReceiverKind::Reference(..) => Ok(Type::of(Head::Ref, own)),
+                    syn::ReceiverKind::Typed(_, ty) => self.ty(&context, ty),
+                    _ => unknown(at(file, receiver), "this kind of `self`"),
+                }
+            }
+        });
+        Ok(Signature {
+            name: it.ident.to_string(),
+            module: context.module,
+            at: at(file, &it.ident),
+            is_public: true,
+            parameters: parameters.collect::<Read<_>>()?,
+            has_self: matches!(it.inputs.first(), Some(syn::FnArg::Receiver(_))),
+            result: self.result(&context, &it.output)?,
+            of: context.own,
+            in_trait: None,
+            in_standard: None,
+            is_constant: false,
+            has_body: true,
+        })
+    }
+
+    pub(crate) fn result(&self, context: &Context, output: &syn::ReturnType) -> Read<Type> {
+        match output {
+            syn::ReturnType::Default => Ok(Type::UNIT),
+            syn::ReturnType::Type(_, ty) => self.ty(context, ty),
+        }
+    }
+
+    /// The type that is written there.
+    pub(crate) fn ty(&self, context: &Context, ty: &syn::Type) -> Read<Type> {
+        let one = |head, of: &syn::Type| Ok(Type::of(head, self.ty(context, of)?));
+        let place = || at(self.file(context.module), ty);
+        match ty {
+            syn::Type::Paren(it) => self.ty(context, &it.elem),
+            syn::Type::Group(it) => self.ty(context, &it.elem),
+            syn::Type::Never(_) => Ok(Head::Never.into()),
+            syn::Type::Infer(_) => Ok(Type::UNKNOWN),
+            syn::Type::Tuple(it) => {
+                let all = it.elems.iter().map(|it| self.ty(context, it));
+                Ok(Type(Head::Tuple, all.collect::<Read<_>>()?))
+            }
+            syn::Type::Reference(it) if it.mutability.is_some() => one(Head::RefMut, &it.elem),
+            syn::Type::Reference(it) => one(Head::Ref, &it.elem),
+            syn::Type::Slice(it) => one(Head::Slice, &it.elem),
+            syn::Type::Array(it) => match literal(&it.len) {
+                Some(length) => one(Head::Array(length), &it.elem),
+                None => unknown(place(), "lengths that are no number"),
+            },
+            syn::Type::TraitObject(it) => self.bounded(context, &it.bounds),
+            syn::Type::ImplTrait(it) => self.bounded(context, &it.bounds),
+            syn::Type::FnPtr(it) => {
+                self.function_type(context, it.inputs.iter().map(|it| &it.ty), &it.output)
+            }
+            syn::Type::Path(it) if it.qself.is_none() => self.path(context, &it.path),
+            _ => unknown(place(), "this kind of type"),
+        }
+    }
+
+    fn function_type<'t>(
+        &self,
+        context: &Context,
+        inputs: impl Iterator<Item = &'t syn::Type>,
+        output: &syn::ReturnType,
+    ) -> Read<Type> {
+        let mut types = inputs
+            .map(|it| self.ty(context, it))
+            .collect::<Read<Vec<_>>>()?;
+        types.push(self.result(context, output)?);
+        Ok(Type(Head::Fn, types))
+    }
+
+    fn path(&self, context: &Context, path: &syn::Path) -> Read<Type> {
+        let module = context.module;
+        let place = at(self.file(module), path);
+        let last = path.segments.last().expect("a path has a name");
+        let names = names(path);
+        let own = context.own.as_ref().filter(|_| names == ["Self"]);
+        if let Some(ty) = own.or_else(|| context.parameters.get(&names.join("::"))) {
+            return Ok(ty.clone());
+        }
+        let arguments = match &last.arguments {
+            syn::PathArguments::AngleBracketed(it) => {
+                let types = it.args.iter().filter_map(|it| match it {
+                    syn::GenericArgument::Type(ty) => Some(self.ty(context, ty)),
+                    _ => None,
+                });
+                types.collect::<Read<Vec<_>>>()?
+            }
+            _ => Vec::new(),
+        };
+        match self.found(module, &names) {
+            Ok(Named::Type(ty)) => Ok(ty),
+            Ok(Named::Generic(head)) if arguments.len() == 1 => Ok(Type(head, arguments)),
+            Ok(Named::Generic(_)) => {
+                let message = format!("missing generics for `{}`", last.ident);
+                let help = format!("`{}<T>`", last.ident);
+                Err(Refusal::new(
+                    place,
+                    &message,
+                    "expected 1 generic argument",
+                    &help,
+                ))
+            }
+            Ok(Named::Trait(found)) => {
+                let name = &self.traits[found].name;
+                let message = format!("expected a type, found the trait `{name}`");
+                let help = format!("`&dyn {name}`, or `Box<dyn {name}>`");
+                Err(Refusal::new(place, &message, "", &help))
+            }
+            Ok(Named::Standard(name)) => unknown(place, &format!("`{name}`")),
+            Ok(_) => {
+                let message = format!("expected type, found `{}`", last.ident);
+                Err(Refusal::new(place, &message, "not a type", ""))
+            }
+            Err(lost) => Err(self.not_found(module, place, "type", &names, lost)),
+        }
+    }
+
+    /// What has these traits: functions, iterators, and whatever has a trait of the reader's.
+    fn bounded(
+        &self,
+        context: &Context,
+        bounds: &Punctuated<syn::TypeParamBound, syn::Token![+]>,
+    ) -> Read<Type> {
+        for bound in bounds {
+            let syn::TypeParamBound::Trait(bound) = bound else {
+                continue;
+            };
+            let last = bound.path.segments.last().expect("a path has a name");
+            match (&last.arguments, last.ident.to_string().as_str()) {
+                (syn::PathArguments::Parenthesized(it), "Fn" | "FnMut" | "FnOnce") => {
+                    let inputs = it.inputs.iter().map(|it| &it.ty);
+                    return self.function_type(context, inputs, &it.output);
+                }
+                (syn::PathArguments::AngleBracketed(it), "Iterator" | "IntoIterator") => {
+                    for argument in &it.args {
+                        if let syn::GenericArgument::AssocType(item) = argument {
+                            return Ok(Type::of(Head::Iterator, self.ty(context, &item.ty)?));
+                        }
+                    }
+                }
+                _ => match self.found(context.module, &names(&bound.path)) {
+                    Ok(Named::Trait(found)) => return Ok(Head::Dyn(found).into()),
+                    Ok(Named::Standard(_)) => {}
+                    Ok(_) => {
+                        let message = format!("expected trait, found `{}`", last.ident);
+                        return Err(Refusal::new(
+                            at(self.file(context.module), bound),
+                            &message,
+                            "not a trait",
+                            "",
+                        ));
+                    }
+                    Err(lost) => {
+                        let path = names(&bound.path);
+                        let place = at(self.file(context.module), &bound.path);
+                        return Err(self.not_found(context.module, place, "trait", &path, lost));
+                    }
+                },
+            }
+        }
+        Ok(Type::UNKNOWN)
+    }
+}
+
+fn where_bounds<'a>(
+    generics: &'a syn::Generics,
+    name: &syn::Ident,
+) -> Option<&'a Punctuated<syn::TypeParamBound, syn::Token![+]>> {
+    let mut predicates = generics.where_clause.iter().flat_map(|it| &it.predicates);
+    predicates.find_map(|it| match it {
+        syn::WherePredicate::Type(it) => match &it.bounded_ty {
+            syn::Type::Path(ty) if ty.path.is_ident(name) => Some(&it.bounds),
+            _ => None,
+        },
+        _ => None,
+    })
+}
+
+pub(crate) fn literal(length: &syn::Expr) -> Option<usize> {
+    match length {
+        syn::Expr::Lit(syn::ExprLit {
+            lit: syn::Lit::Int(it),
+            ..
+        }) => it.base10_parse().ok(),
+        _ => None,
+    }
+}

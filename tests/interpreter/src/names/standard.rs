@@ -1,0 +1,126 @@
+//! What a text may use without declaring it: the standard library, and our prelude.
+
+use std::f64::consts;
+
+use super::{Entry, Module, Named, Names};
+use crate::types::{Head, Int, Type};
+
+/// What `use common::rtweekend::*` brings.
+pub(super) const NAMES: [&str; 9] = [
+    "Vec3",
+    "Point3",
+    "Color",
+    "Ray",
+    "Camera",
+    "Picture",
+    "sky",
+    "render",
+    "write_color",
+];
+
+pub(super) fn prelude(name: &str) -> Option<Named> {
+    let head = match name {
+        "Vec3" | "Point3" | "Color" => Head::Vec3,
+        "Ray" => Head::Ray,
+        "Camera" => Head::Camera,
+        "Picture" => Head::Picture,
+        "sky" => return Some(Named::Library("sky")),
+        "render" => return Some(Named::Library("render")),
+        _ => return None,
+    };
+    Some(Named::Type(head.into()))
+}
+
+/// What every file knows.
+pub(super) fn everywhere(name: &str) -> Option<Named> {
+    let plain = |head: Head| Some(Named::Type(head.into()));
+    match name {
+        "f64" => plain(Head::F64),
+        "f32" => plain(Head::F32),
+        "bool" => plain(Head::Bool),
+        "str" | "String" => plain(Head::Str),
+        "Option" => Some(Named::Generic(Head::Option)),
+        "Box" => Some(Named::Generic(Head::Box)),
+        "Vec" => Some(Named::Generic(Head::Vec)),
+        "Default" | "Clone" | "Copy" | "PartialEq" | "PartialOrd" | "Debug" | "Send" | "Sync"
+        | "Sized" | "From" | "Iterator" | "IntoIterator" => Some(Named::Standard(name.to_owned())),
+        _ => Int::named(name).and_then(|int| plain(Head::Int(int))),
+    }
+}
+
+/// What a path leads to that begins outside of the crate.
+pub(super) fn by_path(path: &[String]) -> Option<Named> {
+    let path: Vec<&str> = path.iter().map(String::as_str).collect();
+    match path.as_slice() {
+        ["common", "rtweekend"] => Some(Named::Prelude),
+        ["common", "rtweekend", name] => prelude(name),
+        ["std" | "core", rest @ ..] => of_std(rest),
+        ["f64" | "f32", "consts", name] => constant(name),
+        _ => None,
+    }
+}
+
+/// What a module of the standard library has by that name.
+pub(super) fn within(module: &str, name: &str) -> Option<Named> {
+    match module {
+        "consts" => constant(name),
+        "fmt" => of_std(&[module, name]),
+        _ => None,
+    }
+}
+
+fn of_std(path: &[&str]) -> Option<Named> {
+    match path {
+        ["rc", "Rc"] | ["sync", "Arc"] | ["boxed", "Box"] => Some(Named::Generic(Head::Box)),
+        ["option", "Option"] => Some(Named::Generic(Head::Option)),
+        ["vec", "Vec"] => Some(Named::Generic(Head::Vec)),
+        ["ops", "Range"] => Some(Named::Generic(Head::Range)),
+        ["cmp", "Ordering"] => Some(Named::Type(Head::Ordering.into())),
+        ["fmt", "Result" | "Formatter" | "Error"] => Some(Named::Type(Type::UNKNOWN)),
+        ["f64" | "f32", "consts", name] => constant(name),
+        ["f64", "INFINITY"] => Some(Named::Number(f64::INFINITY)),
+        ["f64", "NEG_INFINITY"] => Some(Named::Number(f64::NEG_INFINITY)),
+        ["f64", "EPSILON"] => Some(Named::Number(f64::EPSILON)),
+        ["f64", "MAX"] => Some(Named::Number(f64::MAX)),
+        [.., name] => Some(Named::Standard((*name).to_owned())),
+        [] => None,
+    }
+}
+
+fn constant(name: &str) -> Option<Named> {
+    Some(Named::Number(match name {
+        "PI" => consts::PI,
+        "TAU" => consts::TAU,
+        "E" => consts::E,
+        "SQRT_2" => consts::SQRT_2,
+        "FRAC_PI_2" => consts::FRAC_PI_2,
+        "FRAC_PI_4" => consts::FRAC_PI_4,
+        "FRAC_1_SQRT_2" => consts::FRAC_1_SQRT_2,
+        _ => return None,
+    }))
+}
+
+impl Names {
+    /// What the signatures of the library are read with.
+    pub(crate) fn library() -> Self {
+        let named = [
+            ("Iterator", Named::Generic(Head::Iterator)),
+            ("Range", Named::Generic(Head::Range)),
+            ("Ordering", Named::Type(Head::Ordering.into())),
+        ];
+        let entry = |(name, named): (&str, Named)| {
+            let is_public = true;
+            (name.to_owned(), Entry { named, is_public })
+        };
+        let prelude = ["common", "rtweekend"].map(str::to_owned).to_vec();
+        let module = Module {
+            names: named.map(entry).into(),
+            globs: vec![(prelude, true)],
+            ..Module::default()
+        };
+        Self {
+            modules: vec![module],
+            ..Self::default()
+        }
+    }
+}

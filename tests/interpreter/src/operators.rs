@@ -1,0 +1,251 @@
+//! Operators: which types go together, what comes out, and the compiler's words where nothing
+//! does. Asked when types are known by reading, and else when it runs.
+
+use crate::names::{Names, Signature};
+use crate::node::{At, Order, Sign};
+use crate::read::Refusal;
+use crate::types::{Head, Type};
+
+/// What an operator does, and whether it changes its left side.
+#[derive(Clone, Copy)]
+pub(crate) enum Operator {
+    Arithmetic(Sign, bool),
+    Compare(Order),
+    And,
+    Or,
+}
+
+pub(crate) fn operator(op: &syn::BinOp) -> Option<Operator> {
+    use Operator::{Arithmetic, Compare};
+    use syn::BinOp as Op;
+    Some(match op {
+        Op::Add(_) => Arithmetic(Sign::Plus, false),
+        Op::Sub(_) => Arithmetic(Sign::Minus, false),
+        Op::Mul(_) => Arithmetic(Sign::Times, false),
+        Op::Div(_) => Arithmetic(Sign::Over, false),
+        Op::Rem(_) => Arithmetic(Sign::Remainder, false),
+        Op::BitAnd(_) => Arithmetic(Sign::BitAnd, false),
+        Op::BitOr(_) => Arithmetic(Sign::BitOr, false),
+        Op::BitXor(_) => Arithmetic(Sign::BitXor, false),
+        Op::Shl(_) => Arithmetic(Sign::Left, false),
+        Op::Shr(_) => Arithmetic(Sign::Right, false),
+        Op::AddAssign(_) => Arithmetic(Sign::Plus, true),
+        Op::SubAssign(_) => Arithmetic(Sign::Minus, true),
+        Op::MulAssign(_) => Arithmetic(Sign::Times, true),
+        Op::DivAssign(_) => Arithmetic(Sign::Over, true),
+        Op::RemAssign(_) => Arithmetic(Sign::Remainder, true),
+        Op::Eq(_) => Compare(Order::Equal),
+        Op::Ne(_) => Compare(Order::Unequal),
+        Op::Lt(_) => Compare(Order::Less),
+        Op::Le(_) => Compare(Order::AtMost),
+        Op::Gt(_) => Compare(Order::More),
+        Op::Ge(_) => Compare(Order::AtLeast),
+        Op::And(_) => Operator::And,
+        Op::Or(_) => Operator::Or,
+        _ => return None,
+    })
+}
+
+impl Sign {
+    /// The trait of the standard library that has it, its sign, and its verb.
+    fn words(self) -> (&'static str, &'static str, &'static str) {
+        match self {
+            Self::Plus => ("Add", "+", "add"),
+            Self::Minus => ("Sub", "-", "subtract"),
+            Self::Times => ("Mul", "*", "multiply"),
+            Self::Over => ("Div", "/", "divide"),
+            Self::Remainder => ("Rem", "%", "calculate the remainder of"),
+            Self::BitAnd => ("BitAnd", "&", ""),
+            Self::BitOr => ("BitOr", "|", ""),
+            Self::BitXor => ("BitXor", "^", ""),
+            Self::Left => ("Shl", "<<", ""),
+            Self::Right => ("Shr", ">>", ""),
+        }
+    }
+
+    /// What the compiled program says where the result does not fit.
+    pub(crate) fn overflow(self) -> String {
+        match self {
+            Self::Remainder => "attempt to calculate the remainder with overflow".to_owned(),
+            Self::Left => "attempt to shift left with overflow".to_owned(),
+            Self::Right => "attempt to shift right with overflow".to_owned(),
+            _ => format!("attempt to {} with overflow", self.words().2),
+        }
+    }
+}
+
+impl Order {
+    fn sign(self) -> &'static str {
+        match self {
+            Self::Equal => "==",
+            Self::Unequal => "!=",
+            Self::Less => "<",
+            Self::AtMost => "<=",
+            Self::More => ">",
+            Self::AtLeast => ">=",
+        }
+    }
+
+    fn is_of_equality(self) -> bool {
+        matches!(self, Self::Equal | Self::Unequal)
+    }
+}
+
+impl Names {
+    /// The reader's function for an operator between these types; `=` is after the sign of
+    /// one that changes its left side.
+    pub(crate) fn operator(
+        &self,
+        sign: Sign,
+        is_assignment: bool,
+        types: [&Type; 2],
+    ) -> Option<usize> {
+        if types.into_iter().any(Type::is_unknown) {
+            return None;
+        }
+        let (name, _, _) = sign.words();
+        let suffix = if is_assignment { "Assign" } else { "" };
+        let is_it = |it: &Signature| {
+            let own = it
+                .in_standard
+                .as_deref()
+                .and_then(|it| it.strip_prefix(name));
+            let mut wanted = it.of.iter().chain(it.parameters.get(1)).zip(types);
+            own == Some(suffix) && wanted.all(|(wanted, found)| found.fits(wanted, self))
+        };
+        self.functions.iter().position(is_it)
+    }
+
+    /// The type of what comes out, if the two go together.
+    pub(crate) fn result_of(&self, sign: Sign, one: &Type, other: &Type) -> Option<Type> {
+        let is_bits = matches!(sign, Sign::BitAnd | Sign::BitOr | Sign::BitXor);
+        let is_shift = matches!(sign, Sign::Left | Sign::Right);
+        let is_of_floats = !is_bits && !is_shift;
+        let is_of_vectors = is_of_floats && sign != Sign::Remainder;
+        if let Some(own) = self.operator(sign, false, [one, other]) {
+            return Some(self.functions[own].result.clone());
+        }
+        match (one.0, other.0) {
+            (Head::Never, _) | (_, Head::Never) => Some(Head::Never.into()),
+            (Head::Own(_), _) | (_, Head::Own(_)) if !one.is_unknown() && !other.is_unknown() => {
+                None
+            }
+            (Head::Unknown, _) | (_, Head::Unknown) => Some(Type::UNKNOWN),
+            (Head::Bool, Head::Bool) if is_bits => Some(one.clone()),
+            (Head::Int(_), Head::Int(_)) if is_shift => Some(one.clone()),
+            (Head::Int(a), Head::Int(b)) => a.joined(b).map(|it| Head::Int(it).into()),
+            (Head::Vec3, Head::Vec3 | Head::F64 | Head::Float) if is_of_vectors => {
+                Some(one.clone())
+            }
+            (Head::F64 | Head::Float, Head::Vec3) if is_of_vectors => Some(other.clone()),
+            (Head::Float, Head::F64 | Head::F32 | Head::Float) if is_of_floats => {
+                Some(other.clone())
+            }
+            (Head::F64 | Head::F32, Head::Float) if is_of_floats => Some(one.clone()),
+            (Head::F64, Head::F64) | (Head::F32, Head::F32) if is_of_floats => Some(one.clone()),
+            (Head::Str, Head::Str) if sign == Sign::Plus => Some(one.clone()),
+            _ => None,
+        }
+    }
+
+    /// That these two do not go together, in the words of the compiler.
+    pub(crate) fn no_operator(
+        &self,
+        sign: Sign,
+        is_assignment: bool,
+        types: [&Type; 2],
+        at: At,
+    ) -> Refusal {
+        let (_, sign, verb) = sign.words();
+        let [one, other] = types.map(|it| it.name(self));
+        let verb = match is_assignment {
+            true => format!("{verb}-assign"),
+            false => verb.to_owned(),
+        };
+        let message = match sign {
+            "+" => format!("cannot {verb} `{other}` to `{one}`"),
+            "-" => format!("cannot {verb} `{other}` from `{one}`"),
+            "*" | "/" => format!("cannot {verb} `{one}` by `{other}`"),
+            "%" => format!("cannot {verb} `{one}` divided by `{other}`"),
+            _ => format!("no implementation for `{one} {sign} {other}`"),
+        };
+        let is_number = |it: &Type| it.is_integer() || it.is_float() || it.is(Head::Vec3);
+        let is_mixed = types[0].is_integer() != types[1].is_integer();
+        let help = match is_mixed && types.into_iter().all(is_number) {
+            true if one == "{integer}" || other == "{integer}" => {
+                "consider using a floating-point literal, such as `2.0`"
+            }
+            true => "convert the integer: `f64::from(…)`, or `… as f64`",
+            false => "",
+        };
+        Refusal::new(at, &message, "", help)
+    }
+
+    /// Whether two values can be compared like that, or the compiler's words.
+    pub(crate) fn comparable(
+        &self,
+        order: Order,
+        types: [&Type; 2],
+        at: At,
+        right: At,
+    ) -> Result<(), Refusal> {
+        let [one, other] = types;
+        let on = match one.is_reference() && other.is_reference() {
+            true => one.stripped(),
+            false => one,
+        };
+        let is_comparable = match on.0 {
+            Head::Own(_) if order.is_of_equality() => self.derives(on, "PartialEq"),
+            Head::Own(_) => self.derives(on, "PartialOrd"),
+            Head::Dyn(_) | Head::Fn | Head::Iterator | Head::Camera | Head::Picture => false,
+            Head::Vec3 | Head::Ray => order.is_of_equality(),
+            _ => true,
+        };
+        if !is_comparable {
+            let message = format!(
+                "binary operation `{}` cannot be applied to type `{}`",
+                order.sign(),
+                one.name(self)
+            );
+            let help = match on.0 {
+                Head::Own(_) => "`#[derive(PartialEq)]` above a struct makes `==` of it",
+                _ => "",
+            };
+            return Err(Refusal::new(at, &message, "", help));
+        }
+        if !other.fits(one, self) && !one.fits(other, self) {
+            return Err(self.mismatch(one, other, right));
+        }
+        Ok(())
+    }
+
+    /// That something else is declared than is found.
+    pub(crate) fn mismatch(&self, wanted: &Type, found: &Type, at: At) -> Refusal {
+        let label = format!("expected {}, found {}", wanted.said(self), found.said(self));
+        Refusal::new(at, "mismatched types", &label, &self.help(wanted, found))
+    }
+
+    fn help(&self, wanted: &Type, found: &Type) -> String {
+        let is_like = |it: &Type| found.fits(it, self);
+        let help = match (wanted.0, found.0) {
+            (Head::F64 | Head::F32, Head::Int(_)) if found.name(self) == "{integer}" => {
+                "use a float literal, such as `1.0`"
+            }
+            (Head::F64 | Head::F32, Head::Int(_)) => "convert it: `f64::from(…)`, or `… as f64`",
+            (Head::Option, _) if is_like(&wanted.inner()) => {
+                "try wrapping the expression in `Some`: `Some(…)`"
+            }
+            (Head::Ref, _) if is_like(&wanted.inner()) => "consider borrowing here: `&…`",
+            (Head::RefMut, _) if is_like(&wanted.inner()) => {
+                "consider mutably borrowing here: `&mut …`"
+            }
+            (_, Head::Ref) if found.inner() == *wanted => "consider dereferencing it: `*…`",
+            (Head::Box, head) if head != Head::Box => "store it in the heap: `Box::new(…)`",
+            (_, Head::Option) if found.inner() == *wanted => {
+                "it is `None` where there is nothing: look with `if let Some(…) = …`"
+            }
+            _ => "",
+        };
+        help.to_owned()
+    }
+}

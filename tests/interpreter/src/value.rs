@@ -1,0 +1,306 @@
+//! Values: numbers, vectors, and what is made of them.
+//!
+//! A shared reference is the value itself, since nothing changes while it lives, and so is a
+//! box. A mutable reference is an address: a slot of the stack and the way from there to a part.
+
+use std::cell::{Cell, RefCell};
+use std::cmp::Ordering;
+use std::fmt;
+use std::rc::Rc;
+use std::sync::Arc;
+
+use common::rtweekend::{Camera, Ray, Vec3};
+
+use crate::names::Names;
+use crate::node::{At, Closure};
+use crate::run::{Eval, Machine};
+use crate::types::{Head, Int, Type};
+
+#[derive(Clone, Debug, Default)]
+pub(crate) enum Value {
+    #[default]
+    Unit,
+    Bool(bool),
+    Int(i128, Int),
+    Float(f64),
+    Single(f32),
+    Vec3(Vec3),
+    Ray(Rc<Ray>),
+    Camera(Rc<Camera>),
+    /// Width, height, and three bytes a pixel.
+    Picture(Rc<(u32, u32, Vec<u8>)>),
+    Str(Rc<String>),
+    Ordering(Ordering),
+    None,
+    Some(Rc<Value>),
+    /// One of the reader's kinds, the number of its variant, and its fields.
+    Own(u32, u32, Rc<[Value]>),
+    Tuple(Rc<[Value]>),
+    /// A list or an array.
+    Many(Rc<Vec<Value>>),
+    Range(Rc<[Value; 2]>, bool),
+    Iterator(Iter),
+    Mut(Rc<Address>),
+    /// A closure, and the frame that it looks at or has taken along.
+    Closure(Arc<Closure>, Rc<Frame>),
+    Function(usize),
+    Native(usize, At),
+    /// Is never hit, and keeps the range that it was asked for.
+    Nothing(Rc<Cell<Option<[f64; 2]>>>),
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Address {
+    pub(crate) slot: usize,
+    pub(crate) path: Vec<usize>,
+}
+
+#[derive(Debug)]
+pub(crate) enum Frame {
+    /// Where it begins, and how many slots it has.
+    At(usize, usize),
+    Taken(Vec<Value>),
+}
+
+/// What gives one value after the other.
+#[derive(Clone)]
+pub(crate) struct Iter(Rc<RefCell<Source>>);
+
+pub(crate) enum Source {
+    List(Rc<Vec<Value>>, usize),
+    /// The next number, and the one after the last.
+    Range(i128, i128, Int),
+    Next(Box<Next>),
+}
+
+type Next = dyn FnMut(&mut Machine<'_>) -> Eval<Option<Value>>;
+
+impl fmt::Debug for Iter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Iter")
+    }
+}
+
+impl From<Source> for Iter {
+    fn from(source: Source) -> Self {
+        Self(Rc::new(RefCell::new(source)))
+    }
+}
+
+impl Iter {
+    pub(crate) fn giving(
+        next: impl FnMut(&mut Machine<'_>) -> Eval<Option<Value>> + 'static,
+    ) -> Value {
+        Value::Iterator(Source::Next(Box::new(next)).into())
+    }
+
+    pub(crate) fn next(&self, machine: &mut Machine<'_>) -> Eval<Option<Value>> {
+        // Only a text that borrows what it has lent asks for a value meanwhile.
+        let Ok(mut source) = self.0.try_borrow_mut() else {
+            return Ok(None);
+        };
+        match &mut *source {
+            Source::List(all, next) => {
+                *next += 1;
+                Ok(all.get(*next - 1).cloned())
+            }
+            Source::Range(next, end, int) => {
+                let is_there = *next < *end;
+                *next += i128::from(is_there);
+                Ok(is_there.then(|| Value::Int(*next - 1, *int)))
+            }
+            Source::Next(next) => next(machine),
+        }
+    }
+}
+
+/// What only another type could have, of which the checks have made sure.
+macro_rules! taken {
+    ($name:ident, $variant:ident, $ty:ty) => {
+        pub(crate) fn $name(&self) -> $ty {
+            match self {
+                Self::$variant(it, ..) => it.clone(),
+                other => unreachable!("types are checked, and this is {other:?}"),
+            }
+        }
+    };
+}
+
+impl Value {
+    taken!(float, Float, f64);
+    taken!(int, Int, i128);
+    taken!(truth, Bool, bool);
+    taken!(vec3, Vec3, Vec3);
+    taken!(ray, Ray, Rc<Ray>);
+    taken!(camera, Camera, Rc<Camera>);
+    taken!(many, Many, Rc<Vec<Value>>);
+    taken!(ordering, Ordering, Ordering);
+    taken!(text, Str, Rc<String>);
+
+    pub(crate) fn usize(number: usize) -> Self {
+        Self::Int(number as i128, Int::Usize)
+    }
+
+    pub(crate) fn option(&self) -> Option<Self> {
+        match self {
+            Self::Some(it) => Some(Self::clone(it)),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn of(option: Option<Self>) -> Self {
+        option.map_or(Self::None, |it| Self::Some(Rc::new(it)))
+    }
+
+    /// Its type, as far as a value shows it.
+    pub(crate) fn ty(&self) -> Type {
+        let of = |value: Option<&Self>| value.map_or(Type::UNKNOWN, Self::ty);
+        match self {
+            Self::Unit => Type::UNIT,
+            Self::Bool(_) => Head::Bool.into(),
+            Self::Int(_, int) => Head::Int(*int).into(),
+            Self::Float(_) => Head::F64.into(),
+            Self::Single(_) => Head::F32.into(),
+            Self::Vec3(_) => Head::Vec3.into(),
+            Self::Ray(_) => Head::Ray.into(),
+            Self::Camera(_) => Head::Camera.into(),
+            Self::Picture(_) => Head::Picture.into(),
+            Self::Str(_) => Head::Str.into(),
+            Self::Ordering(_) => Head::Ordering.into(),
+            Self::None => Type::of(Head::Option, Type::UNKNOWN),
+            Self::Some(it) => Type::of(Head::Option, it.ty()),
+            Self::Own(kind, ..) => Head::Own(*kind as usize).into(),
+            Self::Tuple(all) => Type(Head::Tuple, all.iter().map(Self::ty).collect()),
+            Self::Many(all) => Type::of(Head::Vec, of(all.first())),
+            Self::Range(ends, _) => Type::of(Head::Range, ends[0].ty()),
+            Self::Iterator(_) => Type::of(Head::Iterator, Type::UNKNOWN),
+            Self::Mut(_) => Type::of(Head::RefMut, Type::UNKNOWN),
+            Self::Closure(closure, _) => {
+                let unknown = vec![Type::UNKNOWN; closure.parameters.len() + 1];
+                Type(Head::Fn, unknown)
+            }
+            Self::Function(_) | Self::Native(..) | Self::Nothing(_) => Type::UNKNOWN,
+        }
+    }
+
+    /// Whether it may be where that type is declared.
+    pub(crate) fn fits(&self, ty: &Type, names: &Names) -> bool {
+        match (self, ty.0) {
+            (Self::Float(_), Head::F64) | (Self::Vec3(_), Head::Vec3) | (_, Head::Unknown) => true,
+            (Self::Mut(_), Head::RefMut) => true,
+            (value, Head::Ref | Head::Box) => value.fits(&ty.1[0], names),
+            (Self::Some(it), Head::Option) => it.fits(&ty.1[0], names),
+            (Self::Many(all), Head::Vec | Head::Slice) => {
+                all.first().is_none_or(|it| it.fits(&ty.1[0], names))
+            }
+            (Self::Many(all), Head::Array(length)) => {
+                all.len() == length && all.first().is_none_or(|it| it.fits(&ty.1[0], names))
+            }
+            (Self::Tuple(all), Head::Tuple) => {
+                let mut both = all.iter().zip(&ty.1);
+                all.len() == ty.1.len() && both.all(|(it, ty)| it.fits(ty, names))
+            }
+            _ => self.ty().fits(ty, names),
+        }
+    }
+
+    /// A part of a value that has parts, by its number.
+    pub(crate) fn field(&self, n: usize) -> Self {
+        match self {
+            Self::Own(_, _, fields) | Self::Tuple(fields) => fields[n].clone(),
+            Self::Many(fields) => fields[n].clone(),
+            Self::Vec3(vector) => Self::Float(vector[n]),
+            Self::Ray(ray) => Self::Vec3([ray.origin, ray.direction][n]),
+            Self::Camera(it) => match n {
+                0 => Self::Int(it.image_width.into(), Int::U32),
+                1 => Self::Int(it.image_height.into(), Int::U32),
+                n => Self::Vec3([it.center, it.pixel00, it.pixel_delta_u, it.pixel_delta_v][n - 2]),
+            },
+            Self::Some(it) => Self::clone(it),
+            other => unreachable!("types are checked, and {other:?} has no fields"),
+        }
+    }
+
+    /// Whether they are equal, as `derive(PartialEq)` has it.
+    pub(crate) fn equals(&self, other: &Self) -> bool {
+        let all_equal = |one: &[Self], other: &[Self]| {
+            one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one.equals(other))
+        };
+        match (self, other) {
+            (Self::Vec3(one), Self::Vec3(other)) => one == other,
+            (Self::Ray(one), Self::Ray(other)) => one == other,
+            (Self::Ordering(one), Self::Ordering(other)) => one == other,
+            (Self::Str(one), Self::Str(other)) => one == other,
+            (Self::None, Self::None) | (Self::Unit, Self::Unit) => true,
+            (Self::Some(one), Self::Some(other)) => one.equals(other),
+            (Self::Own(_, tag, fields), Self::Own(_, other, others)) => {
+                tag == other && all_equal(fields, others)
+            }
+            (Self::Tuple(fields), Self::Tuple(others)) => all_equal(fields, others),
+            (Self::Many(fields), Self::Many(others)) => all_equal(fields, others),
+            (one, other) => one.compared(other).is_some_and(Ordering::is_eq),
+        }
+    }
+
+    /// How numbers are ordered, unless one is none.
+    pub(crate) fn compared(&self, other: &Self) -> Option<Ordering> {
+        match (self, other) {
+            (Self::Float(one), Self::Float(other)) => one.partial_cmp(other),
+            (Self::Single(one), Self::Single(other)) => one.partial_cmp(other),
+            (Self::Single(one), Self::Float(other)) => one.partial_cmp(&(*other as f32)),
+            (Self::Float(one), Self::Single(other)) => (*one as f32).partial_cmp(other),
+            (Self::Int(one, _), Self::Int(other, _)) => one.partial_cmp(other),
+            (Self::Bool(one), Self::Bool(other)) => one.partial_cmp(other),
+            (Self::None, Self::Some(_)) => Some(Ordering::Less),
+            (Self::Some(_), Self::None) => Some(Ordering::Greater),
+            (Self::Some(one), Self::Some(other)) => one.compared(other),
+            _ => None,
+        }
+    }
+
+    /// `as`: rounds towards zero, stays at the ends of integers, and cuts integers off.
+    pub(crate) fn cast(&self, ty: &Type) -> Option<Self> {
+        Some(match (self, ty.0) {
+            (Self::Float(it), Head::Int(int)) => {
+                let (least, most) = int.ends();
+                Self::Int((*it as i128).clamp(least, most), int)
+            }
+            (Self::Float(it), Head::F32) => Self::Single(*it as f32),
+            (Self::Single(it), Head::Int(_)) => Self::Float((*it).into()).cast(ty)?,
+            (Self::Single(it), Head::F64) => Self::Float((*it).into()),
+            (Self::Int(it, _), Head::Int(int)) => Self::Int(int.wrapped(*it), int),
+            (Self::Int(it, _), Head::F64) => Self::Float(*it as f64),
+            (Self::Int(it, _), Head::F32) => Self::Single(*it as f32),
+            (Self::Bool(it), Head::Int(int)) => Self::Int((*it).into(), int),
+            (Self::Float(_), Head::F64) | (Self::Single(_), Head::F32) => self.clone(),
+            (_, Head::Int(_) | Head::F64 | Head::F32) => return None,
+            (value, _) => value.clone(),
+        })
+    }
+
+    /// Changes the part that a path leads to.
+    pub(crate) fn reach(&mut self, path: &[usize], change: &mut dyn FnMut(&mut Self)) {
+        let [first, rest @ ..] = path else {
+            return change(self);
+        };
+        match self {
+            Self::Own(_, _, fields) | Self::Tuple(fields) => {
+                Rc::make_mut(fields)[*first].reach(rest, change);
+            }
+            Self::Many(fields) => Rc::make_mut(fields)[*first].reach(rest, change),
+            Self::Some(inner) => Rc::make_mut(inner).reach(rest, change),
+            Self::Vec3(vector) => {
+                let mut part = Self::Float(vector[*first]);
+                part.reach(rest, change);
+                vector[*first] = part.float();
+            }
+            Self::Ray(ray) => {
+                let mut part = Self::Vec3([ray.origin, ray.direction][*first]);
+                part.reach(rest, change);
+                let ray = Rc::make_mut(ray);
+                *[&mut ray.origin, &mut ray.direction][*first] = part.vec3();
+            }
+            other => unreachable!("types are checked, and {other:?} has no parts to change"),
+        }
+    }
+}
