@@ -5,7 +5,6 @@ use slips::{Chapter, Edition, PROBES, Slip};
 use crate::candidate::{Candidate, Conversion};
 use crate::known::Evidence;
 use crate::scene::Scene;
-use crate::transplant;
 
 /// The scene itself by each edition that will do, and as far as each step before the last.
 pub(crate) fn rights(evidence: &Evidence) -> Vec<Candidate> {
@@ -67,28 +66,6 @@ pub(crate) fn pairs<'a>(
         all.map(|(n, m)| with(&right, vec![slips[n], slips[m]]))
             .collect()
     })
-}
-
-/// The chapter with an expression as the reader has it.
-pub(crate) fn typed(evidence: &Evidence) -> Vec<Candidate> {
-    let scene = evidence.scene;
-    // A crate of ours is repaired.
-    let sources = &evidence.known.sources;
-    if sources.is_empty() || sources.are_of_the_chapter() || scene.probe.is_some() {
-        return Vec::new();
-    }
-    let changes = transplant::typed(scene.chapter, &evidence.known.sources);
-    let scenes = by_editions(evidence, scene).into_iter();
-    let all = scenes.flat_map(|scene| {
-        let right = right(evidence, scene);
-        // The chapters follow version 4, and its camera is no other edition's.
-        let is_run = |slip: &&&Slip| scene.edition == Edition::V4 || !slip.is_of_the_camera();
-        let changes: Vec<&'static Slip> = changes.iter().filter(is_run).copied().collect();
-        changes
-            .into_iter()
-            .map(move |slip| with(&right, vec![slip]))
-    });
-    all.collect()
 }
 
 fn right(evidence: &Evidence, scene: Scene) -> Candidate {

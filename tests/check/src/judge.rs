@@ -8,11 +8,10 @@ use std::cmp::Reverse;
 use slips::Slip;
 
 use crate::candidate::{Candidate, Left};
-use crate::candidates::{elsewhere, pairs, rights, singles, typed};
+use crate::candidates::{elsewhere, pairs, rights, singles};
 use crate::known::Evidence;
 use crate::pixels::spread;
 use crate::scene::Scene;
-use crate::words::names_of;
 use crate::{colors, edges};
 
 /// What explains a picture.
@@ -77,6 +76,10 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     }
     if let Some(scenes) = elsewhere {
         return Explanation::Another(scenes);
+    }
+    if evidence.repair().is_some() {
+        let own = in_own_colors(evidence).map(Explanation::Near);
+        return own.unwrap_or(Explanation::Nothing(right));
     }
     if left.is_nothing() || MANY * left.off <= reading.pixels.len() || left.is_rounding() {
         let is_mean = edges::mean_of(&right, reading).is_some_and(|it| it.is_mixed);
@@ -179,28 +182,13 @@ fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Scene>> {
 }
 
 /// One mistake that explains what the right program leaves. Where the reader's files are
-/// known, one whose line is in them comes first, then a line that is not the chapter's.
+/// known, one whose line is in them comes first.
 fn mistake(evidence: &Evidence, all: &Left) -> Option<Fit> {
-    let mut found = first(evidence, all, singles(evidence));
-    if evidence.known.sources.is_empty() {
-        return found;
+    let mut found = first(evidence, all, singles(evidence))?;
+    if found.candidates.iter().any(|it| evidence.is_found(it)) {
+        found.candidates.retain(|it| evidence.is_found(it));
     }
-    if let Some(fit) = &mut found
-        && fit.candidates.iter().any(|it| evidence.is_found(it))
-    {
-        fit.candidates.retain(|it| evidence.is_found(it));
-        return found;
-    }
-    first(evidence, all, [typed(evidence)].into_iter())
-        .map(without_copies)
-        .or(found)
-}
-
-/// Each line of the reader's once, though it may stand in several places of the chapter.
-fn without_copies(mut fit: Fit) -> Fit {
-    let line = |it: &Candidate| names_of(&it.slips);
-    fit.candidates.dedup_by_key(|it| line(it));
-    fit
+    Some(found)
 }
 
 /// Two mistakes, if few pairs draw the very picture.

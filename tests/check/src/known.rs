@@ -1,5 +1,7 @@
 //! What is known of a reader besides the picture: files, answers of functions, warnings.
 
+use std::cell::OnceCell;
+
 use slips::{Edition, Letters, Program, Slip, Words};
 
 use crate::candidate::Candidate;
@@ -7,7 +9,7 @@ use crate::reading::Reading;
 use crate::repair::Repair;
 use crate::scene::Scene;
 pub(crate) use crate::sources::Said;
-use crate::sources::{Line, Sources, in_no_language};
+use crate::sources::{Line, Sources};
 
 /// How many answers were given, and how many of them a program would not give.
 pub type Asked<'a> = dyn Fn(&Program) -> (usize, usize) + 'a;
@@ -45,17 +47,7 @@ impl Known<'_> {
             Some(letters) => letters,
             None => Letters::Book(scene.edition),
         };
-        let words = slip.words(letters, scene.chapter);
-        let is_in_rust = self.sources.is_empty() || self.letters == Some(Letters::Rust);
-        if !slip.name.is_empty() || is_in_rust || self.sources.have_line(&words.wrong) {
-            return words;
-        }
-        // A change of our chapter, in words that are those of no language.
-        Words {
-            wrong: in_no_language(&words.wrong).into(),
-            right: in_no_language(&words.right).into(),
-            why: words.why,
-        }
+        slip.words(letters, scene.chapter)
     }
 
     /// Whether the reader can have made the slip, as far as it is known.
@@ -104,6 +96,7 @@ pub(crate) struct Evidence<'a> {
     pub(crate) has_no_levels: bool,
     /// What is known besides.
     pub(crate) known: &'a Known<'a>,
+    repair: OnceCell<Option<Repair>>,
 }
 
 impl<'a> Evidence<'a> {
@@ -120,7 +113,14 @@ impl<'a> Evidence<'a> {
             reading,
             has_no_levels: reading.outside().is_some(),
             known,
+            repair: OnceCell::new(),
         }
+    }
+
+    /// What makes the reader's program right.
+    pub(crate) fn repair(&self) -> Option<&Repair> {
+        let repair = || Repair::of(&self.scene, self.reading, &self.known.sources);
+        self.repair.get_or_init(repair).as_ref()
     }
 
     /// The slips that the reader can have made in the scene.

@@ -28,7 +28,6 @@ pub mod scene;
 mod seen;
 pub mod sources;
 mod telling;
-pub mod transplant;
 pub mod verdict;
 pub mod whole;
 mod words;

@@ -281,14 +281,19 @@ impl Finding {
         if self.scene.step().is_some() || is_exact && self.is_answered {
             return self;
         }
-        let sources = &evidence.known.sources;
-        let Some(repair) = Repair::of(&evidence.scene, evidence.reading, sources) else {
+        let (sources, known) = (&evidence.known.sources, evidence.known);
+        // A slip's line in another language is said in that.
+        let is_found = |slip: &&Slip| known.line_of(slip, &self.scene).is_some();
+        if sources.in_rust().is_empty() && self.single().iter().any(is_found) {
+            return self;
+        }
+        let Some(repair) = evidence.repair().cloned() else {
             return self;
         };
         // Colors of the reader's own remain a choice.
         self.near = self.near.filter(Near::has_own_colors);
         if let Some(mistakes) = &mut self.mistakes {
-            let (known, scene) = (evidence.known, mistakes.scene);
+            let scene = mistakes.scene;
             let is_mended = |slip: &&'static Slip| known.is_mended(slip, &scene, &repair);
             mistakes.all.retain(|slips| slips.iter().all(is_mended));
         }

@@ -63,10 +63,6 @@ impl Finding {
 impl Mistakes {
     /// How well the mistakes explain a picture of that many pixels.
     pub fn title(&self, pixels: usize) -> String {
-        if self.is_typed() {
-            let extent = self.extent(pixels);
-            return format!("A line of yours, put into the chapter, draws {extent}:");
-        }
         let is_pair = self.all[0].len() > 1;
         let who = match (self.all.len() > 1, is_pair) {
             (false, false) => "One known mistake draws",
@@ -86,12 +82,6 @@ impl Mistakes {
             ""
         };
         format!("{who} {}{wrapped}{others}:", self.extent(pixels))
-    }
-
-    /// Whether it is a line of the reader's that is no slip.
-    fn is_typed(&self) -> bool {
-        let is_it = |slip: &&Slip| slip.name.is_empty() && !slip.source.is_empty();
-        self.all.len() == 1 && self.all[0].iter().all(is_it)
     }
 
     fn extent(&self, pixels: usize) -> String {
@@ -124,10 +114,8 @@ impl Mistakes {
     fn in_full(&self, mistake: &[&'static Slip], known: &Known) -> Vec<Row> {
         let rows = mistake.iter().flat_map(|slip| {
             let words = known.words(slip, &self.scene);
-            let is_typed = self.is_typed();
             let wrong = match known.line_of(slip, &self.scene) {
                 Some(line) => ("yours", line.to_string()),
-                None if is_typed => ("yours", words.wrong.into_owned()),
                 None => ("probably", words.wrong.into_owned()),
             };
             let lines = [wrong, ("should be", words.right.into_owned())];
@@ -211,7 +199,15 @@ impl Repair {
             [_] => "with it",
             _ => "with all of this",
         };
+        let is_foreign = matches!(
+            &self.changes[..],
+            [Change {
+                right: Right::InRust(_),
+                ..
+            }]
+        );
         let tried = match self.is_hidden {
+            _ if is_foreign => "the chapter with your line draws your picture".to_owned(),
             true => format!("{with} your functions answer as the chapter's do"),
             false => format!("{with} your program draws the picture"),
         };
@@ -229,6 +225,9 @@ impl Change {
             }
             Right::Line(line) => line.clone(),
             Right::Nothing => "left out".to_owned(),
+            Right::InRust(line) => {
+                return vec![("yours", self.yours.to_string()), ("in Rust", line.clone())];
+            }
             Right::Function(chapters) => format!("as in {}:{}", chapters.file, chapters.number),
         };
         vec![("yours", self.yours.to_string()), ("should be", right)]

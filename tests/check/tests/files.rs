@@ -5,11 +5,13 @@ use check::known::Known;
 use check::png;
 use check::scene::Scene;
 use check::sources::Sources;
-use check::transplant;
 use check::verdict::{Check, check_knowing};
+use common::rtweekend::*;
 use slips::{Chapter, Edition, Letters, Program, World};
 
-const HIT_SPHERE: &str = "\
+const PROGRAM: &str = "\
+pixel00 = upper_left + 0.5 * (du + dv)
+
 def hit_sphere(center, radius, r):
     oc = center - r.origin
     a = dot(r.direction, r.direction)
@@ -21,50 +23,72 @@ def hit_sphere(center, radius, r):
     return (h - math.sqrt(discriminant)) / a
 ";
 
+/// Each change of the text in Python, and the same in the chapter.
 #[test]
-fn a_chapter_that_is_run_from_its_text_draws_its_picture() {
-    for chapter in Chapter::OF_THE_BOOK.into_iter().skip(1) {
-        let program = transplant::unchanged(chapter);
-        assert_eq!(
-            program.run(60).picture(),
-            chapter.picture(60),
-            "{chapter:?}"
-        );
+fn a_readers_line_is_named_if_the_chapter_with_it_draws_the_readers_picture() {
+    for ([old, new], [right, wrong]) in [
+        (
+            [
+                "a = dot(r.direction, r.direction)",
+                "a = dot(r.direction, oc)",
+            ],
+            ["ray.direction.length_squared()", "ray.direction.dot(oc)"],
+        ),
+        (
+            ["dot(oc, oc) - radius * radius", "dot(oc, oc) - radius * 3"],
+            ["- radius * radius", "- radius * 3.0"],
+        ),
+        (
+            ["h * h - a * c", "h ** 2 - c * c"],
+            ["h * h - a * c", "h * h - c * c"],
+        ),
+        (
+            ["if discriminant < 0:", "if discriminant < 0.3:"],
+            ["discriminant < 0.0", "discriminant < 0.3"],
+        ),
+        (
+            [
+                "(h - math.sqrt(discriminant))",
+                "(h - 2 * math.sqrt(discriminant))",
+            ],
+            [
+                "(h - discriminant.sqrt())",
+                "(h - 2.0 * discriminant.sqrt())",
+            ],
+        ),
+    ] {
+        let (_, text) = Chapter::HalfBSphere.files()[0];
+        let typed = text.replace(right, wrong);
+        let program = interpreter::read(&[("src/lib.rs", &typed)]).expect("it is a program");
+        let picture = png::encode(&program.draw(200).expect("it draws"));
+        is_named_alone(&picture, old, new);
     }
 }
 
-/// Each change of the text, and whether it is the only one that is named.
 #[test]
-fn a_readers_line_is_named_if_the_chapter_with_it_draws_the_readers_picture() {
-    for (old, new) in [
-        (
-            "a = dot(r.direction, r.direction)",
-            "a = dot(r.direction, oc)",
-        ),
-        (
-            "c = dot(oc, oc) - radius * radius",
-            "c = dot(oc, oc) - radius * 2",
-        ),
-        (
-            "discriminant = h * h - a * c",
-            "discriminant = h * h - c * c",
-        ),
-    ] {
-        let scene = scene(Chapter::HalfBSphere);
-        let wrong = HIT_SPHERE.replace(old, new);
-        let known = in_python(&wrong);
-        let changes = transplant::typed(scene.chapter, &known.sources);
-        let slip = changes
-            .iter()
-            .find(|slip| known.words(slip, &scene).wrong == new);
-        let slip = slip.unwrap_or_else(|| panic!("{new} is not tried"));
-        let picture = scene.program(&[slip]).run(100).picture();
-        let rows = rows(&scene, &png::encode(&picture), &known);
-        assert!(rows.iter().any(|(_, said)| said.ends_with(new)), "{rows:?}");
-        // Of the same picture nothing of the kind is said beside the right line.
-        let rows = self::rows(&scene, &png::encode(&picture), &in_python(HIT_SPHERE));
-        assert!(rows.iter().all(|(label, _)| *label != "yours"), "{rows:?}");
-    }
+fn a_readers_line_of_the_camera_is_named() {
+    let mut camera = Camera::new(200);
+    camera.pixel00 -= 0.1 * (camera.pixel_delta_u + camera.pixel_delta_v);
+    let picture = Picture::paint(camera.image_width, camera.image_height, move |i, j| {
+        half_b_sphere::ray_color(&camera.ray(i, j))
+    });
+    is_named_alone(
+        &png::encode(&picture),
+        "upper_left + 0.5 * (du + dv)",
+        "upper_left + 0.4 * (du + dv)",
+    );
+}
+
+/// Whether the changed line of the program is named, and nothing beside the right one.
+fn is_named_alone(picture: &[u8], right: &str, wrong: &str) {
+    let scene = scene(Chapter::HalfBSphere);
+    assert!(PROGRAM.contains(right), "{right}");
+    let rows = rows(&scene, picture, &in_python(&PROGRAM.replace(right, wrong)));
+    let yours: Vec<&Row> = rows.iter().filter(|(label, _)| *label == "yours").collect();
+    let is_it = matches!(yours[..], [(_, said)] if said.contains(wrong));
+    assert!(is_it, "{wrong}: {rows:?}");
+    let rows = self::rows(&scene, picture, &in_python(PROGRAM));
+    assert!(rows.iter().all(|(label, _)| *label != "yours"), "{rows:?}");
 }
 
 /// Only sky is drawn by dozens of mistakes: of these none is named whose right line is there.
@@ -76,7 +100,7 @@ fn what_a_readers_line_refutes_is_not_named() {
         ..scene.program(&[])
     };
     let picture = png::encode(&sky.run(200).picture());
-    for (label, said) in rows(&scene, &picture, &in_python(HIT_SPHERE)) {
+    for (label, said) in rows(&scene, &picture, &in_python(PROGRAM)) {
         let is_of_hit_sphere = ["discriminant", "oc =", "a =", "h =", "c ="];
         let is_innocent = is_of_hit_sphere.iter().any(|it| said.starts_with(it));
         assert!(label == "seen" || !is_innocent, "{label} {said}");
@@ -112,7 +136,7 @@ fn a_line_that_is_wrong_in_any_program_is_said_beside_a_wrong_picture() {
             false,
         ),
     ] {
-        let known = in_python(&HIT_SPHERE.replacen(old, new, 1));
+        let known = in_python(&PROGRAM.replacen(old, new, 1));
         let said = |picture| {
             let rows = rows(&scene, &png::encode(&picture), &known).into_iter();
             rows.filter(|(_, said)| said.ends_with(')') && said.contains("  ("))
@@ -131,7 +155,7 @@ fn a_right_program_gets_no_remark() {
     let at_once = "image_height = max(1, int(image_width / aspect))\n";
     let chosen = "h = int(image_width / aspect)\nimage_height = 1 if h < 1 else h\n";
     for text in [later, at_once, chosen] {
-        let known = in_python(&(text.to_owned() + HIT_SPHERE));
+        let known = in_python(&(text.to_owned() + PROGRAM));
         let picture = png::encode(&half_b_sphere::picture(100));
         let check = check_knowing(&scene(Chapter::HalfBSphere), &picture, 0, &known);
         assert!(matches!(check, Check::Right(_)), "{text}");

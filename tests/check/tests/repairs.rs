@@ -233,7 +233,7 @@ fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<che
     }
 }
 
-const WIDTH: u32 = 200;
+const WIDTH: u32 = 100;
 
 fn squeezed(line: &str) -> String {
     line.split_whitespace().collect::<Vec<_>>().join(" ")

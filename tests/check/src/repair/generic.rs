@@ -73,7 +73,6 @@ impl Known {
         self.mistaken(node, least);
         self.left_out(node, least);
         self.too_much(node, least);
-        self.exchanged(node, least);
         self.another(node);
         for (n, part) in node.parts.iter().enumerate() {
             // A function is called by its name.
@@ -149,29 +148,6 @@ impl Known {
             {
                 let size = statement.nodes().len() as u32;
                 self.propose(statement, String::new(), size);
-            }
-        }
-    }
-
-    /// Two operands, arguments or branches, the one for the other, and two statements.
-    fn exchanged(&mut self, node: &Tree, least: u8) {
-        let is_call = node.op.contains('(') || node.op.starts_with('[');
-        let first = match node.sign() {
-            Some("-" | "/") => 0,
-            None if is_call => 1 - usize::from(node.op.starts_with('[') || node.parts.len() == 2),
-            None if node.is_block() => 0,
-            None if node.op.starts_with("if ") && node.parts.len() == 3 => 1,
-            _ => return,
-        };
-        for n in first..node.parts.len().saturating_sub(1) {
-            let mut new = node.clone();
-            new.parts.swap(n, n + 1);
-            if !node.is_block() {
-                self.propose(node, new.within(least), 3);
-            } else if node.parts[n + 1].op.ends_with(';') {
-                let at = node.parts[n].at.start..node.parts[n + 1].at.end;
-                let both = format!("{} {}", new.parts[n].text(), new.parts[n + 1].text());
-                self.proposals.push(Proposal::new(at, both, 0));
             }
         }
     }

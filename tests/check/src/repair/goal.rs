@@ -41,9 +41,23 @@ pub(super) fn program(files: &[(String, String)]) -> Option<Program> {
 
 /// Whether the program draws this picture, by the look of some pixels.
 pub(super) fn draws(program: &Program, reading: &Reading) -> bool {
-    let total = reading.pixels.len() as u32;
-    let pixel = |n: u32| Some((n, reading.pixels[n as usize].map(|it| it as u8)));
-    let sample: Rc<Sample> = spread(LOOKED, total).filter_map(pixel).collect();
+    draws_some(program, reading, LOOKED)
+}
+
+/// The same by all of them.
+pub(super) fn draws_all(program: &Program, reading: &Reading) -> bool {
+    draws_some(program, reading, DRAWN)
+}
+
+fn draws_some(program: &Program, reading: &Reading, count: u32) -> bool {
+    let pixel = |n: u32| {
+        (
+            n,
+            reading.pixels[n as usize].map(|it| it.clamp(0, 255) as u8),
+        )
+    };
+    let sample = spread(count, reading.pixels.len() as u32);
+    let sample: Rc<Sample> = sample.map(pixel).collect();
     program.matches(reading.width, &sample).ok() == Some(sample.len())
 }
 

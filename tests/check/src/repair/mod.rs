@@ -5,11 +5,13 @@
 
 mod chapter;
 mod edit;
+mod foreign;
 mod functions;
 mod generic;
 mod goal;
 mod letters;
 mod search;
+mod spelling;
 mod tree;
 
 use std::cell::Cell;
@@ -56,12 +58,21 @@ pub enum Right {
     Nothing,
     /// The whole function as it stands there.
     Function(Line),
+    /// What the chapter has there, where the reader writes another language.
+    InRust(String),
 }
 
 impl Repair {
     /// What makes a program right that draws this picture of the scene.
     pub(crate) fn of(scene: &Scene, reading: &Reading, sources: &Sources) -> Option<Self> {
         let files = sources.in_rust();
+        if sources.is_empty() || files.is_empty() && scene.probe.is_some() {
+            return None;
+        }
+        if files.is_empty() {
+            let (chapter, files) = (scene.chapter, sources.files());
+            return foreign::repair(chapter, &right_files(chapter), &files, reading);
+        }
         let yours = program(&files).filter(|it| goal::draws(it, reading))?;
         let right = scene.right(reading.width, scene.height(reading.width));
         let is_hidden = right == reading.picture();

@@ -1,6 +1,5 @@
 //! Lints: lines that are wrong in any program, in languages whose compilers don't tell.
 
-use super::expressions::{Expression, expressions};
 use super::{File, Line, Sources};
 
 /// Words before something else than a value.
@@ -44,7 +43,7 @@ impl File {
             if is_whole && is_idle(code.trim_end_matches(';'), is_python) {
                 lints.push((self.line(n), "nothing takes this value"));
             }
-            if is_whole && is_repeated(before, code, is_python) {
+            if is_whole && is_repeated(before, code) {
                 lints.push((self.line(n), "the level of the line above"));
             }
             if ends && !is_python && is_cut_off(code) {
@@ -84,25 +83,10 @@ fn is_vector(name: &str, rest: &str) -> bool {
 }
 
 /// Whether two levels are those of one component.
-fn is_repeated(before: &str, code: &str, is_python: bool) -> bool {
-    let all = |code| expressions(code, is_python);
-    match (&all(before)[..], &all(code)[..]) {
-        (
-            [
-                Expression {
-                    name: Some(one),
-                    at: first,
-                },
-            ],
-            [
-                Expression {
-                    name: Some(other),
-                    at: second,
-                },
-            ],
-        ) => {
-            let value = &code[second.clone()];
-            one != other && before[first.clone()] == *value && value.contains("255")
+fn is_repeated(before: &str, code: &str) -> bool {
+    match (before.split_once(" = "), code.split_once(" = ")) {
+        (Some((one, first)), Some((other, second))) => {
+            one.trim() != other.trim() && first == second && second.contains("255")
         }
         _ => false,
     }

@@ -3,27 +3,18 @@
 //! Two programs are compared as sequences of words and signs, so that spaces, comments,
 //! and how a language declares a variable don't matter.
 
-mod alignment;
-mod expressions;
 mod lints;
 mod tokens;
-mod variants;
 
 use slips::{Chapter, Words};
 
-use alignment::Pair;
 use tokens::{Token, is_name, tokens};
-pub(crate) use variants::Variant;
 
 /// What a reader wrote, and the chapter as it should be.
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
     yours: Vec<File>,
     chapter: Vec<File>,
-    /// Where the reader's functions are not the chapter's of the same names.
-    unlike: Vec<Unlike>,
-    /// What the reader gives to names, returns, asks and lists.
-    expressions: Vec<Vec<Token>>,
 }
 
 /// A line that somebody typed.
@@ -35,17 +26,6 @@ pub struct Line {
     pub number: usize,
     /// What it says.
     pub text: String,
-}
-
-/// A place where what a reader wrote is not what the chapter has.
-#[derive(Clone, Debug)]
-pub struct Unlike {
-    /// The reader's line; the one before, if a line is missing.
-    pub yours: Line,
-    /// What the chapter has there: nothing, if there is something too much.
-    pub chapter: String,
-    /// Whether the chapter has a line there that the reader has not.
-    pub is_missing: bool,
 }
 
 /// What a reader's files say of a slip.
@@ -81,15 +61,10 @@ impl Sources {
             let files = files.into_iter();
             files.map(|(name, text)| File::new(name, text)).collect()
         };
-        let mut sources = Self {
+        Self {
             yours: files(yours),
             chapter: files(chapter),
-            unlike: Vec::new(),
-            expressions: Vec::new(),
-        };
-        sources.expressions = sources.yours.iter().flat_map(File::expressions).collect();
-        sources.unlike = sources.pairs().flat_map(|pair| pair.unlike()).collect();
-        sources
+        }
     }
 
     /// The files of a reader who types the chapter, beside its own.
@@ -117,6 +92,12 @@ impl Sources {
         files
     }
 
+    /// All of them, by their names and texts.
+    pub(crate) fn files(&self) -> Vec<(String, String)> {
+        let files = self.yours.iter();
+        files.map(|it| (it.name.clone(), it.text.clone())).collect()
+    }
+
     /// Whether nothing is known of them.
     pub(crate) fn is_empty(&self) -> bool {
         self.yours.is_empty()
@@ -142,21 +123,12 @@ impl Sources {
             longest(&words.wrong, &[]),
             longest(&words.right, &VARIABLES),
         ) {
-            // By other names both may be there, and then neither is known.
-            (None, None) if self.have(&words.right) && !self.have(&words.wrong) => Said::Right,
             (None, None) => Said::Neither,
             // A line is wrong only in the place of one that could be found, and is no part of it.
             (Some(_), None) if !self.is_told_apart(words) => Said::Neither,
             (wrong, right) if wrong > right => Said::Wrong,
             _ => Said::Right,
         }
-    }
-
-    /// Whether the line is in one of the files, as it stands but for white space.
-    pub(crate) fn have_line(&self, line: &str) -> bool {
-        self.yours
-            .iter()
-            .any(|file| squeezed(&file.text).contains(line))
     }
 
     /// The reader's line that makes the slip, if it is found.
@@ -224,16 +196,6 @@ impl Sources {
         is_searched && (is_line || !joined(&words.right).contains(&joined(&words.wrong)))
     }
 
-    /// The places where the reader's functions are not the chapter's of the same names; none
-    /// where these are more than [`FEW`], since then they are written in other words.
-    pub fn unlike(&self) -> &[Unlike] {
-        if self.unlike.len() <= FEW {
-            &self.unlike
-        } else {
-            &[]
-        }
-    }
-
     /// Whether the chapter's functions are as long as there, right or wrong, but for less
     /// than a statement.
     pub(crate) fn is_written(&self) -> bool {
@@ -262,44 +224,12 @@ impl Sources {
     fn has_vector(&self, vector: &[Token]) -> bool {
         self.yours.iter().any(|file| has_all(&file.tokens, vector))
     }
-
-    /// Functions that have the same name in files of the same name.
-    fn pairs(&self) -> impl Iterator<Item = Pair<'_>> {
-        self.chapter.iter().flat_map(move |chapter| {
-            let yours = self.yours.iter().find(|it| it.name == chapter.name);
-            yours.into_iter().flat_map(move |yours| {
-                let own = yours.functions();
-                let functions = chapter.functions().into_iter();
-                functions.filter_map(move |(name, theirs)| {
-                    let (_, own) = own.iter().find(|(own, _)| *own == name)?;
-                    Some(Pair::new((yours, own), (chapter, theirs)))
-                })
-            })
-        })
-    }
-}
-
-/// A line of Rust as it is written in most languages: functions for methods, and vectors
-/// in brackets. What has no such words stays as it is.
-pub(crate) fn in_no_language(line: &str) -> String {
-    if ["let ", "|", "?"].iter().any(|rust| line.contains(rust)) {
-        return line.to_owned();
-    }
-    let line = line
-        .replace("Some(", "(")
-        .replace("f64::INFINITY", "infinity");
-    let line = line.replace("Vec3::ONE", "Vec3::new(1, 1, 1)");
-    let file = File::new("line.rs".to_owned(), line);
-    file.said(&file.tokens).trim().to_owned()
 }
 
 /// So many tokens are a statement.
 const STATEMENT: usize = 6;
 /// Signs before and after a part of a formula.
 const GOES_ON: [&str; 10] = ["+", "-", "*", "/", "<", ">", ".", "and", "&", "|"];
-
-/// More differences than this are another way to write it.
-const FEW: usize = 3;
 
 /// A value of so few tokens may stand anywhere.
 const VALUE: usize = 4;
@@ -427,11 +357,6 @@ fn has_all(tokens: &[Token], part: &[Token]) -> bool {
             .map(|it| &it.text)
             .eq(part.iter().map(|it| &it.text))
     })
-}
-
-/// The text with one blank for all white space.
-fn squeezed(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// What C++ makes in braces as it is made in brackets.

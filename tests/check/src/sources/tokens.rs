@@ -5,8 +5,6 @@
 #[derive(Clone, Debug)]
 pub(super) struct Token {
     pub(super) text: String,
-    /// How the program spells it.
-    pub(super) own: String,
     /// The line, from 0.
     pub(super) line: usize,
 }
@@ -16,7 +14,6 @@ impl Token {
     pub(super) fn new(text: &str, line: usize) -> Self {
         Self {
             text: text.to_owned(),
-            own: text.to_owned(),
             line,
         }
     }
@@ -88,7 +85,6 @@ fn words(line: usize, text: &str) -> Vec<Token> {
     }
     let mut words: Vec<Token> = Vec::new();
     let mut rest = code.trim_start();
-    let mut before = "";
     while let Some(first) = rest.chars().next() {
         let is_word = |c: char| c.is_alphanumeric() || c == '_';
         let is_number = |c: char| is_word(c) || c == '.';
@@ -105,16 +101,10 @@ fn words(line: usize, text: &str) -> Vec<Token> {
             // A vector's own letters have a name before them elsewhere.
             if !matches!(field, "x" | "y" | "z" | "e") {
                 rest = after;
-                before = "self.";
                 continue;
             }
         }
-        words.push(Token {
-            text: spelled(word, rest).to_owned(),
-            own: format!("{before}{word}"),
-            line,
-        });
-        before = "";
+        words.push(Token::new(spelled(word, rest), line));
     }
     words
 }

@@ -1,0 +1,293 @@
+//! Transplantation: a line of Python or C++, spelled in Rust, in the place of the chapter's that
+//! it is most like. It is named if the chapter with it draws the reader's picture.
+
+use slips::Chapter;
+
+use super::edit::{Role, roots};
+use super::functions::{Files, Function, functions, with};
+use super::goal::{self, program};
+use super::spelling::{in_rust, plain};
+use super::tree::{Tree, squeezed};
+use super::{Change, Repair, Right};
+use crate::reading::Reading;
+use crate::sources::Line;
+
+/// So many lines are tried in one place, if they have this much in common with what is there.
+const TRIED: usize = 3;
+const ALIKE: f64 = 0.4;
+
+/// A statement of a reader's.
+struct Statement {
+    line: Line,
+    role: Role,
+    value: Tree,
+}
+
+/// An expression of the chapter's.
+struct Place<'a> {
+    function: &'a Function,
+    role: Role,
+    value: &'a Tree,
+    plain: Tree,
+    /// The names that its function has.
+    known: Vec<String>,
+}
+
+/// The reader's line with which the chapter draws the reader's picture, in the edition to which
+/// the reader keeps.
+pub(super) fn repair(
+    chapter: Chapter,
+    theirs: &Files,
+    yours: &[(String, String)],
+    reading: &Reading,
+) -> Option<Repair> {
+    let yours = yours.iter().flat_map(|(name, text)| statements(name, text));
+    let yours: Vec<Statement> = yours.collect();
+    let editions = [false, true].map(|is_older| with_a_camera(chapter, theirs, is_older));
+    let functions = editions.each_ref().map(|files| functions(files));
+    let places = functions
+        .each_ref()
+        .map(|it| it.iter().flat_map(places).collect::<Vec<_>>());
+    let [newest, older] = places.each_ref().map(|places| compared(places, &yours));
+    let is_older = older.0.len() < newest.0.len();
+    let (missing, wrong) = if is_older { older } else { newest };
+    let files = &editions[usize::from(is_older)];
+    let mut missing = missing.into_iter();
+    missing.find_map(|place| place.repair(&wrong, files, reading))
+}
+
+/// The chapter's expressions that the reader does not have, and the reader's that the chapter
+/// does not have.
+fn compared<'a>(
+    places: &'a [Place<'a>],
+    yours: &'a [Statement],
+) -> (Vec<&'a Place<'a>>, Vec<&'a Statement>) {
+    let is_at = |it: &Statement, place: &Place| {
+        let is_named = place.role == it.role && matches!(it.role, Role::Let(_));
+        (is_named, place.spell(&it.value).is_same(&place.plain))
+    };
+    // Under a name of the chapter's only the chapter's value is right.
+    let is_right = |it: &&Statement| {
+        let all: Vec<_> = places.iter().map(|place| is_at(it, place)).collect();
+        let is_named = all.iter().any(|(is_named, _)| *is_named);
+        let mut all = all.iter();
+        all.any(|(named, is_same)| *is_same && *named == is_named)
+    };
+    let (right, wrong): (Vec<&Statement>, Vec<&Statement>) = yours.iter().partition(is_right);
+    let is_missing = |place: &&Place| !right.iter().any(|it| is_at(it, place).1);
+    (places.iter().filter(is_missing).collect(), wrong)
+}
+
+/// The chapter with the camera and the sky as a part of it, so that their lines have places too;
+/// as older editions have it if that is wanted, with the way to the center turned round.
+fn with_a_camera(chapter: Chapter, theirs: &Files, is_older: bool) -> Files {
+    let text = |name: &str| {
+        let mut files = theirs.iter().filter(|(it, _)| it.ends_with(name));
+        files.next().map_or("", |(_, text)| text)
+    };
+    let sky = text("color.rs").find("pub fn sky").unwrap_or_default();
+    let sky = text("color.rs")[sky..].split_inclusive("\n}\n").next();
+    let sky = sky
+        .filter(|_| chapter > Chapter::Gradient)
+        .unwrap_or_default();
+    let mut files: Files = theirs[..chapter.files().len()].to_vec();
+    files[0].1 = files[0]
+        .1
+        .replace("render(width, ray_color)", &painted("ray_color(&ray)"))
+        .replace(
+            "render(width, move |ray| ray_color(ray, &world))",
+            &painted("ray_color(&ray, &world)"),
+        );
+    files[0].1 += "mod camera;\n";
+    files[0].1 += sky;
+    let camera = text("camera.rs").replace("use crate::ray::Ray;", "use common::rtweekend::*;");
+    let camera = camera.replace("use crate::vec3::{Point3, Vec3};", "");
+    files.push(("src/camera.rs".to_owned(), camera));
+    for (_, text) in files.iter_mut().filter(|_| is_older) {
+        *text = text
+            .replace("self.center - ray.origin", "ray.origin - self.center")
+            .replace("center - ray.origin", "ray.origin - center")
+            .replace("-2.0 * ray", "2.0 * ray")
+            .replace("(h ", "(-h ");
+    }
+    files
+}
+
+/// What paints a picture by the camera of the crate.
+fn painted(color: &str) -> String {
+    format!(
+        "{{
+    let camera = camera::Camera::new(width);
+    Picture::paint(camera.image_width, camera.image_height, move |i, j| {{
+        let ray = camera.ray(i, j);
+        {color}
+    }})
+}}"
+    )
+}
+
+/// The expressions of a function; of what is put into `Some` only that.
+fn places(function: &Function) -> Vec<Place<'_>> {
+    let all = roots(&function.body).into_iter();
+    let known = [names(&plain(&function.body)), function.parameters.clone()].concat();
+    let all = all.map(|(role, value)| {
+        let is_some = value.op == "□(□)" && value.parts[0].op == "Some";
+        let value = if is_some { &value.parts[1] } else { value };
+        Place {
+            function,
+            role,
+            plain: plain(value),
+            known: known.clone(),
+            value,
+        }
+    });
+    all.filter(|it| !it.value.is_block() && !it.value.parts.is_empty())
+        .collect()
+}
+
+impl Place<'_> {
+    /// The reader's expression with the chapter's names for those that its function does not
+    /// have, in the order in which they come.
+    fn spell(&self, value: &Tree) -> Tree {
+        let own = names(value);
+        let theirs = names(&self.plain);
+        let new = own.iter().filter(|name| !self.known.contains(name));
+        let free = theirs.iter().filter(|name| !own.contains(name));
+        let renames: Vec<(&String, &String)> = new.zip(free).collect();
+        renamed(value, &renames)
+    }
+
+    fn repair(&self, wrong: &[&Statement], files: &Files, reading: &Reading) -> Option<Repair> {
+        let scored = wrong.iter().map(|it| {
+            let value = self.spell(&it.value);
+            let named = if it.role == self.role { 0.4 } else { 0.0 };
+            (value.likeness(&self.plain) + named, value, it)
+        });
+        let mut likest: Vec<_> = scored.filter(|(score, ..)| *score > ALIKE).collect();
+        likest.sort_by(|one, other| other.0.total_cmp(&one.0));
+        let draws = |value: &Tree| {
+            let mut text = self.function.text.clone();
+            text.replace_range(self.value.at.clone(), &value.within(super::tree::ATOM));
+            let files = with(files, &[(self.function, &text)]);
+            program(&files)
+                .is_some_and(|it| goal::draws(&it, reading) && goal::draws_all(&it, reading))
+        };
+        let (_, _, statement) = likest
+            .into_iter()
+            .take(TRIED)
+            .find(|(_, value, _)| draws(value))?;
+        Some(Repair {
+            changes: vec![Change {
+                yours: statement.line.clone(),
+                right: Right::InRust(squeezed(&self.statement())),
+            }],
+            files: Files::new(),
+            is_hidden: false,
+        })
+    }
+
+    /// The line of the chapter around it.
+    fn statement(&self) -> String {
+        let text = &self.function.text;
+        let start = text[..self.value.at.start]
+            .rfind('\n')
+            .map_or(0, |it| it + 1);
+        let end = text[self.value.at.end..].find(['\n', ';']);
+        text[start..end.map_or(text.len(), |it| self.value.at.end + it)].to_owned()
+    }
+}
+
+/// Names of values, and fields of an object itself, in the order in which they first stand.
+fn names(tree: &Tree) -> Vec<String> {
+    let is_field = tree.op.starts_with("□.") && tree.parts.len() == 1 && tree.parts[0].op == "self";
+    let is_name =
+        tree.parts.is_empty() && tree.op.starts_with(|c: char| c.is_alphabetic() || c == '_');
+    if is_field || is_name && !tree.op.contains("::") {
+        return vec![tree.text()];
+    }
+    let mut all: Vec<String> = Vec::new();
+    for name in tree.parts.iter().flat_map(names) {
+        if !all.contains(&name) {
+            all.push(name);
+        }
+    }
+    all
+}
+
+fn renamed(tree: &Tree, renames: &[(&String, &String)]) -> Tree {
+    if let Some((_, new)) = renames.iter().find(|(old, _)| **old == tree.text()) {
+        return Tree::new(new, Vec::new());
+    }
+    Tree {
+        parts: tree.parts.iter().map(|it| renamed(it, renames)).collect(),
+        ..tree.clone()
+    }
+}
+
+/// What a file gives to names, returns and asks.
+fn statements(name: &str, text: &str) -> Vec<Statement> {
+    let is_python = name.ends_with(".py");
+    let comment = if is_python { "#" } else { "//" };
+    let mut all = Vec::new();
+    let (mut open, mut first, mut depth) = (String::new(), 0, 0);
+    for (n, line) in text.lines().enumerate() {
+        let code = line.split(comment).next().unwrap_or_default().trim();
+        if open.is_empty() {
+            first = n;
+        }
+        open = format!("{open} {code}").trim_start().to_owned();
+        let brackets = |signs: [char; 2]| code.matches(signs).count() as i32;
+        depth += brackets(['(', '[']) - brackets([')', ']']);
+        if depth > 0 || !is_python && !code.ends_with([';', '{', '}']) && !code.is_empty() {
+            continue;
+        }
+        let line = Line {
+            file: name.to_owned(),
+            number: first + 1,
+            text: squeezed(&open),
+        };
+        let values = values(&open, is_python).into_iter();
+        all.extend(values.filter_map(|(role, value)| {
+            let (line, value) = (line.clone(), in_rust(value.trim())?);
+            Some(Statement { line, role, value })
+        }));
+        (open, depth) = (String::new(), 0);
+    }
+    all
+}
+
+/// The expressions of a statement, each with its role.
+fn values(statement: &str, is_python: bool) -> Vec<(Role, &str)> {
+    let statement = statement.trim_matches([' ', ';', '{', '}', ':']);
+    let statement = statement
+        .trim_start_matches("else ")
+        .trim_start_matches("el");
+    if let Some(rest) = statement.strip_prefix("if ") {
+        // A statement may stand behind the condition.
+        let end = match is_python {
+            true => rest.find(": "),
+            false => closing(rest),
+        };
+        let (condition, rest) = rest.split_at(end.map_or(rest.len(), |at| at + 1));
+        let condition = (Role::Condition, condition.trim_end_matches(':'));
+        return [vec![condition], values(rest, is_python)].concat();
+    }
+    if let Some(value) = statement.strip_prefix("return ") {
+        return vec![(Role::Result, value)];
+    }
+    let Some((name, value)) = statement.split_once(" = ") else {
+        return Vec::new();
+    };
+    let name = name.rsplit([' ', '.', '>', '&']).next().unwrap_or(name);
+    vec![(Role::Let(name.to_owned()), value)]
+}
+
+/// Where the first bracket is closed.
+fn closing(text: &str) -> Option<usize> {
+    let mut depth = 0;
+    let closed = text.char_indices().find(|(_, letter)| {
+        depth += i32::from(*letter == '(') - i32::from(*letter == ')');
+        depth == 0 && *letter == ')'
+    });
+    closed.map(|(at, _)| at)
+}

@@ -1,0 +1,154 @@
+//! Translation, token by token: an expression of Python or C++ as the same in Rust, and Rust in
+//! the fewest words.
+
+use super::tree::{Reader, Tree};
+
+/// Longer expressions and deeper brackets are left alone.
+const LONGEST: usize = 300;
+const DEEPEST: usize = 20;
+
+/// The expression as a tree of Rust, if it can be one.
+pub(super) fn in_rust(text: &str) -> Option<Tree> {
+    let is_small = text.len() <= LONGEST && text.matches(['(', '[']).count() <= DEEPEST;
+    let rust = is_small.then(|| translated(text))?;
+    let expression = syn::parse_str(&rust).ok()?;
+    let reader = Reader {
+        text: &rust,
+        start: 0,
+    };
+    Some(plain(&reader.expression(&expression)))
+}
+
+fn translated(text: &str) -> String {
+    let tokens = tokens(text);
+    let mut rust = String::new();
+    let mut rest = tokens.iter().copied().peekable();
+    while let Some(token) = rest.next() {
+        match (token, rest.peek().copied().unwrap_or_default()) {
+            ("std" | "math" | "np", "::" | ".") => drop(rest.next()),
+            ("**", "2" | "2.0") => {
+                rest.next();
+                rust += ".powi(2)";
+            }
+            ("and", _) => rust += " && ",
+            ("or", _) => rust += " || ",
+            ("not", _) => rust += " !",
+            ("->", _) => rust += ".",
+            ("this", _) => rust += "self",
+            ("infinity" | "inf", _) => rust += "f64::INFINITY",
+            (token, _) if token.starts_with(|c: char| c.is_ascii_digit()) => {
+                let number = token.trim_end_matches('f');
+                rust += number;
+                match number.contains('.') {
+                    true if number.ends_with('.') => rust += "0",
+                    true => {}
+                    false => rust += ".0",
+                }
+            }
+            (token, _) => {
+                let is_word = |c: char| c.is_alphanumeric() || c == '_';
+                if rust.ends_with(is_word) && token.starts_with(is_word) {
+                    rust.push(' ');
+                }
+                rust += token;
+            }
+        }
+    }
+    rust
+}
+
+fn tokens(text: &str) -> Vec<&str> {
+    const SIGNS: [&str; 9] = ["->", "**", "&&", "||", "<=", ">=", "==", "!=", "::"];
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let mut tokens = Vec::new();
+    let mut rest = text.trim_start();
+    while let Some(first) = rest.chars().next() {
+        let length = match first {
+            c if c.is_ascii_digit() => rest.find(|c| !is_word(c) && c != '.'),
+            c if is_word(c) => rest.find(|c| !is_word(c)),
+            c => Some(
+                SIGNS
+                    .iter()
+                    .find(|it| rest.starts_with(**it))
+                    .map_or(c.len_utf8(), |it| it.len()),
+            ),
+        };
+        let (token, after) = rest.split_at(length.unwrap_or(rest.len()));
+        tokens.push(token);
+        rest = after.trim_start();
+    }
+    tokens
+}
+
+/// The same in the fewest words: methods for functions, one name for all vectors, fields for
+/// functions that return them.
+pub(super) fn plain(tree: &Tree) -> Tree {
+    let parts: Vec<Tree> = tree.parts.iter().map(plain).collect();
+    let name = parts.first().map_or("", |it| &it.op).to_lowercase();
+    let op = match (&*tree.op, parts.len()) {
+        ("□(□)", 2) => match &*name {
+            "double" | "float" => return parts[1].clone(),
+            "sqrt" | "abs" | "length" | "length_squared" | "normalize" => format!("□.{name}()"),
+            "fabs" => "□.abs()".to_owned(),
+            "unit_vector" | "unit" | "normalized" => "□.normalize()".to_owned(),
+            _ => tree.op.clone(),
+        },
+        ("□(□, □)", 3) => match &*name {
+            "dot" if parts[1].is_same(&parts[2]) => {
+                return Tree {
+                    op: "□.length_squared()".to_owned(),
+                    parts: parts[1..2].to_vec(),
+                    ..tree.clone()
+                };
+            }
+            "dot" => "□.dot(□)".to_owned(),
+            "add" => "□ + □".to_owned(),
+            "sub" => "□ - □".to_owned(),
+            "scale" => "□ * □".to_owned(),
+            _ => tree.op.clone(),
+        },
+        ("□(□, □, □)", 4)
+            if ["vec3", "point3", "color"].contains(&name.trim_end_matches("::new")) =>
+        {
+            let numbers = parts[1..].iter().cloned();
+            let new = [Tree::new("Vec3::new", Vec::new())]
+                .into_iter()
+                .chain(numbers);
+            return Tree {
+                parts: new.collect(),
+                ..tree.clone()
+            };
+        }
+        ("□.dot(□)", 2) if parts[0].is_same(&parts[1]) => {
+            return Tree {
+                op: "□.length_squared()".to_owned(),
+                parts: parts[..1].to_vec(),
+                ..tree.clone()
+            };
+        }
+        ("□.origin()" | "□.orig" | "□.orig()", _) => "□.origin".to_owned(),
+        ("□.direction()" | "□.dir" | "□.dir()", _) => "□.direction".to_owned(),
+        ("□.x()" | "□.y()" | "□.z()", _) => tree.op.trim_end_matches("()").to_owned(),
+        ("□.unit()" | "□.normalized()", _) => "□.normalize()".to_owned(),
+        ("Vec3::ZERO" | "Point3::ZERO", _) => return vector("0.0"),
+        ("Vec3::ONE" | "Color::ONE", _) => return vector("1.0"),
+        _ => tree.op.clone(),
+    };
+    let is_method = op != tree.op && tree.op.starts_with("□(");
+    let parts = if is_method {
+        parts[1..].to_vec()
+    } else {
+        parts
+    };
+    Tree {
+        op,
+        parts,
+        ..tree.clone()
+    }
+}
+
+fn vector(number: &str) -> Tree {
+    let leaves = ["Vec3::new", number, number, number];
+    let parts = leaves.map(|op| Tree::new(op, Vec::new()));
+    Tree::new("□(□, □, □)", parts.to_vec())
+}
