@@ -6,29 +6,24 @@ pub mod source;
 
 use slips::Chapter;
 
-/// The files of the chapter with nothing in the functions that are to be typed, `src/lib.rs`
-/// first: the same as those that the page lists.
+/// The files of the chapter with nothing in the functions that are to be typed, in the order in
+/// which they are typed: the same as those that the page lists.
 pub fn files(chapter: Chapter, own: bool) -> Vec<(&'static str, String)> {
-    let of_lib = if own {
-        include_str!("../files/own/head.rs")
+    let (of_lib, of_others) = if own {
+        let modules = include_str!("../files/own/head.rs");
+        (modules, "use crate::rtweekend::*;\n")
     } else {
-        PRELUDE
+        (PRELUDE, PRELUDE)
     };
     let skeleton = |&(name, text): &(&'static str, &str)| {
-        let text = source::to_type(text, given(chapter));
-        if name == "src/lib.rs" {
-            let text = text
-                .replacen(&format!("{PRELUDE}\n"), "", 1)
-                .replace(GROUND, "");
-            let is_head = |line: &&str| line.starts_with("//!") || line.is_empty();
-            let lines = text.lines().skip_while(is_head);
-            let lines: String = lines.map(|line| format!("{line}\n")).collect();
-            (name, format!("{of_lib}\n{lines}"))
-        } else if own {
-            (name, text.replace("common::rtweekend", "crate::rtweekend"))
-        } else {
-            (name, text)
+        let text = source::to_type(text, given(chapter)).replace(GROUND, "");
+        if name != "src/lib.rs" {
+            return (name, text.replace(PRELUDE, of_others));
         }
+        let is_head = |line: &&str| line.starts_with("//!") || line.is_empty();
+        let lines = text.lines().skip_while(is_head);
+        let text: String = lines.map(|line| format!("{line}\n")).collect();
+        (name, text.replace(PRELUDE, of_lib))
     };
     let mut files: Vec<_> = chapter.files().iter().map(skeleton).collect();
     files.sort_by_key(|(name, _)| ORDER.iter().position(|it| it == name));
@@ -41,12 +36,12 @@ const PRELUDE: &str = "use common::rtweekend::*;\n";
 /// A step of chapter 5.
 const GROUND: &str = "    world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0));\n";
 
-/// The files of a chapter. All but the first are in the order in which they are typed.
+/// In which order the files of a chapter are typed.
 const ORDER: [&str; 4] = [
-    "src/lib.rs",
     "src/hittable.rs",
     "src/sphere.rs",
     "src/hittable_list.rs",
+    "src/lib.rs",
 ];
 
 /// The functions of a chapter that the reader need not type.
@@ -58,25 +53,13 @@ fn given(chapter: Chapter) -> &'static [&'static str] {
     }
 }
 
-/// The same for a reader who takes nothing over from the chapter before, in the order in which
-/// they are typed.
+/// The same for a reader who takes nothing over from the chapter before.
 pub fn plain(chapter: Chapter) -> Vec<(&'static str, String)> {
-    let mut files = files(chapter, false);
-    files.rotate_left(1);
-    files
+    files(chapter, false)
 }
 
-/// What becomes of a function that the reader wrote in the chapter before.
-pub struct Carry {
-    /// The name of the function.
-    pub name: &'static str,
-    /// The item of the skeleton that it has to do with, by some of its text.
-    pub at: &'static str,
-    /// What becomes of it.
-    pub how: How,
-}
-
-/// How a function is carried over.
+/// What becomes of a function that the reader wrote in the chapter before, near an item of the
+/// skeleton.
 pub enum How {
     /// It takes the place of the item.
     InPlace,
@@ -86,23 +69,25 @@ pub enum How {
     Shown,
 }
 
-/// What becomes of the functions of the chapter before.
-pub fn carried(chapter: Chapter) -> Vec<Carry> {
-    use How::{As, InPlace, Shown};
-    let carry = |(name, at, how)| Carry { name, at, how };
-    let hit_sphere = ("hit_sphere", "fn hit_sphere", Shown);
-    let all = match chapter {
-        Chapter::RedSphere => vec![("ray_color", "fn ray_color", As("sky"))],
-        Chapter::Normals => vec![("ray_color", "fn ray_color", Shown), hit_sphere],
-        // Both draw normals, so only what hits the sphere is typed again.
-        Chapter::HalfBSphere => vec![("ray_color", "fn ray_color", InPlace), hit_sphere],
-        Chapter::HittableList => vec![
-            ("ray_color", "fn ray_color", Shown),
-            ("hit_sphere", "impl Hittable for Sphere", Shown),
+/// The functions of the chapter before, each with some text of the item that it has to do with.
+pub fn carried(chapter: Chapter) -> &'static [(&'static str, &'static str, How)] {
+    match chapter {
+        Chapter::RedSphere => &[("ray_color", "fn ray_color", How::As("sky"))],
+        Chapter::Normals => &[
+            ("ray_color", "fn ray_color", How::Shown),
+            ("hit_sphere", "fn hit_sphere", How::Shown),
         ],
-        _ => Vec::new(),
-    };
-    all.into_iter().map(carry).collect()
+        // Both draw normals, so only what hits the sphere is typed again.
+        Chapter::HalfBSphere => &[
+            ("ray_color", "fn ray_color", How::InPlace),
+            ("hit_sphere", "fn hit_sphere", How::Shown),
+        ],
+        Chapter::HittableList => &[
+            ("ray_color", "fn ray_color", How::Shown),
+            ("hit_sphere", "impl Hittable for Sphere", How::Shown),
+        ],
+        _ => &[],
+    }
 }
 
 /// The sky, for a reader who types the prelude and has not typed it in chapter 1.

@@ -51,9 +51,10 @@ pub(crate) fn to_type(source: &str, given: &[&str]) -> String {
     let mut text = source.to_owned();
     // From the last one on: the places of those before stay as they are.
     for (_, body) in functions.into_iter().rev() {
-        let indent = " ".repeat(body.brace_token.span.close().start().column);
-        let todo = format!("{{\n{indent}    todo!()\n{indent}}}");
-        text.replace_range(body.span().byte_range(), &todo);
+        let [open, close] = [body.brace_token.span.open(), body.brace_token.span.close()];
+        let place = open.byte_range().start..close.byte_range().end;
+        let indent = " ".repeat(close.start().column);
+        text.replace_range(place, &format!("{{\n{indent}    todo!()\n{indent}}}"));
     }
     first_sentences(&text)
 }

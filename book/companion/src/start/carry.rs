@@ -3,9 +3,10 @@
 //! What no skeleton knows, such as a function that the reader added, goes to the end.
 
 use std::fs;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use skeletons::{Carry, How, source};
+use skeletons::{How, source};
 use slips::Chapter;
 
 /// The crate that a reader wrote for a chapter.
@@ -44,19 +45,9 @@ pub(super) struct Carried {
     pub(super) said: String,
 }
 
-/// The chapter's skeletons, `src/lib.rs` first, with what was written before.
+/// The chapter's skeletons with what was written before.
 pub(super) fn into(chapter: Chapter, own: bool, written: Option<&Written>) -> Carried {
-    let (items, said) = match written.map(|written| (&written.chapter, &written.items)) {
-        None => (&[][..], String::new()),
-        Some((chapter, Ok(items))) => (
-            &items[..],
-            format!("It begins with what you wrote in {chapter}.\n"),
-        ),
-        Some((chapter, Err(why))) => (
-            &[][..],
-            format!("Nothing is carried over from {chapter}, which can't be read: {why}\n"),
-        ),
-    };
+    let (items, said) = origin(written);
     let mut files = skeletons::files(chapter, own);
     let mut used = Vec::new();
     if own {
@@ -67,19 +58,28 @@ pub(super) fn into(chapter: Chapter, own: bool, written: Option<&Written>) -> Ca
         let items = items_of(skeleton).expect("a skeleton is Rust");
         used.extend(items.into_iter().map(|(name, _)| name));
     }
-    for carry in skeletons::carried(chapter) {
-        used.push(carry.name.to_owned());
-        if let How::As(other) = carry.how {
-            used.push(other.to_owned());
+    for (name, at, how) in skeletons::carried(chapter) {
+        used.push((*name).to_owned());
+        if let How::As(other) = how {
+            used.push((*other).to_owned());
         }
-        let Some((_, text)) = items.iter().find(|(name, _)| name == carry.name) else {
-            continue;
-        };
-        let file = files.iter_mut().find(|(_, text)| text.contains(carry.at));
-        let (_, skeleton) = file.expect("a skeleton has the item");
-        place(skeleton, &carry, text);
+        if let Some((_, text)) = items.iter().find(|(it, _)| it == name) {
+            let file = files.iter_mut().find(|(_, text)| text.contains(at));
+            let (_, skeleton) = file.expect("a skeleton has the item");
+            let place = place(skeleton, at);
+            match how {
+                How::InPlace => skeleton.replace_range(place, text),
+                How::As(other) => {
+                    let text = text.replacen(&format!("fn {name}("), &format!("fn {other}("), 1);
+                    skeleton.insert_str(place.start, &format!("{text}\n\n"));
+                }
+                // What was never written has nothing to show.
+                How::Shown if text.contains("todo!()") => {}
+                How::Shown => skeleton.insert_str(place.start, &shown(text)),
+            }
+        }
     }
-    let (_, lib) = &mut files[0];
+    let (_, lib) = files.last_mut().expect("a chapter has a file");
     for (name, text) in items {
         if !used.contains(name) {
             *lib += &format!("\n{text}\n");
@@ -88,22 +88,28 @@ pub(super) fn into(chapter: Chapter, own: bool, written: Option<&Written>) -> Ca
     Carried { files, said }
 }
 
-/// Puts the text of a function where it belongs in a skeleton.
-fn place(skeleton: &mut String, carry: &Carry, text: &str) {
+/// Where the item of the skeleton is that has this text.
+fn place(skeleton: &str, text: &str) -> Range<usize> {
     let items = source::items(skeleton).expect("a skeleton is Rust");
     let mut places = items.into_iter().map(|(_, place)| place);
-    let place = places.find(|place| skeleton[place.clone()].contains(carry.at));
-    let place = place.expect("a skeleton has the item");
-    match carry.how {
-        How::InPlace => skeleton.replace_range(place, text),
-        How::As(other) => {
-            let (old, new) = (format!("fn {}(", carry.name), format!("fn {other}("));
-            let text = text.replacen(&old, &new, 1);
-            skeleton.insert_str(place.start, &format!("{text}\n\n"));
-        }
-        // What was never written has nothing to show.
-        How::Shown if text.contains("todo!()") => {}
-        How::Shown => skeleton.insert_str(place.start, &shown(text)),
+    let has_it = |place: &Range<usize>| skeleton[place.clone()].contains(text);
+    places.find(has_it).expect("a skeleton has the item")
+}
+
+/// What is said of where the files came from, and the items of the chapter before.
+fn origin(written: Option<&Written>) -> (&[(String, String)], String) {
+    let Some(Written { chapter, items, .. }) = written else {
+        return (&[], String::new());
+    };
+    match items {
+        Ok(items) => (
+            items,
+            format!("It begins with what you wrote in {chapter}.\n"),
+        ),
+        Err(why) => (
+            &[],
+            format!("Nothing is carried over from {chapter}, which can't be read: {why}\n"),
+        ),
     }
 }
 

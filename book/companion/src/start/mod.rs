@@ -133,7 +133,7 @@ impl New {
         let has_own = written.as_ref().is_some_and(Written::has_own_prelude);
         let own = arguments.own_prelude || has_own;
         let mut carried = carry::into(chapter, own, written.as_ref());
-        let (_, lib) = &mut carried.files[0];
+        let (_, lib) = carried.files.last_mut().expect("a chapter has a file");
         lib.insert_str(0, &settings::about(chapter));
         if own && written.is_none() && chapter > Chapter::Gradient {
             *lib += &format!("\n{}", skeletons::OWN_SKY);
@@ -141,7 +141,6 @@ impl New {
         let prelude = skeletons::OWN_PRELUDE.map(|(name, text)| (name, text.to_owned()));
         let prelude = prelude.into_iter().filter(|_| own && !has_own);
         // In the order in which they are typed.
-        carried.files.rotate_left(1);
         let files = prelude
             .chain(carried.files)
             .chain(given(chapter, own, folder, workspace));
