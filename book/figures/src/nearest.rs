@@ -195,52 +195,46 @@ fn draw(it: &Parameters, turns: &[Turn]) -> Svg {
     PLANE.draw_line(&mut svg, &it.ray(), SIZE, f64::INFINITY);
     PLANE.draw_ray(&mut svg, &it.ray());
     for (turn, row) in turns.iter().zip(0..) {
-        draw_turn(&mut svg, turn, row);
+        draw_row(
+            &mut svg,
+            row,
+            ["ink", "sphere"],
+            &turn.in_words(),
+            turn.t_max,
+        );
+        if let Some(t) = turn.hit.filter(|&t| t < MOST) {
+            svg.circle("ray hollow", bar(row).point(t), 5.0);
+        }
         let point = turn.hit.map(|t| PLANE.point(it.ray().at(t)));
         if let Some(point) = point.filter(|it| it.cmple(SIZE).all()) {
             svg.circle("ray hollow", point, 5.0);
         }
     }
-    draw_held(&mut svg, it, turns);
-    svg
-}
-
-fn draw_turn(svg: &mut Svg, turn: &Turn, row: usize) {
-    svg.small_label("ink", above(row), Start, &turn.in_words());
-    if let Some(end) = turn.t_max {
-        draw_bar(svg, "sphere", end, row);
-    }
-    if let Some(t) = turn.hit.filter(|&t| t < MOST) {
-        svg.circle("ray hollow", bar(row).point(t), 5.0);
-    }
-}
-
-fn draw_held(svg: &mut Svg, it: &Parameters, turns: &[Turn]) {
     let held = held(turns);
-    let (t, sphere) = match held {
-        None => (f64::INFINITY, String::new()),
-        Some((t, sphere)) => (t, format!(", sphere {sphere}")),
-    };
     let name = match it.t_max(held) {
         Some(_) => "closest_so_far",
         None => "returned *t*",
     };
-    let words = format!("{name} = {}{sphere}", in_digits(t));
-    svg.small_label("ray", above(turns.len()), Start, &words);
-    draw_bar(svg, "ray", t, turns.len());
+    let (t, words) = match held {
+        None => (f64::INFINITY, format!("{name} = ∞")),
+        Some((t, sphere)) => (t, format!("{name} = {}, sphere {sphere}", in_digits(t))),
+    };
+    draw_row(&mut svg, turns.len(), ["ray"; 2], &words, Some(t));
+    svg
 }
 
-/// All t from 0 to `end`.
-fn draw_bar(svg: &mut Svg, idea: &str, end: f64, row: usize) {
-    let (from, to) = (bar(row).start, bar(row).point(end));
-    let bold = format!("{idea} bold");
+/// Words, and below them a bar from 0 to `end`, in these colors.
+fn draw_row(svg: &mut Svg, row: usize, ideas: [&str; 2], words: &str, end: Option<f64>) {
+    let from = bar(row).start;
+    svg.small_label(ideas[0], from.down(-10.0), Start, words);
+    let Some(end) = end else {
+        return;
+    };
+    let to = bar(row).point(end);
+    let [line, bold] = ["line", "bold"].map(|stroke| format!("{} {stroke}", ideas[1]));
     if end >= MOST {
         return svg.arrow(&bold, from, to);
     }
     svg.line(&bold, from, to);
-    svg.line(&format!("{idea} line"), to.down(-6.0), to.down(6.0));
-}
-
-fn above(row: usize) -> DVec2 {
-    bar(row).start.down(-10.0)
+    svg.line(&line, to.down(-6.0), to.down(6.0));
 }

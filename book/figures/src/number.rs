@@ -26,21 +26,6 @@ pub fn printed(value: f64) -> String {
     }
 }
 
-/// A number of ulps, or of wrong decisions: two decimals at most, from 100 000 on a
-/// power of ten.
-pub(crate) fn short(value: f64) -> String {
-    match value {
-        100_000.0.. => {
-            let exponent = value.log10().floor() as i32;
-            let digits = value / 10_f64.powi(exponent);
-            format!("{digits:.1}·10{}", raised(exponent))
-        }
-        100.0.. => format!("{value:.0}"),
-        10.0.. => format!("{value:.1}"),
-        _ => number(value),
-    }
-}
-
 /// Decimals without the zeros at their end.
 fn trimmed(decimals: &str) -> &str {
     decimals.trim_end_matches('0').trim_end_matches('.')

@@ -2,7 +2,6 @@
 
 mod chart;
 mod failure_map;
-mod heat;
 mod labels;
 mod methods;
 mod panel;

@@ -7,7 +7,7 @@ use super::chart::{Chart, Drawn, table};
 use super::labels::{Label, Place, write};
 use super::methods::{Measured, Point, legend, read};
 use super::panel::{Measure, Panel};
-use crate::number::short;
+use crate::number::printed;
 use crate::records::{Accuracy, Timing};
 use crate::svg::{Anchor, Step, Svg, spot};
 use crate::table::Record;
@@ -255,8 +255,8 @@ fn numbers(shown: &[Measured]) -> String {
             format!("{:.2}", time.median_ns),
             format!("{:.2}", time.ratio),
             format!("{:.1}", Point::of(one).digits),
-            row.p999_ulps.map_or("none".to_owned(), short),
-            short(row.wrong_per_million),
+            row.p999_ulps.map_or("none".to_owned(), printed),
+            printed(row.wrong_per_million),
         ]
     };
     table(2, &heads.map(str::to_owned), shown.iter().map(row))

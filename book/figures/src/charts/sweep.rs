@@ -8,7 +8,7 @@ use super::labels::spread;
 use super::methods::{cross, digits, idea};
 use super::panel::{Measure, Panel};
 use crate::axis::ticks;
-use crate::number::{power_of_ten, short};
+use crate::number::{power_of_ten, printed};
 use crate::records::Level;
 use crate::svg::{Anchor, Step, Svg, spot};
 use crate::table::{Record, Table};
@@ -188,6 +188,6 @@ fn cell(row: &Level) -> String {
     let digits = right_digits(row);
     match row.wrong_per_million {
         0.0 => format!("{digits:.1}"),
-        wrong => format!("{digits:.1}, ✗ {}", short(wrong)),
+        wrong => format!("{digits:.1}, ✗ {}", printed(wrong)),
     }
 }

@@ -2,10 +2,11 @@
 
 use std::iter;
 
+use glam::DVec2;
+
 use super::chart::{Chart, Drawn, table};
-use super::heat::cell;
 use crate::records::{Timing, WrongPixels};
-use crate::svg::{Anchor, Step, spot};
+use crate::svg::{Anchor, Step, Svg, spot};
 use crate::table::{Record, Table};
 use crate::text::{SMALL, width};
 
@@ -76,13 +77,12 @@ fn heat_map(scenes: &[String], lines: &[&[WrongPixels]]) -> String {
     for (line, row) in lines.iter().zip(0_u8..) {
         let left = spot(1.0, TOP + PITCH * f64::from(row));
         svg.small_label("ink", left.down(-5.0), Anchor::Start, &line[0].method);
-        for (shown, column) in line.iter().zip(0_u8..) {
+        for (cell, column) in line.iter().zip(0_u8..) {
             let corner = left.right(wide * f64::from(column));
             let size = spot(wide - 3.0, HIGH - 3.0);
-            let wrong = shown.wrong as f64 / shown.pixels as f64;
-            cell(&mut svg, corner, size, wrong, &per_thousand(wrong));
-            let least = (&shown.scene, shown.precision);
-            if shown.wrong == 0 && !found.contains(&least) {
+            draw_cell(&mut svg, corner, size, cell);
+            let least = (&cell.scene, cell.precision);
+            if cell.wrong == 0 && !found.contains(&least) {
                 svg.rect("certain bold", corner, size);
                 found.push(least);
             }
@@ -91,10 +91,20 @@ fn heat_map(scenes: &[String], lines: &[&[WrongPixels]]) -> String {
     svg.finish()
 }
 
-fn per_thousand(part: f64) -> String {
-    match 1000.0 * part {
-        ..0.095 => "< 0.1".to_owned(),
-        few @ ..9.95 => format!("{few:.1}"),
-        many => format!("{many:.0}"),
-    }
+/// How many of a thousand pixels are wrong, in one of four depths.
+fn draw_cell(svg: &mut Svg, corner: DVec2, size: DVec2, cell: &WrongPixels) {
+    let wrong = 1000.0 * cell.wrong as f64 / cell.pixels as f64;
+    let (depth, idea, words) = match wrong {
+        0.0 => (0, "ink", "✓".to_owned()),
+        ..0.095 => (1, "ink", "< 0.1".to_owned()),
+        ..9.95 => (1, "ink", format!("{wrong:.1}")),
+        ..100.0 => (4, "on-heat", format!("{wrong:.0}")),
+        _ => (5, "on-heat", format!("{wrong:.0}")),
+    };
+    svg.rect(&format!("heat depth-{depth}"), corner, size);
+    let middle = (corner + 0.5 * size).down(4.5);
+    // No halo on a colored ground.
+    svg.group("bare", |svg| {
+        svg.small_label(idea, middle, Anchor::Middle, &words);
+    });
 }
