@@ -1,10 +1,10 @@
 //! What the pages list can be typed: each listing into the file that it names, in the
 //! order of the pages, and the pictures come out.
 
-use std::collections::BTreeMap;
-use std::fs;
+use std::fs::{self, OpenOptions};
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output};
 
 use scraper::ElementRef;
 use slips::Chapter;
@@ -16,11 +16,30 @@ use suite::drawn::p3;
 #[test]
 #[ignore = "builds what the pages list"]
 fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
-    let typed = listed();
-    let folder = workspace_with("typed", typed);
-    let programs = build(&folder);
+    let folder = empty_workspace();
     for chapter in Chapter::OF_THE_BOOK {
-        let output = run(&mut Command::new(programs.join(chapter.name())));
+        let listings = listings_of(chapter).into_iter();
+        for (file, code) in listings.filter(|(file, _)| !is_given(file)) {
+            type_below(&folder.join(&file), &code);
+            // It has several files: a reader may stop after each listing.
+            if file.starts_with(folder_of(Chapter::HittableList).join("src")) {
+                let words = ["check", "--package", "hittable_list", "--lib"];
+                let complaint = format!("after\n{code}\nof {}", file.display());
+                assert_built(&cargo_in(&folder, &words), &complaint);
+            }
+        }
+        // "Every chapter has these lines", but for its name and its width.
+        let main = |chapter| folder.join(folder_of(chapter)).join("src/main.rs");
+        let first = fs::read_to_string(main(Chapter::BuildTest)).expect("it is listed");
+        let width = chapter.book_width().to_string();
+        let own = first.replace("build_test", chapter.name());
+        write(&main(chapter), &own.replace("256", &width));
+    }
+    let tested = cargo_in(&folder, &["test", "--test", "exercises"]);
+    assert_built(&tested, "what the pages list is wrong, or an answer is");
+    for chapter in Chapter::OF_THE_BOOK {
+        let program = folder.join("target/debug").join(chapter.name());
+        let output = run(&mut Command::new(program));
         assert!(
             output.stdout == p3(&chapter.picture(chapter.book_width())),
             "typed from {}, the program draws something else",
@@ -29,54 +48,8 @@ fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
     }
 }
 
-/// Chapter 5 has several files: a reader may stop after each listing.
-#[test]
-#[ignore = "builds what the pages list"]
-fn chapter_5_compiles_after_each_listing_of_its_page() {
-    let chapter = folder_of(Chapter::HittableList);
-    let own = |(file, _): &(PathBuf, String)| file.starts_with(chapter.join("src"));
-    let mut typed = listed();
-    for (file, text) in &mut typed {
-        if file.starts_with(chapter.join("src")) {
-            text.clear();
-        }
-    }
-    let folder = workspace_with("listing_by_listing", typed.clone());
-    for (file, code) in listings_of(Chapter::HittableList).into_iter().filter(own) {
-        add(&mut typed, file.clone(), &code);
-        write(&folder.join(&file), &typed[&file]);
-        let mut cargo = cargo();
-        cargo.args(["check", "--offline", "--package", "hittable_list", "--lib"]);
-        let output = run(cargo.current_dir(&folder));
-        let said = text(&output.stderr);
-        assert!(
-            output.status.success(),
-            "after\n{code}\nof {}:\n{said}",
-            file.display()
-        );
-    }
-}
-
-/// The listings of all chapters, put together by the files that they name. The answers to
+/// What a page lists, in its order: the file of each listing, and its text. The answers to
 /// exercises are a test of their chapter.
-fn listed() -> BTreeMap<PathBuf, String> {
-    let mut typed: BTreeMap<PathBuf, String> = BTreeMap::new();
-    for chapter in Chapter::OF_THE_BOOK {
-        for (file, code) in listings_of(chapter) {
-            add(&mut typed, file, &code);
-        }
-    }
-    for chapter in &Chapter::OF_THE_BOOK[1..] {
-        // "Every chapter has these lines", but for its name and its width.
-        let main = typed[&folder_of(Chapter::BuildTest).join("src/main.rs")]
-            .replace("build_test", chapter.name())
-            .replace("256", &chapter.book_width().to_string());
-        typed.insert(folder_of(*chapter).join("src/main.rs"), main);
-    }
-    typed
-}
-
-/// What a page lists, in its order: the file of each listing, and its text.
 fn listings_of(chapter: Chapter) -> Vec<(PathBuf, String)> {
     let pages = book::pages();
     let page = pages.iter().find(|page| page.name == page_of(chapter));
@@ -88,7 +61,7 @@ fn listings_of(chapter: Chapter) -> Vec<(PathBuf, String)> {
         };
         let file = part(".file");
         let file = if file.starts_with("tests/suite/book/exercises/") {
-            folder_of(chapter).join("tests/exercises.rs")
+            answers_to(chapter)
         } else {
             PathBuf::from(file)
         };
@@ -97,82 +70,69 @@ fn listings_of(chapter: Chapter) -> Vec<(PathBuf, String)> {
     listings.into_iter().map(listing).collect()
 }
 
+fn answers_to(chapter: Chapter) -> PathBuf {
+    folder_of(chapter).join("tests/exercises.rs")
+}
+
 /// Types a listing below what is in its file already.
-fn add(typed: &mut BTreeMap<PathBuf, String>, file: PathBuf, code: &str) {
-    let text = typed.entry(file).or_default();
-    if !text.is_empty() {
-        text.push('\n');
-    }
-    *text += code;
+fn type_below(file: &Path, code: &str) {
+    let file = OpenOptions::new().append(true).open(file);
+    let mut file = file.unwrap_or_else(|cause| panic!("{cause}: there is no file for\n{code}"));
+    writeln!(file, "{code}").expect("the target folder takes it");
 }
 
-/// Whether a reader types the file: all but the engine, and what cargo reads.
-fn is_typed(file: &Path) -> bool {
-    let is_in = |folder: &str| file.components().any(|it| it.as_os_str() == folder);
-    is_in("src") && !is_in("engine")
+/// What a reader does not type: the engine, and what cargo reads.
+fn is_given(file: &Path) -> bool {
+    file.starts_with("common/src/engine") || file.ends_with("Cargo.toml")
 }
 
-/// The files of `common` and of the chapters, as seen from the workspace.
-fn ours() -> impl Iterator<Item = (PathBuf, String)> {
-    let workspace = Path::new(WORKSPACE);
-    let packages = Chapter::OF_THE_BOOK.map(folder_of).into_iter();
-    let packages = packages.chain([PathBuf::from("common")]);
-    let files = packages.flat_map(|package| files(&workspace.join(package)));
-    files.map(move |file| {
-        let text = fs::read_to_string(&file).expect("it is text");
-        let below = file.strip_prefix(workspace).expect("it is ours");
-        (below.to_owned(), text)
-    })
-}
-
-/// Builds the programs, and asks the answers to the exercises what they promise.
-fn build(folder: &Path) -> PathBuf {
-    let target = folder.join("target");
-    let mut cargo = cargo();
-    cargo.args(["test", "--offline", "--test", "exercises"]);
-    cargo
-        .env("CARGO_TARGET_DIR", &target)
-        .env("CARGO_PROFILE_DEV_OPT_LEVEL", "0")
-        .current_dir(folder);
-    let output = run(&mut cargo);
-    assert!(
-        output.status.success(),
-        "what the pages list does not compile, or an answer is wrong:\n{}{}",
-        text(&output.stderr),
-        text(&output.stdout)
-    );
-    target.join("debug")
-}
-
-/// A workspace like ours, but only with `common` and the chapters, and with these files in
-/// place of their sources.
-fn workspace_with(name: &str, typed: BTreeMap<PathBuf, String>) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let read = |file| fs::read_to_string(Path::new(WORKSPACE).join(file)).expect("it is ours");
-    let manifest = read("Cargo.toml");
+/// A workspace like ours, but only with `common` and the chapters, and with nothing in what a
+/// reader types.
+fn empty_workspace() -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("typed");
+    let ours = Path::new(WORKSPACE);
+    let read = |file: &Path| fs::read_to_string(ours.join(file)).expect("it is ours");
+    let manifest = read(Path::new("Cargo.toml"));
     let lines = manifest.lines().filter(|line| !line.contains("members ="));
     let manifest = lines.collect::<Vec<_>>().join("\n");
     let only = "[workspace]\nmembers = [\"common\", \"chapters/*\"]";
-    write(
-        &folder.join("Cargo.toml"),
-        &manifest.replacen("[workspace]", only, 1),
-    );
+    let manifest = manifest.replacen("[workspace]", only, 1);
+    write(&folder.join("Cargo.toml"), &manifest);
     // The same versions, which are there already.
-    write(&folder.join("Cargo.lock"), &read("Cargo.lock"));
-    let given = ours().filter(|(file, _)| !is_typed(file));
-    for (file, text) in given.chain(typed) {
-        write(&folder.join(file), &text);
+    write(&folder.join("Cargo.lock"), &read(Path::new("Cargo.lock")));
+    for package in Chapter::OF_THE_BOOK.map(folder_of) {
+        write(&folder.join(package).join("tests/exercises.rs"), "");
+    }
+    let packages = Chapter::OF_THE_BOOK.map(folder_of).into_iter();
+    for package in packages.chain([PathBuf::from("common")]) {
+        for file in files(&ours.join(package)) {
+            let file = file.strip_prefix(ours).expect("it is ours");
+            let text = if is_given(file) {
+                read(file)
+            } else {
+                String::new()
+            };
+            write(&folder.join(file), &text);
+        }
     }
     // An answer of chapter 4 compares its picture with that of chapter 1.
-    let half_b = folder
-        .join(folder_of(Chapter::HalfBSphere))
-        .join("Cargo.toml");
-    let manifest = fs::read_to_string(&half_b).expect("a manifest");
-    write(
-        &half_b,
-        &(manifest + "\n[dev-dependencies]\ngradient.workspace = true\n"),
-    );
+    let half_b = folder_of(Chapter::HalfBSphere).join("Cargo.toml");
+    let more = "\n[dev-dependencies]\ngradient.workspace = true\n";
+    write(&folder.join(&half_b), &(read(&half_b) + more));
     folder
+}
+
+fn cargo_in(folder: &Path, words: &[&str]) -> Output {
+    let mut cargo = cargo();
+    cargo.args(words).arg("--offline").current_dir(folder);
+    cargo.env("CARGO_TARGET_DIR", folder.join("target"));
+    cargo.env("CARGO_PROFILE_DEV_OPT_LEVEL", "0");
+    run(&mut cargo)
+}
+
+fn assert_built(output: &Output, complaint: &str) {
+    let (errors, said) = (text(&output.stderr), text(&output.stdout));
+    assert!(output.status.success(), "{complaint}:\n{errors}{said}");
 }
 
 fn write(path: &Path, text: &str) {
