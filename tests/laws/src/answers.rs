@@ -4,7 +4,6 @@
 //! Each line is an answer: the kind of the question, then numbers that read back to the
 //! bit. A function that panics or never returns leaves what it answered before.
 
-use std::collections::HashMap;
 use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::Path;
@@ -20,35 +19,28 @@ pub const ANSWERS: &str = "LAWS_ANSWERS";
 /// What the functions of a chapter answered.
 #[derive(Debug)]
 pub struct Answers {
-    chapter: Chapter,
-    answers: Vec<(Box<dyn Question>, Vec<f64>)>,
+    pub(crate) chapter: Chapter,
+    pub(crate) given: Vec<(Box<dyn Question>, Vec<f64>)>,
 }
 
 impl Answers {
     /// The answers in the text of a file. A text without any is no answers.
     pub fn read(chapter: Chapter, text: &str) -> Self {
-        let mut lines: HashMap<&str, Vec<&str>> = HashMap::new();
         // What a program was about to write when it ended has no end of its own.
-        for line in text
-            .split_inclusive('\n')
-            .filter_map(|it| it.strip_suffix('\n'))
-        {
-            let (kind, numbers) = line.split_once(' ').unwrap_or((line, ""));
-            lines.entry(kind).or_default().push(numbers);
-        }
-        let mut lines: HashMap<&str, _> = lines
-            .into_iter()
-            .map(|(kind, lines)| (kind, lines.into_iter()))
-            .collect();
-        let questions = question::all(chapter).into_iter();
-        let answers = questions.filter_map(|question| {
-            let numbers = lines.get_mut(question.kind())?.next()?;
-            let numbers = numbers.split_whitespace().map(str::parse);
-            Some((question, numbers.collect::<Result<_, _>>().ok()?))
-        });
+        let whole = text.rsplit_once('\n').map_or("", |(whole, _)| whole);
+        let mut lines = whole.lines().peekable();
+        let answered = |question: Box<dyn Question>| {
+            let is_answer = |line: &&str| line.split(' ').next() == Some(question.kind());
+            let numbers = lines.next_if(is_answer)?.split(' ').skip(1).map(str::parse);
+            let answer = numbers.collect::<Result<_, _>>().ok()?;
+            Some((question, answer))
+        };
         Self {
             chapter,
-            answers: answers.collect(),
+            given: question::all(chapter)
+                .into_iter()
+                .filter_map(answered)
+                .collect(),
         }
     }
 
@@ -61,21 +53,16 @@ impl Answers {
         let questions = question::all(program.chapter).into_iter();
         Self {
             chapter: program.chapter,
-            answers: questions.map(answered).collect(),
+            given: questions.map(answered).collect(),
         }
-    }
-
-    /// Whether nothing was answered.
-    pub fn is_empty(&self) -> bool {
-        self.answers.is_empty()
     }
 
     /// Whether a function of the prelude is wrong, on which all others may stand.
     pub fn has_wrong_prelude(&self) -> bool {
         let right = Program::right(self.chapter);
-        let mut answers = self.answers.iter();
-        answers.any(|(question, answer)| {
-            let is_of_prelude = FUNCTIONS.iter().any(|it| it.name == question.kind());
+        let mut given = self.given.iter();
+        given.any(|(question, answer)| {
+            let is_of_prelude = FUNCTIONS.iter().any(|it| it.name() == question.kind());
             is_of_prelude && !question.same(answer, &question.answer_of(&right))
         })
     }
@@ -86,10 +73,10 @@ impl Answers {
         if program.chapter != self.chapter {
             return (0, 0);
         }
-        let answers = self.answers.iter();
-        let unlike = answers
-            .filter(|(question, answer)| !question.same(answer, &question.answer_of(program)));
-        (self.answers.len(), unlike.take(most).count())
+        let given = self.given.iter();
+        let unlike =
+            given.filter(|(question, answer)| !question.same(answer, &question.answer_of(program)));
+        (self.given.len(), unlike.take(most).count())
     }
 }
 
@@ -97,7 +84,7 @@ impl Answers {
 ///
 /// # Panics
 /// If that can't be written.
-pub(crate) fn add(file: &Path, question: &dyn Question, answer: &[f64]) {
+pub(crate) fn keep(file: &Path, question: &dyn Question, answer: &[f64]) {
     let opened = OpenOptions::new().create(true).append(true).open(file);
     opened
         .and_then(|mut opened| opened.write_all(line(question, answer).as_bytes()))
@@ -128,6 +115,9 @@ mod tests {
             .expect("it is known")
             .program(chapter);
         assert!(answers.unlike(&slip, usize::MAX).1 > 100);
-        assert!(Answers::read(chapter, "hit three\n").is_empty());
+        assert_eq!(
+            Answers::read(chapter, "sphere three\n").unlike(&slip, 1),
+            (0, 0)
+        );
     }
 }

@@ -11,7 +11,7 @@ use std::cmp::Reverse;
 
 use slips::{Chapter, Letters, Program, Slip};
 
-use crate::question::Question;
+use crate::answers::Answers;
 
 /// What makes the answers of a function what they are.
 #[derive(Clone, Debug)]
@@ -31,23 +31,13 @@ pub struct Cause {
 const NAMED: usize = 4;
 
 impl Cause {
-    /// The cause of what is answered to the questions, and to the one that was `found`:
-    /// among the slips that can be made in the chapter.
-    pub(crate) fn of<Q: Question>(
-        answer: &dyn Fn(&Q) -> Vec<f64>,
-        mut questions: Vec<Q>,
-        found: Q,
-        chapter: Chapter,
-    ) -> Self {
-        questions.push(found);
-        let answers: Vec<Vec<f64>> = questions.iter().map(answer).collect();
-        let asked = questions.len();
+    /// The cause of the answers, among the slips that can be made in the chapter.
+    pub(crate) fn of(answers: &Answers) -> Self {
+        let (chapter, asked) = (answers.chapter, answers.given.len());
         // One answer in twenty may be due to a second mistake.
         let most_unexplained = asked / 20;
         let explained_by = |program: &Program| {
-            let pairs = questions.iter().zip(&answers);
-            let unlike = pairs.filter(|(it, answer)| !it.same(answer, &it.answer_of(program)));
-            let unexplained = unlike.take(most_unexplained + 1).count();
+            let (_, unexplained) = answers.unlike(program, most_unexplained + 1);
             (unexplained <= most_unexplained).then_some(asked - unexplained)
         };
         let right = explained_by(&Program::right(chapter)).unwrap_or(0);

@@ -1,33 +1,22 @@
 //! Adapters: a crate's chapter 5 as the functions that the laws ask.
 
-/// Defines `hit`, `record`, `nearest` and `ray_color` for the crate `$chapter`, which
-/// has `Hittable`, `HitRecord`, `HittableList`, `Sphere`, `world` and `ray_color` as chapter 5.
+/// Defines `record`, `nearest` and `ray_color` for the crate `$chapter`, which has
+/// `Hittable`, `HitRecord`, `HittableList`, `Sphere`, `world` and `ray_color` as chapter 5.
 ///
 /// `$Ray` is the ray that it takes. What it has of its own is made of what the laws have by
 /// `$vector` and `$ray`, and its vectors are turned back by `$back`.
 #[macro_export]
 macro_rules! functions_of_a_list {
     ($chapter:ident, $Ray:ty, $vector:path, $ray:path, $back:path) => {
-        fn hit(
-            center: $crate::Point3,
-            radius: f64,
-            ray: &$crate::Ray,
-            t_min: f64,
-            t_max: f64,
-        ) -> Option<f64> {
-            Some(record(center, radius, ray, t_min, t_max)?.t)
-        }
-
-        fn record(
-            center: $crate::Point3,
-            radius: f64,
-            ray: &$crate::Ray,
-            t_min: f64,
-            t_max: f64,
-        ) -> Option<$crate::record::Hit> {
+        fn record(asked: &$crate::WithInterval) -> Option<$crate::record::Hit> {
             use $chapter::Hittable;
+            let $crate::Case {
+                center,
+                radius,
+                ray,
+            } = asked.case;
             let sphere = $chapter::Sphere::new($vector(center), radius);
-            let record = sphere.hit(&$ray(*ray), t_min, t_max)?;
+            let record = sphere.hit(&$ray(ray), asked.t_min, asked.t_max)?;
             Some($crate::record::Hit {
                 t: record.t,
                 point: $back(record.point),

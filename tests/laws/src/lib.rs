@@ -1,9 +1,9 @@
 //! The laws: properties of a ray-sphere intersection, to be tested on any function that
 //! computes one.
 //!
-//! A law is a plain function: it takes a function under test and a case, and says whether
-//! the law holds. [`strategies`] make the cases and [`oracle`] knows their exact answers, so
-//! a law is tested as any property is:
+//! A law is a plain function: it takes a function under test and a case, and says by
+//! `prop_assert!` whether the law holds. [`strategies`] make the cases and [`oracle`] knows
+//! their exact answers, so a law is tested as any property is:
 //!
 //! ```
 //! use laws::{config, nearer_root, strategies};
@@ -29,7 +29,6 @@
 //! `TestRunner`, and names the mistake where [`causes`] knows it.
 
 pub mod answers;
-mod broken;
 pub mod camera;
 pub mod causes;
 mod functions;
@@ -44,10 +43,9 @@ pub mod record;
 pub mod strategies;
 pub mod trial;
 
-pub use broken::{Broken, Verdict};
 pub use common::rtweekend::{Color, Point3, Ray};
 pub use intervals::WithInterval;
 pub use slips::Chapter;
 pub use speed_vs_accuracy::Case;
 pub use strategies::config;
-pub use trial::{Trial, all_succeed};
+pub use trial::{Trial, all_succeed, holds};

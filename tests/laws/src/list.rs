@@ -3,11 +3,11 @@
 use common::rtweekend::*;
 use proptest::collection::vec;
 use proptest::prelude::*;
+use proptest::test_runner::TestCaseResult;
 use slips::{Ball, Chapter, Program};
 
-use crate::broken::{Broken, Verdict};
 use crate::intervals::WithInterval;
-use crate::question::{Question, code, numbers, of_ray, vector};
+use crate::question::{Question, code, of_ray, vector};
 use crate::strategies::{self, number};
 
 /// Spheres, a ray, and a range of `t`.
@@ -55,7 +55,7 @@ pub fn worlds() -> impl Strategy<Value = World> {
 
 /// The answer of a list is the least of its members' own answers, in whatever order they
 /// are added.
-pub fn the_nearest_of_all_members_is_returned(search: &Search, world: &World) -> Verdict {
+pub fn the_nearest_of_all_members_is_returned(search: &Search, world: &World) -> TestCaseResult {
     let alone = world.spheres.iter().filter_map(|&sphere| {
         search(&World {
             spheres: vec![sphere],
@@ -63,22 +63,21 @@ pub fn the_nearest_of_all_members_is_returned(search: &Search, world: &World) ->
         })
     });
     let (found, expected) = (search(world), alone.reduce(f64::min));
-    if found == expected {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "of all that a ray hits, the nearest counts",
-        found: format!("{found:?}"),
-        allowed: format!("{expected:?}, the least of the members' own answers"),
-        usually: "closest_so_far does not start at t_max, or is not handed to the next object, or \
-                not updated; or the search ends at the first hit, or before the end of the list",
-        page: "chapter 5: closest_so_far",
-    })
+    prop_assert!(
+        found == expected,
+        "the law:  of all that a ray hits, the nearest counts\n\
+         found:    {found:?}\n\
+         allowed:  {expected:?}, the least of the members' own answers\n\
+         usually:  closest_so_far does not start at t_max, or is not handed to the next object, or \
+         not updated; or the search ends at the first hit, or before the end of the list\n\
+         read:     chapter 5: closest_so_far"
+    );
+    Ok(())
 }
 
 impl World {
     /// What the list of a program finds.
-    pub(crate) fn put_to_program(&self, program: &Program) -> Option<f64> {
+    pub(crate) fn nearest_of(&self, program: &Program) -> Option<f64> {
         let ball = |&(center, radius): &(Point3, f64)| Ball { center, radius };
         let balls: Vec<Ball> = self.spheres.iter().map(ball).collect();
         program.search_among(&balls, &self.ray, self.t_min, self.t_max)
@@ -90,22 +89,21 @@ impl Question for World {
         "list"
     }
 
-    fn as_test(&self, chapter: Chapter) -> String {
+    fn as_test(&self, _: Chapter) -> String {
         let sphere = |&(center, radius): &_| format!("({}, {radius:?})", vector(center));
         let spheres: Vec<String> = self.spheres.iter().map(sphere).collect();
+        let spheres = spheres.join(",\n    ");
         let ray = code(&of_ray(self.ray));
         let [t_min, t_max] = [self.t_min, self.t_max].map(|end| code(&[end]));
         format!(
-            "let spheres = vec![\n    {},\n];\nlet ray = {ray};\n\
+            "let spheres = vec![\n    {spheres},\n];\nlet ray = {ray};\n\
              let world = laws::list::World {{ spheres, ray, t_min: {t_min}, t_max: {t_max} }};\n\
-             assert_eq!(nearest(&world), {:?});",
-            spheres.join(",\n    "),
-            self.put_to_program(&Program::right(chapter))
+             laws::holds(laws::list::the_nearest_of_all_members_is_returned(&nearest, &world));"
         )
     }
 
     fn answer_of(&self, program: &Program) -> Vec<f64> {
-        numbers(self.put_to_program(program).map(|t| [t]))
+        self.nearest_of(program).into_iter().collect()
     }
 
     fn ordinary(_: Chapter) -> BoxedStrategy<Self> {

@@ -1,12 +1,10 @@
 //! Laws for the nearer root: soundness, completeness and metamorphic relations of a
 //! ray-sphere intersection.
 //!
-//! A law is a plain function: it takes a solver and a [`Case`], and says
-//! whether the law holds. Most laws here are for a solver of the kind of
-//! `hit_sphere` in chapters 3 and 4, which returns the *nearer root*: the
-//! lesser `t` with |P(t) − C|² = r², negative or not, or `None` where the line
-//! misses. [`intervals`](crate::intervals) has those for a solver with a range
-//! of `t`.
+//! These laws are for a solver of the kind of `hit_sphere` in chapters 3 and 4, which
+//! returns the *nearer root*: the lesser `t` with |P(t) − C|² = r², negative or not, or
+//! `None` where the line misses. [`intervals`](crate::intervals) has those for a solver
+//! with a range of `t`.
 //!
 //! # Where the bounds come from
 //!
@@ -27,19 +25,13 @@
 
 use common::rtweekend::*;
 use proptest::prelude::*;
-use slips::{Chapter, Program};
+use proptest::test_runner::TestCaseResult;
 use speed_vs_accuracy::Case;
 
-use crate::broken::{Broken, Verdict};
 use crate::oracle::Exact;
-use crate::question::{Question, numbers};
-use crate::strategies;
 
 /// A function of the kind of `hit_sphere`: center, radius and ray to nearer root.
 pub type Solver<'a> = dyn Fn(Point3, f64, &Ray) -> Option<f64> + 'a;
-
-/// A law for a nearer root.
-pub type Law = fn(&Solver, &Case) -> Verdict;
 
 /// Half the distance from 1 to the next `f64`: the largest relative error of
 /// one rounded operation.
@@ -56,14 +48,14 @@ pub(crate) const EQUATION: &str =
 ///
 /// A function that only decides, as that of chapter 2, is under them too, with the exact
 /// root for each hit: see [`decision`].
-pub const NEARER_ROOT: [Law; 6] = [
-    the_line_hits_exactly_when_there_is_a_root,
-    where_h_is_zero_no_root_is_lost,
-    the_point_lies_on_the_sphere,
-    the_root_is_the_nearer_one_to_the_digits_that_remain,
-    a_tangent_is_a_hit_and_its_root_is_exact,
-    a_scene_in_another_unit_and_a_mirror_has_the_same_digits,
-];
+pub fn obeys_every_law(solve: &Solver, case: &Case) -> TestCaseResult {
+    the_line_hits_exactly_when_there_is_a_root(solve, case)?;
+    where_h_is_zero_no_root_is_lost(solve, case)?;
+    the_point_lies_on_the_sphere(solve, case)?;
+    the_root_is_the_nearer_one_to_the_digits_that_remain(solve, case)?;
+    a_tangent_is_a_hit_and_its_root_is_exact(solve, case)?;
+    a_scene_in_another_unit_and_a_mirror_has_the_same_digits(solve, case)
+}
 
 /// A decision as a solver that finds the exact root wherever it says that there is one, and
 /// the point closest to the center where only rounding said so.
@@ -71,66 +63,60 @@ pub fn decision(
     decide: &dyn Fn(Point3, f64, &Ray) -> bool,
 ) -> impl Fn(Point3, f64, &Ray) -> Option<f64> {
     move |center, radius, ray| {
-        let ray = *ray;
-        let case = Case {
-            center,
-            radius,
-            ray,
-        };
+        let case = Case::new(center, radius, *ray);
         let exact = Exact::of(&case);
         let root = exact.nearer_root().map(|root| root.rounded());
-        decide(center, radius, &ray).then(|| root.unwrap_or(case.h() / case.a()))
+        decide(center, radius, ray).then(|| root.unwrap_or(case.h() / case.a()))
     }
 }
 
-/// Outside the band where rounding may decide, `solve` returns a root exactly
-/// where there is one. Two-sided: a solver that always or never hits breaks it.
-pub fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -> Verdict {
+/// Outside the band where rounding may decide, a root is returned exactly where there is
+/// one. Two-sided: a solver that always or never hits breaks it.
+fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -> TestCaseResult {
     let exact = Exact::of(case);
     let margin = exact.discriminant_margin();
-    if !case.is_well_scaled() || margin.abs() <= BAND {
-        return Ok(());
-    }
-    let found = case.solve(solve);
-    if found.is_some() == (margin > 0.0) {
-        return Ok(());
-    }
+    let is_silent = !case.is_well_scaled() || margin.abs() <= BAND;
     let lies_behind = exact.nearer_root().is_some_and(|root| root < 0.0);
-    Err(Broken {
-        law: "the line hits the sphere exactly when the discriminant is not negative",
-        found: named(found.is_some()).to_owned(),
-        allowed: format!(
-            "{}: the exact discriminant is {margin:.3e} of a·M, rounding reaches {BAND:.1e}",
-            named(margin > 0.0)
-        ),
-        usually: if lies_behind {
+    let found = case.solve(solve);
+    prop_assert!(
+        is_silent || found.is_some() == (margin > 0.0),
+        "the law:  the line hits the sphere exactly when the discriminant is not negative\n\
+         found:    {}\n\
+         allowed:  {}: the exact discriminant is {margin:.3e} of a·M, rounding reaches {BAND:.1e}\n\
+         usually:  {}\n\
+         read:     chapter 2, and equations (12) to (15) of the notes",
+        named(found.is_some()),
+        named(margin > 0.0),
+        if lies_behind {
             "the sign of h or of t is tested inside hit_sphere: but a line goes both ways"
         } else {
             EQUATION
-        },
-        page: "chapter 2, and equations (12) to (15) of the notes",
-    })
+        }
+    );
+    Ok(())
+}
+
+fn named(hit: bool) -> &'static str {
+    if hit { "a hit" } else { "a miss" }
 }
 
 /// Where h is 0, the roots are −√D/a and √D/a, and both are there: for a ray that starts
 /// in the center, and for one inside at a right angle to oc.
 ///
 /// Only what is no root at all breaks it. By how much t is off is the matter of others.
-pub fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> Verdict {
+fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> TestCaseResult {
     let is_inside = Exact::of(case).origin_margin() < 0.0;
-    if !case.is_well_scaled() || case.h() != 0.0 || !is_inside {
-        return Ok(());
-    }
-    match case.solve(solve) {
-        Some(t) if t.is_finite() && t != 0.0 => Ok(()),
-        found => Err(Broken {
-            law: "where h is 0, no root is lost",
-            found: format!("{found:?}"),
-            allowed: "−√D/a, which is behind the ray".to_owned(),
-            usually: "sgn(0) is 0: of q = h + sgn(h)·√D nothing is left then, and c/q is no root",
-            page: "equation (12) of the notes, with both signs",
-        }),
-    }
+    let is_silent = !case.is_well_scaled() || case.h() != 0.0 || !is_inside;
+    let found = case.solve(solve);
+    prop_assert!(
+        is_silent || found.is_some_and(|t| t.is_finite() && t != 0.0),
+        "the law:  where h is 0, no root is lost\n\
+         found:    {found:?}\n\
+         allowed:  −√D/a, which is behind the ray\n\
+         usually:  sgn(0) is 0: of q = h + sgn(h)·√D nothing is left then, and c/q is no root\n\
+         read:     equation (12) of the notes, with both signs"
+    );
+    Ok(())
 }
 
 /// |P(t) − C| is r, up to rounding. This law needs no oracle: it puts the root
@@ -140,52 +126,53 @@ pub fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> Verdict {
 /// the error of D is one of 24u·M in c, those of h and a are 16u·M and 12u·M
 /// since |t| ≤ 2√(M/a), the last roundings of t another 24u·M. The check itself
 /// rounds by 13u·M. Together 89, of which this law makes 96.
-pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> Verdict {
+pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> TestCaseResult {
     let Some(t) = case.solve(solve) else {
         return Ok(());
     };
     let from_center = t * case.ray.direction - (case.center - case.ray.origin);
     let (squared, r_squared) = (from_center.length_squared(), case.radius * case.radius);
     let bound = 96.0 * U * case.m();
-    if (squared - r_squared).abs() <= bound || !case.is_well_scaled() {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "the point at t lies on the sphere",
-        found: format!("|P(t) − C|² = {squared:?} at t = {t:?}"),
-        allowed: format!("r² = {r_squared:?} ± {bound:.1e}, which is 96u·M"),
-        usually: if t.is_nan() {
+    prop_assert!(
+        (squared - r_squared).abs() <= bound || !case.is_well_scaled(),
+        "the law:  the point at t lies on the sphere\n\
+         found:    |P(t) − C|² = {squared:?} at t = {t:?}\n\
+         allowed:  r² = {r_squared:?} ± {bound:.1e}, which is 96u·M\n\
+         usually:  {}\n\
+         read:     equation (7) of the notes: it defines what a root is",
+        if t.is_nan() {
             "the root of a negative discriminant, or a division by zero"
         } else {
             EQUATION
-        },
-        page: "equation (7) of the notes: it defines what a root is",
-    })
+        }
+    );
+    Ok(())
 }
 
 /// `t` is the nearer root, up to the error that its coefficients bring.
 ///
 /// See [`root_bound`] for the bound. Where D is within twice the band, no digit
 /// of √D is certain, and then √(72u)·√(M/a) bounds what it may be.
-pub fn the_root_is_the_nearer_one_to_the_digits_that_remain(
+fn the_root_is_the_nearer_one_to_the_digits_that_remain(
     solve: &Solver,
     case: &Case,
-) -> Verdict {
+) -> TestCaseResult {
     let exact = Exact::of(case);
     let (Some(t), Some(root)) = (case.solve(solve), exact.nearer_root()) else {
         return Ok(());
     };
     let bound = root_bound(case, exact.discriminant_margin());
-    if (t - root.rounded()).abs() <= bound || !case.is_well_scaled() {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "t is the nearer root",
-        found: format!("t = {t:?}, {:.1e} ulps away", root.error_in_ulps(t)),
-        allowed: format!("{:?} ± {bound:.1e}", root.rounded()),
-        usually: EQUATION,
-        page: "chapter 3, and equation (12) of the notes: the nearer root takes −√",
-    })
+    prop_assert!(
+        (t - root.rounded()).abs() <= bound || !case.is_well_scaled(),
+        "the law:  t is the nearer root\n\
+         found:    t = {t:?}, {:.1e} ulps away\n\
+         allowed:  {:?} ± {bound:.1e}\n\
+         usually:  {EQUATION}\n\
+         read:     chapter 3, and equation (12) of the notes: the nearer root takes −√",
+        root.error_in_ulps(t),
+        root.rounded()
+    );
+    Ok(())
 }
 
 /// How far from the exact root (h ∓ √D)/a rounding may take `t`, where
@@ -207,63 +194,25 @@ pub fn root_bound(case: &Case, margin: f64) -> f64 {
 
 /// A ray that touches the sphere hits it, and both roots are the same number. Says nothing
 /// unless every number is a small integer, so that no operation rounds.
-pub fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> Verdict {
+fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> TestCaseResult {
     let Some(root) = exact_tangent(case) else {
         return Ok(());
     };
     let found = case.solve(solve);
-    if found == Some(root) {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "a tangent is a hit, and its root is exact where no operation rounds",
-        found: found.map_or("a miss".to_owned(), |t| format!("t = {t:?}")),
-        allowed: format!("a hit, at t = {root:?}"),
-        usually: if found.is_none() {
+    prop_assert!(
+        found == Some(root),
+        "the law:  a tangent is a hit, and its root is exact where no operation rounds\n\
+         found:    {found:?}\n\
+         allowed:  a hit, at t = {root:?}\n\
+         usually:  {}\n\
+         read:     chapter 2: what happens at a discriminant of zero",
+        if found.is_none() {
             "`discriminant <= 0.0` where it should say `discriminant < 0.0`"
         } else {
             EQUATION
-        },
-        page: "chapter 2: what happens at a discriminant of zero",
-    })
-}
-
-/// Lengths 8 times and directions 1/16 times as long make t 128 times as large, with the
-/// same digits, because a power of two never rounds. And turning the sign of every x changes
-/// no bit of it, but for the sign of a zero, by which h tells two formulas apart.
-pub fn a_scene_in_another_unit_and_a_mirror_has_the_same_digits(
-    solve: &Solver,
-    case: &Case,
-) -> Verdict {
-    let mirror = Vec3::new(-1.0, 1.0, 1.0);
-    let seen = Case {
-        center: 8.0 * mirror * case.center,
-        radius: 8.0 * case.radius,
-        ray: Ray::new(
-            8.0 * mirror * case.ray.origin,
-            mirror * case.ray.direction / 16.0,
-        ),
-    };
-    let (found, expected) = (seen.solve(solve), case.solve(solve).map(|t| 128.0 * t));
-    // −0 and 0 are the same place on a ray, so == is what is meant here.
-    let is_silent = case.h() == 0.0 || !case.is_well_scaled() || !seen.is_well_scaled();
-    if found == expected || is_silent {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "t scales with the scene, also in a mirror: lengths × 8 and directions ÷ 16 make it \
-              t × 128",
-        found: format!("{found:?}"),
-        allowed: format!("{expected:?}, and no other bit"),
-        usually: "a number with a unit, such as 0.001, is compared with one without; or the radius \
-                  is not squared, the direction is made a unit vector, a letter is swapped in a \
-                  dot product, or an absolute value hides a sign",
-        page: "chapter 4: multiplying by a power of two never rounds",
-    })
-}
-
-fn named(hit: bool) -> &'static str {
-    if hit { "a hit" } else { "a miss" }
+        }
+    );
+    Ok(())
 }
 
 /// The root of a case of small integers with D = 0 and a root that is an
@@ -276,36 +225,35 @@ fn exact_tangent(case: &Case) -> Option<f64> {
     (rounds_nowhere && exact.discriminant().is_eq()).then_some(root)
 }
 
-/// What the `hit_sphere` of chapters 2 to 4 is asked.
-impl Question for Case {
-    fn kind(&self) -> &'static str {
-        "hit_sphere"
-    }
-
-    fn as_test(&self, chapter: Chapter) -> String {
-        if chapter == Chapter::RedSphere {
-            let is_hit = Exact::of(self).nearer_root().is_some();
-            return format!("{self}\nassert_eq!(hit_sphere(center, radius, &ray), {is_hit});");
-        }
-        format!(
-            "{self}\nlaws::trial::one_case(&hit_sphere, &laws::Case {{ center, radius, ray }});"
-        )
-    }
-
-    /// Chapter 2 only says whether there is a root: any number stands for it.
-    fn answer_of(&self, program: &Program) -> Vec<f64> {
-        let t = program.hit_sphere(self.center, self.radius, &self.ray);
-        match program.chapter {
-            Chapter::RedSphere => numbers(t.map(|_| [0.0])),
-            _ => numbers(t.map(|t| [t])),
-        }
-    }
-
-    fn ordinary(_: Chapter) -> BoxedStrategy<Self> {
-        strategies::ordinary().boxed()
-    }
-
-    fn cases(_: Chapter) -> Vec<BoxedStrategy<Self>> {
-        strategies::kinds().into()
-    }
+/// Lengths 8 times and directions 1/16 times as long make t 128 times as large, with the
+/// same digits, because a power of two never rounds. And turning the sign of every x changes
+/// no bit of it, but for the sign of a zero, by which h tells two formulas apart.
+fn a_scene_in_another_unit_and_a_mirror_has_the_same_digits(
+    solve: &Solver,
+    case: &Case,
+) -> TestCaseResult {
+    let mirror = Vec3::new(-1.0, 1.0, 1.0);
+    let seen = Case {
+        center: 8.0 * mirror * case.center,
+        radius: 8.0 * case.radius,
+        ray: Ray::new(
+            8.0 * mirror * case.ray.origin,
+            mirror * case.ray.direction / 16.0,
+        ),
+    };
+    let (found, expected) = (seen.solve(solve), case.solve(solve).map(|t| 128.0 * t));
+    let is_silent = case.h() == 0.0 || !case.is_well_scaled() || !seen.is_well_scaled();
+    // −0 and 0 are the same place on a ray, so == is what is meant here.
+    prop_assert!(
+        found == expected || is_silent,
+        "the law:  t scales with the scene, also in a mirror: lengths × 8 and directions ÷ 16 \
+         make it t × 128\n\
+         found:    {found:?}\n\
+         allowed:  {expected:?}, and no other bit\n\
+         usually:  a number with a unit, such as 0.001, is compared with one without; or the \
+         radius is not squared, the direction is made a unit vector, a letter is swapped in a dot \
+         product, or an absolute value hides a sign\n\
+         read:     chapter 4: multiplying by a power of two never rounds"
+    );
+    Ok(())
 }

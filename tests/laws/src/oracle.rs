@@ -299,9 +299,6 @@ fn odd_if_inexact(numerator: &IBig, denominator: &IBig, inexact: bool) -> IBig {
 /// The exponent of the least `f64` above zero.
 const LEAST: isize = -1074;
 
-/// The exponent of the last place of the largest `f64`.
-const LARGEST: isize = 971;
-
 /// How many digits an `f64` has.
 const DIGITS: isize = 53;
 
@@ -312,9 +309,6 @@ fn round(digits: &IBig, exponent: isize) -> f64 {
     }
     let sign = if *digits > IBig::ZERO { 1.0 } else { -1.0 };
     let unit = last_place(digits, exponent);
-    if unit > LARGEST {
-        return sign * f64::INFINITY;
-    }
     // With zeros appended, there is always a digit to drop.
     let padded = digits.unsigned_abs() << (DIGITS + 1).unsigned_abs();
     let dropped = unit.abs_diff(exponent - DIGITS - 1);
@@ -322,10 +316,8 @@ fn round(digits: &IBig, exponent: isize) -> f64 {
     let tie = padded.trailing_zeros() == Some(dropped - 1);
     let kept = u64::try_from(padded >> dropped).expect("53 digits are kept, or fewer");
     let up = half && (!tie || kept % 2 == 1);
-    // The 53rd digit adds 1 to the exponent field, which tells a normal number
-    // from a subnormal one. A carry into a 54th adds 1 more, as it should.
-    let field = unit.abs_diff(LEAST) as u64;
-    sign * f64::from_bits((field << 52) + kept + u64::from(up))
+    // The product of two numbers that are no longer than an `f64` is exact, or infinite.
+    sign * (kept + u64::from(up)) as f64 * f64::exp2(unit as f64)
 }
 
 /// The exponent of the last place that an `f64` of the size of

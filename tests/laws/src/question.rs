@@ -6,13 +6,10 @@ use std::fmt::Debug;
 use common::rtweekend::*;
 use proptest::prelude::*;
 use slips::{Chapter, Program};
-use speed_vs_accuracy::Case;
 
 use crate::intervals::WithInterval;
 use crate::list::World;
 use crate::prelude::Asked;
-use crate::ray_color::Traced;
-use crate::record::Recorded;
 use crate::strategies::samples;
 
 /// What a function under test is asked.
@@ -38,24 +35,22 @@ pub trait Question: Debug + Send + Sync + 'static {
         Self: Sized;
 
     /// All kinds of questions, those first that teach most.
-    fn cases(chapter: Chapter) -> Vec<BoxedStrategy<Self>>
+    fn kinds(chapter: Chapter) -> Vec<BoxedStrategy<Self>>
     where
         Self: Sized,
     {
         vec![Self::ordinary(chapter)]
     }
 
-    /// Questions to which different mistakes give different answers, always the same ones.
+    /// Questions to which different mistakes give different answers, always the same ones:
+    /// enough for every slip. With fewer, some answer as others do.
     fn telling(chapter: Chapter) -> Vec<Self>
     where
         Self: Sized,
     {
-        samples(&Self::ordinary(chapter), TELLING)
+        samples(&Self::ordinary(chapter), 250)
     }
 }
-
-/// Enough for every slip: with fewer, some answer as others do.
-const TELLING: u32 = 250;
 
 /// Whether two answers are the same, but for a thousand times as much rounding as they
 /// take in ordinary questions.
@@ -67,36 +62,27 @@ pub fn same(one: &[f64], other: &[f64]) -> bool {
     one.len() == other.len() && one.iter().zip(other).all(near)
 }
 
-/// The telling questions of one kind.
-type TellingOf = fn(Chapter) -> Vec<Box<dyn Question>>;
-
-/// The telling questions to all functions of the chapter.
+/// The telling questions to all functions of the chapter, in the order in which they are put.
 pub(crate) fn all(chapter: Chapter) -> Vec<Box<dyn Question>> {
-    let kinds: &[TellingOf] = match chapter {
-        Chapter::BuildTest | Chapter::SpeedVsAccuracy => &[],
-        Chapter::Gradient => &[of::<Asked>, of::<Traced>],
-        Chapter::RedSphere | Chapter::Normals | Chapter::HalfBSphere => {
-            &[of::<Asked>, of::<Case>, of::<Traced>]
-        }
-        Chapter::HittableList => &[
-            of::<Asked>,
-            of::<WithInterval>,
-            of::<Recorded>,
-            of::<World>,
-            of::<Traced>,
-        ],
-    };
-    kinds.iter().flat_map(|of| of(chapter)).collect()
+    let mut all = Vec::new();
+    if chapter > Chapter::BuildTest {
+        all.extend(of::<Asked>(chapter));
+    }
+    if chapter > Chapter::Gradient {
+        all.extend(of::<WithInterval>(chapter));
+    }
+    if chapter == Chapter::HittableList {
+        all.extend(of::<World>(chapter));
+    }
+    if chapter > Chapter::BuildTest {
+        all.extend(of::<Ray>(chapter));
+    }
+    all
 }
 
 fn of<Q: Question>(chapter: Chapter) -> Vec<Box<dyn Question>> {
     let telling = Q::telling(chapter).into_iter();
     telling.map(|it| Box::new(it) as _).collect()
-}
-
-/// The numbers of an answer that may be none.
-pub(crate) fn numbers<const N: usize>(answer: Option<[f64; N]>) -> Vec<f64> {
-    answer.into_iter().flatten().collect()
 }
 
 /// The numbers of a ray.
@@ -107,10 +93,8 @@ pub(crate) fn of_ray(ray: Ray) -> Vec<f64> {
 /// A number, a vector or a ray as Rust has it.
 pub(crate) fn code(numbers: &[f64]) -> String {
     match *numbers {
-        [] => "none".to_owned(),
         [f64::INFINITY] => "f64::INFINITY".to_owned(),
         [f64::NEG_INFINITY] => "f64::NEG_INFINITY".to_owned(),
-        [number] if number.is_nan() => "f64::NAN".to_owned(),
         [number] => format!("{number:?}"),
         [x, y, z] => format!("Vec3::new({x:?}, {y:?}, {z:?})"),
         _ => {

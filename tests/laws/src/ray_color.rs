@@ -4,73 +4,61 @@
 use common::rtweekend::*;
 use proptest::prelude::*;
 use proptest::sample::select;
+use proptest::test_runner::TestCaseResult;
 use slips::{Chapter, Program};
 
-use crate::broken::{Broken, Verdict};
 use crate::question::{Question, code, of_ray, same, vector};
 
-/// A ray that is traced in a chapter.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Traced {
-    /// The chapter whose world it meets.
-    pub chapter: Chapter,
-    /// The ray.
-    pub ray: Ray,
+/// A ray has the color of what it meets in the chapter, from wherever it starts.
+pub fn a_ray_has_its_color_from_anywhere(
+    chapter: Chapter,
+    color: Color,
+    ray: &Ray,
+) -> TestCaseResult {
+    let right = Program::right(chapter).ray_color(ray);
+    prop_assert!(
+        same(&color.to_array(), &right.to_array()),
+        "the law:  a ray has the color of what it meets, from wherever it starts\n\
+         found:    {color:.4} for the ray from {} along {}\n\
+         allowed:  {right:.4}\n\
+         usually:  the origin of the ray is left out, its direction is made a unit vector while t \
+         counts lengths of it, what lies behind is not left out, or t has an end\n\
+         read:     chapter 3: what t counts, and which t is in front",
+        ray.origin,
+        ray.direction
+    );
+    Ok(())
 }
 
-/// A ray has the color of what it meets, from wherever it starts.
-pub fn a_ray_has_its_color_from_anywhere(color: Color, traced: &Traced) -> Verdict {
-    let Ray { origin, direction } = traced.ray;
-    let right = traced.right();
-    if same(&color.to_array(), &right.to_array()) {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "a ray has the color of what it meets, from wherever it starts",
-        found: format!("{color:.4} for the ray from {origin} along {direction}"),
-        allowed: format!("{right:.4}"),
-        usually: "the origin of the ray is left out, its direction is made a unit vector while t \
-                  counts lengths of it, what lies behind is not left out, or t has an end",
-        page: "chapter 3: what t counts, and which t is in front",
-    })
+/// Whether the rays of the book's own picture have the right colors: where they don't,
+/// the picture says so, and a step on the way may want it so.
+pub(crate) fn looks_right(chapter: Chapter, ray_color: &dyn Fn(&Ray) -> Color) -> bool {
+    let camera = Camera::new(32);
+    let pixels = (0..camera.image_height).flat_map(|j| (0..32).map(move |i| (i, j)));
+    let mut rays = pixels.map(|(i, j)| camera.ray(i, j));
+    rays.all(|ray| a_ray_has_its_color_from_anywhere(chapter, ray_color(&ray), &ray).is_ok())
 }
 
-impl Traced {
-    pub(crate) fn right(&self) -> Color {
-        Program::right(self.chapter).ray_color(&self.ray)
-    }
-
-    /// Whether the rays of the book's own picture have the right colors: where they don't,
-    /// the picture says so, and a step on the way may want it so.
-    pub(crate) fn looks_right(chapter: Chapter, ray_color: &dyn Fn(&Ray) -> Color) -> bool {
-        let camera = Camera::new(32);
-        let pixels = (0..camera.image_height).flat_map(|j| (0..32).map(move |i| (i, j)));
-        let mut rays = pixels.map(|(i, j)| camera.ray(i, j));
-        rays.all(|ray| {
-            let right = Self { chapter, ray }.right();
-            same(&ray_color(&ray).to_array(), &right.to_array())
-        })
-    }
-}
-
-impl Question for Traced {
+/// What the `ray_color` of a chapter is asked.
+impl Question for Ray {
     fn kind(&self) -> &'static str {
         "ray_color"
     }
 
-    fn as_test(&self, _: Chapter) -> String {
-        let (ray, right) = (code(&of_ray(self.ray)), vector(self.right()));
+    fn as_test(&self, chapter: Chapter) -> String {
+        let ray = code(&of_ray(*self));
+        let right = vector(Program::right(chapter).ray_color(self));
         format!("let ray = {ray};\nassert!((ray_color(&ray) - {right}).length() < 1e-9);")
     }
 
     fn answer_of(&self, program: &Program) -> Vec<f64> {
-        program.ray_color(&self.ray).to_array().to_vec()
+        program.ray_color(self).to_array().to_vec()
     }
 
     /// From in front of the sphere, from behind, beside and above it, from inside, and from
     /// far away, past it and at it, with directions so long that t is small, and so short that
     /// it is in the thousands.
-    fn ordinary(chapter: Chapter) -> BoxedStrategy<Self> {
+    fn ordinary(_: Chapter) -> BoxedStrategy<Self> {
         let v = Vec3::new;
         let from = vec![
             v(0.0, 0.0, -3.0),
@@ -89,10 +77,7 @@ impl Question for Traced {
         ];
         let lengths = vec![1.0, -1.0, 3.0, 0.25, -0.5, 2.0, f64::exp2(-12.0)];
         (select(from), select(to), select(lengths))
-            .prop_map(move |(from, to, length)| Self {
-                chapter,
-                ray: Ray::new(from, length * (to - from)),
-            })
+            .prop_map(|(from, to, length)| Self::new(from, length * (to - from)))
             .boxed()
     }
 }

@@ -88,12 +88,10 @@ pub fn anywhere() -> impl Strategy<Value = Case> {
 
 /// A pixel of a picture up to 400 wide.
 pub fn pixels() -> impl Strategy<Value = Pixel> {
-    (1..=400_u32, any::<[u32; 2]>()).prop_map(|(width, [i, j])| {
-        let height = Pixel::height(width);
-        Pixel {
-            width,
-            place: [i % width, j % height],
-        }
+    (1..=400_u32, any::<[u32; 2]>()).prop_map(|(width, [i, j])| Pixel {
+        width,
+        i: i % width,
+        j: j % Camera::new(width).image_height,
     })
 }
 
@@ -102,23 +100,18 @@ pub fn book_rays() -> impl Strategy<Value = Case> {
     let ball = (Point3::new(0.0, 0.0, -1.0), 0.5);
     let ground = (Point3::new(0.0, -100.5, -1.0), 100.0);
     (pixels(), select(vec![ball, ground])).prop_map(|(pixel, (center, radius))| {
-        let [i, j] = pixel.place;
-        Case {
-            center,
-            radius,
-            ray: Camera::new(pixel.width).ray(i, j),
-        }
+        let ray = Camera::new(pixel.width).ray(pixel.i, pixel.j);
+        Case::new(center, radius, ray)
     })
 }
 
 /// Small whole numbers everywhere: what they lead to can be checked by hand.
 pub fn integers() -> impl Strategy<Value = Case> {
     (whole_vector(9), 1..=9, whole_vector(9), whole_vector(9)).prop_map(
-        |(oc, radius, origin, direction)| Case {
+        |(oc, radius, origin, direction)| {
+            let ray = Ray::new(origin, ahead_if_zero(direction));
             // So made, proptest may shrink the origin alone, and the answer stays.
-            center: origin + oc,
-            radius: f64::from(radius),
-            ray: Ray::new(origin, ahead_if_zero(direction)),
+            Case::new(origin + oc, f64::from(radius), ray)
         },
     )
 }
@@ -130,25 +123,40 @@ pub fn across() -> impl Strategy<Value = Case> {
     (whole_vector(9), whole_vector(3), turn, 1..=9).prop_map(|(origin, direction, turn, depth)| {
         let direction = ahead_if_zero(direction);
         let oc = direction.cross(turn);
-        Case {
-            center: origin + oc,
-            radius: oc.length().ceil() + f64::from(depth),
-            ray: Ray::new(origin, direction),
-        }
+        let radius = oc.length().ceil() + f64::from(depth);
+        Case::new(origin + oc, radius, Ray::new(origin, direction))
     })
 }
 
 /// A line that passes the center at a distance of r·(1 ± 10⁻ᵏ): just inside,
 /// just outside.
 pub fn grazing(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
-    (about_one(k), ordinary_sphere(), sight())
-        .prop_map(|(miss_by, sphere, sight)| sight.towards(sphere, 3.0, miss_by))
+    aimed(Just(3.0), about_one(k))
 }
 
 /// A sphere whose center is 10ᵏ radii away, aimed at within 1.2 radii.
 pub fn far(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
-    (number(k), number(0.0..=1.2), ordinary_sphere(), sight())
-        .prop_map(|(k, miss_by, sphere, sight)| sight.towards(sphere, 10f64.powf(k), miss_by))
+    aimed(number(k).prop_map(|k| 10f64.powf(k)), number(0.0..=1.2))
+}
+
+/// A ray that starts about so many radii `away` before the sphere, and whose line passes the
+/// center at `miss_by` radii. Its direction is no unit vector.
+fn aimed(
+    away: impl Strategy<Value = f64>,
+    miss_by: impl Strategy<Value = f64>,
+) -> impl Strategy<Value = Case> {
+    let turn_and_length = (number(0.0..=2.0), number(-3.0..=3.0));
+    (away, miss_by, ordinary_sphere(), unit(), turn_and_length).prop_map(
+        |(away, miss_by, (center, radius), forward, (turn, exponent))| {
+            let (sin, cos) = (turn * PI).sin_cos();
+            let across = forward.any_orthonormal_vector();
+            let sideways = cos * across + sin * forward.cross(across);
+            let closest = center + radius * miss_by * sideways;
+            let origin = closest - radius * away * forward;
+            let direction = SQRT_2.powf(exponent) * forward;
+            Case::new(center, radius, Ray::new(origin, direction))
+        },
+    )
 }
 
 /// A ray in any direction from r·(1 ± 10⁻ᵏ) away from the center, as one that
@@ -165,10 +173,9 @@ pub fn inside() -> impl Strategy<Value = Case> {
 /// A ray in any direction from so many radii away from the center.
 fn from(away: impl Strategy<Value = f64>) -> impl Strategy<Value = Case> {
     (away, ordinary_sphere(), unit(), unit()).prop_map(
-        |(away, (center, radius), normal, direction)| Case {
-            center,
-            radius,
-            ray: Ray::new(center + radius * away * normal, direction),
+        |(away, (center, radius), normal, direction)| {
+            let origin = center + radius * away * normal;
+            Case::new(center, radius, Ray::new(origin, direction))
         },
     )
 }
@@ -186,11 +193,8 @@ fn sign() -> impl Strategy<Value = f64> {
 pub fn above_the_ground(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     (number(k), number(0.01..=10.0), unit()).prop_map(|(k, height, direction)| {
         let radius = 10f64.powf(k);
-        Case {
-            center: Point3::new(0.0, -(radius + height), 0.0),
-            radius,
-            ray: Ray::new(Point3::ZERO, direction),
-        }
+        let center = Point3::new(0.0, -(radius + height), 0.0);
+        Case::new(center, radius, Ray::new(Point3::ZERO, direction))
     })
 }
 
@@ -215,11 +219,9 @@ pub fn tangents() -> impl Strategy<Value = Case> {
             // As long as the direction and at a right angle to it: the line
             // passes the center at k hypotenuses, and touches at t.
             let (direction, sideways) = (plane(p, q), plane(-q, p));
-            Case {
-                center: origin + f64::from(t) * direction + f64::from(k) * sideways,
-                radius: f64::from(k) * hypotenuse,
-                ray: Ray::new(origin, direction),
-            }
+            let center = origin + f64::from(t) * direction + f64::from(k) * sideways;
+            let ray = Ray::new(origin, direction);
+            Case::new(center, f64::from(k) * hypotenuse, ray)
         })
 }
 
@@ -313,43 +315,4 @@ pub fn unit() -> impl Strategy<Value = Vec3> {
         let ring = (1.0 - z * z).sqrt();
         Vec3::new(ring * cos, ring * sin, z)
     })
-}
-
-/// From where, and how tilted, a ray looks at a sphere.
-#[derive(Clone, Copy, Debug)]
-struct Sight {
-    /// From the origin of the ray towards the sphere.
-    forward: Vec3,
-    /// At a right angle to `forward`.
-    sideways: Vec3,
-    /// The length of the direction.
-    length: f64,
-}
-
-fn sight() -> impl Strategy<Value = Sight> {
-    (unit(), number(0.0..=2.0), number(-3.0..=3.0)).prop_map(|(forward, turn, exponent)| {
-        let (sin, cos) = (turn * PI).sin_cos();
-        let across = forward.any_orthonormal_vector();
-        Sight {
-            forward,
-            sideways: cos * across + sin * forward.cross(across),
-            length: SQRT_2.powf(exponent),
-        }
-    })
-}
-
-impl Sight {
-    /// A ray that starts about `away` radii before the sphere and whose line
-    /// passes the center at `miss_by` radii.
-    fn towards(self, (center, radius): (Point3, f64), away: f64, miss_by: f64) -> Case {
-        let closest = center + radius * miss_by * self.sideways;
-        Case {
-            center,
-            radius,
-            ray: Ray::new(
-                closest - radius * away * self.forward,
-                self.length * self.forward,
-            ),
-        }
-    }
 }

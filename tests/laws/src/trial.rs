@@ -9,22 +9,20 @@ use std::path::PathBuf;
 
 use common::rtweekend::*;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, TestError, TestRunner};
-use slips::{Ball, Chapter, Program};
-use speed_vs_accuracy::Case;
+use proptest::test_runner::{Config, TestCaseError, TestCaseResult, TestError, TestRunner};
+use slips::{Chapter, Program};
 
-use crate::answers::{self, ANSWERS};
-use crate::broken::{Broken, Verdict};
+use crate::answers::{self, ANSWERS, Answers};
 use crate::camera::{Pixel, the_ray_of_a_pixel_goes_through_its_center};
 use crate::causes::Cause;
-use crate::intervals::{NEAREST_IN_RANGE, RangeSolver, WithInterval};
-use crate::list::{self, World};
-use crate::nearer_root::{self, NEARER_ROOT, Solver, decision};
-use crate::prelude::{self, Asked, FUNCTIONS, Prelude};
-use crate::question::{Question, numbers, of_ray};
-use crate::ray_color::{self, Traced};
-use crate::record::{Recorded, Recorder, both_records_obey_the_laws};
-use crate::strategies::{config, samples};
+use crate::intervals::WithInterval;
+use crate::list::{Search, World, the_nearest_of_all_members_is_returned};
+use crate::nearer_root::{self, Solver};
+use crate::prelude::{Asked, FUNCTIONS, Prelude, small_numbers_are_worked_out_by_head};
+use crate::question::{Question, of_ray};
+use crate::ray_color::{a_ray_has_its_color_from_anywhere, looks_right};
+use crate::record::{self, Recorder};
+use crate::strategies::config;
 
 /// `Ok` if every law holds.
 pub type Outcome = Result<(), Box<Report>>;
@@ -33,18 +31,33 @@ pub type Outcome = Result<(), Box<Report>>;
 #[derive(Clone, Debug)]
 pub struct Report {
     /// The law, as the smallest case that was found breaks it.
-    pub broken: Broken,
+    broken: String,
     /// What makes it so.
     pub cause: Cause,
     /// The test that asks about this case again.
-    pub test: String,
+    test: String,
+}
+
+impl Report {
+    /// The sentence of the law.
+    pub fn law(&self) -> &str {
+        self.said("the law:  ")
+    }
+
+    /// What the message of the law says behind a label.
+    fn said(&self, label: &str) -> &str {
+        let mut lines = self.broken.lines();
+        let said = lines.find_map(|line| line.strip_prefix(label));
+        said.expect("each law says it")
+    }
 }
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let usually = self.cause.lines(self.broken.usually).join("\n          ");
-        let law = self.broken.to_string();
-        writeln!(f, "{}", law.replacen(self.broken.usually, &usually, 1))?;
+        // What is known takes the place of what is usual.
+        let usual = self.said("usually:  ");
+        let known = self.cause.lines(usual).join("\n          ");
+        writeln!(f, "{}", self.broken.replacen(usual, &known, 1))?;
         let body = self.test.replace('\n', "\n    ");
         write!(
             f,
@@ -62,8 +75,7 @@ impl fmt::Display for Report {
 ///
 /// ```
 /// use common::rtweekend::*;
-/// use laws::trial::all_succeed;
-/// use laws::{Chapter, Trial};
+/// use laws::{Chapter, Trial, all_succeed};
 ///
 /// /// Your own function, as you typed it.
 /// fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
@@ -76,15 +88,8 @@ impl fmt::Display for Report {
 /// }
 ///
 /// let trial = Trial::of(Chapter::HalfBSphere);
+/// // Panics if a law is broken, and says which, by what, and which mistake gives such answers.
 /// all_succeed([trial.nearer_root(&hit_sphere)]);
-/// ```
-///
-/// It panics if a law is broken, and says which, by what, and which mistake gives such answers:
-///
-/// ```should_panic
-/// # use laws::{trial::all_succeed, Chapter, Ray, Trial};
-/// let trial = Trial::of(Chapter::HalfBSphere);
-/// all_succeed([trial.nearer_root(&|_center, _radius, _ray: &Ray| None)]);
 /// ```
 #[derive(Clone, Debug)]
 pub struct Trial {
@@ -109,11 +114,31 @@ pub fn all_succeed<const N: usize>(outcomes: [Outcome; N]) {
     }
 }
 
-/// A law of a function under trial.
-type Law<'a, Q> = Box<dyn Fn(&Q) -> Verdict + 'a>;
+/// Panics if a law does not hold for one case.
+///
+/// # Panics
+/// With what the law says.
+pub fn holds(law: TestCaseResult) {
+    if let Err(broken) = law {
+        panic!("\n\n{}\n", message(&broken));
+    }
+}
+
+/// What a law says, without the place of its `prop_assert!`.
+fn message(broken: &TestCaseError) -> String {
+    let TestCaseError::Fail(why) = broken else {
+        unreachable!("no law rejects a case");
+    };
+    let message = why.message();
+    let place = message.rfind(" at ").unwrap_or(message.len());
+    message[..place].to_owned()
+}
 
 /// A function under trial, as it answers in plain numbers.
-type Answer<'a, Q> = dyn Fn(&Q) -> Vec<f64> + 'a;
+type Answer<'a, Q> = &'a dyn Fn(&Q) -> Vec<f64>;
+
+/// The laws for a function under trial.
+type Law<'a, Q> = &'a dyn Fn(&Q) -> TestCaseResult;
 
 impl Trial {
     /// With as many cases as [`config`] says, and with the file that the environment
@@ -128,52 +153,30 @@ impl Trial {
 
     /// A function that only decides whether the line meets the sphere, as in chapter 2.
     pub fn decision(&self, decide: &dyn Fn(Point3, f64, &Ray) -> bool) -> Outcome {
-        let is_hit = |case: &Case| decide(case.center, case.radius, &case.ray);
-        self.on_the_line(
-            &|case| numbers(is_hit(case).then_some([0.0])),
-            &decision(decide),
-        )
+        self.nearer_root(&nearer_root::decision(decide))
     }
 
     /// A function that returns the nearer root, as in chapters 3 and 4.
     pub fn nearer_root(&self, solve: &Solver) -> Outcome {
-        self.on_the_line(&|case| numbers(case.solve(solve).map(|t| [t])), solve)
-    }
-
-    fn on_the_line(&self, answer: &Answer<Case>, solve: &Solver) -> Outcome {
-        let law = |law: nearer_root::Law| -> Law<Case> { Box::new(move |case| law(solve, case)) };
-        self.obeys(answer, &NEARER_ROOT.map(law))
-    }
-
-    /// A function that returns the nearest root between `t_min` and `t_max`, as the
-    /// sphere of chapter 5: on the whole line, that is the nearer root.
-    pub fn nearest_in_range(&self, solve: &RangeSolver) -> Outcome {
-        let (least, greatest) = (f64::NEG_INFINITY, f64::INFINITY);
-        let nearer = |center, radius, ray: &Ray| solve(center, radius, ray, least, greatest);
-        let on_the_line = NEARER_ROOT
-            .map(|law| -> Law<WithInterval> { Box::new(move |asked| law(&nearer, &asked.case)) });
-        let in_range = NEAREST_IN_RANGE
-            .map(|law| -> Law<WithInterval> { Box::new(move |asked| law(solve, asked)) });
-        let laws: Vec<_> = on_the_line.into_iter().chain(in_range).collect();
         self.obeys(
-            &|asked: &WithInterval| numbers(asked.solve(solve).map(|t| [t])),
-            &laws,
+            &|asked: &WithInterval| asked.root(self.chapter, solve),
+            &|asked| nearer_root::obeys_every_law(solve, &asked.case),
         )
     }
 
-    /// A function that returns the record of the nearest hit between `t_min` and
-    /// `t_max`: its normal, and its side. That `t` is right is another trial.
+    /// A function that returns the record of the nearest hit between `t_min` and `t_max`, as
+    /// the sphere of chapter 5. On the whole line, its `t` is the nearer root.
     pub fn record(&self, record: &Recorder) -> Outcome {
-        let law = |asked: &Recorded| both_records_obey_the_laws(record, asked);
-        self.obeys(&|asked: &Recorded| asked.answer(record), &[Box::new(law)])
+        self.obeys(&|asked: &WithInterval| asked.record(record), &|asked| {
+            record::obeys_every_law(record, asked)
+        })
     }
 
     /// A list that is searched for the nearest hit.
-    pub fn list(&self, search: &list::Search) -> Outcome {
-        let law = |world: &World| list::the_nearest_of_all_members_is_returned(search, world);
+    pub fn list(&self, search: &Search) -> Outcome {
         self.obeys(
-            &|world| numbers(search(world).map(|t| [t])),
-            &[Box::new(law)],
+            &|world: &World| search(world).into_iter().collect(),
+            &|world| the_nearest_of_all_members_is_returned(search, world),
         )
     }
 
@@ -181,41 +184,40 @@ impl Trial {
     /// on it. One that is not written yet is not asked.
     pub fn prelude(&self, prelude: &Prelude) -> Outcome {
         for function in &FUNCTIONS {
-            let telling = samples(&function.questions(), 20);
-            if !is_written(|| telling[0].put_to(prelude)) {
-                continue;
+            let telling = function.telling();
+            if is_written(|| telling[0].put_to(prelude)) {
+                self.obeys_on(
+                    &[function.questions().boxed()],
+                    telling,
+                    &|asked: &Asked| asked.put_to(prelude),
+                    &|asked| small_numbers_are_worked_out_by_head(prelude, asked),
+                )?;
             }
-            let law = |asked: &Asked| prelude::small_numbers_are_worked_out_by_head(prelude, asked);
-            let cases = [function.questions().boxed()];
-            let answer = |asked: &Asked| asked.put_to(prelude);
-            self.obeys_on(&cases, telling, &answer, &[Box::new(law)])?;
         }
         Ok(())
     }
 
     /// The ray of a pixel.
     pub fn pixel_ray(&self, ray: &dyn Fn(&Pixel) -> Ray) -> Outcome {
-        let law = |pixel: &Pixel| the_ray_of_a_pixel_goes_through_its_center(&ray(pixel), pixel);
-        self.obeys(&|pixel| of_ray(ray(pixel)), &[Box::new(law)])
+        self.obeys(&|pixel: &Pixel| of_ray(ray(pixel)), &|pixel| {
+            the_ray_of_a_pixel_goes_through_its_center(&ray(pixel), pixel)
+        })
     }
 
     /// The `ray_color` of the chapter, about rays that its camera never casts. Says nothing
     /// where the picture is wrong already.
     pub fn ray_color(&self, ray_color: &dyn Fn(&Ray) -> Color) -> Outcome {
-        if !Traced::looks_right(self.chapter, ray_color) {
+        if !looks_right(self.chapter, ray_color) {
             return Ok(());
         }
-        let color = |traced: &Traced| ray_color(&traced.ray);
-        let law =
-            |traced: &Traced| ray_color::a_ray_has_its_color_from_anywhere(color(traced), traced);
-        let answer = |traced: &Traced| color(traced).to_array().to_vec();
-        self.obeys(&answer, &[Box::new(law)])
+        self.obeys(&|ray: &Ray| ray_color(ray).to_array().to_vec(), &|ray| {
+            a_ray_has_its_color_from_anywhere(self.chapter, ray_color(ray), ray)
+        })
     }
 
     /// The functions of a program, as its chapter has them: the intersection, and what
     /// becomes of a hit.
     pub fn program(&self, program: &Program) -> Outcome {
-        let ball = |center, radius| Ball { center, radius };
         let solve = |center, radius, ray: &Ray| program.hit_sphere(center, radius, ray);
         match program.chapter {
             Chapter::RedSphere => {
@@ -223,65 +225,60 @@ impl Trial {
             }
             Chapter::Normals | Chapter::HalfBSphere => self.nearer_root(&solve)?,
             Chapter::HittableList => {
-                self.nearest_in_range(&|center, radius, ray, t_min, t_max| {
-                    program.hit(ball(center, radius), ray, t_min, t_max)
-                })?;
-                self.record(&|center, radius, ray, t_min, t_max| {
-                    program.record(ball(center, radius), ray, t_min, t_max)
-                })?;
-                self.list(&|world| world.put_to_program(program))?;
+                self.record(&|asked| asked.record_of(program))?;
+                self.list(&|world| world.nearest_of(program))?;
             }
             _ => {}
         }
         self.ray_color(&|ray| program.ray_color(ray))
     }
 
-    fn obeys<Q: Question>(&self, answer: &Answer<Q>, laws: &[Law<Q>]) -> Outcome {
+    fn obeys<Q: Question>(&self, answer: Answer<Q>, law: Law<Q>) -> Outcome {
         let telling = Q::telling(self.chapter);
-        self.obeys_on(&Q::cases(self.chapter), telling, answer, laws)
+        self.obeys_on(&Q::kinds(self.chapter), telling, answer, law)
     }
 
-    /// Whether every law holds, on cases of one kind after those of another. The `telling`
+    /// Whether the laws hold, on cases of one kind after those of another. The `telling`
     /// questions are those to which different mistakes give different answers.
     fn obeys_on<Q: Question>(
         &self,
         kinds: &[BoxedStrategy<Q>],
         telling: Vec<Q>,
-        answer: &Answer<Q>,
-        laws: &[Law<Q>],
+        answer: Answer<Q>,
+        law: Law<Q>,
     ) -> Outcome {
+        let mut given: Vec<(Box<dyn Question>, _)> = Vec::new();
         // What panics does so here, and not again and again while a case is made smaller.
-        for question in &telling {
-            let answer = answer(question);
+        for question in telling {
+            let answer = answer(&question);
             if let Some(file) = &self.answers {
-                answers::add(file, question, &answer);
+                answers::keep(file, &question, &answer);
             }
+            given.push((Box::new(question), answer));
         }
-        for cases in kinds {
-            if let Some((smallest, broken)) = laws.iter().find_map(|law| self.smallest(cases, law))
-            {
-                return Err(Box::new(Report {
-                    broken,
-                    test: smallest.as_test(self.chapter),
-                    cause: Cause::of(answer, telling, smallest, self.chapter),
-                }));
-            }
-        }
-        Ok(())
+        let Some(smallest) = kinds.iter().find_map(|cases| self.smallest(cases, law)) else {
+            return Ok(());
+        };
+        let broken = law(&smallest).expect_err("what it finds once breaks the law again");
+        let chapter = self.chapter;
+        let (test, answer) = (smallest.as_test(chapter), answer(&smallest));
+        given.push((Box::new(smallest), answer));
+        Err(Box::new(Report {
+            broken: message(&broken),
+            cause: Cause::of(&Answers { chapter, given }),
+            test,
+        }))
     }
 
-    /// The smallest case that breaks the law, of those that proptest finds, and how.
-    fn smallest<Q: Question>(&self, cases: &BoxedStrategy<Q>, law: &Law<Q>) -> Option<(Q, Broken)> {
+    /// The smallest case that breaks a law, of those that proptest finds.
+    fn smallest<Q: Question>(&self, cases: &BoxedStrategy<Q>, law: Law<Q>) -> Option<Q> {
         let mut runner = TestRunner::new(Config {
             cases: self.cases,
             ..config()
         });
-        match runner.run(cases, |case| Ok(law(&case)?)) {
+        match runner.run(cases, |case| law(&case)) {
             Ok(()) => None,
-            Err(TestError::Fail(_, smallest)) => {
-                let broken = law(&smallest).expect_err("what it finds once breaks the law again");
-                Some((smallest, broken))
-            }
+            Err(TestError::Fail(_, smallest)) => Some(smallest),
             Err(TestError::Abort(reason)) => panic!("no law rejects a case: {reason}"),
         }
     }
@@ -292,40 +289,4 @@ fn is_written<T>(call: impl FnOnce() -> T) -> bool {
     let panicked = panic::catch_unwind(AssertUnwindSafe(call)).err();
     let message = panicked.and_then(|it| it.downcast::<&str>().ok());
     message.is_none_or(|message| *message != "not yet implemented")
-}
-
-/// Puts `solve` under every law for a nearer root, with this one case.
-///
-/// # Panics
-/// If a law is broken.
-pub fn one_case(solve: &Solver, case: &Case) {
-    holds(NEARER_ROOT.into_iter().map(|law| law(solve, case)));
-}
-
-/// Puts a solver with a range under every law for one, with this one case.
-///
-/// # Panics
-/// If a law is broken.
-pub fn one_interval(solve: &RangeSolver, case: Case, t_min: f64, t_max: f64) {
-    let (least, greatest) = (f64::NEG_INFINITY, f64::INFINITY);
-    one_case(
-        &|center, radius, ray| solve(center, radius, ray, least, greatest),
-        &case,
-    );
-    let asked = WithInterval { case, t_min, t_max };
-    holds(NEAREST_IN_RANGE.into_iter().map(|law| law(solve, &asked)));
-}
-
-/// Puts what records a hit under every law for that, with this one case.
-///
-/// # Panics
-/// If a law is broken.
-pub fn one_record(record: &Recorder, case: &Case) {
-    holds([both_records_obey_the_laws(record, &Recorded(*case))].into_iter());
-}
-
-fn holds(mut verdicts: impl Iterator<Item = Verdict>) {
-    if let Some(broken) = verdicts.find_map(Verdict::err) {
-        panic!("\n\n{broken}\n");
-    }
 }

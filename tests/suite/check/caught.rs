@@ -94,7 +94,7 @@ impl Outcome {
 
     fn breaks(&self, law: &str) -> bool {
         let report = self.report.as_ref();
-        report.is_some_and(|report| report.broken.law == law)
+        report.is_some_and(|report| report.law() == law)
     }
 }
 

@@ -8,7 +8,6 @@ use laws::{Chapter, Trial, all_succeed};
 fn sphere_record_list_and_ray_color_obey_the_laws() {
     let trial = Trial::of(Chapter::MyChapter);
     all_succeed([
-        trial.nearest_in_range(&hit),
         trial.record(&record),
         trial.list(&nearest),
         trial.ray_color(&ray_color),

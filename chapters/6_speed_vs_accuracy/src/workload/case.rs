@@ -19,6 +19,15 @@ pub struct Case {
 }
 
 impl Case {
+    /// The case of that sphere and that ray.
+    pub const fn new(center: Point3, radius: f64, ray: Ray) -> Self {
+        Self {
+            center,
+            radius,
+            ray,
+        }
+    }
+
     /// What `method` answers: the nearest root between `t_min` and `t_max`.
     ///
     /// A method in `f32` is asked about the case [rounded](Case::rounded), and

@@ -56,7 +56,7 @@ fn write_row(table: &mut String, outcome: &Outcome) {
         write!(table, "{text:>VERDICT_WIDTH$}").expect("a string takes it");
     }
     table.push_str(match (&outcome.report, outcome.is_equivalent()) {
-        (Some(report), _) => report.broken.law,
+        (Some(report), _) => report.law(),
         (None, true) => "(equivalent)",
         (None, false) => "",
     });
@@ -159,11 +159,11 @@ fn list_of_laws(outcomes: &[Outcome]) -> String {
 }
 
 /// The laws that are broken, in the order of the outcomes.
-fn broken_laws(outcomes: &[Outcome]) -> Vec<&'static str> {
+fn broken_laws(outcomes: &[Outcome]) -> Vec<&str> {
     let mut laws = Vec::new();
     for report in outcomes.iter().filter_map(|it| it.report.as_ref()) {
-        if !laws.contains(&report.broken.law) {
-            laws.push(report.broken.law);
+        if !laws.contains(&report.law()) {
+            laws.push(report.law());
         }
     }
     laws

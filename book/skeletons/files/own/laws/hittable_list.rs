@@ -10,7 +10,6 @@ fn prelude_sphere_record_list_and_ray_color_obey_the_laws() {
     let trial = Trial::of(Chapter::MyChapter);
     all_succeed([
         trial.prelude(&prelude()),
-        trial.nearest_in_range(&hit),
         trial.record(&record),
         trial.list(&nearest),
         trial.ray_color(&ray_color),
