@@ -1,8 +1,11 @@
-//! A lookup table for decimal numbers: 256 texts, made when the program is compiled.
+//! A lookup table for decimal numbers: 256 texts, made when the first one is needed.
 //!
 //! Formatting the three numbers of a pixel takes the book's program five times
 //! as long as tracing its ray. There are only 256 of them: format each once,
 //! then copy.
+
+use std::array;
+use std::sync::LazyLock;
 
 use super::block::{BLOCK, Block};
 
@@ -10,6 +13,7 @@ use super::block::{BLOCK, Block};
 pub(super) fn push_pixels(text: &mut Vec<u8>, block: &Block, count: usize) {
     let mut lines = [0; BLOCK * LONGEST_LINE + 4];
     let mut end = 0;
+    let (spaced, last) = (&*SPACED, &*LAST);
     let mut push = |number: Number| {
         // Always four bytes, because copying fewer takes a decision. What is
         // too much is overwritten by the next number, or cut off below.
@@ -18,9 +22,9 @@ pub(super) fn push_pixels(text: &mut Vec<u8>, block: &Block, count: usize) {
     };
     let levels = block.red.iter().zip(&block.green).zip(&block.blue);
     for ((&red, &green), &blue) in levels.take(count) {
-        push(SPACED[usize::from(red)]);
-        push(SPACED[usize::from(green)]);
-        push(LAST[usize::from(blue)]);
+        push(spaced[usize::from(red)]);
+        push(spaced[usize::from(green)]);
+        push(last[usize::from(blue)]);
     }
     text.extend_from_slice(&lines[..end]);
 }
@@ -28,10 +32,10 @@ pub(super) fn push_pixels(text: &mut Vec<u8>, block: &Block, count: usize) {
 const LONGEST_LINE: usize = "255 255 255\n".len();
 
 /// The numbers 0 to 255, each with the space that follows it.
-static SPACED: [Number; 256] = numbers(b' ');
+static SPACED: LazyLock<[Number; 256]> = LazyLock::new(|| numbers(' '));
 
 /// The numbers 0 to 255, each with the end of the line.
-static LAST: [Number; 256] = numbers(b'\n');
+static LAST: LazyLock<[Number; 256]> = LazyLock::new(|| numbers('\n'));
 
 /// A number as text with a separator: `length` bytes, filled up to four.
 #[derive(Clone, Copy)]
@@ -40,28 +44,14 @@ struct Number {
     length: usize,
 }
 
-const fn numbers(separator: u8) -> [Number; 256] {
-    let mut numbers = [Number {
-        text: [separator; 4],
-        length: 0,
-    }; 256];
-    let mut n = 0;
-    while n < 256 {
-        let digits = [n / 100, n / 10 % 10, n % 10];
-        let mut k = if n < 10 {
-            2
-        } else if n < 100 {
-            1
-        } else {
-            0
-        };
-        while k < 3 {
-            numbers[n].text[numbers[n].length] = b'0' + digits[k] as u8;
-            numbers[n].length += 1;
-            k += 1;
+fn numbers(separator: char) -> [Number; 256] {
+    array::from_fn(|n| {
+        let line = format!("{n}{separator}");
+        let mut text = [0; 4];
+        text[..line.len()].copy_from_slice(line.as_bytes());
+        Number {
+            text,
+            length: line.len(),
         }
-        numbers[n].length += 1;
-        n += 1;
-    }
-    numbers
+    })
 }
