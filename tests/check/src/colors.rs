@@ -102,7 +102,7 @@ impl Pixels {
             if program.search(&ray).is_some() {
                 pixels.hits.push(found);
             } else {
-                let weight = (program.blend)(program, ray.direction);
+                let weight = program.weight_of_blue(ray.direction);
                 pixels.sky.push((weight, found));
             }
         }

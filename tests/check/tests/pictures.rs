@@ -135,7 +135,7 @@ fn unnamed_in(slip: &'static Slip, chapter: Chapter, width: u32, way: Way) -> St
     }
     let picture = way(&drawn.picture());
     let check = answer(chapter, &picture);
-    let few = picture.rgb().len() / 3 / 100;
+    let few = picture.rgb().len() / 3 / 50;
     let is_named = match &check {
         Check::Right(_) => true,
         Check::Near(finding) => {

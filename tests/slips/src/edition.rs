@@ -25,92 +25,94 @@ pub enum Edition {
     V4,
 }
 
+/// What there is to know of an edition.
+struct Facts {
+    numbers: &'static [&'static str],
+    /// From the first to the last.
+    years: [&'static str; 2],
+    differs_by: [&'static str; 2],
+}
+
 impl Edition {
     /// All of them, the one that this workspace follows first.
     pub const ALL: [Self; 5] = [Self::V4, Self::V3, Self::V3_0, Self::V1, Self::V1InDouble];
 
+    fn facts(self) -> Facts {
+        match self {
+            Self::V1 | Self::V1InDouble => Facts {
+                numbers: &["1", "2"],
+                years: ["2016", "2019"],
+                differs_by: [
+                    "twice as wide as high, a viewport of 4 × 2, u = i / nx, rows from below, int(255.99 * r)",
+                    "twice as wide as high, r = i / nx, rows from below, int(255.99 * r), blue 0.2",
+                ],
+            },
+            Self::V3_0 => Facts {
+                numbers: &["3.0"],
+                years: ["March 2020"; 2],
+                differs_by: [
+                    "twice as wide as high, a viewport of 4 × 2, u = i / image_width, rows from below",
+                    "twice as wide as high, r = i / image_width, rows from below, blue 0.2",
+                ],
+            },
+            Self::V3 => Facts {
+                numbers: &["3"],
+                years: ["2020", "2023"],
+                differs_by: [
+                    "u = i / (image_width - 1), rows from below, viewport_width = aspect_ratio * viewport_height",
+                    "rows from below, blue 0.25",
+                ],
+            },
+            Self::V4 => Facts {
+                numbers: &["4"],
+                years: ["2023", "today"],
+                differs_by: ["nothing"; 2],
+            },
+        }
+    }
+
     /// Its name on the command line.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::V1 | Self::V1InDouble => "1",
-            Self::V3_0 => "3.0",
-            Self::V3 => "3",
-            Self::V4 => "4",
-        }
+        self.facts().numbers[0]
     }
 
     /// What it has otherwise than version 4: in chapters with rays, and in the build test.
     pub fn differs_by(self) -> [&'static str; 2] {
-        match self {
-            Self::V1 | Self::V1InDouble => [
-                "twice as wide as high, a viewport of 4 × 2, u = i / nx, rows from below, int(255.99 * r)",
-                "twice as wide as high, r = i / nx, rows from below, int(255.99 * r), blue 0.2",
-            ],
-            Self::V3_0 => [
-                "twice as wide as high, a viewport of 4 × 2, u = i / image_width, rows from below",
-                "twice as wide as high, r = i / image_width, rows from below, blue 0.2",
-            ],
-            Self::V3 => [
-                "u = i / (image_width - 1), rows from below, viewport_width = aspect_ratio * viewport_height",
-                "rows from below, blue 0.25",
-            ],
-            Self::V4 => ["nothing"; 2],
-        }
+        self.facts().differs_by
     }
 
     /// After "right" or "wrong": which editions it is judged by, if the one that this
     /// workspace follows is not among them.
     pub fn said(editions: &[Self]) -> String {
         if editions.contains(&Self::V4) {
-            String::new()
-        } else {
-            format!(" by {}", Self::together(editions))
-        }
-    }
-
-    /// Editions that draw the same, by their numbers and the years from the first to the
-    /// last.
-    fn together(editions: &[Self]) -> String {
-        let mut editions = editions.to_vec();
-        editions.sort();
-        let (Some(first), Some(last)) = (editions.first(), editions.last()) else {
             return String::new();
-        };
-        if first == last {
-            return first.to_string();
         }
-        let ([from, _], [_, to]) = (first.years(), last.years());
-        let mut numbers: Vec<&str> = editions
-            .iter()
-            .flat_map(|it| it.numbers())
-            .copied()
-            .collect();
+        match editions {
+            [one] => format!(" by {one}"),
+            _ => format!(" by {}", Self::together(editions)),
+        }
+    }
+
+    /// Editions by their numbers and the years from the first to the last.
+    fn together(editions: &[Self]) -> String {
+        let mut all: Vec<Facts> = editions.iter().map(|it| it.facts()).collect();
+        all.sort_by_key(|it| it.numbers);
         // Version 1 in both precisions has the same numbers.
-        numbers.sort_unstable();
-        numbers.dedup();
+        all.dedup_by_key(|it| it.numbers);
+        let mut numbers: Vec<&str> = all.iter().flat_map(|it| it.numbers).copied().collect();
+        let [from, _] = all[0].years;
+        let [_, to] = all[all.len() - 1].years;
         let last = numbers.pop().unwrap_or_default();
-        format!(
-            "version {} or {last} of the book ({from} to {to})",
-            numbers.join(", ")
-        )
-    }
-
-    fn numbers(self) -> &'static [&'static str] {
-        match self {
-            Self::V1 | Self::V1InDouble => &["1", "2"],
-            Self::V3_0 => &["3.0"],
-            Self::V3 => &["3"],
-            Self::V4 => &["4"],
-        }
-    }
-
-    fn years(self) -> [&'static str; 2] {
-        match self {
-            Self::V1 | Self::V1InDouble => ["2016", "2019"],
-            Self::V3_0 => ["March 2020"; 2],
-            Self::V3 => ["2020", "2023"],
-            Self::V4 => ["2023", "today"],
-        }
+        let numbers = match numbers.as_slice() {
+            [] => last.to_owned(),
+            others => format!("{} or {last}", others.join(", ")),
+        };
+        let years = if from == to {
+            from.to_owned()
+        } else {
+            format!("{from} to {to}")
+        };
+        format!("version {numbers} of the book ({years})")
     }
 
     /// Whether it is that of versions 1 and 2, in whatever precision.
@@ -141,14 +143,13 @@ impl Edition {
 
 impl fmt::Display for Edition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::V1 => "version 1 or 2 of the book (2016 to 2019)",
+        match self {
+            Self::V4 => f.write_str("version 4 of the book"),
             Self::V1InDouble => {
-                "version 1 or 2 of the book (2016 to 2019), as with double precision"
+                let version = Self::together(&[*self]);
+                write!(f, "{version}, as with double precision")
             }
-            Self::V3_0 => "version 3.0 of the book (March 2020)",
-            Self::V3 => "version 3 of the book (2020 to 2023)",
-            Self::V4 => "version 4 of the book",
-        })
+            _ => f.write_str(&Self::together(&[*self])),
+        }
     }
 }

@@ -1,5 +1,6 @@
-//! Concrete syntax: in which language a slip is said.
+//! Concrete syntax: a line of our Rust in other languages.
 
+use crate::chapter::Chapter;
 use crate::edition::Edition;
 
 /// The language in which a line is shown, so that readers find it in their own code.
@@ -13,13 +14,202 @@ pub enum Letters {
     Python(Edition),
 }
 
-/// A line of the book's C++ as it is typed in Python.
-pub(super) fn in_python(said: &str) -> String {
-    let mut said = said.to_owned();
-    for (cpp, python) in PYTHON {
-        said = said.replace(cpp, python);
+impl Letters {
+    /// The edition whose names they have.
+    pub(super) fn edition(self) -> Edition {
+        match self {
+            Self::Book(edition) | Self::Python(edition) => edition,
+            Self::Rust => Edition::V4,
+        }
     }
-    without_brackets(&said)
+}
+
+/// A line of `hit_sphere` or `ray_color` as it is typed in that chapter: from chapter 4 on
+/// with `length_squared`, and in chapter 5 with a sphere that has fields, and two roots.
+pub(super) fn in_chapter(line: &str, chapter: Chapter) -> String {
+    let mut line = line.to_owned();
+    if chapter >= Chapter::HalfBSphere {
+        line = replaced(&line, SQUARED);
+    }
+    if chapter < Chapter::HittableList {
+        return line;
+    }
+    let is_root = line.contains("discriminant") && !line.contains(['=', '<', '>']);
+    if is_root {
+        let near = line.replace("discriminant.sqrt()", "sqrtd");
+        let far = near.replacen(" - ", " + ", 1);
+        line = format!("roots = [{near}, {far}]");
+    }
+    with_words(&line, FIELDS)
+}
+
+/// A line of our Rust as the book has it in C++ in that chapter.
+pub(super) fn in_cpp(line: &str, chapter: Chapter) -> String {
+    let mut line = line.to_owned();
+    if chapter == Chapter::HittableList {
+        line = with_words(&line, &[("normal", "rec.normal")]);
+    }
+    line = replaced(&with_words(&line, NAMES), CPP);
+    for (method, function) in FUNCTIONS {
+        while let Some(place) = line.find(method) {
+            line = with_function(&line, place, method, function);
+        }
+    }
+    line.strip_suffix(".0").unwrap_or(&line).to_owned()
+}
+
+/// A line of the book's C++ as it is typed in Python.
+pub(super) fn in_python(line: &str) -> String {
+    without_brackets(&replaced(line, PYTHON))
+}
+
+type Phrases = &'static [(&'static str, &'static str)];
+
+const SQUARED: Phrases = &[
+    ("oc.dot(oc)", "oc.length_squared()"),
+    (
+        "ray.direction.dot(ray.direction)",
+        "ray.direction.length_squared()",
+    ),
+];
+
+const FIELDS: Phrases = &[
+    ("center", "self.center"),
+    ("radius", "self.radius"),
+    ("normal", "record.normal"),
+    ("point", "record.point"),
+];
+
+const CPP: Phrases = &[
+    ("self.", ""),
+    ("record.", "rec."),
+    ("r.direction", "r.direction()"),
+    ("r.origin", "r.origin()"),
+    ("direction().y", "direction().y()"),
+    ("unit_direction.x", "unit_direction.x()"),
+    ("unit_direction.y", "unit_direction.y()"),
+    ("f64::from(i)", "i"),
+    ("f64::from(j)", "j"),
+    (" * (1.0 / f64::from(image_width))", " / image_width"),
+    (" * (1.0 / f64::from(image_height))", " / image_height"),
+    (
+        " * (1.0 / f64::from(image_width - 1))",
+        " / (image_width - 1)",
+    ),
+    (
+        " * (1.0 / f64::from(image_height - 1))",
+        " / (image_height - 1)",
+    ),
+    (" * (1.0 / radius)", " / radius"),
+    ("f64::from(image_width - 1)", "(image_width - 1)"),
+    ("f64::from(image_height - 1)", "(image_height - 1)"),
+    (" / f64::from(", " / ("),
+    (" / (image_width)", " / image_width"),
+    (" / (image_height)", " / image_height"),
+    ("f64::from(", "double("),
+    ("f64::INFINITY", "infinity"),
+    ("Vec3::ONE", "color(1, 1, 1)"),
+    ("Vec3::new", ""),
+    ("Point3::new", ""),
+    ("Color::new", ""),
+    ("Sphere::new", "sphere"),
+    ("Ray::new", "ray"),
+    ("0.5 * viewport_u", "viewport_u / 2"),
+    ("0.5 * viewport_v", "viewport_v / 2"),
+    ("(2.0 * a)", "(2*a)"),
+    ("/ 2.0 * a", "/ 2*a"),
+    ("4.0 * ", "4*"),
+    ("a * c", "a*c"),
+    ("b * b", "b*b"),
+    ("h * h", "h*h"),
+    ("radius * radius", "radius*radius"),
+    (".round() as u8", ".round()"),
+    (".0 ", " "),
+    (".0,", ","),
+    (".0)", ")"),
+    ("; ", ", "),
+];
+
+/// Methods of Rust that are functions in C++.
+const FUNCTIONS: [(&str, &str); 5] = [
+    (".dot(", "dot("),
+    (".normalize()", "unit_vector("),
+    (".sqrt()", "sqrt("),
+    (".round()", "round("),
+    (" as u8", "int("),
+];
+
+const NAMES: Phrases = &[
+    ("ray", "r"),
+    ("normal", "N"),
+    ("point", "p"),
+    ("component", "r"),
+];
+
+const PYTHON: Phrases = &[
+    (".x()", ".x"),
+    (".y()", ".y"),
+    (".z()", ".z"),
+    (".origin()", ".origin"),
+    (".direction()", ".direction"),
+    ("&&", "and"),
+    ("||", "or"),
+    ("(!", "(not "),
+    ("true", "True"),
+    ("false", "False"),
+    ("infinity", "math.inf"),
+    ("double(image_width)", "image_width"),
+    ("double(image_height)", "image_height"),
+];
+
+/// Each phrase replaced, one after the other.
+fn replaced(line: &str, phrases: Phrases) -> String {
+    let replace = |line: String, (from, to): &(&str, &str)| line.replace(from, to);
+    phrases.iter().fold(line.to_owned(), replace)
+}
+
+fn is_of_a_word(letter: char) -> bool {
+    letter.is_alphanumeric() || letter == '_'
+}
+
+/// Whole words replaced, but for fields.
+fn with_words(line: &str, names: Phrases) -> String {
+    let mut written = String::new();
+    let mut rest = line;
+    while let Some(first) = rest.chars().next() {
+        let end = rest.find(|letter| !is_of_a_word(letter));
+        let end = end.unwrap_or(rest.len()).max(first.len_utf8());
+        let (word, after) = rest.split_at(end);
+        let is_it = |(name, _): &&(&str, &str)| *name == word && !written.ends_with('.');
+        let other = names.iter().find(is_it);
+        written += other.map_or(word, |(_, other)| other);
+        rest = after;
+    }
+    written
+}
+
+/// `x.method()` as `function(x)`, and `x.method(y)` as `function(x, y)`.
+fn with_function(line: &str, place: usize, method: &str, function: &str) -> String {
+    let (before, rest) = (&line[..place], &line[place + method.len()..]);
+    let (before, operand) = before.split_at(start_of_operand(before));
+    let is_in_brackets = operand.starts_with('(');
+    let operand = if is_in_brackets {
+        &operand[1..operand.len() - 1]
+    } else {
+        operand
+    };
+    let separator = if method.ends_with('(') { ", " } else { ")" };
+    format!("{before}{function}{operand}{separator}{rest}")
+}
+
+/// Where the expression begins that ends with the text: a path, a call, or brackets.
+fn start_of_operand(text: &str) -> usize {
+    let mut open = 0;
+    let ends = |letter: char| {
+        open += i32::from(letter == ')') - i32::from(letter == '(');
+        open < 0 || open == 0 && !is_of_a_word(letter) && !".:(".contains(letter)
+    };
+    text.rfind(ends).map_or(0, |place| place + 1)
 }
 
 /// `if (condition) …` as `if condition: …`
@@ -36,20 +226,3 @@ fn without_brackets(said: &str) -> String {
     let after = after.strip_prefix(')').unwrap_or(after);
     format!("{before}if {condition}:{}", without_brackets(after))
 }
-
-/// What Python says for words of C++, one after the other.
-const PYTHON: &[(&str, &str)] = &[
-    (".x()", ".x"),
-    (".y()", ".y"),
-    (".z()", ".z"),
-    (".origin()", ".origin"),
-    (".direction()", ".direction"),
-    ("&&", "and"),
-    ("||", "or"),
-    ("(!", "(not "),
-    ("true", "True"),
-    ("false", "False"),
-    ("infinity", "math.inf"),
-    ("double(image_width)", "image_width"),
-    ("double(image_height)", "image_height"),
-];

@@ -1,8 +1,6 @@
 //! The older editions as mutations of the latest one: a few other steps, like a slip, but
 //! right from the first line to the last.
 
-use common::rtweekend::*;
-
 use crate::chapter::Chapter;
 use crate::edition::Edition;
 use crate::program::Program;
@@ -42,9 +40,9 @@ fn count_from_below(p: &mut Program) {
         p.image_height = |width, aspect_ratio| (width / aspect_ratio) as u32;
     }
     p.viewport_ratio = |_, _, aspect_ratio| aspect_ratio;
-    p.viewport_v = |_, height| Vec3::new(0.0, height, 0.0);
-    p.divisors = |width, height| [width - 1.0, height - 1.0];
-    p.pixel_deltas = |_, u, v, _| [u, v];
+    p.edges = [1.0, 1.0];
+    p.last = 1.0;
+    p.divisors = |width, height| [width, height];
     p.inset = [0.0, 0.0];
     p.blue = 0.25;
 }
@@ -55,6 +53,6 @@ fn make_two_to_one(p: &mut Program) {
     p.aspect_ratio = 2.0;
     p.image_height = |width, aspect_ratio| (width / aspect_ratio) as u32;
     p.viewport_ratio = |_, _, _| 2.0;
-    p.divisors = |width, height| [width, height];
+    p.last = 0.0;
     p.blue = 0.2;
 }

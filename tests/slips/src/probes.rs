@@ -23,6 +23,14 @@ pub struct Probe {
     pub shows: &'static str,
 }
 
+const PROBE: Probe = Probe {
+    name: "",
+    width: 128,
+    spheres: None,
+    focal_length: 1.0,
+    shows: "",
+};
+
 /// All probes, the cheapest change first.
 ///
 /// Those that bring spheres of their own are of exactly 16:9, so that nothing
@@ -31,65 +39,58 @@ pub const PROBES: [Probe; 8] = [
     Probe {
         name: "odd-width",
         width: 227,
-        spheres: None,
-        focal_length: 1.0,
         shows: "227 / (16/9) is 127.7: which way the height is rounded, and whether the viewport follows it.",
+        ..PROBE
     },
     Probe {
         name: "one-pixel",
         width: 1,
-        spheres: None,
-        focal_length: 1.0,
         shows: "A picture one pixel wide has no row unless the height is kept at 1 or more.",
+        ..PROBE
     },
     Probe {
         name: "reversed",
-        width: 128,
         spheres: Some(&[
             Ball::new(0.0, -100.5, -1.0, 100.0),
             Ball::new(0.0, 0.0, -1.0, 0.5),
         ]),
-        focal_length: 1.0,
         shows: "The book's spheres, the ground first: whether the nearest hit wins, or the first or last one.",
+        ..PROBE
     },
     Probe {
         name: "overlapping",
-        width: 128,
         spheres: Some(&[
             Ball::new(0.4, 0.1, -1.4, 0.5),
             Ball::new(0.0, 0.0, -1.0, 0.5),
             Ball::new(-0.3, 0.2, -1.8, 0.6),
         ]),
-        focal_length: 1.0,
         shows: "The nearest of three spheres is neither first nor last in the list.",
+        ..PROBE
     },
     Probe {
         name: "inside",
-        width: 128,
         spheres: Some(&[Ball::new(0.0, 0.0, -1.0, 2.0)]),
-        focal_length: 1.0,
         shows: "The eye is inside the sphere: the nearer root lies behind, and the normal has to turn.",
+        ..PROBE
     },
     Probe {
         name: "behind",
-        width: 128,
         spheres: Some(&[Ball::new(0.3, 0.2, 1.0, 0.5)]),
-        focal_length: 1.0,
         shows: "The sphere is behind the eye: both roots are negative, and from chapter 3 on nothing is drawn.",
+        ..PROBE
     },
     Probe {
         name: "off-axis",
-        width: 128,
         spheres: Some(&[Ball::new(2.0, 1.0, -4.0, 0.5)]),
-        focal_length: 1.0,
         shows: "A small sphere off the axis, four units away: nothing is 1, equal or symmetric by chance.",
+        ..PROBE
     },
     Probe {
         name: "far",
-        width: 128,
         spheres: Some(&[Ball::new(0.4, 0.2, -800.0, 0.5)]),
         focal_length: 1000.0,
         shows: "A small sphere 800 units away, through a telescope: single precision loses it.",
+        ..PROBE
     },
 ];
 

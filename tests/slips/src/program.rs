@@ -65,19 +65,16 @@ pub struct Program {
     pub viewport_ratio: fn(f64, f64, f64) -> f64,
     /// Height of the viewport in units of space.
     pub viewport_height: f64,
-    /// The viewport's upper edge from left to right, given its width and height.
-    pub viewport_u: fn(f64, f64) -> Vec3,
-    /// The viewport's left edge from top to bottom, given its width and height.
-    pub viewport_v: fn(f64, f64) -> Vec3,
+    /// Which way along x and y the edges of the viewport point: 1 or -1.
+    pub edges: [f64; 2],
     /// From the eye to the viewport, along the negative z axis.
     pub focal_length: f64,
     /// Which part of the upper edge lies left of the axis, and of the left edge above it.
     pub corner: [f64; 2],
-    /// By how much columns and rows are divided to run from 0 to 1, given the
-    /// picture's width and height.
+    /// How many pixels less than all are counted along an edge: 1 if the last lies on its end.
+    pub last: f64,
+    /// By how much columns and rows are divided to run from 0 to 1, given how many are counted.
     pub divisors: fn(f64, f64) -> [f64; 2],
-    /// From pixel to pixel along both edges, given these and the divisors.
-    pub pixel_deltas: fn(&Program, Vec3, Vec3, [f64; 2]) -> [Vec3; 2],
     /// How far the first pixel is from the upper left corner, to the right and down, in
     /// pixels.
     pub inset: [f64; 2],
@@ -100,8 +97,8 @@ pub struct Program {
     pub unit: fn(Vec3) -> Vec3,
     /// The direction by which the sky is blended, from that of the ray.
     pub sky_direction: fn(&Program, Vec3) -> Vec3,
-    /// The weight of blue in the sky, from the direction of the ray.
-    pub blend: fn(&Program, Vec3) -> f64,
+    /// The weight of blue in the sky, from that direction.
+    pub blend: fn(Vec3) -> f64,
     /// The colors of the sky, below and above.
     pub sky: [Color; 2],
     /// The sky's color from the weight of the one above.
@@ -122,8 +119,6 @@ pub struct Program {
     pub dot: fn(Vec3, Vec3) -> f64,
     /// The square of a length.
     pub squared: fn(&Program, Vec3) -> f64,
-    /// The quadratic's a, b or h, and c.
-    pub coefficients: fn(&Program, Ball, &Ray) -> [f64; 3],
     /// The quadratic's a from the ray's direction.
     pub a: fn(&Program, Vec3) -> f64,
     /// The quadratic's b or h from d·oc.
@@ -134,8 +129,6 @@ pub struct Program {
     pub discriminant: fn(f64, f64, f64) -> f64,
     /// Whether there is a root, from the discriminant.
     pub meets: fn(f64) -> bool,
-    /// What is returned as `t` where there is no root.
-    pub missed: Option<f64>,
     /// The square root.
     pub sqrt: fn(f64) -> f64,
     /// The first term of the numerator, from b or h.
@@ -145,8 +138,8 @@ pub struct Program {
     pub numerators: fn(f64, f64, f64) -> [f64; 2],
     /// A root from its numerator and a.
     pub divide: fn(f64, f64) -> f64,
-    /// What is returned of the two roots.
-    pub kept: fn([f64; 2]) -> Option<[f64; 2]>,
+    /// What is returned of the two roots, if there are any.
+    pub kept: fn(Option<[f64; 2]>) -> Option<[f64; 2]>,
     /// Which of two roots counts, given `t_min` and `t_max`.
     pub choice: fn(&Program, [f64; 2], f64, f64) -> Option<f64>,
     /// The point at a ray parameter.
@@ -209,34 +202,39 @@ impl Program {
 
         let viewport_ratio = (self.viewport_ratio)(width, height, self.aspect_ratio);
         let viewport_width = self.viewport_height * viewport_ratio;
-        let viewport_u = (self.viewport_u)(viewport_width, self.viewport_height);
-        let viewport_v = (self.viewport_v)(viewport_width, self.viewport_height);
-        let divisors = (self.divisors)(width, height);
-        let [pixel_delta_u, pixel_delta_v] =
-            (self.pixel_deltas)(self, viewport_u, viewport_v, divisors);
+        let [right, up] = self.edges;
+        let viewport_u = Vec3::new(right * viewport_width, 0.0, 0.0);
+        let viewport_v = Vec3::new(0.0, up * self.viewport_height, 0.0);
 
-        let part = |share: f64, edge| match self.edition.divides_the_viewport() {
-            true => (self.over)(edge, 1.0 / share),
-            false => share * edge,
+        let part = |share: f64, edge| {
+            if self.edition.divides_the_viewport() {
+                (self.over)(edge, 1.0 / share)
+            } else {
+                share * edge
+            }
         };
         let [left, above] = self.corner;
         let corner = center
             - Vec3::new(0.0, 0.0, self.focal_length)
             - part(left, viewport_u)
             - part(above, viewport_v);
-        let [right, down] = self.inset;
-        let inset = (self.plus)(right * pixel_delta_u, down * pixel_delta_v);
-        Camera {
+        let mut camera = Camera {
             image_width,
             image_height,
             center,
-            pixel00: match self.edition.counts_from_below() {
-                true => corner,
-                false => (self.plus)(corner, inset),
-            },
-            pixel_delta_u,
-            pixel_delta_v,
+            pixel00: corner,
+            pixel_delta_u: viewport_u,
+            pixel_delta_v: viewport_v,
+        };
+        if !self.edition.counts_from_below() {
+            let [across, down] = self.divided(image_width, image_height);
+            camera.pixel_delta_u = (self.over)(viewport_u, across);
+            camera.pixel_delta_v = (self.over)(viewport_v, down);
+            let [right, down] = self.inset;
+            let inset = (self.plus)(right * camera.pixel_delta_u, down * camera.pixel_delta_v);
+            camera.pixel00 = (self.plus)(corner, inset);
         }
+        camera
     }
 
     /// The chapter's `ray_color`.
@@ -246,8 +244,13 @@ impl Program {
         }
         match self.normal(ray) {
             Some(normal) => (self.shade)(self.paint, normal),
-            None => (self.lerp)(self.sky, (self.blend)(self, ray.direction)),
+            None => (self.lerp)(self.sky, self.weight_of_blue(ray.direction)),
         }
+    }
+
+    /// The weight of blue in the sky, from the direction of a ray.
+    pub fn weight_of_blue(&self, direction: Vec3) -> f64 {
+        (self.blend)((self.sky_direction)(self, direction))
     }
 
     /// The normal of a hit that is colored, if the ray hits anything.
@@ -296,6 +299,11 @@ impl Program {
         self.edition.row(j, camera.image_height) + self.rows_above
     }
 
+    /// By how much columns and rows are divided.
+    pub(super) fn divided(&self, width: u32, height: u32) -> [f64; 2] {
+        (self.divisors)(f64::from(width) - self.last, f64::from(height) - self.last)
+    }
+
     /// The ray of a program without a slip in it.
     pub(super) fn right_ray(&self, camera: &Camera, i: u32, j: u32) -> Ray {
         if let Some(ray) = self.code.and_then(|code| code.ray(camera, i, j)) {
@@ -307,13 +315,11 @@ impl Program {
 
     /// The ray for a column and a row as the loops count them.
     pub(super) fn ray_of(&self, camera: &Camera, i: f64, j: f64) -> Ray {
-        let [u, v] = match self.edition.counts_from_below() {
-            true => {
-                let (width, height) = (camera.image_width, camera.image_height);
-                let [across, up] = (self.divisors)(width.into(), height.into());
-                [i / across, j / up]
-            }
-            false => [i, j],
+        let [u, v] = if self.edition.counts_from_below() {
+            let [across, up] = self.divided(camera.image_width, camera.image_height);
+            [i / across, j / up]
+        } else {
+            [i, j]
         };
         let in_column = (self.plus)(camera.pixel00, u * camera.pixel_delta_u);
         let point = (self.plus)(in_column, v * camera.pixel_delta_v);
@@ -322,8 +328,7 @@ impl Program {
 
     /// The color of the build test where red is made of `i` and green of `j`.
     pub(super) fn ramp(&self, camera: &Camera, i: f64, j: f64) -> Color {
-        let (width, height) = (camera.image_width, camera.image_height);
-        let [across, down] = (self.divisors)(width.into(), height.into());
+        let [across, down] = self.divided(camera.image_width, camera.image_height);
         Color::new(i / across, j / down, self.blue)
     }
 
@@ -349,13 +354,22 @@ impl Program {
 
     /// The two roots that are tried, one after the other.
     fn roots(&self, ball: Ball, ray: &Ray) -> Option<[f64; 2]> {
-        let [a, b, c] = (self.coefficients)(self, ball, ray);
+        let [a, b, c] = self.coefficients(ball, ray);
         let discriminant = (self.discriminant)(a, b, c);
-        if !(self.meets)(discriminant) {
-            return self.missed.map(|t| [t; 2]);
-        }
-        let numerators = (self.numerators)((self.first_term)(b), (self.sqrt)(discriminant), a);
-        (self.kept)(numerators.map(|numerator| (self.divide)(numerator, a)))
+        let roots = || {
+            let numerators = (self.numerators)((self.first_term)(b), (self.sqrt)(discriminant), a);
+            numerators.map(|numerator| (self.divide)(numerator, a))
+        };
+        (self.kept)((self.meets)(discriminant).then(roots))
+    }
+
+    /// The quadratic's a, b or h, and c.
+    pub(super) fn coefficients(&self, ball: Ball, ray: &Ray) -> [f64; 3] {
+        let oc = (self.oc)(ball.center, ray.origin);
+        let a = (self.a)(self, ray.direction);
+        let b = (self.linear)((self.dot)(ray.direction, oc));
+        let c = (self.constant)((self.squared)(self, oc), ball.radius);
+        [a, b, c]
     }
 }
 
@@ -368,14 +382,11 @@ const HITTABLE_LIST: Program = Program {
     image_height: |width, aspect_ratio| ((width / aspect_ratio) as u32).max(1),
     viewport_ratio: |width, height, _| width / height,
     viewport_height: 2.0,
-    viewport_u: |width, _| Vec3::new(width, 0.0, 0.0),
-    viewport_v: |_, height| Vec3::new(0.0, -height, 0.0),
+    edges: [1.0, -1.0],
     focal_length: 1.0,
     corner: [0.5, 0.5],
+    last: 0.0,
     divisors: |width, height| [width, height],
-    pixel_deltas: |program, u, v, [across, down]| {
-        [(program.over)(u, across), (program.over)(v, down)]
-    },
     inset: [0.5, 0.5],
     order: |n, width, _| (n % width, n / width),
     rows_above: 0.0,
@@ -386,7 +397,7 @@ const HITTABLE_LIST: Program = Program {
     over: |v, t| v * (1.0 / t),
     unit: Vec3::normalize,
     sky_direction: |program, direction| (program.unit)(direction),
-    blend: |program, direction| 0.5 * ((program.sky_direction)(program, direction).y + 1.0),
+    blend: |direction| 0.5 * (direction.y + 1.0),
     sky: [Color::new(1.0, 1.0, 1.0), Color::new(0.5, 0.7, 1.0)],
     lerp: |[below, above], a| (1.0 - a) * below + a * above,
     world: World::of(&[BALL, Ball::new(0.0, -100.5, -1.0, 100.0)]),
@@ -397,18 +408,16 @@ const HITTABLE_LIST: Program = Program {
     oc: |center, origin| center - origin,
     dot: Vec3::dot,
     squared: |_, v| v.length_squared(),
-    coefficients,
     a: |program, direction| (program.squared)(program, direction),
     linear: |d_oc| d_oc,
     constant: |oc_squared, radius| oc_squared - radius * radius,
     discriminant: |a, h, c| h * h - a * c,
     meets: |discriminant| discriminant >= 0.0,
-    missed: None,
     sqrt: f64::sqrt,
     first_term: |h| h,
     numerators: |first, sqrtd, _| [first - sqrtd, first + sqrtd],
     divide: |numerator, a| numerator / a,
-    kept: Some,
+    kept: |roots| roots,
     choice: |program, roots, t_min, t_max| {
         let in_range = |&t: &f64| (program.in_range)(t_min, t, t_max);
         roots.into_iter().find(in_range)
@@ -470,19 +479,11 @@ const GRADIENT: Program = Program {
 const BUILD_TEST: Program = Program {
     chapter: Chapter::BuildTest,
     image_height: |width, _| width as u32,
-    divisors: |width, height| [(width - 1.0).max(1.0), (height - 1.0).max(1.0)],
+    last: 1.0,
+    divisors: |width, height| [width.max(1.0), height.max(1.0)],
     color: |program, camera, i, j| program.ramp(camera, i.into(), program.row(j, camera)),
     ..GRADIENT
 };
-
-/// Those of `ball`, each by its own step.
-pub(super) fn coefficients(program: &Program, ball: Ball, ray: &Ray) -> [f64; 3] {
-    let oc = (program.oc)(ball.center, ray.origin);
-    let a = (program.a)(program, ray.direction);
-    let b = (program.linear)((program.dot)(ray.direction, oc));
-    let c = (program.constant)((program.squared)(program, oc), ball.radius);
-    [a, b, c]
-}
 
 fn nearest(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
     let mut found = None;

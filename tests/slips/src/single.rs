@@ -25,21 +25,19 @@ pub(super) fn color(program: &Program, camera: &Camera, i: u32, j: u32) -> Color
 fn on_viewport(program: &Program, camera: &Camera, i: u32, j: u32) -> [f32; 2] {
     let [width, height] = [camera.image_width, camera.image_height].map(f64::from);
     let ratio = (program.viewport_ratio)(width, height, program.aspect_ratio) as f32;
-    let divisors = (program.divisors)(width, height).map(|divisor| divisor as f32);
+    let divisors = program.divided(camera.image_width, camera.image_height);
+    let divisors = divisors.map(|divisor| divisor as f32);
     let at = [i as f32, program.row(j, camera) as f32];
-    let axis = |n: usize, viewport: f32| match program.edition.counts_from_below() {
-        true => -0.5 * viewport + at[n] / divisors[n] * viewport,
-        false => {
-            let delta = viewport * (1.0 / divisors[n]);
-            (-0.5 * viewport + 0.5 * delta) + at[n] * delta
+    let is_from_below = program.edition.counts_from_below();
+    let axis = |n: usize, viewport: f32| {
+        if is_from_below {
+            return -0.5 * viewport + at[n] / divisors[n] * viewport;
         }
+        let delta = viewport * (1.0 / divisors[n]);
+        (-0.5 * viewport + 0.5 * delta) + at[n] * delta
     };
     let high = program.viewport_height as f32;
-    let down = if program.edition.counts_from_below() {
-        high
-    } else {
-        -high
-    };
+    let down = if is_from_below { high } else { -high };
     [axis(0, high * ratio), axis(1, down)]
 }
 

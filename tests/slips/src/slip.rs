@@ -6,10 +6,13 @@ use std::path::{Path, PathBuf};
 
 use crate::chapter::Chapter;
 use crate::edition::Edition;
-use crate::letters::{Letters, in_python};
+use crate::letters::{Letters, in_chapter, in_cpp, in_python};
 use crate::program::{Interpreted, Program};
 
-/// A mistake that readers make, as a change of the program without it.
+/// A mistake that readers make, as an edit of the right line.
+///
+/// What it draws comes from a step of the [`Program`] and not from the interpreted text: a
+/// judge draws thousands of pairs of slips while a reader waits.
 #[derive(Clone, Copy, Debug)]
 pub struct Slip {
     /// What it is called, on the command line and in tables. It never changes. Empty where
@@ -22,27 +25,54 @@ pub struct Slip {
     pub page: &'static str,
     /// The file of this workspace that has the line right.
     pub source: &'static str,
-    words: Words<&'static str>,
-    /// The words for those who follow an edition before version 4, where they are others.
-    before_4: Option<Words<&'static str>>,
-    /// Lines in other letters, or of one chapter. The first that fits is said.
-    lines: [Option<Line>; 4],
-    made_in: fn(Letters) -> bool,
-    reported: &'static [&'static str],
-    alter: fn(&mut Program),
+    /// Of what program the line is a part.
+    pub(super) part: Part,
+    /// The right line in our Rust, as chapter 3 has it.
+    pub(super) rust: &'static str,
+    /// The line from a later chapter on, if that has another.
+    pub(super) later: Option<(Chapter, &'static str)>,
+    /// The line in version 4 until then, if it can't be made of our Rust.
+    pub(super) cpp: &'static str,
+    /// The line in Python, if it can't be made of the book's.
+    pub(super) python: &'static str,
+    /// The line in editions before version 4, if it is another.
+    pub(super) older: &'static str,
+    /// A part of the line, and what is typed in its place: `right→wrong`. The first whose
+    /// part is in the line counts; no part is the whole line.
+    pub(super) edits: &'static [&'static str],
+    /// What the mistake does to the picture, and why.
+    pub(super) why: &'static str,
+    /// The same in editions before version 4, if it is another; or nothing.
+    pub(super) older_why: &'static str,
+    /// The languages that let it be made: not all take a number for a truth, or -1.0 for a
+    /// miss.
+    pub(super) made_in: fn(Letters) -> bool,
+    /// Who made it: issues of `RayTracing/raytracing.github.io`, or of another repository
+    /// if that is named. Few people report a slip.
+    pub(super) reported: &'static [&'static str],
+    /// In which chapters neither picture nor probe shows it.
+    pub(super) unseen_in: &'static [Chapter],
+    /// Why nothing shows it there, or nothing but the law.
+    pub(super) equivalent: &'static str,
+    /// The law that shows it there.
+    pub(super) law: &'static str,
+    /// Replaces the steps of a program.
+    pub(super) alter: fn(&mut Program),
     /// What runs in place of the chapter, if it is a text of it with a change.
-    code: Option<&'static dyn Interpreted>,
-    /// In which chapters neither picture nor probe shows it, and why.
-    unseen: Option<(&'static [Chapter], Unseen)>,
+    pub(super) code: Option<&'static dyn Interpreted>,
 }
 
-/// The heading about the sizes of picture and viewport.
-pub(super) const SIZES: &str = "gradient#how-large-is-the-picture";
-
-/// Where a line is right: see the fields of [`Slip`].
-pub(super) struct Place {
-    pub(super) page: &'static str,
-    pub(super) source: &'static str,
+/// Of what program a line is a part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    /// A chapter.
+    Chapter,
+    /// The camera, which no two editions have the same.
+    Camera,
+    /// The camera's sizes, which earlier editions than 3.1 print as numbers.
+    Sizes,
+    /// What else all chapters share.
+    Prelude,
 }
 
 /// What there is to say of a slip.
@@ -56,15 +86,6 @@ pub struct Words<Line = Cow<'static, str>> {
     pub why: &'static str,
 }
 
-/// What the code of some chapters says, and what it should say.
-#[derive(Clone, Copy, Debug)]
-struct Line {
-    letters: Letters,
-    chapters: &'static [Chapter],
-    wrong: &'static str,
-    right: &'static str,
-}
-
 /// Why neither picture nor probe shows a slip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unseen {
@@ -76,141 +97,28 @@ pub enum Unseen {
 }
 
 /// A slip that changes nothing yet, and of which nothing is said.
-pub(super) const fn slip(name: &'static str, chapters: &'static [Chapter], place: Place) -> Slip {
-    Slip {
-        name,
-        chapters,
-        page: place.page,
-        source: place.source,
-        words: Words {
-            wrong: "",
-            right: "",
-            why: "",
-        },
-        before_4: None,
-        lines: [None; 4],
-        made_in: |_| true,
-        reported: &[],
-        alter: |_| {},
-        code: None,
-        unseen: None,
-    }
-}
-
-/// A mistake in a function that has no name, and no page of its own.
-pub(super) const fn unnamed(chapters: &'static [Chapter]) -> Slip {
-    let nowhere = Place {
-        page: "",
-        source: "",
-    };
-    slip("", chapters, nowhere)
-}
-
-/// The parts of an entry in the catalogue.
-impl Slip {
-    pub(super) const fn says(mut self, words: Words<&'static str>) -> Self {
-        self.words = words;
-        self
-    }
-
-    pub(super) const fn before_4(mut self, words: Words<&'static str>) -> Self {
-        self.before_4 = Some(words);
-        self
-    }
-
-    /// What version 4 says in these chapters, where others have b for h.
-    pub(super) const fn in_book(
-        self,
-        chapters: &'static [Chapter],
-        wrong: &'static str,
-        right: &'static str,
-    ) -> Self {
-        self.line(Letters::Book(Edition::V4), chapters, wrong, right)
-    }
-
-    /// What our own chapters say, token by token where that can be.
-    pub(super) const fn in_rust(
-        self,
-        chapters: &'static [Chapter],
-        wrong: &'static str,
-        right: &'static str,
-    ) -> Self {
-        self.line(Letters::Rust, chapters, wrong, right)
-    }
-
-    /// What Python says, where [`Letters::Python`] can't be made of the book's words.
-    pub(super) const fn in_python(self, wrong: &'static str, right: &'static str) -> Self {
-        self.line(
-            Letters::Python(Edition::V4),
-            &Chapter::OF_THE_BOOK,
-            wrong,
-            right,
-        )
-    }
-
-    const fn line(
-        mut self,
-        letters: Letters,
-        chapters: &'static [Chapter],
-        wrong: &'static str,
-        right: &'static str,
-    ) -> Self {
-        let mut free = 0;
-        while self.lines[free].is_some() {
-            free += 1;
-        }
-        self.lines[free] = Some(Line {
-            letters,
-            chapters,
-            wrong,
-            right,
-        });
-        self
-    }
-
-    /// In which languages alone it can be made: not all take a number for a truth, or -1.0
-    /// for a miss.
-    pub(super) const fn made_in(mut self, made_in: fn(Letters) -> bool) -> Self {
-        self.made_in = made_in;
-        self
-    }
-
-    /// Who made it: issues of `RayTracing/raytracing.github.io`, or of another repository
-    /// if that is named. Few people report a slip.
-    pub(super) const fn reported(mut self, issues: &'static [&'static str]) -> Self {
-        self.reported = issues;
-        self
-    }
-
-    pub(super) const fn alters(mut self, alter: fn(&mut Program)) -> Self {
-        self.alter = alter;
-        self
-    }
-
-    pub(super) const fn equivalent(
-        mut self,
-        chapters: &'static [Chapter],
-        proof: &'static str,
-    ) -> Self {
-        self.unseen = Some((chapters, Unseen::Equivalent(proof)));
-        self
-    }
-
-    pub(super) const fn only_by_law(
-        mut self,
-        chapters: &'static [Chapter],
-        law: &'static str,
-    ) -> Self {
-        self.unseen = Some((chapters, Unseen::OnlyByLaw(law)));
-        self
-    }
-}
-
-impl Line {
-    fn said(&self) -> [&'static str; 2] {
-        [self.wrong, self.right]
-    }
-}
+pub(super) const SLIP: Slip = Slip {
+    name: "",
+    chapters: &[],
+    page: "",
+    source: "",
+    part: Part::Chapter,
+    rust: "",
+    later: None,
+    cpp: "",
+    python: "",
+    older: "",
+    edits: &[],
+    why: "",
+    older_why: "",
+    made_in: |_| true,
+    reported: &[],
+    unseen_in: &[],
+    equivalent: "",
+    law: "",
+    alter: |_| {},
+    code: None,
+};
 
 impl Slip {
     /// A change in the text of a chapter, which has no name and no page.
@@ -222,39 +130,66 @@ impl Slip {
     ) -> Self {
         static CHAPTERS: [Chapter; 7] = Chapter::ALL;
         let at = chapter as usize;
+        let edit: &str = format!("→{}", words.wrong).leak();
         Self {
+            chapters: &CHAPTERS[at..=at],
             source,
+            rust: words.right,
+            cpp: words.right,
+            edits: Box::leak(Box::new([edit])),
+            why: words.why,
             code: Some(code),
-            ..unnamed(&CHAPTERS[at..=at]).says(words)
+            ..SLIP
         }
     }
 
     /// What there is to say of it to someone who made it in that chapter.
     pub fn words(&self, letters: Letters, chapter: Chapter) -> Words {
-        let older = match letters {
-            Letters::Book(edition) | Letters::Python(edition) if edition != Edition::V4 => {
-                self.before_4
-            }
-            _ => None,
-        };
-        // Lines of one language or some chapters are version 4's.
-        let own = |wanted: Letters| {
-            let mut lines = self.lines.iter().flatten().filter(|_| older.is_none());
-            lines.find(|line| line.letters == wanted && line.chapters.contains(&chapter))
-        };
-        let line = match letters {
-            Letters::Python(_) => own(Letters::Python(Edition::V4)),
-            _ => own(letters),
-        };
-        let Words { wrong, right, why } = older.unwrap_or(self.words);
-        let book = own(Letters::Book(Edition::V4)).map_or([wrong, right], Line::said);
-        let [wrong, right] = match (line, letters) {
-            (Some(line), _) => line.said().map(Cow::Borrowed),
-            (None, Letters::Python(_)) => book.map(|said| Cow::Owned(in_python(said))),
-            (None, Letters::Rust) => book.map(Cow::Borrowed),
-            (None, Letters::Book(_)) => [wrong, right].map(Cow::Borrowed),
-        };
+        let [wrong, right] = self.lines(letters, chapter).map(Cow::Owned);
+        let is_older = letters.edition() != Edition::V4 && !self.older_why.is_empty();
+        let why = if is_older { self.older_why } else { self.why };
         Words { wrong, right, why }
+    }
+
+    /// The wrong line and the right one.
+    fn lines(&self, letters: Letters, chapter: Chapter) -> [String; 2] {
+        let later = self.later.filter(|(since, _)| *since <= chapter);
+        let rust = later.map_or(self.rust, |(_, line)| line);
+        let translated = |to: fn(&str, Chapter) -> String| {
+            let both = self.edited(rust)?;
+            Some(both.map(|line| to(&line, chapter)))
+        };
+        let is_older = letters.edition() != Edition::V4 && self.has_older_words();
+        let own = match letters {
+            Letters::Rust if self.part == Part::Chapter => translated(in_chapter),
+            Letters::Rust => self.edited(rust),
+            Letters::Python(_) if is_older => None,
+            Letters::Python(_) => self.edited(self.python),
+            Letters::Book(_) if is_older => self.edited(self.older),
+            Letters::Book(_) if later.is_some() => translated(in_cpp),
+            Letters::Book(_) => None,
+        };
+        own.unwrap_or_else(|| match letters {
+            Letters::Rust => self.lines(Letters::Book(Edition::V4), chapter),
+            Letters::Python(edition) => {
+                let both = self.lines(Letters::Book(edition), chapter);
+                both.map(|line| in_python(&line))
+            }
+            Letters::Book(_) => {
+                let both = self.edited(self.cpp).or_else(|| translated(in_cpp));
+                both.expect("an edit fits the line")
+            }
+        })
+    }
+
+    /// The line as it is mistyped, and as it is, if there is one that can be.
+    fn edited(&self, line: &str) -> Option<[String; 2]> {
+        let mut edits = self.edits.iter().filter_map(|edit| edit.split_once('→'));
+        let (part, other) = edits.find(|(part, _)| line.contains(part))?;
+        let part = if part.is_empty() { line } else { part };
+        // A line of the reader's that the chapter has not is typed in the place of none.
+        let is_there = !line.is_empty() || self.rust.is_empty() && self.cpp.is_empty();
+        is_there.then(|| [line.replacen(part, other, 1), line.to_owned()])
     }
 
     /// The same, labeled, as every report shows it.
@@ -278,13 +213,14 @@ impl Slip {
 
     /// Whether editions before version 4 have another line for it.
     pub fn has_older_words(&self) -> bool {
-        self.before_4.is_some()
+        !self.older.is_empty()
     }
 
     /// Whether it is a line of another edition in a program of this one.
     pub fn is_of_another_edition(&self) -> bool {
-        self.before_4
-            .is_some_and(|before| before.right == self.words.wrong)
+        let [_, older] = self.lines(Letters::Book(Edition::V3), self.chapters[0]);
+        let [wrong, _] = self.lines(Letters::Book(Edition::V4), self.chapters[0]);
+        self.has_older_words() && older == wrong
     }
 
     /// How many people have reported that they made it.
@@ -311,9 +247,12 @@ impl Slip {
 
     /// Why nothing shows the slip in that chapter, or `None` if something does.
     pub fn unseen_in(&self, chapter: Chapter) -> Option<Unseen> {
-        self.unseen
-            .filter(|(chapters, _)| chapters.contains(&chapter))
-            .map(|(_, why)| why)
+        let why = if self.law.is_empty() {
+            Unseen::Equivalent(self.equivalent)
+        } else {
+            Unseen::OnlyByLaw(self.law)
+        };
+        self.unseen_in.contains(&chapter).then_some(why)
     }
 
     /// The page and its heading apart.
@@ -349,18 +288,18 @@ impl Slip {
 
     /// Whether the line is in a chapter, and not in what all of them share.
     pub fn is_in_a_chapter(&self) -> bool {
-        self.source.starts_with("chapters/")
+        self.part == Part::Chapter
     }
 
     /// Whether it is made in the camera, which no two editions have the same.
     pub fn is_of_the_camera(&self) -> bool {
-        self.source.ends_with("camera.rs")
+        matches!(self.part, Part::Camera | Part::Sizes)
     }
 
     /// Whether it is made where version 3.1 and later ones compute sizes, and earlier ones print
     /// them as numbers.
     pub fn is_of_the_size(&self) -> bool {
-        self.page == SIZES
+        self.part == Part::Sizes
     }
 
     /// The file that has the line right, if it is in that workspace.

@@ -26,107 +26,91 @@ impl Step {
 
 /// The steps that lead to the picture of `chapter`, which the last of them shows.
 pub fn of(chapter: Chapter) -> &'static [Step] {
-    match chapter {
-        Chapter::BuildTest => {
-            const {
-                &[Step {
-                    says: "Red grows to the right and green grows downwards, from 0 to 1.",
-                    seen: Chapter::BuildTest.shows(),
-                    alter: |_| {},
-                }]
-            }
-        }
-        Chapter::Gradient => {
-            const {
-                &[
-                    Step {
-                        says: "Every ray is white: `ray_color` returns (1, 1, 1).",
-                        seen: "A white rectangle, 16 wide for every 9 high",
-                        alter: |p| p.color = |_, _, _, _| Color::ONE,
-                    },
-                    Step {
-                        says: "Where does each ray go? Red is the x of its direction and green is the y.",
-                        seen: "Black in the lower left quarter, red growing to the right, green growing upwards",
-                        alter: |p| p.color = direction,
-                    },
-                    Step {
-                        says: "How steeply does it climb? Gray of a = ½(y + 1), with the y of the unit direction.",
-                        seen: "Gray: dark at the bottom, light at the top, and lightest above the middle",
-                        alter: |p| p.lerp = |_, a| a * Color::ONE,
-                    },
-                    Step {
-                        says: "Blend white and the blue (0.5, 0.7, 1) by the weight a.",
-                        seen: Chapter::Gradient.shows(),
-                        alter: |_| {},
-                    },
-                ]
-            }
-        }
-        Chapter::RedSphere => {
-            const {
-                &[
-                    Step {
-                        says: "Nothing is hit yet: `hit_sphere` says false, and the sky of chapter 1 is there.",
-                        seen: Chapter::Gradient.shows(),
-                        alter: |p| p.meets = |_| false,
-                    },
-                    Step {
-                        says: "oc, a, b, c and the discriminant: `hit_sphere` says whether there is a root.",
-                        seen: Chapter::RedSphere.shows(),
-                        alter: |_| {},
-                    },
-                ]
-            }
-        }
-        Chapter::Normals => {
-            const {
-                &[
-                    Step {
-                        says: "`hit_sphere` says where: the nearer root. The disc stays red where there is one.",
-                        seen: Chapter::RedSphere.shows(),
-                        alter: |p| p.shade = |paint, _| paint,
-                    },
-                    Step {
-                        says: "How far is that? Gray of t where t > 0: the nearer, the darker.",
-                        seen: "A gray disc in front of the sky, darker in its middle than at its rim",
-                        alter: |p| p.color = gray_of_t,
-                    },
-                    Step {
-                        says: "Where t > 0, the unit normal at `ray.at(t)` becomes the color: ½(n + 1).",
-                        seen: Chapter::Normals.shows(),
-                        alter: |_| {},
-                    },
-                ]
-            }
-        }
-        Chapter::HalfBSphere => {
-            const {
-                &[Step {
-                    says: "With h = −b/2 in place of b, every 2 and 4 goes. Not one bit changes.",
-                    seen: Chapter::HalfBSphere.shows(),
-                    alter: |_| {},
-                }]
-            }
-        }
-        Chapter::HittableList => {
-            const {
-                &[
-                    Step {
-                        says: "A `Sphere` is `Hittable`, and a list of one finds it: the ball of chapter 4 is back.",
-                        seen: Chapter::HalfBSphere.shows(),
-                        alter: |p| p.world = World::of(&[BALL]),
-                    },
-                    Step {
-                        says: "`world` gets the ground, at (0, −100.5, −1) with radius 100, and the list finds the nearest.",
-                        seen: Chapter::HittableList.shows(),
-                        alter: |_| {},
-                    },
-                ]
-            }
-        }
-        Chapter::SpeedVsAccuracy => &[],
-    }
+    STEPS.get(chapter as usize).copied().unwrap_or_default()
 }
+
+const LAST: Step = Step {
+    says: "",
+    seen: "",
+    alter: |_| {},
+};
+
+/// Those of each chapter.
+const STEPS: [&[Step]; 6] = [
+    &[Step {
+        says: "Red grows to the right and green grows downwards, from 0 to 1.",
+        seen: Chapter::BuildTest.shows(),
+        ..LAST
+    }],
+    &[
+        Step {
+            says: "Every ray is white: `ray_color` returns (1, 1, 1).",
+            seen: "A white rectangle, 16 wide for every 9 high",
+            alter: |p| p.color = |_, _, _, _| Color::ONE,
+        },
+        Step {
+            says: "Where does each ray go? Red is the x of its direction and green is the y.",
+            seen: "Black in the lower left quarter, red growing to the right, green growing upwards",
+            alter: |p| p.color = direction,
+        },
+        Step {
+            says: "How steeply does it climb? Gray of a = ½(y + 1), with the y of the unit direction.",
+            seen: "Gray: dark at the bottom, light at the top, and lightest above the middle",
+            alter: |p| p.lerp = |_, a| a * Color::ONE,
+        },
+        Step {
+            says: "Blend white and the blue (0.5, 0.7, 1) by the weight a.",
+            seen: Chapter::Gradient.shows(),
+            ..LAST
+        },
+    ],
+    &[
+        Step {
+            says: "Nothing is hit yet: `hit_sphere` says false, and the sky of chapter 1 is there.",
+            seen: Chapter::Gradient.shows(),
+            alter: |p| p.meets = |_| false,
+        },
+        Step {
+            says: "oc, a, b, c and the discriminant: `hit_sphere` says whether there is a root.",
+            seen: Chapter::RedSphere.shows(),
+            ..LAST
+        },
+    ],
+    &[
+        Step {
+            says: "`hit_sphere` says where: the nearer root. The disc stays red where there is one.",
+            seen: Chapter::RedSphere.shows(),
+            alter: |p| p.shade = |paint, _| paint,
+        },
+        Step {
+            says: "How far is that? Gray of t where t > 0: the nearer, the darker.",
+            seen: "A gray disc in front of the sky, darker in its middle than at its rim",
+            alter: |p| p.color = gray_of_t,
+        },
+        Step {
+            says: "Where t > 0, the unit normal at `ray.at(t)` becomes the color: ½(n + 1).",
+            seen: Chapter::Normals.shows(),
+            ..LAST
+        },
+    ],
+    &[Step {
+        says: "With h = −b/2 in place of b, every 2 and 4 goes. Not one bit changes.",
+        seen: Chapter::HalfBSphere.shows(),
+        ..LAST
+    }],
+    &[
+        Step {
+            says: "A `Sphere` is `Hittable`, and a list of one finds it: the ball of chapter 4 is back.",
+            seen: Chapter::HalfBSphere.shows(),
+            alter: |p| p.world = World::of(&[BALL]),
+        },
+        Step {
+            says: "`world` gets the ground, at (0, −100.5, −1) with radius 100, and the list finds the nearest.",
+            seen: Chapter::HittableList.shows(),
+            ..LAST
+        },
+    ],
+];
 
 /// Red is the x of each ray's direction, and green is the y.
 fn direction(program: &Program, camera: &Camera, i: u32, j: u32) -> Color {

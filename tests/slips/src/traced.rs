@@ -2,16 +2,14 @@
 
 use common::rtweekend::*;
 
-use crate::chapter::{Chapter, Room};
-use crate::program::{Program, coefficients};
+use crate::chapter::Chapter;
+use crate::program::Program;
 use crate::world::Ball;
 
 /// The numbers of a pixel, in the order in which a program finds them.
 #[derive(Clone, Debug)]
 pub struct Traced {
-    /// The point on the viewport, if there is a ray.
-    pub viewport: Option<Point3>,
-    /// The ray through it.
+    /// The ray, if there is one.
     pub ray: Option<Ray>,
     /// The quadratic of each sphere.
     pub spheres: Vec<Quadratic>,
@@ -26,8 +24,6 @@ pub struct Traced {
 /// The quadratic of a ray and a sphere.
 #[derive(Clone, Copy, Debug)]
 pub struct Quadratic {
-    /// The sphere.
-    pub ball: Ball,
     /// Its a, b or h, and c.
     pub coefficients: [f64; 3],
     /// b² − 4ac, or h² − ac.
@@ -42,41 +38,31 @@ impl Program {
         let camera = self.camera(width);
         let color = (self.color)(self, &camera, column, row);
         let components = color.to_array();
-        let levels = self.channels.map(|it| (self.level)(components[it]));
-        if self.chapter == Chapter::BuildTest {
-            return Traced {
-                viewport: None,
-                ray: None,
-                spheres: Vec::new(),
-                hit: None,
-                color,
-                levels,
-            };
-        }
-        let ray = (self.ray)(self, &camera, column, row);
-        let balls = self
-            .world
-            .iter()
-            .filter(|_| self.chapter.room() != Room::None);
-        let hit = self.search(&ray).map(|(t, ball)| {
+        let casts_rays = self.chapter != Chapter::BuildTest;
+        let ray = casts_rays.then(|| (self.ray)(self, &camera, column, row));
+        let quadratics = |ray| {
+            self.world
+                .iter()
+                .map(move |&ball| self.quadratic(ball, &ray))
+        };
+        let hit = |ray: Ray| {
+            let (t, ball) = self.search(&ray)?;
             let point = (self.hit_point)(self, &ray, t);
             let outward = (self.outward)(self, point, ball);
-            (t, point, (self.face)(self, ray.direction, outward))
-        });
+            Some((t, point, (self.face)(self, ray.direction, outward)))
+        };
         Traced {
-            viewport: Some(ray.at(1.0)),
-            ray: Some(ray),
-            spheres: balls.map(|&ball| self.quadratic(ball, &ray)).collect(),
-            hit,
+            ray,
+            spheres: ray.into_iter().flat_map(quadratics).collect(),
+            hit: ray.and_then(hit),
             color,
-            levels,
+            levels: self.channels.map(|it| (self.level)(components[it])),
         }
     }
 
     fn quadratic(&self, ball: Ball, ray: &Ray) -> Quadratic {
-        let [a, b, c] = coefficients(self, ball, ray);
+        let [a, b, c] = self.coefficients(ball, ray);
         Quadratic {
-            ball,
             coefficients: [a, b, c],
             discriminant: (self.discriminant)(a, b, c),
             t: self.hit(ball, ray, self.t_min, self.t_max),
@@ -92,8 +78,8 @@ impl Traced {
     pub fn rows(&self, chapter: Chapter) -> Vec<Row> {
         let mut rows: Vec<Row> = Vec::new();
         let mut row = |label: String, said: String| rows.push((label, said));
-        if let (Some(point), Some(ray)) = (self.viewport, self.ray) {
-            row("point on the viewport".into(), vector(point));
+        if let Some(ray) = self.ray {
+            row("point on the viewport".into(), vector(ray.at(1.0)));
             row("origin".into(), vector(ray.origin));
             row("direction".into(), vector(ray.direction));
         }

@@ -1,6 +1,6 @@
 //! What there is to hit, as plain data that is copied with its program.
 
-use std::ops::{Deref, DerefMut};
+use std::ops::Deref;
 
 use common::rtweekend::Point3;
 
@@ -53,11 +53,6 @@ impl World {
         }
         world
     }
-
-    /// The same without the first so many.
-    pub fn without(self, count: usize) -> Self {
-        Self::of(self.get(count..).unwrap_or_default())
-    }
 }
 
 impl Deref for World {
@@ -65,11 +60,5 @@ impl Deref for World {
 
     fn deref(&self) -> &[Ball] {
         &self.balls[..self.count]
-    }
-}
-
-impl DerefMut for World {
-    fn deref_mut(&mut self) -> &mut [Ball] {
-        &mut self.balls[..self.count]
     }
 }

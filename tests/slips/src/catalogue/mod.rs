@@ -6,6 +6,7 @@ mod file;
 mod function;
 mod list;
 mod normals;
+mod sky;
 mod sphere;
 
 use super::slip::Slip;
@@ -15,6 +16,7 @@ pub fn all() -> impl Iterator<Item = &'static Slip> {
     [
         file::SLIPS,
         camera::SLIPS,
+        sky::SLIPS,
         sphere::SLIPS,
         normals::SLIPS,
         list::SLIPS,
