@@ -31,7 +31,6 @@ mod catalogue;
 mod edition;
 mod letters;
 mod look;
-mod older;
 mod output;
 mod probes;
 mod program;

@@ -60,8 +60,7 @@ pub struct Program {
     pub aspect_ratio: f64,
     /// Rows of the picture, from its width and the aspect ratio.
     pub image_height: fn(f64, f64) -> u32,
-    /// Width over height of the viewport, from the width and the height of the
-    /// picture and the aspect ratio.
+    /// Width over height of the viewport, from those of the picture and the aspect ratio.
     pub viewport_ratio: fn(f64, f64, f64) -> f64,
     /// Height of the viewport in units of space.
     pub viewport_height: f64,
@@ -75,20 +74,22 @@ pub struct Program {
     pub last: f64,
     /// By how much columns and rows are divided to run from 0 to 1, given how many are counted.
     pub divisors: fn(f64, f64) -> [f64; 2],
-    /// How far the first pixel is from the upper left corner, to the right and down, in
-    /// pixels.
+    /// How many pixels the first one lies to the right of the upper left corner, and below.
     pub inset: [f64; 2],
-    /// The column and row of the nth printed pixel, given the picture's width
-    /// and height.
+    /// The column and row of the nth printed pixel, given the picture's width and height.
     pub order: fn(u32, u32, u32) -> (u32, u32),
-    /// How many rows higher each one is seen than it is printed.
-    pub rows_above: f64,
+    /// The column and row that are seen, from those that the loops count.
+    pub place: fn([f64; 2]) -> [f64; 2],
+    /// Red and green in the build test, from column and row and the divisors.
+    pub ramp: fn([f64; 2], [f64; 2]) -> [f64; 2],
     /// Blue in every pixel of the build test.
     pub blue: f64,
     /// The color of the pixel in a column and row.
     pub color: fn(&Program, &Camera, u32, u32) -> Color,
     /// The ray through the pixel in a column and row.
     pub ray: fn(&Program, &Camera, u32, u32) -> Ray,
+    /// The ray that is cast, from the right one.
+    pub aim: fn(&Program, Ray) -> Ray,
     /// The sum of two vectors.
     pub plus: fn(Vec3, Vec3) -> Vec3,
     /// A vector divided by a number.
@@ -125,16 +126,17 @@ pub struct Program {
     pub linear: fn(f64) -> f64,
     /// The quadratic's c from oc·oc and the radius.
     pub constant: fn(f64, f64) -> f64,
-    /// From a, b or h, and c.
-    pub discriminant: fn(f64, f64, f64) -> f64,
+    /// The 4 of the discriminant, or 1 where b is halved.
+    pub four: f64,
+    /// From that, a, b or h, and c.
+    pub discriminant: fn(f64, f64, f64, f64) -> f64,
     /// Whether there is a root, from the discriminant.
     pub meets: fn(f64) -> bool,
     /// The square root.
     pub sqrt: fn(f64) -> f64,
     /// The first term of the numerator, from b or h.
     pub first_term: fn(f64) -> f64,
-    /// The numerators of the two roots that are tried, one after the other,
-    /// from the first term, the square root, and a.
+    /// The numerators of the roots as they are tried, from the first term, the root, and a.
     pub numerators: fn(f64, f64, f64) -> [f64; 2],
     /// A root from its numerator and a.
     pub divide: fn(f64, f64) -> f64,
@@ -150,8 +152,7 @@ pub struct Program {
     pub outward: fn(&Program, Point3, Ball) -> Vec3,
     /// Whether the ray comes from outside, from its direction and the normal that points out.
     pub front_face: fn(&Program, Vec3, Vec3) -> bool,
-    /// The normal that is colored, from the ray's direction and the one that
-    /// points out.
+    /// The normal that is colored, from the ray's direction and the one that points out.
     pub face: fn(&Program, Vec3, Vec3) -> Vec3,
     /// The color of a sphere that has only one.
     pub paint: Color,
@@ -294,9 +295,9 @@ impl Program {
         })
     }
 
-    /// The row that the loop counts as it draws the `j`th row from above.
-    pub(super) fn row(&self, j: u32, camera: &Camera) -> f64 {
-        self.edition.row(j, camera.image_height) + self.rows_above
+    /// The column and row that are seen in the `j`th row from above.
+    pub(super) fn seen(&self, camera: &Camera, i: u32, j: u32) -> [f64; 2] {
+        (self.place)([i.into(), self.edition.row(j, camera.image_height)])
     }
 
     /// By how much columns and rows are divided.
@@ -304,32 +305,27 @@ impl Program {
         (self.divisors)(f64::from(width) - self.last, f64::from(height) - self.last)
     }
 
-    /// The ray of a program without a slip in it.
-    pub(super) fn right_ray(&self, camera: &Camera, i: u32, j: u32) -> Ray {
-        if let Some(ray) = self.code.and_then(|code| code.ray(camera, i, j)) {
-            return ray;
-        }
-        let row = self.row(j, camera);
-        self.ray_of(camera, i.into(), row)
+    fn cast(&self, camera: &Camera, i: u32, j: u32) -> Ray {
+        let own = self.code.and_then(|code| code.ray(camera, i, j));
+        (self.aim)(self, own.unwrap_or_else(|| self.through(camera, i, j)))
     }
 
-    /// The ray for a column and a row as the loops count them.
-    pub(super) fn ray_of(&self, camera: &Camera, i: f64, j: f64) -> Ray {
-        let [u, v] = if self.edition.counts_from_below() {
+    fn through(&self, camera: &Camera, i: u32, j: u32) -> Ray {
+        let [mut u, mut v] = self.seen(camera, i, j);
+        if self.edition.counts_from_below() {
             let [across, up] = self.divided(camera.image_width, camera.image_height);
-            [i / across, j / up]
-        } else {
-            [i, j]
-        };
+            [u, v] = [u / across, v / up];
+        }
         let in_column = (self.plus)(camera.pixel00, u * camera.pixel_delta_u);
         let point = (self.plus)(in_column, v * camera.pixel_delta_v);
         Ray::new(camera.center, point - camera.center)
     }
 
-    /// The color of the build test where red is made of `i` and green of `j`.
-    pub(super) fn ramp(&self, camera: &Camera, i: f64, j: f64) -> Color {
-        let [across, down] = self.divided(camera.image_width, camera.image_height);
-        Color::new(i / across, j / down, self.blue)
+    /// The color of a pixel in a chapter without rays.
+    fn build_test(&self, camera: &Camera, i: u32, j: u32) -> Color {
+        let divisors = self.divided(camera.image_width, camera.image_height);
+        let [red, green] = (self.ramp)(self.seen(camera, i, j), divisors);
+        Color::new(red, green, self.blue)
     }
 
     /// The `hit_sphere` of chapters 2 to 4, which knows no interval: the nearer
@@ -355,7 +351,7 @@ impl Program {
     /// The two roots that are tried, one after the other.
     fn roots(&self, ball: Ball, ray: &Ray) -> Option<[f64; 2]> {
         let [a, b, c] = self.coefficients(ball, ray);
-        let discriminant = (self.discriminant)(a, b, c);
+        let discriminant = (self.discriminant)(self.four, a, b, c);
         let roots = || {
             let numerators = (self.numerators)((self.first_term)(b), (self.sqrt)(discriminant), a);
             numerators.map(|numerator| (self.divide)(numerator, a))
@@ -389,10 +385,12 @@ const HITTABLE_LIST: Program = Program {
     divisors: |width, height| [width, height],
     inset: [0.5, 0.5],
     order: |n, width, _| (n % width, n / width),
-    rows_above: 0.0,
+    place: |place| place,
+    ramp: |[i, j], [width, height]| [i / width, j / height],
     blue: 0.0,
     color: |program, camera, i, j| program.ray_color(&(program.ray)(program, camera, i, j)),
-    ray: Program::right_ray,
+    ray: Program::cast,
+    aim: |_, ray| ray,
     plus: |u, v| u + v,
     over: |v, t| v * (1.0 / t),
     unit: Vec3::normalize,
@@ -411,7 +409,8 @@ const HITTABLE_LIST: Program = Program {
     a: |program, direction| (program.squared)(program, direction),
     linear: |d_oc| d_oc,
     constant: |oc_squared, radius| oc_squared - radius * radius,
-    discriminant: |a, h, c| h * h - a * c,
+    four: 1.0,
+    discriminant: |four, a, b, c| b * b - four * a * c,
     meets: |discriminant| discriminant >= 0.0,
     sqrt: f64::sqrt,
     first_term: |h| h,
@@ -454,13 +453,12 @@ const NORMALS: Program = Program {
     chapter: Chapter::Normals,
     squared: |program, v| (program.dot)(v, v),
     linear: |d_oc| -2.0 * d_oc,
-    discriminant: |a, b, c| b * b - 4.0 * a * c,
+    four: 4.0,
     first_term: |b| -b,
     divide: |numerator, a| numerator / (2.0 * a),
     ..HALF_B_SPHERE
 };
 
-/// It asks whether there is a root, not where.
 const RED_SPHERE: Program = Program {
     chapter: Chapter::RedSphere,
     t_min: f64::NEG_INFINITY,
@@ -481,7 +479,7 @@ const BUILD_TEST: Program = Program {
     image_height: |width, _| width as u32,
     last: 1.0,
     divisors: |width, height| [width.max(1.0), height.max(1.0)],
-    color: |program, camera, i, j| program.ramp(camera, i.into(), program.row(j, camera)),
+    color: Program::build_test,
     ..GRADIENT
 };
 

@@ -27,7 +27,7 @@ fn on_viewport(program: &Program, camera: &Camera, i: u32, j: u32) -> [f32; 2] {
     let ratio = (program.viewport_ratio)(width, height, program.aspect_ratio) as f32;
     let divisors = program.divided(camera.image_width, camera.image_height);
     let divisors = divisors.map(|divisor| divisor as f32);
-    let at = [i as f32, program.row(j, camera) as f32];
+    let at = program.seen(camera, i, j).map(|place| place as f32);
     let is_from_below = program.edition.counts_from_below();
     let axis = |n: usize, viewport: f32| {
         if is_from_below {

@@ -64,7 +64,7 @@ impl Program {
         let [a, b, c] = self.coefficients(ball, ray);
         Quadratic {
             coefficients: [a, b, c],
-            discriminant: (self.discriminant)(a, b, c),
+            discriminant: (self.discriminant)(self.four, a, b, c),
             t: self.hit(ball, ray, self.t_min, self.t_max),
         }
     }

@@ -60,10 +60,8 @@ pub(super) const SLIPS: &[Slip] = &[
             "-viewport_height→viewport_height",
             "viewport_height→-viewport_height",
         ],
-        why: "Rows run downwards while y points up, so the edge from top to bottom is \
-              negative. The picture stands on its head.",
-        older_why: "Rows are counted from below, so the edge from the lower left corner points up. \
-                    The picture stands on its head.",
+        why: "y points up, and rows are counted from above in version 4 and from below in others. \
+              With the other sign the picture stands on its head.",
         reported: &["#879", "#1076", "#1579"],
         alter: |p| p.edges[1] = -p.edges[1],
         ..GRID
@@ -91,8 +89,7 @@ pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "inset-whole-pixel",
         edits: &["0.5 * (pixel_delta_u + pixel_delta_v)→pixel_delta_u + pixel_delta_v"],
-        why: "The middle of the first pixel is half a pixel from the corner, to the right \
-              and down. A whole pixel in, everything moves by half a pixel.",
+        why: "Its middle is half a pixel from the corner. A whole one in, all moves by half.",
         alter: |p| p.inset = [1.0, 1.0],
         ..PIXEL00
     },
@@ -107,8 +104,7 @@ pub(super) const SLIPS: &[Slip] = &[
         name: "older-camera",
         edits: &["→u = f64::from(i) / f64::from(image_width - 1), \
              v = f64::from(j) / f64::from(image_height - 1)"],
-        why: "The camera of older editions puts the first and last pixels on the edges of the \
-              viewport: nearly right, but edges differ.",
+        why: "Older editions put the first and last pixels on the viewport's edges.",
         alter: |p| {
             p.last = 1.0;
             p.inset = [0.0, 0.0];
@@ -123,14 +119,10 @@ pub(super) const SLIPS: &[Slip] = &[
             "i / …, v = j→(i + 0.5) / …, v = (j + 0.5)",
             "image_width→image_width - 1",
         ],
-        why: "The viewport holds image_width whole pixels. With one less, each is a little \
-              too wide, and the last one lies half outside.",
-        older_why: "The first ray goes through the viewport's corner, since i and j begin at 0. \
-                    With half a pixel more, everything moves by half a pixel to the left and down.",
+        why: "Then the pixels are not where they should be, by half of one at most.",
         alter: |p| {
             if p.edition.counts_from_below() {
-                p.ray =
-                    |p, camera, i, j| p.ray_of(camera, f64::from(i) + 0.5, p.row(j, camera) + 0.5);
+                p.place = |place| place.map(|count| count + 0.5);
             } else {
                 p.last = 1.0;
             }
@@ -143,10 +135,7 @@ pub(super) const SLIPS: &[Slip] = &[
             " - 0.5 * viewport_u - 0.5 * viewport_v→",
             " - horizontal / 2 - vertical / 2→",
         ],
-        why: "Without the two halves the axis goes through the upper left corner, and only a \
-              quarter of the scene is left.",
-        older_why: "Without the two halves the axis goes through the lower left corner, and only a \
-                    quarter of the scene is left.",
+        why: "Without the two halves the axis goes through a corner: a quarter is left.",
         alter: |p| p.corner = [0.0; 2],
         ..CORNER
     },
@@ -156,10 +145,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "0.5 * viewport_u - 0.5 * viewport_v→viewport_u - viewport_v",
             "horizontal / 2 - vertical / 2→horizontal - vertical",
         ],
-        why: "With whole edges the axis goes through the lower right corner, and only a \
-              quarter of the scene is left.",
-        older_why: "With whole edges the axis goes through the upper right corner, and only a \
-                    quarter of the scene is left.",
+        why: "With whole edges the axis goes through a corner: a quarter is left.",
         alter: |p| p.corner = [1.0; 2],
         ..CORNER
     },
@@ -192,8 +178,7 @@ pub(super) const SLIPS: &[Slip] = &[
         name: "focal-length-two",
         rust: "focal_length = 1.0",
         edits: &["1.0→2.0"],
-        why: "Twice as far from the viewport, the eye sees less of the world: half as much of \
-              what is ahead, twice as large.",
+        why: "Twice as far from the viewport, the eye sees half as much, twice as large.",
         alter: |p| p.focal_length = 2.0,
         ..CAMERA
     },
@@ -258,10 +243,8 @@ pub(super) const SLIPS: &[Slip] = &[
             "(f64::from(image_width) / f64::from(image_height))→aspect_ratio",
             "→horizontal = (4, 0, 0), or aspect_ratio = 16.0 / 9.0, whatever the picture's size",
         ],
-        why: "The height was cut off, so the picture's own ratio is not 16:9. At 400 wide it \
-              happens to be. In a picture of quite another shape the sphere becomes an \
-              ellipse.",
-        older_why: "Only the picture has got another shape: the sphere becomes an ellipse.",
+        why: "The picture's own ratio is another one, even where its height was only cut off. At \
+              400 wide it happens to be 16:9. In quite another shape the sphere becomes an ellipse.",
         reported: &["#527", "#1246", "#1342", "#1486"],
         alter: |p| {
             p.viewport_ratio = match p.edition {
@@ -332,8 +315,7 @@ pub(super) const SLIPS: &[Slip] = &[
         rust: "pixel_delta_v = viewport_v * (1.0 / f64::from(image_height))",
         older: "v = j / (image_height - 1)",
         edits: &["image_height→image_width"],
-        why: "A step down is too short, and the rows end in the middle of the viewport.",
-        older_why: "v ends far below 1, so the highest rows are missing.",
+        why: "A step is too short, and the rows end in the middle of the viewport.",
         alter: |p| p.divisors = |width, _| [width; 2],
         ..GRID
     },
@@ -345,41 +327,24 @@ pub(super) const SLIPS: &[Slip] = &[
              f64::from(j) * self.pixel_delta_u + f64::from(i)",
             "i / (image_width - 1), v = j→j / (image_width - 1), v = i",
         ],
-        why: "Column i goes to the right and row j down. Swapped, the picture is transposed \
-              and runs out of the viewport.",
-        older_why: "Column i goes to the right and row j up. Swapped, the picture is transposed \
-                    and runs out of the viewport.",
-        alter: |p| {
-            p.ray = |program, camera, i, j| {
-                let row = program.row(j, camera);
-                program.ray_of(camera, row, i.into())
-            }
-        },
+        why: "i counts to the right and j along a column. Swapped, all is transposed.",
+        alter: |p| p.place = |[i, j]| [j, i],
         ..PIXEL
     },
     Slip {
         name: "column-for-row",
         older: "v = j / (image_height - 1)",
         edits: &["f64::from(j)→f64::from(i)", "v = j→v = i"],
-        why: "A copied term keeps its letter: all rows are the same, and run down the viewport as \
-              they run to the right.",
-        older_why: "A copied term keeps its letter: all rows are the same, and run up beyond the \
-                    viewport as they run to the right.",
-        alter: |p| p.ray = |program, camera, i, _| program.ray_of(camera, i.into(), i.into()),
+        why: "A copied term keeps its letter: all rows are the same.",
+        alter: |p| p.place = |[i, _]| [i; 2],
         ..PIXEL
     },
     Slip {
         name: "ray-arguments-swapped",
         edits: &["self.center, pixel_center - self.center→\
                   pixel_center - self.center, self.center"],
-        why: "The origin comes first. Swapped, the direction is (0, 0, 0), which has no unit \
-              vector: no color is a number.",
-        alter: |p| {
-            p.ray = |program, camera, i, j| {
-                let ray = program.right_ray(camera, i, j);
-                Ray::new(ray.direction, ray.origin)
-            }
-        },
+        why: "Swapped, the direction is (0, 0, 0), which has no unit vector and no color.",
+        alter: |p| p.aim = |_, ray| Ray::new(ray.direction, ray.origin),
         ..RAY
     },
     Slip {
@@ -388,12 +353,7 @@ pub(super) const SLIPS: &[Slip] = &[
         why: "The same lines, so the same picture; but t is no longer 1 on the viewport.",
         unseen_in: RAYS,
         law: "A ray meets the viewport at t = 1.",
-        alter: |p| {
-            p.ray = |program, camera, i, j| {
-                let ray = program.right_ray(camera, i, j);
-                Ray::new(ray.origin, (program.unit)(ray.direction))
-            }
-        },
+        alter: |p| p.aim = |p, ray| Ray::new(ray.origin, (p.unit)(ray.direction)),
         ..RAY
     },
 ];

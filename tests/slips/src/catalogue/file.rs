@@ -1,9 +1,6 @@
 //! Slips in what a file holds: the order of pixels, and numbers for colors.
 
-use common::rtweekend::*;
-
 use super::chapters::{BUILD_TEST, EVERY, RAYS};
-use crate::edition::Edition;
 use crate::single;
 use crate::slip::{Part, SLIP, Slip};
 
@@ -51,12 +48,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "i /→i //",
         ],
         why: "Two integers divide to an integer: 0 but in the last column, where it is 1.",
-        alter: |p| {
-            p.color = |program, camera, i, j| {
-                let right = program.ramp(camera, i.into(), program.row(j, camera));
-                Color::new(right.x.floor(), right.y.floor(), right.z)
-            }
-        },
+        alter: |p| p.ramp = |[i, j], [width, height]| [i / width, j / height].map(f64::floor),
         ..THE_CODE
     },
     Slip {
@@ -72,9 +64,7 @@ pub(super) const SLIPS: &[Slip] = &[
              image_width, double(j) / image_height",
             "(image_width - 1)→image_width",
         ],
-        why: "The last column is number image_width - 1, so red stops just short of full.",
-        older_why: "The last column is number image_width - 1. In version 3 it lies on the edge of \
-                    the viewport, in versions 1 and 2 a pixel before it.",
+        why: "The last column is number image_width - 1, so nothing quite reaches its end.",
         reported: &["#923"],
         unseen_in: RAYS,
         equivalent: "Rays of version 4 step by pixel_delta_u, the edge divided by image_width.",
@@ -89,12 +79,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "i / (width - 1), g = j→j / (width - 1), g = i",
         ],
         why: "Columns run to the right and carry red; here the picture is transposed.",
-        alter: |p| {
-            p.color = |program, camera, i, j| {
-                let row = program.row(j, camera);
-                program.ramp(camera, row, i.into())
-            }
-        },
+        alter: |p| p.ramp = |[i, j], [width, height]| [j / width, i / height],
         ..COLOR
     },
     Slip {
@@ -105,12 +90,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "j / (height - 1)→i / (width - 1)",
         ],
         why: "A copied term keeps its letter: green runs to the right, and all rows are the same.",
-        alter: |p| {
-            p.color = |program, camera, i, j| {
-                let color = program.ramp(camera, i.into(), j.into());
-                color.with_y(color.x)
-            }
-        },
+        alter: |p| p.ramp = |[i, _], [width, _]| [i / width; 2],
         ..COLOR
     },
     Slip {
@@ -121,12 +101,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "i / (width - 1)→j / (height - 1)",
         ],
         why: "A copied term keeps its letter: red runs down, and all columns are the same.",
-        alter: |p| {
-            p.color = |program, camera, i, j| {
-                let color = program.ramp(camera, i.into(), program.row(j, camera));
-                color.with_x(color.y)
-            }
-        },
+        alter: |p| p.ramp = |[_, j], [_, height]| [j / height; 2],
         ..COLOR
     },
     Slip {
@@ -134,16 +109,9 @@ pub(super) const SLIPS: &[Slip] = &[
         cpp: "g = j / (height - 1)",
         older: "g = j / (image_height - 1)",
         edits: &["f64::from(j)→1.0 - f64::from(j)", "j /→1 - j /"],
-        why: "Older editions count rows from below. Here row 0 is the highest.",
-        older_why: "Green grows with j, which counts rows from below.",
+        why: "Green is to grow with j, whether rows are counted from above or from below.",
         reported: &["#879"],
-        alter: |p| {
-            p.color = |program, camera, i, j| {
-                let row = program.row(j, camera);
-                let turned = f64::from(camera.image_height) - 1.0 - row;
-                program.ramp(camera, i.into(), turned)
-            }
-        },
+        alter: |p| p.ramp = |[i, j], [width, height]| [i / width, (height - j) / height],
         ..COLOR
     },
     Slip {
@@ -151,8 +119,7 @@ pub(super) const SLIPS: &[Slip] = &[
         cpp: "b = 0",
         older: "b = 0.2",
         edits: &["0.0)→0.25)", "0.2→0.25", "0→0.25"],
-        why: "Older editions put a quarter of blue into every pixel of this picture.",
-        older_why: "Versions 3.1.0 to 3 have a quarter of blue, and those before them a fifth.",
+        why: "Versions 3.1 to 3 have a quarter of blue here, and those before them a fifth.",
         reported: &["PR #1184"],
         alter: |p| p.blue = 0.25,
         ..COLOR
@@ -180,9 +147,8 @@ pub(super) const SLIPS: &[Slip] = &[
             "(image_height)→(image_height - 1, -1, -1)",
             "image_height - 1 down to 0→0 up to image_height - 1",
         ],
-        why: "Older editions print the last row first. Here the picture stands on its head.",
-        older_why: "Rows are counted from below, and a file begins with the highest one. Printed \
-                    from row 0 on, the picture stands on its head.",
+        why: "A file begins with the highest row, and editions count rows from either end. From \
+              the other one, the picture stands on its head.",
         reported: &["PR #1051", "#766", "#879"],
         alter: |p| p.order = |n, width, height| (n % width, height - 1 - n / width),
         ..PIXELS
@@ -196,12 +162,10 @@ pub(super) const SLIPS: &[Slip] = &[
             "- 1 down to 0, for i = 0 to image_width - 1→down to 1, for i = 1 to image_width",
             "→for j = 1 to image_height, for i = 1 to image_width",
         ],
-        why: "Pixels are counted from 0. From 1, all moves by a pixel to the left and upwards.",
-        older_why: "Pixels are counted from 0. From 1, all moves by a pixel to the left and down.",
+        why: "Pixels are counted from 0. From 1, everything moves by a pixel.",
         alter: |p| {
             if p.edition.counts_from_below() {
-                p.rows_above = 1.0;
-                p.order = |n, width, _| (n % width + 1, n / width);
+                p.place = |place| place.map(|count| count + 1.0);
             } else {
                 p.order = |n, width, _| (n % width + 1, n / width + 1);
             }
@@ -216,8 +180,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "{image_width} {image_height}→{image_height} {image_width}",
             "image_width, image_height→image_height, image_width",
         ],
-        why: "The header tells the width first. Swapped, every row breaks at the wrong pixel: \
-              where columns differ the picture shears.",
+        why: "The width comes first. Swapped, every row breaks at the wrong pixel.",
         unseen_in: BUILD_TEST,
         equivalent: "The picture is a square, so both numbers are the same.",
         alter: |p| p.header = |width, height| (height, width),
@@ -264,8 +227,7 @@ pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "times-256",
         edits: &["255.999→256.0"],
-        why: "A component of 1.0 becomes 256, which is no level; a language that stops at 255 \
-              shows a few pixels a level brighter.",
+        why: "1.0 becomes 256, which is no level. Cut off at 255, a few pixels are brighter.",
         reported: &["RayTracing/TheRestOfYourLife PR #5"],
         alter: |p| p.level = |component| (256.0 * component) as i32,
         ..LEVELS
@@ -287,8 +249,7 @@ pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "color-not-scaled",
         edits: &["(255.999 * component)→component"],
-        why: "A component runs from 0 to 1, a level from 0 to 255. Unscaled, no level is \
-              above 1, and the picture is black.",
+        why: "A component runs from 0 to 1, a level from 0 to 255. Unscaled, all is black.",
         alter: |p| p.level = |component| component as i32,
         ..LEVELS
     },
@@ -313,10 +274,9 @@ pub(super) const SLIPS: &[Slip] = &[
         reported: &["mitsuba-renderer/mitsuba3#512"],
         alter: |p| {
             p.color = single::color;
-            p.level = match p.edition {
-                Edition::V1 | Edition::V1InDouble => p.level,
-                _ => |component| (255.999_f32 * component as f32) as i32,
-            };
+            if !p.edition.is_first() {
+                p.level = |component| (255.999_f32 * component as f32) as i32;
+            }
         },
         ..SLIP
     },

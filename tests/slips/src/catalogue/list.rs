@@ -75,8 +75,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "closest_so_far = rec.t; …→if (object.hit(…)) return true",
             "→return Some(record)",
         ],
-        why: "The first object that is hit hides nearer ones that follow. The book adds the \
-              near sphere first, so its picture is right.",
+        why: "The first object that is hit hides nearer ones, and the book adds the nearest first.",
         alter: |p| p.search = |program, balls, ray| hits(program, balls, ray).next(),
         ..SEARCH
     },
@@ -129,8 +128,7 @@ pub(super) const SLIPS: &[Slip] = &[
              root = (h + sqrtd) / a",
             "→if not range.surrounds(root): root = (h + sqrtd) / a",
         ],
-        why: "The second root has to be in the range as well. If it is taken untested, \
-              spheres behind the camera are hit.",
+        why: "The second root has to be in the range too, or spheres behind the camera are hit.",
         alter: |p| {
             p.choice = |program, [near, far], t_min, t_max| {
                 let is_near = (program.in_range)(t_min, near, t_max);
@@ -160,8 +158,7 @@ pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "range-closed",
         edits: &["t_min < t && t < t_max→t_min <= t && t <= t_max"],
-        why: "A root exactly at an end of the interval does not count: a ray that leaves a \
-              surface must not hit it at t = 0.",
+        why: "A ray that leaves a surface must not hit it at t = 0, the end of the interval.",
         unseen_in: HITTABLE_LIST,
         law: "A root at an end of the interval is no hit.",
         alter: |p| p.in_range = |t_min, t, t_max| t_min <= t && t <= t_max,
@@ -170,8 +167,7 @@ pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "face-normal-missing",
         edits: &["set_face_normal(ray, outward_normal)→normal = outward_normal"],
-        why: "From inside a sphere the normal has to turn against the ray. The book's camera \
-              is outside of everything.",
+        why: "From inside a sphere, where no camera here is, the normal turns against the ray.",
         alter: |p| {
             p.front_face = |_, _, _| false;
             p.face = |_, _, outward| outward;
@@ -185,8 +181,7 @@ pub(super) const SLIPS: &[Slip] = &[
             " if front_face else -outward_normal→",
             "→self.normal = outward_normal",
         ],
-        why: "From inside a sphere the normal has to turn against the ray. The book's camera \
-              is outside of everything.",
+        why: "From inside a sphere, where no camera here is, the normal turns against the ray.",
         alter: |p| p.face = |_, _, outward| outward,
         ..TURN
     },

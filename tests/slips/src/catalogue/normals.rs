@@ -70,8 +70,7 @@ pub(super) const SLIPS: &[Slip] = &[
         rust: "t > 0.0",
         cpp: "if (t > 0)",
         edits: &["> 0→> -1"],
-        why: "Readers try this to bring back a sphere that a wrong sign has lost. It counts \
-              points just behind the camera too.",
+        why: "Readers try this to bring back a sphere that a wrong sign has lost.",
         reported: &["#1643", "#1558"],
         alter: |p| p.t_min = -1.0,
         ..RANGE
@@ -121,8 +120,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "(ray.at(t) - center).normalize()→ray.at(t).normalize() - center",
             "(point - center) * (1.0 / radius)→point.normalize() - center",
         ],
-        why: "The bracket closes too early: the center is taken from a vector that is 1 long \
-              already, and the difference is not.",
+        why: "The bracket closes too early: what is 1 long is taken before the difference.",
         alter: |p| p.outward = |program, point, ball| (program.unit)(point) - ball.center,
         ..NORMAL
     },
@@ -144,8 +142,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "(ray.at(t) - center).normalize()→ray.at(t) - center",
             "(point - center) * (1.0 / radius)→point - center",
         ],
-        why: "Its length is the radius, and colors are made for length 1: a small sphere fades \
-              to gray, the ground leaves the range.",
+        why: "Its length is the radius, not 1: a small sphere fades to gray, a large one glares.",
         reported: &["#1062", "#525"],
         alter: |p| p.outward = |_, point, ball| point - ball.center,
         ..NORMAL
@@ -180,8 +177,7 @@ pub(super) const SLIPS: &[Slip] = &[
         name: "point-at-one",
         rust: "ray.at(t)",
         edits: &["ray.at(t)→ray.at(1.0)"],
-        why: "The point at t = 1 is on the viewport, whatever is hit: the disc is right, its \
-              colors are those of another surface.",
+        why: "The point at t = 1 is on the viewport: the disc is right, its colors are not.",
         alter: |p| p.hit_point = |program, ray, _| (program.at)(program, ray, 1.0),
         ..CHAPTER
     },
@@ -219,8 +215,7 @@ pub(super) const SLIPS: &[Slip] = &[
         name: "normal-without-brackets",
         cpp: "",
         edits: &["(normal + Vec3::ONE)→normal + Vec3::ONE"],
-        why: "The half takes the normal alone, so components run from 0.5 to 1.5, and half of \
-              them are too bright for a picture.",
+        why: "The half takes the normal alone, so components run from 0.5 to 1.5: too bright.",
         alter: |p| p.shade = |_, normal| 0.5 * normal + Vec3::ONE,
         ..SHADE
     },
@@ -245,16 +240,7 @@ pub(super) const SLIPS: &[Slip] = &[
         rust: "center - Vec3::new(0.0, 0.0, focal_length), and the spheres at z = -1.0",
         edits: &["→center + Vec3::new(0.0, 0.0, focal_length), and the spheres at z = 1.0"],
         why: "z points away from the eye then, and the normals' blue too. All else is the same.",
-        alter: |p| {
-            p.face = if p.chapter == HittableList {
-                |program, direction, outward| {
-                    let is_front = (program.front_face)(program, direction, outward);
-                    mirrored(if is_front { outward } else { -outward })
-                }
-            } else {
-                |_, _, outward| mirrored(outward)
-            }
-        },
+        alter: |p| p.shade = |_, normal| 0.5 * (mirrored(normal) + Vec3::ONE),
         ..CHAPTER
     },
     Slip {

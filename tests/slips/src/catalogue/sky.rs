@@ -44,12 +44,8 @@ pub(super) const SLIPS: &[Slip] = &[
         rust: "Vec3::new(self.x + other.x, self.y + other.y, self.z + other.z)",
         cpp: "vec3(u.x + v.x, u.y + v.y, u.z + v.z)",
         edits: &["other.z→self.z", "v.z→u.z"],
-        why: "In operator+ the third component is that of the first vector, twice. Three sums \
-              on the way to a pixel move the viewport from -1 to -8, and a point on a ray has \
-              no depth.",
-        older_why: "In operator+ the third component is that of the first vector, twice. Two sums \
-                    on the way to a pixel move the viewport from -1 to -4, and a point on a ray \
-                    has no depth.",
+        why: "In operator+ the third component is that of the first vector, twice. Each sum on the \
+              way to a pixel doubles the viewport's distance, and a point on a ray has no depth.",
         alter: |p| {
             p.plus = swapped_plus;
             p.lerp = |[below, above], a| swapped_plus((1.0 - a) * below, a * above);
@@ -64,8 +60,7 @@ pub(super) const SLIPS: &[Slip] = &[
         rust: "(1.0 / self.length()) * self",
         cpp: "unit_vector(v) = v / v.length()",
         edits: &["length()→length_squared()"],
-        why: "A unit vector is v divided by its length. Divided by its square, long vectors \
-              become too short and short ones too long.",
+        why: "Divided by its length's square, a long vector becomes too short.",
         alter: |p| p.unit = |v| v * (1.0 / v.length_squared()),
         ..VECTOR
     },
@@ -121,8 +116,7 @@ pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "blend-without-brackets",
         edits: &["(unit_direction.y + 1.0)→unit_direction.y + 1.0"],
-        why: "The half takes y alone, so the weight runs from 0.5 to 1.5: above the horizon \
-              the sky is too blue, below it as it should be above.",
+        why: "The half takes y alone, so the weight runs from 0.5 to 1.5: the sky is too blue.",
         alter: |p| p.blend = |direction| 0.5 * direction.y + 1.0,
         ..BLEND
     },

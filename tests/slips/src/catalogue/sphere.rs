@@ -84,11 +84,8 @@ pub(super) const SLIPS: &[Slip] = &[
             "center - ray.origin→ray.origin - center",
             "r.origin() - center→center - r.origin()",
         ],
-        why: "Older editions have it this way round, with another sign in the formula. If \
-              you mix the two, every root changes its sign and the sphere is behind the \
-              camera.",
-        older_why: "Version 4 has it that way round, with another sign in the formula. If you mix \
-                    the two, every root changes its sign and the sphere is behind the camera.",
+        why: "Other editions have it the other way round, with another sign in the formula. If you \
+              mix the two, every root changes its sign and the sphere is behind the camera.",
         reported: &["#1292", "PR #1304", "#1643"],
         unseen_in: RED_SPHERE,
         equivalent: SIGN_OF_B,
@@ -99,10 +96,8 @@ pub(super) const SLIPS: &[Slip] = &[
         name: "b-sign",
         page: "editions#every-mixture",
         edits: &["-2.0→2.0", "2.0→-2.0"],
-        why: "The sign belongs to oc = center - origin. Without it every root changes its sign \
-              and the sphere is behind the camera.",
-        older_why: "The minus belongs to oc = center - origin, as in version 4. With it every root \
-                    changes its sign and the sphere is behind the camera.",
+        why: "The sign belongs to that of oc. With the other one every root changes its sign and \
+              the sphere is behind the camera.",
         reported: &["#1292", "#1643"],
         unseen_in: RED_SPHERE,
         equivalent: SIGN_OF_B,
@@ -122,7 +117,6 @@ pub(super) const SLIPS: &[Slip] = &[
         edits: &["half_b =→half_b = 2.0 *", "h =→h = -2.0 *"],
         why: "That is b, and the formula is the one for half of it: the discriminant is far \
               too large, and every root is behind the camera.",
-        older_why: "The formula is the one for half of b: the discriminant is far too large.",
         alter: |p| {
             p.linear = match p.edition {
                 Edition::V4 => |d_oc| -2.0 * d_oc,
@@ -146,7 +140,7 @@ pub(super) const SLIPS: &[Slip] = &[
         edits: &["4.0 * →"],
         why: "The 4 goes only if b is halved. The discriminant is too large, and every ray hits.",
         reported: &["#113", "#126", "#146", "RayTracing/InOneWeekend#17"],
-        alter: |p| p.discriminant = |a, b, c| b * b - a * c,
+        alter: |p| p.four = 1.0,
         ..DISCRIMINANT
     },
     Slip {
@@ -157,28 +151,21 @@ pub(super) const SLIPS: &[Slip] = &[
         edits: &["- a * c→- 4.0 * a * c", "- a*c→- 4*a*c"],
         why: "Halving b cancels the 4. With it the discriminant is too small: the sphere is gone.",
         reported: &["#113", "#126", "#146", "RayTracing/InOneWeekend#17"],
-        alter: |p| p.discriminant = |a, h, c| h * h - 4.0 * a * c,
+        alter: |p| p.four = 4.0,
         ..HALF
     },
     Slip {
         name: "discriminant-with-plus",
         edits: &[" - → + "],
         why: "From outside a sphere c is positive, so the sum is too: every line seems to hit.",
-        alter: |p| {
-            p.discriminant = if p.chapter < HalfBSphere {
-                |a, b, c| b * b + 4.0 * a * c
-            } else {
-                |a, h, c| h * h + a * c
-            }
-        },
+        alter: |p| p.discriminant = |four, a, b, c| b * b + four * a * c,
         ..DISCRIMINANT
     },
     Slip {
         name: "tangent-missed",
         cpp: "discriminant >= 0",
         edits: &[">=→>", "<→<="],
-        why: "A ray that only touches the sphere has one root, and the discriminant is 0. No \
-              ray of the camera touches exactly.",
+        why: "A ray that touches has one root, and the discriminant is 0. None here is exact.",
         reported: &["#110", "#1057", "#1058", "PR #1124"],
         unseen_in: SPHERES,
         law: "A tangent is a hit.",
@@ -203,8 +190,7 @@ pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "radius-doubled",
         edits: &["radius * radius→2.0 * radius"],
-        why: "The square of the radius is radius*radius. Twice 0.5 is 1, the distance of the \
-              center: the eye is on the sphere.",
+        why: "Twice 0.5 is 1, the distance of the center: the eye is on the sphere.",
         alter: |p| p.constant = |oc_squared, radius| oc_squared - 2.0 * radius,
         ..C
     },
@@ -225,16 +211,14 @@ pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "a-taken-as-one",
         edits: &["ray.direction.dot(ray.direction)→1.0"],
-        why: "That holds for unit directions only. Here it gives every ray the discriminant of \
-              the one in the middle, and every ray hits.",
+        why: "That holds for unit directions only. Here every ray hits, as the one in the middle.",
         alter: |p| p.a = |_, _| 1.0,
         ..A
     },
     Slip {
         name: "a-from-length",
         edits: &["dot(ray.direction)→length()"],
-        why: "a is the square of the direction's length. Of a direction 1 long both are 1, and \
-              the eye's are longer towards the corners.",
+        why: "a is the square of the direction's length, which is 1 only in the middle.",
         alter: |p| p.a = |program, direction| (program.squared)(program, direction).sqrt(),
         ..A
     },
@@ -242,13 +226,7 @@ pub(super) const SLIPS: &[Slip] = &[
         name: "discriminant-without-a",
         edits: &["a * →"],
         why: "Without a it holds for directions 1 long only, and the disc is too large or torn.",
-        alter: |p| {
-            p.discriminant = if p.chapter < HalfBSphere {
-                |_, b, c| b * b - 4.0 * c
-            } else {
-                |_, h, c| h * h - c
-            }
-        },
+        alter: |p| p.discriminant = |four, _, b, c| b * b - four * c,
         ..DISCRIMINANT
     },
     Slip {
@@ -282,8 +260,7 @@ pub(super) const SLIPS: &[Slip] = &[
         chapters: ONE_SPHERE,
         cpp: "double hit_sphere(…) { … return -1.0;",
         edits: &["double→bool"],
-        why: "As a bool every number but 0 is true, and true turns into t = 1. All pixels are \
-              colored, also those that miss.",
+        why: "As a bool every number but 0 is true: all rays hit at t = 1, also those that miss.",
         reported: &["#157"],
         made_in: |letters| matches!(letters, Letters::Book(_)),
         alter: |p| {
@@ -324,8 +301,7 @@ pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "square-root-forgotten",
         edits: &["discriminant.sqrt()→discriminant"],
-        why: "The discriminant's sign alone decides which lines meet the sphere, so the disc \
-              stays; but the points are not on it.",
+        why: "The discriminant's sign alone makes the disc, but the points are not on it.",
         alter: |p| p.sqrt = |discriminant| discriminant,
         ..ROOT
     },
@@ -345,8 +321,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "(h - discriminant.sqrt())→h - discriminant.sqrt()",
             "→-b - sqrt(discriminant) / (2*a), or -half_b - sqrt(discriminant) / a",
         ],
-        why: "Only the square root is divided. With the whole of b that is wrong everywhere; \
-              with half of it the middle is right, where a is 1.",
+        why: "Only the square root is divided: right at most in the middle, where a is 1.",
         alter: |p| {
             p.numerators = match p.chapter {
                 Normals => |first, sqrtd, a| [first - sqrtd / (2.0 * a); 2],
