@@ -5,6 +5,7 @@ mod failure_map;
 mod labels;
 mod methods;
 mod panel;
+mod pareto;
 mod race;
 mod speed_accuracy;
 mod sweep;

@@ -1,0 +1,138 @@
+//! A scatter plot with its Pareto front: the methods that no other beats.
+
+use glam::DVec2;
+
+use super::labels::{Label, Place, write};
+use super::methods::Point;
+use super::panel::{Measure, Panel};
+use crate::svg::{Step, Svg, spot};
+
+/// A panel, and what is drawn in it.
+pub(super) struct Plot<'a> {
+    panel: Panel,
+    shown: &'a [Point],
+    /// Whether methods have names that are neither certified nor in the front.
+    name_all: bool,
+}
+
+impl<'a> Plot<'a> {
+    /// A panel of that height, so far below the upper edge of the sheet, for times in that
+    /// range.
+    pub(super) fn new(
+        digits: &str,
+        top: f64,
+        height: f64,
+        [fastest, slowest]: [f64; 2],
+        shown: &'a [Point],
+        name_all: bool,
+    ) -> Self {
+        let title = "nanoseconds for one test";
+        let times = Measure::logarithmic(title, fastest / 1.25, slowest * 1.25);
+        let digits = Measure::linear(digits, -1.0, 17.0, 4.0);
+        Self {
+            panel: Panel::new(spot(28.0, top), spot(354.0, height), times, digits),
+            shown,
+            name_all,
+        }
+    }
+
+    fn at(&self, one: &Point) -> DVec2 {
+        self.panel.at(one.ns, one.digits)
+    }
+
+    pub(super) fn draw(&self, svg: &mut Svg) {
+        self.panel.draw(svg);
+        let mut lines = self.through_reference();
+        let front = front(self.shown);
+        lines.push(("front line", steps(front.iter().map(|one| self.at(one)))));
+        for (class, points) in &lines {
+            svg.path(class, points);
+        }
+        let mut sorted: Vec<&Point> = self.shown.iter().collect();
+        // The most important ones in front, and named first.
+        sorted.sort_by_key(|one| IDEAS.iter().position(|idea| *idea == one.idea()));
+        for one in sorted.iter().rev() {
+            one.mark(svg, self.at(one));
+        }
+        let marks = sorted.iter().map(|one| Place::around(self.at(one), 6.0));
+        let pairs = lines.iter().flat_map(|(_, points)| points.windows(2));
+        let along = pairs.flat_map(|ends| Place::along(ends[0], ends[1]));
+        let (low, high) = self.corners();
+        let room = Place(low.down(-8.0), high.right(16.0));
+        let is_named = |one: &Point| self.name_all || one.idea() != "ink" || front.contains(&one);
+        let labels: Vec<Label> = sorted
+            .iter()
+            .filter(|one| is_named(one))
+            .map(|one| self.label(one))
+            .collect();
+        write(svg, room, marks.chain(along).collect(), &labels);
+    }
+
+    /// The name of a method, at the right edge with its time.
+    fn label(&self, one: &Point) -> Label {
+        let text = if one.ns > self.panel.x.axis.most {
+            format!("{}, {:.0} ns →", one.method, one.ns)
+        } else {
+            one.method.clone()
+        };
+        (one.idea(), self.at(one), text)
+    }
+
+    /// The two lines that meet in `half_b`.
+    fn through_reference(&self) -> Vec<(&str, Vec<DVec2>)> {
+        let Some(reference) = self.shown.iter().find(|one| one.idea() == "reference") else {
+            return Vec::new();
+        };
+        let DVec2 { x, y } = self.at(reference);
+        let (low, high) = self.corners();
+        vec![
+            ("reference dashed", vec![spot(x, low.y), spot(x, high.y)]),
+            ("reference dashed", vec![spot(low.x, y), spot(high.x, y)]),
+        ]
+    }
+
+    fn corners(&self) -> (DVec2, DVec2) {
+        (self.panel.corner, self.panel.corner + self.panel.size)
+    }
+}
+
+/// The least and the greatest time.
+pub(super) fn range(points: &[Point]) -> [f64; 2] {
+    let times = points.iter().map(|one| one.ns);
+    times.fold([f64::INFINITY, 0.0], |[least, most], ns| {
+        [ns.min(least), ns.max(most)]
+    })
+}
+
+/// What marks can say, the most important first.
+const IDEAS: [&str; 3] = ["reference", "certain", "ink"];
+
+/// The methods that no other beats in both speed and accuracy, the fastest
+/// first. To be fast and have no digit right is not worth a place.
+fn front(shown: &[Point]) -> Vec<&Point> {
+    let mut front: Vec<&Point> = shown.iter().filter(|one| one.digits >= 1.0).collect();
+    front.sort_by(|one, other| {
+        let by_digits = other.digits.total_cmp(&one.digits);
+        one.ns.total_cmp(&other.ns).then(by_digits)
+    });
+    let mut best = 0.0;
+    front.retain(|one| {
+        let is_better = one.digits > best;
+        best = one.digits.max(best);
+        is_better
+    });
+    front
+}
+
+/// Stairs through `points`: what lies below and to the right of a step is
+/// beaten.
+fn steps(points: impl Iterator<Item = DVec2>) -> Vec<DVec2> {
+    let mut stairs: Vec<DVec2> = Vec::new();
+    for point in points {
+        if let Some(last) = stairs.last() {
+            stairs.push(spot(point.x, last.y));
+        }
+        stairs.push(point);
+    }
+    stairs
+}
