@@ -2,14 +2,16 @@
 // measures it. Unlike axe-core, this knows drawings, and is fast enough for each theme.
 export function faintTexts() {
     const dot = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
-    // What is seen of layers one over the other: red, green, blue. Each has a color, and an opacity.
-    const seen = (layers) => {
+    // How bright layers are, one over the other. Each has a color, and an opacity.
+    const luminance = (layers) => {
         for (const [color, opacity] of [["white", 1], ...layers]) {
             dot.globalAlpha = opacity;
             dot.fillStyle = color;
             dot.fillRect(0, 0, 1, 1);
         }
-        return [...dot.getImageData(0, 0, 1, 1).data.slice(0, 3)];
+        const [r, g, b] = [...dot.getImageData(0, 0, 1, 1).data].map((level) => level / 255)
+            .map((part) => part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4);
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
     };
     const around = (element) => element ? [...around(element.parentElement), element] : [];
     const styles = (element) => around(element).map((it) => getComputedStyle(it));
@@ -27,27 +29,22 @@ export function faintTexts() {
         return paintOrder.startsWith("stroke") && stroke !== "none" ? [...shapes, [stroke, 1]] : shapes;
     };
 
-    const luminance = (color) => {
-        const [r, g, b] = color.map((level) => level / 255)
-            .map((part) => part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4);
-        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
-    };
     const contrast = (element) => {
         const text = element.closest("svg text");
         const { color, fill } = getComputedStyle(element);
         const grounds = styles(element).map((style) => [style.backgroundColor, 1]);
         const opacity = styles(element).reduce((product, style) => product * style.opacity, 1);
         const ground = text ? [...grounds, ...behind(text)] : grounds;
-        const colors = [seen(ground), seen([...ground, [text ? fill : color, opacity]])];
-        const [darker, lighter] = colors.map(luminance).sort((one, other) => one - other);
-        return { ratio: (lighter + 0.05) / (darker + 0.05), colors: colors.join(" under ") };
+        const seenAs = [ground, [...ground, [text ? fill : color, opacity]]];
+        const [darker, lighter] = seenAs.map(luminance).sort((one, other) => one - other);
+        return (lighter + 0.05) / (darker + 0.05);
     };
 
     const hasWords = (element) => [...element.childNodes].some(
         (node) => node.nodeType === Node.TEXT_NODE && node.data.trim());
     return [...document.body.querySelectorAll(":not(script, style, noscript, template, title, desc)")]
         .filter((element) => hasWords(element) && element.checkVisibility({ visibilityProperty: true }))
-        .map((element) => ({ ...contrast(element), words: element.textContent.trim().slice(0, 40) }))
-        .filter(({ ratio }) => ratio < 4.5)
-        .map(({ ratio, colors, words }) => `contrast ${ratio.toFixed(2)}, ${colors}: ${words}`);
+        .map((element) => [contrast(element), element.outerHTML.slice(0, 80)])
+        .filter(([ratio]) => ratio < 4.5)
+        .map(([ratio, element]) => `contrast ${ratio.toFixed(2)}: ${element}`);
 }
