@@ -11,8 +11,8 @@ use std::sync::Arc;
 
 use syn::spanned::Spanned;
 
-use crate::names::{Body, Context, Inside, Names, Signature, literal, names, similar, unknown};
-use crate::node::{At, Function, Member, Node, Root, Step, Target};
+use crate::names::{Body, Context, Inside, Names, Signature, literal, names, there_is, unknown};
+use crate::node::{At, Function, Node, Root, Step, Target};
 use crate::operators::{Operator, operator};
 use crate::read::{Refusal, at, at_expr, at_span};
 use crate::types::{Head, Int, Type};
@@ -60,6 +60,18 @@ enum Fixed {
     Behind,
 }
 
+impl Fixed {
+    fn said(&self, at: &syn::Expr, pronoun: &str) -> String {
+        match self {
+            Self::Behind => format!("{pronoun} is behind a `&` reference"),
+            Self::Variable(name) if said(at) == *name => {
+                "as it is not declared as mutable".to_owned()
+            }
+            Self::Variable(name) => format!("as `{name}` is not declared as mutable"),
+        }
+    }
+}
+
 impl Typed {
     fn new(node: Node, ty: impl Into<Type>) -> Self {
         Self {
@@ -79,12 +91,10 @@ struct Local {
     is_used: bool,
 }
 
-/// A loop or a block that can be left.
+/// A loop.
 struct Way {
     label: Option<String>,
-    is_loop: bool,
-    /// Whether `break` may bring a value, and whether it is ever left.
-    has_value: bool,
+    /// Whether it is ever left.
     is_left: bool,
 }
 
@@ -170,6 +180,26 @@ impl Lowerer<'_> {
 
     fn fault<T>(&self, at: At, message: &str, label: &str, help: &str) -> Lowered<T> {
         Err(Refusal::new(at, message, label, help))
+    }
+
+    fn refused<T>(&self, at: At, message: impl AsRef<str>) -> Lowered<T> {
+        self.fault(at, message.as_ref(), "", "")
+    }
+
+    /// Of what is not known nothing can be asked: neither here nor there.
+    fn untold<T>(&self, at: At) -> Lowered<T> {
+        let help = "say its type where it begins: `let x: …`, or `|x: …|`";
+        self.fault(at, "type annotations needed", "cannot infer type", help)
+    }
+
+    /// What is put into a variable of which not all is known says more of its type.
+    fn learn(&mut self, of: &Typed, ty: &Type) {
+        if let (Node::Local(slot), false) = (&of.node, of.ty.is_certain() || !ty.is_certain()) {
+            let known = self.locals.iter_mut().rev().find(|it| it.slot == *slot);
+            if let Some(local) = known {
+                local.ty = ty.clone();
+            }
+        }
     }
 
     fn local(&mut self, name: &str, ty: Type, is_mut: bool) -> usize {
@@ -264,10 +294,10 @@ impl Lowerer<'_> {
     fn literal_as(&self, node: Node, ty: &Type, at: At) -> Lowered<Node> {
         match (node, ty.0) {
             (Node::Int(it, _), Head::Int(int)) if int.fits(it) => Ok(Node::Int(it, int)),
-            (Node::Int(..), _) => {
-                let message = format!("literal out of range for `{}`", ty.name(self.names));
-                self.fault(at, &message, "", "")
-            }
+            (Node::Int(..), _) => self.refused(
+                at,
+                format!("literal out of range for `{}`", ty.name(self.names)),
+            ),
             (Node::Float(it), _) => Ok(Node::Single(it as f32)),
             (Node::Negate(of, place), Head::F32) => {
                 let of = self.literal_as(*of, ty, at)?;
@@ -343,17 +373,11 @@ impl Lowerer<'_> {
             None => None,
             Some((_, other)) => {
                 let typed = self.expr(other)?;
-                if !typed.ty.is(Head::Never) {
-                    let message = "`else` clause of `let...else` does not diverge";
-                    let label = format!("expected `!`, found {}", typed.ty.said(self.names));
-                    return self.fault(
-                        self.at(other),
-                        message,
-                        &label,
-                        "`return`, `break` or `continue` there",
-                    );
-                }
-                Some(Box::new(typed.node))
+                Some(Box::new(self.declared(
+                    typed,
+                    &Head::Never.into(),
+                    self.at(other),
+                )?))
             }
         };
         let is_never = ty.is(Head::Never);
@@ -389,7 +413,9 @@ impl Lowerer<'_> {
             syn::Expr::Binary(it) => self.binary(it),
             syn::Expr::Assign(it) => {
                 let left = self.expr(&it.left)?;
-                let right = self.given(&it.right, &left.ty)?;
+                let right = self.expr(&it.right)?;
+                self.learn(&left, &right.ty.clone().settled());
+                let right = self.declared(right, &left.ty, self.at(&it.right))?;
                 let target = self.assignable(left, &it.left)?;
                 typed(Node::Set(Box::new(target), Box::new(right)), Type::UNIT)
             }
@@ -397,7 +423,7 @@ impl Lowerer<'_> {
             syn::Expr::MethodCall(it) => self.method_call(it),
             syn::Expr::Field(it) => self.field(it),
             syn::Expr::Index(it) => self.index(it),
-            syn::Expr::Block(it) => self.labeled(it),
+            syn::Expr::Block(it) if it.label.is_none() => self.block(&it.block),
             syn::Expr::If(it) => self.condition(it),
             syn::Expr::Let(it) => {
                 let value = self.expr(&it.expr)?;
@@ -411,7 +437,7 @@ impl Lowerer<'_> {
             syn::Expr::While(it) => {
                 let outside = self.locals.len();
                 let condition = self.given(&it.cond, &Head::Bool.into())?;
-                let (body, way, _) = self.looped(&it.body, it.label.as_ref(), false)?;
+                let (body, way, _) = self.looped(&it.body, it.label.as_ref())?;
                 self.leave(outside);
                 let at = self.at_any(&it.while_token);
                 typed(
@@ -420,7 +446,7 @@ impl Lowerer<'_> {
                 )
             }
             syn::Expr::Loop(it) => {
-                let (body, way, is_left) = self.looped(&it.body, it.label.as_ref(), true)?;
+                let (body, way, is_left) = self.looped(&it.body, it.label.as_ref())?;
                 let ty = if is_left {
                     Type::UNKNOWN
                 } else {
@@ -434,7 +460,7 @@ impl Lowerer<'_> {
                 let (each, of) = self.iterated(each, &it.expr)?;
                 let outside = self.locals.len();
                 let pattern = self.pattern(&it.pat, &of, false)?;
-                let (body, way, _) = self.looped(&it.body, it.label.as_ref(), false)?;
+                let (body, way, _) = self.looped(&it.body, it.label.as_ref())?;
                 self.leave(outside);
                 let at = self.at_any(&it.for_token);
                 typed(
@@ -445,10 +471,6 @@ impl Lowerer<'_> {
             syn::Expr::Break(it) => {
                 let way = self.way(it.label.as_ref(), self.at(expr), "break")?;
                 let value = match &it.expr {
-                    Some(value) if !self.ways[way].has_value => {
-                        let message = "`break` with value from a loop that has none";
-                        return self.fault(self.at(value), message, "", "only `loop` has a value");
-                    }
                     Some(value) => self.expr(value)?.node,
                     None => Node::Unit,
                 };
@@ -571,7 +593,7 @@ impl Lowerer<'_> {
             }
             syn::Lit::Int(it) => {
                 let Ok(value) = it.base10_digits().parse::<i128>() else {
-                    return self.fault(place, "integer literal is too large", "", "");
+                    return self.refused(place, "integer literal is too large");
                 };
                 match suffixed(it.suffix(), "number")? {
                     Some(Head::F64) => Typed::new(Node::Float(value as f64), Head::F64),
@@ -605,63 +627,36 @@ impl Lowerer<'_> {
 
     /// What may be borrowed to be changed.
     fn mutable(&mut self, typed: Typed, at: &syn::Expr) -> Lowered<Target> {
-        let place = self.at(at);
-        match (typed.target, typed.fixed) {
-            (Some(_), Some(Fixed::Behind)) => {
-                let message = format!(
-                    "cannot borrow `{}` as mutable, as it is behind a `&` reference",
-                    said(at)
-                );
-                self.fault(place, &message, "", "it takes `&mut`")
+        let message = match (typed.target, typed.fixed) {
+            (Some(target), None) => return Ok(target),
+            (Some(_), Some(why)) => {
+                let why = why.said(at, "as it");
+                format!("cannot borrow `{}` as mutable, {why}", said(at))
             }
-            (Some(_), Some(Fixed::Variable(name))) => {
-                let message =
-                    format!("cannot borrow `{name}` as mutable, as it is not declared as mutable");
-                self.fault(
-                    place,
-                    &message,
-                    "cannot borrow as mutable",
-                    &format!("`mut {name}`"),
-                )
-            }
-            (Some(target), None) => Ok(target),
             (None, _) => {
-                let slot = self.slots;
                 self.slots += 1;
-                Ok(Target {
-                    root: Root::Temporary(slot, typed.node),
+                return Ok(Target {
+                    root: Root::Temporary(self.slots - 1, typed.node),
                     steps: Vec::new(),
-                })
+                });
             }
-        }
+        };
+        self.refused(self.at(at), message)
     }
 
     fn assignable(&self, typed: Typed, at: &syn::Expr) -> Lowered<Target> {
-        let place = self.at(at);
-        match (typed.target, typed.fixed) {
-            (Some(_), Some(Fixed::Behind)) => {
-                let message = format!(
-                    "cannot assign to `{}`, which is behind a `&` reference",
-                    said(at)
-                );
-                self.fault(place, &message, "", "it takes `&mut`")
+        let message = match (typed.target, typed.fixed) {
+            (Some(target), None) => return Ok(target),
+            (Some(target), Some(Fixed::Variable(name))) if target.steps.is_empty() => {
+                format!("cannot assign twice to immutable variable `{name}`")
             }
-            (Some(target), Some(Fixed::Variable(name))) => {
-                let message = match target.steps.is_empty() {
-                    true => format!("cannot assign twice to immutable variable `{name}`"),
-                    false => format!(
-                        "cannot assign to `{}`, as `{name}` is not declared as mutable",
-                        said(at)
-                    ),
-                };
-                self.fault(place, &message, "", &format!("`mut {name}`"))
+            (Some(_), Some(why)) => {
+                let why = why.said(at, "which");
+                format!("cannot assign to `{}`, {why}", said(at))
             }
-            (Some(target), None) => Ok(target),
-            (None, _) => {
-                let message = "invalid left-hand side of assignment";
-                self.fault(place, message, "cannot assign to this expression", "")
-            }
-        }
+            (None, _) => "invalid left-hand side of assignment".to_owned(),
+        };
+        self.refused(self.at(at), message)
     }
 
     fn condition(&mut self, it: &syn::ExprIf) -> Lowered {
@@ -724,35 +719,14 @@ impl Lowerer<'_> {
         )
     }
 
-    fn labeled(&mut self, it: &syn::ExprBlock) -> Lowered {
-        let Some(label) = &it.label else {
-            return self.block(&it.block);
-        };
-        self.ways.push(Way {
-            label: Some(label.name.to_string()),
-            is_loop: false,
-            has_value: true,
-            is_left: false,
-        });
-        let body = self.block(&it.block);
-        self.ways.pop();
-        Ok(Typed::new(
-            Node::Labeled(Box::new(body?.node), self.ways.len()),
-            Type::UNKNOWN,
-        ))
-    }
-
     /// A body, its number, and whether it is ever left.
     fn looped(
         &mut self,
         body: &syn::Block,
         label: Option<&syn::Label>,
-        has_value: bool,
     ) -> Lowered<(Node, usize, bool)> {
         self.ways.push(Way {
             label: label.map(|it| it.name.to_string()),
-            is_loop: true,
-            has_value,
             is_left: false,
         });
         let typed = self.block(body)?;
@@ -765,11 +739,11 @@ impl Lowerer<'_> {
     fn way(&self, label: Option<&syn::Lifetime>, at: At, word: &str) -> Lowered<usize> {
         let is_it = |way: &Way| match label {
             Some(label) => way.label.as_deref() == Some(&label.to_string()),
-            None => way.is_loop,
+            None => true,
         };
         match self.ways.iter().rposition(is_it) {
             Some(way) => Ok(way),
-            None => self.fault(at, &format!("`{word}` outside of a loop"), "", ""),
+            None => self.refused(at, format!("`{word}` outside of a loop")),
         }
     }
 
@@ -795,10 +769,10 @@ impl Lowerer<'_> {
                 let of = on.inner().behind(ty);
                 Ok((each.node, of))
             }
-            _ => {
-                let message = format!("`{}` is not an iterator", ty.name(self.names));
-                self.fault(self.at(at), &message, "", "")
-            }
+            _ => self.refused(
+                self.at(at),
+                format!("`{}` is not an iterator", ty.name(self.names)),
+            ),
         }
     }
 
@@ -849,10 +823,9 @@ impl Lowerer<'_> {
         let at = self.at_any(&it.question_token);
         if !of.ty.is_unknown() && !of.ty.is(Head::Option) {
             let name = of.ty.name(self.names);
-            let message = format!(
+            return self.refused(self.at_any(it), format!(
                 "the `?` operator can only be applied to values that implement `Try`, and this is `{name}`"
-            );
-            return self.fault(self.at_any(it), &message, "", "");
+            ));
         }
         if !self.result.is_unknown() && !self.result.is(Head::Option) {
             let message =
@@ -929,8 +902,7 @@ impl Lowerer<'_> {
             let at = self.at_any(&field.member);
             let Some(n) = known.iter().position(|it| it.0 == own) else {
                 let message = format!("struct `{name}` has no field named `{own}`");
-                let near = similar(&own, known.iter().map(|it| it.0));
-                let help = near.map_or(String::new(), |it| format!("there is `{it}`"));
+                let help = there_is(&own, known.iter().map(|it| it.0));
                 return self.fault(at, &message, "", &help);
             };
             if nodes.iter().any(|it| it.0 == n) {
@@ -946,10 +918,10 @@ impl Lowerer<'_> {
         let mut all = known.iter().enumerate();
         let missing = all.find(|(n, _)| nodes.iter().all(|it| it.0 != *n));
         match missing {
-            Some((_, missing)) if it.rest.is_none() => {
-                let message = format!("missing field `{}` in initializer of `{name}`", missing.0);
-                self.fault(self.at_any(&it.path), &message, "", "")
-            }
+            Some((_, missing)) if it.rest.is_none() => self.refused(
+                self.at_any(&it.path),
+                format!("missing field `{}` in initializer of `{name}`", missing.0),
+            ),
             _ => Ok(nodes),
         }
     }
@@ -972,24 +944,20 @@ impl Lowerer<'_> {
         let base = self.expr(&it.base)?;
         let name = member(&it.member);
         let at = at_span(self.file, it.member.span());
-        let (found, ty) = match base.ty.stripped().is_unknown() {
-            true => (Member::Name(name, self.context.module, at), Type::UNKNOWN),
-            false => {
-                let (n, ty) = self.names.field(&base.ty, &name, self.context.module, at)?;
-                (Member::Number(n), ty)
-            }
-        };
+        if base.ty.stripped().is_unknown() {
+            return self.untold(at);
+        }
+        let (n, ty) = self.names.field(&base.ty, &name, self.context.module, at)?;
         let on = self.stripped(base);
         let target = on.target.map(|mut target| {
-            target.steps.push(Step::Field(found.clone()));
+            target.steps.push(Step::Field(n));
             target
         });
         Ok(Typed {
-            node: Node::Field(Box::new(on.node), Box::new(found)),
+            node: Node::Field(Box::new(on.node), n),
             ty,
             target,
-            // What is not known may be a mutable reference.
-            fixed: on.fixed.filter(|_| !on.ty.is_unknown()),
+            fixed: on.fixed,
         })
     }
 
@@ -1001,8 +969,10 @@ impl Lowerer<'_> {
             Head::Vec | Head::Slice | Head::Array(_) | Head::Unknown => on.ty.inner(),
             Head::Vec3 => Head::F64.into(),
             _ => {
-                let message = format!("cannot index into a value of type `{name}`");
-                return self.fault(self.at_any(it), &message, "", "");
+                return self.refused(
+                    self.at_any(it),
+                    format!("cannot index into a value of type `{name}`"),
+                );
             }
         };
         let index = self.expr(&it.index)?;
@@ -1032,12 +1002,13 @@ impl Lowerer<'_> {
     fn unary(&mut self, it: &syn::ExprUnary) -> Lowered {
         let of = self.expr(&it.expr)?;
         let at = self.at_any(it);
-        let name = of.ty.name(self.names);
-        let refused = |sign| format!("cannot apply unary operator `{sign}` to type `{name}`");
         match it.op {
             syn::UnOp::Deref(_) => match of.ty.0 {
                 Head::Ref | Head::RefMut | Head::Box | Head::Unknown => Ok(self.dereferenced(of)),
-                _ => self.fault(at, &format!("type `{name}` cannot be dereferenced"), "", ""),
+                _ => {
+                    let name = of.ty.name(self.names);
+                    self.refused(at, format!("type `{name}` cannot be dereferenced"))
+                }
             },
             syn::UnOp::Not(_) => {
                 let of = self.stripped(of);
@@ -1045,13 +1016,12 @@ impl Lowerer<'_> {
                     Head::Bool | Head::Int(_) | Head::Unknown => {
                         Ok(Typed::new(Node::Not(Box::new(of.node), at), of.ty))
                     }
-                    _ => self.fault(at, &refused("!"), "", ""),
+                    _ => Err(self.names.no_unary("!", &of.ty, at)),
                 }
             }
             syn::UnOp::Neg(_) => {
                 let of = self.stripped(of);
-                let own = self.names.method(&of.ty, "neg", None);
-                if let Some(own) = own {
+                if let Some(own) = self.names.method(&of.ty, "neg", None) {
                     let result = self.names.functions[own].result.clone();
                     return Ok(Typed::new(Node::Call(own, Box::new([of.node]), at), result));
                 }
@@ -1060,14 +1030,11 @@ impl Lowerer<'_> {
                     Head::Vec3 | Head::Unknown | Head::Never => true,
                     _ => of.ty.is_float(),
                 };
-                if !is_signed {
-                    return self.fault(at, &refused("-"), "", "");
+                match of.node {
+                    _ if !is_signed => Err(self.names.no_unary("-", &of.ty, at)),
+                    Node::Int(it, int) => Ok(Typed::new(Node::Int(-it, int), of.ty)),
+                    node => Ok(Typed::new(Node::Negate(Box::new(node), at), of.ty)),
                 }
-                let node = match of.node {
-                    Node::Int(it, int) => Node::Int(-it, int),
-                    node => Node::Negate(Box::new(node), at),
-                };
-                Ok(Typed::new(node, of.ty))
             }
             _ => unknown(at, "this operator"),
         }

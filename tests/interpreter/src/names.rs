@@ -118,7 +118,7 @@ pub(crate) struct Trait {
 }
 
 /// The parameters and the result of a function.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Signature {
     pub(crate) name: String,
     pub(crate) module: usize,
@@ -274,12 +274,7 @@ impl Names {
     fn unresolved(&self, at: At, path: &[String], lost: Lost) -> Refusal {
         let part = &path[lost.part];
         if lost.is_private {
-            return Refusal::new(
-                at,
-                &format!("`{part}` is private"),
-                "private item",
-                "`pub` before it shows it to other files",
-            );
+            return private("item", part, at);
         }
         let message = format!("unresolved import `{}`", path[..=lost.part].join("::"));
         let label = match path[..lost.part].join("::").as_str() {
@@ -304,36 +299,20 @@ impl Names {
     ) -> Refusal {
         let name = &path[lost.part];
         if lost.is_private {
-            let message = format!("{what} `{name}` is private");
-            return Refusal::new(
-                at,
-                &message,
-                &format!("private {what}"),
-                "`pub` before it shows it to other files",
-            );
+            return private(what, name, at);
         }
-        if lost.part + 1 < path.len() {
-            let message = format!("cannot find `{name}` here");
-            return Refusal::new(
-                at,
-                &message,
-                "use of unresolved module or unlinked crate",
-                "",
-            );
-        }
-        let message = format!("cannot find {what} `{name}` in this scope");
-        let mut elsewhere = self
-            .modules
-            .iter()
-            .filter(|it| !it.is_block && !it.name.is_empty());
+        let message = match lost.part + 1 < path.len() {
+            true => format!("cannot find module or crate `{name}` in this scope"),
+            false => format!("cannot find {what} `{name}` in this scope"),
+        };
+        let mut elsewhere = self.modules.iter().filter(|it| !it.name.is_empty());
         let help = if standard::prelude(name).is_some() {
             "`use common::rtweekend::*;` is missing".to_owned()
         } else if let Some(other) = elsewhere.find(|it| it.names.contains_key(name)) {
             format!("`use crate::{}::{name};` is missing", other.name)
         } else {
             let own = self.modules[module].names.keys().map(String::as_str);
-            similar(name, own.chain(standard::NAMES))
-                .map_or(String::new(), |it| format!("there is `{it}`"))
+            there_is(name, own.chain(standard::NAMES))
         };
         Refusal::new(at, &message, "not found in this scope", &help)
     }
@@ -417,13 +396,7 @@ impl Names {
             } else {
                 "associated function"
             };
-            let message = format!("{what} `{name}` is private");
-            return Some(Refusal::new(
-                at,
-                &message,
-                &format!("private {what}"),
-                "`pub` before it shows it to other files",
-            ));
+            return Some(private(what, name, at));
         }
         let of_trait = own.in_trait.filter(|&it| !self.has_in_scope(module, it))?;
         let on = of.map_or(String::new(), |it| format!(" for `{}`", it.name(self)));
@@ -447,15 +420,9 @@ impl Names {
         let known = own
             .map(|it| it.name.as_str())
             .chain(natives.map(|it| it.signature.name.as_str()));
-        let near = similar(name, known);
-        let help = if self.fields_of(last).iter().any(|it| it.0 == name) {
-            format!("`{name}` is a field: without `()`")
-        } else if let Some(near) = near {
-            format!("there is `{near}`")
-        } else if matches!(last.0, Head::Own(_) | Head::Dyn(_)) {
-            String::new()
-        } else {
-            "if Rust has it, this page does not know it; cargo does".to_owned()
+        let help = match self.fields_of(last).iter().any(|it| it.0 == name) {
+            true => format!("`{name}` is a field: without `()`"),
+            false => there_is(name, known),
         };
         let message = format!(
             "no method named `{name}` found for `{}` in the current scope",
@@ -475,16 +442,9 @@ impl Names {
         let on = ty.stripped();
         let known = self.fields_of(on);
         let Some(n) = known.iter().position(|it| it.0 == name) else {
-            let is_method = self.callee(on, name).is_some();
-            let near = similar(name, known.iter().map(|it| it.0));
-            let help = match (is_method, near) {
-                (true, _) => format!("`{name}` is a method: `.{name}(…)`"),
-                (_, Some(near)) => format!("there is `{near}`"),
-                _ => known
-                    .iter()
-                    .map(|it| format!("`{}`", it.0))
-                    .collect::<Vec<_>>()
-                    .join(", "),
+            let help = match self.callee(on, name) {
+                Some(_) => format!("`{name}` is a method: `.{name}(…)`"),
+                None => there_is(name, known.iter().map(|it| it.0)),
             };
             let message = format!("no field `{name}` on type `{}`", ty.name(self));
             return Err(Refusal::new(at, &message, "unknown field", &help));
@@ -534,6 +494,18 @@ impl Names {
             _ => None,
         }
     }
+}
+
+/// That something is there, but not to be used here.
+fn private(what: &str, name: &str, at: At) -> Refusal {
+    let message = format!("{what} `{name}` is private");
+    let help = "`pub` before it shows it to other files";
+    Refusal::new(at, &message, &format!("private {what}"), help)
+}
+
+/// Which name was meant, if one is like it.
+pub(crate) fn there_is<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> String {
+    similar(name, among).map_or(String::new(), |it| format!("there is `{it}`"))
 }
 
 /// The name that is most like this one, if one is.

@@ -23,7 +23,7 @@ pub(crate) enum Node {
     Local(usize),
     /// What a mutable reference leads to.
     Deref(Box<Node>),
-    Field(Box<Node>, Box<Member>),
+    Field(Box<Node>, usize),
     Index(Box<[Node; 2]>, At),
     /// A mutable reference to a place.
     Address(Box<Target>),
@@ -45,8 +45,6 @@ pub(crate) enum Node {
     Constant(usize, At),
     /// Of each of the reader's kinds the function that it has for a trait.
     Dispatch(Box<[Option<usize>]>, Box<[Node]>, At),
-    /// A method of whatever the first argument is.
-    Method(Box<Method>, Box<[Node]>),
     Native(usize, Box<[Node]>, At),
     /// A function that is a value.
     Apply(Box<Node>, Box<[Node]>, At),
@@ -68,8 +66,6 @@ pub(crate) enum Node {
     /// A condition, a body, and a number that `break` and `continue` name it by.
     While(Box<[Node; 2]>, usize, At),
     For(Box<Pattern>, Box<[Node; 2]>, usize, At),
-    /// A block that can be left by its number.
-    Labeled(Box<Node>, usize),
     Break(usize, Box<Node>),
     Continue(usize),
     Return(Box<Node>),
@@ -77,8 +73,8 @@ pub(crate) enum Node {
     /// What is done one after the other, and whether the last is what it comes to.
     Block(Vec<Node>, bool),
     Panic(String, At),
-    /// Words between values, each with how many digits follow its point.
-    Format(Vec<(String, Option<usize>)>, Vec<Node>),
+    /// Words, and the values between them.
+    Format(Vec<String>, Vec<Node>),
 }
 
 /// Where something stands in the texts: the file, and the bytes.
@@ -87,24 +83,6 @@ pub(crate) struct At {
     pub(crate) file: u32,
     pub(crate) start: u32,
     pub(crate) end: u32,
-}
-
-/// A field, by its number where that is known; else by its name, in a module, at a place.
-#[derive(Clone, Debug)]
-pub(crate) enum Member {
-    Number(usize),
-    Name(String, usize, At),
-}
-
-/// A method that is looked up when it is called.
-#[derive(Clone, Debug)]
-pub(crate) struct Method {
-    pub(crate) name: String,
-    pub(crate) at: At,
-    /// The module in which it is called.
-    pub(crate) module: usize,
-    /// Where the first argument is kept, if it may be changed there.
-    pub(crate) target: Option<Target>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -149,7 +127,7 @@ pub(crate) enum Root {
 
 #[derive(Clone, Debug)]
 pub(crate) enum Step {
-    Field(Member),
+    Field(usize),
     Index(Node, At),
 }
 
@@ -164,12 +142,12 @@ pub(crate) struct Arm {
 pub(crate) enum Pattern {
     Any,
     Bind(usize, Box<Pattern>),
-    Literal(Node, At),
+    Literal(Node),
     Range(Option<Node>, Option<Node>, bool),
-    None(At),
-    Some(Box<Pattern>, At),
-    /// One of the reader's kinds, a variant of it, and its fields by their numbers.
-    Variant(u32, u32, Vec<(usize, Pattern)>, At),
+    None,
+    Some(Box<Pattern>),
+    /// A variant of one of the reader's kinds, and its fields by their numbers.
+    Variant(u32, Vec<(usize, Pattern)>),
     /// The fields of a value that has no variants.
     Fields(Vec<(usize, Pattern)>),
     Many(Vec<Pattern>),

@@ -1,6 +1,8 @@
 //! Operators: which types go together, what comes out, and the compiler's words where nothing
 //! does. Asked when types are known by reading, and else when it runs.
 
+use std::cmp::Ordering;
+
 use crate::names::{Names, Signature};
 use crate::node::{At, Order, Sign};
 use crate::read::Refusal;
@@ -83,6 +85,17 @@ impl Order {
             Self::AtMost => "<=",
             Self::More => ">",
             Self::AtLeast => ">=",
+        }
+    }
+
+    pub(crate) fn holds(self, found: Option<Ordering>) -> bool {
+        match self {
+            Self::Equal => found.is_some_and(Ordering::is_eq),
+            Self::Unequal => !found.is_some_and(Ordering::is_eq),
+            Self::Less => found.is_some_and(Ordering::is_lt),
+            Self::AtMost => found.is_some_and(Ordering::is_le),
+            Self::More => found.is_some_and(Ordering::is_gt),
+            Self::AtLeast => found.is_some_and(Ordering::is_ge),
         }
     }
 
@@ -179,6 +192,12 @@ impl Names {
             false => "",
         };
         Refusal::new(at, &message, "", help)
+    }
+
+    pub(crate) fn no_unary(&self, sign: &str, ty: &Type, at: At) -> Refusal {
+        let name = ty.name(self);
+        let message = format!("cannot apply unary operator `{sign}` to type `{name}`");
+        Refusal::new(at, &message, "", "")
     }
 
     /// Whether two values can be compared like that, or the compiler's words.

@@ -201,18 +201,12 @@ fn scan(file: u32, text: &str) -> Result<(), Refusal> {
                     ']' => '[',
                     _ => '{',
                 };
-                match open.pop() {
-                    Some((other, _)) if other == wanted => {}
-                    Some((other, _)) => {
-                        let message = format!("mismatched closing delimiter: `{sign}`");
-                        let help = format!("`{other}` is still open");
-                        return Err(Refusal::new(place, &message, "", &help));
-                    }
-                    None => {
-                        let message = format!("unexpected closing delimiter: `{sign}`");
-                        return Err(Refusal::new(place, &message, "", ""));
-                    }
-                }
+                let (place, message) = match open.pop() {
+                    Some((other, _)) if other == wanted => continue,
+                    Some((_, place)) => (place, format!("mismatched closing delimiter: `{sign}`")),
+                    None => (place, format!("unexpected closing delimiter: `{sign}`")),
+                };
+                return Err(Refusal::new(place, &message, "", ""));
             }
             _ if sign.is_ascii() || sign.is_alphabetic() || at > end => {}
             _ => {

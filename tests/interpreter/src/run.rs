@@ -7,11 +7,11 @@ use std::mem;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use common::rtweekend::Vec3;
+use common::rtweekend::Vec3 as DVec3;
 
 use crate::lower::miscounted;
-use crate::names::{Callee, Names, unknown};
-use crate::node::{At, Function, Member, Method, Node, Order, Pattern, Root, Sign, Step, Target};
+use crate::names::{Names, unknown};
+use crate::node::{At, Function, Node, Order, Pattern, Root, Sign, Step, Target};
 use crate::prelude::{self, NATIVES};
 use crate::read::Refusal;
 use crate::types::{Head, Int, Type};
@@ -284,7 +284,7 @@ impl<'c> Machine<'c> {
         match node {
             Node::Local(slot) => Ok(self.stack[self.base + slot].clone()),
             Node::Float(it) => Ok(Value::Float(*it)),
-            Node::Field(of, member) => self.field(of, member),
+            Node::Field(of, n) => self.field(of, *n),
             Node::Arithmetic(sign, nodes, at) => self.operation(*sign, nodes, *at),
             Node::Compare(order, nodes, at) => self.comparison(*order, nodes, *at),
             Node::And(nodes) => Ok(Value::Bool(
@@ -337,29 +337,15 @@ impl<'c> Machine<'c> {
     }
 
     #[inline(never)]
-    fn field(&mut self, of: &Node, member: &Member) -> Eval {
+    fn field(&mut self, of: &Node, n: usize) -> Eval {
         // Without a copy of the whole.
-        if let (Node::Local(slot), Member::Number(n)) = (of, member) {
-            match &self.stack[self.base + slot] {
-                Value::Mut(address) => return Ok(self.at(address).field(*n)),
-                value => return Ok(value.field(*n)),
-            }
-        }
-        let value = self.eval(of)?;
-        let value = self.followed(&value);
-        Ok(value.field(self.number(&value, member)?))
-    }
-
-    /// The number of a part of the value.
-    fn number(&mut self, value: &Value, member: &Member) -> Eval<usize> {
-        match member {
-            Member::Number(n) => Ok(*n),
-            Member::Name(name, module, at) => {
-                match self.code.names.field(&value.ty(), name, *module, *at) {
-                    Ok((n, _)) => Ok(n),
-                    Err(refusal) => self.refuse(refusal),
-                }
-            }
+        let value = match of {
+            Node::Local(slot) => &self.stack[self.base + slot],
+            of => &self.eval(of)?,
+        };
+        match value {
+            Value::Mut(address) => Ok(self.at(address).field(n)),
+            value => Ok(value.field(n)),
         }
     }
 
@@ -402,14 +388,7 @@ impl<'c> Machine<'c> {
         let left = self.eval(&nodes[0])?;
         let right = self.eval(&nodes[1])?;
         if let (Value::Float(a), Value::Float(b)) = (&left, &right) {
-            return Ok(Value::Bool(match order {
-                Order::Equal => a == b,
-                Order::Unequal => a != b,
-                Order::Less => a < b,
-                Order::AtMost => a <= b,
-                Order::More => a > b,
-                Order::AtLeast => a >= b,
-            }));
+            return Ok(Value::Bool(order.holds(a.partial_cmp(b))));
         }
         let [left, right] = [left, right].map(|it| self.followed(&it));
         let types = [&left.ty(), &right.ty()];
@@ -419,12 +398,7 @@ impl<'c> Machine<'c> {
         Ok(Value::Bool(match order {
             Order::Equal => left.equals(&right),
             Order::Unequal => !left.equals(&right),
-            order => left.compared(&right).is_some_and(|it| match order {
-                Order::Less => it.is_lt(),
-                Order::AtMost => it.is_le(),
-                Order::More => it.is_gt(),
-                _ => it.is_ge(),
-            }),
+            order => order.holds(left.compared(&right)),
         }))
     }
 
@@ -484,7 +458,7 @@ impl<'c> Machine<'c> {
             Node::Not(of, at) => match self.eval(of)? {
                 Value::Int(it, int) => Value::Int(int.wrapped(!it), int),
                 Value::Bool(it) => Value::Bool(!it),
-                it => return self.no_unary("!", &it, *at),
+                it => return self.refuse(self.code.names.no_unary("!", &it.ty(), *at)),
             },
             Node::Negate(of, at) => match self.eval(of)? {
                 Value::Float(it) => Value::Float(-it),
@@ -494,7 +468,7 @@ impl<'c> Machine<'c> {
                 Value::Int(..) => return self.panic(*at, "attempt to negate with overflow"),
                 it => match self.code.names.method(&it.ty(), "neg", None) {
                     Some(own) => self.run(own, &[it], *at)?,
-                    None => return self.no_unary("-", &it, *at),
+                    None => return self.refuse(self.code.names.no_unary("-", &it.ty(), *at)),
                 },
             },
             Node::Cast(of, ty, at) => {
@@ -516,7 +490,6 @@ impl<'c> Machine<'c> {
             Node::Default(ty) => self.default(ty)?,
             Node::Constant(function, at) => self.constant(*function, *at)?,
             Node::Dispatch(all, nodes, at) => self.dispatch(all, nodes, *at)?,
-            Node::Method(method, nodes) => self.late_method(method, nodes)?,
             Node::Apply(function, nodes, at) => {
                 let function = self.eval(function)?;
                 let mut arguments = self.all(nodes)?;
@@ -592,10 +565,6 @@ impl<'c> Machine<'c> {
                 }
                 Value::Unit
             }
-            Node::Labeled(body, label) => match self.eval(body) {
-                Err(Stop::Break(to)) if to == *label => mem::take(&mut self.left),
-                result => result?,
-            },
             Node::Break(label, value) => {
                 self.left = self.eval(value)?;
                 return Err(Stop::Break(*label));
@@ -611,14 +580,13 @@ impl<'c> Machine<'c> {
             Node::Panic(message, at) => return self.panic(*at, message),
             Node::Format(pieces, nodes) => {
                 let values = self.all(nodes)?;
-                let mut text = String::new();
-                for (n, (before, digits)) in pieces.iter().enumerate() {
-                    text += before;
-                    if let Some(value) = values.get(n) {
-                        text += &self.shown(value, *digits)?;
-                    }
-                }
-                Value::Str(Rc::new(text))
+                let values = values
+                    .iter()
+                    .map(|it| self.shown(it))
+                    .chain([String::new()]);
+                let pieces = pieces.iter().zip(values);
+                let text = pieces.map(|(before, value)| format!("{before}{value}"));
+                Value::Str(Rc::new(text.collect()))
             }
             node => self.eval(node)?,
         })
@@ -635,40 +603,17 @@ impl<'c> Machine<'c> {
         }
     }
 
-    fn no_unary(&mut self, sign: &str, value: &Value, at: At) -> Eval {
-        let name = value.ty().name(&self.code.names);
-        let message = format!("cannot apply unary operator `{sign}` to type `{name}`");
-        self.refuse(Refusal::new(at, &message, "", ""))
-    }
-
     /// A value as text, as `{}` has it.
-    fn shown(&mut self, value: &Value, digits: Option<usize>) -> Eval<String> {
-        let value = self.followed(value);
-        Ok(match (&value, digits) {
-            (Value::Float(it), Some(digits)) => format!("{it:.digits$}"),
-            (Value::Float(it), None) => it.to_string(),
-            (Value::Single(it), _) => it.to_string(),
-            (Value::Int(it, _), _) => it.to_string(),
-            (Value::Bool(it), _) => it.to_string(),
-            (Value::Str(it), _) => it.to_string(),
-            (Value::Own(..), _) => {
-                let mut own = self.code.names.functions.iter();
-                let ty = value.ty();
-                let is_it = |it: &crate::names::Signature| {
-                    it.in_standard.as_deref() == Some("Display") && it.of.as_ref() == Some(&ty)
-                };
-                let Some(own) = own.position(is_it) else {
-                    return Ok(format!("{value:?}"));
-                };
-                self.stack.push(Value::Str(Rc::default()));
-                let slot = self.stack.len() - 1;
-                let path = Vec::new();
-                let place = Value::Mut(Rc::new(Address { slot, path }));
-                self.run(own, &[value, place], At::default())?;
-                self.stack.pop().unwrap_or_default().text().to_string()
-            }
-            _ => format!("{value:?}"),
-        })
+    fn shown(&self, value: &Value) -> String {
+        match value {
+            Value::Float(it) => it.to_string(),
+            Value::Single(it) => it.to_string(),
+            Value::Int(it, _) => it.to_string(),
+            Value::Bool(it) => it.to_string(),
+            Value::Str(it) => it.to_string(),
+            Value::Mut(address) => self.shown(&self.at(address)),
+            value => format!("{value:?}"),
+        }
     }
 
     fn constant(&mut self, function: usize, at: At) -> Eval {
@@ -704,45 +649,6 @@ impl<'c> Machine<'c> {
             self.stack[start] = receiver;
         }
         self.enter(function, start, at)
-    }
-
-    /// A method of whatever the first argument is.
-    fn late_method(&mut self, method: &Method, nodes: &[Node]) -> Eval {
-        let mut arguments = self.all(nodes)?;
-        let receiver = self.followed(&arguments[0]);
-        let names = &self.code.names;
-        let Some(callee) = names.callee(&receiver.ty(), &method.name) else {
-            return self.refuse(names.no_method(&receiver.ty(), &method.name, method.at));
-        };
-        let (hidden, signature) = match callee {
-            Callee::Own(own) | Callee::Dynamic(own) => (
-                names.hidden(method.module, own, method.at),
-                &names.functions[own],
-            ),
-            Callee::Native(native) => (None, &NATIVES[native].signature),
-        };
-        if let Some(refusal) = hidden {
-            return self.refuse(refusal);
-        }
-        let (wanted, count) = (signature.parameters.len(), arguments.len());
-        if wanted != count {
-            return self.refuse(miscounted(true, wanted.max(1) - 1, count - 1, method.at));
-        }
-        let is_mut = signature.parameters[0].is(Head::RefMut);
-        match (&arguments[0], &method.target) {
-            (Value::Mut(_), _) if is_mut => {}
-            (_, Some(target)) if is_mut => {
-                arguments[0] = Value::Mut(Rc::new(self.address(target)?));
-            }
-            _ => arguments[0] = receiver,
-        }
-        for (value, ty) in arguments.iter_mut().zip(&signature.parameters).skip(1) {
-            *value = self.declared(mem::take(value), ty, method.at)?;
-        }
-        match callee {
-            Callee::Own(own) | Callee::Dynamic(own) => self.run(own, &arguments, method.at),
-            Callee::Native(native) => prelude::run(native, self, &mut arguments, method.at),
-        }
     }
 
     /// What gives the values of a list, a range or an option, one after the other.
@@ -821,12 +727,11 @@ impl<'c> Machine<'c> {
             }
         };
         for step in &target.steps {
-            let whole = self.at(&address);
             let n = match step {
-                Step::Field(member) => self.number(&whole, member)?,
+                Step::Field(n) => *n,
                 Step::Index(index, at) => {
                     let index = self.eval(index)?;
-                    self.index(&whole, &index, *at)?
+                    self.index(&self.at(&address), &index, *at)?
                 }
             };
             address.path.push(n);
@@ -901,14 +806,7 @@ impl<'c> Machine<'c> {
             return self.binds(pattern, &value);
         }
         Ok(match (pattern, value) {
-            (Pattern::Literal(literal, at), _) => {
-                let literal = self.eval(literal)?;
-                if !literal.fits(&value.ty(), &self.code.names) && !matches!(value, Value::Int(..))
-                {
-                    return self.refuse(self.code.names.mismatch(&value.ty(), &literal.ty(), *at));
-                }
-                literal.equals(value)
-            }
+            (Pattern::Literal(literal), _) => self.eval(literal)?.equals(value),
             (Pattern::Range(from, to, is_closed), _) => {
                 let is_after = match from {
                     Some(from) => {
@@ -924,21 +822,10 @@ impl<'c> Machine<'c> {
                         None => true,
                     }
             }
-            (Pattern::None(_), Value::None) => true,
-            (Pattern::None(_), Value::Some(_)) | (Pattern::Some(..), Value::None) => false,
-            (Pattern::Some(pattern, _), Value::Some(value)) => self.binds(pattern, value)?,
-            (Pattern::None(at) | Pattern::Some(_, at), _) => {
-                let wanted = Type::of(Head::Option, Type::UNKNOWN);
-                return self.refuse(self.code.names.mismatch(&value.ty(), &wanted, *at));
-            }
-            (Pattern::Variant(kind, variant, fields, _), Value::Own(own, tag, values))
-                if kind == own =>
-            {
+            (Pattern::None, value) => matches!(value, Value::None),
+            (Pattern::Some(pattern), Value::Some(value)) => self.binds(pattern, value)?,
+            (Pattern::Variant(variant, fields), Value::Own(_, tag, values)) => {
                 variant == tag && self.all_bind(fields, |n| values[n].clone())?
-            }
-            (Pattern::Variant(kind, _, _, at), _) => {
-                let wanted = Type::from(Head::Own(*kind as usize));
-                return self.refuse(self.code.names.mismatch(&value.ty(), &wanted, *at));
             }
             (Pattern::Fields(fields), value) => self.all_bind(fields, |n| value.field(n))?,
             (Pattern::Many(patterns), Value::Many(values)) if patterns.len() == values.len() => {
@@ -978,33 +865,18 @@ impl<'c> Machine<'c> {
     pub(crate) fn arithmetic(&mut self, sign: Sign, left: Value, right: Value, at: At) -> Eval {
         use Value::{Float, Single, Vec3};
         Ok(match (sign, left, right) {
-            (Sign::Times, Float(a), Vec3(b)) => Vec3(a * b),
             (sign, Vec3(a), Vec3(b)) if has_vectors(sign) => Vec3(of_vectors(sign, a, b)),
-            (sign, Vec3(a), Float(b)) if has_vectors(sign) => match sign {
-                Sign::Plus => Vec3(a + b),
-                Sign::Minus => Vec3(a - b),
-                Sign::Times => Vec3(a * b),
-                _ => Vec3(a / b),
-            },
-            (sign, Float(a), Vec3(b)) if has_vectors(sign) => match sign {
-                Sign::Plus => Vec3(a + b),
-                Sign::Minus => Vec3(a - b),
-                _ => Vec3(a / b),
-            },
-            (sign, Float(a), Float(b)) if has_floats(sign) => Float(match sign {
-                Sign::Plus => a + b,
-                Sign::Minus => a - b,
-                Sign::Times => a * b,
-                Sign::Over => a / b,
-                _ => a % b,
-            }),
-            (sign, Single(a), Single(b)) if has_floats(sign) => Single(match sign {
-                Sign::Plus => a + b,
-                Sign::Minus => a - b,
-                Sign::Times => a * b,
-                Sign::Over => a / b,
-                _ => a % b,
-            }),
+            (sign, Vec3(a), Float(b)) if has_vectors(sign) => {
+                Vec3(of_vectors(sign, a, DVec3::splat(b)))
+            }
+            (sign, Float(a), Vec3(b)) if has_vectors(sign) => {
+                Vec3(of_vectors(sign, DVec3::splat(a), b))
+            }
+            (sign, Float(a), Float(b)) if has_floats(sign) => Float(of_floats(sign, a, b)),
+            // Rounded twice it is the same.
+            (sign, Single(a), Single(b)) if has_floats(sign) => {
+                Single(of_floats(sign, a.into(), b.into()) as f32)
+            }
             (Sign::BitAnd, Value::Bool(a), Value::Bool(b)) => Value::Bool(a & b),
             (Sign::BitOr, Value::Bool(a), Value::Bool(b)) => Value::Bool(a | b),
             (Sign::BitXor, Value::Bool(a), Value::Bool(b)) => Value::Bool(a ^ b),
@@ -1087,7 +959,7 @@ impl<'c> Machine<'c> {
             Head::F64 => Value::Float(0.0),
             Head::F32 => Value::Single(0.0),
             Head::Int(int) => Value::Int(0, int),
-            Head::Vec3 => Value::Vec3(Vec3::ZERO),
+            Head::Vec3 => Value::Vec3(DVec3::ZERO),
             Head::Str => Value::Str(Rc::default()),
             Head::Option => Value::None,
             Head::Vec => Value::Many(Rc::default()),
@@ -1126,7 +998,17 @@ fn has_floats(sign: Sign) -> bool {
     has_vectors(sign) || sign == Sign::Remainder
 }
 
-fn of_vectors(sign: Sign, a: Vec3, b: Vec3) -> Vec3 {
+fn of_floats(sign: Sign, a: f64, b: f64) -> f64 {
+    match sign {
+        Sign::Plus => a + b,
+        Sign::Minus => a - b,
+        Sign::Times => a * b,
+        Sign::Over => a / b,
+        _ => a % b,
+    }
+}
+
+fn of_vectors(sign: Sign, a: DVec3, b: DVec3) -> DVec3 {
     match sign {
         Sign::Plus => a + b,
         Sign::Minus => a - b,

@@ -5,13 +5,14 @@
 use crate::names::Names;
 
 /// A type, and those that it is made of.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Type(pub(crate) Head, pub(crate) Vec<Type>);
 
 /// What a type is apart from those that it is made of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(crate) enum Head {
     /// Nothing says what it is, or it fits whatever there is.
+    #[default]
     Unknown,
     Never,
     Bool,

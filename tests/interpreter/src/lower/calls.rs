@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use super::{Lowered, Lowerer, Typed};
-use crate::names::{Callee, Named, Shape, Signature, names, unknown};
-use crate::node::{At, Closure, Method, Node};
+use crate::names::{Callee, Named, Shape, Signature, names, similar, unknown};
+use crate::node::{At, Closure, Node};
 use crate::prelude::{self, NATIVES};
 use crate::read::{Refusal, at_span};
 use crate::types::{Head, Int, Type};
@@ -94,11 +94,10 @@ impl Lowerer<'_> {
         let module = self.context.module;
         if let Some(owner) = owner {
             let Some(callee) = self.names.callee(owner, name) else {
-                let message = format!(
+                return self.refused(at, format!(
                     "no function or associated item named `{name}` found for `{}` in the current scope",
                     owner.name(self.names)
-                );
-                return self.fault(at, &message, "", "");
+                ));
             };
             self.shown(callee, at)?;
             return Ok(callee);
@@ -115,7 +114,7 @@ impl Lowerer<'_> {
             }
             Err(lost) => {
                 let locals = self.locals.iter().map(|it| it.name.as_str());
-                let near = super::similar(name, locals);
+                let near = similar(name, locals);
                 let Some(near) = near.filter(|_| path.len() == 1 && what == "value") else {
                     return Err(self.names.not_found(module, at, what, path, lost));
                 };
@@ -178,7 +177,7 @@ impl Lowerer<'_> {
         let callee = self.function_named(owner.as_ref(), &name, &path, at_path, "function")?;
         let signature = self.signature(callee);
         if signature.is_constant {
-            return self.fault(at, "expected function, found a constant", "", "");
+            return self.refused(at, "expected function, found a constant");
         }
         // `f64::sqrt(x)` and `Hittable::hit(&sphere, …)`: a method by its full name.
         if signature.has_self && !matches!(callee, Callee::Own(_)) {
@@ -272,11 +271,13 @@ impl Lowerer<'_> {
         let function = self.stripped(function);
         let (parameters, result) = match (function.ty.0, function.ty.1.split_last()) {
             (Head::Fn, Some((result, parameters))) => (parameters.to_vec(), result.clone()),
-            (Head::Unknown, _) => (vec![Type::UNKNOWN; it.args.len()], Type::UNKNOWN),
+            (Head::Unknown, _) => return self.untold(self.at(&it.func)),
             _ => {
                 let name = function.ty.name(self.names);
-                let message = format!("expected function, found `{name}`");
-                return self.fault(self.at(&it.func), &message, "", "");
+                return self.refused(
+                    self.at(&it.func),
+                    format!("expected function, found `{name}`"),
+                );
             }
         };
         let nodes = self.arguments(&parameters, &it.args, at, &mut [])?;
@@ -368,7 +369,7 @@ impl Lowerer<'_> {
         (at, whole): (At, At),
     ) -> Lowered {
         if receiver.ty.stripped().is_unknown() {
-            return self.late_method(receiver, name, arguments, at);
+            return self.untold(at);
         }
         let mut on = receiver.clone();
         // By what the receiver was reached at last.
@@ -407,6 +408,7 @@ impl Lowerer<'_> {
             return self.fault(at, &message, label, &format!("`{on}::{name}(…)`"));
         };
         let mut with = vec![on.ty.inner(), Type::UNKNOWN, number(&on.ty)];
+        let before = on.clone();
         let node = match (wanted.0, through) {
             (Head::RefMut, _) if on.ty.is(Head::RefMut) => on.node,
             (Head::RefMut, Some(reference)) if reference.ty.is(Head::RefMut) => reference.node,
@@ -422,6 +424,9 @@ impl Lowerer<'_> {
             ));
         }
         let rest = self.arguments(&signature.parameters[1..], arguments, whole, &mut with)?;
+        if !before.ty.1.is_empty() {
+            self.learn(&before, &Type(before.ty.0, vec![with[0].clone()]));
+        }
         let result = signature.result.with(&with);
         let result = match (name, receiver.ty.stripped().0) {
             ("sum" | "product", _) => result.stripped().clone(),
@@ -431,46 +436,18 @@ impl Lowerer<'_> {
         Ok(self.made(callee, [vec![node], rest].concat(), result, whole))
     }
 
-    /// A method of what is not known by reading.
-    fn late_method(
-        &mut self,
-        on: Typed,
-        name: &str,
-        arguments: Vec<&syn::Expr>,
-        at: At,
-    ) -> Lowered {
-        let mut own = self.names.functions.iter();
-        let is_known = own.any(|it| it.has_self && it.name == name)
-            || NATIVES.iter().any(|it| it.signature.name == name);
-        if !is_known {
-            let message = format!("no method named `{name}` found in the current scope");
-            let help = "if Rust has it, this page does not know it; cargo does";
-            return self.fault(at, &message, "", help);
-        }
-        let mut nodes = vec![on.node];
-        for argument in arguments {
-            nodes.push(self.expr(argument)?.node);
-        }
-        let method = Method {
-            name: name.to_owned(),
-            at,
-            module: self.context.module,
-            target: on.target,
-        };
-        let node = Node::Method(Box::new(method), nodes.into());
-        Ok(Typed::new(node, Type::UNKNOWN))
-    }
-
     pub(super) fn closure(&mut self, it: &syn::ExprClosure, wanted: &Type) -> Lowered {
         let mut types = match wanted.0 {
             Head::Fn if wanted.1.len() == it.inputs.len() + 1 => wanted.1.clone(),
             Head::Fn => {
-                let message = format!(
-                    "closure is expected to take {} arguments, but it takes {}",
-                    wanted.1.len() - 1,
-                    it.inputs.len()
+                return self.refused(
+                    self.at_any(it),
+                    format!(
+                        "closure is expected to take {} arguments, but it takes {}",
+                        wanted.1.len() - 1,
+                        it.inputs.len()
+                    ),
                 );
-                return self.fault(self.at_any(it), &message, "", "");
             }
             _ => vec![Type::UNKNOWN; it.inputs.len() + 1],
         };

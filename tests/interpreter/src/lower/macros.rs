@@ -6,6 +6,7 @@ use syn::punctuated::Punctuated;
 use super::{Lowered, Lowerer, Typed};
 use crate::names::unknown;
 use crate::node::{At, Node};
+use crate::read::Refusal;
 use crate::types::{Head, Type};
 
 impl Lowerer<'_> {
@@ -24,8 +25,7 @@ impl Lowerer<'_> {
             "panic" => never("the program panics here"),
             "assert" | "debug_assert" => {
                 let Some(condition) = arguments.first() else {
-                    let message = "requires a boolean expression as 1st argument";
-                    return self.fault(at, message, "", "");
+                    return self.refused(at, "requires a boolean expression as 1st argument");
                 };
                 let condition = self.given(condition, &Head::Bool.into())?;
                 let panic = Node::Panic("assertion failed".to_owned(), at);
@@ -51,7 +51,7 @@ impl Lowerer<'_> {
     /// What is added to a text.
     fn written(&mut self, arguments: &[syn::Expr], end: &str, at: At) -> Lowered {
         let Some((to, rest)) = arguments.split_first() else {
-            return self.fault(at, "requires at least a format string argument", "", "");
+            return self.refused(at, "requires at least a format string argument");
         };
         let typed = self.expr(to)?;
         let place = match typed.ty.0 {
@@ -60,18 +60,20 @@ impl Lowerer<'_> {
         };
         let text = self.formatted(rest, end, at)?;
         let written = self.native("str", "push_str", vec![place, text], at);
-        Ok(Typed::new(Node::Some(Box::new(written)), Type::UNKNOWN))
+        let ty = Type::of(Head::Option, Type::UNIT);
+        Ok(Typed::new(Node::Some(Box::new(written)), ty))
     }
 
-    /// A text with values in its brackets: `{}`, `{name}`, `{0}` and `{:.3}`.
+    /// A text with values in its brackets: `{}`, `{name}` and `{0}`. How they are to look,
+    /// after a colon, is passed over.
     fn formatted(&mut self, arguments: &[syn::Expr], end: &str, at: At) -> Lowered<Node> {
         let (text, values) = match arguments.split_first() {
             None => (String::new(), arguments),
             Some((syn::Expr::Lit(it), values)) => match &it.lit {
                 syn::Lit::Str(text) => (text.value(), values),
-                _ => return self.fault(at, "format argument must be a string literal", "", ""),
+                _ => return self.refused(at, "format argument must be a string literal"),
             },
-            Some(_) => return self.fault(at, "format argument must be a string literal", "", ""),
+            Some(_) => return self.refused(at, "format argument must be a string literal"),
         };
         // Two brackets stand for one.
         let text = text.replace("{{", "\u{1}").replace("}}", "\u{2}") + end;
@@ -80,40 +82,30 @@ impl Lowerer<'_> {
         let mut unnamed = values.iter();
         let mut rest = text.as_str();
         while let Some((before, inside, after)) = bracket(rest) {
-            let (name, how) = inside.split_once(':').unwrap_or((inside, ""));
+            let name = inside.split(':').next().unwrap_or_default();
             let value = match name.parse::<usize>() {
-                _ if name.is_empty() => unnamed.next(),
-                Ok(n) => values.get(n),
-                Err(_) => {
-                    nodes.push(self.inline(name, at)?);
-                    pieces.push((plain(before), digits(how)));
-                    rest = after;
-                    continue;
-                }
+                _ if name.is_empty() => unnamed.next().map(|it| self.expr(it)),
+                Ok(n) => values.get(n).map(|it| self.expr(it)),
+                Err(_) => Some(self.inline(name, at)),
             };
             let Some(value) = value else {
-                let message = "this text has more brackets than there are arguments";
-                return self.fault(at, message, "", "");
+                return self.refused(at, "this text has more brackets than there are arguments");
             };
-            nodes.push(self.expr(value)?.node);
-            pieces.push((plain(before), digits(how)));
+            nodes.push(value?.node);
+            pieces.push(plain(before));
             rest = after;
         }
-        pieces.push((plain(rest), None));
+        pieces.push(plain(rest));
         match unnamed.next() {
-            Some(_) if !text.contains("{0") => self.fault(at, "argument never used", "", ""),
+            Some(_) if !text.contains("{0") => self.refused(at, "argument never used"),
             _ => Ok(Node::Format(pieces, nodes)),
         }
     }
 
-    fn inline(&mut self, name: &str, at: At) -> Lowered<Node> {
-        match self.variable(name) {
-            Some(typed) => Ok(typed.node),
-            None => {
-                let message = format!("cannot find value `{name}` in this scope");
-                self.fault(at, &message, "not found in this scope", "")
-            }
-        }
+    fn inline(&mut self, name: &str, at: At) -> Lowered {
+        let message = format!("cannot find value `{name}` in this scope");
+        let missing = Refusal::new(at, &message, "not found in this scope", "");
+        self.variable(name).ok_or(missing)
     }
 }
 
@@ -122,8 +114,4 @@ fn bracket(text: &str) -> Option<(&str, &str, &str)> {
     let (before, after) = text.split_once('{')?;
     let (inside, after) = after.split_once('}')?;
     Some((before, inside, after))
-}
-
-fn digits(how: &str) -> Option<usize> {
-    how.split_once('.').and_then(|it| it.1.parse().ok())
 }

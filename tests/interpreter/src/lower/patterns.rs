@@ -49,7 +49,7 @@ impl Lowerer<'_> {
             syn::Pat::Lit(it) => {
                 let literal = self.literal(&it.lit)?;
                 let literal = self.declared(literal, ty.stripped(), at)?;
-                Ok(Pattern::Literal(literal, at))
+                Ok(Pattern::Literal(literal))
             }
             syn::Pat::Range(it) => {
                 let ty = ty.stripped().clone();
@@ -91,7 +91,7 @@ impl Lowerer<'_> {
                 None => {
                     let constant = self.path(it)?;
                     let constant = self.declared(constant, ty.stripped(), at)?;
-                    Ok(Pattern::Literal(constant, at))
+                    Ok(Pattern::Literal(constant))
                 }
             },
             syn::Pat::Tuple(tuple) => {
@@ -125,10 +125,10 @@ impl Lowerer<'_> {
         self.expect(on, &Type::of(Head::Option, Type::UNKNOWN), at)?;
         let of = on.inner().behind(ty);
         match inner {
-            None => Ok(Pattern::None(at)),
+            None => Ok(Pattern::None),
             Some(inner) => {
                 let inner = self.pattern(inner, &of, false)?;
-                Ok(Pattern::Some(Box::new(inner), at))
+                Ok(Pattern::Some(Box::new(inner)))
             }
         }
     }
@@ -150,7 +150,7 @@ impl Lowerer<'_> {
                 let known = self.names.fields_of(&own);
                 Ok(Pattern::Fields(self.parts(&known, ty, given, at)?))
             }
-            Ok(_) => self.fault(at, "expected a struct or a variant", "", ""),
+            Ok(_) => self.refused(at, "expected a struct or a variant"),
             Err(lost) => {
                 let module = self.context.module;
                 Err(self
@@ -173,7 +173,7 @@ impl Lowerer<'_> {
         let known = own.variants[variant].known();
         let parts = self.parts(&known, ty, given, at)?;
         Ok(match own.is_enum {
-            true => Pattern::Variant(kind as u32, variant as u32, parts, at),
+            true => Pattern::Variant(variant as u32, parts),
             false => Pattern::Fields(parts),
         })
     }
@@ -191,7 +191,7 @@ impl Lowerer<'_> {
                 continue;
             }
             let Some(n) = known.iter().position(|it| it.0 == name) else {
-                return self.fault(at, &format!("there is no field `{name}`"), "", "");
+                return self.refused(at, format!("there is no field `{name}`"));
             };
             let part = known[n].1.clone().behind(ty);
             all.push((n, self.pattern(pattern, &part, false)?));
@@ -225,52 +225,7 @@ impl Lowerer<'_> {
                 body: body.node,
             });
         }
-        if let Some(missing) = self.missing(of.ty.stripped(), &arms) {
-            let message = format!("non-exhaustive patterns: {missing} not covered");
-            return self.fault(self.at(&it.expr), &message, "", "add an arm, or `_ => …`");
-        }
         let at = self.at_any(&it.match_token);
         Ok(Typed::new(Node::Match(Box::new(of.node), arms, at), ty))
-    }
-
-    /// What no arm matches, as far as single values go.
-    fn missing(&self, ty: &Type, arms: &[Arm]) -> Option<String> {
-        let unguarded = arms.iter().filter(|it| it.guard.is_none());
-        let all: Vec<&Pattern> = unguarded.flat_map(|it| alternatives(&it.pattern)).collect();
-        if all.iter().any(|it| it.is_irrefutable()) {
-            return None;
-        }
-        let lacks = |is_it: &dyn Fn(&Pattern) -> bool| !all.iter().any(|it| is_it(it));
-        match ty.0 {
-            Head::Option if lacks(&|it| matches!(it, Pattern::Some(..))) => {
-                Some("`Some(_)`".to_owned())
-            }
-            Head::Option => lacks(&|it| matches!(it, Pattern::None(_))).then(|| "`None`".to_owned()),
-            Head::Bool => [true, false].into_iter().find_map(|value| {
-                let is_it = |it: &Pattern| {
-                    matches!(it, Pattern::Literal(Node::Bool(own), _) if *own == value)
-                };
-                lacks(&is_it).then(|| format!("`{value}`"))
-            }),
-            Head::Own(kind) if self.names.kinds[kind].is_enum => {
-                let own = &self.names.kinds[kind];
-                let is_of = |it: &Pattern, n: usize| {
-                    matches!(it, Pattern::Variant(_, own, ..) if *own as usize == n)
-                };
-                let mut variants = own.variants.iter().enumerate();
-                let missing = variants.find(|(n, _)| lacks(&|it| is_of(it, *n)));
-                missing.map(|(_, it)| format!("`{}::{}`", own.name, it.name))
-            }
-            Head::F64 | Head::F32 | Head::Float | Head::Int(_) => Some("`_`".to_owned()),
-            _ => None,
-        }
-    }
-}
-
-fn alternatives(pattern: &Pattern) -> Vec<&Pattern> {
-    match pattern {
-        Pattern::Or(all) => all.iter().flat_map(alternatives).collect(),
-        Pattern::Bind(_, inner) if !matches!(**inner, Pattern::Any) => alternatives(inner),
-        pattern => vec![pattern],
     }
 }

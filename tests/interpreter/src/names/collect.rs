@@ -1,5 +1,6 @@
 //! Declarations: what each item of the trees is, and the types of its parts.
 
+use std::mem;
 use std::ptr;
 
 use syn::punctuated::Punctuated;
@@ -37,6 +38,7 @@ pub(crate) fn collect<'a>(
         files,
         names: Names::default(),
         items: Vec::new(),
+        imports: Vec::new(),
         blocks: Vec::new(),
         bodies: Vec::new(),
         faults: Vec::new(),
@@ -60,6 +62,8 @@ struct Collector<'a> {
     names: Names,
     /// Each with its module.
     items: Vec<(usize, &'a syn::Item)>,
+    /// The paths of all imports, each with its module and its place.
+    imports: Vec<(usize, Vec<String>, At)>,
     /// The blocks that declare something, and what they are as modules.
     blocks: Vec<(*const syn::Block, usize)>,
     bodies: Vec<Option<Body<'a>>>,
@@ -146,7 +150,7 @@ impl<'a> Collector<'a> {
     ) -> Read {
         let entry = Entry {
             named,
-            is_public: !matches!(visibility, syn::Visibility::Inherited),
+            is_public: is_public(visibility),
         };
         match self.names.modules[module]
             .names
@@ -162,20 +166,7 @@ impl<'a> Collector<'a> {
 
     /// A place for a function whose signature is read later.
     fn function(&mut self) -> Named {
-        self.names.functions.push(Signature {
-            name: String::new(),
-            module: 0,
-            at: At::default(),
-            is_public: false,
-            parameters: Vec::new(),
-            has_self: false,
-            result: Type::UNIT,
-            of: None,
-            in_trait: None,
-            in_standard: None,
-            is_constant: false,
-            has_body: true,
-        });
+        self.names.functions.push(Signature::default());
         self.bodies.push(None);
         Named::Function(self.names.functions.len() - 1)
     }
@@ -253,7 +244,7 @@ impl<'a> Collector<'a> {
         mut path: Vec<String>,
         tree: &syn::UseTree,
     ) -> Read {
-        let name = match tree {
+        let (own, name) = match tree {
             syn::UseTree::Path(it) => {
                 path.push(it.ident.to_string());
                 return self.import(module, visibility, path, &it.tree);
@@ -262,34 +253,34 @@ impl<'a> Collector<'a> {
                 let mut trees = it.items.iter();
                 return trees.try_for_each(|it| self.import(module, visibility, path.clone(), it));
             }
-            syn::UseTree::Glob(_) => {
-                let is_public = !matches!(visibility, syn::Visibility::Inherited);
-                self.names.modules[module].globs.push((path, is_public));
-                return Ok(());
-            }
-            syn::UseTree::Name(it) if it.ident == "self" => {
-                let name =
-                    syn::Ident::new(path.last().map_or("self", String::as_str), it.ident.span());
-                return self.name(module, &name, visibility, Named::Import(path));
-            }
-            syn::UseTree::Name(it) => {
-                path.push(it.ident.to_string());
-                &it.ident
-            }
-            syn::UseTree::Rename(it) => {
-                path.push(it.ident.to_string());
-                &it.rename
-            }
+            syn::UseTree::Glob(_) => (None, None),
+            syn::UseTree::Name(it) => (Some(&it.ident), Some(&it.ident)),
+            syn::UseTree::Rename(it) => (Some(&it.ident), Some(&it.rename)),
         };
-        if name == "_" {
-            return Ok(());
+        let mut name = name.cloned();
+        match (own, path.last()) {
+            // `use std::fmt::{self, …}`.
+            (Some(own), Some(last)) if own == "self" => {
+                name = Some(syn::Ident::new(last, own.span()));
+            }
+            _ => path.extend(own.map(ToString::to_string)),
         }
-        self.name(module, name, visibility, Named::Import(path))
+        self.imports
+            .push((module, path.clone(), self.at(module, tree)));
+        match name {
+            Some(name) if name == "_" => Ok(()),
+            Some(name) => self.name(module, &name, visibility, Named::Import(path)),
+            None => {
+                let is_public = is_public(visibility);
+                self.names.modules[module].globs.push((path, is_public));
+                Ok(())
+            }
+        }
     }
 
     /// Finds what all names mean, now that all are known.
     fn define(&mut self) {
-        let items = std::mem::take(&mut self.items);
+        let items = mem::take(&mut self.items);
         let each = |own: &mut Self, work: fn(&mut Self, usize, &'a syn::Item) -> Read| {
             for &(module, item) in &items {
                 let done = work(own, module, item);
@@ -304,7 +295,11 @@ impl<'a> Collector<'a> {
             });
         }
         each(self, Self::alias);
-        each(self, Self::check_import);
+        for (module, path, at) in mem::take(&mut self.imports) {
+            if let Err(lost) = self.names.found(module, &path) {
+                self.faults.push(self.names.unresolved(at, &path, lost));
+            }
+        }
         if self.faults.is_empty() {
             each(self, Self::fields_or_trait);
             each(self, Self::functions);
@@ -325,34 +320,6 @@ impl<'a> Collector<'a> {
             .get_mut(&it.ident.to_string());
         entry.expect("it was declared").named = Named::Type(ty);
         Ok(())
-    }
-
-    fn check_import(&mut self, module: usize, item: &'a syn::Item) -> Read {
-        let syn::Item::Use(it) = item else {
-            return Ok(());
-        };
-        self.check_tree(module, Vec::new(), &it.tree)
-    }
-
-    fn check_tree(&self, module: usize, mut path: Vec<String>, tree: &syn::UseTree) -> Read {
-        let name = match tree {
-            syn::UseTree::Path(it) => {
-                path.push(it.ident.to_string());
-                return self.check_tree(module, path, &it.tree);
-            }
-            syn::UseTree::Group(it) => {
-                let mut trees = it.items.iter();
-                return trees.try_for_each(|it| self.check_tree(module, path.clone(), it));
-            }
-            syn::UseTree::Name(it) => Some(&it.ident),
-            syn::UseTree::Rename(it) => Some(&it.ident),
-            syn::UseTree::Glob(_) => None,
-        };
-        path.extend(name.filter(|it| *it != "self").map(ToString::to_string));
-        match self.names.found(module, &path) {
-            Ok(_) => Ok(()),
-            Err(lost) => Err(self.names.unresolved(self.at(module, tree), &path, lost)),
-        }
     }
 
     fn fields_or_trait(&mut self, module: usize, item: &'a syn::Item) -> Read {
@@ -396,7 +363,7 @@ impl<'a> Collector<'a> {
         };
         match item {
             syn::Item::Fn(it) => {
-                let is_public = !matches!(it.vis, syn::Visibility::Inherited);
+                let is_public = is_public(&it.vis);
                 self.put(
                     number(self, &it.sig.ident),
                     &context,
@@ -446,7 +413,7 @@ impl<'a> Collector<'a> {
             Ok(Field {
                 name: name.map_or(n.to_string(), ToString::to_string),
                 ty: self.names.ty(context, &field.ty)?,
-                is_public: is_enum || !matches!(field.vis, syn::Visibility::Inherited),
+                is_public: is_enum || is_public(&field.vis),
             })
         });
         let fields = fields.collect::<Read<Vec<_>>>()?;
@@ -502,14 +469,16 @@ impl<'a> Collector<'a> {
         name: &syn::Ident,
         (ty, value): (&syn::Type, &'a syn::Expr),
     ) -> Read {
-        let own = &mut self.names.functions[number];
-        own.name = name.to_string();
-        own.is_constant = true;
-        own.module = context.module;
-        own.of.clone_from(&context.own);
-        own.is_public = true;
-        own.at = at(self.names.modules[context.module].file, name);
-        self.names.functions[number].result = self.names.ty(context, ty)?;
+        self.names.functions[number] = Signature {
+            name: name.to_string(),
+            module: context.module,
+            at: self.at(context.module, name),
+            is_public: true,
+            is_constant: true,
+            of: context.own.clone(),
+            result: self.names.ty(context, ty)?,
+            ..Signature::default()
+        };
         self.bodies[number] = Some(Body {
             module: context.module,
             of: Inside::Constant(value),
@@ -535,15 +504,7 @@ impl<'a> Collector<'a> {
                         .names
                         .not_found(module, at, "trait", &names(path), lost));
                 }
-                Ok(_) => {
-                    let message = format!("expected trait, found `{}`", names(path).join("::"));
-                    return Err(Refusal::new(
-                        self.at(module, path),
-                        &message,
-                        "not a trait",
-                        "",
-                    ));
-                }
+                Ok(_) => return unknown(self.at(module, path), "this trait"),
             }
         }
         let mut context = Context {
@@ -557,7 +518,7 @@ impl<'a> Collector<'a> {
                     context.parameters.insert(format!("Self::{}", it.ident), ty);
                 }
                 syn::ImplItem::Fn(it) => {
-                    let is_public = !matches!(it.vis, syn::Visibility::Inherited);
+                    let is_public = is_public(&it.vis);
                     let made = self.method(&context, &it.sig, Some(&it.block), is_public)?;
                     self.names.functions[made].in_trait = in_trait;
                     self.names.functions[made]
@@ -631,6 +592,10 @@ impl<'a> Collector<'a> {
     }
 }
 
+fn is_public(visibility: &syn::Visibility) -> bool {
+    !matches!(visibility, syn::Visibility::Inherited)
+}
+
 fn is_test(item: &syn::Item) -> bool {
     matches!(item, syn::Item::Mod(it) if it.ident == "tests")
 }
@@ -688,10 +653,7 @@ impl Names {
             has_self: matches!(it.inputs.first(), Some(syn::FnArg::Receiver(_))),
             result: self.result(&context, &it.output)?,
             of: context.own,
-            in_trait: None,
-            in_standard: None,
-            is_constant: false,
-            has_body: true,
+            ..Signature::default()
         })
     }
 
@@ -817,20 +779,11 @@ impl Names {
                 }
                 _ => match self.found(context.module, &names(&bound.path)) {
                     Ok(Named::Trait(found)) => return Ok(Head::Dyn(found).into()),
-                    Ok(Named::Standard(_)) => {}
-                    Ok(_) => {
-                        let message = format!("expected trait, found `{}`", last.ident);
-                        return Err(Refusal::new(
-                            at(self.file(context.module), bound),
-                            &message,
-                            "not a trait",
-                            "",
-                        ));
-                    }
+                    Ok(_) => {}
                     Err(lost) => {
-                        let path = names(&bound.path);
-                        let place = at(self.file(context.module), &bound.path);
-                        return Err(self.not_found(context.module, place, "trait", &path, lost));
+                        let (module, path) = (context.module, names(&bound.path));
+                        let place = at(self.file(module), &bound.path);
+                        return Err(self.not_found(module, place, "trait", &path, lost));
                     }
                 },
             }
