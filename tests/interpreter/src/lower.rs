@@ -11,7 +11,9 @@ use std::sync::Arc;
 
 use syn::spanned::Spanned;
 
-use crate::names::{Body, Context, Inside, Names, Signature, literal, names, there_is, unknown};
+use crate::names::{
+    Body, Context, Field, Inside, Names, Signature, literal, names, there_is, unknown,
+};
 use crate::node::{At, Function, Node, Root, Step, Target};
 use crate::operators::{Operator, operator};
 use crate::read::{Refusal, at, at_expr, at_span};
@@ -299,10 +301,6 @@ impl Lowerer<'_> {
                 format!("literal out of range for `{}`", ty.name(self.names)),
             ),
             (Node::Float(it), _) => Ok(Node::Single(it as f32)),
-            (Node::Negate(of, place), Head::F32) => {
-                let of = self.literal_as(*of, ty, at)?;
-                Ok(Node::Negate(Box::new(of), place))
-            }
             (node, _) => Ok(Node::Declared(Box::new(node), Box::new(ty.clone()), at)),
         }
     }
@@ -862,21 +860,18 @@ impl Lowerer<'_> {
         let own = &self.names.kinds[kind];
         let fields = &own.variants[variant].fields;
         let nodes = self.fields_given(it, &own.name, &own.variants[variant].known())?;
-        if let Some((n, _)) = nodes.iter().find(|(n, _)| {
+        let mut hidden = nodes.iter().map(|it| &fields[it.0]);
+        let is_hidden = |it: &&Field| {
             !self
                 .names
-                .sees(self.context.module, own.module, fields[*n].is_public)
-        }) {
+                .sees(self.context.module, own.module, it.is_public)
+        };
+        if let Some(hidden) = hidden.find(is_hidden) {
             let message = format!(
                 "field `{}` of struct `{}` is private",
-                fields[*n].name, own.name
+                hidden.name, own.name
             );
-            return self.fault(
-                at_path,
-                &message,
-                "private field",
-                "`pub` before it shows it to other files",
-            );
+            return self.refused(at_path, message);
         }
         let ty = Type::from(Head::Own(kind));
         let base = match &it.rest {
@@ -1033,6 +1028,7 @@ impl Lowerer<'_> {
                 match of.node {
                     _ if !is_signed => Err(self.names.no_unary("-", &of.ty, at)),
                     Node::Int(it, int) => Ok(Typed::new(Node::Int(-it, int), of.ty)),
+                    Node::Float(it) => Ok(Typed::new(Node::Float(-it), of.ty)),
                     node => Ok(Typed::new(Node::Negate(Box::new(node), at), of.ty)),
                 }
             }

@@ -487,10 +487,6 @@ library! {
             Some(it) => m.apply(&a[2], &mut [it], at),
             None => Ok(a[1].clone()),
         };
-        fn map_or_else(self, other: impl FnOnce() -> U, f: impl FnOnce(T) -> U) -> U => |m, a, at| match a[0].option() {
-            Some(it) => m.apply(&a[2], &mut [it], at),
-            None => m.apply(&a[1], &mut [], at),
-        };
         fn and_then(self, f: impl FnOnce(T) -> Option<U>) -> Option<U> => |m, a, at| match a[0].option() {
             Some(it) => m.apply(&a[1], &mut [it], at),
             None => option(None),
@@ -503,15 +499,7 @@ library! {
             Some(it) => m.apply(&a[1], &mut [it], at),
             None => bool(false),
         };
-        fn is_none_or(self, f: impl FnOnce(T) -> bool) -> bool => |m, a, at| match a[0].option() {
-            Some(it) => m.apply(&a[1], &mut [it], at),
-            None => bool(true),
-        };
         fn or(self, other: Option<T>) -> Option<T> => |_, a, _| option(a[0].option().or_else(|| a[1].option()));
-        fn or_else(self, other: impl FnOnce() -> Option<T>) -> Option<T> => |m, a, at| match a[0].option() {
-            Some(it) => option(Some(it)),
-            None => m.apply(&a[1], &mut [], at),
-        };
         fn as_ref(&self) -> Option<&T> => |_, a, _| Ok(a[0].clone());
         fn take(&mut self) -> Option<T> =>
             |m, a, _| Ok(m.change_at(&a[0], |place| std::mem::replace(place, Value::None)));
@@ -620,7 +608,6 @@ library! {
         };
     }
     "Iterator" {
-        fn iter(self) -> Iterator<T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
         fn into_iter(self) -> Iterator<T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
         fn next(&self) -> Option<T> => |m, a, at| {
             let next = m.iterator(&a[0], at)?.next(m)?;
@@ -642,21 +629,7 @@ library! {
             let f = a[1].clone();
             adapted(m, &a[0], at, move |m, it| m.chosen(&f, &mut [it], at))
         };
-        fn flat_map(self, f: impl FnMut(T) -> Option<U>) -> Iterator<U> => |m, a, at| {
-            let f = a[1].clone();
-            adapted(m, &a[0], at, move |m, it| m.chosen(&f, &mut [it], at))
-        };
         fn flatten(self: Iterator<Option<U>>) -> Iterator<U> => |m, a, at| adapted(m, &a[0], at, |_, it| Ok(it.option()));
-        fn take_while(self, f: impl FnMut(&T) -> bool) -> Iterator<T> => |m, a, at| {
-            let (iterator, f) = (m.iterator(&a[0], at)?, a[1].clone());
-            let mut is_over = false;
-            Ok(Iter::giving(move |m| {
-                let next = if is_over { None } else { iterator.next(m)? };
-                let Some(it) = next else { return Ok(None) };
-                is_over = !m.asked(&f, &mut [it.clone()], at)?;
-                Ok((!is_over).then_some(it))
-            }))
-        };
         fn take(self, n: usize) -> Iterator<T> => |m, a, at| {
             let (iterator, mut left) = (m.iterator(&a[0], at)?, a[1].int());
             Ok(Iter::giving(move |m| {
@@ -669,16 +642,6 @@ library! {
             adapted(m, &a[0], at, move |_, it| {
                 left -= 1;
                 Ok((left < 0).then_some(it))
-            })
-        };
-        fn step_by(self, n: usize) -> Iterator<T> => |m, a, at| {
-            let (step, mut n) = (a[1].int(), -1);
-            if step == 0 {
-                return m.panic(at, "assertion failed: step != 0");
-            }
-            adapted(m, &a[0], at, move |_, it| {
-                n += 1;
-                Ok((n % step == 0).then_some(it))
             })
         };
         fn enumerate(self) -> Iterator<(usize, T)> => |m, a, at| {

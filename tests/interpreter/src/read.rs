@@ -127,8 +127,8 @@ pub(crate) fn parse(file: usize, text: &str) -> Result<syn::File, Refusal> {
             "the page runs a chapter",
         ));
     }
-    scan(file, text)?;
-    let tokens: Result<TokenStream, _> = text.parse();
+    let code = scan(file, text)?;
+    let tokens: Result<TokenStream, _> = code.parse();
     let tokens = tokens.map_err(|error: proc_macro2::LexError| {
         let place = at_span(file, error.span());
         Refusal::new(
@@ -185,14 +185,21 @@ const LOOKALIKES: [(char, &str); 14] = [
 ];
 
 /// Scanning, before anything else: characters that no Rust has, and brackets without their
-/// other halves. Comments and quotes are passed over.
-fn scan(file: u32, text: &str) -> Result<(), Refusal> {
+/// other halves. Comments and quotes are passed over. Returns the text with blanks for its
+/// comments: those for readers would take longer to parse than the rest.
+fn scan(file: u32, text: &str) -> Result<String, Refusal> {
+    let mut code = text.as_bytes().to_vec();
     let mut open: Vec<(char, At)> = Vec::new();
     let mut at = 0;
     while let Some(sign) = text[at..].chars().next() {
         let end = at + sign.len_utf8();
         let place = at_bytes(file, at..end);
+        let start = at;
         at += passed_over(&text[at..]).unwrap_or(sign.len_utf8());
+        if sign == '/' && at > end {
+            let comment = code[start..at].iter_mut();
+            comment.filter(|it| **it != b'\n').for_each(|it| *it = b' ');
+        }
         match sign {
             '(' | '[' | '{' if at == end => open.push((sign, place)),
             ')' | ']' | '}' => {
@@ -220,7 +227,7 @@ fn scan(file: u32, text: &str) -> Result<(), Refusal> {
         }
     }
     match open.pop() {
-        None => Ok(()),
+        None => Ok(String::from_utf8_lossy(&code).into_owned()),
         Some((sign, place)) => {
             let message = "this file contains an unclosed delimiter";
             Err(Refusal::new(

@@ -360,6 +360,10 @@ impl<'c> Machine<'c> {
                 let mut arguments = [self.eval(one)?, self.eval(other)?];
                 prelude::run(native, self, &mut arguments, at)
             }
+            [one, two, three] => {
+                let mut arguments = [self.eval(one)?, self.eval(two)?, self.eval(three)?];
+                prelude::run(native, self, &mut arguments, at)
+            }
             nodes => {
                 let mut arguments = self.all(nodes)?;
                 prelude::run(native, self, &mut arguments, at)

@@ -3,6 +3,8 @@
 
 use std::sync::Arc;
 
+use common::rtweekend::Vec3;
+
 use super::{Lowered, Lowerer, Typed};
 use crate::names::{Callee, Named, Shape, Signature, names, similar, unknown};
 use crate::node::{At, Closure, Node};
@@ -324,10 +326,16 @@ impl Lowerer<'_> {
     }
 
     fn made(&self, callee: Callee, nodes: Vec<Node>, result: Type, at: At) -> Typed {
-        let nodes = nodes.into();
+        let nodes: Box<[Node]> = nodes.into();
         let node = match callee {
             Callee::Own(function) => Node::Call(function, nodes, at),
-            Callee::Native(native) => Node::Native(native, nodes, at),
+            // A vector of numbers is made once.
+            Callee::Native(native) => match *nodes {
+                [Node::Float(x), Node::Float(y), Node::Float(z)] if result.is(Head::Vec3) => {
+                    Node::Vec3(Vec3::new(x, y, z))
+                }
+                _ => Node::Native(native, nodes, at),
+            },
             Callee::Dynamic(function) => {
                 let name = &self.names.functions[function].name;
                 let of = |kind| self.names.method_or_default(&Head::Own(kind).into(), name);
@@ -385,8 +393,7 @@ impl Lowerer<'_> {
             on = self.dereferenced(on);
         };
         self.shown(callee, at)?;
-        let is_literal =
-            on.ty.is(Head::Float) && matches!(on.node, Node::Float(_) | Node::Negate(..));
+        let is_literal = on.ty.is(Head::Float) && matches!(on.node, Node::Float(_));
         if is_literal && matches!(callee, Callee::Native(_)) {
             let message =
                 format!("can't call method `{name}` on ambiguous numeric type `{{float}}`");
