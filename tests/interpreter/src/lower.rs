@@ -265,6 +265,10 @@ impl Lowerer<'_> {
     fn given(&mut self, value: &syn::Expr, ty: &Type) -> Lowered<Node> {
         let typed = match value {
             syn::Expr::Closure(it) => self.closure(it, ty)?,
+            syn::Expr::Call(it) if is_default(it) && !ty.is_unknown() => {
+                let made = self.conversion(Some(ty), "default", it, self.at(value))?;
+                made.unwrap_or_else(|| Typed::new(Node::Default(Box::new(ty.clone())), ty.clone()))
+            }
             value => self.expr(value)?,
         };
         self.declared(typed, ty, self.at(value))
@@ -1117,6 +1121,11 @@ impl Type {
         let is_open = matches!(self.0, Head::Unknown | Head::Int(Int::Any) | Head::RefMut);
         !is_open && self.1.iter().all(Self::is_certain)
     }
+}
+
+/// `Default::default()`, whose type is that of its place.
+fn is_default(it: &syn::ExprCall) -> bool {
+    matches!(&*it.func, syn::Expr::Path(it) if names(&it.path) == ["Default", "default"])
 }
 
 /// The name of a field, or its number.

@@ -78,59 +78,20 @@ fn what_the_compiler_reads_is_read() {
     let drawn = program.draw(40).expect("nothing stops it");
     assert_ne!(drawn, Chapter::Normals.picture(40));
 
-    for (right, wrong, file) in OTHERWISE {
-        let changed = normals.replacen(right, wrong, 1);
-        assert_ne!(changed, *normals, "{right}");
-        let program = program_of(&[("src/lib.rs", &changed), ("src/names.rs", file)])
-            .unwrap_or_else(|fault| panic!("{wrong}: {fault}"));
-        let drawn = program.draw(40).expect("nothing stops it");
-        assert_eq!(drawn, Chapter::Normals.picture(40), "{wrong}");
+    let renamed = normals.replace("common::rtweekend::*;", "names::*;\nmod names;");
+    let names = "pub use common::rtweekend::*;\n\npub type Point3 = Vec3;\n";
+    let program = program_of(&[("src/lib.rs", &renamed), ("src/names.rs", names)]);
+    let drawn = program.expect("a type may have two names").draw(40);
+    assert_eq!(drawn, Ok(Chapter::Normals.picture(40)));
+
+    for row in rows::<3>(include_str!("texts/read.txt")) {
+        let files = changed(&row);
+        let files: Vec<(&str, &str)> = files.iter().map(|it| (it.0, &it.1[..])).collect();
+        let program = program_of(&files).unwrap_or_else(|fault| panic!("{row:?}: {fault}"));
+        let chapter = Chapter::find(&row[0]).expect("a chapter");
+        assert_eq!(program.draw(40), Ok(chapter.picture(40)), "{row:?}");
     }
 }
-
-/// Another text for a part of chapter 3, and a module beside it.
-const OTHERWISE: [(&str, &str, &str); 8] = [
-    (
-        "use common::rtweekend::*;",
-        "mod names;\nuse common::rtweekend::*;\nuse names::Point3;",
-        "pub type Point3 = common::rtweekend::Vec3;\n",
-    ),
-    (
-        "use common::rtweekend::*;",
-        "mod names {\n    pub use common::rtweekend::*;\n}\nuse names::*;",
-        "",
-    ),
-    (
-        "    let oc = center - ray.origin;",
-        "    fn between(a: Point3, b: Point3) -> Vec3 {\n        b - a\n    }\n    let oc = between(ray.origin, center);",
-        "",
-    ),
-    (
-        "    let oc = center - ray.origin;",
-        "    const TWO: f64 = 2.0;\n    let oc = (center - ray.origin) * TWO / 2.0;",
-        "",
-    ),
-    (
-        "    let oc = center - ray.origin;",
-        "    let oc = center - ray.origin;\n    println!(\"{oc:?} {}\", ray.direction.x);",
-        "",
-    ),
-    (
-        "Some((-b - discriminant.sqrt()) / (2.0 * a))",
-        "let root = |sign: f64| (-b + sign * discriminant.sqrt()) / (2.0 * a);\n    Some(root(-1.0))",
-        "",
-    ),
-    (
-        "Some((-b - discriminant.sqrt()) / (2.0 * a))",
-        "let halves = [1.0_f32, 0.5];\n    Some((-b - discriminant.sqrt()) / (2.0 * a) * f64::from(halves[0]))",
-        "",
-    ),
-    (
-        "    if discriminant < 0.0 {\n        return None;\n    }",
-        "    match discriminant {\n        it if it < 0.0 => return None,\n        _ => {}\n    }",
-        "",
-    ),
-];
 
 /// Vectors, rays and the loop over all pixels, all of them the reader's.
 #[test]
@@ -291,29 +252,34 @@ fn expressions_come_to_what_the_compiler_makes_of_them() {
     }
 }
 
-/// Mistakes that the compiler finds: in which chapter, what it has, what is typed there, and
-/// what is said, after the line.
-fn refused() -> Vec<[String; 4]> {
-    let rows = include_str!("texts/refused.txt").lines().skip(1);
-    let parts = rows.map(|row| row.splitn(4, " ¦ ").map(|it| it.replace('⏎', "\n")));
+/// The rows of a table, without its head.
+fn rows<const N: usize>(table: &str) -> Vec<[String; N]> {
+    let rows = table.lines().skip(1);
+    let parts = rows.map(|row| row.splitn(N, " ¦ ").map(|it| it.replace('⏎', "\n")));
+    let parts = parts.map(Iterator::collect::<Vec<_>>);
     parts
-        .map(|it| it.collect::<Vec<_>>().try_into().expect("four parts"))
+        .map(|it| it.try_into().expect("all its parts"))
         .collect()
 }
 
-/// The files of the row, and the number of the one that is changed.
-fn changed(row: &[String; 4]) -> (Vec<(&'static str, String)>, usize) {
-    let [name, right, wrong, _] = row;
+/// Mistakes that the compiler finds: in which chapter, what it has, what is typed there, and
+/// what is said, after the line.
+fn refused() -> Vec<[String; 4]> {
+    rows(include_str!("texts/refused.txt"))
+}
+
+/// The files of the row's chapter, one of them changed.
+fn changed(row: &[String]) -> Vec<(&'static str, String)> {
+    let [name, right, wrong, ..] = row else {
+        panic!("{row:?} is no row");
+    };
     let chapter = Chapter::find(name).expect("a chapter");
-    let files = chapter
-        .files()
-        .iter()
-        .map(|(name, text)| (*name, (*text).to_owned()));
-    let mut files: Vec<_> = files.collect();
-    let changed = files.iter().position(|(_, text)| text.contains(right));
-    let changed = changed.unwrap_or_else(|| panic!("{right} is not there"));
-    files[changed].1 = files[changed].1.replacen(right, wrong, 1);
-    (files, changed)
+    let files = chapter.files().iter();
+    let mut files: Vec<_> = files.map(|it| (it.0, it.1.to_owned())).collect();
+    let changed = files.iter_mut().find(|it| it.1.contains(right));
+    let (_, text) = changed.unwrap_or_else(|| panic!("{right} is not there"));
+    *text = text.replacen(right, wrong, 1);
+    files
 }
 
 /// What is said first: the file, the line and the words.
@@ -344,7 +310,7 @@ fn said_here(files: &[(&'static str, String)]) -> Option<(String, usize, String)
 fn what_the_compiler_refuses_is_refused() {
     let mut other = String::new();
     for row in refused() {
-        let (files, _) = changed(&row);
+        let files = changed(&row);
         let said = said_here(&files).map_or("accepted".to_owned(), |(_, line, said)| {
             format!("{line}: {said}")
         });
@@ -369,7 +335,7 @@ fn most_is_told_as_the_compiler_tells_it() {
     fs::write(folder.join("Cargo.toml"), manifest).expect("a file");
     let (mut lines, mut words, mut all) = (0, 0, 0);
     for row in refused() {
-        let (files, _) = changed(&row);
+        let files = changed(&row);
         for (name, text) in &files {
             fs::write(folder.join(name), text).expect("a file");
         }

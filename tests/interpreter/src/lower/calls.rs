@@ -210,7 +210,7 @@ impl Lowerer<'_> {
     }
 
     /// What is made of other types: `f64::from(…)`, and what is there by default.
-    fn conversion(
+    pub(super) fn conversion(
         &mut self,
         owner: Option<&Type>,
         name: &str,
