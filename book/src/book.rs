@@ -11,7 +11,7 @@ use course::names::from_here;
 use crate::cargo::WEAVER;
 use crate::draw;
 
-/// What `cargo rtrace book` is told.
+/// The words behind `cargo rtrace book`.
 #[derive(Args, Default)]
 pub struct Arguments {
     /// Open the book in the browser

@@ -9,8 +9,8 @@ use std::process::{ExitCode, exit};
 use clap::Parser;
 use course::names;
 
-/// What the command line says. Who asks for help is helped, and who can't be
-/// understood is told why; that ends the program.
+/// The command line, or the end of the program: with help, if that is asked for, or with what
+/// can't be understood.
 pub fn command_line<Cli: Parser>() -> Cli {
     Cli::try_parse().unwrap_or_else(|error| {
         if !error.use_stderr() {
@@ -26,7 +26,7 @@ pub fn command_line<Cli: Parser>() -> Cli {
 /// the name of a file perhaps, is spelled out.
 pub fn complain(about: &str) {
     for line in about.lines() {
-        // If even this can't be written, there is nobody left to tell.
+        // If even this can't be written, no more can be done.
         let _ = writeln!(io::stderr(), "{}", names::visible(line));
     }
 }

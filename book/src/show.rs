@@ -16,7 +16,7 @@ use crate::misuse::misuse;
 use crate::save::{Format, save};
 use crate::terminal::{self, Palette};
 
-/// What `cargo rtrace show` is told.
+/// The words behind `cargo rtrace show`.
 #[derive(Args)]
 pub struct Arguments {
     /// Which picture

@@ -16,7 +16,7 @@ use slips::{Chapter, steps};
 use crate::mine::{Mine, TYPED};
 use crate::wrap::hanging;
 
-/// What `cargo rtrace done` is told.
+/// The words behind `cargo rtrace done`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// What you have done or understood, in a few words

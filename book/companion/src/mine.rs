@@ -25,8 +25,8 @@ pub(crate) struct Mine {
 }
 
 impl Mine {
-    /// The chosen folder. Or else `mine`: in this workspace for whoever stands in it, and
-    /// for everybody else in the nearest folder above that has one with a crate, or here.
+    /// The chosen folder. Or else `mine`: of this workspace, for a reader who is in it, or else
+    /// of the nearest folder above that has one with a crate, or here.
     pub(crate) fn find(chosen: Option<&Path>) -> Self {
         let here = env::current_dir().unwrap_or_default();
         let workspace = workspace::workspace().filter(|workspace| here.starts_with(workspace));

@@ -12,7 +12,7 @@ use slips::PROBES;
 
 use crate::chapter::OneOf;
 
-/// What `cargo rtrace probes` is told.
+/// The words behind `cargo rtrace probes`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// The chapter that you are at

@@ -15,7 +15,7 @@ use crate::chapter::named;
 use crate::misuse::misuse;
 use crate::save::Format;
 
-/// What `cargo rtrace slips` is told.
+/// The words behind `cargo rtrace slips`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Only the mistakes that can be made in this chapter, or the one of that name

@@ -89,7 +89,7 @@ fn finish(
     limit: Duration,
     is_old: &mut dyn FnMut() -> bool,
 ) -> io::Result<End> {
-    // The terminal is ours: nobody types for a program that is run again and again.
+    // The terminal is ours: a program that is run again and again reads none of it.
     if io::stdin().is_terminal() {
         command.stdin(Stdio::null());
     }

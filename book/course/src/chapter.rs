@@ -77,7 +77,7 @@ impl Chapter {
         }
     }
 
-    /// What there is to see in the picture, for whoever can't see it.
+    /// What there is to see in the picture, for a reader who can't see it.
     pub const fn shows(self) -> &'static str {
         match self {
             Self::BuildTest => "Red grows to the right, green grows downwards",

@@ -107,16 +107,17 @@ pub const OWN_PRELUDE: [(&str, &str); 4] = [
 /// What prints the picture.
 pub fn main(chapter: Chapter, own: bool) -> String {
     let name = chapter.name();
-    let body = match own {
-        true => format!("fn main() {{\n    print!(\"{{}}\", my_{name}::picture(400));\n}}\n"),
-        false => format!(
+    let body = if own {
+        format!("fn main() {{\n    print!(\"{{}}\", my_{name}::picture(400));\n}}\n")
+    } else {
+        format!(
             "fn main() -> std::process::ExitCode {{\n    common::engine::main(400, my_{name}::picture)\n}}\n"
-        ),
+        )
     };
     format!("//! Prints the picture: `cargo run > {name}.ppm`\n\n{body}")
 }
 
-/// What cargo is told: where the workspace is, as seen from the crate, and a number that no
+/// What cargo reads: where the workspace is, as seen from the crate, and a number that no
 /// other crate has.
 pub fn manifest(chapter: Chapter, own: bool, workspace: &str, number: u64) -> String {
     let name = chapter.name();
@@ -124,9 +125,10 @@ pub fn manifest(chapter: Chapter, own: bool, workspace: &str, number: u64) -> St
     let common = format!("common = {{ path = {} }}\n", path("common"));
     let laws = format!("laws = {{ path = {} }}\n", path("tests/laws"));
     // An own prelude meets ours in the tests alone.
-    let (common, common_for_tests) = match own {
-        true => ("", common.as_str()),
-        false => (common.as_str(), ""),
+    let (common, common_for_tests) = if own {
+        ("", common.as_str())
+    } else {
+        (common.as_str(), "")
     };
     format!(
         "[package]\nname = \"my_{name}\"\n\
@@ -139,8 +141,8 @@ pub fn manifest(chapter: Chapter, own: bool, workspace: &str, number: u64) -> St
     )
 }
 
-/// The test that puts what the reader types under the laws; empty where nobody would look
-/// for a mistake.
+/// The test that puts what the reader types under the laws; empty where no law can
+/// be broken.
 pub fn test(chapter: Chapter, own: bool) -> String {
     let test = match (chapter, own) {
         (Chapter::HittableList, false) => include_str!("../files/laws/hittable_list.rs"),
@@ -152,9 +154,10 @@ pub fn test(chapter: Chapter, own: bool) -> String {
         (_, false) => include_str!("../files/laws/nearer_root.rs"),
         (_, true) => include_str!("../files/own/laws/nearer_root.rs"),
     };
-    let prelude = match own {
-        true => include_str!("../files/own/laws/prelude.rs"),
-        false => "",
+    let prelude = if own {
+        include_str!("../files/own/laws/prelude.rs")
+    } else {
+        ""
     };
     let test = format!("{test}{prelude}")
         .replace("my_chapter", &format!("my_{}", chapter.name()))

@@ -8,7 +8,7 @@ use syn::{Block, Ident, ImplItem, Item};
 /// Each item that has a name, and where it is, its documentation included.
 ///
 /// # Errors
-/// The line of what is no Rust, and why.
+/// The line that is not Rust, and why.
 pub fn items(source: &str) -> Result<Vec<(String, Range<usize>)>, String> {
     let file = syn::parse_file(source)
         .map_err(|cause| format!("line {}: {cause}", cause.span().start().line))?;

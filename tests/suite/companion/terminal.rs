@@ -60,7 +60,7 @@ pub(crate) fn start(command: &mut Command) -> (Child, Screen) {
     (child, Screen { shown, reader })
 }
 
-/// Takes nothing from whoever runs the tests that says which colors a terminal has.
+/// Forgets which colors the terminal has in which the tests run.
 fn forget_ours(command: &mut Command) {
     let said: Vec<OsString> = command.get_envs().map(|(name, _)| name.into()).collect();
     for name in ["COLORTERM", "NO_COLOR", "FORCE_COLOR", "CI"] {

@@ -30,7 +30,7 @@ use crate::chapter::{ChapterOrPicture, First, named};
 use crate::misuse::complain;
 use crate::{files, sources};
 
-/// What `cargo rtrace check` is told.
+/// The words behind `cargo rtrace check`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Which picture it should be; without it, the one that comes nearest

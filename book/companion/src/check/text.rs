@@ -18,7 +18,7 @@ pub(crate) struct Style {
 }
 
 impl Style {
-    /// Plain where nobody looks, where the terminal can't, and where the reader
+    /// Plain where there is no terminal, where it can't, and where the reader
     /// does not want it.
     pub(crate) fn of_stdout() -> Self {
         Self {
@@ -59,7 +59,7 @@ impl Style {
 /// The whole result.
 pub(crate) fn text(judged: &Judged, report: Option<&Path>, style: Style) -> String {
     let parts = judged.parts();
-    let parts: String = parts.iter().map(|part| told(part, style)).collect();
+    let parts: String = parts.iter().map(|part| part_as_text(part, style)).collect();
     let report = report.map(|page| format!("\nThe page is {}\n", names::spelled(page)));
     headline(&judged.headline(), style) + &parts + &report.unwrap_or_default()
 }
@@ -77,7 +77,7 @@ pub(crate) fn headline(said: &Headline, style: Style) -> String {
     first + &notes
 }
 
-fn told(part: &Part, style: Style) -> String {
+fn part_as_text(part: &Part, style: Style) -> String {
     match part {
         Part::Title(said) => format!("\n{}\n", style.bold(wrapped(said, "", "").trim_end())),
         Part::Name(name) => format!("  {}\n", style.bold(name)),

@@ -18,7 +18,7 @@ pub(crate) use one::{ORDINARY, under_the_microscope};
 use crate::chapter::named;
 use number::{bound, finite, vector};
 
-/// What `cargo rtrace hit` is told.
+/// The words behind `cargo rtrace hit`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Where the ray starts

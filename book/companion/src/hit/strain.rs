@@ -35,7 +35,8 @@ pub(super) fn reasons(method: &Method, case: &Case) -> Vec<String> {
     .collect();
     found.sort_by(|(one, _), (other, _)| other.total_cmp(one));
     let digits = method.digits;
-    let sentence = |(lost, what)| format!("{what}: {} of {digits:.0} digits", shown(lost, digits));
+    let sentence =
+        |(lost, what)| format!("{what}: {} of {digits:.0} digits", in_digits(lost, digits));
     found.into_iter().map(sentence).collect()
 }
 
@@ -116,7 +117,7 @@ fn exponent(method: &Method, case: &Case) -> Option<String> {
     })
 }
 
-fn shown(lost: f64, digits: f64) -> String {
+fn in_digits(lost: f64, digits: f64) -> String {
     if lost >= digits {
         "all".to_owned()
     } else {

@@ -12,7 +12,7 @@ use crate::draw;
 use crate::files;
 use measure::needs::{Found, Row};
 
-/// Where the files of a scene go if nobody says otherwise.
+/// Where the files of a scene go if no other folder is named.
 pub(super) fn usual(scene: &Scene) -> Result<PathBuf, Box<dyn Error>> {
     let workspace = draw::workspace()
         .map_err(|error| format!("{error}\nOr name a folder for the files: --output DIR"))?;

@@ -23,7 +23,7 @@ use measure::scene_file::{self, WIDEST};
 use measure::wrong_pixels::{self, Drawn};
 use speed_vs_accuracy::{METHODS, Precision, Scene};
 
-/// What `cargo rtrace needs` is told.
+/// The words behind `cargo rtrace needs`.
 #[derive(Args)]
 #[command(after_help = HELP)]
 pub(crate) struct Arguments {

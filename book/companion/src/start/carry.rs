@@ -75,7 +75,7 @@ pub(super) fn into(chapter: Chapter, own: bool, written: Option<&Written>) -> Ca
                 }
                 // What was never written has nothing to show.
                 How::Shown if text.contains("todo!()") => {}
-                How::Shown => skeleton.insert_str(place.start, &shown(text)),
+                How::Shown => skeleton.insert_str(place.start, &as_comment(text)),
             }
         }
     }
@@ -114,7 +114,7 @@ fn origin(written: Option<&Written>) -> (&[(String, String)], String) {
 }
 
 /// The item as a comment, for the eyes.
-fn shown(text: &str) -> String {
+fn as_comment(text: &str) -> String {
     let is_doc = |line: &&str| line.trim_start().starts_with("///");
     let lines = text.lines().filter(|line| !is_doc(line));
     let comment: String = lines.map(|line| format!("// {line}\n")).collect();

@@ -23,7 +23,7 @@ use crate::misuse::misuse;
 use crate::wrap::hanging;
 pub(crate) use settings::renew_config;
 
-/// What `cargo rtrace start` is told.
+/// The words behind `cargo rtrace start`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// The chapter that you are about to type
@@ -81,7 +81,7 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         format!("What you had before is in {}.\n", kept.join(", "))
     };
     drop(place);
-    let said = kept + &new.said(&mine);
+    let said = kept + &new.as_text(&mine);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 
@@ -176,7 +176,7 @@ impl New {
         Ok(())
     }
 
-    fn said(&self, mine: &Mine) -> String {
+    fn as_text(&self, mine: &Mine) -> String {
         let file = mine.of(self.chapter).join("src/lib.rs");
         let mut said = format!("{} is yours.\n{}", from_here(&file), self.carried);
         let is_to_type = |(_, text): &&(_, String)| text.contains("todo!()");

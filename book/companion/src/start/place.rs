@@ -14,7 +14,7 @@ use tempfile::TempDir;
 pub(super) struct Place {
     /// The name that is to be taken.
     folder: PathBuf,
-    /// A folder that nobody else may look into.
+    /// A folder that only its owner may look into.
     hidden: TempDir,
 }
 

@@ -37,8 +37,8 @@ pub(super) fn config(from_crate: &Path, workspace: &Path) -> String {
     format!("{target}\n[alias]\nrtrace = {alias:?}\n")
 }
 
-/// Renews the settings of a crate after the workspace was moved, if nobody has changed more
-/// in them than the paths.
+/// Renews the settings of a crate after the workspace was moved, if no more
+/// than the paths has changed in them.
 ///
 /// # Errors
 /// If they can't be written.

@@ -32,7 +32,7 @@ use crate::subprocess::{self, End};
 use build::Built;
 use changes::Changes;
 
-/// What `cargo rtrace watch` is told.
+/// The words behind `cargo rtrace watch`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Which picture it should be

@@ -30,7 +30,7 @@ pub(super) fn compose(title: &str, verdict: &Verdict, news: &[String], took: Dur
     let done = news.iter().flat_map(|thing| wrapped("done", thing));
     let below: Vec<String> = next.into_iter().chain(done).collect();
     let above: usize = lines.iter().chain(&below).map(|line| rows(line)).sum();
-    let cause = verdict.cause.iter().flat_map(shown).collect();
+    let cause = verdict.cause.iter().flat_map(as_lines).collect();
     lines.extend(clipped(cause, most_lines().saturating_sub(above)));
     lines.extend(below);
     let clear = if replaces_the_last() {
@@ -108,7 +108,7 @@ fn pictures(verdict: &Verdict) -> Vec<String> {
     lines
 }
 
-fn shown(line: &Line) -> Vec<String> {
+fn as_lines(line: &Line) -> Vec<String> {
     match line {
         Line::Labeled(label, text) => wrapped(label, text),
         Line::Printed(line) => vec![line.clone()],
