@@ -88,14 +88,14 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
 #[test]
 #[ignore = "waits for the changes of files, some ten seconds"]
 fn a_program_in_any_language_is_watched_with_its_folder() {
-    let Some(python) = python() else {
-        left_out("there is no Python here to watch a program of");
-        return;
-    };
+    let version = Command::new("python3").arg("--version").output();
+    if !version.is_ok_and(|it| it.status.success()) {
+        return left_out("there is no Python here to watch a program of");
+    }
     let here = Desk::default();
     here.write("gradient.py", GRADIENT_PY);
-    let line = format!("rtrace watch gradient --timeout 60 -- {python} gradient.py");
-    let mut watch = Watched::start(&here.command(&line));
+    let line = "rtrace watch gradient --timeout 60 -- python3 gradient.py";
+    let mut watch = Watched::start(&here.command(line));
     watch.see("Right: all 64 × 36 pixels");
 
     let save = |old: &str, new: &str| {
@@ -279,20 +279,6 @@ fn plain(screen: &str) -> String {
         let end = piece.find(|letter: char| letter.is_ascii_alphabetic());
         text + &piece[end.map_or(0, |end| end + 1)..]
     })
-}
-
-fn python() -> Option<String> {
-    let has = |name: &&str| {
-        Command::new(name)
-            .arg("--version")
-            .output()
-            .is_ok_and(|it| it.status.success())
-    };
-    ["python3", "python"]
-        .iter()
-        .copied()
-        .find(|name| has(name))
-        .map(str::to_owned)
 }
 
 const RAY_COLOR_TODO: &str = "pub fn ray_color(ray: &Ray) -> Color {
