@@ -45,7 +45,7 @@ pub use live::{Answer, Movable};
 pub use parameters::Number;
 pub use style::{CSS, standalone};
 pub use svg::Svg;
-pub use text::{escape, html, width};
+pub use text::{escape, html};
 
 /// All figures, in reading order: the nine of the notes, and eight more.
 pub static FIGURES: &[&Figure] = &[

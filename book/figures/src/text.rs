@@ -54,7 +54,7 @@ fn marked(text: &str, number: [&str; 2], vector: [&str; 2]) -> String {
 }
 
 /// How wide a label is at most, in the usual fonts.
-pub fn width(label: &str, size: f64) -> f64 {
+pub(crate) fn width(label: &str, size: f64) -> f64 {
     let advance = |letter: char| match letter {
         '*' => 0.0,
         'i' | 'j' | 'l' | ' ' | ',' | '.' | ':' => 0.36,
