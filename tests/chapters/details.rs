@@ -17,24 +17,16 @@ proptest! {
         prop_assert_eq!(is_hit, case.solve(&normals::hit_sphere).is_some(), "{}", case);
     }
 
-    /// The factors 2 and 4 that half-b leaves out are powers of two: they never round.
+    /// The factors 2 and 4 that half-b leaves out are powers of two: they never round. And on
+    /// the whole line, the nearest root of chapter 5 is the nearer one.
     #[test]
-    fn half_b_is_the_full_formula_to_the_last_bit(case in strategies::anywhere()) {
+    fn chapters_3_to_5_find_the_same_root_to_the_last_bit(case in strategies::anywhere()) {
         prop_assume!(case.is_well_scaled());
-        let [half_b, full] = [half_b_sphere::hit_sphere, normals::hit_sphere];
-        prop_assert_eq!(case.solve(&half_b), case.solve(&full), "{}", case);
-    }
-
-    /// On the whole line, the nearest root is the nearer one.
-    #[test]
-    fn the_sphere_of_chapter_5_is_the_half_b_of_chapter_4_to_the_last_bit(
-        case in strategies::anywhere(),
-    ) {
-        prop_assume!(case.is_well_scaled());
+        let full = case.solve(&normals::hit_sphere);
+        prop_assert_eq!(case.solve(&half_b_sphere::hit_sphere), full, "{}", case);
         let sphere = Sphere::new(case.center, case.radius);
         let hit = sphere.hit(&case.ray, f64::NEG_INFINITY, f64::INFINITY);
-        let t = hit.map(|hit| hit.t);
-        prop_assert_eq!(t, case.solve(&half_b_sphere::hit_sphere), "{}", case);
+        prop_assert_eq!(hit.map(|hit| hit.t), full, "{}", case);
     }
 
     #[test]
@@ -67,15 +59,6 @@ fn list(spheres: &[(Point3, f64)]) -> HittableList {
 fn nearest(thing: &dyn Hittable, world: &World) -> Option<f64> {
     let hit = thing.hit(&world.ray, world.t_min, world.t_max);
     hit.map(|hit| hit.t)
-}
-
-#[test]
-fn the_point_of_a_record_is_where_the_ray_is_at_t() {
-    let ray = Ray::new(Point3::new(0.5, 1.0, 3.0), Vec3::new(0.0, -0.25, -2.0));
-    let sphere = Sphere::new(Point3::new(0.25, 0.5, -1.0), 1.5);
-    let record = sphere.hit(&ray, 0.0, f64::INFINITY).expect("it is ahead");
-    assert_eq!(record.point, ray.at(record.t));
-    assert!(record.front_face);
 }
 
 #[test]

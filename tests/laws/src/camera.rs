@@ -2,9 +2,9 @@
 
 use common::rtweekend::*;
 use proptest::prelude::*;
-use proptest::test_runner::TestCaseResult;
 use slips::{Chapter, Program};
 
+use crate::Verdict;
 use crate::question::{Question, of_ray, same, vector};
 use crate::strategies;
 
@@ -23,7 +23,7 @@ pub struct Pixel {
 pub const LAW: &str = "the ray of a pixel goes from the eye through the pixel's center";
 
 /// The ray of a pixel starts at the eye and meets the viewport in the pixel's center.
-pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &Pixel) -> TestCaseResult {
+pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &Pixel) -> Verdict {
     let right = pixel.right();
     prop_assert!(
         same(&of_ray(*ray), &of_ray(right)),

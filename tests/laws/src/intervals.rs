@@ -8,10 +8,10 @@ use std::fmt;
 
 use common::rtweekend::*;
 use proptest::prelude::*;
-use proptest::test_runner::TestCaseResult;
 use slips::{Ball, Chapter, Program};
 use speed_vs_accuracy::Case;
 
+use crate::Verdict;
 use crate::nearer_root::{BAND, EQUATION, Solver, root_bound};
 use crate::oracle::Exact;
 use crate::question::{Question, code};
@@ -37,10 +37,7 @@ pub struct WithInterval {
 ///
 /// Says nothing where an end is NaN, or the case is out of scale: what lies between is
 /// then a matter of how the comparison is written, and the book writes it the other way.
-pub fn no_t_outside_the_interval_is_returned(
-    solve: &RangeSolver,
-    asked: &WithInterval,
-) -> TestCaseResult {
+pub fn no_t_outside_the_interval_is_returned(solve: &RangeSolver, asked: &WithInterval) -> Verdict {
     let WithInterval { case, t_min, t_max } = *asked;
     let is_silent = !case.is_well_scaled() || t_min.is_nan() || t_max.is_nan();
     let Some(t) = asked.solve(solve).filter(|_| !is_silent) else {
@@ -68,7 +65,7 @@ pub fn no_t_outside_the_interval_is_returned(
 pub fn the_nearest_root_in_the_interval_is_returned(
     solve: &RangeSolver,
     asked: &WithInterval,
-) -> TestCaseResult {
+) -> Verdict {
     let WithInterval { case, t_min, t_max } = asked;
     let exact = Exact::of(case);
     let margin = exact.discriminant_margin();

@@ -49,3 +49,7 @@ pub use slips::Chapter;
 pub use speed_vs_accuracy::Case;
 pub use strategies::config;
 pub use trial::{Trial, all_succeed, holds};
+
+/// Whether a law holds, and if not, what there is to say. In a test by proptest, `?` makes
+/// that the reason of the failure.
+pub type Verdict = proptest::test_runner::TestCaseResult;

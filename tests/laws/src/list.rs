@@ -3,9 +3,9 @@
 use common::rtweekend::*;
 use proptest::collection::vec;
 use proptest::prelude::*;
-use proptest::test_runner::TestCaseResult;
 use slips::{Ball, Chapter, Program};
 
+use crate::Verdict;
 use crate::intervals::WithInterval;
 use crate::question::{Question, code, of_ray, vector};
 use crate::strategies::{self, number};
@@ -55,7 +55,7 @@ pub fn worlds() -> impl Strategy<Value = World> {
 
 /// The answer of a list is the least of its members' own answers, in whatever order they
 /// are added.
-pub fn the_nearest_of_all_members_is_returned(search: &Search, world: &World) -> TestCaseResult {
+pub fn the_nearest_of_all_members_is_returned(search: &Search, world: &World) -> Verdict {
     let alone = world.spheres.iter().filter_map(|&sphere| {
         search(&World {
             spheres: vec![sphere],

@@ -25,13 +25,16 @@
 
 use common::rtweekend::*;
 use proptest::prelude::*;
-use proptest::test_runner::TestCaseResult;
 use speed_vs_accuracy::Case;
 
+use crate::Verdict;
 use crate::oracle::Exact;
 
 /// A function of the kind of `hit_sphere`: center, radius and ray to nearer root.
 pub type Solver<'a> = dyn Fn(Point3, f64, &Ray) -> Option<f64> + 'a;
+
+/// A law for a nearer root.
+pub type Law = fn(&Solver, &Case) -> Verdict;
 
 /// Half the distance from 1 to the next `f64`: the largest relative error of
 /// one rounded operation.
@@ -48,13 +51,18 @@ pub(crate) const EQUATION: &str =
 ///
 /// A function that only decides, as that of chapter 2, is under them too, with the exact
 /// root for each hit: see [`decision`].
-pub fn obeys_every_law(solve: &Solver, case: &Case) -> TestCaseResult {
-    the_line_hits_exactly_when_there_is_a_root(solve, case)?;
-    where_h_is_zero_no_root_is_lost(solve, case)?;
-    the_point_lies_on_the_sphere(solve, case)?;
-    the_root_is_the_nearer_one_to_the_digits_that_remain(solve, case)?;
-    a_tangent_is_a_hit_and_its_root_is_exact(solve, case)?;
-    a_scene_in_another_unit_and_a_mirror_has_the_same_digits(solve, case)
+pub const NEARER_ROOT: [Law; 6] = [
+    the_line_hits_exactly_when_there_is_a_root,
+    where_h_is_zero_no_root_is_lost,
+    the_point_lies_on_the_sphere,
+    the_root_is_the_nearer_one_to_the_digits_that_remain,
+    a_tangent_is_a_hit_and_its_root_is_exact,
+    a_scene_in_another_unit_and_a_mirror_has_the_same_digits,
+];
+
+/// Whether all of them hold for a case.
+pub fn obeys_every_law(solve: &Solver, case: &Case) -> Verdict {
+    NEARER_ROOT.iter().try_for_each(|law| law(solve, case))
 }
 
 /// A decision as a solver that finds the exact root wherever it says that there is one, and
@@ -72,7 +80,7 @@ pub fn decision(
 
 /// Outside the band where rounding may decide, a root is returned exactly where there is
 /// one. Two-sided: a solver that always or never hits breaks it.
-fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -> TestCaseResult {
+fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -> Verdict {
     let exact = Exact::of(case);
     let margin = exact.discriminant_margin();
     let is_silent = !case.is_well_scaled() || margin.abs() <= BAND;
@@ -104,7 +112,7 @@ fn named(hit: bool) -> &'static str {
 /// in the center, and for one inside at a right angle to oc.
 ///
 /// Only what is no root at all breaks it. By how much t is off is the matter of others.
-fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> TestCaseResult {
+fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> Verdict {
     let is_inside = Exact::of(case).origin_margin() < 0.0;
     let is_silent = !case.is_well_scaled() || case.h() != 0.0 || !is_inside;
     let found = case.solve(solve);
@@ -126,7 +134,7 @@ fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> TestCaseResul
 /// the error of D is one of 24u·M in c, those of h and a are 16u·M and 12u·M
 /// since |t| ≤ 2√(M/a), the last roundings of t another 24u·M. The check itself
 /// rounds by 13u·M. Together 89, of which this law makes 96.
-pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> TestCaseResult {
+pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> Verdict {
     let Some(t) = case.solve(solve) else {
         return Ok(());
     };
@@ -153,10 +161,7 @@ pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> TestCaseResu
 ///
 /// See [`root_bound`] for the bound. Where D is within twice the band, no digit
 /// of √D is certain, and then √(72u)·√(M/a) bounds what it may be.
-fn the_root_is_the_nearer_one_to_the_digits_that_remain(
-    solve: &Solver,
-    case: &Case,
-) -> TestCaseResult {
+fn the_root_is_the_nearer_one_to_the_digits_that_remain(solve: &Solver, case: &Case) -> Verdict {
     let exact = Exact::of(case);
     let (Some(t), Some(root)) = (case.solve(solve), exact.nearer_root()) else {
         return Ok(());
@@ -194,7 +199,7 @@ pub fn root_bound(case: &Case, margin: f64) -> f64 {
 
 /// A ray that touches the sphere hits it, and both roots are the same number. Says nothing
 /// unless every number is a small integer, so that no operation rounds.
-fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> TestCaseResult {
+fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> Verdict {
     let Some(root) = exact_tangent(case) else {
         return Ok(());
     };
@@ -231,7 +236,7 @@ fn exact_tangent(case: &Case) -> Option<f64> {
 fn a_scene_in_another_unit_and_a_mirror_has_the_same_digits(
     solve: &Solver,
     case: &Case,
-) -> TestCaseResult {
+) -> Verdict {
     let mirror = Vec3::new(-1.0, 1.0, 1.0);
     let seen = Case {
         center: 8.0 * mirror * case.center,

@@ -4,9 +4,9 @@
 use common::rtweekend::*;
 use proptest::prelude::*;
 use proptest::strategy::Union;
-use proptest::test_runner::TestCaseResult;
 use slips::{Chapter, Program};
 
+use crate::Verdict;
 use crate::nearer_root::U;
 use crate::question::{Question, code, of_ray, vector};
 use crate::strategies::{ahead_if_zero, samples, whole_vector};
@@ -54,7 +54,7 @@ pub struct Asked {
 ///
 /// A swapped letter (`u.z * u.z`) draws the right picture in four chapters of five, because
 /// there every z is −1.
-pub fn small_numbers_are_worked_out_by_head(prelude: &Prelude, asked: &Asked) -> TestCaseResult {
+pub fn small_numbers_are_worked_out_by_head(prelude: &Prelude, asked: &Asked) -> Verdict {
     let (found, right) = (asked.put_to(prelude), asked.right());
     prop_assert!(
         asked.same(&found, &right),

@@ -4,17 +4,13 @@
 use common::rtweekend::*;
 use proptest::prelude::*;
 use proptest::sample::select;
-use proptest::test_runner::TestCaseResult;
 use slips::{Chapter, Program};
 
+use crate::Verdict;
 use crate::question::{Question, code, of_ray, same, vector};
 
 /// A ray has the color of what it meets in the chapter, from wherever it starts.
-pub fn a_ray_has_its_color_from_anywhere(
-    chapter: Chapter,
-    color: Color,
-    ray: &Ray,
-) -> TestCaseResult {
+pub fn a_ray_has_its_color_from_anywhere(chapter: Chapter, color: Color, ray: &Ray) -> Verdict {
     let right = Program::right(chapter).ray_color(ray);
     prop_assert!(
         same(&color.to_array(), &right.to_array()),

@@ -2,9 +2,9 @@
 
 use common::rtweekend::*;
 use proptest::prelude::*;
-use proptest::test_runner::TestCaseResult;
 use speed_vs_accuracy::Case;
 
+use crate::Verdict;
 use crate::intervals::{
     WithInterval, no_t_outside_the_interval_is_returned,
     the_nearest_root_in_the_interval_is_returned,
@@ -19,7 +19,7 @@ pub type Recorder<'a> = dyn Fn(&WithInterval) -> Option<Hit> + 'a;
 
 /// Every law for a record, in the order in which they teach most: its `t` first. On the
 /// whole line, that is the nearer root.
-pub fn obeys_every_law(record: &Recorder, asked: &WithInterval) -> TestCaseResult {
+pub fn obeys_every_law(record: &Recorder, asked: &WithInterval) -> Verdict {
     let solve = |center, radius, ray: &Ray, t_min, t_max| {
         let case = Case::new(center, radius, *ray);
         record(&WithInterval { case, t_min, t_max }).map(|hit| hit.t)
@@ -40,7 +40,7 @@ pub fn obeys_every_law(record: &Recorder, asked: &WithInterval) -> TestCaseResul
 
 /// The point of a record is that of the ray at its t: two roundings of each letter, and
 /// two more if it was computed in another way.
-fn the_point_is_the_one_at_t(case: &Case, hit: &Hit) -> TestCaseResult {
+fn the_point_is_the_one_at_t(case: &Case, hit: &Hit) -> Verdict {
     let Ray { origin, direction } = case.ray;
     let expected = origin + hit.t * direction;
     let bound = 4.0 * U * (origin.abs() + (hit.t * direction).abs()).max_element();
@@ -67,7 +67,7 @@ fn the_point_is_the_one_at_t(case: &Case, hit: &Hit) -> TestCaseResult {
 /// that of the root (see [`root_bound`](crate::nearer_root::root_bound)) times
 /// √D/(r·√(a·M)). The coordinates of the point and the center round on top,
 /// and the division by r rounds twice.
-fn the_normal_is_the_radius_to_the_point_by_its_length(case: &Case, hit: &Hit) -> TestCaseResult {
+fn the_normal_is_the_radius_to_the_point_by_its_length(case: &Case, hit: &Hit) -> Verdict {
     let (m, r) = (case.m(), case.radius);
     let coordinates = case.center.length() + case.ray.origin.length() + 3.0 * m.sqrt();
     let bound = U * (43.0 * m / (r * r) + 4.0 * coordinates / r + 6.0);
@@ -90,7 +90,7 @@ fn the_normal_is_the_radius_to_the_point_by_its_length(case: &Case, hit: &Hit) -
 
 /// The normal of a hit never points along the ray, on either side of the
 /// surface. Holds to the last bit: turning a vector turns its dot product.
-fn the_normal_points_against_the_ray(case: &Case, hit: &Hit) -> TestCaseResult {
+fn the_normal_points_against_the_ray(case: &Case, hit: &Hit) -> Verdict {
     let along = case.ray.direction.dot(hit.normal);
     prop_assert!(
         along <= 0.0 || case.radius == 0.0,
@@ -110,7 +110,7 @@ fn the_normal_points_against_the_ray(case: &Case, hit: &Hit) -> TestCaseResult {
 ///
 /// Silent where half the chord inside the sphere, √D/|d|, is not longer than
 /// the errors of the point and of the dot product together.
-fn the_front_face_is_where_the_ray_enters(case: &Case, hit: &Hit) -> TestCaseResult {
+fn the_front_face_is_where_the_ray_enters(case: &Case, hit: &Hit) -> Verdict {
     let front_face = hit.front_face;
     let enters = hit.t < case.h() / case.a();
     let margin = Exact::of(case).discriminant_margin().max(0.0).sqrt();

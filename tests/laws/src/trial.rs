@@ -9,15 +9,16 @@ use std::path::PathBuf;
 
 use common::rtweekend::*;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, TestCaseError, TestCaseResult, TestError, TestRunner};
+use proptest::test_runner::{Config, TestCaseError, TestError, TestRunner};
 use slips::{Chapter, Program};
 
+use crate::Verdict;
 use crate::answers::{self, ANSWERS, Answers};
 use crate::camera::{Pixel, the_ray_of_a_pixel_goes_through_its_center};
 use crate::causes::Cause;
 use crate::intervals::WithInterval;
 use crate::list::{Search, World, the_nearest_of_all_members_is_returned};
-use crate::nearer_root::{self, Solver};
+use crate::nearer_root::{self, NEARER_ROOT, Solver};
 use crate::prelude::{Asked, FUNCTIONS, Prelude, small_numbers_are_worked_out_by_head};
 use crate::question::{Question, of_ray};
 use crate::ray_color::{a_ray_has_its_color_from_anywhere, looks_right};
@@ -118,7 +119,7 @@ pub fn all_succeed<const N: usize>(outcomes: [Outcome; N]) {
 ///
 /// # Panics
 /// With what the law says.
-pub fn holds(law: TestCaseResult) {
+pub fn holds(law: Verdict) {
     if let Err(broken) = law {
         panic!("\n\n{}\n", message(&broken));
     }
@@ -136,9 +137,6 @@ fn message(broken: &TestCaseError) -> String {
 
 /// A function under trial, as it answers in plain numbers.
 type Answer<'a, Q> = &'a dyn Fn(&Q) -> Vec<f64>;
-
-/// The laws for a function under trial.
-type Law<'a, Q> = &'a dyn Fn(&Q) -> TestCaseResult;
 
 impl Trial {
     /// With as many cases as [`config`] says, and with the file that the environment
@@ -158,40 +156,34 @@ impl Trial {
 
     /// A function that returns the nearer root, as in chapters 3 and 4.
     pub fn nearer_root(&self, solve: &Solver) -> Outcome {
+        let law = |law: nearer_root::Law| move |asked: &WithInterval| law(solve, &asked.case);
         self.obeys(
             &|asked: &WithInterval| asked.root(self.chapter, solve),
-            &|asked| nearer_root::obeys_every_law(solve, &asked.case),
+            &NEARER_ROOT.map(law),
         )
     }
 
     /// A function that returns the record of the nearest hit between `t_min` and `t_max`, as
     /// the sphere of chapter 5. On the whole line, its `t` is the nearer root.
     pub fn record(&self, record: &Recorder) -> Outcome {
-        self.obeys(&|asked: &WithInterval| asked.record(record), &|asked| {
-            record::obeys_every_law(record, asked)
-        })
+        let law = |asked: &WithInterval| record::obeys_every_law(record, asked);
+        self.obeys(&|asked: &WithInterval| asked.record(record), &[law])
     }
 
     /// A list that is searched for the nearest hit.
     pub fn list(&self, search: &Search) -> Outcome {
-        self.obeys(
-            &|world: &World| search(world).into_iter().collect(),
-            &|world| the_nearest_of_all_members_is_returned(search, world),
-        )
+        let law = |world: &World| the_nearest_of_all_members_is_returned(search, world);
+        self.obeys(&|world| search(world).into_iter().collect(), &[law])
     }
 
     /// The functions of a prelude, up to the first that is wrong: what follows may be built
     /// on it. One that is not written yet is not asked.
     pub fn prelude(&self, prelude: &Prelude) -> Outcome {
+        let law = |asked: &Asked| small_numbers_are_worked_out_by_head(prelude, asked);
         for function in &FUNCTIONS {
-            let telling = function.telling();
+            let (kind, telling) = (function.questions().boxed(), function.telling());
             if is_written(|| telling[0].put_to(prelude)) {
-                self.obeys_on(
-                    &[function.questions().boxed()],
-                    telling,
-                    &|asked: &Asked| asked.put_to(prelude),
-                    &|asked| small_numbers_are_worked_out_by_head(prelude, asked),
-                )?;
+                self.obeys_on(&[kind], telling, &|asked| asked.put_to(prelude), &[law])?;
             }
         }
         Ok(())
@@ -199,9 +191,8 @@ impl Trial {
 
     /// The ray of a pixel.
     pub fn pixel_ray(&self, ray: &dyn Fn(&Pixel) -> Ray) -> Outcome {
-        self.obeys(&|pixel: &Pixel| of_ray(ray(pixel)), &|pixel| {
-            the_ray_of_a_pixel_goes_through_its_center(&ray(pixel), pixel)
-        })
+        let law = |pixel: &Pixel| the_ray_of_a_pixel_goes_through_its_center(&ray(pixel), pixel);
+        self.obeys(&|pixel| of_ray(ray(pixel)), &[law])
     }
 
     /// The `ray_color` of the chapter, about rays that its camera never casts. Says nothing
@@ -210,9 +201,8 @@ impl Trial {
         if !looks_right(self.chapter, ray_color) {
             return Ok(());
         }
-        self.obeys(&|ray: &Ray| ray_color(ray).to_array().to_vec(), &|ray| {
-            a_ray_has_its_color_from_anywhere(self.chapter, ray_color(ray), ray)
-        })
+        let law = |ray: &Ray| a_ray_has_its_color_from_anywhere(self.chapter, ray_color(ray), ray);
+        self.obeys(&|ray| ray_color(ray).to_array().to_vec(), &[law])
     }
 
     /// The functions of a program, as its chapter has them: the intersection, and what
@@ -233,19 +223,19 @@ impl Trial {
         self.ray_color(&|ray| program.ray_color(ray))
     }
 
-    fn obeys<Q: Question>(&self, answer: Answer<Q>, law: Law<Q>) -> Outcome {
+    fn obeys<Q: Question>(&self, answer: Answer<Q>, laws: &[impl Fn(&Q) -> Verdict]) -> Outcome {
         let telling = Q::telling(self.chapter);
-        self.obeys_on(&Q::kinds(self.chapter), telling, answer, law)
+        self.obeys_on(&Q::kinds(self.chapter), telling, answer, laws)
     }
 
-    /// Whether the laws hold, on cases of one kind after those of another. The `telling`
+    /// Whether every law holds, on cases of one kind after those of another. The `telling`
     /// questions are those to which different mistakes give different answers.
     fn obeys_on<Q: Question>(
         &self,
         kinds: &[BoxedStrategy<Q>],
         telling: Vec<Q>,
         answer: Answer<Q>,
-        law: Law<Q>,
+        laws: &[impl Fn(&Q) -> Verdict],
     ) -> Outcome {
         let mut given: Vec<(Box<dyn Question>, _)> = Vec::new();
         // What panics does so here, and not again and again while a case is made smaller.
@@ -256,10 +246,10 @@ impl Trial {
             }
             given.push((Box::new(question), answer));
         }
-        let Some(smallest) = kinds.iter().find_map(|cases| self.smallest(cases, law)) else {
+        let smallest = |cases| laws.iter().find_map(|law| self.smallest(cases, law));
+        let Some((smallest, broken)) = kinds.iter().find_map(smallest) else {
             return Ok(());
         };
-        let broken = law(&smallest).expect_err("what it finds once breaks the law again");
         let chapter = self.chapter;
         let (test, answer) = (smallest.as_test(chapter), answer(&smallest));
         given.push((Box::new(smallest), answer));
@@ -270,15 +260,22 @@ impl Trial {
         }))
     }
 
-    /// The smallest case that breaks a law, of those that proptest finds.
-    fn smallest<Q: Question>(&self, cases: &BoxedStrategy<Q>, law: Law<Q>) -> Option<Q> {
+    /// The smallest case that breaks the law, of those that proptest finds, and how.
+    fn smallest<Q: Question>(
+        &self,
+        cases: &BoxedStrategy<Q>,
+        law: &impl Fn(&Q) -> Verdict,
+    ) -> Option<(Q, TestCaseError)> {
         let mut runner = TestRunner::new(Config {
             cases: self.cases,
             ..config()
         });
         match runner.run(cases, |case| law(&case)) {
             Ok(()) => None,
-            Err(TestError::Fail(_, smallest)) => Some(smallest),
+            Err(TestError::Fail(_, smallest)) => {
+                let broken = law(&smallest).expect_err("what it finds once breaks the law again");
+                Some((smallest, broken))
+            }
             Err(TestError::Abort(reason)) => panic!("no law rejects a case: {reason}"),
         }
     }
