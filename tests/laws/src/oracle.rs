@@ -331,7 +331,7 @@ fn last_place(digits: &IBig, exponent: isize) -> isize {
 
 /// All of `values` as integers, counted in 2 to one power, and that power.
 /// `None` if one of them is infinite or NaN.
-pub fn integers<const N: usize>(values: [f64; N]) -> Option<([IBig; N], isize)> {
+fn integers<const N: usize>(values: [f64; N]) -> Option<([IBig; N], isize)> {
     let mut parts = [(0, 0); N];
     for (part, value) in parts.iter_mut().zip(values) {
         *part = decode(value)?;
@@ -368,7 +368,7 @@ fn decode(x: f64) -> Option<(i64, isize)> {
 }
 
 /// The dot product.
-pub fn dot(u: &[IBig; 3], v: &[IBig; 3]) -> IBig {
+fn dot(u: &[IBig; 3], v: &[IBig; 3]) -> IBig {
     &u[0] * &v[0] + &u[1] * &v[1] + &u[2] * &v[2]
 }
 
