@@ -220,8 +220,8 @@ impl Change {
     fn rows(&self) -> Vec<Row> {
         let Line { file, number, .. } = &self.yours;
         let right = match &self.right {
-            Right::More(where_to, line) => {
-                return vec![("missing", format!("{where_to} {file}:{number}  {line}"))];
+            Right::More(line) => {
+                return vec![("missing", format!("above {file}:{number}  {line}"))];
             }
             Right::Line(line) => line.clone(),
             Right::Nothing => "left out".to_owned(),

@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::edit::{Edit, Proposal, Role, ranked, roots, words};
 use super::functions::Function;
 use super::letters::{Local, in_common_letters, locals};
-use super::tree::{Tree, squeezed};
+use super::tree::Tree;
 
 /// A reader's expression is compared with so many of the chapter's.
 const COMPARED: usize = 3;
@@ -17,14 +17,9 @@ const DEEPEST: u8 = 12;
 pub(super) fn edits(yours: &Function, right: &Function) -> Vec<Edit> {
     let (own, theirs) = in_common_letters(yours, right);
     let name = |at: &Range<usize>, new: &str| with_names_of(yours, &own, at, new);
-    let mut edits = ranked(yours, expressions(&own, &theirs, &name));
-    let mut others = ranked(yours, conditions(&own, &theirs));
-    others.extend(ranked(yours, statements(&own, &theirs)));
-    for edit in &mut others {
-        make_mutable(&yours.body, edit);
-    }
-    edits.extend(others);
-    edits
+    let mut proposals = expressions(&own, &theirs, &name);
+    proposals.extend(statements(&own, &theirs));
+    ranked(yours, proposals)
 }
 
 /// The text with the names that only the reader has, where they stand already.
@@ -130,105 +125,36 @@ fn differences<'a>(
 /// Statements that only the chapter has, at every place, and without those that only the reader
 /// has.
 fn statements(own: &Tree, theirs: &Tree) -> Vec<Proposal> {
-    let own = all_statements(own);
-    let theirs = all_statements(theirs);
-    let has = |all: &[Tree], it: &Tree| all.iter().any(|other| other.is_same(it));
-    let mut proposals = Vec::new();
-    let is_only_yours = |it: &&Tree| it.op == "□;" && !it.at.is_empty() && !has(&theirs, it);
-    let only_yours: Vec<&Tree> = own.iter().filter(is_only_yours).collect();
-    let is_missing = |it: &&Tree| {
-        let is_whole = it.op.ends_with(';') || it.op.starts_with("if ");
-        is_whole && !it.op.starts_with("let ") && !has(&own, it)
-    };
-    for statement in theirs.iter().filter(is_missing) {
-        let text = statement.text();
-        for place in own.iter().filter(|it| !it.at.is_empty()) {
-            let (start, end) = (place.at.start, place.at.end);
-            proposals.push(Proposal::new(start..start, format!("{text} "), 3).whole());
-            if place.op == "□;" {
-                proposals.push(Proposal::new(end..end, format!(" {text}"), 3).whole());
-            }
-        }
-        let instead = only_yours.iter().map(|it| it.at.clone());
-        proposals.extend(instead.map(|at| Proposal::new(at, text.clone(), 1).whole()));
-    }
-    let left_out = own
+    let (own, theirs) = (all_statements(own), all_statements(theirs));
+    let has = |all: &[&Tree], it: &Tree| all.iter().any(|other| other.is_same(it));
+    let is_one = |it: &&&Tree| it.op == "□;" || it.op.starts_with("if ");
+    let extra: Vec<_> = own
         .iter()
-        .filter(|it| it.op == "□;" || it.op.starts_with("if "));
-    let left_out = left_out.filter(|it| !it.at.is_empty() && !has(&theirs, it));
-    proposals.extend(left_out.map(|it| Proposal::new(it.at.clone(), String::new(), 1)));
-    proposals
-}
-
-/// The statements of all blocks. A field of a record that is made may be set later as well.
-fn all_statements(body: &Tree) -> Vec<Tree> {
-    let blocks = body.nodes().into_iter().filter(|it| it.is_block());
-    let mut all = Vec::new();
-    for statement in blocks.flat_map(|it| &it.parts) {
-        all.push(statement.clone());
-        let Some(record) = statement.parts.first().filter(|it| it.op.contains(" { ")) else {
-            continue;
-        };
-        let name = statement
-            .op
-            .trim_start_matches("let ")
-            .trim_start_matches("mut ");
-        let name = name.split(' ').next().unwrap_or_default();
-        let fields = record.parts.iter().filter(|it| it.op.ends_with(": □"));
-        all.extend(fields.map(|field| {
-            let place = format!("{name}.{}", field.op.trim_end_matches(": □"));
-            let set = vec![Tree::new(&place, Vec::new()), field.parts[0].clone()];
-            Tree::new("□;", vec![Tree::new("□ = □", set)])
-        }));
-    }
-    all
-}
-
-/// Conditions that only the chapter has, beside those of the reader's and before blocks.
-fn conditions(own: &Tree, theirs: &Tree) -> Vec<Proposal> {
-    let all = |tree: &Tree| -> Vec<Tree> {
-        let is_comparison = |it: &&Tree| matches!(it.sign(), Some("<" | ">" | "<=" | ">="));
-        tree.nodes()
-            .into_iter()
-            .filter(is_comparison)
-            .cloned()
-            .collect()
-    };
-    let has = all(own);
+        .filter(is_one)
+        .filter(|it| !has(&theirs, it))
+        .collect();
     let mut proposals = Vec::new();
-    for missing in all(theirs) {
-        if has.iter().any(|it| it.is_same(&missing)) {
-            continue;
-        }
+    for missing in theirs.iter().filter(is_one).filter(|it| !has(&own, it)) {
         let text = missing.text();
-        for node in own.nodes() {
-            if node.op.starts_with("if ") {
-                let end = node.parts[0].at.end;
-                let signs = ["&&", "||"].into_iter();
-                let more = signs.map(|sign| format!(" {sign} {text}"));
-                proposals.extend(more.map(|new| Proposal::new(end..end, new, 4)));
+        let mut put = |at, new, penalty| proposals.push(Proposal::new(at, new, penalty).whole());
+        for place in &own {
+            let (start, end) = (place.at.start, place.at.end);
+            put(start..start, format!("{text}\n"), 3);
+            if place.op == "□;" {
+                put(end..end, format!("\n{text}"), 3);
             }
-            if node.is_block() {
-                let start = node.at.start;
-                let new = format!("if {text} ");
-                proposals.push(Proposal::new(start..start, new, 5));
-            }
+        }
+        for it in extra.iter().filter(|it| it.op == "□;") {
+            put(it.at.clone(), text.clone(), 1);
         }
     }
+    let left_out = extra.iter().map(|it| it.at.clone());
+    proposals.extend(left_out.map(|at| Proposal::new(at, String::new(), 1)));
     proposals
 }
 
-/// What is set once more has to be `mut`.
-fn make_mutable(body: &Tree, edit: &mut Edit) {
-    let new = edit.parts[0].1.trim();
-    let Some((name, _)) = new.split_once(" = ") else {
-        return;
-    };
-    let given = format!("let {} =", squeezed(name));
-    let nodes = body.nodes().into_iter();
-    let mut given = nodes.filter(|it| it.op.starts_with(&given));
-    if let Some(place) = given.next() {
-        let at = place.at.start + "let ".len();
-        edit.parts.push((at..at, "mut ".to_owned()));
-    }
+/// The statements of all blocks.
+fn all_statements(body: &Tree) -> Vec<&Tree> {
+    let blocks = body.nodes().into_iter().filter(|it| it.is_block());
+    blocks.flat_map(|it| &it.parts).collect()
 }

@@ -69,12 +69,15 @@ impl Edit {
     }
 }
 
+/// What is the chapter's as a whole costs no more than so many words, and a few for its length.
+const MOST: u32 = 3;
+
 /// The edits that are proposed for a function, each with its rank.
 pub(super) fn ranked(function: &Function, proposals: Vec<Proposal>) -> Vec<Edit> {
     let edits = proposals.into_iter().filter_map(|it| {
         let apart = words_apart(function.text.get(it.at.clone())?, &it.new);
         let cost = match it.is_whole {
-            true => apart.min(3 + apart / 8),
+            true => apart.min(MOST + apart / 8),
             false => apart,
         };
         Some(Edit {
@@ -130,6 +133,8 @@ pub(super) enum Role {
     /// It is given to a field or to a name that there was.
     Set(String),
     Condition,
+    /// It is a part of a condition.
+    Part,
     Result,
     Each,
     Called,
@@ -146,11 +151,9 @@ pub(super) fn roots(tree: &Tree) -> Vec<(Role, &Tree)> {
             roots.push((Role::Let(name.to_owned()), value));
         }
         [condition, ..] if op.starts_with("if ") || op.starts_with("while ") => {
-            roots.extend(
-                conjuncts(condition)
-                    .into_iter()
-                    .map(|it| (Role::Condition, it)),
-            );
+            roots.push((Role::Condition, condition));
+            let parts = conjuncts(condition).into_iter().skip(1);
+            roots.extend(parts.map(|it| (Role::Part, it)));
         }
         [each, _] if op.starts_with("for ") => roots.push((Role::Each, each)),
         [value] if op.starts_with("return") => roots.push((Role::Result, value)),

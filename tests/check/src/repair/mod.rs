@@ -15,7 +15,6 @@ mod spelling;
 mod tree;
 
 use std::cell::Cell;
-use std::ops::Range;
 
 use slips::Chapter;
 
@@ -24,7 +23,7 @@ use crate::scene::Scene;
 use crate::sources::{Line, Sources};
 use functions::{Files, Function, functions, with};
 use goal::{Goal, program};
-use search::{Found, Search};
+use search::{Fix, Search};
 use tree::squeezed;
 
 /// What makes a program right, tried.
@@ -52,8 +51,8 @@ pub struct Change {
 pub enum Right {
     /// This instead.
     Line(String),
-    /// This above or below.
-    More(&'static str, String),
+    /// This above it.
+    More(String),
     /// Nothing.
     Nothing,
     /// The whole function as it stands there.
@@ -93,8 +92,14 @@ impl Repair {
             goal: &goal,
             tried: Cell::default(),
         };
-        let found = search.find()?;
-        Some(found.repair(&files, &theirs, is_hidden))
+        let fixes = search.find()?;
+        let texts: Vec<_> = fixes.iter().map(|it| (it.yours, &*it.text)).collect();
+        let changes = fixes.iter().flat_map(|it| it.changes(&files, &theirs));
+        Some(Self {
+            changes: changes.collect(),
+            files: with(&files, &texts),
+            is_hidden,
+        })
     }
 }
 
@@ -131,103 +136,52 @@ fn right_files(chapter: Chapter) -> Files {
     files
 }
 
-impl Found<'_> {
-    fn repair(&self, files: &Files, theirs: &Files, is_hidden: bool) -> Repair {
-        match self {
-            Self::Edits(edits) => {
-                let texts: Vec<(&Function, String)> = edits
-                    .iter()
-                    .map(|(function, edit)| (*function, edit.applied_to(&function.text)))
-                    .collect();
-                let texts: Vec<_> = texts
-                    .iter()
-                    .map(|(it, text)| (*it, text.as_str()))
-                    .collect();
-                let changes = edits.iter().flat_map(|(function, edit)| {
-                    let start = function.at.start;
-                    let parts = edit
-                        .parts
-                        .iter()
-                        .map(|(at, new)| (at.start + start..at.end + start, new.as_str()));
-                    changes(&files[function.file], parts.collect())
-                });
-                Repair {
-                    changes: changes.collect(),
-                    files: with(files, &texts),
-                    is_hidden,
-                }
+impl Fix<'_> {
+    /// The lines that are changed, or the whole function.
+    fn changes(&self, files: &Files, theirs: &Files) -> Vec<Change> {
+        let line = |files: &Files, function: &Function, n: usize| {
+            let (name, text) = &files[function.file];
+            let before = text[..function.at.start].matches('\n').count();
+            Line {
+                file: name.clone(),
+                number: before + n + 1,
+                text: squeezed(text.lines().nth(before + n).unwrap_or_default()),
             }
-            Self::Functions(functions) => {
-                let changes = functions.iter().map(|(yours, right)| {
-                    let right = line(&theirs[right.file], right.at.start);
-                    Change {
-                        yours: line(&files[yours.file], yours.at.start),
-                        right: Right::Function(right),
-                    }
-                });
-                let texts: Vec<_> = functions
-                    .iter()
-                    .map(|(it, right)| (*it, &*right.text))
-                    .collect();
-                Repair {
-                    changes: changes.collect(),
-                    files: with(files, &texts),
-                    is_hidden,
-                }
-            }
-        }
-    }
-}
-
-/// Each line that is changed, or several that are changed together.
-fn changes(file: &(String, String), mut parts: Vec<(Range<usize>, &str)>) -> Vec<Change> {
-    parts.sort_by_key(|(at, _)| at.start);
-    let text = &file.1;
-    let lines = |at: &Range<usize>| {
-        let start = text[..at.start].rfind('\n').map_or(0, |it| it + 1);
-        start
-            ..text[at.end..]
-                .find('\n')
-                .map_or(text.len(), |it| at.end + it)
-    };
-    let of_a_line = parts.chunk_by(|(one, _), (other, _)| lines(one).end >= other.start);
-    let changes = of_a_line.map(|parts| {
-        let (first, last) = (&parts[0], &parts[parts.len() - 1]);
-        let at = lines(&(first.0.start..last.0.end));
-        let mut new = text[at.clone()].to_owned();
-        for (place, with) in parts.iter().rev() {
-            new.replace_range(place.start - at.start..place.end - at.start, with);
-        }
-        let new = squeezed(&new);
-        let is_statement = first.0.is_empty() && first.1.trim().ends_with([';', '}']);
-        let right = match is_statement {
-            true if first.1.starts_with(' ') => Right::More("below", first.1.trim().to_owned()),
-            true => Right::More("above", first.1.trim().to_owned()),
-            false if new.is_empty() => Right::Nothing,
-            false => Right::Line(new),
         };
-        Change {
-            yours: Line {
-                text: squeezed(&text[at.clone()]),
-                ..line(file, at.start)
-            },
+        let change = |n: usize, right: Right| Change {
+            yours: line(files, self.yours, n),
             right,
+        };
+        if let Some(right) = self.right {
+            return vec![change(0, Right::Function(line(theirs, right, 0)))];
         }
-    });
-    changes.collect()
+        let [old, new] = [&self.yours.text, &self.text].map(|it| lines(it));
+        let is_same = |(one, other): &(&String, &String)| one == other;
+        if old.len() == new.len() {
+            let pairs = old.iter().zip(&new).enumerate();
+            let changed = pairs.filter(|(_, pair)| !is_same(pair));
+            let changes = changed.map(|(n, (_, new))| match new.is_empty() {
+                true => change(n, Right::Nothing),
+                false => change(n, Right::Line(new.clone())),
+            });
+            return changes.collect();
+        }
+        let first = old.iter().zip(&new).take_while(is_same).count();
+        let back = old[first..].iter().rev().zip(new[first..].iter().rev());
+        let last = back.take_while(is_same).count();
+        let right = new[first..new.len() - last].join(" ");
+        vec![match old.len() - last - first {
+            0 => change(first, Right::More(right)),
+            many => {
+                let all = old[first..first + many].join(" ");
+                let mut change = change(first, Right::Line(right));
+                change.yours.text = all;
+                change
+            }
+        }]
+    }
 }
 
-/// The line of a file.
-fn line((name, text): &(String, String), at: usize) -> Line {
-    let start = text[..at].rfind('\n').map_or(0, |it| it + 1);
-    let end = text[at..].find('\n').map_or(text.len(), |it| at + it);
-    Line {
-        file: name.clone(),
-        number: text[..at].matches('\n').count() + 1,
-        text: text[start..end]
-            .trim()
-            .trim_end_matches('{')
-            .trim_end()
-            .to_owned(),
-    }
+fn lines(text: &str) -> Vec<String> {
+    text.lines().map(squeezed).collect()
 }

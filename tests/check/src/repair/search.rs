@@ -17,12 +17,30 @@ const PAIRED: usize = 45;
 /// Nobody would recognize the mistake in a less likely edit.
 const READABLE: u32 = 16;
 
-/// What makes a program right.
-pub(super) enum Found<'a> {
-    /// Edits of the reader's functions.
-    Edits(Vec<(&'a Function, Edit)>),
-    /// The chapter's functions in place of these.
-    Functions(Vec<(&'a Function, &'a Function)>),
+/// A function of the reader's with the text that makes the program right.
+pub(super) struct Fix<'a> {
+    pub(super) yours: &'a Function,
+    pub(super) text: String,
+    /// The chapter's function, if that takes its place as a whole.
+    pub(super) right: Option<&'a Function>,
+}
+
+impl<'a> Fix<'a> {
+    fn edit((yours, edit): &(&'a Function, Edit)) -> Self {
+        Self {
+            yours,
+            text: edit.applied_to(&yours.text),
+            right: None,
+        }
+    }
+
+    fn whole((yours, right): &Common<'a>) -> Self {
+        Self {
+            yours,
+            text: right[0].text.clone(),
+            right: Some(right[0]),
+        }
+    }
 }
 
 /// A reader's program and what it is compared with.
@@ -42,13 +60,16 @@ type Changes<'a> = Vec<(&'a Function, String)>;
 
 impl<'a> Search<'a> {
     /// What makes the program right, if something does.
-    pub(super) fn find(&self) -> Option<Found<'a>> {
+    pub(super) fn find(&self) -> Option<Vec<Fix<'a>>> {
         let common = self.common();
-        let swapped = |(yours, right): &&Common<'a>| {
-            let mut right = right.iter();
-            right.any(|right| self.is_right(&vec![(*yours, right.text.clone())]))
+        let swapped = |(yours, right): &Common<'a>| {
+            let is_right = |it: &&Function| self.is_right(&vec![(*yours, it.text.clone())]);
+            let at = right.iter().position(is_right)?;
+            let mut right = right.clone();
+            right.swap(0, at);
+            Some((*yours, right))
         };
-        let swapped: Vec<&Common> = common.iter().filter(swapped).collect();
+        let swapped: Vec<Common> = common.iter().filter_map(swapped).collect();
         if swapped.is_empty() {
             return self.in_two(&common).or_else(|| self.in_any(&common));
         }
@@ -66,10 +87,10 @@ impl<'a> Search<'a> {
             true => pair().or(found),
             false => found,
         };
-        Some(match found.filter(|(_, edit)| edit.rank <= READABLE) {
-            Some(edit) => Found::Edits(vec![edit]),
-            None => Found::Functions(vec![(swapped[0].0, swapped[0].1[0])]),
-        })
+        match found.filter(|(_, edit)| edit.rank <= READABLE) {
+            Some(edit) => Some(vec![Fix::edit(&edit)]),
+            None => self.whole(vec![Fix::whole(&swapped[0])]),
+        }
     }
 
     /// The functions that the reader and the chapter have in common.
@@ -81,11 +102,14 @@ impl<'a> Search<'a> {
         common.filter(|(_, right)| !right.is_empty()).collect()
     }
 
-    /// Whether the program is right with these texts.
+    /// Whether the program is right with these texts, as long as one more may be tried.
     fn is_right(&self, changes: &Changes) -> bool {
         self.tried.set(self.tried.get() + 1);
-        self.tried.get() <= TRIED
-            && program(&self.changed(changes)).is_some_and(|it| self.goal.is_met_by(&it))
+        self.tried.get() <= TRIED && self.meets_the_goal(changes)
+    }
+
+    fn meets_the_goal(&self, changes: &Changes) -> bool {
+        program(&self.changed(changes)).is_some_and(|it| self.goal.is_met_by(&it))
     }
 
     /// The same for every pixel.
@@ -172,7 +196,7 @@ impl<'a> Search<'a> {
     }
 
     /// Mistakes in two functions: each is repaired while the other is the chapter's.
-    fn in_two(&self, common: &[Common<'a>]) -> Option<Found<'a>> {
+    fn in_two(&self, common: &[Common<'a>]) -> Option<Vec<Fix<'a>>> {
         let pairs = (0..common.len()).flat_map(|n| (0..n).map(move |m| [n, m]));
         let swap = |n: usize| (common[n].0, common[n].1[0].text.clone());
         let are_right = |[n, m]: &[usize; 2]| self.is_right(&vec![swap(*n), swap(*m)]);
@@ -182,19 +206,22 @@ impl<'a> Search<'a> {
         if let [Some(one), Some(other)] = edits
             && [&one, &other].iter().all(|(_, edit)| edit.rank <= READABLE)
         {
-            let text = |(function, edit): &(&'a Function, Edit)| {
-                (*function, edit.applied_to(&function.text))
-            };
-            if self.is_whole(&vec![text(&one), text(&other)]) {
-                return Some(Found::Edits(vec![other, one]));
+            let fixes = self.whole(vec![Fix::edit(&other), Fix::edit(&one)]);
+            if fixes.is_some() {
+                return fixes;
             }
         }
-        let function = |n: usize| (common[n].0, common[n].1[0]);
-        Some(Found::Functions(vec![function(m), function(n)]))
+        self.whole(vec![Fix::whole(&common[m]), Fix::whole(&common[n])])
+    }
+
+    /// The fixes, if the program is right with all of them together.
+    fn whole(&self, fixes: Vec<Fix<'a>>) -> Option<Vec<Fix<'a>>> {
+        let changes = fixes.iter().map(|it| (it.yours, it.text.clone())).collect();
+        (self.meets_the_goal(&changes) && self.is_whole(&changes)).then_some(fixes)
     }
 
     /// A mistake in what the chapter does not have, or where its functions don't fit.
-    fn in_any(&self, common: &[Common<'a>]) -> Option<Found<'a>> {
+    fn in_any(&self, common: &[Common<'a>]) -> Option<Vec<Fix<'a>>> {
         let of_common = common.iter().flat_map(|it| self.edits(it));
         let is_own = |it: &&Function| common.iter().all(|(other, _)| other.name != it.name);
         let helpers = self.yours.iter().filter(is_own);
@@ -203,6 +230,6 @@ impl<'a> Search<'a> {
             edits.map(move |edit| (helper, edit))
         });
         let found = self.first(of_common.chain(of_helpers).collect(), &Vec::new())?;
-        (found.1.rank <= READABLE).then(|| Found::Edits(vec![found]))
+        (found.1.rank <= READABLE).then(|| vec![Fix::edit(&found)])
     }
 }
