@@ -1,10 +1,11 @@
 //! What judges a picture, ours or a reader's.
 //!
 //! In the order in which a file passes through it: [`reading`] makes a picture of bytes that
-//! may be anything, the judge asks which program draws it, and the [`verdict`] is laid out as
-//! an [`answer`] to a picture, as the [`whole`] verdict on a program that is being typed, or
-//! as a [`report`] on a page. If the picture is right, [`blind_spots`] knows what it hides. Of
-//! a picture without a chapter's name [`guess`] says which chapter it is.
+//! may be anything, the judge asks which program draws it, `repair` tries what makes the
+//! reader's own program right, and the [`verdict`] is laid out as an [`answer`] to a picture,
+//! as the [`whole`] verdict on a program that is being typed, or as a [`report`] on a page. If
+//! the picture is right, [`blind_spots`] knows what it hides. Of a picture without a chapter's
+//! name [`guess`] says which chapter it is.
 
 pub mod answer;
 pub mod blind_spots;
