@@ -60,14 +60,14 @@ fn a_readers_line_is_named_if_the_chapter_with_it_draws_the_readers_picture() {
         let (_, text) = Chapter::HalfBSphere.files()[0];
         let typed = text.replace(right, wrong);
         let program = interpreter::read(&[("src/lib.rs", &typed)]).expect("it is a program");
-        let picture = png::encode(&program.draw(200).expect("it draws"));
+        let picture = png::encode(&program.draw(100).expect("it draws"));
         is_named_alone(&picture, old, new);
     }
 }
 
 #[test]
 fn a_readers_line_of_the_camera_is_named() {
-    let mut camera = Camera::new(200);
+    let mut camera = Camera::new(100);
     camera.pixel00 -= 0.1 * (camera.pixel_delta_u + camera.pixel_delta_v);
     let picture = Picture::paint(camera.image_width, camera.image_height, move |i, j| {
         half_b_sphere::ray_color(&camera.ray(i, j))
@@ -99,7 +99,7 @@ fn what_a_readers_line_refutes_is_not_named() {
         world: World::of(&[]),
         ..scene.program(&[])
     };
-    let picture = png::encode(&sky.run(200).picture());
+    let picture = png::encode(&sky.run(100).picture());
     for (label, said) in rows(&scene, &picture, &in_python(PROGRAM)) {
         let is_of_hit_sphere = ["discriminant", "oc =", "a =", "h =", "c ="];
         let is_innocent = is_of_hit_sphere.iter().any(|it| said.starts_with(it));

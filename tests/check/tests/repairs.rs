@@ -2,6 +2,7 @@
 //! named.
 
 use std::collections::HashSet;
+use std::thread;
 
 use check::known::Known;
 use check::reading::Reading;
@@ -152,39 +153,41 @@ const OTHER_LIST: Text = other(
 
 #[test]
 fn each_mistake_is_named_by_its_line_and_by_what_was_tried() {
-    let mut missed = String::new();
-    for (text, right, wrong) in MISTAKES {
-        let files = text.files();
-        let (at, changed) = files
-            .iter()
-            .enumerate()
-            .find_map(|(n, (_, it))| {
-                it.contains(right)
-                    .then(|| (n, it.replacen(right, wrong, 1)))
-            })
-            .unwrap_or_else(|| panic!("{right}"));
-        let lines = |text: &str| -> HashSet<String> { text.lines().map(squeezed).collect() };
-        let (before, after) = (lines(&files[at].1), lines(&changed));
-        let mut expected: Vec<String> = before.difference(&after).cloned().collect();
-        if let Some((_, line)) = IN_OTHER_WORDS.iter().find(|(it, _)| *it == wrong) {
-            expected = vec![(*line).to_owned()];
-        }
-        let mut wrong_files = files.clone();
-        wrong_files[at].1 = changed;
-        let said = said(text.chapter, &wrong_files, true);
-        let named = said
-            .iter()
-            .filter(|(label, _)| ["should be", "missing"].contains(label));
-        let is_named = |line: &String| {
-            said.iter().any(|(label, it)| {
-                *label == "should be" && it == line || *label == "missing" && it.ends_with(line)
-            })
-        };
-        if !expected.iter().all(is_named) || named.count() != expected.len() {
-            missed += &format!("{right}  ←  {wrong}\n    {said:?}\n");
-        }
-    }
+    let missed: String = thread::scope(|scope| {
+        let halves = MISTAKES.chunks(MISTAKES.len() / 2);
+        let all =
+            halves.map(|half| scope.spawn(|| half.iter().filter_map(missed).collect::<String>()));
+        let all: Vec<_> = all.collect();
+        all.into_iter()
+            .map(|it| it.join().expect("no row panics"))
+            .collect()
+    });
     assert!(missed.is_empty(), "\n{missed}");
+}
+
+/// What is said instead of the line that is right.
+fn missed(&(text, right, wrong): &(Text, &str, &str)) -> Option<String> {
+    let files = text.files();
+    let at = files.iter().position(|(_, it)| it.contains(right));
+    let at = at.unwrap_or_else(|| panic!("{right}"));
+    let mut changed = files.clone();
+    changed[at].1 = files[at].1.replacen(right, wrong, 1);
+    let lines = |text: &str| -> HashSet<String> { text.lines().map(squeezed).collect() };
+    let (before, after) = (lines(&files[at].1), lines(&changed[at].1));
+    let mut expected: Vec<String> = before.difference(&after).cloned().collect();
+    if let Some((_, line)) = IN_OTHER_WORDS.iter().find(|(it, _)| *it == wrong) {
+        expected = vec![(*line).to_owned()];
+    }
+    let said = said(text.chapter, &changed, true);
+    let named = said.iter();
+    let named = named.filter(|(label, _)| ["should be", "missing"].contains(label));
+    let is_named = |line: &String| {
+        said.iter().any(|(label, it)| {
+            *label == "should be" && it == line || *label == "missing" && it.ends_with(line)
+        })
+    };
+    let is_right = expected.iter().all(is_named) && named.count() == expected.len();
+    (!is_right).then(|| format!("{right}  ←  {wrong}\n    {said:?}\n"))
 }
 
 #[test]
