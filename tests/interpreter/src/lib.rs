@@ -155,7 +155,11 @@ impl Program {
     /// Where the program stops by itself: a panic, an overflow, too many turns of a loop; and
     /// where the compiler would refuse it, which is seen when it runs.
     pub fn draw(&self, width: u32) -> Result<Picture, Fault> {
-        let mut machine = self.machine();
+        let turns = match self.roles.own_ray {
+            Some(_) => TURNS_OF_A_PICTURE,
+            None => TURNS,
+        };
+        let mut machine = Machine::new(&self.code, turns);
         if let Some(picture) = self.roles.picture {
             let drawn = self.ran(machine.call(picture, &[u32_value(width)]))?;
             return prelude::picture(&drawn).ok_or_else(|| missing("a picture"));
@@ -229,11 +233,7 @@ impl Program {
     }
 
     fn machine(&self) -> Machine<'_> {
-        let limit = match self.roles.own_ray {
-            Some(_) => TURNS_OF_A_PICTURE,
-            None => TURNS,
-        };
-        Machine::new(&self.code, limit)
+        Machine::new(&self.code, TURNS)
     }
 
     fn call(&self, function: usize, given: &[Value]) -> Option<Value> {

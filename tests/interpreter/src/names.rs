@@ -200,17 +200,29 @@ impl Names {
             return Ok(named);
         }
         let own = self.outside_of_blocks(from);
+        // A module and something else may have one name: which is meant, its place says.
+        let keys = |part: usize| match part + 1 < path.len() {
+            true => [module_key(&path[part]), path[part].clone()],
+            false => [path[part].clone(), module_key(&path[part])],
+        };
         let mut named = match path[0].as_str() {
             "crate" => Named::Module(0),
             "self" => Named::Module(own),
             "super" => Named::Module(self.modules[own].parent),
-            name => self.seen(from, name, depth).ok_or(lost(0, false))?,
+            _ => {
+                let mut seen = keys(0).into_iter();
+                let seen = seen.find_map(|name| self.seen(from, &name, depth));
+                seen.ok_or(lost(0, false))?
+            }
         };
         for (part, name) in path.iter().enumerate().skip(1) {
             named = match named {
-                Named::Module(module) => self
-                    .member(from, module, name, depth)
-                    .map_err(|it| lost(part, it))?,
+                Named::Module(module) => {
+                    let [first, second] =
+                        keys(part).map(|name| self.member(from, module, &name, depth));
+                    let found = first.or_else(|one| second.map_err(|other| one || other));
+                    found.map_err(|is_private| lost(part, is_private))?
+                }
                 Named::Prelude => standard::prelude(name).ok_or(lost(part, false))?,
                 Named::Standard(module) => {
                     standard::within(&module, name).ok_or(lost(part, false))?
@@ -533,6 +545,11 @@ fn distance(one: &str, other: &str) -> usize {
         }
     }
     row[row.len() - 1]
+}
+
+/// By what a module is kept among names.
+fn module_key(name: &str) -> String {
+    format!("{name}::")
 }
 
 /// The names in a path, one after the other.

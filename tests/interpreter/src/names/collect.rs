@@ -6,8 +6,8 @@ use std::ptr;
 use syn::punctuated::Punctuated;
 
 use super::{
-    Context, Entry, Field, Kind, Module, Named, Names, Shape, Signature, Trait, Variant, names,
-    unknown,
+    Context, Entry, Field, Kind, Module, Named, Names, Shape, Signature, Trait, Variant,
+    module_key, names, unknown,
 };
 use crate::node::At;
 use crate::read::{Refusal, at};
@@ -91,33 +91,20 @@ impl<'a> Collector<'a> {
     fn declare(&mut self, module: usize, item: &'a syn::Item) -> Read {
         let (name, visibility, named) = match item {
             syn::Item::Struct(it) => {
+                let named = self.kind(module, &it.ident, &it.attrs, false);
                 self.no_generics(module, &it.generics)?;
-                (
-                    &it.ident,
-                    &it.vis,
-                    self.kind(module, &it.ident, &it.attrs, false),
-                )
+                (&it.ident, &it.vis, named)
             }
             syn::Item::Enum(it) => {
+                let named = self.kind(module, &it.ident, &it.attrs, true);
                 self.no_generics(module, &it.generics)?;
-                (
-                    &it.ident,
-                    &it.vis,
-                    self.kind(module, &it.ident, &it.attrs, true),
-                )
+                (&it.ident, &it.vis, named)
             }
             syn::Item::Trait(it) => {
                 self.no_generics(module, &it.generics)?;
-                self.names.traits.push(Trait {
-                    name: it.ident.to_string(),
-                    methods: Vec::new(),
-                    implemented_for: Vec::new(),
-                });
-                (
-                    &it.ident,
-                    &it.vis,
-                    Named::Trait(self.names.traits.len() - 1),
-                )
+                let named = Named::Trait(self.names.traits.len());
+                self.names.traits.push(Trait::called(&it.ident));
+                (&it.ident, &it.vis, named)
             }
             syn::Item::Fn(it) => {
                 self.block(module, &it.block);
@@ -152,10 +139,11 @@ impl<'a> Collector<'a> {
             named,
             is_public: is_public(visibility),
         };
-        match self.names.modules[module]
-            .names
-            .insert(name.to_string(), entry)
-        {
+        let key = match entry.named {
+            Named::Module(_) => module_key(&name.to_string()),
+            _ => name.to_string(),
+        };
+        match self.names.modules[module].names.insert(key, entry) {
             None => Ok(()),
             Some(_) => {
                 let message = format!("the name `{name}` is defined multiple times");
@@ -598,6 +586,16 @@ fn is_public(visibility: &syn::Visibility) -> bool {
 
 fn is_test(item: &syn::Item) -> bool {
     matches!(item, syn::Item::Mod(it) if it.ident == "tests")
+}
+
+impl Trait {
+    fn called(name: &syn::Ident) -> Self {
+        Self {
+            name: name.to_string(),
+            methods: Vec::new(),
+            implemented_for: Vec::new(),
+        }
+    }
 }
 
 impl Context {
