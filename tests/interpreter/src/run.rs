@@ -3,6 +3,7 @@
 //! together.
 
 use std::cmp::Ordering;
+use std::iter;
 use std::mem;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -204,20 +205,20 @@ impl<'c> Machine<'c> {
                     }
                     own.eval(&closure.body)
                 };
-                match &**frame {
-                    Frame::Taken(frame) => {
+                match *frame {
+                    Frame::Taken(ref frame) => {
                         let start = self.stack.len();
                         self.stack.extend_from_slice(frame);
                         self.in_frame(start, start + frame.len(), at, body)
                     }
                     // The function that made it is over, so it uses nothing of its.
-                    Frame::At(base, slots) if *base > self.base => {
+                    Frame::At(base, slots) if base as usize > self.base => {
                         let start = self.stack.len();
-                        self.in_frame(start, start + slots, at, body)
+                        self.in_frame(start, start + slots as usize, at, body)
                     }
                     Frame::At(base, _) => {
                         self.turn(at)?;
-                        let base = mem::replace(&mut self.base, *base);
+                        let base = mem::replace(&mut self.base, base as usize);
                         let result = body(self);
                         self.base = base;
                         self.returned(result)
@@ -501,25 +502,29 @@ impl<'c> Machine<'c> {
             }
             Node::Closure(closure, is_moved) => {
                 let frame = match is_moved {
-                    true => Frame::Taken(self.stack[self.base..].to_vec()),
-                    false => Frame::At(self.base, self.stack.len() - self.base),
+                    true => Frame::Taken(Rc::new(self.stack[self.base..].to_vec())),
+                    false => {
+                        let slots = self.stack.len() - self.base;
+                        Frame::At(self.base as u32, slots as u32)
+                    }
                 };
-                Value::Closure(Arc::clone(closure), Rc::new(frame))
+                Value::Closure(Arc::clone(closure), frame)
             }
             Node::Function(function) => Value::Function(*function),
             Node::NativeFunction(native, at) => Value::Native(*native, *at),
             Node::New(kind, variant, fields, base) => {
-                let mut all = match base {
+                let mut all: Rc<[Value]> = match base {
                     Some(base) => match self.eval(base)? {
-                        Value::Own(_, _, fields) => fields.to_vec(),
+                        Value::Own(_, _, fields) => fields,
                         other => unreachable!("it is declared, and this is {other:?}"),
                     },
-                    None => vec![Value::Unit; fields.len()],
+                    None => iter::repeat_n(Value::Unit, fields.len()).collect(),
                 };
                 for (n, node) in fields {
-                    all[*n] = self.eval(node)?;
+                    let value = self.eval(node)?;
+                    Rc::make_mut(&mut all)[*n] = value;
                 }
-                Value::Own(*kind, *variant, all.into())
+                Value::Own(*kind, *variant, all)
             }
             Node::Some(of) => Value::Some(Rc::new(self.eval(of)?)),
             Node::Many(nodes) => Value::Many(Rc::new(self.all(nodes)?)),

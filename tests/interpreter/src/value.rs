@@ -42,7 +42,7 @@ pub(crate) enum Value {
     Iterator(Iter),
     Mut(Rc<Address>),
     /// A closure, and the frame that it looks at or has taken along.
-    Closure(Arc<Closure>, Rc<Frame>),
+    Closure(Arc<Closure>, Frame),
     Function(usize),
     Native(usize, At),
     /// Is never hit, and keeps the range that it was asked for.
@@ -55,11 +55,11 @@ pub(crate) struct Address {
     pub(crate) path: Vec<usize>,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) enum Frame {
     /// Where it begins, and how many slots it has.
-    At(usize, usize),
-    Taken(Vec<Value>),
+    At(u32, u32),
+    Taken(Rc<Vec<Value>>),
 }
 
 /// What gives one value after the other.
