@@ -189,7 +189,7 @@ impl Lowerer<'_> {
     }
 
     /// Of what is not known nothing can be asked: neither here nor there.
-    fn untold<T>(&self, at: At) -> Lowered<T> {
+    fn needs_a_type<T>(&self, at: At) -> Lowered<T> {
         let help = "say its type where it begins: `let x: …`, or `|x: …|`";
         self.fault(at, "type annotations needed", "cannot infer type", help)
     }
@@ -944,7 +944,7 @@ impl Lowerer<'_> {
         let name = member(&it.member);
         let at = at_span(self.file, it.member.span());
         if base.ty.stripped().is_unknown() {
-            return self.untold(at);
+            return self.needs_a_type(at);
         }
         let (n, ty) = self.names.field(&base.ty, &name, self.context.module, at)?;
         let on = self.stripped(base);

@@ -11,7 +11,7 @@ use crate::{Fault, Place};
 /// A text is no longer than this, in bytes: a chapter has some three thousand.
 const LONGEST: usize = 100_000;
 /// No bracket is in more brackets than that, and no expression has more words and signs:
-/// whoever walks a tree goes as deep as it is.
+/// a walk goes as deep as its tree is.
 const DEEPEST: usize = 40;
 const WORDIEST: usize = 240;
 /// So many branches of one `if` follow each other.

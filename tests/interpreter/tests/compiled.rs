@@ -131,7 +131,7 @@ fn a_prelude_of_ones_own_draws_the_picture_and_is_asked() {
 
 const OWN_PRELUDE: &str = include_str!("texts/own_prelude.rs");
 
-/// Nobody can make the page wait, or end it.
+/// No text makes the page wait, or ends it.
 #[test]
 fn a_hostile_text_is_answered_at_once() {
     let nested = |n: usize| format!("{}1.0{}", "(".repeat(n), ")".repeat(n));
@@ -324,7 +324,7 @@ fn what_the_compiler_refuses_is_refused() {
 
 #[test]
 #[ignore = "asks the compiler of a hundred texts"]
-fn most_is_told_as_the_compiler_tells_it() {
+fn most_faults_are_in_the_line_and_the_words_of_the_compiler() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("refused");
     let common = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../common");
     fs::create_dir_all(folder.join("src")).expect("a folder");

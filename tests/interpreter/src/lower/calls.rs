@@ -273,7 +273,7 @@ impl Lowerer<'_> {
         let function = self.stripped(function);
         let (parameters, result) = match (function.ty.0, function.ty.1.split_last()) {
             (Head::Fn, Some((result, parameters))) => (parameters.to_vec(), result.clone()),
-            (Head::Unknown, _) => return self.untold(self.at(&it.func)),
+            (Head::Unknown, _) => return self.needs_a_type(self.at(&it.func)),
             _ => {
                 let name = function.ty.name(self.names);
                 return self.refused(
@@ -377,7 +377,7 @@ impl Lowerer<'_> {
         (at, whole): (At, At),
     ) -> Lowered {
         if receiver.ty.stripped().is_unknown() {
-            return self.untold(at);
+            return self.needs_a_type(at);
         }
         let mut on = receiver.clone();
         // By what the receiver was reached at last.
