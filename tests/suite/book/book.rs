@@ -27,7 +27,7 @@ fn every_page_in_the_folder_is_in_the_summary() {
     assert_eq!(written.iter().collect::<Vec<_>>(), woven);
 }
 
-/// mdBook sends who follows an old link on, but does not look where.
+/// mdBook sends an old link on, but does not look where.
 #[test]
 fn every_redirect_leads_to_a_heading() {
     let pages = pages();

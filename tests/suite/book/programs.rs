@@ -74,8 +74,8 @@ fn each_edition_draws_what_its_program_in_cpp_draws() {
     }
 }
 
-/// `speed.md` says so. The widest picture is not waited for: its memory is at its height when
-/// the first megabytes are there.
+/// `speed.md` says that memory does not grow with the picture. The widest one is not waited for:
+/// its memory is at its height when the first megabytes are there.
 #[cfg(target_os = "linux")]
 #[test]
 #[ignore = "builds the programs of two chapters"]
