@@ -123,16 +123,23 @@ impl Text {
             .map_or_else(|| Ok(Said::new(&verdict, Vec::new())), Err)
     }
 
+    /// The chapter's program with what was typed in the place of its code.
+    fn in_place_of_ours(&self, typed: &'static interpreter::Program) -> Program {
+        let ours = Program::right(self.chapter);
+        let range = typed.range(&Ray::new(Point3::ZERO, Vec3::NEG_Z));
+        let [t_min, t_max] = range.unwrap_or([ours.t_min, ours.t_max]);
+        Program {
+            code: Some(typed),
+            t_min,
+            t_max,
+            ..ours
+        }
+    }
+
     /// What the picture, the laws and the typed lines come to.
     pub fn verdict(&self, program: &'static interpreter::Program, picture: &Picture) -> Verdict {
         let scene = Scene::new(self.chapter, None).expect("without a probe it is a scene");
-        let mut asked = Program {
-            code: Some(program),
-            ..Program::right(self.chapter)
-        };
-        if let Some([t_min, t_max]) = program.range(&Ray::new(Point3::ZERO, Vec3::NEG_Z)) {
-            (asked.t_min, asked.t_max) = (t_min, t_max);
-        }
+        let asked = self.in_place_of_ours(program);
         let laws = laws_of(&asked);
         let answers = Answers::of(&asked);
         let unlike = |program: &Program| answers.unlike(program, MOST_UNLIKE);
