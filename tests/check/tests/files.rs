@@ -7,7 +7,7 @@ use check::scene::Scene;
 use check::sources::Sources;
 use check::verdict::{Check, check_knowing};
 use common::rtweekend::*;
-use slips::{Chapter, Edition, Letters, Program, World};
+use slips::{Chapter, Edition, Letters, Program};
 
 const PROGRAM: &str = "\
 pixel00 = upper_left + 0.5 * (du + dv)
@@ -96,7 +96,7 @@ fn is_named_alone(picture: &[u8], right: &str, wrong: &str) {
 fn what_a_readers_line_refutes_is_not_named() {
     let scene = scene(Chapter::HalfBSphere);
     let sky = Program {
-        world: World::of(&[]),
+        world: &[],
         ..scene.program(&[])
     };
     let picture = png::encode(&sky.run(100).picture());

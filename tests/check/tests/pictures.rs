@@ -9,7 +9,7 @@ use check::scene::Scene;
 use check::verdict::{Check, judge, judge_guessed};
 use check::{guess, png, verdict};
 use common::rtweekend::*;
-use slips::{Ball, Chapter, Edition, Program, Slip, World};
+use slips::{Ball, Chapter, Edition, Program, Slip};
 
 /// Each way is a function of a picture.
 type Way = fn(&Picture) -> Picture;
@@ -260,12 +260,13 @@ fn an_egg_is_not_right() {
 /// Another thing in the sky is nothing that is known, and so is a shape that is no sphere.
 #[test]
 fn what_is_not_in_a_scene_is_not_right() {
+    const SPHERES: &[Ball] = &[
+        Ball::new(0.0, 0.0, -1.0, 0.5),
+        Ball::new(0.0, -100.5, -1.0, 100.0),
+        Ball::new(0.7, 0.5, -1.0, 0.3),
+    ];
     let three = Program {
-        world: World::of(&[
-            Ball::new(0.0, 0.0, -1.0, 0.5),
-            Ball::new(0.0, -100.5, -1.0, 100.0),
-            Ball::new(0.7, 0.5, -1.0, 0.3),
-        ]),
+        world: SPHERES,
         ..Program::right(Chapter::HittableList)
     };
     let pictures = [

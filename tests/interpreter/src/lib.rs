@@ -378,14 +378,6 @@ fn own_kind(ty: &Type) -> Option<u32> {
 }
 
 impl Interpreted for Program {
-    fn camera(&self, _width: u32, _height: u32) -> Option<Camera> {
-        None
-    }
-
-    fn ray(&self, _camera: &Camera, _i: u32, _j: u32) -> Option<Ray> {
-        None
-    }
-
     fn ray_color(&self, ray: &Ray) -> Color {
         let color = || {
             let mut machine = self.machine();

@@ -38,7 +38,6 @@ mod single;
 mod slip;
 pub mod steps;
 mod traced;
-mod world;
 
 use course::chapter;
 
@@ -49,7 +48,6 @@ pub use letters::Letters;
 pub use look::{Look, SIGHT_WIDTH, Sight, sights};
 pub use output::Output;
 pub use probes::{PROBES, Probe, find as find_probe};
-pub use program::{Hit, Interpreted, Program};
+pub use program::{Ball, Hit, Interpreted, Program};
 pub use slip::{Slip, Unseen, Words};
 pub use traced::{Quadratic, Row, Traced, side_by_side};
-pub use world::{Ball, World};

@@ -2,10 +2,9 @@
 
 use std::fmt::Write;
 
-use super::program::Program;
+use super::program::{Ball, Program};
 use super::slip::Slip;
 use crate::chapter::{Chapter, Room};
-use crate::world::{Ball, World};
 
 /// A change to a chapter of which every right program makes the same picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,7 +112,7 @@ impl Probe {
             Room::Many => true,
         };
         has_room.then_some(Program {
-            world: World::of(world),
+            world,
             // A product, so that a slip in the focal length stays one.
             focal_length: self.focal_length * program.focal_length,
             ..program

@@ -6,7 +6,28 @@ use common::rtweekend::*;
 
 use crate::chapter::Chapter;
 use crate::edition::Edition;
-use crate::world::{BALL, Ball, World};
+
+/// A sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball {
+    /// Its center.
+    pub center: Point3,
+    /// Its radius.
+    pub radius: f64,
+}
+
+impl Ball {
+    /// The sphere at (`x`, `y`, `z`).
+    pub const fn new(x: f64, y: f64, z: f64, radius: f64) -> Self {
+        Self {
+            center: Point3::new(x, y, z),
+            radius,
+        }
+    }
+}
+
+/// The sphere of chapters 2 to 4.
+pub(super) const BALL: Ball = Ball::new(0.0, 0.0, -1.0, 0.5);
 
 /// What there is to know about a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,12 +44,6 @@ pub struct Hit {
 
 /// A chapter that is run from its text, and not from a table of steps.
 pub trait Interpreted: Debug + Send + Sync {
-    /// The camera of a picture of that size, if it is not that of the steps.
-    fn camera(&self, width: u32, height: u32) -> Option<Camera>;
-
-    /// The ray of a pixel, if it is not that of the steps.
-    fn ray(&self, camera: &Camera, i: u32, j: u32) -> Option<Ray>;
-
     /// The chapter's `ray_color`.
     fn ray_color(&self, ray: &Ray) -> Color;
 
@@ -105,7 +120,7 @@ pub struct Program {
     /// The sky's color from the weight of the one above.
     pub lerp: fn([Color; 2], f64) -> Color,
     /// What there is to hit.
-    pub world: World,
+    pub world: &'static [Ball],
     /// Which hit wins.
     pub search: Search,
     /// Only a greater ray parameter counts.
@@ -192,12 +207,6 @@ impl Program {
     pub fn camera(&self, image_width: u32) -> Camera {
         let width = f64::from(image_width);
         let image_height = (self.image_height)(width, self.aspect_ratio);
-        let own = self
-            .code
-            .and_then(|code| code.camera(image_width, image_height));
-        if let Some(camera) = own {
-            return camera;
-        }
         let height = f64::from(image_height);
         let center = Point3::ZERO;
 
@@ -263,7 +272,7 @@ impl Program {
 
     /// What wins of all that the ray hits in the program's world.
     pub fn search(&self, ray: &Ray) -> Option<(f64, Ball)> {
-        (self.search)(self, &self.world, ray)
+        (self.search)(self, self.world, ray)
     }
 
     /// What wins in a world of other spheres, between `t_min` and `t_max`.
@@ -303,11 +312,6 @@ impl Program {
     /// By how much columns and rows are divided.
     pub(super) fn divided(&self, width: u32, height: u32) -> [f64; 2] {
         (self.divisors)(f64::from(width) - self.last, f64::from(height) - self.last)
-    }
-
-    fn cast(&self, camera: &Camera, i: u32, j: u32) -> Ray {
-        let own = self.code.and_then(|code| code.ray(camera, i, j));
-        (self.aim)(self, own.unwrap_or_else(|| self.through(camera, i, j)))
     }
 
     fn through(&self, camera: &Camera, i: u32, j: u32) -> Ray {
@@ -389,7 +393,7 @@ const HITTABLE_LIST: Program = Program {
     ramp: |[i, j], [width, height]| [i / width, j / height],
     blue: 0.0,
     color: |program, camera, i, j| program.ray_color(&(program.ray)(program, camera, i, j)),
-    ray: Program::cast,
+    ray: |program, camera, i, j| (program.aim)(program, program.through(camera, i, j)),
     aim: |_, ray| ray,
     plus: |u, v| u + v,
     over: |v, t| v * (1.0 / t),
@@ -398,7 +402,7 @@ const HITTABLE_LIST: Program = Program {
     blend: |direction| 0.5 * (direction.y + 1.0),
     sky: [Color::new(1.0, 1.0, 1.0), Color::new(0.5, 0.7, 1.0)],
     lerp: |[below, above], a| (1.0 - a) * below + a * above,
-    world: World::of(&[BALL, Ball::new(0.0, -100.5, -1.0, 100.0)]),
+    world: &[BALL, Ball::new(0.0, -100.5, -1.0, 100.0)],
     search: nearest,
     t_min: 0.0,
     t_max: f64::INFINITY,
@@ -442,7 +446,7 @@ const HITTABLE_LIST: Program = Program {
 
 const HALF_B_SPHERE: Program = Program {
     chapter: Chapter::HalfBSphere,
-    world: World::of(&[BALL]),
+    world: &[BALL],
     numerators: |first, sqrtd, _| [first - sqrtd; 2],
     outward: |program, point, ball| (program.unit)(point - ball.center),
     face: |_, _, outward| outward,
@@ -470,7 +474,7 @@ const RED_SPHERE: Program = Program {
 
 const GRADIENT: Program = Program {
     chapter: Chapter::Gradient,
-    world: World::of(&[]),
+    world: &[],
     ..RED_SPHERE
 };
 

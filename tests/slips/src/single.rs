@@ -7,8 +7,7 @@ use common::rtweekend::{Camera, Color};
 
 use crate::chapter::Chapter;
 use crate::edition::Edition;
-use crate::program::Program;
-use crate::world::Ball;
+use crate::program::{Ball, Program};
 
 type Vector = [f32; 3];
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::chapter::Chapter;
 use crate::edition::Edition;
 use crate::letters::{Letters, in_chapter, in_cpp, in_python};
-use crate::program::{Interpreted, Program};
+use crate::program::Program;
 
 /// A mistake that readers make, as an edit of the right line.
 ///
@@ -58,8 +58,6 @@ pub struct Slip {
     pub(super) law: &'static str,
     /// Replaces the steps of a program.
     pub(super) alter: fn(&mut Program),
-    /// What runs in place of the chapter, if it is a text of it with a change.
-    pub(super) code: Option<&'static dyn Interpreted>,
 }
 
 /// Of what program a line is a part.
@@ -67,8 +65,6 @@ pub struct Slip {
 pub(super) enum Part {
     /// A chapter.
     Chapter,
-    /// The camera, which no two editions have the same.
-    Camera,
     /// The camera's sizes, which earlier editions than 3.1 print as numbers.
     Sizes,
     /// What else all chapters share.
@@ -76,12 +72,12 @@ pub(super) enum Part {
 }
 
 /// What there is to say of a slip.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Words<Line = Cow<'static, str>> {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Words {
     /// What the code probably says.
-    pub wrong: Line,
+    pub wrong: Cow<'static, str>,
     /// What it should say.
-    pub right: Line,
+    pub right: Cow<'static, str>,
     /// Why, and what the mistake does to the picture.
     pub why: &'static str,
 }
@@ -117,32 +113,9 @@ pub(super) const SLIP: Slip = Slip {
     equivalent: "",
     law: "",
     alter: |_| {},
-    code: None,
 };
 
 impl Slip {
-    /// A change in the text of a chapter, which has no name and no page.
-    pub fn interpreted(
-        chapter: Chapter,
-        source: &'static str,
-        words: Words<&'static str>,
-        code: &'static dyn Interpreted,
-    ) -> Self {
-        static CHAPTERS: [Chapter; 7] = Chapter::ALL;
-        let at = chapter as usize;
-        let edit: &str = format!("→{}", words.wrong).leak();
-        Self {
-            chapters: &CHAPTERS[at..=at],
-            source,
-            rust: words.right,
-            cpp: words.right,
-            edits: Box::leak(Box::new([edit])),
-            why: words.why,
-            code: Some(code),
-            ..SLIP
-        }
-    }
-
     /// What there is to say of it to someone who made it in that chapter.
     pub fn words(&self, letters: Letters, chapter: Chapter) -> Words {
         let [wrong, right] = self.lines(letters, chapter).map(Cow::Owned);
@@ -187,9 +160,7 @@ impl Slip {
         let mut edits = self.edits.iter().filter_map(|edit| edit.split_once('→'));
         let (part, other) = edits.find(|(part, _)| line.contains(part))?;
         let part = if part.is_empty() { line } else { part };
-        // A line of the reader's that the chapter has not is typed in the place of none.
-        let is_there = !line.is_empty() || self.rust.is_empty() && self.cpp.is_empty();
-        is_there.then(|| [line.replacen(part, other, 1), line.to_owned()])
+        (!line.is_empty()).then(|| [line.replacen(part, other, 1), line.to_owned()])
     }
 
     /// The same, labeled, as every report shows it.
@@ -241,7 +212,6 @@ impl Slip {
     /// The same program with this slip in it.
     pub fn put_to(&self, mut program: Program) -> Program {
         (self.alter)(&mut program);
-        program.code = self.code.or(program.code);
         program
     }
 
@@ -289,11 +259,6 @@ impl Slip {
     /// Whether the line is in a chapter, and not in what all of them share.
     pub fn is_in_a_chapter(&self) -> bool {
         self.part == Part::Chapter
-    }
-
-    /// Whether it is made in the camera, which no two editions have the same.
-    pub fn is_of_the_camera(&self) -> bool {
-        matches!(self.part, Part::Camera | Part::Sizes)
     }
 
     /// Whether it is made where version 3.1 and later ones compute sizes, and earlier ones print

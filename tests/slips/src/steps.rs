@@ -3,8 +3,7 @@
 use common::rtweekend::*;
 
 use crate::chapter::Chapter;
-use crate::program::Program;
-use crate::world::{BALL, World};
+use crate::program::{BALL, Program};
 
 /// A few lines to type, after which there is something new to see.
 pub struct Step {
@@ -102,7 +101,7 @@ const STEPS: [&[Step]; 6] = [
         Step {
             says: "A `Sphere` is `Hittable`, and a list of one finds it: the ball of chapter 4 is back.",
             seen: Chapter::HalfBSphere.shows(),
-            alter: |p| p.world = World::of(&[BALL]),
+            alter: |p| p.world = &[BALL],
         },
         Step {
             says: "`world` gets the ground, at (0, −100.5, −1) with radius 100, and the list finds the nearest.",

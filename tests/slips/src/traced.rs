@@ -3,8 +3,7 @@
 use common::rtweekend::*;
 
 use crate::chapter::Chapter;
-use crate::program::Program;
-use crate::world::Ball;
+use crate::program::{Ball, Program};
 
 /// The numbers of a pixel, in the order in which a program finds them.
 #[derive(Clone, Debug)]

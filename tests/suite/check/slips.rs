@@ -163,6 +163,20 @@ fn a_slip_of_an_older_edition_is_said_in_its_words() {
     }
 }
 
+#[test]
+fn in_every_language_a_slip_changes_its_line() {
+    let books = Edition::ALL.map(Letters::Book);
+    let pythons = Edition::ALL.map(Letters::Python);
+    for slip in slips::all().chain(slips::unnamed()) {
+        for letters in [Letters::Rust].iter().chain(&books).chain(&pythons) {
+            for &chapter in slip.chapters {
+                let words = slip.words(*letters, chapter);
+                assert_ne!(words.wrong, words.right, "{} in {letters:?}", slip.name);
+            }
+        }
+    }
+}
+
 /// Where a chapter is typed.
 fn sources(chapter: Chapter) -> impl Iterator<Item = &'static str> {
     // The sky of the later chapters is what was typed in the first one.

@@ -11,7 +11,7 @@ const GRID: Slip = Slip {
     chapters: RAYS,
     page: "gradient#the-grid-of-pixels",
     source: "common/src/camera.rs",
-    part: Part::Camera,
+    part: Part::Prelude,
     ..SLIP
 };
 const CAMERA: Slip = Slip {
@@ -290,7 +290,7 @@ pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "viewport-width-four",
         page: CAMERA.page,
-        part: Part::Camera,
+        part: Part::Prelude,
         older: "horizontal = vec3(aspect_ratio * viewport_height, 0, 0)",
         edits: &[
             "viewport_height * (f64::from(image_width) / f64::from(image_height))→4.0",

@@ -3,9 +3,8 @@
 use common::rtweekend::*;
 
 use super::chapters::HITTABLE_LIST;
-use crate::program::Program;
+use crate::program::{BALL, Ball, Program};
 use crate::slip::{SLIP, Slip};
-use crate::world::{BALL, Ball, World};
 
 const SEARCH: Slip = Slip {
     chapters: HITTABLE_LIST,
@@ -222,14 +221,14 @@ pub(super) const SLIPS: &[Slip] = &[
         name: "ground-too-high",
         edits: &["-100.5→-100.0"],
         why: "The sphere must stand on the ground, its lowest point at -0.5. Here it is half sunk.",
-        alter: |p| p.world = World::of(&[BALL, Ball::new(0.0, -100.0, -1.0, 100.0)]),
+        alter: |p| p.world = const { &[BALL, Ball::new(0.0, -100.0, -1.0, 100.0)] },
         ..GROUND
     },
     Slip {
         name: "ground-above",
         edits: &["-100.5→100.5"],
         why: "y points up and the ground's center is below. Without the minus it is in the sky.",
-        alter: |p| p.world = World::of(&[BALL, Ball::new(0.0, 100.5, -1.0, 100.0)]),
+        alter: |p| p.world = const { &[BALL, Ball::new(0.0, 100.5, -1.0, 100.0)] },
         ..GROUND
     },
     Slip {
@@ -242,7 +241,7 @@ pub(super) const SLIPS: &[Slip] = &[
             " and world.add(sphere((0, -100.5, -1), 100))→",
         ],
         why: "Without the ground the picture is that of the chapter before.",
-        alter: |p| p.world = World::of(&[BALL]),
+        alter: |p| p.world = &[BALL],
         ..GROUND
     },
 ];

@@ -5,9 +5,8 @@ use common::rtweekend::*;
 use super::chapters::{HITTABLE_LIST, LONE_SPHERE, ONE_SPHERE, RED_SPHERE, ROOTS};
 use super::sphere::SIGN_OF_B;
 use crate::chapter::Chapter::HittableList;
-use crate::program::Program;
+use crate::program::{BALL, Ball, Program};
 use crate::slip::{Part, SLIP, Slip};
-use crate::world::{BALL, Ball, World};
 
 const CHAPTER: Slip = Slip {
     chapters: ROOTS,
@@ -85,7 +84,7 @@ pub(super) const SLIPS: &[Slip] = &[
         reported: &["#1570"],
         unseen_in: RED_SPHERE,
         equivalent: SIGN_OF_B,
-        alter: |p| p.world = World::of(&[Ball::new(0.0, 0.0, 1.0, 0.5)]),
+        alter: |p| p.world = const { &[Ball::new(0.0, 0.0, 1.0, 0.5)] },
         ..RANGE
     },
     Slip {
@@ -236,7 +235,7 @@ pub(super) const SLIPS: &[Slip] = &[
         name: "z-forward",
         page: "gradient#the-camera",
         source: "common/src/camera.rs",
-        part: Part::Camera,
+        part: Part::Prelude,
         rust: "center - Vec3::new(0.0, 0.0, focal_length), and the spheres at z = -1.0",
         edits: &["→center + Vec3::new(0.0, 0.0, focal_length), and the spheres at z = 1.0"],
         why: "z points away from the eye then, and the normals' blue too. All else is the same.",
