@@ -45,7 +45,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
             is computed, and D as it is.",
         caption: "Each cell is a ray, the same on the left and on the right; the circle is a tangent, the square \
             is the chosen ray. Tinted cells are hits. On the left the cells are marked that the method decides \
-            wrongly, on the right those that the first filter leaves to later stages.",
+            wrongly, on the right those that the filter leaves to integers.",
         draw: || LIVE.on_page(),
     },
     question: "How far must you zoom in before the edge is ragged? Begin with the whole ball, zoom in, and then \
@@ -100,8 +100,6 @@ fn of_stage(stage: Stage, case: &Case) -> String {
     let found = format!("The filter's *D* is {d}, give or take {band}");
     let name = match stage {
         Stage::Filter => return format!("{found}, so its sign is certain."),
-        Stage::Rescaled => "the filter in other units",
-        Stage::Sharper => "the sharper filter",
         Stage::FixedWidth => "integers of fixed width",
         Stage::Exact => "integers of any length",
     };
@@ -199,21 +197,17 @@ fn draw(it: &Parameters, decisions: &[Decision]) -> Svg {
     svg.key(WRONG, DVec2::new(4.0, 218.0), &words);
     let cells = [
         ("sphere wash", hits),
-        (SHARPER, set(|it| it.stage == Stage::Sharper)),
-        (INTEGERS, set(|it| it.stage >= Stage::FixedWidth)),
+        (INTEGERS, set(|it| it.stage > Stage::Filter)),
     ];
     draw_map(&mut svg, it, MAPS[1], "certified_hit", &cells);
-    svg.key(SHARPER, DVec2::new(208.0, 218.0), "sharper filter");
-    svg.key(INTEGERS, DVec2::new(318.0, 218.0), "integers");
+    svg.key(INTEGERS, DVec2::new(208.0, 218.0), "integers");
     draw_sizes(&mut svg, it.doublings);
     draw_discriminants(&mut svg, &it.case(it.cell));
     svg
 }
 
-/// How cells are marked that are decided wrongly, and those that later stages than the
-/// first filter had to decide.
+/// How cells are marked that are decided wrongly, and those that integers had to decide.
 const WRONG: &str = "wrong solid";
-const SHARPER: &str = "depth-2 certain solid";
 const INTEGERS: &str = "depth-3 certain solid";
 
 /// A map: cells of each class, the tangent and the chosen cell.

@@ -28,7 +28,8 @@ use common::rtweekend::Picture;
 /// The picture at `width` pixels wide: a star in a telescope, on the left as
 /// chapter 5 sees it, on the right as it is.
 pub fn picture(width: u32) -> Picture {
-    Scene::telescope().halves(Method::HALF_B, Method::CERTIFIED_T, width)
+    let eyes = [Method::HALF_B, Method::CERTIFIED_T].map(Eye::Method);
+    Scene::telescope().seen_by(eyes, width)
 }
 
 /// All methods, those in `f64` first.

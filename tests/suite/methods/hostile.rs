@@ -13,26 +13,14 @@ use std::ops::RangeInclusive;
 
 /// Numbers that programs forget: zeros of either sign, the least and the
 /// largest, and one.
-pub(crate) fn specks() -> impl Strategy<Value = Case> {
-    let number = select(vec![
-        0.0,
-        -0.0,
-        1.0,
-        -1.0,
-        f64::from_bits(1),
-        -f64::from_bits(1),
-        f64::MIN_POSITIVE,
-        f64::EPSILON,
-        1e154,
-        -1e154,
-        f64::MAX,
-        f64::MIN,
-    ]);
+fn specks() -> impl Strategy<Value = Case> {
+    let least = f64::from_bits(1);
+    let sizes = [0.0, 1.0, least, f64::MIN_POSITIVE, 1e154, f64::MAX];
+    let number = select(sizes.map(|size| [size, -size]).concat());
     proptest::array::uniform10(number).prop_map(Case::from_numbers)
 }
 
-/// All of the above, and what only arithmetic without end gets right: for
-/// methods that claim to be right for every input.
+/// All of what follows.
 pub(crate) fn hostile() -> impl Strategy<Value = Case> {
     prop_oneof![
         4 => anywhere(),
@@ -63,7 +51,7 @@ pub(crate) fn leaving_the_surface(k: RangeInclusive<f64>) -> impl Strategy<Value
 
 /// Whole numbers, and a radius within three ulps of the line's distance from the
 /// center.
-pub(crate) fn almost_tangents() -> impl Strategy<Value = Case> {
+fn almost_tangents() -> impl Strategy<Value = Case> {
     (whole_vector(50), whole_vector(50), whole_vector(50), -3..=3).prop_map(
         |(center, origin, direction, ulps)| {
             let d = ahead_if_zero(direction);
@@ -79,7 +67,7 @@ pub(crate) fn almost_tangents() -> impl Strategy<Value = Case> {
 }
 
 /// [`tangents`] whose radius is one ulp too small, right, or one too large.
-pub(crate) fn whole_number_tangents_an_ulp_off() -> impl Strategy<Value = Case> {
+fn whole_number_tangents_an_ulp_off() -> impl Strategy<Value = Case> {
     (tangents(), -1..=1).prop_map(|(case, ulps)| Case {
         radius: ulps_away(case.radius, ulps),
         ..case
@@ -88,7 +76,7 @@ pub(crate) fn whole_number_tangents_an_ulp_off() -> impl Strategy<Value = Case> 
 
 /// Lengths, and apart from them the direction, times a power of two from 2⁻⁵⁰⁰
 /// to 2⁵⁰⁰: the digits stay what they are.
-pub(crate) fn in_another_unit(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = Case> {
+fn in_another_unit(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = Case> {
     (cases, -500..=500, -500..=500).prop_map(|(case, length, direction)| {
         let [length, direction] = [length, direction].map(|k| f64::exp2(f64::from(k)));
         Case {
@@ -101,7 +89,7 @@ pub(crate) fn in_another_unit(cases: impl Strategy<Value = Case>) -> impl Strate
 
 /// Sphere and ray together up to 2⁶⁰ away: C and Q have fewer digits in common
 /// with C − Q, which is then rounded.
-pub(crate) fn moved_away(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = Case> {
+fn moved_away(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = Case> {
     (cases, unit(), number(0.0..=60.0)).prop_map(|(case, way, exponent)| {
         let by = f64::exp2(exponent) * way;
         Case {
@@ -112,10 +100,20 @@ pub(crate) fn moved_away(cases: impl Strategy<Value = Case>) -> impl Strategy<Va
 }
 
 /// Any ten finite numbers: all bits at random.
-pub(crate) fn any_numbers() -> impl Strategy<Value = Case> {
+fn any_numbers() -> impl Strategy<Value = Case> {
     use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
     proptest::array::uniform10(POSITIVE | NEGATIVE | NORMAL | SUBNORMAL | ZERO)
         .prop_map(Case::from_numbers)
+}
+
+/// A ray towards the center of a sphere, with a direction of that length.
+pub(crate) fn directions_of(length: f64) -> BoxedStrategy<Case> {
+    let towards = move |way: Vec3| Case {
+        center: Point3::ZERO,
+        radius: 0.5,
+        ray: Ray::new(-2.0 * way, length * way),
+    };
+    unit().prop_map(towards).boxed()
 }
 
 /// A case, and an interval whose ends lie at a root, within two ulps of one, at
@@ -125,21 +123,14 @@ pub(crate) fn with_hostile_interval(
 ) -> impl Strategy<Value = WithInterval> {
     (cases, end(), end()).prop_map(|(case, low, high)| WithInterval {
         case,
-        t_min: low.of(&case).unwrap_or(0.0),
-        t_max: high.of(&case).unwrap_or(f64::INFINITY),
+        t_min: end_of(low, &case).unwrap_or(0.0),
+        t_max: end_of(high, &case).unwrap_or(f64::INFINITY),
     })
 }
 
-/// An end of a hostile interval.
-#[derive(Clone, Copy, Debug)]
-enum End {
-    /// What a program asks for: 0 and ∞.
-    Usual,
-    /// A root, and so many ulps from it.
-    Root { nearer: bool, ulps: i32 },
-    /// A number, whatever the roots are.
-    At(f64),
-}
+/// An end of a hostile interval: so many ulps from the nearer root or the farther one, or a
+/// number whatever the roots are; `None` for what a program asks, 0 and ∞.
+type End = Option<Result<(bool, i32), f64>>;
 
 fn end() -> impl Strategy<Value = End> {
     let fixed = vec![
@@ -152,30 +143,25 @@ fn end() -> impl Strategy<Value = End> {
         f64::INFINITY,
     ];
     prop_oneof![
-        50 => Just(End::Usual),
-        40 => (any::<bool>(), -2..=2).prop_map(|(nearer, ulps)| End::Root { nearer, ulps }),
-        9 => select(fixed).prop_map(End::At),
-        1 => Just(End::At(f64::NAN)),
+        50 => Just(None),
+        40 => (any::<bool>(), -2..=2).prop_map(|root| Some(Ok(root))),
+        9 => select(fixed).prop_map(|number| Some(Err(number))),
+        1 => Just(Some(Err(f64::NAN))),
     ]
 }
 
-impl End {
-    /// Where the end is; `None` where a program would have it.
-    fn of(self, case: &Case) -> Option<f64> {
-        match self {
-            Self::Usual => None,
-            Self::At(x) => Some(x),
-            Self::Root { nearer, ulps } => {
-                let exact = Exact::of(case);
-                let root = if nearer {
-                    exact.nearer_root()
-                } else {
-                    exact.farther_root()
-                };
-                Some(ulps_away(root?.rounded(), ulps))
-            }
-        }
-    }
+fn end_of(end: End, case: &Case) -> Option<f64> {
+    let (nearer, ulps) = match end? {
+        Ok(root) => root,
+        Err(number) => return Some(number),
+    };
+    let exact = Exact::of(case);
+    let root = if nearer {
+        exact.nearer_root()
+    } else {
+        exact.farther_root()
+    };
+    Some(ulps_away(root?.rounded(), ulps))
 }
 
 /// `x`, and then so many steps up or down to the next number.

@@ -1,6 +1,5 @@
 //! Chapter 6: is each method as right, as exact and as it is said to be?
 
-mod campaign;
 mod hostile;
 mod leaving;
 mod measured;
@@ -10,5 +9,5 @@ mod pictures;
 mod proofs;
 mod several_spheres;
 mod speed_vs_accuracy;
-mod stability;
+mod thresholds;
 mod witnesses;

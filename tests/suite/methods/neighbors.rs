@@ -17,7 +17,6 @@ pub(crate) fn hostile() -> impl Strategy<Value = World> {
         2 => beside_one(),
         1 => through_one_point(),
         1 => mirrored(),
-        1 => in_another_unit(prop_oneof![through_one_point(), mirrored()]),
     ]
 }
 
@@ -148,21 +147,6 @@ fn mirrored() -> impl Strategy<Value = World> {
             }
         },
     )
-}
-
-/// Lengths, and apart from them the direction, times a power of two from 2⁻⁵⁰⁰ to
-/// 2⁵⁰⁰: the digits stay what they are.
-fn in_another_unit(worlds: impl Strategy<Value = World>) -> impl Strategy<Value = World> {
-    (worlds, -500..=500, -500..=500).prop_map(|(world, length, direction)| {
-        let [length, direction] = [length, direction].map(|k| f64::exp2(f64::from(k)));
-        let sphere = |(center, radius): (Point3, f64)| (length * center, length * radius);
-        World {
-            spheres: world.spheres.into_iter().map(sphere).collect(),
-            ray: Ray::new(length * world.ray.origin, direction * world.ray.direction),
-            t_min: world.t_min * length / direction,
-            t_max: world.t_max * length / direction,
-        }
-    })
 }
 
 /// Most often none, or one or two up or down.

@@ -1,46 +1,33 @@
-//! Which of several spheres is hit first: `certified_nearest` against the oracle, and
-//! the loop of chapter 5, which no method for one sphere makes right.
+//! Which of several spheres is hit first: `certified_nearest` against the oracle.
 
 use common::rtweekend::*;
 use laws::Case;
+use laws::config;
 use laws::list::World;
 use laws::oracle::{Exact, Root};
 use proptest::prelude::*;
-use proptest::test_runner::TestCaseError;
 use speed_vs_accuracy::{certified_nearest, certified_t, exact};
 
-use crate::{campaign, neighbors};
+use crate::neighbors;
 
-/// A short part of the campaign that the book describes: `NEAREST_CASES` says how
-/// many worlds, shared by all processors, and `NEAREST_SEED` which.
-#[test]
-fn the_first_of_several_spheres_is_found_for_every_input() {
-    let worlds = || neighbors::hostile().boxed();
-    let (cases, total) = campaign::run("NEAREST", worlds, hits_ties_and_errors);
-    println!("hits, ties, worlds in which a loop errs that asks certified_t: {total:?}");
-    // What never occurs is never tried.
-    assert!(total.iter().all(|&count| count > cases / 100), "{total:?}");
-}
+proptest! {
+    #![proptest_config(ProptestConfig { cases: config().cases.max(12_000), ..config() })]
 
-/// Whether the world is hit, the first two roots are equal, and the plain loop chooses
-/// another sphere. The sphere with the least root in the range is found, the first of the
-/// list where roots are equal, and `t` is within an ulp of it. A root that no `f64` reaches
-/// becomes the largest one.
-fn hits_ties_and_errors(world: World) -> Result<[u64; 3], TestCaseError> {
-    let exacts: Vec<Option<Exact>> = cases(&world).map(|case| Exact::of_finite(&case)).collect();
-    let (found, expected) = (nearest(&world), first_root(&exacts, &world));
-    let first = found.map(|(index, _)| index);
-    prop_assert_eq!(first, expected.map(|(index, _)| index));
-    if let (Some((_, t)), Some((_, root))) = (found, expected) {
-        let is_beyond = root.rounded().is_infinite() && t.abs() == f64::MAX;
-        prop_assert!(root.error_in_ulps(t) <= 1.0 || is_beyond, "{t:?}");
-        prop_assert!(world.t_min < t && t < world.t_max, "{t:?}");
+    /// The sphere with the least root in the range is found, the first of the list where
+    /// roots are equal, and `t` is within an ulp of it. A root that no `f64` reaches becomes
+    /// the largest one. `PROPTEST_CASES` says how many worlds, and `PROPTEST_RNG_SEED` which.
+    #[test]
+    fn the_first_of_several_spheres_is_found_for_every_input(world in neighbors::hostile()) {
+        let exacts: Vec<Option<Exact>> = cases(&world).map(|it| Exact::of_finite(&it)).collect();
+        let (found, expected) = (nearest(&world), first_root(&exacts, &world));
+        let first = found.map(|(index, _)| index);
+        prop_assert_eq!(first, expected.map(|(index, _)| index));
+        if let (Some((_, t)), Some((_, root))) = (found, expected) {
+            let is_beyond = root.rounded().is_infinite() && t.abs() == f64::MAX;
+            prop_assert!(root.error_in_ulps(t) <= 1.0 || is_beyond, "{t:?}");
+            prop_assert!(world.t_min < t && t < world.t_max, "{t:?}");
+        }
     }
-    Ok([
-        u64::from(first.is_some()),
-        u64::from(first != last_of_the_first(&world)),
-        u64::from(first != by_the_loop(&world, certified_t)),
-    ])
 }
 
 fn cases(world: &World) -> impl Iterator<Item = Case> {
@@ -63,13 +50,6 @@ fn first_root<'a>(exacts: &'a [Option<Exact>], world: &World) -> Option<(usize, 
     roots.reduce(|first, other| if other.1 < first.1 { other } else { first })
 }
 
-/// The last of the spheres with the least root: the first one of the list turned round.
-fn last_of_the_first(world: &World) -> Option<usize> {
-    let mut turned = world.clone();
-    turned.spheres.reverse();
-    nearest(&turned).map(|(index, _)| world.spheres.len() - 1 - index)
-}
-
 fn nearest(world: &World) -> Option<(usize, f64)> {
     let World {
         spheres,
@@ -80,34 +60,17 @@ fn nearest(world: &World) -> Option<(usize, f64)> {
     certified_nearest(spheres, ray, *t_min, *t_max)
 }
 
-/// The loop of chapter 5 over the answers of `solve`.
-fn by_the_loop(
-    world: &World,
-    solve: fn(Point3, f64, &Ray, f64, f64) -> Option<f64>,
-) -> Option<usize> {
-    let mut nearest = None;
-    let mut closest_so_far = world.t_max;
-    for (index, &(center, radius)) in world.spheres.iter().enumerate() {
-        if let Some(t) = solve(center, radius, &world.ray, world.t_min, closest_so_far) {
-            closest_so_far = t;
-            nearest = Some(index);
-        }
-    }
-    nearest
-}
-
 /// Both roots are near 1/3, below which there is an `f64` that is nearer to it than any
-/// other. The second root lies between the two.
+/// other. The second root lies between the two, so a loop that keeps the closest `t` so far
+/// passes it over.
 #[test]
-fn a_loop_over_exact_roots_still_errs_because_they_are_rounded() {
-    let world = World {
-        spheres: vec![(2.0 * Vec3::X, 1.0), (1.125 * Vec3::X, 0.125_f64.next_up())],
-        ray: Ray::new(Point3::ZERO, 3.0 * Vec3::X),
-        t_min: 0.0,
-        t_max: f64::INFINITY,
-    };
-    assert_eq!(by_the_loop(&world, exact), Some(0));
-    assert_eq!(nearest(&world), Some((1, 1.0 / 3.0)));
+fn two_roots_are_told_apart_that_are_rounded_to_one_number() {
+    let spheres = [(2.0 * Vec3::X, 1.0), (1.125 * Vec3::X, 0.125_f64.next_up())];
+    let ray = Ray::new(Point3::ZERO, 3.0 * Vec3::X);
+    let alone = |(center, radius)| exact(center, radius, &ray, 0.0, f64::INFINITY);
+    assert_eq!(spheres.map(alone), [Some(1.0 / 3.0); 2]);
+    let first = certified_nearest(&spheres, &ray, 0.0, f64::INFINITY);
+    assert_eq!(first, Some((1, 1.0 / 3.0)));
 }
 
 /// Of two roots between the same two numbers, the lesser one is rounded up and the greater

@@ -1,14 +1,11 @@
-//! What chapter 6 is measured with: the cases, the maps, the scenes, and the file of
-//! timings.
+//! What chapter 6 is measured with: the cases, the maps and the scenes.
 
 use common::rtweekend::*;
-use figures::records::Timing;
-use figures::table::Table;
 use laws::oracle::Exact;
-use measure::scene_file::{SCENES, find_scene};
+use measure::scene_file::find_scene;
 use speed_vs_accuracy::{
-    Case, Discriminant, Eye, Lens, METHODS, Method, Precision, REGIMES, Regime, Scene,
-    exact_discriminant, failure_map,
+    Case, Discriminant, Eye, Lens, METHODS, Method, Precision, REGIMES, Scene, exact_discriminant,
+    failure_map,
 };
 
 mod cases {
@@ -32,20 +29,6 @@ mod cases {
             for case in regime.cases(Precision::Single, 3, 200) {
                 assert_eq!(case, case.rounded(Precision::Single));
                 assert!(case.numbers().iter().all(|number| number.is_finite()));
-            }
-        }
-    }
-
-    #[test]
-    fn of_a_level_are_as_near_a_tangent_as_it_says() {
-        for level in [3, 6, 9, 12] {
-            let expected = 0.1 * f64::powi(10.0, -level);
-            for case in Regime::GRAZING.cases_at(level, Precision::Double, 1, 50) {
-                let margin = Exact::of(&case).discriminant_margin().abs();
-                assert!(
-                    (expected..5.0 * expected).contains(&margin),
-                    "{margin} at {level}"
-                );
             }
         }
     }
@@ -106,31 +89,10 @@ mod a_map_of_neighboring_rays {
             assert!(wrong > 30, "{name}: {wrong} of 1024");
         }
     }
-
-    #[test]
-    fn has_hits_at_the_left_of_the_tangent_and_misses_at_the_right() {
-        let map = failure_map(&Method::EXACT, 16);
-        let hit = |column: usize, row: usize| map.hits[row * 16 + column];
-        assert!(hit(8, 8) && !hit(9, 8), "the ray in the middle is the last");
-        assert!((0..16).all(|row| hit(0, row)), "the left edge");
-        assert!((0..16).all(|row| !hit(15, row)), "the right edge");
-    }
 }
 
 mod a_scene {
     use super::*;
-
-    #[test]
-    fn is_drawn_rightly_by_the_certified_methods_if_no_spheres_meet() {
-        let is_other = |scene: &&Scene| scene.name != "neighbors";
-        for scene in SCENES.iter().filter(is_other) {
-            let right = scene.right_picture(48);
-            for method in [Method::CERTIFIED_HIT, Method::CERTIFIED_T] {
-                let name = &scene.name;
-                assert!(scene.picture(method, 48).rgb() == right.rgb(), "{name}");
-            }
-        }
-    }
 
     /// A ball straight ahead, and a smaller one nearer to where the top should be.
     #[test]
@@ -168,28 +130,5 @@ mod a_scene {
         let book = find_scene("book").expect("it is one of the seven");
         let drawn = book.picture(Method::HALF_B, 100);
         assert_eq!(drawn, hittable_list::picture(100));
-    }
-}
-
-mod timings {
-    use super::*;
-
-    #[test]
-    fn are_recorded_of_every_method_in_every_regime() {
-        let file = include_str!("../../../book/notes/measured/timings.csv");
-        let timings = Table::<Timing>::read(file).expect("the file is well-formed");
-        for method in METHODS {
-            for place in REGIMES
-                .map(|regime| regime.name)
-                .into_iter()
-                .chain(["all_hits"])
-            {
-                assert!(
-                    timings.find("method", method.name, place).is_some(),
-                    "{} in {place} is missing: cargo bench -p measure --bench clock -- --record",
-                    method.name
-                );
-            }
-        }
     }
 }

@@ -91,13 +91,14 @@ fn heat_map(scenes: &[String], lines: &[&[WrongPixels]]) -> String {
     svg.finish()
 }
 
-/// How many of a thousand pixels are wrong, in one of four depths.
+/// How many of a thousand pixels are wrong, in one of five depths.
 fn draw_cell(svg: &mut Svg, corner: DVec2, size: DVec2, cell: &WrongPixels) {
     let wrong = 1000.0 * cell.wrong as f64 / cell.pixels as f64;
     let (depth, idea, words) = match wrong {
         0.0 => (0, "ink", "✓".to_owned()),
         ..0.095 => (1, "ink", "< 0.1".to_owned()),
         ..9.95 => (1, "ink", format!("{wrong:.1}")),
+        ..20.0 => (2, "ink", format!("{wrong:.0}")),
         ..100.0 => (4, "on-heat", format!("{wrong:.0}")),
         _ => (5, "on-heat", format!("{wrong:.0}")),
     };

@@ -93,13 +93,6 @@ pub(super) fn lies_between(
     }
 }
 
-/// Whether a and M are ordinary numbers.
-#[inline(always)]
-pub(super) fn has_ordinary_exponents(center: Point3, radius: f64, ray: &Ray) -> bool {
-    let m = (center - ray.origin).length_squared() + radius * radius;
-    is_ordinary(ray.direction.length_squared()) && is_ordinary(m)
-}
-
 /// Whether `x` is from 2⁻⁴⁵⁰ to 2⁴⁵⁰. If a and M are, nothing overflows on the
 /// way, and what underflow takes away is far below every bound here (bound E).
 #[inline(always)]

@@ -11,11 +11,9 @@
 use std::array;
 
 use common::rtweekend::*;
-use ruint::Uint;
 
 use super::exact::{inwards, split};
 use super::filter::{U, Unclear, lies_between};
-use super::rescaled::two_to;
 use crate::methods::{Double, Quadratic};
 
 /// Bound W: a root as a pair is off by no more than 64u² of itself.
@@ -45,7 +43,8 @@ pub(super) fn fixed_width(
 
 /// The roots as pairs, the nearer one first; `None` where the numbers do not fit.
 fn pairs(center: Point3, radius: f64, ray: &Ray) -> Option<impl Iterator<Item = Double>> {
-    let (lengths, unit_of_length) = integers(coordinates(center, radius, ray.origin))?;
+    let ([cx, cy, cz], [qx, qy, qz]) = (center.to_array(), ray.origin.to_array());
+    let (lengths, unit_of_length) = integers([cx, cy, cz, qx, qy, qz, radius])?;
     let (d, unit_of_direction) = integers(ray.direction.to_array())?;
     // Neither the root nor its lower half leaves the range of an `f64` then.
     let unit = unit_of_length - unit_of_direction;
@@ -63,17 +62,21 @@ fn pairs(center: Point3, radius: f64, ray: &Ray) -> Option<impl Iterator<Item = 
 #[inline(always)]
 fn quadratic([cx, cy, cz, qx, qy, qz, r]: [i128; 7], d: [i128; 3]) -> Option<Quadratic> {
     let oc = [cx - qx, cy - qy, cz - qz];
-    let a = sum(d.map(square));
-    let h = sum(array::from_fn(|k| product(d[k], oc[k])));
-    let c = sum(oc.map(square)).wrapping_sub(square(r));
-    if a.is_zero() {
+    let dot = |u: [i128; 3], v: [i128; 3]| {
+        let [x, y, z] = array::from_fn(|k| signed_product(u[k], v[k]));
+        sum(sum(x, y), z)
+    };
+    let (a, h) = (dot(d, d), dot(d, oc));
+    let c = sum(dot(oc, oc), signed_product(r, -r));
+    if a == [0; 4] {
         return None;
     }
-    let (h_squared, ac) = (twice_as_wide(h, h), twice_as_wide(a, c));
+    let h_squared: [u64; 8] = product(magnitude(h), magnitude(h));
+    let ac = product(a, magnitude(c));
     let discriminant = if is_negative(c) {
-        h_squared.wrapping_add(ac)
+        sum(h_squared, ac)
     } else {
-        h_squared.checked_sub(ac)?
+        difference(h_squared, ac)?
     };
     Some(Quadratic {
         a: pair(a),
@@ -81,14 +84,6 @@ fn quadratic([cx, cy, cz, qx, qy, qz, r]: [i128; 7], d: [i128; 3]) -> Option<Qua
         c: signed_pair(c),
         discriminant: pair(discriminant),
     })
-}
-
-/// An integer from −2²⁵⁵ on, in two's complement.
-type Integer = Uint<256, 4>;
-
-fn coordinates(center: Point3, radius: f64, origin: Point3) -> [f64; 7] {
-    let ([cx, cy, cz], [qx, qy, qz]) = (center.to_array(), origin.to_array());
-    [cx, cy, cz, qx, qy, qz, radius]
 }
 
 /// The values as integers of 120 digits at most, counted in one power of two, and
@@ -112,60 +107,82 @@ fn integers<const N: usize>(values: [f64; N]) -> Option<([i128; N], i64)> {
     Some((shifted, least))
 }
 
-#[inline(always)]
-fn sum([x, y, z]: [Integer; 3]) -> Integer {
-    x.wrapping_add(y).wrapping_add(z)
-}
+/// An integer from −2²⁵⁵ on, in two's complement; the lowest digits first.
+type Integer = [u64; 4];
 
 #[inline(always)]
-fn square(x: i128) -> Integer {
-    let x = Uint::<128, 2>::from(x.unsigned_abs());
-    x.widening_mul(x)
-}
-
-#[inline(always)]
-fn product(x: i128, y: i128) -> Integer {
-    let [size_of_x, size_of_y] = [x, y].map(|x| Uint::<128, 2>::from(x.unsigned_abs()));
-    let size: Integer = size_of_x.widening_mul(size_of_y);
+fn signed_product(x: i128, y: i128) -> Integer {
+    let words = |x: i128| [x.unsigned_abs() as u64, (x.unsigned_abs() >> 64) as u64];
+    let size = product(words(x), words(y));
     if (x < 0) == (y < 0) {
         size
     } else {
-        size.wrapping_neg()
+        negative(size)
     }
 }
 
-/// |x| · |y|
+/// x · y, for `TWICE` = 2 · `N`: word by word, as on paper.
 #[inline(always)]
-fn twice_as_wide(x: Integer, y: Integer) -> Uint<512, 8> {
-    magnitude(x).widening_mul(magnitude(y))
+fn product<const N: usize, const TWICE: usize>(x: [u64; N], y: [u64; N]) -> [u64; TWICE] {
+    let mut product = [0; TWICE];
+    for i in 0..N {
+        let mut carry = 0;
+        for j in 0..N {
+            (product[i + j], carry) = x[i].carrying_mul_add(y[j], product[i + j], carry);
+        }
+        product[i + N] = carry;
+    }
+    product
+}
+
+#[inline(always)]
+fn sum<const N: usize>(x: [u64; N], y: [u64; N]) -> [u64; N] {
+    let mut carry = false;
+    array::from_fn(|k| {
+        let sum;
+        (sum, carry) = x[k].carrying_add(y[k], carry);
+        sum
+    })
+}
+
+/// x − y; `None` if it is negative.
+#[inline(always)]
+fn difference<const N: usize>(x: [u64; N], y: [u64; N]) -> Option<[u64; N]> {
+    let mut borrow = false;
+    let difference = array::from_fn(|k| {
+        let difference;
+        (difference, borrow) = x[k].borrowing_sub(y[k], borrow);
+        difference
+    });
+    (!borrow).then_some(difference)
+}
+
+#[inline(always)]
+fn negative(x: Integer) -> Integer {
+    sum(x.map(|word| !word), [1, 0, 0, 0])
 }
 
 #[inline(always)]
 fn is_negative(x: Integer) -> bool {
-    x.bit(255)
+    x[3] >> 63 == 1
 }
 
 #[inline(always)]
 fn magnitude(x: Integer) -> Integer {
-    if is_negative(x) { x.wrapping_neg() } else { x }
+    if is_negative(x) { negative(x) } else { x }
 }
 
 #[inline(always)]
 fn signed_pair(x: Integer) -> Double {
-    let magnitude = pair(magnitude(x));
-    if is_negative(x) {
-        -magnitude
-    } else {
-        magnitude
-    }
+    let size = pair(magnitude(x));
+    if is_negative(x) { -size } else { size }
 }
 
 /// A natural number as a pair, off by less than 2u² of it: its first 106 digits.
 #[inline(always)]
-fn pair<const BITS: usize, const LIMBS: usize>(x: Uint<BITS, LIMBS>) -> Double {
-    let limbs = x.as_limbs();
-    let top = limbs.iter().rposition(|&limb| limb != 0).unwrap_or(0);
-    let [high, middle, low] = array::from_fn(|k| top.checked_sub(k).map_or(0, |k| limbs[k]));
+fn pair<const N: usize>(x: [u64; N]) -> Double {
+    let top = x.iter().rposition(|&word| word != 0).unwrap_or(0);
+    let [high, middle, low] = array::from_fn(|k| top.checked_sub(k).map_or(0, |k| x[k]));
     let zeros = high.leading_zeros();
     let upper = u128::from(high) << 64 | u128::from(middle);
     let digits = upper << zeros | u128::from(low) << zeros >> 64;
@@ -175,4 +192,10 @@ fn pair<const BITS: usize, const LIMBS: usize>(x: Uint<BITS, LIMBS>) -> Double {
         first as u64 as f64 * two_to(unit + 53),
         second as u64 as f64 * two_to(unit),
     )
+}
+
+/// 2 to the power `exponent`, from −1022 to 1023.
+#[inline]
+fn two_to(exponent: i32) -> f64 {
+    f64::from_bits(((1023 + exponent) as u64) << 52)
 }

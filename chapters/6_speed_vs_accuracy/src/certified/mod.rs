@@ -1,9 +1,9 @@
 //! Filtered predicates: answers that are proven, ray by ray, while they are computed.
 //!
 //! A filter computes as `half_b_q` does, and knows how far off it can be. Nearly
-//! always that is enough. If not, the question goes to a sharper stage, which is
-//! plain `f64` too, and at last to integers, where nothing is rounded. So the
-//! answer is right for every input, and nearly as fast as one that is not.
+//! always that is enough. If not, the question is asked again in integers, where
+//! nothing is rounded. So the answer is right for every input, and nearly as fast
+//! as one that is not.
 //!
 //! Each bound is proven in the book, in `proofs.md`, under the letter that stands
 //! beside it here. The proofs assume that operations round to nearest and that
@@ -17,8 +17,6 @@ mod fixed_width;
 mod leaving;
 mod nearest;
 mod refined;
-mod rescaled;
-mod sharper;
 
 use common::rtweekend::*;
 use glam::Vec3 as SingleVec3;
@@ -26,10 +24,8 @@ use glam::Vec3 as SingleVec3;
 use crate::method::{Discriminant, Method};
 use crate::methods::widened;
 use crate::precision::{Precision, SingleRay};
-use filter::{Unclear, filter, has_ordinary_exponents};
+use filter::{Unclear, filter};
 use fixed_width::fixed_width;
-use rescaled::rescaled;
-use sharper::sharper;
 
 pub use exact::{exact, exact_discriminant};
 pub use filter::D_BAND;
@@ -68,11 +64,11 @@ impl Method {
 /// Whether the ray hits within the range is right for every input, and so is the
 /// choice between the two roots.
 ///
-/// Cost: 1 √, 1 ÷, and a few + and × more than `half_b_q`. Some ten times as much
-/// where `half_b_q` could decide wrongly, because the sphere is far or the ray
-/// starts on its surface; thirty times near a tangent; and that of [`exact`] if
-/// lengths differ by a factor of 2⁶⁷. Error of t: that of `half_b_q`, unless a
-/// later stage was asked. Fails: never. Input that is infinite or NaN is a miss,
+/// Cost: 1 √, 1 ÷, and a few + and × more than `half_b_q`. Some thirty times as much
+/// where `half_b_q` could decide wrongly, because the sphere is far, or the ray starts
+/// on its surface or nearly touches it; and that of [`exact`] if lengths differ by a
+/// factor of 2⁶⁷. Error of t: that of `half_b_q`, and half an ulp where integers were
+/// asked. Fails: never. Input that is infinite or NaN is a miss,
 /// and so is every range between whose ends no `f64` lies.
 #[inline]
 pub fn certified_hit(
@@ -120,10 +116,6 @@ pub fn certified_f32(
 pub enum Stage {
     /// Plain `f64` with an error bound.
     Filter,
-    /// The same, after exponents have been made ordinary.
-    Rescaled,
-    /// Plain `f64` with better sources of digits, and bounds that grow with the numbers.
-    Sharper,
     /// Integers of fixed width.
     FixedWidth,
     /// Integers of any length.
@@ -155,29 +147,22 @@ fn staged<const ULP: bool>(
             // A copy: a ray whose address is asked for would be kept in memory, and the
             // filter would wait until one that was just made is written there.
             let ray = Ray::new(ray.origin, ray.direction);
-            later_stages::<ULP>(center, radius, &ray, t_min, t_max)
+            later_stages(center, radius, &ray, t_min, t_max)
         }
     }
 }
 
 #[cold]
 #[inline(never)]
-fn later_stages<const ULP: bool>(
+fn later_stages(
     center: Point3,
     radius: f64,
     ray: &Ray,
     t_min: f64,
     t_max: f64,
 ) -> (Option<f64>, Stage) {
-    let by = |stage| move |t| (t, stage);
-    let in_plain_numbers = if has_ordinary_exponents(center, radius, ray) {
-        sharper::<ULP>(center, radius, ray, t_min, t_max).map(by(Stage::Sharper))
-    } else {
-        rescaled::<ULP>(center, radius, ray, t_min, t_max).map(by(Stage::Rescaled))
-    };
-    in_plain_numbers
-        .or_else(|Unclear| {
-            fixed_width(center, radius, ray, t_min, t_max).map(by(Stage::FixedWidth))
-        })
-        .unwrap_or_else(|Unclear| (exact(center, radius, ray, t_min, t_max), Stage::Exact))
+    match fixed_width(center, radius, ray, t_min, t_max) {
+        Ok(t) => (t, Stage::FixedWidth),
+        Err(Unclear) => (exact(center, radius, ray, t_min, t_max), Stage::Exact),
+    }
 }

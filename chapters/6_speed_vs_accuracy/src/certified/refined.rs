@@ -33,26 +33,12 @@ pub(super) fn refined(
     let point_high = on_grid(point, shifter);
     let point_low = (point - point_high) + t * (d - d_high);
 
-    let (oc_high, oc_low) = oc(center, radius, ray.origin, shifter);
+    // C − Q with r as its fourth coordinate: the part on the grid, and the rest.
+    let (oc, error) = difference(center.extend(radius), ray.origin.extend(0.0));
+    let oc_high = on_grid(oc, shifter);
+    let oc_low = (oc - oc_high) + error;
     let residual = square(point_high - oc_high, point_low - oc_low);
     t - residual / divisor(t)
-}
-
-/// c = |C − Q|² − r², off by no more than u·(|c| + 2⁻²⁰·M) (bound S).
-///
-/// It is F(0), and found as F is in [`refined`].
-#[inline(always)]
-pub(super) fn c(center: Point3, radius: f64, origin: Point3, m: f64) -> f64 {
-    let (high, low) = oc(center, radius, origin, shifter(m));
-    square(high, low)
-}
-
-/// C − Q with r as its fourth coordinate: the part on the grid, and the rest.
-#[inline(always)]
-fn oc(center: Point3, radius: f64, origin: Point3, shifter: f64) -> (DVec4, DVec4) {
-    let (oc, error) = difference(center.extend(radius), origin.extend(0.0));
-    let high = on_grid(oc, shifter);
-    (high, (oc - high) + error)
 }
 
 /// (high + low)², of which the last coordinate is subtracted.

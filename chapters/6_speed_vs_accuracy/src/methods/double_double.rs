@@ -18,8 +18,8 @@ impl Method {
 
 /// `half_b_q` with some 106 digits instead of 53; `t` is rounded at the end.
 ///
-/// Cost: 1 √, 2 to 4 ÷, and about 700 + or ×. Error: at most 72u²·a·M in D (see
-/// the proofs), where rounded once it is 24u·a·M. Fails: by the decision from
+/// Cost: 1 √, 2 to 4 ÷, and about 700 + or ×. Error: at most 72u²·a·M in D,
+/// where rounded once it is 24u·a·M. Fails: by the decision from
 /// 10¹³ radii on, once in a million; at |d|·|oc| above 1e145 or below 1e-140. Source: Dekker 1971;
 /// the error bounds of its operations: Joldes, Muller and Popescu, *Tight and
 /// rigorous error bounds for basic building blocks of double-word arithmetic*,
@@ -69,16 +69,19 @@ impl Quadratic {
         }
     }
 
-    /// √D, if D is not negative.
-    pub(crate) fn sqrtd(&self) -> Option<Double> {
-        (self.discriminant.high >= 0.0).then(|| self.discriminant.sqrt())
-    }
-
     /// Both roots as numerator and denominator, the nearer one first; each by the
     /// division that does not cancel, as in `half_b_q`.
     pub(crate) fn roots(&self) -> Option<[(Double, Double); 2]> {
-        let Self { a, h, c, .. } = *self;
-        let sqrtd = self.sqrtd()?;
+        let Self {
+            a,
+            h,
+            c,
+            discriminant,
+        } = *self;
+        if discriminant.high.is_nan() || discriminant.high < 0.0 {
+            return None;
+        }
+        let sqrtd = discriminant.sqrt();
         Some(if h.high > 0.0 {
             let q = h + sqrtd;
             [(c, q), (q, a)]

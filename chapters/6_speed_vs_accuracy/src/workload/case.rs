@@ -82,9 +82,7 @@ impl Case {
             direction: self.ray.direction.as_vec3(),
         }
     }
-}
 
-impl Case {
     /// The answer of `hit_sphere`, a function of center, radius and ray.
     pub fn solve(&self, hit_sphere: &dyn Fn(Point3, f64, &Ray) -> Option<f64>) -> Option<f64> {
         hit_sphere(self.center, self.radius, &self.ray)

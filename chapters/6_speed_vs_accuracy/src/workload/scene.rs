@@ -41,32 +41,25 @@ impl Scene {
     /// The picture at `width` pixels wide, by `method`: the loop of chapter 5 asks it
     /// about one sphere after the other.
     pub fn picture(&self, method: Method, width: u32) -> Picture {
-        self.seen_by(Eye::Method(method), width)
+        self.seen_by([Eye::Method(method); 2], width)
     }
 
     /// The picture that every method should draw, whatever it computes with: of the
     /// numbers as they are, none is rounded to tell which sphere is first, or where.
     pub fn right_picture(&self, width: u32) -> Picture {
-        self.seen_by(Eye::Exact, width)
+        self.seen_by([Eye::Exact; 2], width)
     }
 
-    /// Left of the middle as one method sees it, right of it as another does.
-    pub fn halves(&self, left: Method, right: Method, width: u32) -> Picture {
-        let eyes = [left, right].map(Eye::Method);
+    /// Left of the middle as one eye sees it, right of it as another does.
+    pub(crate) fn seen_by(&self, eyes: [Eye; 2], width: u32) -> Picture {
         let (scene, camera) = (self.clone(), Camera::new(width));
         Picture::paint(camera.image_width, camera.image_height, move |i, j| {
-            scene.color(eyes[usize::from(2 * i >= width)], &camera.ray(i, j))
-        })
-    }
-
-    fn seen_by(&self, eye: Eye, width: u32) -> Picture {
-        let (scene, camera) = (self.clone(), Camera::new(width));
-        Picture::paint(camera.image_width, camera.image_height, move |i, j| {
-            // The block of pixels may hang over the edge.
-            match i < width {
-                true => scene.color(eye, &camera.ray(i, j)),
-                false => Color::ZERO,
+            if i >= width {
+                // The block of pixels hangs over the edge.
+                return Color::ZERO;
             }
+            let eye = eyes[usize::from(2 * i >= width)];
+            scene.look(eye, &camera.ray(i, j)).color
         })
     }
 
@@ -90,10 +83,6 @@ impl Scene {
                 is_something && case.numbers().iter().all(|number| number.is_finite())
             })
         })
-    }
-
-    fn color(&self, eye: Eye, ray: &Ray) -> Color {
-        self.look(eye, ray).color
     }
 
     /// The ray of the scene that belongs to a `ray` of the book's camera.
