@@ -182,8 +182,8 @@ pub struct Race {
     pub chapter: String,
     /// Its width in pixels.
     pub width: u32,
-    /// Where the text went: `nowhere`, or into a `file`. Or `traced`, if there was none:
-    /// then each kept the bytes of the picture in memory, on one thread.
+    /// Where the text went: `nowhere`. Or `traced`, if there was none: then each kept the
+    /// bytes of the picture in memory, on one thread.
     pub to: String,
     /// Milliseconds of our program: half of the runs took less, half more.
     pub rust_median_ms: f64,

@@ -1,7 +1,6 @@
 //! Macrobenchmark: the chapters' programs against the book's own in C++, in turns.
 
 use std::error::Error;
-use std::fs::File;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -35,8 +34,8 @@ struct Arguments {
 /// In pixels, what shows best where the time goes.
 const WIDEST: u32 = 3840;
 
-/// Width in pixels, and whether the text goes into a file.
-const COURSES: [(u32, bool); 3] = [(WIDEST, false), (WIDEST, true), (400, false)];
+/// Whole programs, whose text is thrown away; and tracing alone, without text.
+const COURSES: [&str; 2] = ["nowhere", "traced"];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
@@ -47,29 +46,25 @@ fn main() -> Result<(), Box<dyn Error>> {
             "THE C++ PROGRAM IS LEFT OUT, it can't be built: {cause}\n"
         ))?;
     }
+    let rival = rival.ok();
     let machine = machine::machine();
     say(&format!("{machine}\n"))?;
     let mut races = Vec::new();
-    for (width, to_file) in COURSES {
+    for to in COURSES {
         for chapter in &Chapter::OF_THE_BOOK[1..] {
-            let race = run_race(
-                chapter.name(),
-                width,
-                to_file,
+            let times = run_race(
+                *chapter,
+                to == "traced",
                 arguments.rounds,
-                rival.as_deref().ok(),
+                rival.as_deref(),
                 &programs,
             )?;
-            say(&format!("{}\n", shown(&race, rival.is_ok())))?;
+            let race = result(chapter.name(), to, times);
+            say(&format!("{}\n", shown(&race)))?;
             races.push(race);
         }
     }
-    for chapter in &Chapter::OF_THE_BOOK[1..] {
-        let race = trace_race(*chapter, arguments.rounds, rival.as_deref().ok())?;
-        say(&format!("{}\n", shown(&race, rival.is_ok())))?;
-        races.push(race);
-    }
-    if arguments.record && rival.is_ok() {
+    if arguments.record && rival.is_some() {
         record(machine, races)?;
     }
     Ok(())
@@ -92,60 +87,46 @@ fn build_chapters() -> Result<PathBuf, Box<dyn Error>> {
     Ok(folder.ok_or("this benchmark is not where cargo puts it")?)
 }
 
+/// Milliseconds of each run of ours, and of the C++ program.
+///
+/// What is traced is kept as bytes in memory, on one thread. The C++ program prints nothing
+/// but their sum then. Its process takes a millisecond or two to start.
 fn run_race(
-    chapter: &str,
-    width: u32,
-    to_file: bool,
+    chapter: Chapter,
+    is_traced: bool,
     rounds: u32,
     rival: Option<&Path>,
     programs: &Path,
-) -> io::Result<Race> {
-    let width_text = width.to_string();
-    let destination = || match to_file {
-        true => File::create(programs.join("race").join("picture.ppm")).map(Stdio::from),
-        false => Ok(Stdio::null()),
-    };
+) -> io::Result<[Vec<f64>; 2]> {
+    let (picture, width) = (chapter.picture(WIDEST), WIDEST.to_string());
     let (mut ours, mut theirs) = (Vec::new(), Vec::new());
     for _ in 0..rounds {
-        let mut command = Command::new(programs.join(chapter));
-        command.args(["--width", &width_text, "-"]);
-        ours.push(milliseconds(command.stdout(destination()?))?);
+        ours.push(if is_traced {
+            let start = Instant::now();
+            black_box(picture.rgb_with_threads(1));
+            1e3 * start.elapsed().as_secs_f64()
+        } else {
+            let mut command = Command::new(programs.join(chapter.name()));
+            milliseconds(command.args(["--width", &width, "-"]))?
+        });
         if let Some(rival) = rival {
             let mut command = Command::new(rival);
-            command.args([chapter, &width_text]);
-            theirs.push(milliseconds(command.stdout(destination()?))?);
+            command.args([chapter.name(), &width]);
+            command.args(is_traced.then_some("sum"));
+            theirs.push(milliseconds(&mut command)?);
         }
     }
-    let to = if to_file { "file" } else { "nowhere" };
-    Ok(result(chapter, width, to, ours, theirs))
+    Ok([ours, theirs])
 }
 
-/// Without text, on one thread: the bytes of the picture in memory. The C++ program
-/// prints nothing but their sum. Its process takes a millisecond or two to start.
-fn trace_race(chapter: Chapter, rounds: u32, rival: Option<&Path>) -> io::Result<Race> {
-    let picture = chapter.picture(WIDEST);
-    let (mut ours, mut theirs) = (Vec::new(), Vec::new());
-    for _ in 0..rounds {
-        let start = Instant::now();
-        black_box(picture.rgb_with_threads(1));
-        ours.push(1e3 * start.elapsed().as_secs_f64());
-        if let Some(rival) = rival {
-            let mut command = Command::new(rival);
-            command.args([chapter.name(), &WIDEST.to_string(), "sum"]);
-            theirs.push(milliseconds(command.stdout(Stdio::null()))?);
-        }
-    }
-    Ok(result(chapter.name(), WIDEST, "traced", ours, theirs))
-}
-
-fn result(chapter: &str, width: u32, to: &str, ours: Vec<f64>, mut theirs: Vec<f64>) -> Race {
+fn result(chapter: &str, to: &str, [ours, mut theirs]: [Vec<f64>; 2]) -> Race {
     if theirs.is_empty() {
         theirs.push(f64::NAN);
     }
     let [rust, cpp] = [ours, theirs].map(Spread::of);
     Race {
         chapter: chapter.to_owned(),
-        width,
+        width: WIDEST,
         to: to.to_owned(),
         rust_median_ms: rust.median,
         rust_least_ms: rust.least,
@@ -159,34 +140,28 @@ fn result(chapter: &str, width: u32, to: &str, ours: Vec<f64>, mut theirs: Vec<f
 /// How long the command takes from start to end.
 fn milliseconds(command: &mut Command) -> io::Result<f64> {
     let start = Instant::now();
-    let status = command.status()?;
+    let status = command.stdout(Stdio::null()).status()?;
     let took = 1e3 * start.elapsed().as_secs_f64();
-    match status.success() {
-        true => Ok(took),
-        false => Err(io::Error::other(format!("{command:?} failed"))),
+    if status.success() {
+        Ok(took)
+    } else {
+        Err(io::Error::other(format!("{command:?} failed")))
     }
 }
 
-fn shown(race: &Race, with_rival: bool) -> String {
-    let mut line = format!(
-        "{:<14} {:>4} wide to {:<8} {:8.2} ms ({:.2} to {:.2})",
+fn shown(race: &Race) -> String {
+    format!(
+        "{:<14}{:<8} {:8.2} ms ({:.2} to {:.2})  C++ {:8.2} ms ({:.2} to {:.2})  ratio {:5.1}",
         race.chapter,
-        race.width,
         race.to,
         race.rust_median_ms,
         race.rust_least_ms,
-        race.rust_greatest_ms
-    );
-    if with_rival {
-        line += &format!(
-            "  C++ {:8.2} ms ({:.2} to {:.2})  ratio {:5.1}",
-            race.cpp_median_ms,
-            race.cpp_least_ms,
-            race.cpp_greatest_ms,
-            race.ratio()
-        );
-    }
-    line
+        race.rust_greatest_ms,
+        race.cpp_median_ms,
+        race.cpp_least_ms,
+        race.cpp_greatest_ms,
+        race.ratio()
+    )
 }
 
 /// Writes the numbers, from which the book draws its chart.

@@ -24,9 +24,9 @@ pub fn table(cases: usize, pixels: usize, seed: u64) -> Table<Accuracy> {
     }
     for regime in REGIMES.into_iter().skip_while(is_the_book) {
         for precision in Precision::ALL {
-            let asked = Population::of_regime(regime, None, precision, seed, cases);
+            let asked = Population::of_cases(precision, regime.cases(precision, seed, cases));
             let found = of_all_methods(&asked);
-            rows.extend(found.map(|(method, errors)| row(&asked.name, method, errors)));
+            rows.extend(found.map(|(method, errors)| row(regime.name, method, errors)));
         }
     }
     rows.into()
@@ -39,9 +39,10 @@ pub fn sweeps(cases: usize, seed: u64) -> Table<Level> {
     for regime in [Regime::FAR, Regime::GRAZING] {
         for precision in Precision::ALL {
             for level in regime.levels(precision) {
-                let asked = Population::of_regime(regime, Some(level), precision, seed, cases);
+                let cases = regime.cases_at(level, precision, seed, cases);
+                let asked = Population::of_cases(precision, cases);
                 let row = |(method, found): (&Method, Errors)| Level {
-                    regime: asked.name.clone(),
+                    regime: regime.name.to_owned(),
                     level,
                     precision,
                     method: method.name.to_owned(),
@@ -63,14 +64,15 @@ fn is_the_book(regime: &Regime) -> bool {
 
 /// The ball, the ground, and both together under the name of the regime.
 fn of_the_book(precision: Precision, pixels: usize) -> Vec<Accuracy> {
-    let [ball, ground] = Population::of_pixels(precision, pixels);
+    let [ball, ground] =
+        ["ball", "ground"].map(|sphere| Population::of_pixels(sphere, precision, pixels));
     let both = of_all_methods(&ball).zip(of_all_methods(&ground));
     both.flat_map(|((method, of_ball), (_, of_ground))| {
-        let together = of_ball.clone().and(of_ground.clone()).sorted();
+        let together = Errors::sum((of_ball.clone(), of_ground.clone())).sorted();
         [
             row(Regime::BOOK.name, method, together),
-            row(&ball.name, method, of_ball),
-            row(&ground.name, method, of_ground),
+            row("book_ball", method, of_ball),
+            row("book_ground", method, of_ground),
         ]
     })
     .collect()
@@ -123,7 +125,7 @@ impl Errors {
     }
 
     /// Notes what `method` answers to a question whose answer is `truth`.
-    fn note(&mut self, method: &Method, case: &Case, truth: Option<&Truth>, is_kept: bool) {
+    fn note(&mut self, method: &Method, case: &Case, truth: Option<Truth>, is_kept: bool) {
         let answer = case.put_to(method, 0.0, f64::INFINITY);
         self.cases += 1;
         self.hits += usize::from(truth.is_some());
@@ -144,15 +146,15 @@ impl Errors {
     }
 
     /// Both together, in no order.
-    fn and(mut self, other: Self) -> Self {
-        self.cases += other.cases;
-        self.hits += other.hits;
-        self.wrong += other.wrong;
-        self.nans += other.nans;
-        self.ulps.extend(other.ulps);
-        self.surface.extend(other.surface);
-        self.answers = self.answers.wrapping_add(other.answers);
-        self
+    fn sum((mut one, other): (Self, Self)) -> Self {
+        one.cases += other.cases;
+        one.hits += other.hits;
+        one.wrong += other.wrong;
+        one.nans += other.nans;
+        one.ulps.extend(other.ulps);
+        one.surface.extend(other.surface);
+        one.answers = one.answers.wrapping_add(other.answers);
+        one
     }
 
     fn sorted(mut self) -> Self {
@@ -164,24 +166,24 @@ impl Errors {
 
 /// The errors of each method of that precision, on all threads.
 fn of_all_methods(asked: &Population) -> impl Iterator<Item = (&'static Method, Errors)> {
-    let of_case = |number| truth(&asked.case(number), asked.precision);
-    let truths: Vec<Option<Truth>> = (0..asked.count).into_par_iter().map(of_case).collect();
-    let methods = METHODS.iter();
+    let mut methods: Vec<&Method> = METHODS.iter().collect();
+    methods.retain(|method| method.precision() == asked.precision);
+    let none = || vec![Errors::default(); methods.len()];
+    let note = |mut found: Vec<Errors>, number| {
+        let case = (asked.case)(number);
+        let exact = Exact::of(&case);
+        let truth = Truth::of(&exact, asked.precision, 0.0, f64::INFINITY);
+        for (found, method) in found.iter_mut().zip(&methods) {
+            found.note(method, &case, truth, number < FEW);
+        }
+        found
+    };
+    let both = |one: Vec<Errors>, other| one.into_iter().zip(other).map(Errors::sum).collect();
+    let numbers = (0..asked.count).into_par_iter();
+    let found: Vec<Errors> = numbers.fold(none, note).reduce(none, both);
     methods
-        .filter(|method| method.precision() == asked.precision)
-        .map(move |method| {
-            let note = |mut found: Errors, (number, truth): (usize, &Option<Truth>)| {
-                let case = asked.case(number);
-                found.note(method, &case, truth.as_ref(), number < FEW);
-                found
-            };
-            let found = truths.par_iter().enumerate().fold(Errors::default, note);
-            (method, found.reduce(Errors::default, Errors::and).sorted())
-        })
-}
-
-fn truth(case: &Case, precision: Precision) -> Option<Truth> {
-    Truth::of(&Exact::of(case), precision, 0.0, f64::INFINITY)
+        .into_iter()
+        .zip(found.into_iter().map(Errors::sorted))
 }
 
 /// How far the point at `t`, computed as a program would, is from the sphere, in

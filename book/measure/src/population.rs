@@ -6,61 +6,40 @@
 //! is no end, so a number of random cases stands for them.
 
 use common::rtweekend::*;
-use speed_vs_accuracy::{Case, Precision, Regime};
+use speed_vs_accuracy::{Case, Precision};
 
 /// Questions with numbers from 0, in an order in which the first few are as good a
 /// sample as any.
 pub struct Population {
-    /// How tables call it.
-    pub name: String,
     /// What all its numbers are numbers of.
     pub precision: Precision,
     /// How many there are.
     pub count: usize,
-    case: Box<dyn Fn(usize) -> Case + Send + Sync>,
+    /// The question with that number, from 0.
+    pub case: Box<dyn Fn(usize) -> Case + Send + Sync>,
 }
 
 impl Population {
-    /// The question with that number, from 0.
-    pub fn case(&self, number: usize) -> Case {
-        (self.case)(number)
-    }
-
-    /// So many cases of a regime, from one of its levels or from all alike.
-    pub fn of_regime(
-        regime: Regime,
-        level: Option<i32>,
-        precision: Precision,
-        seed: u64,
-        count: usize,
-    ) -> Self {
-        let cases = match level {
-            Some(level) => regime.cases_at(level, precision, seed, count),
-            None => regime.cases(precision, seed, count),
-        };
+    /// These cases.
+    pub fn of_cases(precision: Precision, cases: Vec<Case>) -> Self {
         Self {
-            name: regime.name.to_owned(),
             precision,
-            count,
+            count: cases.len(),
             case: Box::new(move |number| cases[number]),
         }
     }
 
-    /// So many pixels of the book's last picture, or all there are: first about the ball
-    /// in the middle, then about the ground, as two populations.
-    pub fn of_pixels(precision: Precision, count: usize) -> [Self; 2] {
-        ["ball", "ground"].map(|sphere| {
-            let case = move |number| {
+    /// So many pixels of the book's last picture, or all there are, about its `ball` or its
+    /// `ground`.
+    pub fn of_pixels(sphere: &'static str, precision: Precision, count: usize) -> Self {
+        Self {
+            precision,
+            count: count.min(PIXELS),
+            case: Box::new(move |number| {
                 let [column, row] = scattered(number);
                 pixel(sphere, column, row).rounded(precision)
-            };
-            Self {
-                name: format!("book_{sphere}"),
-                precision,
-                count: count.min(PIXELS),
-                case: Box::new(case),
-            }
-        })
+            }),
+        }
     }
 }
 

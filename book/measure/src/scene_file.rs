@@ -17,7 +17,8 @@
 use std::sync::LazyLock;
 
 use common::rtweekend::*;
-use serde::Deserialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
 use speed_vs_accuracy::{Lens, Scene, unit};
 
 /// The widest picture that is drawn by every method, in pixels. All of these pictures
@@ -32,20 +33,12 @@ const MOST_SPHERES: usize = 10_000;
 pub static SCENES: LazyLock<[Scene; 7]> = LazyLock::new(|| {
     macro_rules! scene {
         ($name:literal) => {{
-            let file = concat!(
+            const TEXT: &str = include_str!(concat!(
                 "../../../chapters/6_speed_vs_accuracy/scenes/",
                 $name,
                 ".toml"
-            );
-            (
-                file,
-                $name,
-                include_str!(concat!(
-                    "../../../chapters/6_speed_vs_accuracy/scenes/",
-                    $name,
-                    ".toml"
-                )),
-            )
+            ));
+            read($name, TEXT).unwrap_or_else(|error| panic!("{}.toml: {error}", $name))
         }};
     }
     [
@@ -57,7 +50,6 @@ pub static SCENES: LazyLock<[Scene; 7]> = LazyLock::new(|| {
         scene!("shadows"),
         scene!("neighbors"),
     ]
-    .map(|(file, name, text)| read(name, text).unwrap_or_else(|error| panic!("{file}: {error}")))
 });
 
 /// The scene of chapter 6 of that name.
@@ -72,60 +64,63 @@ pub fn find_scene(name: &str) -> Option<&'static Scene> {
 /// is missing, or a number that is out of range. All numbers of a scene are finite.
 pub fn read(name: &str, text: &str) -> Result<Scene, toml::de::Error> {
     let File {
-        width: Width(width),
+        width,
         sun,
         camera,
-        sphere: Spheres(spheres),
+        sphere,
     } = toml::from_str(text)?;
-    let Camera {
-        origin: Vector(origin),
-        direction: Direction(direction),
-        zoom: Zooms(zoom),
-    } = camera;
     Ok(Scene {
         name: name.to_owned(),
         width,
-        sun: sun.map(|Direction(sun)| unit(sun)),
-        lens: Lens::new(origin, direction, zoom),
-        spheres,
+        sun: sun.map(unit),
+        lens: Lens::new(camera.origin, camera.direction, camera.zoom),
+        spheres: sphere.iter().map(|it| (it.center, it.radius)).collect(),
     })
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
+    #[serde(default = "usual_width", deserialize_with = "width")]
+    width: u32,
+    #[serde(default, deserialize_with = "sun")]
+    sun: Option<Vec3>,
     #[serde(default)]
-    width: Width,
-    sun: Option<Direction>,
-    #[serde(default)]
-    camera: Camera,
-    sphere: Spheres,
+    camera: Eye,
+    #[serde(deserialize_with = "spheres")]
+    sphere: Vec<Ball>,
 }
 
 #[derive(Deserialize)]
-#[serde(try_from = "u32")]
-struct Width(u32);
-
-#[derive(Default, Deserialize)]
 #[serde(default, deny_unknown_fields, expecting = "a table [camera]")]
-struct Camera {
-    origin: Vector,
-    direction: Direction,
-    zoom: Zooms,
+struct Eye {
+    #[serde(deserialize_with = "vector")]
+    origin: Point3,
+    #[serde(deserialize_with = "direction")]
+    direction: Vec3,
+    /// How large things look, across and upwards.
+    #[serde(deserialize_with = "zoom")]
+    zoom: [f64; 2],
 }
 
-#[derive(Default, Deserialize)]
-#[serde(try_from = "[f64; 3]")]
-struct Vector(Vec3);
+impl Default for Eye {
+    fn default() -> Self {
+        Self {
+            origin: Point3::ZERO,
+            direction: Vec3::NEG_Z,
+            zoom: [1.0; 2],
+        }
+    }
+}
 
 #[derive(Deserialize)]
-#[serde(try_from = "[f64; 3]")]
-struct Direction(Vec3);
-
-/// How large things look, across and upwards.
-#[derive(Deserialize)]
-#[serde(try_from = "OneOrTwo")]
-struct Zooms([f64; 2]);
+#[serde(deny_unknown_fields)]
+struct Ball {
+    #[serde(deserialize_with = "vector")]
+    center: Point3,
+    #[serde(deserialize_with = "radius")]
+    radius: f64,
+}
 
 #[derive(Deserialize)]
 #[serde(
@@ -137,112 +132,63 @@ enum OneOrTwo {
     Two([f64; 2]),
 }
 
-/// At least one.
-#[derive(Deserialize)]
-#[serde(try_from = "Vec<Ball>")]
-struct Spheres(Vec<(Point3, f64)>);
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Ball {
-    center: Vector,
-    radius: Radius,
-}
-
-#[derive(Deserialize)]
-#[serde(try_from = "f64")]
-struct Radius(f64);
-
-impl Default for Width {
-    fn default() -> Self {
-        Self(400)
+/// The value, or why there is none like that.
+fn checked<T, E: Error>(value: T, is_possible: bool, otherwise: &str) -> Result<T, E> {
+    if is_possible {
+        Ok(value)
+    } else {
+        Err(E::custom(otherwise))
     }
 }
 
-impl Default for Direction {
-    fn default() -> Self {
-        Self(Vec3::NEG_Z)
-    }
+fn usual_width() -> u32 {
+    400
 }
 
-impl Default for Zooms {
-    fn default() -> Self {
-        Self([1.0; 2])
-    }
+fn width<'de, D: Deserializer<'de>>(from: D) -> Result<u32, D::Error> {
+    let width = u32::deserialize(from)?;
+    let otherwise = format!("no picture is so wide: write 1 to {WIDEST} pixels");
+    checked(width, (1..=WIDEST).contains(&width), &otherwise)
 }
 
-impl TryFrom<u32> for Width {
-    type Error = String;
-
-    fn try_from(width: u32) -> Result<Self, String> {
-        let possible = (1..=WIDEST).contains(&width);
-        possible
-            .then_some(Self(width))
-            .ok_or_else(|| format!("no picture is so wide: write 1 to {WIDEST} pixels"))
-    }
+fn sun<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec3>, D::Error> {
+    direction(from).map(Some)
 }
 
-impl TryFrom<[f64; 3]> for Vector {
-    type Error = &'static str;
-
-    fn try_from(numbers: [f64; 3]) -> Result<Self, Self::Error> {
-        let finite = numbers.iter().all(|number| number.is_finite());
-        finite
-            .then_some(Self(numbers.into()))
-            .ok_or("all three numbers must be finite")
-    }
+fn vector<'de, D: Deserializer<'de>>(from: D) -> Result<Vec3, D::Error> {
+    let vector = Vec3::from(<[f64; 3]>::deserialize(from)?);
+    let otherwise = "all three numbers must be finite";
+    checked(vector, vector.is_finite(), otherwise)
 }
 
-impl TryFrom<[f64; 3]> for Direction {
-    type Error = &'static str;
-
-    fn try_from(numbers: [f64; 3]) -> Result<Self, Self::Error> {
-        match Vector::try_from(numbers)? {
-            Vector(Vec3::ZERO) => Err("a direction of length 0 points nowhere"),
-            Vector(direction) => Ok(Self(direction)),
-        }
-    }
+fn direction<'de, D: Deserializer<'de>>(from: D) -> Result<Vec3, D::Error> {
+    let direction = vector(from)?;
+    let otherwise = "a direction of length 0 points nowhere";
+    checked(direction, direction != Vec3::ZERO, otherwise)
 }
 
-impl TryFrom<OneOrTwo> for Zooms {
-    type Error = &'static str;
-
-    fn try_from(zoom: OneOrTwo) -> Result<Self, Self::Error> {
-        let zooms = match zoom {
-            OneOrTwo::One(zoom) => [zoom; 2],
-            OneOrTwo::Two(zooms) => zooms,
-        };
-        // The directions of all rays are finite then.
-        let possible = zooms.iter().all(|zoom| (1e-300..=1e300).contains(zoom));
-        possible.then_some(Self(zooms)).ok_or(
-            "no lens zooms like that: 1 is the book's view, and 1e-300 to 1e300 are possible",
-        )
-    }
+fn zoom<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 2], D::Error> {
+    let zoom = match OneOrTwo::deserialize(from)? {
+        OneOrTwo::One(zoom) => [zoom; 2],
+        OneOrTwo::Two(zoom) => zoom,
+    };
+    // The directions of all rays are finite then.
+    let is_possible = zoom.iter().all(|zoom| (1e-300..=1e300).contains(zoom));
+    let otherwise =
+        "no lens zooms like that: 1 is the book's view, and 1e-300 to 1e300 are possible";
+    checked(zoom, is_possible, otherwise)
 }
 
-impl TryFrom<Vec<Ball>> for Spheres {
-    type Error = String;
-
-    fn try_from(balls: Vec<Ball>) -> Result<Self, String> {
-        if !(1..=MOST_SPHERES).contains(&balls.len()) {
-            return Err(format!(
-                "there are {} spheres: write 1 to {MOST_SPHERES}",
-                balls.len()
-            ));
-        }
-        let sphere = |ball: Ball| (ball.center.0, ball.radius.0);
-        Ok(Self(balls.into_iter().map(sphere).collect()))
-    }
+fn spheres<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Ball>, D::Error> {
+    let balls = Vec::<Ball>::deserialize(from)?;
+    let count = balls.len();
+    let otherwise = format!("there are {count} spheres: write 1 to {MOST_SPHERES}");
+    checked(balls, (1..=MOST_SPHERES).contains(&count), &otherwise)
 }
 
 /// Below 0 too: the same sphere, with the normal inwards.
-impl TryFrom<f64> for Radius {
-    type Error = &'static str;
-
-    fn try_from(radius: f64) -> Result<Self, Self::Error> {
-        let possible = radius.is_finite() && radius != 0.0;
-        possible
-            .then_some(Self(radius))
-            .ok_or("a radius is a finite number, and not 0: no picture shows a point")
-    }
+fn radius<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    let radius = f64::deserialize(from)?;
+    let otherwise = "a radius is a finite number, and not 0: no picture shows a point";
+    checked(radius, radius.is_finite() && radius != 0.0, otherwise)
 }

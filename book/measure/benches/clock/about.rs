@@ -1,61 +1,32 @@
-//! Provenance: under what conditions was measured, and a table for people.
+//! Provenance: under what conditions was measured.
 
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use std::process::Command;
 
-use figures::records::Timing;
-use figures::table::Table;
-use measure::machine;
-
 use measure::contest::Effort;
+use measure::machine;
 
 use crate::one_by_one;
 
 /// The lines at the top of the file.
 pub(crate) fn about(effort: &Effort) -> BTreeMap<String, String> {
-    let rounds = effort.rounds;
+    let how = format!(
+        "{} rounds in which everyone takes a turn of {} µs or more; one thread; {} questions; each \
+         method compiled into its own loop, which makes the book’s rays from column and row and \
+         reads the others",
+        effort.rounds,
+        effort.turn.as_micros(),
+        one_by_one::CASES
+    );
     [
         ("machine", machine::machine()),
         ("compiler", compiler()),
         ("flags", format!("release profile, {}", compiled_for())),
         ("command", "cargo bench -p measure --bench clock".to_owned()),
-        (
-            "how",
-            format!(
-                "{rounds} rounds in which everyone takes a turn of {} µs or more; one thread; \
-                 {} questions; each method compiled into its own loop, which makes the book’s \
-                 rays from column and row and reads the others",
-                effort.turn.as_micros(),
-                one_by_one::CASES
-            ),
-        ),
+        ("how", how),
     ]
     .map(|(key, value)| (key.to_owned(), value))
     .into()
-}
-
-/// A table for people.
-pub(crate) fn table(timings: &Table<Timing>) -> String {
-    let mut text = String::new();
-    for (key, value) in &timings.about {
-        let _ = writeln!(text, "{key}: {value}");
-    }
-    let _ = writeln!(
-        text,
-        "\n{:<8}{:<22}{:<18}{:>6}{:>12}{:>12}{:>8}{:>14}",
-        "what", "name", "where", "n", "median, ns", "least", "ratio", "instructions"
-    );
-    for row in &timings.rows {
-        let instructions = row.instructions.map(|count| format!("{count:.0}"));
-        let instructions = instructions.unwrap_or_default();
-        let _ = writeln!(
-            text,
-            "{:<8}{:<22}{:<18}{:>6}{:>12}{:>12.2}{:>8}{instructions:>14}",
-            row.what, row.name, row.place, row.n, row.median_ns, row.least_ns, row.ratio
-        );
-    }
-    text
 }
 
 fn compiler() -> String {

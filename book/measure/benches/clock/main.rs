@@ -11,7 +11,6 @@ use clap::Parser;
 use common::engine::output;
 use figures::records::Timing;
 use figures::table::{Record, Table};
-use speed_vs_accuracy::{METHODS, Method};
 
 use measure::contest::{Effort, Group};
 
@@ -57,32 +56,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     for row in &mut timings.rows[..counted] {
         row.instructions = instructions::of(row);
     }
-    let mut said = about::table(&timings);
-    said += &headlines(&timings);
+    let text = timings.text();
+    output::to_stdout(|out| out.write_all(text.as_bytes()))?;
     if arguments.record {
         // Cargo runs this in the folder of its package.
-        let notes = Path::new("../notes");
-        let path = notes.join(Timing::FILE);
-        output::to_file(&path, |out| out.write_all(timings.text().as_bytes()))?;
-        said += &format!("Kept in {}\n", path.display());
+        let path = Path::new("../notes").join(Timing::FILE);
+        output::to_file(&path, |out| out.write_all(text.as_bytes()))?;
     }
-    Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
-}
-
-/// The numbers that the chapter promises something about.
-fn headlines(timings: &Table<Timing>) -> String {
-    let mut text = "\nTimes half_b, where each returns t:\n".to_owned();
-    for Method { name, .. } in METHODS.iter().filter(|method| method.is_certified) {
-        let ratio = |place| ratio(timings.find("method", name, place));
-        text += &format!(
-            "  {name:<14} {} on the book’s camera rays, {} if all hit\n",
-            ratio("book"),
-            ratio("all_hits")
-        );
-    }
-    text
-}
-
-fn ratio(row: Option<&Timing>) -> String {
-    row.map_or("not measured".to_owned(), |row| row.ratio.to_string())
+    Ok(())
 }

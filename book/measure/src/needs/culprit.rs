@@ -94,7 +94,9 @@ fn worst(
 fn error(method: &Method, case: &Case, t_min: f64) -> f64 {
     let precision = method.precision();
     let exact = Exact::of_finite(&case.rounded(precision));
-    let truth = exact.and_then(|exact| Truth::of(&exact, precision, t_min, f64::INFINITY));
+    let truth = exact
+        .as_ref()
+        .and_then(|exact| Truth::of(exact, precision, t_min, f64::INFINITY));
     match (case.put_to(method, t_min, f64::INFINITY), truth) {
         (Some(t), Some(truth)) => truth.error_in_ulps(t),
         (None, None) => 0.0,
