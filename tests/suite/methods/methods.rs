@@ -13,8 +13,8 @@ use laws::{Case, WithInterval, config, intervals};
 use proptest::prelude::*;
 use proptest::test_runner::{TestCaseError, TestCaseResult};
 use speed_vs_accuracy::{
-    METHODS, Method, Precision, Stage, certified_hit, certified_t, exact, half_b, stage_of_hit,
-    stage_of_t,
+    METHODS, Method, Precision, Stage, certified_hit, certified_t, double_double, exact, half_b,
+    stage_of_hit, stage_of_t,
 };
 
 use crate::hostile;
@@ -105,6 +105,14 @@ fn half_b_is_chapter_5_to_the_bit() {
     for asked in samples(&asked, CASES) {
         assert_eq!(asked.solve(&half_b), asked.solve(&chapter_5), "{asked}");
     }
+}
+
+/// The nearer root is 1/3, which rounds down to the end itself; the farther one is 1.
+#[test]
+fn double_double_takes_no_farther_root_for_one_that_rounds_to_an_end() {
+    let ray = Ray::new(Point3::ZERO, 3.0 * Vec3::X);
+    let found = double_double(2.0 * Vec3::X, 1.0, &ray, 1.0 / 3.0, 2.0);
+    assert_eq!(found, None);
 }
 
 mod the_exact_method {
