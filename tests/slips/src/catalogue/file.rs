@@ -264,7 +264,7 @@ pub(super) const SLIPS: &[Slip] = &[
         name: "single-precision",
         chapters: RAYS,
         page: "cpp_to_rust#small-words",
-        source: "tests/suite/methods/stability.rs",
+        source: "tests/suite/methods/thresholds.rs",
         part: Part::Prelude,
         rust: "f64",
         cpp: "double",
