@@ -27,8 +27,10 @@ export function faults() {
 
     // Words of a drawing that lie on others. Above and below its letters a text has room to share.
     const box = (text) => {
-        const { left, right, top, bottom, height } = text.getBoundingClientRect();
-        return { text, left, right, top: top + 0.2 * height, bottom: bottom - 0.2 * height };
+        const { left, right, top, bottom, width, height } = text.getBoundingClientRect();
+        // Firefox counts the halo of the letters, too.
+        const halo = Math.max(0, width - text.getComputedTextLength() * text.getScreenCTM().a) / 2;
+        return { text, left: left + halo, right: right - halo, top: top + 0.2 * height, bottom: bottom - 0.2 * height };
     };
     const meet = (one, other) => one.text !== other.text && one.left < other.right && other.left < one.right
         && one.top < other.bottom && other.top < one.bottom;

@@ -206,10 +206,12 @@ impl Repair {
                 ..
             }]
         );
-        let tried = match self.is_hidden {
-            _ if is_foreign => "the chapter with your line draws your picture".to_owned(),
-            true => format!("{with} your functions answer as the chapter's do"),
-            false => format!("{with} your program draws the picture"),
+        let tried = if is_foreign {
+            "the chapter with your line draws your picture".to_owned()
+        } else if self.is_hidden {
+            format!("{with} your functions answer as the chapter's do")
+        } else {
+            format!("{with} your program draws the picture")
         };
         let changes = self.changes.iter().flat_map(Change::rows);
         changes.chain([("tried", tried)]).collect()

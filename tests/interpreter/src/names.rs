@@ -170,9 +170,10 @@ impl Names {
     /// The module of the file itself, or of the part in brackets.
     fn outside_of_blocks(&self, module: usize) -> usize {
         let own = &self.modules[module];
-        match own.is_block {
-            true => self.outside_of_blocks(own.parent),
-            false => module,
+        if own.is_block {
+            self.outside_of_blocks(own.parent)
+        } else {
+            module
         }
     }
 
@@ -201,9 +202,12 @@ impl Names {
         }
         let own = self.outside_of_blocks(from);
         // A module and something else may have one name: which is meant, its place says.
-        let keys = |part: usize| match part + 1 < path.len() {
-            true => [module_key(&path[part]), path[part].clone()],
-            false => [path[part].clone(), module_key(&path[part])],
+        let keys = |part: usize| {
+            if part + 1 < path.len() {
+                [module_key(&path[part]), path[part].clone()]
+            } else {
+                [path[part].clone(), module_key(&path[part])]
+            }
         };
         let mut named = match path[0].as_str() {
             "crate" => Named::Module(0),
@@ -293,9 +297,10 @@ impl Names {
             "" | "crate" => format!("could not find `{part}` in the crate root"),
             module => format!("no `{part}` in `{module}`"),
         };
-        let help = match lost.part + 1 < path.len() {
-            true => format!("`mod {part};` in `src/lib.rs` declares the file `src/{part}.rs`"),
-            false => String::new(),
+        let help = if lost.part + 1 < path.len() {
+            format!("`mod {part};` in `src/lib.rs` declares the file `src/{part}.rs`")
+        } else {
+            String::new()
         };
         Refusal::new(at, &message, &label, &help)
     }
@@ -313,9 +318,10 @@ impl Names {
         if lost.is_private {
             return private(what, name, at);
         }
-        let message = match lost.part + 1 < path.len() {
-            true => format!("cannot find module or crate `{name}` in this scope"),
-            false => format!("cannot find {what} `{name}` in this scope"),
+        let message = if lost.part + 1 < path.len() {
+            format!("cannot find module or crate `{name}` in this scope")
+        } else {
+            format!("cannot find {what} `{name}` in this scope")
         };
         let mut elsewhere = self.modules.iter().filter(|it| !it.name.is_empty());
         let help = if standard::prelude(name).is_some() {
@@ -432,9 +438,10 @@ impl Names {
         let known = own
             .map(|it| it.name.as_str())
             .chain(natives.map(|it| it.signature.name.as_str()));
-        let help = match self.fields_of(last).iter().any(|it| it.0 == name) {
-            true => format!("`{name}` is a field: without `()`"),
-            false => there_is(name, known),
+        let help = if self.fields_of(last).iter().any(|it| it.0 == name) {
+            format!("`{name}` is a field: without `()`")
+        } else {
+            there_is(name, known)
         };
         let message = format!(
             "no method named `{name}` found for `{}` in the current scope",

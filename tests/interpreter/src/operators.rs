@@ -171,9 +171,10 @@ impl Names {
     ) -> Refusal {
         let (_, sign, verb) = sign.words();
         let [one, other] = types.map(|it| it.name(self));
-        let verb = match is_assignment {
-            true => format!("{verb}-assign"),
-            false => verb.to_owned(),
+        let verb = if is_assignment {
+            format!("{verb}-assign")
+        } else {
+            verb.to_owned()
         };
         let message = match sign {
             "+" => format!("cannot {verb} `{other}` to `{one}`"),
@@ -184,12 +185,12 @@ impl Names {
         };
         let is_number = |it: &Type| it.is_integer() || it.is_float() || it.is(Head::Vec3);
         let is_mixed = types[0].is_integer() != types[1].is_integer();
-        let help = match is_mixed && types.into_iter().all(is_number) {
-            true if one == "{integer}" || other == "{integer}" => {
-                "consider using a floating-point literal, such as `2.0`"
-            }
-            true => "convert the integer: `f64::from(…)`, or `… as f64`",
-            false => "",
+        let help = if !(is_mixed && types.into_iter().all(is_number)) {
+            ""
+        } else if one == "{integer}" || other == "{integer}" {
+            "consider using a floating-point literal, such as `2.0`"
+        } else {
+            "convert the integer: `f64::from(…)`, or `… as f64`"
         };
         Refusal::new(at, &message, "", help)
     }
@@ -209,9 +210,10 @@ impl Names {
         right: At,
     ) -> Result<(), Refusal> {
         let [one, other] = types;
-        let on = match one.is_reference() && other.is_reference() {
-            true => one.stripped(),
-            false => one,
+        let on = if one.is_reference() && other.is_reference() {
+            one.stripped()
+        } else {
+            one
         };
         let is_comparable = match on.0 {
             Head::Own(_) if order.is_of_equality() => self.derives(on, "PartialEq"),

@@ -116,7 +116,8 @@ fn of_singles(native: &Native, machine: &mut Machine<'_>, arguments: &mut [Value
 /// More than a chapter has pixels is no list of a chapter.
 const LONGEST: usize = 1_000_000;
 /// Nor is more than the largest picture has as text.
-const LONGEST_TEXT: usize = 100_000_000;
+pub(crate) const LONGEST_TEXT: usize = 100_000_000;
+pub(crate) const TEXT_TOO_LONG: &str = "a text of more than a hundred million bytes, or none";
 
 fn each(values: Vec<Value>) -> Value {
     let mut values = values.into_iter();
@@ -145,6 +146,7 @@ fn adapted(
     let iterator = machine.iterator(of, at)?;
     Ok(Iter::giving(move |machine| {
         while let Some(value) = iterator.next(machine)? {
+            machine.turn(at)?;
             if let Some(changed) = change(machine, value)? {
                 return Ok(Some(changed));
             }
@@ -163,6 +165,7 @@ fn found(
     let iterator = machine.iterator(&a[0], at)?;
     let mut n = 0;
     while let Some(value) = iterator.next(machine)? {
+        machine.turn(at)?;
         if machine.asked(&a[1], &mut [value.clone()], at)? == wanted {
             return Ok(Some((n, value)));
         }
@@ -347,11 +350,8 @@ library! {
         fn powi(self, n: i32) -> Own => |_, a, _| float(a[0].float().powi(a[1].int() as i32));
         fn clamp(self, least: Own, most: Own) -> Own => |m, a, at| {
             let [x, least, most] = [0, 1, 2].map(|n| a[n].float());
-            match least <= most {
-                true => float(x.clamp(least, most)),
-                false => m.panic(at, &format!("min > max, or either was NaN. min = {least:?}, max = {most:?}"),
-                ),
-            }
+            if least <= most { float(x.clamp(least, most)) } else { m.panic(at, &format!("min > max, or either was NaN. min = {least:?}, max = {most:?}"),
+                ) }
         };
         fn mul_add(self, a: Own, b: Own) -> Own => |_, a, _| float(a[0].float().mul_add(a[1].float(), a[2].float()));
         fn from(value: U) -> Own => |m, a, at| match &a[0] {
@@ -393,10 +393,7 @@ library! {
     }
     "bool" {
         fn then_some(self, value: U) -> Option<U> => |_, a, _| option(a[0].truth().then(|| a[1].clone()));
-        fn then(self, value: impl FnOnce() -> U) -> Option<U> => |m, a, at| match a[0].truth() {
-            true => option(Some(m.apply(&a[1], &mut [], at)?)),
-            false => option(None),
-        };
+        fn then(self, value: impl FnOnce() -> U) -> Option<U> => |m, a, at| if a[0].truth() { option(Some(m.apply(&a[1], &mut [], at)?)) } else { option(None) };
     }
     "Vec3" {
         fn new(x: f64, y: f64, z: f64) -> Vec3 =>
@@ -518,10 +515,7 @@ library! {
         fn with_capacity(n: usize) -> Vec<T> => |_, _, _| list(Vec::new());
         fn push(&mut self, value: T) => |m, a, at| {
             let value = std::mem::take(&mut a[1]);
-            match m.change_at(&a[0], |list| changed(list, |all| { all.push(value); all.len() })) < LONGEST {
-                true => Ok(Value::Unit),
-                false => m.panic(at, "a list of more than a million values"),
-            }
+            if m.change_at(&a[0], |list| changed(list, |all| { all.push(value); all.len() })) < LONGEST { Ok(Value::Unit) } else { m.panic(at, "a list of more than a million values") }
         };
         fn pop(&mut self) -> Option<T> => |m, a, _| {
             let mut last = None;
@@ -586,10 +580,7 @@ library! {
                 }
                 _ => LONGEST_TEXT,
             });
-            match length < LONGEST_TEXT {
-                true => Ok(Value::Unit),
-                false => m.panic(at, "a text of more than a hundred million bytes, or none"),
-            }
+            if length < LONGEST_TEXT { Ok(Value::Unit) } else { m.panic(at, TEXT_TOO_LONG) }
         };
     }
     "Range" {

@@ -64,9 +64,10 @@ fn place(text: &str, at: At) -> Option<Place> {
     let before = text.get(..at.start as usize)?;
     let said = text.get(at.start as usize..at.end as usize)?;
     let start = before.chars().rev().take_while(|&it| it != '\n').count();
-    let end = match said.contains('\n') {
-        true => usize::MAX,
-        false => start + said.chars().count().max(1),
+    let end = if said.contains('\n') {
+        usize::MAX
+    } else {
+        start + said.chars().count().max(1)
     };
     Some(Place {
         file: at.file as usize,
@@ -142,6 +143,7 @@ pub(crate) fn parse(file: usize, text: &str) -> Result<syn::File, Refusal> {
         file,
         words: 0,
         branches: 0,
+        signs: 0,
     };
     limits.walk(tokens.clone(), 0)?;
     syn::parse2(tokens).map_err(|error| {
@@ -150,13 +152,15 @@ pub(crate) fn parse(file: usize, text: &str) -> Result<syn::File, Refusal> {
         // What is missing is missing after the word before.
         let is_missing = message.starts_with("expected `;`") || message.starts_with("expected `,`");
         let before = text[..found.start as usize].trim_end().len();
-        let place = match is_missing && before > 0 {
-            true => at_bytes(file, last_char(text, before)..before),
-            false => found,
+        let place = if is_missing && before > 0 {
+            at_bytes(file, last_char(text, before)..before)
+        } else {
+            found
         };
-        let help = match message.contains("unexpected end of input") {
-            true => "something is missing before the closing bracket",
-            false => "",
+        let help = if message.contains("unexpected end of input") {
+            "something is missing before the closing bracket"
+        } else {
+            ""
         };
         Refusal::new(place, &message, "", help)
     })
@@ -266,7 +270,7 @@ fn passed_over(text: &str) -> Option<usize> {
     let rest = text.strip_prefix('\'')?;
     let mut signs = rest.chars();
     match (signs.next()?, signs.next()?) {
-        ('\\', _) => Some(until("'", 3)),
+        ('\\', second) => Some(until("'", 2 + second.len_utf8())),
         (sign, '\'') => Some(2 + sign.len_utf8()),
         _ => None,
     }
@@ -276,6 +280,8 @@ struct Limits {
     file: u32,
     words: usize,
     branches: usize,
+    /// Signs before a value that follow each other: each is a level deeper.
+    signs: usize,
 }
 
 impl Limits {
@@ -294,7 +300,13 @@ impl Limits {
                     continue;
                 }
                 TokenTree::Punct(sign) if matches!(sign.as_char(), ',' | ';') => {
-                    (self.words, self.branches) = (0, 0);
+                    (self.words, self.branches, self.signs) = (0, 0, 0);
+                }
+                TokenTree::Punct(sign) if matches!(sign.as_char(), '-' | '!' | '*' | '&') => {
+                    self.signs += 1;
+                    self.check(self.signs < DEEPEST, span)?;
+                    self.words += 1;
+                    continue;
                 }
                 TokenTree::Ident(word) if word == "else" => self.branches += 1,
                 TokenTree::Ident(word) if word == "fn" || word == "let" => {
@@ -302,6 +314,7 @@ impl Limits {
                 }
                 _ => {}
             }
+            self.signs = 0;
             self.words += 1;
             self.check(self.words < WORDIEST && self.branches < BRANCHES, span)?;
         }

@@ -13,7 +13,7 @@ use common::rtweekend::Vec3 as DVec3;
 use crate::lower::miscounted;
 use crate::names::{Names, unknown};
 use crate::node::{At, Function, Node, Order, Pattern, Root, Sign, Step, Target};
-use crate::prelude::{self, NATIVES};
+use crate::prelude::{self, LONGEST_TEXT, NATIVES, TEXT_TOO_LONG};
 use crate::read::Refusal;
 use crate::types::{Head, Int, Type};
 use crate::value::{Address, Frame, Iter, Source, Value};
@@ -83,7 +83,7 @@ impl<'c> Machine<'c> {
         self.turns = self.limit;
     }
 
-    fn turn(&mut self, at: At) -> Eval<()> {
+    pub(crate) fn turn(&mut self, at: At) -> Eval<()> {
         self.turns = self.turns.saturating_sub(1);
         if self.turns > 0 {
             return Ok(());
@@ -194,6 +194,7 @@ impl<'c> Machine<'c> {
                 self.run(*function, &arguments, at)
             }
             Value::Native(native, at) => {
+                self.turn(*at)?;
                 let wanted = &NATIVES[*native].signature.parameters;
                 let mut arguments = self.all_declared(wanted, arguments, *at)?;
                 prelude::run(*native, self, &mut arguments, *at)
@@ -255,9 +256,10 @@ impl<'c> Machine<'c> {
             }
             _ => value,
         };
-        match value.fits(ty, &self.code.names) {
-            true => Ok(value),
-            false => self.refuse(self.code.names.mismatch(ty, &value.ty(), at)),
+        if value.fits(ty, &self.code.names) {
+            Ok(value)
+        } else {
+            self.refuse(self.code.names.mismatch(ty, &value.ty(), at))
         }
     }
 
@@ -294,10 +296,13 @@ impl<'c> Machine<'c> {
             Node::Or(nodes) => Ok(Value::Bool(
                 self.truth(&nodes[0])? || self.truth(&nodes[1])?,
             )),
-            Node::If(nodes) => match self.truth(&nodes[0])? {
-                true => self.eval(&nodes[1]),
-                false => self.eval(&nodes[2]),
-            },
+            Node::If(nodes) => {
+                if self.truth(&nodes[0])? {
+                    self.eval(&nodes[1])
+                } else {
+                    self.eval(&nodes[2])
+                }
+            }
             Node::Block(nodes, has_value) => self.block(nodes, *has_value),
             Node::Let(pattern, value, None) => self.bound(pattern, value),
             Node::Call(function, nodes, at) => {
@@ -501,12 +506,11 @@ impl<'c> Machine<'c> {
                 self.apply(&function, &mut arguments, *at)?
             }
             Node::Closure(closure, is_moved) => {
-                let frame = match is_moved {
-                    true => Frame::Taken(Rc::new(self.stack[self.base..].to_vec())),
-                    false => {
-                        let slots = self.stack.len() - self.base;
-                        Frame::At(self.base as u32, slots as u32)
-                    }
+                let frame = if *is_moved {
+                    Frame::Taken(Rc::new(self.stack[self.base..].to_vec()))
+                } else {
+                    let slots = self.stack.len() - self.base;
+                    Frame::At(self.base as u32, slots as u32)
                 };
                 Value::Closure(Arc::clone(closure), frame)
             }
@@ -595,7 +599,11 @@ impl<'c> Machine<'c> {
                     .chain([String::new()]);
                 let pieces = pieces.iter().zip(values);
                 let text = pieces.map(|(before, value)| format!("{before}{value}"));
-                Value::Str(Rc::new(text.collect()))
+                let text: String = text.collect();
+                if text.len() >= LONGEST_TEXT {
+                    return self.panic(At::default(), TEXT_TOO_LONG);
+                }
+                Value::Str(Rc::new(text))
             }
             node => self.eval(node)?,
         })
@@ -642,8 +650,10 @@ impl<'c> Machine<'c> {
         let function = match &receiver {
             Value::Own(kind, ..) => all[*kind as usize],
             Value::Nothing(asked) => {
-                let [from, to] = [2, 3].map(|n| self.stack[start + n].float());
-                asked.set(Some([from, to]));
+                // A trait of the reader's own may have its range in one value, or none.
+                if let [_, _, Value::Float(from), Value::Float(to), ..] = self.stack[start..] {
+                    asked.set(Some([from, to]));
+                }
                 self.stack.truncate(start);
                 return Ok(Value::None);
             }
@@ -699,13 +709,12 @@ impl<'c> Machine<'c> {
                 return self.refuse(Refusal::new(at, &message, "", ""));
             }
         };
-        match (0..length as i128).contains(&index) {
-            true => Ok(index as usize),
-            false => {
-                let message =
-                    format!("index out of bounds: the len is {length} but the index is {index}");
-                self.panic(at, &message)
-            }
+        if (0..length as i128).contains(&index) {
+            Ok(index as usize)
+        } else {
+            let message =
+                format!("index out of bounds: the len is {length} but the index is {index}");
+            self.panic(at, &message)
         }
     }
 
@@ -788,7 +797,13 @@ impl<'c> Machine<'c> {
 
     /// References to each value of the list that is there.
     pub(crate) fn each_at(&self, reference: &Value) -> Vec<Value> {
-        let (Value::Mut(address), Value::Many(all)) = (reference, self.followed(reference)) else {
+        let mut last = reference.clone();
+        while let Value::Mut(address) = &last
+            && let inner @ Value::Mut(_) = self.at(address)
+        {
+            last = inner;
+        }
+        let (Value::Mut(address), Value::Many(all)) = (&last, self.followed(&last)) else {
             unreachable!("types are checked");
         };
         let one = |n| {
@@ -945,7 +960,7 @@ impl<'c> Machine<'c> {
             }
             Sign::Plus => a + b,
             Sign::Minus => a - b,
-            Sign::Times => a * b,
+            Sign::Times => a.saturating_mul(b),
             Sign::Over => a / b,
             Sign::Remainder => a % b,
             Sign::BitAnd => a & b,
@@ -954,9 +969,10 @@ impl<'c> Machine<'c> {
             Sign::Left => int.wrapped(a << b),
             Sign::Right => a >> b,
         };
-        match int.fits(result) {
-            true => Ok(result),
-            false => self.panic(at, &sign.overflow()),
+        if int.fits(result) {
+            Ok(result)
+        } else {
+            self.panic(at, &sign.overflow())
         }
     }
 

@@ -146,6 +146,10 @@ fn a_hostile_text_is_answered_at_once() {
         "for _ in 0.. {}".to_owned(),
         "(0..).map(|n| n).collect::<Vec<_>>().len()".to_owned(),
         "hit_sphere(center, radius, ray)".to_owned(),
+        "(0..).skip(1_000_000_000).next()".to_owned(),
+        "let mut s = \"ab\".to_owned(); loop { s = format!(\"{s}{s}\"); }".to_owned(),
+        format!("{}1.0", "-".repeat(230)),
+        r"'\é'".to_owned(),
         "\u{202e}\u{0} <script>alert(1)</script>".to_owned(),
     ];
     for wrong in hostile {

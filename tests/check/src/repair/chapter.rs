@@ -47,10 +47,7 @@ fn expressions(
     for (role, yours) in roots(own) {
         let is_let = matches!(role, Role::Let(_));
         let score = |(other, right): &(Role, &Tree)| {
-            let same_role = match is_let {
-                true => 5.0,
-                false => 0.6,
-            };
+            let same_role = if is_let { 5.0 } else { 0.6 };
             yours.likeness(right) + if *other == role { same_role } else { 0.0 }
         };
         let mut likest: Vec<_> = theirs.iter().map(|it| (score(it), it.1)).collect();
@@ -69,9 +66,10 @@ fn expressions(
             differences(yours, right, 0, 0, &mut found);
             proposals.extend(found.into_iter().map(|(at, new, right_part)| {
                 let new = name(&at, &new);
-                match yours.with(&at, right_part).is_same(right) && !new.contains("if ") {
-                    true => Proposal::new(at, new, unlike).whole(),
-                    false => Proposal::new(at, new, unlike + 4),
+                if yours.with(&at, right_part).is_same(right) && !new.contains("if ") {
+                    Proposal::new(at, new, unlike).whole()
+                } else {
+                    Proposal::new(at, new, unlike + 4)
                 }
             }));
         }

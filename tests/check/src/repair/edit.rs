@@ -76,9 +76,10 @@ const MOST: u32 = 3;
 pub(super) fn ranked(function: &Function, proposals: Vec<Proposal>) -> Vec<Edit> {
     let edits = proposals.into_iter().filter_map(|it| {
         let apart = words_apart(function.text.get(it.at.clone())?, &it.new);
-        let cost = match it.is_whole {
-            true => apart.min(MOST + apart / 8),
-            false => apart,
+        let cost = if it.is_whole {
+            apart.min(MOST + apart / 8)
+        } else {
+            apart
         };
         Some(Edit {
             parts: vec![(it.at, it.new)],
@@ -113,9 +114,10 @@ pub(super) fn words(text: &str) -> Vec<&str> {
     let mut words = Vec::new();
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
-        let end = match is_word(first) {
-            true => rest.find(|c| !is_word(c)).unwrap_or(rest.len()),
-            false => first.len_utf8(),
+        let end = if is_word(first) {
+            rest.find(|c| !is_word(c)).unwrap_or(rest.len())
+        } else {
+            first.len_utf8()
         };
         if !first.is_whitespace() && !"()".contains(first) {
             words.push(&rest[..end]);

@@ -235,7 +235,10 @@ fn statements(name: &str, text: &str) -> Vec<Statement> {
         if open.is_empty() {
             first = n;
         }
-        open = format!("{open} {code}").trim_start().to_owned();
+        if !open.is_empty() {
+            open.push(' ');
+        }
+        open += code;
         let brackets = |signs: [char; 2]| code.matches(signs).count() as i32;
         depth += brackets(['(', '[']) - brackets([')', ']']);
         if depth > 0 || !is_python && !code.ends_with([';', '{', '}']) && !code.is_empty() {
@@ -258,28 +261,38 @@ fn statements(name: &str, text: &str) -> Vec<Statement> {
 
 /// The expressions of a statement, each with its role.
 fn values(statement: &str, is_python: bool) -> Vec<(Role, &str)> {
-    let statement = statement.trim_matches([' ', ';', '{', '}', ':']);
-    let statement = statement
-        .trim_start_matches("else ")
-        .trim_start_matches("el");
-    if let Some(rest) = statement.strip_prefix("if ") {
+    let mut all = Vec::new();
+    let mut statement = bare(statement);
+    while let Some(rest) = condition_of(statement) {
         // A statement may stand behind the condition.
-        let end = match is_python {
-            true => rest.find(": "),
-            false => closing(rest),
+        let end = if is_python {
+            rest.find(": ")
+        } else {
+            closing(rest)
         };
         let (condition, rest) = rest.split_at(end.map_or(rest.len(), |at| at + 1));
-        let condition = (Role::Condition, condition.trim_end_matches(':'));
-        return [vec![condition], values(rest, is_python)].concat();
+        all.push((Role::Condition, condition.trim_end_matches(':')));
+        statement = bare(rest);
     }
     if let Some(value) = statement.strip_prefix("return ") {
-        return vec![(Role::Result, value)];
+        all.push((Role::Result, value));
+    } else if let Some((name, value)) = statement.split_once(" = ") {
+        let name = name.rsplit([' ', '.', '>', '&']).next().unwrap_or(name);
+        all.push((Role::Let(name.to_owned()), value));
     }
-    let Some((name, value)) = statement.split_once(" = ") else {
-        return Vec::new();
-    };
-    let name = name.rsplit([' ', '.', '>', '&']).next().unwrap_or(name);
-    vec![(Role::Let(name.to_owned()), value)]
+    all
+}
+
+fn bare(statement: &str) -> &str {
+    let statement = statement.trim_matches([' ', ';', '{', '}', ':']);
+    statement.strip_prefix("else ").unwrap_or(statement)
+}
+
+/// What stands behind `if` or `elif`.
+fn condition_of(statement: &str) -> Option<&str> {
+    let rest = statement.strip_prefix("el").unwrap_or(statement);
+    rest.strip_prefix("if")
+        .filter(|it| it.starts_with([' ', '(']))
 }
 
 /// Where the first bracket is closed.

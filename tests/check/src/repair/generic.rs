@@ -165,13 +165,13 @@ impl Known {
 
     /// Another name or number.
     fn another(&mut self, node: &Tree) {
-        let all = match is_number(node) {
-            true => {
-                self.propose(node, format!("-{}", node.op), 3);
-                self.numbers.clone()
-            }
-            false if self.names.contains(&node.text()) => self.names.clone(),
-            false => return,
+        let all = if is_number(node) {
+            self.propose(node, format!("-{}", node.op), 3);
+            self.numbers.clone()
+        } else if self.names.contains(&node.text()) {
+            self.names.clone()
+        } else {
+            return;
         };
         for other in all
             .into_iter()

@@ -97,9 +97,10 @@ fn likest(
                 -0.2
             };
             let uses = likeness(&uses(right, theirs.name), &uses(yours, own.name));
-            let score = match theirs.name == own.name {
-                true => SAME,
-                false => value.likeness(own.value) + uses + kind + fixed,
+            let score = if theirs.name == own.name {
+                SAME
+            } else {
+                value.likeness(own.value) + uses + kind + fixed
             };
             if score > best.0 {
                 best = (score, Some((n, m)));

@@ -160,9 +160,12 @@ impl Fix<'_> {
         if old.len() == new.len() {
             let pairs = old.iter().zip(&new).enumerate();
             let changed = pairs.filter(|(_, pair)| !is_same(pair));
-            let changes = changed.map(|(n, (_, new))| match new.is_empty() {
-                true => change(n, Right::Nothing),
-                false => change(n, Right::Line(new.clone())),
+            let changes = changed.map(|(n, (_, new))| {
+                if new.is_empty() {
+                    change(n, Right::Nothing)
+                } else {
+                    change(n, Right::Line(new.clone()))
+                }
             });
             return changes.collect();
         }
@@ -174,7 +177,12 @@ impl Fix<'_> {
             0 => change(first, Right::More(right)),
             many => {
                 let all = old[first..first + many].join(" ");
-                let mut change = change(first, Right::Line(right));
+                let right = if right.is_empty() {
+                    Right::Nothing
+                } else {
+                    Right::Line(right)
+                };
+                let mut change = change(first, right);
                 change.yours.text = all;
                 change
             }

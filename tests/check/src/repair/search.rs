@@ -83,9 +83,10 @@ impl<'a> Search<'a> {
                 .iter()
                 .find_map(|common| self.by_two_edits(common, rank))
         };
-        let found = match rank > LIKELY {
-            true => pair().or(found),
-            false => found,
+        let found = if rank > LIKELY {
+            pair().or(found)
+        } else {
+            found
         };
         match found.filter(|(_, edit)| edit.rank <= READABLE) {
             Some(edit) => Some(vec![Fix::edit(&edit)]),

@@ -39,10 +39,10 @@ fn translated(text: &str) -> String {
             (token, _) if token.starts_with(|c: char| c.is_ascii_digit()) => {
                 let number = token.trim_end_matches('f');
                 rust += number;
-                match number.contains('.') {
-                    true if number.ends_with('.') => rust += "0",
-                    true => {}
-                    false => rust += ".0",
+                if number.ends_with('.') {
+                    rust += "0";
+                } else if !number.contains('.') {
+                    rust += ".0";
                 }
             }
             (token, _) => {

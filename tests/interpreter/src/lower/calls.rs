@@ -202,9 +202,10 @@ impl Lowerer<'_> {
             return Err(miscounted(false, 1, it.args.len(), at));
         };
         let of = self.expr(argument)?;
-        let ty = match is_ok {
-            true => Type::UNKNOWN,
-            false => Type::of(Head::Option, of.ty),
+        let ty = if is_ok {
+            Type::UNKNOWN
+        } else {
+            Type::of(Head::Option, of.ty)
         };
         Ok(Typed::new(Node::Some(Box::new(of.node)), ty))
     }
@@ -302,9 +303,10 @@ impl Lowerer<'_> {
         }
         let mut nodes = Vec::with_capacity(given.len());
         for (value, parameter) in given.into_iter().zip(parameters) {
-            let wanted = match with.is_empty() {
-                true => parameter.clone(),
-                false => parameter.with(with),
+            let wanted = if with.is_empty() {
+                parameter.clone()
+            } else {
+                parameter.with(with)
             };
             let typed = match value {
                 syn::Expr::Closure(it) => self.closure(it, &wanted)?,
@@ -481,9 +483,10 @@ impl Lowerer<'_> {
         self.ways = ways;
         let body = body?;
         self.leave(outside);
-        types.push(match result.is_certain() {
-            true => result.clone(),
-            false => body.ty.clone(),
+        types.push(if result.is_certain() {
+            result.clone()
+        } else {
+            body.ty.clone()
         });
         let body = self.declared(body, &result, self.at(&it.body))?;
         let closure = Arc::new(Closure { parameters, body });

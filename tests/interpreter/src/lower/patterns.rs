@@ -64,9 +64,10 @@ impl Lowerer<'_> {
                 let before = self.locals.len();
                 let all = it.cases.iter().map(|it| self.pattern(it, ty, is_late));
                 let all = all.collect::<Lowered<Vec<_>>>()?;
-                match all.len() > 1 && self.locals.len() > before {
-                    true => unknown(at, "names in alternatives"),
-                    false => Ok(Pattern::Or(all)),
+                if all.len() > 1 && self.locals.len() > before {
+                    unknown(at, "names in alternatives")
+                } else {
+                    Ok(Pattern::Or(all))
                 }
             }
             syn::Pat::TupleStruct(it) if it.path.is_ident("Some") => match it.elems.first() {
@@ -114,9 +115,10 @@ impl Lowerer<'_> {
     }
 
     fn expect(&self, ty: &Type, wanted: &Type, at: At) -> Lowered<()> {
-        match wanted.fits(ty, self.names) || ty.fits(wanted, self.names) {
-            true => Ok(()),
-            false => Err(self.names.mismatch(ty, wanted, at)),
+        if wanted.fits(ty, self.names) || ty.fits(wanted, self.names) {
+            Ok(())
+        } else {
+            Err(self.names.mismatch(ty, wanted, at))
         }
     }
 
@@ -172,9 +174,10 @@ impl Lowerer<'_> {
         let own = &self.names.kinds[kind];
         let known = own.variants[variant].known();
         let parts = self.parts(&known, ty, given, at)?;
-        Ok(match own.is_enum {
-            true => Pattern::Variant(variant as u32, parts),
-            false => Pattern::Fields(parts),
+        Ok(if own.is_enum {
+            Pattern::Variant(variant as u32, parts)
+        } else {
+            Pattern::Fields(parts)
         })
     }
 

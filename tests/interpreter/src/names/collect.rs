@@ -51,9 +51,10 @@ pub(crate) fn collect<'a>(
     };
     collector.module(module, &files[root].1.items);
     collector.define();
-    match collector.faults.is_empty() {
-        true => Ok((collector.names, collector.bodies)),
-        false => Err(collector.faults),
+    if collector.faults.is_empty() {
+        Ok((collector.names, collector.bodies))
+    } else {
+        Err(collector.faults)
     }
 }
 
@@ -616,9 +617,10 @@ impl Names {
             let syn::GenericParam::Type(parameter) = parameter else {
                 continue;
             };
-            let bounds = match parameter.bounds.is_empty() {
-                true => where_bounds(&it.generics, &parameter.ident),
-                false => Some(&parameter.bounds),
+            let bounds = if parameter.bounds.is_empty() {
+                where_bounds(&it.generics, &parameter.ident)
+            } else {
+                Some(&parameter.bounds)
             };
             let ty = match bounds {
                 Some(bounds) => self.bounded(&context, bounds)?,
