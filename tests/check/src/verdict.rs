@@ -11,7 +11,7 @@ use crate::reading::{self, Cause, Reading};
 use crate::repair::Repair;
 use crate::scene::Scene;
 use crate::telling;
-use crate::{causes, copies, seen};
+use crate::{candidates, causes, copies, seen};
 
 /// What there is to say about a picture.
 #[derive(Debug)]
@@ -278,6 +278,13 @@ impl Finding {
     /// picture only that which goes with it.
     fn repaired(mut self, evidence: &Evidence) -> Self {
         let is_exact = self.near.as_ref().is_some_and(Near::is_exact);
+        if self.scene.step().is_some()
+            && !is_exact
+            && evidence.repair().is_some_and(Repair::is_of_lines)
+        {
+            // All is written, and a line of it is wrong: it is no step on the way.
+            self = Self::beside(evidence, &candidates::rights(evidence)[0]);
+        }
         if self.scene.step().is_some() || is_exact && self.is_answered {
             return self;
         }

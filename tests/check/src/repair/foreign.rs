@@ -10,6 +10,7 @@ use super::spelling::{in_rust, plain};
 use super::tree::{Tree, squeezed};
 use super::{Change, Repair, Right};
 use crate::reading::Reading;
+use crate::scene::Scene;
 use crate::sources::Line;
 
 /// So many lines are tried in one place, if they have this much in common with what is there.
@@ -52,8 +53,23 @@ pub(super) fn repair(
     let is_older = older.0.len() < newest.0.len();
     let (missing, wrong) = if is_older { older } else { newest };
     let files = &editions[usize::from(is_older)];
+    // Where no sphere is seen many a line draws the picture: only that of the same role is tried.
+    let has_sphere = !is_sky(chapter, reading);
     let mut missing = missing.into_iter();
-    missing.find_map(|place| place.repair(&wrong, files, reading))
+    missing.find_map(|place| {
+        let is_likely = |it: &&Statement| has_sphere || it.role == place.role;
+        let wrong: Vec<&Statement> = wrong.iter().copied().filter(is_likely).collect();
+        place.repair(&wrong, files, reading)
+    })
+}
+
+fn is_sky(chapter: Chapter, reading: &Reading) -> bool {
+    let sky = Scene::new(chapter, None).map(|it| it.of_sky(reading.width, reading.height));
+    sky.is_some_and(|sky| {
+        let (pixels, _) = sky.rgb().as_chunks::<3>();
+        let mut pairs = pixels.iter().zip(&reading.pixels);
+        pairs.all(|(sky, found)| sky.map(i16::from) == *found)
+    })
 }
 
 /// The chapter's expressions that the reader does not have, and the reader's that the chapter

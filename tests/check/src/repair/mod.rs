@@ -62,6 +62,12 @@ pub enum Right {
 }
 
 impl Repair {
+    /// Whether each change is a line in the place of another.
+    pub(crate) fn is_of_lines(&self) -> bool {
+        let mut changes = self.changes.iter();
+        changes.all(|it| matches!(it.right, Right::Line(_)))
+    }
+
     /// What makes a program right that draws this picture of the scene.
     pub(crate) fn of(scene: &Scene, reading: &Reading, sources: &Sources) -> Option<Self> {
         let files = sources.in_rust();
