@@ -277,18 +277,18 @@ impl Finding {
     /// The same with what makes the reader's program right, and of the mistakes that draw its
     /// picture only that which goes with it.
     fn repaired(mut self, evidence: &Evidence) -> Self {
-        let is_exact = self.near.as_ref().is_some_and(Near::is_exact);
+        let (sources, known) = (&evidence.known.sources, evidence.known);
+        let is_exact = |it: &Self| it.near.as_ref().is_some_and(Near::is_exact);
         if self.scene.step().is_some()
-            && !is_exact
+            && (sources.is_written() || !is_exact(&self))
             && evidence.repair().is_some_and(Repair::is_of_lines)
         {
             // All is written, and a line of it is wrong: it is no step on the way.
             self = Self::beside(evidence, &candidates::rights(evidence)[0]);
         }
-        if self.scene.step().is_some() || is_exact && self.is_answered {
+        if self.scene.step().is_some() || is_exact(&self) && self.is_answered {
             return self;
         }
-        let (sources, known) = (&evidence.known.sources, evidence.known);
         // A slip's line in another language is said in that.
         let is_found = |slip: &&Slip| known.line_of(slip, &self.scene).is_some();
         if sources.in_rust().is_empty() && self.single().iter().any(is_found) {

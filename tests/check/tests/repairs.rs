@@ -9,12 +9,14 @@ use check::reading::Reading;
 use check::scene::Scene;
 use check::sources::Sources;
 use check::verdict::{Check, judge};
-use slips::{Chapter, Letters, Program};
+use slips::{Chapter, Letters, Program, steps};
 
 /// Chapters, whether in their own text or in another form, and what stands there wrong for what
 /// is right.
-const MISTAKES: [(Text, &str, &str); 40] = [
+const MISTAKES: [(Text, &str, &str); 42] = [
     (GRADIENT, "unit_direction.y + 1.0", "unit_direction.y - 1.0"),
+    (GRADIENT, "unit_direction.y + 1.0", "unit_direction.z + 1.0"),
+    (GRADIENT, "+ a * blue", "+ blue"),
     (GRADIENT, "ray.direction.normalize()", "ray.direction"),
     (
         GRADIENT,
@@ -226,6 +228,8 @@ fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<che
         answers: is_hidden.then_some(&unlike),
         letters: Some(Letters::Rust),
         sources: Sources::of_chapter(files.to_vec(), chapter),
+        // As in a crate of `start`, in which each step on the way is judged.
+        steps: vec![false; steps::of(chapter).len()],
         ..Known::default()
     };
     let scene = Scene::new(chapter, None).expect("without a probe it is a scene");
