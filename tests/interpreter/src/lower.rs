@@ -11,9 +11,7 @@ use std::sync::Arc;
 
 use syn::spanned::Spanned;
 
-use crate::names::{
-    Body, Context, Field, Inside, Names, Signature, literal, names, there_is, unknown,
-};
+use crate::names::{Body, Context, Field, Inside, Names, Signature, literal, names, there_is};
 use crate::node::{At, Function, Node, Root, Step, Target};
 use crate::operators::{Operator, operator};
 use crate::read::{Refusal, at, at_expr, at_span};
@@ -38,7 +36,7 @@ pub(crate) fn lower(
         },
         locals: Vec::new(),
         slots: 0,
-        ways: Vec::new(),
+        loops: Vec::new(),
         result: signature.result.clone(),
         warnings,
     };
@@ -93,20 +91,14 @@ struct Local {
     is_used: bool,
 }
 
-/// A loop.
-struct Way {
-    label: Option<String>,
-    /// Whether it is ever left.
-    is_left: bool,
-}
-
 struct Lowerer<'n> {
     names: &'n Names,
     file: u32,
     context: Context,
     locals: Vec<Local>,
     slots: usize,
-    ways: Vec<Way>,
+    /// Of each loop around whether it is ever left.
+    loops: Vec<bool>,
     result: Type,
     warnings: &'n mut Vec<String>,
 }
@@ -439,49 +431,48 @@ impl Lowerer<'_> {
             syn::Expr::While(it) => {
                 let outside = self.locals.len();
                 let condition = self.given(&it.cond, &Head::Bool.into())?;
-                let (body, way, _) = self.looped(&it.body, it.label.as_ref())?;
+                let (body, _) = self.looped(&it.body, it.label.as_ref())?;
                 self.leave(outside);
                 let at = self.at_any(&it.while_token);
-                typed(
-                    Node::While(Box::new([condition, body]), way, at),
-                    Type::UNIT,
-                )
+                typed(Node::While(Box::new([condition, body]), at), Type::UNIT)
             }
             syn::Expr::Loop(it) => {
-                let (body, way, is_left) = self.looped(&it.body, it.label.as_ref())?;
+                let (body, is_left) = self.looped(&it.body, it.label.as_ref())?;
                 let ty = if is_left {
                     Type::UNKNOWN
                 } else {
                     Head::Never.into()
                 };
                 let at = self.at_any(&it.loop_token);
-                typed(Node::While(Box::new([Node::Bool(true), body]), way, at), ty)
+                typed(Node::While(Box::new([Node::Bool(true), body]), at), ty)
             }
             syn::Expr::ForLoop(it) => {
                 let each = self.expr(&it.expr)?;
                 let (each, of) = self.iterated(each, &it.expr)?;
                 let outside = self.locals.len();
                 let pattern = self.pattern(&it.pat, &of, false)?;
-                let (body, way, _) = self.looped(&it.body, it.label.as_ref())?;
+                let (body, _) = self.looped(&it.body, it.label.as_ref())?;
                 self.leave(outside);
                 let at = self.at_any(&it.for_token);
                 typed(
-                    Node::For(Box::new(pattern), Box::new([each, body]), way, at),
+                    Node::For(Box::new(pattern), Box::new([each, body]), at),
                     Type::UNIT,
                 )
             }
             syn::Expr::Break(it) => {
-                let way = self.way(it.label.as_ref(), self.at(expr), "break")?;
+                self.inside_a_loop(it.label.as_ref(), self.at(expr), "break")?;
                 let value = match &it.expr {
                     Some(value) => self.expr(value)?.node,
                     None => Node::Unit,
                 };
-                self.ways[way].is_left = true;
-                typed(Node::Break(way, Box::new(value)), Head::Never.into())
+                if let Some(is_left) = self.loops.last_mut() {
+                    *is_left = true;
+                }
+                typed(Node::Break(Box::new(value)), Head::Never.into())
             }
             syn::Expr::Continue(it) => {
-                let way = self.way(it.label.as_ref(), self.at(expr), "continue")?;
-                typed(Node::Continue(way), Head::Never.into())
+                self.inside_a_loop(it.label.as_ref(), self.at(expr), "continue")?;
+                typed(Node::Continue, Head::Never.into())
             }
             syn::Expr::Return(it) => {
                 let result = self.result.clone();
@@ -511,7 +502,7 @@ impl Lowerer<'_> {
                         Node::Repeat(Box::new(of.node), length),
                         Type::of(Head::Array(length), of.ty.settled()),
                     ),
-                    _ => unknown(self.at(&it.len), "such a length"),
+                    _ => Err(Refusal::unknown(self.at(&it.len), "such a length")),
                 }
             }
             syn::Expr::Range(it) => self.range(it),
@@ -528,8 +519,8 @@ impl Lowerer<'_> {
             syn::Expr::Try(it) => self.tried(it),
             syn::Expr::Struct(it) => self.structure(it),
             syn::Expr::Macro(it) => self.macro_call(&it.mac),
-            syn::Expr::Unsafe(_) => unknown(self.at(expr), "`unsafe`"),
-            _ => unknown(self.at(expr), "this kind of expression"),
+            syn::Expr::Unsafe(_) => Err(Refusal::unknown(self.at(expr), "`unsafe`")),
+            _ => Err(Refusal::unknown(self.at(expr), "this kind of expression")),
         }
     }
 
@@ -608,7 +599,7 @@ impl Lowerer<'_> {
                 Node::Str(Arc::from(it.value())),
                 Type::of(Head::Ref, Head::Str.into()),
             ),
-            _ => return unknown(place, "this kind of literal"),
+            _ => return Err(Refusal::unknown(place, "this kind of literal")),
         })
     }
 
@@ -721,31 +712,25 @@ impl Lowerer<'_> {
         )
     }
 
-    /// A body, its number, and whether it is ever left.
-    fn looped(
-        &mut self,
-        body: &syn::Block,
-        label: Option<&syn::Label>,
-    ) -> Lowered<(Node, usize, bool)> {
-        self.ways.push(Way {
-            label: label.map(|it| it.name.to_string()),
-            is_left: false,
-        });
+    /// The body of a loop, and whether it ever leaves the loop.
+    fn looped(&mut self, body: &syn::Block, label: Option<&syn::Label>) -> Lowered<(Node, bool)> {
+        if let Some(label) = label {
+            return Err(Refusal::unknown(self.at_any(label), "labels of loops"));
+        }
+        self.loops.push(false);
         let typed = self.block(body)?;
         let place = at_span(self.file, body.brace_token.span.close());
         let node = self.declared(typed, &Type::UNIT, place)?;
-        let is_left = self.ways.pop().is_some_and(|it| it.is_left);
-        Ok((node, self.ways.len(), is_left))
+        Ok((node, self.loops.pop().unwrap_or_default()))
     }
 
-    fn way(&self, label: Option<&syn::Lifetime>, at: At, word: &str) -> Lowered<usize> {
-        let is_it = |way: &Way| match label {
-            Some(label) => way.label.as_deref() == Some(&label.to_string()),
-            None => true,
-        };
-        match self.ways.iter().rposition(is_it) {
-            Some(way) => Ok(way),
-            None => self.refused(at, format!("`{word}` outside of a loop")),
+    fn inside_a_loop(&self, label: Option<&syn::Lifetime>, at: At, word: &str) -> Lowered<()> {
+        match label {
+            Some(_) => Err(Refusal::unknown(at, "labels of loops")),
+            None if self.loops.is_empty() => {
+                self.refused(at, format!("`{word}` outside of a loop"))
+            }
+            None => Ok(()),
         }
     }
 
@@ -931,7 +916,7 @@ impl Lowerer<'_> {
         let known = self.names.fields_of(ty);
         let mut nodes = self.fields_given(it, &name, &known)?;
         if it.rest.is_some() {
-            return unknown(self.at_any(it), "such an initializer");
+            return Err(Refusal::unknown(self.at_any(it), "such an initializer"));
         }
         nodes.sort_by_key(|it| it.0);
         let nodes = nodes.into_iter().map(|it| it.1).collect();
@@ -977,7 +962,7 @@ impl Lowerer<'_> {
         let index = self.expr(&it.index)?;
         let at = self.at_any(it);
         if index.ty.is(Head::Range) {
-            return unknown(self.at(&it.index), "slices by a range");
+            return Err(Refusal::unknown(self.at(&it.index), "slices by a range"));
         }
         let usize = Type::from(Head::Int(Int::Usize));
         if !index.ty.fits(&usize, self.names) {
@@ -1012,7 +997,8 @@ impl Lowerer<'_> {
             syn::UnOp::Not(_) => {
                 let of = self.stripped(of);
                 match of.ty.0 {
-                    Head::Bool | Head::Int(_) | Head::Unknown => {
+                    Head::Int(_) => Err(Refusal::unknown(at, "`!` of integers")),
+                    Head::Bool | Head::Unknown => {
                         Ok(Typed::new(Node::Not(Box::new(of.node), at), of.ty))
                     }
                     _ => Err(self.names.no_unary("!", &of.ty, at)),
@@ -1036,7 +1022,7 @@ impl Lowerer<'_> {
                     node => Ok(Typed::new(Node::Negate(Box::new(node), at), of.ty)),
                 }
             }
-            _ => unknown(at, "this operator"),
+            _ => Err(Refusal::unknown(at, "this operator")),
         }
     }
 
@@ -1046,7 +1032,7 @@ impl Lowerer<'_> {
             ..self.at(&it.left)
         };
         let Some(operator) = operator(&it.op) else {
-            return unknown(at, "this operator");
+            return Err(Refusal::unknown(at, "this operator"));
         };
         let bool = Type::from(Head::Bool);
         match operator {
@@ -1065,6 +1051,10 @@ impl Lowerer<'_> {
                     .comparable(order, types, at, self.at(&it.right))?;
                 let nodes = [left, right].map(|it| self.stripped(it).node);
                 Ok(Typed::new(Node::Compare(order, Box::new(nodes), at), bool))
+            }
+            Operator::Bits(sign) => {
+                let (left, right) = (self.expr(&it.left)?, self.expr(&it.right)?);
+                Err(self.names.no_bits(sign, [&left.ty, &right.ty], at))
             }
             Operator::Arithmetic(sign, is_assignment) => {
                 let (left, right) = (self.expr(&it.left)?, self.expr(&it.right)?);

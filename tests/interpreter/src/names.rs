@@ -154,11 +154,6 @@ pub(crate) enum Callee {
     Native(usize),
 }
 
-pub(crate) fn unknown<T>(at: At, what: &str) -> Result<T, Refusal> {
-    let message = format!("this page does not know {what}");
-    Err(Refusal::new(at, &message, "", "cargo does"))
-}
-
 /// So many imports may follow each other.
 const LONGEST: u32 = 8;
 

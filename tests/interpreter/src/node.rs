@@ -63,11 +63,11 @@ pub(crate) enum Node {
     If(Box<[Node; 3]>),
     Match(Box<Node>, Vec<Arm>, At),
     Matches(Box<Pattern>, Box<Node>),
-    /// A condition, a body, and a number that `break` and `continue` name it by.
-    While(Box<[Node; 2]>, usize, At),
-    For(Box<Pattern>, Box<[Node; 2]>, usize, At),
-    Break(usize, Box<Node>),
-    Continue(usize),
+    /// A condition, and a body.
+    While(Box<[Node; 2]>, At),
+    For(Box<Pattern>, Box<[Node; 2]>, At),
+    Break(Box<Node>),
+    Continue,
     Return(Box<Node>),
     Try(Box<Node>),
     /// What is done one after the other, and whether the last is what it comes to.
@@ -92,11 +92,6 @@ pub(crate) enum Sign {
     Times,
     Over,
     Remainder,
-    BitAnd,
-    BitOr,
-    BitXor,
-    Left,
-    Right,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -143,7 +138,6 @@ pub(crate) enum Pattern {
     Any,
     Bind(usize, Box<Pattern>),
     Literal(Node),
-    Range(Option<Node>, Option<Node>, bool),
     None,
     Some(Box<Pattern>),
     /// A variant of one of the reader's kinds, and its fields by their numbers.
@@ -151,7 +145,6 @@ pub(crate) enum Pattern {
     /// The fields of a value that has no variants.
     Fields(Vec<(usize, Pattern)>),
     Many(Vec<Pattern>),
-    Or(Vec<Pattern>),
 }
 
 /// A function, ready to be run.
@@ -178,7 +171,6 @@ impl Pattern {
             Self::Bind(_, pattern) => pattern.is_irrefutable(),
             Self::Fields(all) => all.iter().all(|(_, it)| it.is_irrefutable()),
             Self::Many(all) => all.iter().all(Self::is_irrefutable),
-            Self::Or(all) => all.iter().any(Self::is_irrefutable),
             _ => false,
         }
     }

@@ -15,6 +15,8 @@ pub(crate) enum Operator {
     Compare(Order),
     And,
     Or,
+    /// Of bits, which no chapter has: a `^` is meant as a power.
+    Bits(&'static str),
 }
 
 pub(crate) fn operator(op: &syn::BinOp) -> Option<Operator> {
@@ -26,11 +28,11 @@ pub(crate) fn operator(op: &syn::BinOp) -> Option<Operator> {
         Op::Mul(_) => Arithmetic(Sign::Times, false),
         Op::Div(_) => Arithmetic(Sign::Over, false),
         Op::Rem(_) => Arithmetic(Sign::Remainder, false),
-        Op::BitAnd(_) => Arithmetic(Sign::BitAnd, false),
-        Op::BitOr(_) => Arithmetic(Sign::BitOr, false),
-        Op::BitXor(_) => Arithmetic(Sign::BitXor, false),
-        Op::Shl(_) => Arithmetic(Sign::Left, false),
-        Op::Shr(_) => Arithmetic(Sign::Right, false),
+        Op::BitAnd(_) => Operator::Bits("&"),
+        Op::BitOr(_) => Operator::Bits("|"),
+        Op::BitXor(_) => Operator::Bits("^"),
+        Op::Shl(_) => Operator::Bits("<<"),
+        Op::Shr(_) => Operator::Bits(">>"),
         Op::AddAssign(_) => Arithmetic(Sign::Plus, true),
         Op::SubAssign(_) => Arithmetic(Sign::Minus, true),
         Op::MulAssign(_) => Arithmetic(Sign::Times, true),
@@ -57,11 +59,6 @@ impl Sign {
             Self::Times => ("Mul", "*", "multiply"),
             Self::Over => ("Div", "/", "divide"),
             Self::Remainder => ("Rem", "%", "calculate the remainder of"),
-            Self::BitAnd => ("BitAnd", "&", ""),
-            Self::BitOr => ("BitOr", "|", ""),
-            Self::BitXor => ("BitXor", "^", ""),
-            Self::Left => ("Shl", "<<", ""),
-            Self::Right => ("Shr", ">>", ""),
         }
     }
 
@@ -69,8 +66,6 @@ impl Sign {
     pub(crate) fn overflow(self) -> String {
         match self {
             Self::Remainder => "attempt to calculate the remainder with overflow".to_owned(),
-            Self::Left => "attempt to shift left with overflow".to_owned(),
-            Self::Right => "attempt to shift right with overflow".to_owned(),
             _ => format!("attempt to {} with overflow", self.words().2),
         }
     }
@@ -131,10 +126,7 @@ impl Names {
 
     /// The type of what comes out, if the two go together.
     pub(crate) fn result_of(&self, sign: Sign, one: &Type, other: &Type) -> Option<Type> {
-        let is_bits = matches!(sign, Sign::BitAnd | Sign::BitOr | Sign::BitXor);
-        let is_shift = matches!(sign, Sign::Left | Sign::Right);
-        let is_of_floats = !is_bits && !is_shift;
-        let is_of_vectors = is_of_floats && sign != Sign::Remainder;
+        let is_of_vectors = sign != Sign::Remainder;
         if let Some(own) = self.operator(sign, false, [one, other]) {
             return Some(self.functions[own].result.clone());
         }
@@ -144,18 +136,14 @@ impl Names {
                 None
             }
             (Head::Unknown, _) | (_, Head::Unknown) => Some(Type::UNKNOWN),
-            (Head::Bool, Head::Bool) if is_bits => Some(one.clone()),
-            (Head::Int(_), Head::Int(_)) if is_shift => Some(one.clone()),
             (Head::Int(a), Head::Int(b)) => a.joined(b).map(|it| Head::Int(it).into()),
             (Head::Vec3, Head::Vec3 | Head::F64 | Head::Float) if is_of_vectors => {
                 Some(one.clone())
             }
             (Head::F64 | Head::Float, Head::Vec3) if is_of_vectors => Some(other.clone()),
-            (Head::Float, Head::F64 | Head::F32 | Head::Float) if is_of_floats => {
-                Some(other.clone())
-            }
-            (Head::F64 | Head::F32, Head::Float) if is_of_floats => Some(one.clone()),
-            (Head::F64, Head::F64) | (Head::F32, Head::F32) if is_of_floats => Some(one.clone()),
+            (Head::Float, Head::F64 | Head::F32 | Head::Float) => Some(other.clone()),
+            (Head::F64 | Head::F32, Head::Float) => Some(one.clone()),
+            (Head::F64, Head::F64) | (Head::F32, Head::F32) => Some(one.clone()),
             (Head::Str, Head::Str) if sign == Sign::Plus => Some(one.clone()),
             _ => None,
         }
@@ -180,8 +168,7 @@ impl Names {
             "+" => format!("cannot {verb} `{other}` to `{one}`"),
             "-" => format!("cannot {verb} `{other}` from `{one}`"),
             "*" | "/" => format!("cannot {verb} `{one}` by `{other}`"),
-            "%" => format!("cannot {verb} `{one}` divided by `{other}`"),
-            _ => format!("no implementation for `{one} {sign} {other}`"),
+            _ => format!("cannot {verb} `{one}` divided by `{other}`"),
         };
         let is_number = |it: &Type| it.is_integer() || it.is_float() || it.is(Head::Vec3);
         let is_mixed = types[0].is_integer() != types[1].is_integer();
@@ -193,6 +180,17 @@ impl Names {
             "convert the integer: `f64::from(…)`, or `… as f64`"
         };
         Refusal::new(at, &message, "", help)
+    }
+
+    /// The same of bits, where the compiler has none for these types.
+    pub(crate) fn no_bits(&self, sign: &str, types: [&Type; 2], at: At) -> Refusal {
+        let has_bits = |it: &Type| it.is_integer() || it.is(Head::Bool) || it.is_unknown();
+        if types.into_iter().all(has_bits) {
+            return Refusal::unknown(at, &format!("`{sign}`"));
+        }
+        let [one, other] = types.map(|it| it.name(self));
+        let message = format!("no implementation for `{one} {sign} {other}`");
+        Refusal::new(at, &message, "", "")
     }
 
     pub(crate) fn no_unary(&self, sign: &str, ty: &Type, at: At) -> Refusal {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, LexError, Span, TokenStream, TokenTree};
 use syn::spanned::Spanned;
 
 use crate::node::At;
@@ -37,6 +37,12 @@ impl Refusal {
             help: help.to_owned(),
             is_refused: true,
         }
+    }
+
+    /// What the compiler takes, and is not known here.
+    pub(crate) fn unknown(at: At, what: &str) -> Self {
+        let message = format!("this page does not know {what}");
+        Self::new(at, &message, "", "cargo does")
     }
 
     /// A program that has begun stops.
@@ -121,24 +127,13 @@ pub(crate) fn parse(file: usize, text: &str) -> Result<syn::File, Refusal> {
     let file = file as u32;
     if text.len() > LONGEST {
         let message = format!("this text is longer than {LONGEST} bytes");
-        return Err(Refusal::new(
-            At::default(),
-            &message,
-            "",
-            "the page runs a chapter",
-        ));
+        let help = "the page runs a chapter";
+        return Err(Refusal::new(At::default(), &message, "", help));
     }
-    let code = scan(file, text)?;
-    let tokens: Result<TokenStream, _> = code.parse();
-    let tokens = tokens.map_err(|error: proc_macro2::LexError| {
-        let place = at_span(file, error.span());
-        Refusal::new(
-            place,
-            "this is no Rust",
-            "",
-            "look for a quote without its other half",
-        )
-    })?;
+    let code = plain(text);
+    let tokens: TokenStream = code
+        .parse()
+        .map_err(|error: LexError| no_token(file, text, &code, error.span()))?;
     let mut limits = Limits {
         file,
         words: 0,
@@ -146,28 +141,78 @@ pub(crate) fn parse(file: usize, text: &str) -> Result<syn::File, Refusal> {
         signs: 0,
     };
     limits.walk(tokens.clone(), 0)?;
-    syn::parse2(tokens).map_err(|error| {
-        let message = error.to_string();
-        let found = at_span(file, error.span());
-        // What is missing is missing after the word before.
-        let is_missing = message.starts_with("expected `;`") || message.starts_with("expected `,`");
-        let before = text[..found.start as usize].trim_end().len();
-        let place = if is_missing && before > 0 {
-            at_bytes(file, last_char(text, before)..before)
-        } else {
-            found
-        };
-        let help = if message.contains("unexpected end of input") {
-            "something is missing before the closing bracket"
-        } else {
-            ""
-        };
-        Refusal::new(place, &message, "", help)
-    })
+    syn::parse2(tokens).map_err(|error| no_tree(file, text, &error))
 }
 
-fn last_char(text: &str, end: usize) -> usize {
-    text[..end].char_indices().next_back().map_or(0, |it| it.0)
+/// The text with each byte in its place, but for comments that become attributes, since to
+/// parse these takes longer than the rest, and for blanks that are none in Rust.
+fn plain(text: &str) -> String {
+    let has_blocks = text.contains("/*");
+    let line = |line: &str| {
+        let start = line.trim_start();
+        if has_blocks || !start.starts_with("///") && !start.starts_with("//!") {
+            let line = line.replace('\u{a0}', "×");
+            return line.replace(['\u{2009}', '\u{202f}'], "−");
+        }
+        let end = line.trim_end_matches(['\r', '\n']);
+        " ".repeat(end.len()) + &line[end.len()..]
+    };
+    text.split_inclusive('\n').map(line).collect()
+}
+
+/// What stands where a token should begin.
+fn no_token(file: u32, text: &str, code: &str, span: Span) -> Refusal {
+    let at = at_span(file, span);
+    let sign = text[at.start as usize..].chars().next().unwrap_or(' ');
+    let place = At {
+        end: at.start + sign.len_utf8() as u32,
+        ..at
+    };
+    let (message, help) = match sign {
+        '(' | '[' | '{' => ("this file contains an unclosed delimiter", ""),
+        '"' => ("unterminated double quote string", ""),
+        '/' => ("unterminated block comment", ""),
+        '\'' => ("this is no character", "text stands between `\"`"),
+        ')' | ']' | '}' => return no_bracket(sign, place, &code[..at.start as usize]),
+        sign => {
+            let message = format!("unknown start of token: {}", sign.escape_unicode());
+            let known = LOOKALIKES.iter().find(|it| it.0 == sign);
+            let help = known.map(|it| format!("it looks like `{}`, but it is not", it.1));
+            return Refusal::new(place, &message, "", &help.unwrap_or_default());
+        }
+    };
+    Refusal::new(place, message, "", help)
+}
+
+/// A bracket that closes another than the last open one, which is named, or none.
+fn no_bracket(sign: char, place: At, before: &str) -> Refusal {
+    let open: Result<TokenStream, LexError> = before.parse();
+    let Err(open) = open else {
+        let message = format!("unexpected closing delimiter: `{sign}`");
+        return Refusal::new(place, &message, "", "");
+    };
+    let start = at_span(place.file, open.span()).start as usize;
+    let message = format!("mismatched closing delimiter: `{sign}`");
+    Refusal::new(at_bytes(place.file, start..start + 1), &message, "", "")
+}
+
+/// Why the tokens are no tree.
+fn no_tree(file: u32, text: &str, error: &syn::Error) -> Refusal {
+    let message = error.to_string();
+    let found = at_span(file, error.span());
+    // What is missing is missing after the word before.
+    let is_missing = message.starts_with("expected `;`") || message.starts_with("expected `,`");
+    let before = text[..found.start as usize].trim_end();
+    let place = match before.char_indices().next_back() {
+        Some((last, _)) if is_missing => at_bytes(file, last..before.len()),
+        _ => found,
+    };
+    let help = if message.contains("unexpected end of input") {
+        "something is missing before the closing bracket"
+    } else {
+        ""
+    };
+    Refusal::new(place, &message, "", help)
 }
 
 /// Signs that look like others, as books and word processors write them.
@@ -187,94 +232,6 @@ const LOOKALIKES: [(char, &str); 14] = [
     ('½', "0.5"),
     ('\u{a0}', " "),
 ];
-
-/// Scanning, before anything else: characters that no Rust has, and brackets without their
-/// other halves. Comments and quotes are passed over. Returns the text with blanks for its
-/// comments: those for readers would take longer to parse than the rest.
-fn scan(file: u32, text: &str) -> Result<String, Refusal> {
-    let mut code = text.as_bytes().to_vec();
-    let mut open: Vec<(char, At)> = Vec::new();
-    let mut at = 0;
-    while let Some(sign) = text[at..].chars().next() {
-        let end = at + sign.len_utf8();
-        let place = at_bytes(file, at..end);
-        let start = at;
-        at += passed_over(&text[at..]).unwrap_or(sign.len_utf8());
-        if sign == '/' && at > end {
-            let comment = code[start..at].iter_mut();
-            comment.filter(|it| **it != b'\n').for_each(|it| *it = b' ');
-        }
-        match sign {
-            '(' | '[' | '{' if at == end => open.push((sign, place)),
-            ')' | ']' | '}' => {
-                let wanted = match sign {
-                    ')' => '(',
-                    ']' => '[',
-                    _ => '{',
-                };
-                let (place, message) = match open.pop() {
-                    Some((other, _)) if other == wanted => continue,
-                    Some((_, place)) => (place, format!("mismatched closing delimiter: `{sign}`")),
-                    None => (place, format!("unexpected closing delimiter: `{sign}`")),
-                };
-                return Err(Refusal::new(place, &message, "", ""));
-            }
-            _ if sign.is_ascii() || sign.is_alphabetic() || at > end => {}
-            _ => {
-                let message = format!("unknown start of token: {}", sign.escape_unicode());
-                let known = LOOKALIKES.iter().find(|it| it.0 == sign);
-                let help = known.map_or(String::new(), |it| {
-                    format!("it looks like `{}`, but it is not", it.1)
-                });
-                return Err(Refusal::new(place, &message, "", &help));
-            }
-        }
-    }
-    match open.pop() {
-        None => Ok(String::from_utf8_lossy(&code).into_owned()),
-        Some((sign, place)) => {
-            let message = "this file contains an unclosed delimiter";
-            Err(Refusal::new(
-                place,
-                message,
-                &format!("`{sign}` is still open"),
-                "",
-            ))
-        }
-    }
-}
-
-/// How many bytes a comment or a quote has that begins here.
-fn passed_over(text: &str) -> Option<usize> {
-    let until = |end: &str, from: usize| {
-        text[from..]
-            .find(end)
-            .map_or(text.len(), |it| from + it + end.len())
-    };
-    if text.starts_with("//") {
-        return Some(text.find('\n').unwrap_or(text.len()));
-    }
-    if text.starts_with("/*") {
-        return Some(until("*/", 2));
-    }
-    if let Some(inside) = text.strip_prefix('"') {
-        let mut is_escaped = false;
-        let end = inside.find(|it| {
-            let is_end = it == '"' && !is_escaped;
-            is_escaped = it == '\\' && !is_escaped;
-            is_end
-        });
-        return Some(end.map_or(text.len(), |it| it + 2));
-    }
-    // A character, and no lifetime.
-    let rest = text.strip_prefix('\'')?;
-    let mut signs = rest.chars();
-    match (signs.next()?, signs.next()?) {
-        ('\\', second) => Some(until("'", 2 + second.len_utf8())),
-        (sign, '\'') => Some(2 + sign.len_utf8()),
-        _ => None,
-    }
-}
 
 struct Limits {
     file: u32,

@@ -2,7 +2,6 @@
 //! chapters. What reading has left open is checked here: what is declared, and which types go
 //! together.
 
-use std::cmp::Ordering;
 use std::iter;
 use std::mem;
 use std::rc::Rc;
@@ -11,7 +10,7 @@ use std::sync::Arc;
 use common::rtweekend::Vec3 as DVec3;
 
 use crate::lower::miscounted;
-use crate::names::{Names, unknown};
+use crate::names::Names;
 use crate::node::{At, Function, Node, Order, Pattern, Root, Sign, Step, Target};
 use crate::prelude::{self, LONGEST_TEXT, NATIVES, TEXT_TOO_LONG};
 use crate::read::Refusal;
@@ -30,8 +29,8 @@ pub(crate) struct Code {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Stop {
     Return,
-    Break(usize),
-    Continue(usize),
+    Break,
+    Continue,
     Fault,
 }
 
@@ -466,7 +465,6 @@ impl<'c> Machine<'c> {
                 Value::Unit
             }
             Node::Not(of, at) => match self.eval(of)? {
-                Value::Int(it, int) => Value::Int(int.wrapped(!it), int),
                 Value::Bool(it) => Value::Bool(!it),
                 it => return self.refuse(self.code.names.no_unary("!", &it.ty(), *at)),
             },
@@ -560,29 +558,29 @@ impl<'c> Machine<'c> {
                 let value = self.eval(of)?;
                 Value::Bool(self.binds(pattern, &value)?)
             }
-            Node::While(nodes, label, at) => loop {
+            Node::While(nodes, at) => loop {
                 self.turn(*at)?;
-                if !self.truth(&nodes[0])? || self.is_left(&nodes[1], *label)? {
+                if !self.truth(&nodes[0])? || self.is_left(&nodes[1])? {
                     break mem::take(&mut self.left);
                 }
             },
-            Node::For(pattern, nodes, label, at) => {
+            Node::For(pattern, nodes, at) => {
                 let each = self.eval(&nodes[0])?;
                 let each = self.iterator(&each, *at)?;
                 while let Some(value) = each.next(self)? {
                     self.turn(*at)?;
                     self.binds(pattern, &value)?;
-                    if self.is_left(&nodes[1], *label)? {
+                    if self.is_left(&nodes[1])? {
                         break;
                     }
                 }
                 Value::Unit
             }
-            Node::Break(label, value) => {
+            Node::Break(value) => {
                 self.left = self.eval(value)?;
-                return Err(Stop::Break(*label));
+                return Err(Stop::Break);
             }
-            Node::Continue(label) => return Err(Stop::Continue(*label)),
+            Node::Continue => return Err(Stop::Continue),
             Node::Try(of) => match self.eval(of)? {
                 Value::Some(value) => Rc::unwrap_or_clone(value),
                 _ => {
@@ -610,13 +608,12 @@ impl<'c> Machine<'c> {
     }
 
     /// Runs the body of a loop; whether it has left the loop.
-    fn is_left(&mut self, body: &Node, label: usize) -> Eval<bool> {
+    fn is_left(&mut self, body: &Node) -> Eval<bool> {
         self.left = Value::Unit;
         match self.eval(body) {
-            Err(Stop::Break(to)) if to == label => Ok(true),
-            Err(Stop::Continue(to)) if to == label => Ok(false),
+            Err(Stop::Break) => Ok(true),
+            Err(Stop::Continue) | Ok(_) => Ok(false),
             Err(stop) => Err(stop),
-            Ok(_) => Ok(false),
         }
     }
 
@@ -661,8 +658,7 @@ impl<'c> Machine<'c> {
         };
         let Some(function) = function else {
             let name = receiver.ty().name(&self.code.names);
-            return self
-                .refuse(unknown::<()>(at, &format!("this trait for `{name}`")).unwrap_err());
+            return self.refuse(Refusal::unknown(at, &format!("this trait for `{name}`")));
         };
         if !self.code.names.functions[function].parameters[0].is(Head::RefMut) {
             self.stack[start] = receiver;
@@ -831,21 +827,6 @@ impl<'c> Machine<'c> {
         }
         Ok(match (pattern, value) {
             (Pattern::Literal(literal), _) => self.eval(literal)?.equals(value),
-            (Pattern::Range(from, to, is_closed), _) => {
-                let is_after = match from {
-                    Some(from) => {
-                        let from = self.eval(from)?;
-                        value.compared(&from).is_some_and(Ordering::is_ge)
-                    }
-                    None => true,
-                };
-                let is_before = |it: Ordering| it.is_lt() || *is_closed && it.is_eq();
-                is_after
-                    && match to {
-                        Some(to) => value.compared(&self.eval(to)?).is_some_and(is_before),
-                        None => true,
-                    }
-            }
             (Pattern::None, value) => matches!(value, Value::None),
             (Pattern::Some(pattern), Value::Some(value)) => self.binds(pattern, value)?,
             (Pattern::Variant(variant, fields), Value::Own(_, tag, values)) => {
@@ -859,14 +840,6 @@ impl<'c> Machine<'c> {
                     }
                 }
                 true
-            }
-            (Pattern::Or(all), value) => {
-                for pattern in all {
-                    if self.binds(pattern, value)? {
-                        return Ok(true);
-                    }
-                }
-                false
             }
             _ => false,
         })
@@ -896,26 +869,14 @@ impl<'c> Machine<'c> {
             (sign, Float(a), Vec3(b)) if has_vectors(sign) => {
                 Vec3(of_vectors(sign, DVec3::splat(a), b))
             }
-            (sign, Float(a), Float(b)) if has_floats(sign) => Float(of_floats(sign, a, b)),
+            (sign, Float(a), Float(b)) => Float(of_floats(sign, a, b)),
             // Rounded twice it is the same.
-            (sign, Single(a), Single(b)) if has_floats(sign) => {
-                Single(of_floats(sign, a.into(), b.into()) as f32)
-            }
-            (Sign::BitAnd, Value::Bool(a), Value::Bool(b)) => Value::Bool(a & b),
-            (Sign::BitOr, Value::Bool(a), Value::Bool(b)) => Value::Bool(a | b),
-            (Sign::BitXor, Value::Bool(a), Value::Bool(b)) => Value::Bool(a ^ b),
+            (sign, Single(a), Single(b)) => Single(of_floats(sign, a.into(), b.into()) as f32),
             (Sign::Plus, Value::Str(a), Value::Str(b)) => Value::Str(Rc::new(format!("{a}{b}"))),
             (sign, Value::Int(a, one), Value::Int(b, other)) => {
-                let int = match one.joined(other) {
-                    Some(int) => int,
-                    None if matches!(sign, Sign::Left | Sign::Right) => one,
-                    None => {
-                        return self.no_operator(
-                            sign,
-                            [Value::Int(a, one), Value::Int(b, other)],
-                            at,
-                        );
-                    }
+                let Some(int) = one.joined(other) else {
+                    let values = [Value::Int(a, one), Value::Int(b, other)];
+                    return self.no_operator(sign, values, at);
                 };
                 Value::Int(self.integer(sign, int, a, b, at)?, int)
             }
@@ -946,12 +907,6 @@ impl<'c> Machine<'c> {
     }
 
     fn integer(&mut self, sign: Sign, int: Int, a: i128, b: i128, at: At) -> Eval<i128> {
-        let (least, most) = int.ends();
-        let bits = (most - least + 1).ilog2();
-        let is_shift = matches!(sign, Sign::Left | Sign::Right);
-        if is_shift && !(0..i128::from(bits)).contains(&b) {
-            return self.panic(at, &sign.overflow());
-        }
         let result = match sign {
             Sign::Over if b == 0 => return self.panic(at, "attempt to divide by zero"),
             Sign::Remainder if b == 0 => {
@@ -963,11 +918,6 @@ impl<'c> Machine<'c> {
             Sign::Times => a.saturating_mul(b),
             Sign::Over => a / b,
             Sign::Remainder => a % b,
-            Sign::BitAnd => a & b,
-            Sign::BitOr => a | b,
-            Sign::BitXor => a ^ b,
-            Sign::Left => int.wrapped(a << b),
-            Sign::Right => a >> b,
         };
         if int.fits(result) {
             Ok(result)
@@ -1016,11 +966,7 @@ impl<'c> Machine<'c> {
 }
 
 fn has_vectors(sign: Sign) -> bool {
-    matches!(sign, Sign::Plus | Sign::Minus | Sign::Times | Sign::Over)
-}
-
-fn has_floats(sign: Sign) -> bool {
-    has_vectors(sign) || sign == Sign::Remainder
+    sign != Sign::Remainder
 }
 
 fn of_floats(sign: Sign, a: f64, b: f64) -> f64 {

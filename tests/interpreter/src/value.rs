@@ -265,10 +265,10 @@ impl Value {
                 let (least, most) = int.ends();
                 Self::Int((*it as i128).clamp(least, most), int)
             }
+            (Self::Int(it, _), Head::Int(int)) => Self::Int(int.wrapped(*it), int),
             (Self::Float(it), Head::F32) => Self::Single(*it as f32),
             (Self::Single(it), Head::Int(_)) => Self::Float((*it).into()).cast(ty)?,
             (Self::Single(it), Head::F64) => Self::Float((*it).into()),
-            (Self::Int(it, _), Head::Int(int)) => Self::Int(int.wrapped(*it), int),
             (Self::Int(it, _), Head::F64) => Self::Float(*it as f64),
             (Self::Int(it, _), Head::F32) => Self::Single(*it as f32),
             (Self::Bool(it), Head::Int(int)) => Self::Int((*it).into(), int),

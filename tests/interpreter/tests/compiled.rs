@@ -227,8 +227,6 @@ fn expressions_come_to_what_the_compiler_makes_of_them() {
         f64::from(i as u32),
         f64::from(x as f32) + f64::from(0.1_f32),
         f64::from(1.0_f32 / 3.0_f32),
-        f64::from(n << 3 | 1),
-        f64::from(!i),
         if x < 3.0 && n > 6 || i > 0 { 1.0 } else { 2.0 },
         if !(x < f64::NAN) { 1.0 } else { 2.0 },
         (0..n).map(f64::from).sum::<f64>(),

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use common::rtweekend::Vec3;
 
 use super::{Lowered, Lowerer, Typed};
-use crate::names::{Callee, Named, Shape, Signature, names, similar, unknown};
+use crate::names::{Callee, Named, Shape, Signature, names, similar};
 use crate::node::{At, Closure, Node};
 use crate::prelude::{self, NATIVES};
 use crate::read::{Refusal, at_span};
@@ -59,7 +59,7 @@ impl Lowerer<'_> {
                 let ty = ty.with(&[Type::UNKNOWN, Type::UNKNOWN, Type::UNKNOWN]);
                 Ok(Typed::new(Node::NativeFunction(native, at), ty))
             }
-            Callee::Dynamic(_) => unknown(at, "methods of traits as values"),
+            Callee::Dynamic(_) => Err(Refusal::unknown(at, "methods of traits as values")),
         }
     }
 
@@ -232,7 +232,7 @@ impl Lowerer<'_> {
         let has_none = match owner.0 {
             Head::Own(_) => !self.names.derives(owner, "Default"),
             Head::Ray | Head::Camera | Head::Picture | Head::Dyn(_) => true,
-            Head::Unknown => return unknown(at, "a default without its type"),
+            Head::Unknown => return Err(Refusal::unknown(at, "a default without its type")),
             _ => false,
         };
         if has_none {
@@ -253,8 +253,8 @@ impl Lowerer<'_> {
             (Head::Unknown | Head::Never, _) => true,
             (Head::Int(Int::Any) | Head::Float, Head::F64 | Head::F32) => true,
             (Head::Int(int), Head::F64) => int.ends().1 < 1 << 32,
-            (Head::Int(int), Head::F32) => int.ends().1 < 1 << 16,
             (Head::F32, Head::F64) | (Head::Bool, Head::Int(_)) => true,
+            (Head::Int(int), Head::F32) => int.ends().1 < 1 << 16,
             (Head::Int(int), Head::Int(wanted)) => {
                 let (least, most) = int.ends();
                 int == Int::Any || int == wanted || wanted.fits(least) && wanted.fits(most)
@@ -477,10 +477,10 @@ impl Lowerer<'_> {
             parameters.push(self.pattern(input, ty, false)?);
         }
         let outer = std::mem::replace(&mut self.result, result.clone());
-        let ways = std::mem::take(&mut self.ways);
+        let loops = std::mem::take(&mut self.loops);
         let body = self.expr(&it.body);
         self.result = outer;
-        self.ways = ways;
+        self.loops = loops;
         let body = body?;
         self.leave(outside);
         types.push(if result.is_certain() {

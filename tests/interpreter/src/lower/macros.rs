@@ -4,7 +4,6 @@ use syn::parse::Parser;
 use syn::punctuated::Punctuated;
 
 use super::{Lowered, Lowerer, Typed};
-use crate::names::unknown;
 use crate::node::{At, Node};
 use crate::read::Refusal;
 use crate::types::{Head, Type};
@@ -44,7 +43,7 @@ impl Lowerer<'_> {
             }
             "write" => self.written(&arguments, "", at),
             "writeln" => self.written(&arguments, "\n", at),
-            name => unknown(at, &format!("`{name}!`")),
+            name => Err(Refusal::unknown(at, &format!("`{name}!`"))),
         }
     }
 

@@ -1,8 +1,9 @@
 //! Patterns: what a value may look like, and the names of its parts.
 
 use super::{Lowered, Lowerer, Typed, member};
-use crate::names::{Named, Shape, names, unknown};
+use crate::names::{Named, Shape, names};
 use crate::node::{Arm, At, Node, Pattern};
+use crate::read::Refusal;
 use crate::types::{Head, Type};
 
 impl Lowerer<'_> {
@@ -51,25 +52,6 @@ impl Lowerer<'_> {
                 let literal = self.declared(literal, ty.stripped(), at)?;
                 Ok(Pattern::Literal(literal))
             }
-            syn::Pat::Range(it) => {
-                let ty = ty.stripped().clone();
-                let mut end = |end: &Option<Box<syn::Expr>>| {
-                    end.as_ref().map(|end| self.given(end, &ty)).transpose()
-                };
-                let (from, to) = (end(&it.start)?, end(&it.end)?);
-                let is_closed = matches!(it.limits, syn::RangeLimits::Closed(_));
-                Ok(Pattern::Range(from, to, is_closed))
-            }
-            syn::Pat::Or(it) => {
-                let before = self.locals.len();
-                let all = it.cases.iter().map(|it| self.pattern(it, ty, is_late));
-                let all = all.collect::<Lowered<Vec<_>>>()?;
-                if all.len() > 1 && self.locals.len() > before {
-                    unknown(at, "names in alternatives")
-                } else {
-                    Ok(Pattern::Or(all))
-                }
-            }
             syn::Pat::TupleStruct(it) if it.path.is_ident("Some") => match it.elems.first() {
                 Some(inner) if it.elems.len() == 1 => self.option(ty, Some(inner), at),
                 _ => {
@@ -110,7 +92,7 @@ impl Lowerer<'_> {
                 let all = slice.elems.iter().map(|it| self.pattern(it, &of, is_late));
                 Ok(Pattern::Many(all.collect::<Lowered<_>>()?))
             }
-            _ => unknown(at, "this kind of pattern"),
+            _ => Err(Refusal::unknown(at, "this kind of pattern")),
         }
     }
 
@@ -205,7 +187,7 @@ impl Lowerer<'_> {
     pub(super) fn matching(&mut self, it: &syn::ExprMatch) -> Lowered {
         let of = self.expr(&it.expr)?;
         if of.ty.is(Head::RefMut) {
-            return unknown(self.at(&it.expr), "`match` on `&mut`");
+            return Err(Refusal::unknown(self.at(&it.expr), "`match` on `&mut`"));
         }
         let mut arms: Vec<Arm> = Vec::new();
         let mut ty = Type::from(Head::Never);

@@ -7,7 +7,7 @@ use syn::punctuated::Punctuated;
 
 use super::{
     Context, Entry, Field, Kind, Module, Named, Names, Shape, Signature, Trait, Variant,
-    module_key, names, unknown,
+    module_key, names,
 };
 use crate::node::At;
 use crate::read::{Refusal, at};
@@ -124,7 +124,7 @@ impl<'a> Collector<'a> {
                 }
                 return Ok(());
             }
-            _ => return unknown(self.at(module, item), "this kind of item"),
+            _ => return Err(Refusal::unknown(self.at(module, item), "this kind of item")),
         };
         self.name(module, name, visibility, named)
     }
@@ -329,7 +329,7 @@ impl<'a> Collector<'a> {
                 };
                 for item in &it.items {
                     let syn::TraitItem::Fn(method) = item else {
-                        return unknown(self.at(module, item), "this in a trait");
+                        return Err(Refusal::unknown(self.at(module, item), "this in a trait"));
                     };
                     let function =
                         self.method(&context, &method.sig, method.default.as_ref(), true)?;
@@ -493,7 +493,7 @@ impl<'a> Collector<'a> {
                         .names
                         .not_found(module, at, "trait", &names(path), lost));
                 }
-                Ok(_) => return unknown(self.at(module, path), "this trait"),
+                Ok(_) => return Err(Refusal::unknown(self.at(module, path), "this trait")),
             }
         }
         let mut context = Context {
@@ -520,7 +520,7 @@ impl<'a> Collector<'a> {
                     let made = self.names.functions.len() - 1;
                     self.constant(made, &context, &it.ident, (&it.ty, &it.expr))?;
                 }
-                _ => return unknown(self.at(module, item), "this in an `impl`"),
+                _ => return Err(Refusal::unknown(self.at(module, item), "this in an `impl`")),
             }
         }
         Ok(())
@@ -573,10 +573,10 @@ impl<'a> Collector<'a> {
         let mut parameters = generics.params.iter();
         match parameters.find(|it| !matches!(it, syn::GenericParam::Lifetime(_))) {
             None => Ok(()),
-            Some(parameter) => unknown(
+            Some(parameter) => Err(Refusal::unknown(
                 self.at(module, parameter),
                 "type parameters of structs, traits and `impl`s",
-            ),
+            )),
         }
     }
 }
@@ -640,7 +640,7 @@ impl Names {
                     syn::ReceiverKind::Reference(_, _, Some(_)) => Ok(Type::of(Head::RefMut, own)),
                     syn::ReceiverKind::Reference(..) => Ok(Type::of(Head::Ref, own)),
                     syn::ReceiverKind::Typed(_, ty) => self.ty(&context, ty),
-                    _ => unknown(at(file, receiver), "this kind of `self`"),
+                    _ => Err(Refusal::unknown(at(file, receiver), "this kind of `self`")),
                 }
             }
         });
@@ -682,7 +682,7 @@ impl Names {
             syn::Type::Slice(it) => one(Head::Slice, &it.elem),
             syn::Type::Array(it) => match literal(&it.len) {
                 Some(length) => one(Head::Array(length), &it.elem),
-                None => unknown(place(), "lengths that are no number"),
+                None => Err(Refusal::unknown(place(), "lengths that are no number")),
             },
             syn::Type::TraitObject(it) => self.bounded(context, &it.bounds),
             syn::Type::ImplTrait(it) => self.bounded(context, &it.bounds),
@@ -690,7 +690,7 @@ impl Names {
                 self.function_type(context, it.inputs.iter().map(|it| &it.ty), &it.output)
             }
             syn::Type::Path(it) if it.qself.is_none() => self.path(context, &it.path),
-            _ => unknown(place(), "this kind of type"),
+            _ => Err(Refusal::unknown(place(), "this kind of type")),
         }
     }
 
@@ -745,7 +745,7 @@ impl Names {
                 let help = format!("`&dyn {name}`, or `Box<dyn {name}>`");
                 Err(Refusal::new(place, &message, "", &help))
             }
-            Ok(Named::Standard(name)) => unknown(place, &format!("`{name}`")),
+            Ok(Named::Standard(name)) => Err(Refusal::unknown(place, &format!("`{name}`"))),
             Ok(_) => {
                 let message = format!("expected type, found `{}`", last.ident);
                 Err(Refusal::new(place, &message, "not a type", ""))
