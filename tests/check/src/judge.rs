@@ -27,6 +27,7 @@ pub(crate) enum Explanation {
 }
 
 /// Programs that draw the same of a picture.
+#[derive(Clone)]
 pub(crate) struct Fit {
     /// The first is the likeliest.
     pub(crate) candidates: Vec<Candidate>,
@@ -181,14 +182,19 @@ fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Scene>> {
     Some(scenes).filter(|scenes| !scenes.is_empty())
 }
 
-/// One mistake that explains what the right program leaves. Where the reader's files are
-/// known, one whose line is in them comes first.
+/// One mistake that explains what the right program leaves.
 fn mistake(evidence: &Evidence, all: &Left) -> Option<Fit> {
-    let mut found = first(evidence, all, singles(evidence))?;
-    if found.candidates.iter().any(|it| evidence.is_found(it)) {
+    let found = first(evidence, all, singles(evidence))?;
+    let is_repaired = || evidence.repair().is_some();
+    in_the_text(evidence, found.clone()).or_else(|| is_repaired().then_some(found))
+}
+
+/// Where the reader's files are known, only the programs whose wrong lines stand in them.
+fn in_the_text(evidence: &Evidence, mut found: Fit) -> Option<Fit> {
+    if !evidence.known.sources.is_empty() {
         found.candidates.retain(|it| evidence.is_found(it));
     }
-    Some(found)
+    Some(found).filter(|it| !it.candidates.is_empty())
 }
 
 /// Two mistakes, if few pairs draw the very picture.
@@ -197,13 +203,8 @@ fn two_mistakes(evidence: &Evidence, nearest: &Candidate, all: &Left) -> Option<
     if evidence.reading.is_plain() {
         return None;
     }
-    let mut found = first(evidence, all, pairs(evidence, nearest.scene.edition))?;
-    // One of the two may stand in the reader's files.
-    let is_partly_found = |it: &Candidate| it.slips.iter().any(|slip| evidence.has_line(slip, it));
-    if found.candidates.iter().any(is_partly_found) {
-        found.candidates.retain(is_partly_found);
-    }
-    Some(found).filter(|it| it.candidates.len() <= PAIRS && !it.has_more)
+    let found = first(evidence, all, pairs(evidence, nearest.scene.edition))?;
+    in_the_text(evidence, found).filter(|it| it.candidates.len() <= PAIRS && !it.has_more)
 }
 
 /// The programs of the first group in which some draw the picture, but for odd pixels; or
@@ -331,6 +332,7 @@ fn antialiased(evidence: &Evidence) -> Option<Explanation> {
         return Some(Explanation::Near(right));
     }
     let wrong = singles(evidence).find_map(closest);
+    let wrong = wrong.and_then(|it| in_the_text(evidence, it));
     wrong.map(Explanation::Mistakes)
 }
 

@@ -7,7 +7,7 @@ use check::scene::Scene;
 use check::sources::Sources;
 use check::verdict::{Check, check_knowing};
 use common::rtweekend::*;
-use slips::{Chapter, Edition, Letters, Program};
+use slips::{Ball, Chapter, Edition, Letters, Program};
 
 const PROGRAM: &str = "\
 pixel00 = upper_left + 0.5 * (du + dv)
@@ -107,6 +107,53 @@ fn what_a_readers_line_refutes_is_not_named() {
     }
 }
 
+const LIST: &str = "\
+color ray_color(const ray& r, const hittable& world) {
+    hit_record rec;
+    if (world.hit(r, 0, infinity, rec)) return 0.5 * (rec.normal + color(1,1,1));
+    vec3 unit_direction = unit_vector(r.direction());
+    auto a = 0.5*(unit_direction.y() + 1.0);
+    return (1.0-a)*color(1.0, 1.0, 1.0) + a*color(0.5, 0.7, 1.0);
+}
+int main() {
+    hittable_list world;
+    world.add(make_shared<sphere>(point3(0,0,-1), 0.5));
+    world.add(make_shared<sphere>(point3(0,-100.5,-1), 100));
+    auto camera_center = point3(0, 0, 0);
+    ray r(camera_center, pixel_center - camera_center);
+}
+";
+
+/// Whatever has drawn the picture, it is not this line.
+#[test]
+fn a_mistake_is_not_named_beside_a_text_that_does_not_have_it() {
+    let scene = scene(Chapter::HittableList);
+    for name in ["ray-arguments-swapped", "ground-not-added", "b-not-doubled"] {
+        let slip = slips::find(name).expect("a slip");
+        let picture = png::encode(&scene.program(&[slip]).run(100).picture());
+        let rows = rows(&scene, &picture, &in_cpp(LIST));
+        let is_named = |(label, _): &Row| ["probably", "yours", "should be"].contains(label);
+        assert!(!rows.iter().any(is_named), "{name}: {rows:?}");
+    }
+}
+
+/// A ball of radius 0 is not seen.
+#[test]
+fn whole_numbers_are_divided_as_cpp_does() {
+    let scene = scene(Chapter::HittableList);
+    const GROUND: [Ball; 1] = [Ball::new(0.0, -100.5, -1.0, 100.0)];
+    let ground = Program {
+        world: &GROUND,
+        ..scene.program(&[])
+    };
+    let picture = png::encode(&ground.run(100).picture());
+    let text = LIST.replace("-1), 0.5)", "-1), 1 / 2)");
+    let rows = rows(&scene, &picture, &in_cpp(&text));
+    let yours = rows.iter().find(|(label, _)| *label == "yours");
+    let is_it = yours.is_some_and(|(_, said)| said.starts_with("main.cpp:10 "));
+    assert!(is_it, "{rows:?}");
+}
+
 /// Python works out what stands on a line, and C++ too, and neither complains.
 #[test]
 fn a_line_that_is_wrong_in_any_program_is_said_beside_a_wrong_picture() {
@@ -173,6 +220,14 @@ fn in_python(text: &str) -> Known<'static> {
     let files = vec![("main.py".to_owned(), text.to_owned())];
     Known {
         letters: Some(Letters::Python(Edition::V4)),
+        sources: Sources::new(files, Vec::new()),
+        ..Known::default()
+    }
+}
+
+fn in_cpp(text: &str) -> Known<'static> {
+    let files = vec![("main.cpp".to_owned(), text.to_owned())];
+    Known {
         sources: Sources::new(files, Vec::new()),
         ..Known::default()
     }

@@ -78,20 +78,21 @@ fn compared<'a>(
     places: &'a [Place<'a>],
     yours: &'a [Statement],
 ) -> (Vec<&'a Place<'a>>, Vec<&'a Statement>) {
-    let is_at = |it: &Statement, place: &Place| {
-        let is_named = place.role == it.role && matches!(it.role, Role::Let(_));
-        (is_named, place.spell(&it.value).is_same(&place.plain))
-    };
-    // Under a name of the chapter's only the chapter's value is right.
-    let is_right = |it: &&Statement| {
-        let all: Vec<_> = places.iter().map(|place| is_at(it, place)).collect();
-        let is_named = all.iter().any(|(is_named, _)| *is_named);
-        let mut all = all.iter();
-        all.any(|(named, is_same)| *is_same && *named == is_named)
-    };
+    let is_right = |it: &&Statement| is_in(places, it);
     let (right, wrong): (Vec<&Statement>, Vec<&Statement>) = yours.iter().partition(is_right);
-    let is_missing = |place: &&Place| !right.iter().any(|it| is_at(it, place).1);
+    let is_missing = |place: &&Place| !right.iter().any(|it| place.has(it));
     (places.iter().filter(is_missing).collect(), wrong)
+}
+
+/// Whether the chapter has the statement. A name that the chapter gives too is to have the
+/// chapter's value.
+fn is_in(places: &[Place], statement: &Statement) -> bool {
+    let is_named = |it: &&Place| it.role == statement.role && matches!(it.role, Role::Let(_));
+    if places.iter().any(|it| is_named(&it)) {
+        let mut named = places.iter().filter(is_named);
+        return named.any(|it| it.has(statement));
+    }
+    places.iter().any(|it| it.has(statement))
 }
 
 /// The chapter with the camera and the sky as a part of it, so that their lines have places too;
@@ -162,6 +163,23 @@ fn places(function: &Function) -> Vec<Place<'_>> {
 }
 
 impl Place<'_> {
+    /// Whether the statement says the same.
+    fn has(&self, statement: &Statement) -> bool {
+        self.spell(&statement.value).is_same(&self.plain)
+    }
+
+    /// Whether the statement can stand there: a condition for one, a call for one, and a value
+    /// for a value.
+    fn takes(&self, statement: &Statement) -> bool {
+        let kind = |role: &Role| match role {
+            Role::Condition | Role::Part => 0,
+            Role::Called => 1,
+            Role::Each => 2,
+            Role::Let(_) | Role::Set(_) | Role::Result => 3,
+        };
+        kind(&self.role) == kind(&statement.role)
+    }
+
     /// The reader's expression with the chapter's names for those that its function does not
     /// have, in the order in which they come.
     fn spell(&self, value: &Tree) -> Tree {
@@ -174,7 +192,7 @@ impl Place<'_> {
     }
 
     fn repair(&self, wrong: &[&Statement], files: &Files, reading: &Reading) -> Option<Repair> {
-        let scored = wrong.iter().map(|it| {
+        let scored = wrong.iter().filter(|it| self.takes(it)).map(|it| {
             let value = self.spell(&it.value);
             let named = if it.role == self.role { 0.4 } else { 0.0 };
             (value.likeness(&self.plain) + named, value, it)
@@ -240,7 +258,7 @@ fn renamed(tree: &Tree, renames: &[(&String, &String)]) -> Tree {
     }
 }
 
-/// What a file gives to names, returns and asks.
+/// What a file gives to names, returns, asks and calls.
 fn statements(name: &str, text: &str) -> Vec<Statement> {
     let is_python = name.ends_with(".py");
     let comment = if is_python { "#" } else { "//" };
@@ -267,7 +285,7 @@ fn statements(name: &str, text: &str) -> Vec<Statement> {
         };
         let values = values(&open, is_python).into_iter();
         all.extend(values.filter_map(|(role, value)| {
-            let (line, value) = (line.clone(), in_rust(value.trim())?);
+            let (line, value) = (line.clone(), in_rust(value.trim(), is_python)?);
             Some(Statement { line, role, value })
         }));
         (open, depth) = (String::new(), 0);
@@ -295,6 +313,8 @@ fn values(statement: &str, is_python: bool) -> Vec<(Role, &str)> {
     } else if let Some((name, value)) = statement.split_once(" = ") {
         let name = name.rsplit([' ', '.', '>', '&']).next().unwrap_or(name);
         all.push((Role::Let(name.to_owned()), value));
+    } else if statement.contains(['.', '>']) && statement.ends_with(')') {
+        all.push((Role::Called, statement));
     }
     all
 }

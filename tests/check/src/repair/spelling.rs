@@ -3,14 +3,17 @@
 
 use super::tree::{Reader, Tree};
 
-/// Longer expressions and deeper brackets are left alone.
+/// Longer expressions are left alone, and those with more signs that each may be a level deeper.
 const LONGEST: usize = 300;
-const DEEPEST: usize = 20;
+const DEEPEST: usize = 40;
 
 /// The expression as a tree of Rust, if it can be one.
-pub(super) fn in_rust(text: &str) -> Option<Tree> {
-    let is_small = text.len() <= LONGEST && text.matches(['(', '[']).count() <= DEEPEST;
-    let rust = is_small.then(|| translated(text))?;
+pub(super) fn in_rust(text: &str, is_python: bool) -> Option<Tree> {
+    let rust = (text.len() <= LONGEST).then(|| translated(text, is_python))?;
+    let deep = rust.matches(|c: char| "([{-!&*|".contains(c));
+    if deep.count() > DEEPEST {
+        return None;
+    }
     let expression = syn::parse_str(&rust).ok()?;
     let reader = Reader {
         text: &rust,
@@ -19,8 +22,18 @@ pub(super) fn in_rust(text: &str) -> Option<Tree> {
     Some(plain(&reader.expression(&expression)))
 }
 
-fn translated(text: &str) -> String {
+fn translated(text: &str, is_python: bool) -> String {
     let tokens = tokens(text);
+    let divided = if is_python {
+        Vec::new()
+    } else {
+        divided(&tokens)
+    };
+    let tokens = if is_python {
+        tokens
+    } else {
+        divided.iter().map(String::as_str).collect()
+    };
     let mut rust = String::new();
     let mut rest = tokens.iter().copied().peekable();
     while let Some(token) = rest.next() {
@@ -36,6 +49,10 @@ fn translated(text: &str) -> String {
             ("->", _) => rust += ".",
             ("this", _) => rust += "self",
             ("infinity" | "inf", _) => rust += "f64::INFINITY",
+            ("make_shared", "<") => {
+                let kind = [rest.next(), rest.next(), rest.next()][1];
+                rust += kind.unwrap_or_default();
+            }
             (token, _) if token.starts_with(|c: char| c.is_ascii_digit()) => {
                 let number = token.trim_end_matches('f');
                 rust += number;
@@ -55,6 +72,30 @@ fn translated(text: &str) -> String {
         }
     }
     rust
+}
+
+/// Divides whole numbers as C++ does: `1 / 2` becomes `0`.
+fn divided(tokens: &[&str]) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    for token in tokens {
+        let quotient = match &all[..] {
+            // What stands behind a product is divided as a whole.
+            [.., before, _, _] if ["*", "/", "%"].contains(&&**before) => None,
+            [.., one, sign] if sign == "/" => {
+                let [one, other] = [one, *token].map(|it| it.parse::<u32>().ok());
+                one.zip(other)
+                    .and_then(|(one, other)| one.checked_div(other))
+            }
+            _ => None,
+        };
+        match quotient {
+            Some(quotient) => all
+                .splice(all.len() - 2.., [quotient.to_string()])
+                .for_each(drop),
+            None => all.push((*token).to_owned()),
+        }
+    }
+    all
 }
 
 fn tokens(text: &str) -> Vec<&str> {
@@ -105,6 +146,13 @@ pub(super) fn plain(tree: &Tree) -> Tree {
             "add" => "□ + □".to_owned(),
             "sub" => "□ - □".to_owned(),
             "scale" => "□ * □".to_owned(),
+            "sphere" | "sphere::new" => {
+                let made = [Tree::new("Sphere::new", Vec::new())].into_iter();
+                return Tree {
+                    parts: made.chain(parts[1..].iter().cloned()).collect(),
+                    ..tree.clone()
+                };
+            }
             _ => tree.op.clone(),
         },
         ("□(□, □, □)", 4)

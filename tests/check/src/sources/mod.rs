@@ -244,7 +244,7 @@ fn value(snippet: &[Token]) -> &[Token] {
     let is = |n: usize, text: &str| snippet.get(n).is_some_and(|it| it.text == text);
     let end = snippet.len();
     match snippet.iter().position(|it| it.text == "=") {
-        Some(at) if is_name(&snippet[0].text) && at < 4 && !is(at + 1, "=") => &snippet[at + 1..],
+        Some(at) if is_name(&snippet[0].text) && at < 5 && !is(at + 1, "=") => &snippet[at + 1..],
         _ if is(0, "return") => &snippet[1..],
         _ if is(0, "Some") && is(1, "(") && is(end - 1, ")") => &snippet[2..end - 1],
         _ => snippet,
