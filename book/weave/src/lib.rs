@@ -23,12 +23,13 @@ mod time;
 mod warnings;
 
 use std::error::Error;
+use std::io::{Read, Write};
 use std::path::Path;
 
 use mdbook_driver::MDBook;
 use mdbook_preprocessor::book::{Book, BookItem};
 use mdbook_preprocessor::errors::{Error as Cause, Result as Done};
-use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
+use mdbook_preprocessor::{Preprocessor, PreprocessorContext, parse_input};
 
 use maths::Maths;
 use page::Page;
@@ -49,6 +50,16 @@ pub fn weave(source: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
         return Ok(());
     }
     Err(format!("mdBook warns about the book\n{}", warnings.join("\n")).into())
+}
+
+/// Answers mdBook's own program: it asks with a book as JSON, and gets the woven one.
+///
+/// # Errors
+/// If that is no book, or a page can't be woven.
+pub fn preprocess(question: impl Read, answer: impl Write) -> Result<(), Box<dyn Error>> {
+    let (context, book) = parse_input(question).map_err(cannot_weave)?;
+    let woven = Weaver.run(&context, book).map_err(cannot_weave)?;
+    Ok(serde_json::to_writer(answer, &woven)?)
 }
 
 fn cannot_weave(error: Cause) -> Box<dyn Error> {

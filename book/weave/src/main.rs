@@ -1,9 +1,11 @@
 //! `weave SOURCE FOLDER`: weaves the book in the folder SOURCE, and lets it take the place of
-//! an older one in FOLDER.
+//! an older one in FOLDER. Without words it is what mdBook's own program calls a preprocessor.
 //!
 //! `cargo rtrace book` has cargo build this and runs it. So it builds without mdBook itself.
 
 use std::error::Error;
+use std::ffi::OsString;
+use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -11,8 +13,11 @@ use rtrace::files;
 use rtrace::misuse::{exit_code, misuse};
 
 fn main() -> ExitCode {
-    let arguments: Vec<_> = std::env::args_os().skip(1).collect();
+    let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
     exit_code(match &arguments[..] {
+        [] => weave::preprocess(io::stdin(), io::stdout()),
+        // mdBook asks before whether its renderer of this name is supported: each is.
+        [supports, _] if supports == "supports" => Ok(()),
         [source, folder] => replace(Path::new(source), Path::new(folder)),
         _ => Err(misuse("two folders are needed: weave SOURCE FOLDER")),
     })

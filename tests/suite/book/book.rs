@@ -6,10 +6,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
+use mdbook_driver::MDBook;
 use scraper::{ElementRef, Html, Node, Selector};
 use slips::Chapter;
 
-use suite::command::names_in;
+use suite::command::{files, names_in};
 
 /// The workspace, and in it the sources of the book.
 pub(crate) const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
@@ -25,6 +26,33 @@ fn every_page_in_the_folder_is_in_the_summary() {
     let pages = pages();
     let woven: Vec<&String> = chapters(&pages).map(|page| &page.name).collect();
     assert_eq!(written.iter().collect::<Vec<_>>(), woven);
+}
+
+/// That program does what is done here: it loads the book, and asks the weaver that book.toml
+/// names. Only its index of the search is that of its own version.
+#[test]
+#[ignore = "builds the weaver"]
+fn mdbooks_own_program_makes_the_same_book() {
+    let folder = Path::new(concat!(env!("CARGO_TARGET_TMPDIR"), "/mdbook"));
+    let mut book = MDBook::load(Path::new(NOTES).join("..")).expect("a book");
+    book.config.build.build_dir = folder.to_owned();
+    book.build().expect("the weaver answers");
+    let [ours, theirs] = [woven(), folder].map(|folder| {
+        let read = |path: &PathBuf| fs::read(path).expect("a file");
+        let name = |path: &PathBuf| path.strip_prefix(folder).expect("in it").to_owned();
+        let all = files(folder).into_iter();
+        all.map(|path| (name(&path), read(&path)))
+            .collect::<Vec<_>>()
+    });
+    assert_eq!(ours.len(), theirs.len());
+    for (ours, theirs) in ours.iter().zip(&theirs) {
+        assert!(
+            ours == theirs,
+            "{} and {} differ",
+            ours.0.display(),
+            theirs.0.display()
+        );
+    }
 }
 
 /// mdBook sends an old link on, but does not look where.
