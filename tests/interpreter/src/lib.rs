@@ -29,7 +29,7 @@ use read::Refusal;
 pub use run::Sample;
 use run::{Code, Machine};
 use types::{Head, Type};
-use value::Value;
+use value::{Fields, Value};
 
 /// What an answer must add that calls a text right: only the compiler sees the rest.
 pub const UNCHECKED: &str =
@@ -284,7 +284,7 @@ impl Program {
                 *field = value;
             }
         }
-        Value::Own(kind, 0, fields.into())
+        Value::Own(kind, 0, Fields(fields.into()))
     }
 
     fn vec3_of(&self, value: &Value) -> Option<Vec3> {
@@ -294,7 +294,7 @@ impl Program {
         let known = self.code.names.kinds[*kind as usize].variants[0].known();
         let parts = ["x", "y", "z"].into_iter().enumerate().map(|(n, name)| {
             let place = known.iter().position(|it| it.0 == name).unwrap_or(n);
-            match fields.get(place)? {
+            match fields.0.get(place)? {
                 Value::Float(it) => Some(*it),
                 _ => None,
             }

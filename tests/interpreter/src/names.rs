@@ -9,7 +9,7 @@ use std::collections::HashMap;
 pub(crate) use collect::{Body, Inside, collect, literal};
 
 use crate::node::At;
-use crate::prelude::{self, NATIVES};
+use crate::prelude::{self, NATIVES, Native};
 use crate::read::Refusal;
 use crate::types::{Head, Type};
 
@@ -151,7 +151,7 @@ pub(crate) enum Callee {
     Own(usize),
     /// By the trait of the receiver.
     Dynamic(usize),
-    Native(usize),
+    Native(&'static Native),
 }
 
 /// So many imports may follow each other.

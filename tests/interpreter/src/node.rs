@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use common::rtweekend::Vec3;
 
+use crate::prelude::Native;
 use crate::types::{Int, Type};
 
 /// A part of a program, with variables by their slots.
@@ -45,13 +46,13 @@ pub(crate) enum Node {
     Constant(usize, At),
     /// Of each of the reader's kinds the function that it has for a trait.
     Dispatch(Box<[Option<usize>]>, Box<[Node]>, At),
-    Native(usize, Box<[Node]>, At),
+    Native(&'static Native, Box<[Node]>, At),
     /// A function that is a value.
     Apply(Box<Node>, Box<[Node]>, At),
     /// A closure, and whether it takes what it uses along.
     Closure(Arc<Closure>, bool),
     Function(usize),
-    NativeFunction(usize, At),
+    NativeFunction(&'static Native, At),
     /// A variant of one of the reader's types, its fields by their numbers, and a value that
     /// has the others.
     New(u32, u32, Vec<(usize, Node)>, Option<Box<Node>>),

@@ -17,6 +17,7 @@ use crate::types::{Head, Int, Type};
 use crate::value::{Iter, Value};
 
 /// A function of the library.
+#[derive(Debug)]
 pub(crate) struct Native {
     /// Which types have it.
     pub(crate) owner: &'static str,
@@ -50,10 +51,10 @@ pub(crate) static NATIVES: LazyLock<Vec<Native>> = LazyLock::new(|| {
     LIBRARY.iter().map(read).collect()
 });
 
-/// Their numbers, by whose they are and their names.
-static NUMBERS: LazyLock<HashMap<(&str, &str), usize>> = LazyLock::new(|| {
-    let all = NATIVES.iter().enumerate();
-    all.map(|(n, it)| ((it.owner, it.signature.name.as_str()), n))
+/// The same, by whose they are and their names.
+static BY_NAME: LazyLock<HashMap<(&str, &str), &Native>> = LazyLock::new(|| {
+    let all = NATIVES.iter();
+    all.map(|it| ((it.owner, it.signature.name.as_str()), it))
         .collect()
 });
 
@@ -80,18 +81,17 @@ pub(crate) fn owners(ty: &Type) -> &'static [&'static str] {
     }
 }
 
-/// The number of a function of the library.
-pub(crate) fn native(owner: &str, name: &str) -> Option<usize> {
-    NUMBERS.get(&(owner, name)).copied()
+/// A function of the library.
+pub(crate) fn native(owner: &str, name: &str) -> Option<&'static Native> {
+    BY_NAME.get(&(owner, name)).copied()
 }
 
 pub(crate) fn run(
-    native: usize,
+    native: &Native,
     machine: &mut Machine<'_>,
     arguments: &mut [Value],
     at: At,
 ) -> Eval {
-    let native = &NATIVES[native];
     if let Some(Value::Single(_)) = arguments.first()
         && native.owner == "f64"
     {
@@ -193,11 +193,11 @@ fn extreme(machine: &mut Machine<'_>, a: &[Value], at: At, gives_way: Ordering) 
     Ok(Value::of(best))
 }
 
-/// The sum or the product of all.
-fn folded(machine: &mut Machine<'_>, of: &Value, at: At, none: f64, sign: Sign) -> Eval {
-    let mut all = rest(machine, of, at)?.into_iter();
+/// The sum or the product of all, from that of none on.
+fn folded(machine: &mut Machine<'_>, a: &[Value], at: At, sign: Sign) -> Eval {
+    let mut all = rest(machine, &a[0], at)?.into_iter();
     let Some(first) = all.next() else {
-        return float(none);
+        return Ok(a[1].clone());
     };
     all.try_fold(first, |sum, it| machine.arithmetic(sign, sum, it, at))
 }
@@ -370,7 +370,10 @@ library! {
             |_, a, _| option(a[0].compared(&a[1]).map(Value::Ordering));
     }
     "int" {
-        fn abs(self) -> Own => |_, a, _| int(&a[0], a[0].int().abs());
+        fn abs(self) -> Own => |m, a, at| match a[0].int().abs() {
+            it if kind(&a[0]).fits(it) => int(&a[0], it),
+            _ => m.panic(at, "attempt to negate with overflow"),
+        };
         fn pow(self, n: u32) -> Own => |m, a, at| {
             let power = a[0].int().checked_pow(a[1].int() as u32);
             match power.filter(|it| kind(&a[0]).fits(*it)) {
@@ -380,8 +383,14 @@ library! {
         };
         fn max(self, other: Own) -> Own => |_, a, _| int(&a[0], a[0].int().max(a[1].int()));
         fn min(self, other: Own) -> Own => |_, a, _| int(&a[0], a[0].int().min(a[1].int()));
-        fn clamp(self, least: Own, most: Own) -> Own =>
-            |_, a, _| int(&a[0], a[0].int().max(a[1].int()).min(a[2].int()));
+        fn clamp(self, least: Own, most: Own) -> Own => |m, a, at| {
+            let [it, least, most] = [0, 1, 2].map(|n| a[n].int());
+            if least <= most {
+                int(&a[0], it.clamp(least, most))
+            } else {
+                m.panic(at, "assertion failed: min <= max")
+            }
+        };
         fn signum(self) -> Own => |_, a, _| int(&a[0], a[0].int().signum());
         fn rem_euclid(self, other: Own) -> Own => |m, a, at| match a[1].int() {
             0 => m.panic(at, "attempt to calculate the remainder with a divisor of zero"),
@@ -548,7 +557,7 @@ library! {
         fn get(&self, n: usize) -> Option<&T> => |_, a, _| option(a[0].many().get(a[1].int() as usize).cloned());
         fn contains(&self, value: &T) -> bool => |_, a, _| bool(a[0].many().iter().any(|it| it.equals(&a[1])));
         fn iter(&self) -> Iterator<&T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
-        fn iter_mut(&mut self) -> Iterator<&mut T> => |m, a, _| Ok(each(m.each_at(&a[0])));
+        fn iter_mut(&mut self) -> Iterator<&mut T> => |m, a, _| Ok(each(m.each_at(&a[0])?));
         fn into_iter(self) -> Iterator<T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
         fn to_vec(&self) -> Vec<T> => |_, a, _| Ok(a[0].clone());
     }
@@ -704,8 +713,8 @@ library! {
             }
             option(sum)
         };
-        fn sum(self) -> T => |m, a, at| folded(m, &a[0], at, 0.0, Sign::Plus);
-        fn product(self) -> T => |m, a, at| folded(m, &a[0], at, 1.0, Sign::Times);
+        fn sum(self) -> T => |m, a, at| folded(m, a, at, Sign::Plus);
+        fn product(self) -> T => |m, a, at| folded(m, a, at, Sign::Times);
         fn count(self) -> usize => |m, a, at| Ok(Value::usize(rest(m, &a[0], at)?.len()));
         fn last(self) -> Option<T> => |m, a, at| option(rest(m, &a[0], at)?.pop());
         fn min_by(self, f: impl FnMut(&T, &T) -> Ordering) -> Option<T> =>

@@ -200,19 +200,21 @@ fn no_bracket(sign: char, place: At, before: &str) -> Refusal {
 fn no_tree(file: u32, text: &str, error: &syn::Error) -> Refusal {
     let message = error.to_string();
     let found = at_span(file, error.span());
-    // What is missing is missing after the word before.
-    let is_missing = message.starts_with("expected `;`") || message.starts_with("expected `,`");
-    let before = text[..found.start as usize].trim_end();
-    let place = match before.char_indices().next_back() {
-        Some((last, _)) if is_missing => at_bytes(file, last..before.len()),
-        _ => found,
-    };
+    // What the line before lacks is missing at its end.
+    let before = &text[..found.start as usize];
+    let end = before.trim_end().len();
+    let missing = message.trim_start_matches("unexpected token, ");
+    let is_missing = missing == "expected `;`" || missing == "expected `,`";
+    if is_missing && end > 0 && before[end..].contains('\n') {
+        let last = before[..end].chars().next_back().map_or(0, char::len_utf8);
+        return Refusal::new(at_bytes(file, end - last..end), missing, "", "");
+    }
     let help = if message.contains("unexpected end of input") {
         "something is missing before the closing bracket"
     } else {
         ""
     };
-    Refusal::new(place, &message, "", help)
+    Refusal::new(found, &message, "", help)
 }
 
 /// Signs that look like others, as books and word processors write them.
@@ -243,21 +245,23 @@ struct Limits {
 
 impl Limits {
     fn walk(&mut self, tokens: TokenStream, depth: usize) -> Result<(), Refusal> {
+        // A statement in brackets is as deep as these are, and then as it has words.
+        let around = self.words;
         for token in tokens {
             let span = token.span();
             match token {
                 TokenTree::Group(group) => {
-                    let outside = self.words;
+                    let words = self.words;
                     self.check(depth < DEEPEST, span)?;
                     self.walk(group.stream(), depth + 1)?;
                     self.words = match group.delimiter() {
-                        Delimiter::Brace => 0,
-                        _ => outside + 1,
+                        Delimiter::Brace => around,
+                        _ => words + 1,
                     };
                     continue;
                 }
                 TokenTree::Punct(sign) if matches!(sign.as_char(), ',' | ';') => {
-                    (self.words, self.branches, self.signs) = (0, 0, 0);
+                    (self.words, self.branches, self.signs) = (around, 0, 0);
                 }
                 TokenTree::Punct(sign) if matches!(sign.as_char(), '-' | '!' | '*' | '&') => {
                     self.signs += 1;
@@ -267,7 +271,7 @@ impl Limits {
                 }
                 TokenTree::Ident(word) if word == "else" => self.branches += 1,
                 TokenTree::Ident(word) if word == "fn" || word == "let" => {
-                    (self.words, self.branches) = (0, 0);
+                    (self.words, self.branches) = (around, 0);
                 }
                 _ => {}
             }

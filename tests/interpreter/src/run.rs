@@ -12,10 +12,10 @@ use common::rtweekend::Vec3 as DVec3;
 use crate::lower::miscounted;
 use crate::names::Names;
 use crate::node::{At, Function, Node, Order, Pattern, Root, Sign, Step, Target};
-use crate::prelude::{self, LONGEST_TEXT, NATIVES, TEXT_TOO_LONG};
+use crate::prelude::{self, LONGEST_TEXT, Native, TEXT_TOO_LONG};
 use crate::read::Refusal;
 use crate::types::{Head, Int, Type};
-use crate::value::{Address, Frame, Iter, Source, Value};
+use crate::value::{Address, Fields, Frame, Iter, Source, Value};
 
 /// What runs.
 #[derive(Debug)]
@@ -118,8 +118,7 @@ impl<'c> Machine<'c> {
         self.stack.push(value);
         let slot = self.stack.len() - 1;
         for one in with {
-            let path = Vec::new();
-            self.call(add, &[Value::Mut(Rc::new(Address { slot, path })), one])?;
+            self.call(add, &[Value::Mut(Address::of(slot)), one])?;
         }
         Ok(self.stack.pop().unwrap_or_default())
     }
@@ -194,9 +193,9 @@ impl<'c> Machine<'c> {
             }
             Value::Native(native, at) => {
                 self.turn(*at)?;
-                let wanted = &NATIVES[*native].signature.parameters;
+                let wanted = &native.signature.parameters;
                 let mut arguments = self.all_declared(wanted, arguments, *at)?;
-                prelude::run(*native, self, &mut arguments, *at)
+                prelude::run(native, self, &mut arguments, *at)
             }
             Value::Closure(closure, frame) => {
                 let body = |own: &mut Self| {
@@ -308,7 +307,7 @@ impl<'c> Machine<'c> {
                 let start = self.push_all(nodes)?;
                 self.enter(*function, start, *at)
             }
-            Node::Native(native, nodes, at) => self.native(*native, nodes, *at),
+            Node::Native(native, nodes, at) => self.native(native, nodes, *at),
             Node::Return(value) => {
                 self.left = self.eval(value)?;
                 Err(Stop::Return)
@@ -355,7 +354,7 @@ impl<'c> Machine<'c> {
     }
 
     #[inline(never)]
-    fn native(&mut self, native: usize, nodes: &[Node], at: At) -> Eval {
+    fn native(&mut self, native: &Native, nodes: &[Node], at: At) -> Eval {
         match nodes {
             [one] => {
                 let mut arguments = [self.eval(one)?];
@@ -386,7 +385,7 @@ impl<'c> Machine<'c> {
                 Sign::Minus => return Ok(Value::Float(a - b)),
                 Sign::Times => return Ok(Value::Float(a * b)),
                 Sign::Over => return Ok(Value::Float(a / b)),
-                _ => {}
+                Sign::Remainder => {}
             }
         }
         self.arithmetic(sign, left, right, at)
@@ -432,7 +431,7 @@ impl<'c> Machine<'c> {
                 let n = self.index(&list, &index, *at)?;
                 list.field(n)
             }
-            Node::Address(target) => Value::Mut(Rc::new(self.address(target)?)),
+            Node::Address(target) => Value::Mut(self.address(target)?),
             Node::Set(target, value) => {
                 let value = self.eval(value)?;
                 match (&target.root, target.steps.as_slice()) {
@@ -513,18 +512,18 @@ impl<'c> Machine<'c> {
                 Value::Closure(Arc::clone(closure), frame)
             }
             Node::Function(function) => Value::Function(*function),
-            Node::NativeFunction(native, at) => Value::Native(*native, *at),
+            Node::NativeFunction(native, at) => Value::Native(native, *at),
             Node::New(kind, variant, fields, base) => {
-                let mut all: Rc<[Value]> = match base {
+                let mut all = match base {
                     Some(base) => match self.eval(base)? {
                         Value::Own(_, _, fields) => fields,
                         other => unreachable!("it is declared, and this is {other:?}"),
                     },
-                    None => iter::repeat_n(Value::Unit, fields.len()).collect(),
+                    None => Fields(iter::repeat_n(Value::Unit, fields.len()).collect()),
                 };
                 for (n, node) in fields {
                     let value = self.eval(node)?;
-                    Rc::make_mut(&mut all)[*n] = value;
+                    Rc::make_mut(&mut all.0)[*n] = value;
                 }
                 Value::Own(*kind, *variant, all)
             }
@@ -626,7 +625,8 @@ impl<'c> Machine<'c> {
             Value::Bool(it) => it.to_string(),
             Value::Str(it) => it.to_string(),
             Value::Mut(address) => self.shown(&self.at(address)),
-            value => format!("{value:?}"),
+            // Only the picture is looked at, and it has none of these.
+            _ => "…".to_owned(),
         }
     }
 
@@ -643,8 +643,14 @@ impl<'c> Machine<'c> {
     /// The function that the kind of the first argument has for a trait.
     fn dispatch(&mut self, all: &[Option<usize>], nodes: &[Node], at: At) -> Eval {
         let start = self.push_all(nodes)?;
-        let receiver = self.followed(&self.stack[start]);
-        let function = match &receiver {
+        let address = match &self.stack[start] {
+            Value::Mut(_) => Some(mem::take(&mut self.stack[start])),
+            _ => None,
+        };
+        if let Some(address) = &address {
+            self.stack[start] = self.followed(address);
+        }
+        let function = match &self.stack[start] {
             Value::Own(kind, ..) => all[*kind as usize],
             Value::Nothing(asked) => {
                 // A trait of the reader's own may have its range in one value, or none.
@@ -657,11 +663,13 @@ impl<'c> Machine<'c> {
             _ => None,
         };
         let Some(function) = function else {
-            let name = receiver.ty().name(&self.code.names);
+            let name = self.stack[start].ty().name(&self.code.names);
             return self.refuse(Refusal::unknown(at, &format!("this trait for `{name}`")));
         };
-        if !self.code.names.functions[function].parameters[0].is(Head::RefMut) {
-            self.stack[start] = receiver;
+        if let Some(address) = address
+            && self.code.names.functions[function].parameters[0].is(Head::RefMut)
+        {
+            self.stack[start] = address;
         }
         self.enter(function, start, at)
     }
@@ -715,18 +723,14 @@ impl<'c> Machine<'c> {
     }
 
     fn address(&mut self, target: &Target) -> Eval<Address> {
-        let slot = |slot| Address {
-            slot,
-            path: Vec::new(),
-        };
         let mut address = match &target.root {
             // A variable may itself be a mutable reference.
             Root::Local(n) => match &self.stack[self.base + n] {
-                Value::Mut(address) if !target.steps.is_empty() => Address::clone(address),
-                _ => slot(self.base + n),
+                Value::Mut(address) if !target.steps.is_empty() => *address,
+                _ => Address::of(self.base + n),
             },
             Root::Through(reference) => match self.eval(reference)? {
-                Value::Mut(address) => Rc::unwrap_or_clone(address),
+                Value::Mut(address) => address,
                 other => {
                     let name = other.ty().name(&self.code.names);
                     let message = format!("type `{name}` cannot be changed through a reference");
@@ -735,9 +739,9 @@ impl<'c> Machine<'c> {
             },
             Root::Temporary(n, value) => {
                 let value = self.eval(value)?;
-                let n = self.base + n;
-                self.stack[n] = value;
-                slot(n)
+                let slot = self.base + n;
+                self.stack[slot] = value;
+                Address::of(slot)
             }
         };
         for step in &target.steps {
@@ -748,9 +752,17 @@ impl<'c> Machine<'c> {
                     self.index(&self.at(&address), &index, *at)?
                 }
             };
-            address.path.push(n);
+            address = self.part(address, n)?;
         }
         Ok(address)
+    }
+
+    fn part(&mut self, address: Address, n: usize) -> Eval<Address> {
+        let what = "places so deep in a value";
+        let part = address
+            .part(n)
+            .ok_or_else(|| Refusal::unknown(At::default(), what));
+        part.or_else(|refusal| self.refuse(refusal))
     }
 
     /// The value at the end of a mutable reference, or of several.
@@ -762,15 +774,19 @@ impl<'c> Machine<'c> {
     }
 
     fn at(&self, address: &Address) -> Value {
-        let root = self.stack[address.slot].clone();
-        address.path.iter().fold(root, |value, &n| value.field(n))
+        let root = &self.stack[address.slot as usize];
+        let Some((first, rest)) = address.path().split_first() else {
+            return root.clone();
+        };
+        let first = root.field(*first as usize);
+        rest.iter().fold(first, |value, &n| value.field(n as usize))
     }
 
     /// Changes what is at an address.
     fn change<R>(&mut self, address: &Address, change: impl FnOnce(&mut Value) -> R) -> R {
         let mut change = Some(change);
         let mut result = None;
-        self.stack[address.slot].reach(&address.path, &mut |place| {
+        self.stack[address.slot as usize].reach(address.path(), &mut |place| {
             result = change.take().map(|change| change(place));
         });
         result.expect("an address leads somewhere")
@@ -785,14 +801,14 @@ impl<'c> Machine<'c> {
         match reference {
             Value::Mut(address) => match self.at(address) {
                 inner @ Value::Mut(_) => self.change_at(&inner, change),
-                _ => self.change(&Rc::clone(address), change),
+                _ => self.change(address, change),
             },
             other => unreachable!("types are checked, and {other:?} is no address"),
         }
     }
 
     /// References to each value of the list that is there.
-    pub(crate) fn each_at(&self, reference: &Value) -> Vec<Value> {
+    pub(crate) fn each_at(&mut self, reference: &Value) -> Eval<Vec<Value>> {
         let mut last = reference.clone();
         while let Value::Mut(address) = &last
             && let inner @ Value::Mut(_) = self.at(address)
@@ -802,12 +818,8 @@ impl<'c> Machine<'c> {
         let (Value::Mut(address), Value::Many(all)) = (&last, self.followed(&last)) else {
             unreachable!("types are checked");
         };
-        let one = |n| {
-            let path = [&address.path[..], &[n]].concat();
-            let slot = address.slot;
-            Value::Mut(Rc::new(Address { slot, path }))
-        };
-        (0..all.len()).map(one).collect()
+        let each = (0..all.len()).map(|n| Ok(Value::Mut(self.part(*address, n)?)));
+        each.collect()
     }
 
     /// Whether the value matches; if so, its parts have their names.
@@ -830,7 +842,7 @@ impl<'c> Machine<'c> {
             (Pattern::None, value) => matches!(value, Value::None),
             (Pattern::Some(pattern), Value::Some(value)) => self.binds(pattern, value)?,
             (Pattern::Variant(variant, fields), Value::Own(_, tag, values)) => {
-                variant == tag && self.all_bind(fields, |n| values[n].clone())?
+                variant == tag && self.all_bind(fields, |n| values.0[n].clone())?
             }
             (Pattern::Fields(fields), value) => self.all_bind(fields, |n| value.field(n))?,
             (Pattern::Many(patterns), Value::Many(values)) if patterns.len() == values.len() => {
@@ -947,7 +959,7 @@ impl<'c> Machine<'c> {
                 None => {
                     let fields = code.names.kinds[kind].variants[0].fields.iter();
                     let fields = self.defaults(fields.map(|it| &it.ty))?;
-                    Value::Own(kind as u32, 0, fields)
+                    Value::Own(kind as u32, 0, Fields(fields))
                 }
             },
             _ => {

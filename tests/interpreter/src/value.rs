@@ -6,6 +6,7 @@
 use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
 use std::fmt;
+use std::mem;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -13,6 +14,7 @@ use common::rtweekend::{Camera, Ray, Vec3};
 
 use crate::names::Names;
 use crate::node::{At, Closure};
+use crate::prelude::Native;
 use crate::run::{Eval, Machine};
 use crate::types::{Head, Int, Type};
 
@@ -34,25 +36,81 @@ pub(crate) enum Value {
     None,
     Some(Rc<Value>),
     /// One of the reader's kinds, the number of its variant, and its fields.
-    Own(u32, u32, Rc<[Value]>),
+    Own(u32, u32, Fields),
     Tuple(Rc<[Value]>),
     /// A list or an array.
     Many(Rc<Vec<Value>>),
     Range(Rc<[Value; 2]>, bool),
     Iterator(Iter),
-    Mut(Rc<Address>),
+    Mut(Address),
     /// A closure, and the frame that it looks at or has taken along.
     Closure(Arc<Closure>, Frame),
     Function(usize),
-    Native(usize, At),
+    Native(&'static Native, At),
     /// Is never hit, and keeps the range that it was asked for.
     Nothing(Rc<Cell<Option<[f64; 2]>>>),
 }
 
+/// The values of the fields of one of the reader's kinds, which alone may hold each other
+/// without end.
 #[derive(Clone, Debug)]
+pub(crate) struct Fields(pub(crate) Rc<[Value]>);
+
+/// One after the other, since a chain may be longer than calls may be deep.
+impl Drop for Fields {
+    fn drop(&mut self) {
+        let mut left = Vec::new();
+        self.give(&mut left);
+        while let Some(value) = left.pop() {
+            match value {
+                Value::Own(_, _, mut fields) => fields.give(&mut left),
+                Value::Some(inner) => left.extend(Rc::try_unwrap(inner)),
+                Value::Many(all) => left.extend(Rc::try_unwrap(all).into_iter().flatten()),
+                _ => {}
+            }
+        }
+    }
+}
+
+impl Fields {
+    /// Takes out what holds others, if nothing else needs it.
+    fn give(&mut self, left: &mut Vec<Value>) {
+        let holds = |it: &Value| matches!(it, Value::Own(..) | Value::Some(_) | Value::Many(_));
+        if !self.0.iter().any(holds) {
+            return;
+        }
+        let fields = Rc::get_mut(&mut self.0).into_iter().flatten();
+        left.extend(fields.filter(|it| holds(it)).map(mem::take));
+    }
+}
+
+/// The place of a value: a slot of the stack, and the way from there to a part.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Address {
-    pub(crate) slot: usize,
-    pub(crate) path: Vec<usize>,
+    pub(crate) slot: u32,
+    steps: [u32; 5],
+    count: u8,
+}
+
+impl Address {
+    pub(crate) fn of(slot: usize) -> Self {
+        Self {
+            slot: slot as u32,
+            steps: [0; 5],
+            count: 0,
+        }
+    }
+
+    pub(crate) fn path(&self) -> &[u32] {
+        &self.steps[..self.count.into()]
+    }
+
+    /// Of a part of what is there, if there is room for the way.
+    pub(crate) fn part(mut self, n: usize) -> Option<Self> {
+        *self.steps.get_mut(usize::from(self.count))? = n as u32;
+        self.count += 1;
+        Some(self)
+    }
 }
 
 #[derive(Clone, Debug)]
@@ -207,7 +265,8 @@ impl Value {
     /// A part of a value that has parts, by its number.
     pub(crate) fn field(&self, n: usize) -> Self {
         match self {
-            Self::Own(_, _, fields) | Self::Tuple(fields) => fields[n].clone(),
+            Self::Own(_, _, fields) => fields.0[n].clone(),
+            Self::Tuple(fields) => fields[n].clone(),
             Self::Many(fields) => fields[n].clone(),
             Self::Vec3(vector) => Self::Float(vector[n]),
             Self::Ray(ray) => Self::Vec3([ray.origin, ray.direction][n]),
@@ -234,7 +293,7 @@ impl Value {
             (Self::None, Self::None) | (Self::Unit, Self::Unit) => true,
             (Self::Some(one), Self::Some(other)) => one.equals(other),
             (Self::Own(_, tag, fields), Self::Own(_, other, others)) => {
-                tag == other && all_equal(fields, others)
+                tag == other && all_equal(&fields.0, &others.0)
             }
             (Self::Tuple(fields), Self::Tuple(others)) => all_equal(fields, others),
             (Self::Many(fields), Self::Many(others)) => all_equal(fields, others),
@@ -279,26 +338,26 @@ impl Value {
     }
 
     /// Changes the part that a path leads to.
-    pub(crate) fn reach(&mut self, path: &[usize], change: &mut dyn FnMut(&mut Self)) {
+    pub(crate) fn reach(&mut self, path: &[u32], change: &mut dyn FnMut(&mut Self)) {
         let [first, rest @ ..] = path else {
             return change(self);
         };
+        let first = *first as usize;
         match self {
-            Self::Own(_, _, fields) | Self::Tuple(fields) => {
-                Rc::make_mut(fields)[*first].reach(rest, change);
-            }
-            Self::Many(fields) => Rc::make_mut(fields)[*first].reach(rest, change),
+            Self::Own(_, _, fields) => Rc::make_mut(&mut fields.0)[first].reach(rest, change),
+            Self::Tuple(fields) => Rc::make_mut(fields)[first].reach(rest, change),
+            Self::Many(fields) => Rc::make_mut(fields)[first].reach(rest, change),
             Self::Some(inner) => Rc::make_mut(inner).reach(rest, change),
             Self::Vec3(vector) => {
-                let mut part = Self::Float(vector[*first]);
+                let mut part = Self::Float(vector[first]);
                 part.reach(rest, change);
-                vector[*first] = part.float();
+                vector[first] = part.float();
             }
             Self::Ray(ray) => {
-                let mut part = Self::Vec3([ray.origin, ray.direction][*first]);
+                let mut part = Self::Vec3([ray.origin, ray.direction][first]);
                 part.reach(rest, change);
                 let ray = Rc::make_mut(ray);
-                *[&mut ray.origin, &mut ray.direction][*first] = part.vec3();
+                *[&mut ray.origin, &mut ray.direction][first] = part.vec3();
             }
             other => unreachable!("types are checked, and {other:?} has no parts to change"),
         }

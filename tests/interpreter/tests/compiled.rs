@@ -150,6 +150,7 @@ fn a_hostile_text_is_answered_at_once() {
         "let mut s = \"ab\".to_owned(); loop { s = format!(\"{s}{s}\"); }".to_owned(),
         format!("{}1.0", "-".repeat(230)),
         r"'\é'".to_owned(),
+        format!("{CHAIN} todo!()"),
         "\u{202e}\u{0} <script>alert(1)</script>".to_owned(),
     ];
     for wrong in hostile {
@@ -169,6 +170,10 @@ fn a_hostile_text_is_answered_at_once() {
 }
 
 const LINE: &str = "let oc = center - ray.origin;";
+
+const CHAIN: &str = "struct Link(Option<Box<Link>>);
+    let mut chain = Link(None);
+    for _ in 0..60_000 { chain = Link(Some(Box::new(chain))); }";
 
 /// Each expression as its text, and as the compiler has it.
 macro_rules! expressions {
@@ -230,6 +235,7 @@ fn expressions_come_to_what_the_compiler_makes_of_them() {
         if x < 3.0 && n > 6 || i > 0 { 1.0 } else { 2.0 },
         if !(x < f64::NAN) { 1.0 } else { 2.0 },
         (0..n).map(f64::from).sum::<f64>(),
+        f64::from((n..n).sum::<u32>()) + f64::from((n..n).product::<u32>()),
         (1..=4).rev().fold(0.0, |sum, k| sum * 10.0 + f64::from(k)),
         [x, -x, 1.0].into_iter().filter(|&t| t > 0.0).min_by(|a, b| a.total_cmp(b)).unwrap(),
         v.dot(v) - v.length_squared() + (v / 3.0).x + (v * (1.0 / 3.0)).y,

@@ -8,7 +8,7 @@ use common::rtweekend::Vec3;
 use super::{Lowered, Lowerer, Typed};
 use crate::names::{Callee, Named, Shape, Signature, names, similar};
 use crate::node::{At, Closure, Node};
-use crate::prelude::{self, NATIVES};
+use crate::prelude;
 use crate::read::{Refusal, at_span};
 use crate::types::{Head, Int, Type};
 
@@ -139,7 +139,7 @@ impl Lowerer<'_> {
     fn signature(&self, callee: Callee) -> Signature {
         match callee {
             Callee::Own(own) | Callee::Dynamic(own) => self.names.functions[own].clone(),
-            Callee::Native(native) => NATIVES[native].signature.clone(),
+            Callee::Native(native) => native.signature.clone(),
         }
     }
 
@@ -405,7 +405,7 @@ impl Lowerer<'_> {
         let callee = match callee {
             // What is borrowed gives references.
             Callee::Native(native) if name == "into_iter" && is_borrowed => {
-                Callee::Native(prelude::native(NATIVES[native].owner, "iter").unwrap_or(native))
+                Callee::Native(prelude::native(native.owner, "iter").unwrap_or(native))
             }
             callee => callee,
         };
@@ -442,7 +442,16 @@ impl Lowerer<'_> {
             ("map", Head::Array(length)) => Type(Head::Array(length), result.1),
             _ => result,
         };
-        Ok(self.made(callee, [vec![node], rest].concat(), result, whole))
+        let mut nodes = [vec![node], rest].concat();
+        if let (Callee::Native(_), "sum" | "product") = (callee, name) {
+            let none = f64::from(name == "product");
+            nodes.push(match result.0 {
+                Head::Int(int) => Node::Int(none as i128, int),
+                Head::Vec3 => Node::Vec3(Vec3::splat(none)),
+                _ => Node::Float(none),
+            });
+        }
+        Ok(self.made(callee, nodes, result, whole))
     }
 
     pub(super) fn closure(&mut self, it: &syn::ExprClosure, wanted: &Type) -> Lowered {
