@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::edit::{Edit, Proposal, Role, ranked, roots, words};
 use super::functions::Function;
-use super::letters::{Local, in_common_letters, locals};
+use super::letters::{Local, in_common_letters, locals, name_of};
 use super::tree::Tree;
 
 /// A reader's expression is compared with so many of the chapter's.
@@ -17,9 +17,77 @@ const DEEPEST: u8 = 12;
 pub(super) fn edits(yours: &Function, right: &Function) -> Vec<Edit> {
     let (own, theirs) = in_common_letters(yours, right);
     let name = |at: &Range<usize>, new: &str| with_names_of(yours, &own, at, new);
-    let mut proposals = expressions(&own, &theirs, &name);
+    let mut proposals = expressions(&own, &roots(&theirs), false, &name);
     proposals.extend(statements(&own, &theirs));
     ranked(yours, proposals)
+}
+
+/// The edits by which a helper comes nearer to what the chapter's function has where the reader's
+/// calls it: its expressions, in the names of the helper's parameters.
+pub(super) fn edits_of_helper(helper: &Function, caller: &Function, right: &Function) -> Vec<Edit> {
+    let (own, theirs) = in_common_letters(caller, right);
+    let calls = own.nodes().into_iter().filter_map(|it| given(it, helper));
+    let edits = calls.flat_map(|given| {
+        let right = Function {
+            parameters: helper.parameters.clone(),
+            body: replaced(&theirs, &given),
+            ..right.clone()
+        };
+        let (own, theirs) = in_common_letters(helper, &right);
+        let mut all = roots(&theirs);
+        let inner = theirs
+            .nodes()
+            .into_iter()
+            .filter(|it| it.parts.len() > 1 && !it.is_block());
+        all.extend(inner.map(|it| (Role::Part, it)));
+        ranked(
+            helper,
+            expressions(&own, &all, true, &|_, new| new.to_owned()),
+        )
+    });
+    edits.collect()
+}
+
+/// What the helper is given in a call of it, with the name of its parameter.
+fn given<'a>(call: &'a Tree, helper: &'a Function) -> Option<Vec<(&'a Tree, &'a str)>> {
+    let is_function =
+        call.op.starts_with("□(") && call.parts[0].op.rsplit(':').next()? == helper.short_name();
+    let is_method = call.op.contains('(') && call.member() == Some(helper.short_name());
+    let arguments = match (is_function, is_method) {
+        (true, _) => &call.parts[1..],
+        (_, true) => &call.parts[..],
+        _ => return None,
+    };
+    let names = helper
+        .parameters
+        .iter()
+        .map(|it| it.trim_start_matches("mut "));
+    Some(arguments.iter().zip(names).collect())
+}
+
+/// The tree with names for what has one.
+fn replaced(tree: &Tree, names: &[(&Tree, &str)]) -> Tree {
+    if let Some((_, name)) = names.iter().find(|(it, _)| it.is_same(tree)) {
+        let leaf = Tree::new(name, Vec::new());
+        return Tree {
+            at: tree.at.clone(),
+            ..leaf
+        };
+    }
+    // A parameter is given no other value, so that no name is left for what it would be.
+    let is_given = |it: &Tree| {
+        let name = name_of(&it.op).map(|it| it.0);
+        names.iter().any(|(_, given)| name == Some(given))
+    };
+    let bare = |it| match it {
+        it if is_given(it) => it.parts.first().unwrap_or(it),
+        it => it,
+    };
+    let parts = tree.parts.iter().map(|it| replaced(bare(it), names));
+    Tree {
+        parts: parts.collect(),
+        ..tree.clone()
+    }
 }
 
 /// The text with the names that only the reader has, where they stand already.
@@ -36,13 +104,14 @@ fn with_names_of(yours: &Function, own: &Tree, at: &Range<usize>, new: &str) -> 
     })
 }
 
-/// Expressions for those that are most like them.
+/// Expressions for those that are most like them. One that the chapter has is right, unless it
+/// may be a part of what is.
 fn expressions(
     own: &Tree,
-    theirs: &Tree,
+    theirs: &[(Role, &Tree)],
+    are_parts: bool,
     name: &dyn Fn(&Range<usize>, &str) -> String,
 ) -> Vec<Proposal> {
-    let theirs = roots(theirs);
     let mut proposals = Vec::new();
     for (role, yours) in roots(own) {
         let is_let = matches!(role, Role::Let(_));
@@ -52,6 +121,9 @@ fn expressions(
         };
         let mut likest: Vec<_> = theirs.iter().map(|it| (score(it), it.1)).collect();
         likest.sort_by(|one, other| other.0.total_cmp(&one.0));
+        if are_parts {
+            likest.retain(|(_, right)| !yours.is_same(right));
+        }
         if likest.first().is_none_or(|(_, right)| yours.is_same(right)) {
             continue;
         }

@@ -53,6 +53,13 @@ impl Edit {
         text
     }
 
+    /// Whether this word stands in the edit as often as before.
+    pub(super) fn keeps(&self, word: &str, text: &str) -> bool {
+        let count = |text: &str| words(text).iter().filter(|it| **it == word).count();
+        let mut parts = self.parts.iter();
+        parts.all(|(at, new)| count(&text[at.clone()]) == count(new))
+    }
+
     /// Both edits, if they are in different places.
     pub(super) fn and(&self, other: &Self) -> Option<Self> {
         let meets = |(one, _): &(Range<usize>, String), (other, _): &(Range<usize>, String)| {

@@ -23,6 +23,8 @@ const MISTAKEN: [&[&str]; 9] = [
 /// Numbers that stand in many formulas, and factors that are forgotten.
 const NUMBERS: [&str; 4] = ["0.0", "1.0", "0.5", "2.0"];
 const FACTORS: [&str; 3] = ["0.5", "2.0", "4.0"];
+/// Of so many names in an expression each is swapped with each other.
+const SWAPPED: usize = 8;
 const METHODS: [&str; 3] = ["normalize", "sqrt", "abs"];
 
 /// The edits of a function, with the numbers of the chapter's if there is one.
@@ -50,6 +52,7 @@ pub(super) fn edits(yours: &Function, right: Option<&Function>) -> Vec<Edit> {
         all.dedup();
     }
     let mut known = Known {
+        text: &yours.text,
         names,
         numbers,
         proposals: Vec::new(),
@@ -62,18 +65,20 @@ pub(super) fn edits(yours: &Function, right: Option<&Function>) -> Vec<Edit> {
 }
 
 /// What can take the place of something else.
-struct Known {
+struct Known<'a> {
+    text: &'a str,
     names: Vec<String>,
     numbers: Vec<String>,
     proposals: Vec<Proposal>,
 }
 
-impl Known {
+impl Known<'_> {
     fn walk(&mut self, node: &Tree, least: u8) {
         self.mistaken(node, least);
         self.left_out(node, least);
         self.too_much(node, least);
         self.another(node);
+        self.exchanged(node);
         for (n, part) in node.parts.iter().enumerate() {
             // A function is called by its name.
             if !(n == 0 && node.op.starts_with("□(")) {
@@ -155,11 +160,29 @@ impl Known {
     /// Two names, wherever they stand in an expression, the one for the other.
     fn swapped(&mut self, root: &Tree) {
         let stands = |name: &&String| root.nodes().iter().any(|it| it.op == **name);
-        let here: Vec<String> = self.names.iter().filter(stands).cloned().collect();
+        let here = self.names.iter().filter(stands).take(SWAPPED);
+        let here: Vec<String> = here.cloned().collect();
         for (n, one) in here.iter().enumerate() {
             for other in &here[..n] {
-                self.propose(root, exchanged(root, [one, other]).text(), 0);
+                self.propose(root, renamed(root, [one, other]).text(), 0);
             }
+        }
+    }
+
+    /// Two parts that follow each other, in the other order: of a difference, a quotient, a
+    /// comparison or a list, and the statements of a block.
+    fn exchanged(&mut self, node: &Tree) {
+        let is_ordered = matches!(node.sign(), Some("-" | "/" | "<" | ">"))
+            || node.is_block()
+            || node.op.starts_with(['(', '[']);
+        for pair in node.parts.windows(2).filter(|_| is_ordered) {
+            let least = if node.sign().is_some() { ATOM } else { 0 };
+            let [one, other] = [&pair[0], &pair[1]].map(|it| it.within(least));
+            let between = &self.text[pair[0].at.end..pair[1].at.start];
+            let at = pair[0].at.start..pair[1].at.end;
+            let new = format!("{other}{between}{one}");
+            self.proposals
+                .push(Proposal::new(at, new, UNLIKELY).whole());
         }
     }
 
@@ -183,13 +206,13 @@ impl Known {
 }
 
 /// The tree with two names exchanged.
-fn exchanged(tree: &Tree, [one, other]: [&str; 2]) -> Tree {
+fn renamed(tree: &Tree, [one, other]: [&str; 2]) -> Tree {
     let op = match &*tree.op {
         op if op == one => other,
         op if op == other => one,
         op => op,
     };
-    let parts = tree.parts.iter().map(|it| exchanged(it, [one, other]));
+    let parts = tree.parts.iter().map(|it| renamed(it, [one, other]));
     Tree {
         op: op.to_owned(),
         parts: parts.collect(),

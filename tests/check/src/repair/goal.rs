@@ -12,11 +12,14 @@ use slips::{Ball, Chapter, Interpreted};
 
 use crate::pixels::spread;
 use crate::reading::Reading;
+use crate::scene::Scene;
 
 /// So many wrong and right pixels are looked at, the wrong ones first.
 const LOOKED: u32 = 100;
 /// A picture is drawn whole up to this size; of a larger one so many pixels are.
 const DRAWN: u32 = 100_000;
+/// So wide is a picture that a reader's own loop draws for each text that is tried.
+const SMALL: u32 = 24;
 /// So many questions are asked.
 const ASKED: usize = 120;
 
@@ -28,6 +31,8 @@ pub(super) struct Goal {
     chapter: Chapter,
     /// What the chapter answers; nothing where it is not asked.
     answers: Vec<Vec<f64>>,
+    /// What a reader's own loop over all pixels is to draw, at [`SMALL`].
+    small: Option<Picture>,
 }
 
 /// The program, if the interpreter takes it.
@@ -85,6 +90,16 @@ impl Goal {
             all: spread(DRAWN, total).map(pixel).collect(),
             chapter,
             answers: Vec::new(),
+            small: None,
+        }
+    }
+
+    /// The same where the reader has a loop over all pixels, too.
+    pub(super) fn looping(self, scene: &Scene) -> Self {
+        let small = scene.right(SMALL, scene.height(SMALL));
+        Self {
+            small: Some(small),
+            ..self
         }
     }
 
@@ -103,7 +118,10 @@ impl Goal {
     /// Whether the program is right, by the look of some pixels and by its answers.
     pub(super) fn is_met_by(&self, program: &Program) -> bool {
         let matched = program.matches(self.width, &self.sample);
-        matched.ok() == Some(self.sample.len()) && self.is_answered_by(program)
+        let loops = |small: &Picture| program.draw(SMALL).is_ok_and(|it| it == *small);
+        matched.ok() == Some(self.sample.len())
+            && self.small.as_ref().is_none_or(loops)
+            && self.is_answered_by(program)
     }
 
     /// Whether the program draws the picture.

@@ -33,7 +33,7 @@ pub(super) fn locals(body: &Tree) -> Vec<Local<'_>> {
 }
 
 /// The name that a node gives, where it stands there, and whether it never changes.
-fn name_of(op: &str) -> Option<(&str, usize, bool)> {
+pub(super) fn name_of(op: &str) -> Option<(&str, usize, bool)> {
     let pattern = op
         .strip_prefix("let ")
         .or_else(|| op.strip_prefix("for "))?;

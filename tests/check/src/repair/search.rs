@@ -2,14 +2,15 @@
 //! its place, and then the likeliest edit inside of it that is as good.
 
 use std::cell::Cell;
+use std::collections::HashSet;
 
-use super::edit::Edit;
+use super::edit::{Edit, words};
 use super::functions::{Files, Function, with};
 use super::goal::{Goal, program};
 use super::{chapter, generic};
 
-/// No more texts are tried than can be in two seconds.
-const TRIED: u32 = 500;
+/// So many bytes of programs are read, which takes two seconds at most.
+const READ: usize = 1 << 20;
 /// Two edits are tried where the one that is found is less likely than this.
 const LIKELY: u32 = 14;
 /// Of so many edits each is tried with each other.
@@ -49,7 +50,8 @@ pub(super) struct Search<'a> {
     pub(super) yours: &'a [Function],
     pub(super) chapter: &'a [Function],
     pub(super) goal: &'a Goal,
-    pub(super) tried: Cell<u32>,
+    /// How many bytes of programs have been read.
+    pub(super) read: Cell<usize>,
 }
 
 /// A function of the reader's, and those of the same name that are right.
@@ -105,8 +107,13 @@ impl<'a> Search<'a> {
 
     /// Whether the program is right with these texts, as long as one more may be tried.
     fn is_right(&self, changes: &Changes) -> bool {
-        self.tried.set(self.tried.get() + 1);
-        self.tried.get() <= TRIED && self.meets_the_goal(changes)
+        let bytes: usize = self.files.iter().map(|(_, text)| text.len()).sum();
+        self.read.set(self.read.get() + bytes);
+        self.may_try() && self.meets_the_goal(changes)
+    }
+
+    fn may_try(&self) -> bool {
+        self.read.get() <= READ
     }
 
     fn meets_the_goal(&self, changes: &Changes) -> bool {
@@ -128,23 +135,72 @@ impl<'a> Search<'a> {
 
     /// The likeliest edit that makes the program right, in this function or in what it calls.
     fn repair(&self, common: &Common<'a>, others: &Changes<'a>) -> Option<(&'a Function, Edit)> {
-        let mut edits = self.edits(common);
-        let is_called = |it: &&Function| {
-            let is_common = self.chapter.iter().any(|other| other.name == it.name);
-            !is_common && common.0.text.contains(it.short_name())
-        };
-        for helper in self.yours.iter().filter(is_called) {
-            let all = generic::edits(helper, None);
-            edits.extend(all.into_iter().map(|edit| (helper, edit)));
-        }
-        self.first(edits, others)
+        self.first(self.edits(common), others)
     }
 
-    /// The edits of a function.
+    /// The edits of a function and of the helpers that it calls.
     fn edits(&self, (yours, right): &Common<'a>) -> Vec<(&'a Function, Edit)> {
-        let theirs = right.iter().flat_map(|right| chapter::edits(yours, right));
         let generic = generic::edits(yours, right.first().copied());
-        theirs.chain(generic).map(|edit| (*yours, edit)).collect()
+        let own = self.of_chapter(yours, right).into_iter().chain(generic);
+        let mut edits: Vec<_> = own.map(|edit| (*yours, edit)).collect();
+        for helper in self.helpers(yours) {
+            let theirs = right.iter();
+            let theirs = theirs.flat_map(|right| chapter::edits_of_helper(helper, yours, right));
+            let all = self.keeping_calls(helper, theirs.collect());
+            let all = all.into_iter().chain(self.of_likest(helper));
+            edits.extend(all.map(|edit| (helper, edit)));
+        }
+        edits
+    }
+
+    /// Those that write no call of a helper out: that would hide a mistake of the helper.
+    fn keeping_calls(&self, yours: &Function, mut edits: Vec<Edit>) -> Vec<Edit> {
+        for helper in self.helpers(yours) {
+            edits.retain(|it| it.keeps(helper.short_name(), &yours.text));
+        }
+        edits
+    }
+
+    /// The edits by which a function comes nearer to the chapter's, and to what that calls and the
+    /// reader does not have.
+    fn of_chapter(&self, yours: &Function, right: &[&Function]) -> Vec<Edit> {
+        let is_missing = |it: &&Function| self.yours.iter().all(|own| own.name != it.name);
+        let is_called = |it: &&Function| {
+            let mut callers = right.iter();
+            callers.any(|right| words(&right.text).contains(&it.name.as_str()))
+        };
+        let called = self.chapter.iter().filter(is_called).filter(is_missing);
+        let all = right.iter().copied().chain(called);
+        let edits = all.flat_map(|right| chapter::edits(yours, right));
+        self.keeping_calls(yours, edits.collect())
+    }
+
+    /// The edits of a function that the chapter does not have, by what is most like it there.
+    fn of_likest(&self, own: &Function) -> Vec<Edit> {
+        let like = |it: &&Function| it.body.likeness(&own.body);
+        let all = self.chapter.iter();
+        let right = all.max_by(|one, other| like(one).total_cmp(&like(other)));
+        let theirs = right.map_or(Vec::new(), |right| chapter::edits(own, right));
+        let theirs = self.keeping_calls(own, theirs);
+        [theirs, generic::edits(own, None)].concat()
+    }
+
+    /// The reader's own functions that this one calls, and those that they call.
+    fn helpers(&self, caller: &Function) -> Vec<&'a Function> {
+        let is_own = |it: &&Function| self.chapter.iter().all(|other| other.name != it.name);
+        let mut called: Vec<&Function> = Vec::new();
+        let mut texts = vec![caller.text.as_str()];
+        while let Some(text) = texts.pop() {
+            let words = words(text);
+            for helper in self.yours.iter().filter(is_own) {
+                let is_new = called.iter().all(|it| !std::ptr::eq(*it, helper));
+                if is_new && helper.name != caller.name && words.contains(&helper.short_name()) {
+                    called.push(helper);
+                    texts.push(&helper.text);
+                }
+            }
+        }
+        called
     }
 
     /// The likeliest of the edits that make the program right.
@@ -154,17 +210,13 @@ impl<'a> Search<'a> {
         others: &Changes<'a>,
     ) -> Option<(&'a Function, Edit)> {
         edits.sort_by_key(|(_, edit)| edit.rank);
-        let mut seen: Vec<(&str, String)> = Vec::new();
+        let mut seen = HashSet::new();
         edits.into_iter().find(|(function, edit)| {
-            if self.tried.get() > TRIED {
-                return false;
-            }
             let text = edit.applied_to(&function.text);
-            let key = (function.name.as_str(), text.clone());
-            if text == function.text || seen.contains(&key) {
+            let is_new = text != function.text && seen.insert((&function.name, text.clone()));
+            if !is_new || !self.may_try() {
                 return false;
             }
-            seen.push(key);
             let changes = [others.clone(), vec![(*function, text)]].concat();
             self.is_right(&changes) && self.is_whole(&changes)
         })
@@ -176,10 +228,7 @@ impl<'a> Search<'a> {
         (yours, right): &Common<'a>,
         below: u32,
     ) -> Option<(&'a Function, Edit)> {
-        let mut edits: Vec<Edit> = right
-            .iter()
-            .flat_map(|it| chapter::edits(yours, it))
-            .collect();
+        let mut edits = self.of_chapter(yours, right);
         edits.sort_by_key(|edit| edit.rank);
         edits.dedup_by(|one, other| one.parts == other.parts);
         edits.truncate(PAIRED);
@@ -225,12 +274,11 @@ impl<'a> Search<'a> {
     fn in_any(&self, common: &[Common<'a>]) -> Option<Vec<Fix<'a>>> {
         let of_common = common.iter().flat_map(|it| self.edits(it));
         let is_own = |it: &&Function| common.iter().all(|(other, _)| other.name != it.name);
-        let helpers = self.yours.iter().filter(is_own);
-        let of_helpers = helpers.flat_map(|helper| {
-            let edits = generic::edits(helper, None).into_iter();
-            edits.map(move |edit| (helper, edit))
+        let of_own = self.yours.iter().filter(is_own).flat_map(|own| {
+            let edits = self.of_likest(own).into_iter();
+            edits.map(move |edit| (own, edit))
         });
-        let found = self.first(of_common.chain(of_helpers).collect(), &Vec::new())?;
+        let found = self.first(of_common.chain(of_own).collect(), &Vec::new())?;
         (found.1.rank <= READABLE).then(|| vec![Fix::edit(&found)])
     }
 }

@@ -78,11 +78,6 @@ impl Sources {
         !self.chapter.is_empty()
     }
 
-    /// Whether the prelude is the reader's own, too.
-    pub(crate) fn have_a_prelude(&self) -> bool {
-        self.yours.iter().any(|it| it.name == "src/rtweekend.rs")
-    }
-
     /// Those in Rust but for the program's own, the root first.
     pub(crate) fn in_rust(&self) -> Vec<(String, String)> {
         let is_read = |it: &&File| it.name.ends_with(".rs") && !it.name.ends_with("main.rs");
