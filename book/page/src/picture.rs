@@ -75,7 +75,7 @@ pub fn verdict(chapter: Chapter, slip: Option<&Slip>, width: u32, different: u32
     let Words { wrong, right, why } = slip.words(Letters::Book(Edition::V4), chapter);
     format!(
         "<code>{}</code> should be <code>{}</code>. {} {} <a href=\"{}\">The right line</a>, and \
-         <a href=\"caught.html#{name}\">the test that catches the wrong one</a>.",
+         <a href=\"slips.html#{name}\">more that look like this</a>.",
         escape(&wrong),
         escape(&right),
         escape(why),

@@ -1,4 +1,4 @@
-//! Listings: items of the sources, under a heading that says where they stand.
+//! Listings: items of the sources, below a line that says where they stand.
 
 use std::ops::Range;
 use std::path::Path;
@@ -57,23 +57,12 @@ pub(crate) fn listing(
         listed.add(file, &found);
         (name, beside, source::excerpt(&text, &found))
     };
-    // A heading with the names that are given here, so that the search leads from them to it;
-    // but not in the outline of the page. Answers and tests belong to the section around them.
-    let (tag, role) = if file.starts_with("tests/") {
-        ("p", "")
-    } else {
-        ("h3", " role=\"presentation\"")
-    };
     let whose = whose(file);
-    let given = code
-        .lines()
-        .filter_map(|line| given_name(line, !whose.is_empty()));
-    let given = given.collect::<Vec<_>>().join(" ");
     let id = name.replace(|it: char| !it.is_alphanumeric(), "-");
     let values = figure.map_or(Ok(String::new()), |figure| values(figure, &code))?;
     Ok(format!(
-        "<div class=\"listing\"><{tag} class=\"source\"{role} id=\"listing-{id}\"><span class=\"file\">{file}</span>{whose}{beside}\
-         <span hidden> {given}</span></{tag}>\n\n````rust\n{}\n````\n\n{values}</div>\n",
+        "<div class=\"listing\"><p class=\"source\" id=\"listing-{id}\"><span class=\"file\">{file}</span>{whose}{beside}</p>\
+         \n\n````rust\n{}\n````\n\n{values}</div>\n",
         code.trim_end()
     ))
 }
@@ -114,24 +103,4 @@ fn whose(file: &str) -> String {
         ["chapters", _, yours] => format!(", to be typed into <b>{yours}</b>"),
         _ => String::new(),
     }
-}
-
-/// The name of the item that begins in this line of code; in the lesson, which readers type
-/// or read, also that of a field or a variable.
-fn given_name(line: &str, is_lesson: bool) -> Option<&str> {
-    let line = line.trim_start();
-    let public = line.strip_prefix("pub ");
-    let begins = |words: &[&str]| {
-        let line = public.unwrap_or(line);
-        words.iter().find_map(|it| line.strip_prefix(it))
-    };
-    let is_field = |it: &&str| {
-        it.split_once(": ")
-            .is_some_and(|(name, _)| !name.contains(' '))
-    };
-    let item = begins(&["const fn ", "fn ", "struct ", "trait ", "const ", "type "]);
-    let inner = begins(&["let mut ", "let "]).or(public.filter(is_field));
-    let name = item.or(inner.filter(|_| is_lesson))?;
-    name.split(|it: char| !it.is_alphanumeric() && it != '_')
-        .next()
 }

@@ -28,7 +28,8 @@ pub(crate) enum Woven {
 /// | `{{editions}}` | what each edition of the book draws |
 /// | `{{picture CHAPTER QUESTION IMAGE}}` | this image, which a reader can paint anew |
 /// | `{{slip NAME CHAPTER}}` | the wrong picture that this slip draws |
-/// | `{{slips LOOK}}` | all slips that look like that |
+/// | `{{slips LOOK}}` | all slips that look like that; `{{slips LOOK NAMES}}`, `{{slips LOOK not NAMES}}` |
+/// | `{{symptoms PAGES}}` | a picture from each of these pages of slips, and all slips by their names |
 /// | `{{step CHAPTER NUMBER}}` | the picture after this step on the way to the chapter |
 /// | `{{snapshot PATH}}` | the Markdown in a snapshot |
 /// | `{{time CHAPTER}}` | how long its page is to read, and its program to type |
@@ -52,11 +53,12 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
         "picture" => picture::picture(first, second),
         "slip" => slip::slip(first, second),
         "slips" => slip::gallery(rest),
+        "symptoms" => slip::symptoms(folder, rest),
         "snapshot" => snapshot(&folder.join(rest)),
         "step" => step::step(first, second),
         _ => Err(format!(
             "there is no directive `{name}`: choose code, traced, figure, live, chart, changes, \
-             editions, picture, slip, slips, step, snapshot, time or value"
+             editions, picture, slip, slips, step, snapshot, symptoms, time or value"
         )),
     };
     block.map(Woven::Block)

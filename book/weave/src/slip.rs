@@ -1,5 +1,7 @@
 //! Pictures of slips and of editions, drawn while the book is woven.
 
+use std::collections::BTreeMap;
+use std::path::Path;
 use std::sync::LazyLock;
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
@@ -7,7 +9,7 @@ use check::png;
 use common::rtweekend::Picture;
 use slips::{Chapter, Edition, Letters, Sight, Slip, Unseen, Words};
 
-use crate::ground::escaped;
+use crate::ground::{escaped, read, split};
 
 /// The picture that a slip draws in a chapter, with the name of both below it.
 pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
@@ -18,7 +20,7 @@ pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
     let picture = slip.program(chapter).run(chapter.book_width()).picture();
     let why = slip.words(Letters::Book(Edition::V4), chapter).why;
     Ok(format!(
-        "<figure>{}<figcaption><a href=\"slips.html\">{name}</a> in <code>{}</code></figcaption></figure>",
+        "<figure>{}<figcaption><a href=\"slips.html#{name}\">{name}</a> in <code>{}</code></figcaption></figure>",
         image(&picture, &format!("What {name} draws: {why}")),
         chapter.name()
     ))
@@ -52,24 +54,84 @@ fn one_edition(edition: Edition) -> String {
 /// How wide the pictures of editions are, in pixels.
 const EDITION_WIDTH: u32 = 144;
 
-/// The slips of this look with their pictures; or those that draw the right picture wherever
-/// they are made.
-pub(crate) fn gallery(look: &str) -> Result<String, String> {
-    static SIGHTS: LazyLock<Vec<Sight>> = LazyLock::new(slips::sights);
-    if look == "Right" {
-        let seen = SIGHTS.iter().flat_map(|sight| &sight.slips);
-        let seen: Vec<&str> = seen.map(|slip| slip.name).collect();
-        let unseen = slips::all().filter(|slip| !seen.contains(&slip.name));
-        return Ok(unseen
-            .map(|slip| format!("{} {}\n", item(slip), shown_by(slip)))
-            .collect());
+/// The slips of a look with their pictures: `LOOK`, or `LOOK NAME NAME` for those that have one of
+/// these names or are made in a chapter of that name, or `LOOK not NAME NAME` for the others. Those
+/// of the look `Right` draw the right picture wherever they are made.
+pub(crate) fn gallery(chosen: &str) -> Result<String, String> {
+    if chosen == "Right" {
+        return Ok(unseen().map(|slip| shown_by(slip) + "\n").collect());
     }
-    let has_look = |sight: &&Sight| format!("{:?}", sight.look) == look;
-    let tiles: String = SIGHTS.iter().filter(has_look).map(tile).collect();
-    if tiles.is_empty() {
-        return Err(format!("no slip has the look `{look}`"));
+    Ok(sights(chosen)?.into_iter().map(tile).collect())
+}
+
+/// A picture from each of the `pages` of slips, which leads there; and each slip by its name.
+pub(crate) fn symptoms(notes: &Path, pages: &str) -> Result<String, String> {
+    let mut cards = String::new();
+    let mut names = BTreeMap::new();
+    for page in pages.split(' ') {
+        let text = read(&notes.join(page).with_extension("md"))?;
+        let title = text.lines().next().unwrap_or_default();
+        let chosen = text.lines().filter_map(|line| {
+            let line = line.strip_prefix("{{slips ")?;
+            line.strip_suffix("}}").filter(|look| *look != "Right")
+        });
+        let seen = chosen.map(sights).collect::<Result<Vec<_>, _>>()?.concat();
+        let first = seen
+            .first()
+            .ok_or_else(|| format!("{page} shows no slips"))?;
+        cards += &format!(
+            "<a class=\"symptom\" href=\"{page}.html\">{}<span>{}</span></a>",
+            image(&first.picture, ""),
+            escaped(title.trim_start_matches("# "))
+        );
+        for sight in seen {
+            let address = |slip: &&Slip| (slip.name, format!("{page}.html#{}", id(slip, sight)));
+            names.extend(sight.slips.iter().map(address));
+        }
     }
-    Ok(tiles)
+    let in_full = |(name, address)| format!("<a id=\"{name}\" href=\"{address}\">{name}</a>");
+    names.extend(unseen().map(|slip| (slip.name, format!("slips_right.html#{}", slip.name))));
+    let names: Vec<String> = names.into_iter().map(in_full).collect();
+    Ok(format!(
+        "<div class=\"symptoms\">{cards}</div>\n\n## By name\n\n<p>{}</p>",
+        names.join(" · ")
+    ))
+}
+
+static SIGHTS: LazyLock<Vec<Sight>> = LazyLock::new(slips::sights);
+
+fn sights(chosen: &str) -> Result<Vec<&'static Sight>, String> {
+    let (look, names) = split(chosen);
+    let (is_not, names) = match names.strip_prefix("not ") {
+        Some(names) => (true, names),
+        None => (false, names),
+    };
+    let names: Vec<&str> = names.split_whitespace().collect();
+    let has = |sight: &Sight, name: &&str| {
+        sight.chapter.name() == *name || sight.slips.iter().any(|slip| slip.name == *name)
+    };
+    let of_look = SIGHTS.iter().filter(|it| format!("{:?}", it.look) == look);
+    let of_look: Vec<&Sight> = of_look.collect();
+    if let Some(name) = names
+        .iter()
+        .find(|name| !of_look.iter().any(|it| has(it, name)))
+    {
+        return Err(format!("no slip `{name}` has the look `{look}`"));
+    }
+    let is_chosen =
+        |sight: &&Sight| names.is_empty() || names.iter().any(|name| has(sight, name)) != is_not;
+    let chosen: Vec<&Sight> = of_look.into_iter().filter(is_chosen).collect();
+    match chosen.is_empty() {
+        true => Err(format!("no slip has the look `{look}`")),
+        false => Ok(chosen),
+    }
+}
+
+/// Those that draw the right picture in all their chapters.
+fn unseen() -> impl Iterator<Item = &'static Slip> {
+    let seen = SIGHTS.iter().flat_map(|sight| &sight.slips);
+    let seen: Vec<&str> = seen.map(|slip| slip.name).collect();
+    slips::all().filter(move |slip| !seen.contains(&slip.name))
 }
 
 /// A picture, and beside it the slips that draw it.
@@ -77,34 +139,44 @@ fn tile(sight: &Sight) -> String {
     let chapter = sight.chapter.name();
     let names: Vec<&str> = sight.slips.iter().map(|slip| slip.name).collect();
     let alt = format!("What {} draws in {chapter}", names.join(", "));
-    let items: String = sight.slips.iter().map(|slip| item(slip) + "\n").collect();
+    let slips = sight.slips.iter();
+    let items: String = slips
+        .map(|slip| item(slip, &id(slip, sight)) + "\n")
+        .collect();
     format!(
         "<div class=\"slip\">\n<figure>{}<figcaption>{chapter}</figcaption></figure>\n<div>\n\n{items}\n</div>\n</div>\n\n",
         image(&sight.picture, &alt)
     )
 }
 
+/// What a page calls the slip where it has this look: it may have several, in other chapters.
+fn id(slip: &Slip, sight: &Sight) -> String {
+    format!("{}-in-{}", slip.name, sight.chapter.name())
+}
+
 /// The slip in words, as an item of a list.
-fn item(slip: &Slip) -> String {
+fn item(slip: &Slip, id: &str) -> String {
     let name = slip.name;
     let Words { wrong, right, why } = slip.words(Letters::Book(Edition::V4), slip.chapters[0]);
     let (page, heading) = slip.page_and_heading();
     format!(
-        "* **[{name}](caught.md#{name})** · `{wrong}` should be `{right}`. {why} See [{page}]({page}.md#{heading})."
+        "* `{wrong}` should be `{right}`. {why} \
+         <span id=\"{id}\">*{name}*</span>, see [{page}]({page}.md#{heading})"
     )
 }
 
-/// What shows the slip where the book's pictures do not.
+/// The same for a slip that the book's pictures do not show, and what does.
 fn shown_by(slip: &Slip) -> String {
-    if let Some(probe) = slip.shown_by() {
-        return format!("The probe *{probe}* shows it.");
-    }
     let mut chapters = slip.chapters.iter();
-    match chapters.find_map(|&chapter| slip.unseen_in(chapter)) {
-        Some(Unseen::OnlyByLaw(law)) => format!("Only a law shows it: {law}"),
-        Some(Unseen::Equivalent(why)) => format!("Nothing shows it: {why}"),
-        None => String::new(),
-    }
+    let shown = match slip.shown_by() {
+        Some(probe) => format!("The probe *{probe}* shows it."),
+        None => match chapters.find_map(|&chapter| slip.unseen_in(chapter)) {
+            Some(Unseen::OnlyByLaw(law)) => format!("Only a law shows it: {law}"),
+            Some(Unseen::Equivalent(why)) => format!("Nothing shows it: {why}"),
+            None => String::new(),
+        },
+    };
+    format!("{}. {shown}", item(slip, slip.name))
 }
 
 /// The picture inside the page, pixel by pixel.
