@@ -769,12 +769,12 @@ impl Lowerer<'_> {
             let Some(end) = end else { return Ok(None) };
             let typed = own.expr(end)?;
             of = own.joined(&typed.ty, &of, "mismatched types", own.at(end))?;
-            Ok(Some(Box::new(typed.node)))
+            Ok(Some(typed.node))
         };
         let (from, to) = (end(self, &it.start)?, end(self, &it.end)?);
         let is_closed = matches!(it.limits, syn::RangeLimits::Closed(_));
         Ok(Typed::new(
-            Node::Range(from, to, is_closed),
+            Node::Range(Box::new([from, to]), is_closed),
             Type::of(Head::Range, of),
         ))
     }
@@ -791,13 +791,7 @@ impl Lowerer<'_> {
         };
         let at = self.at_any(it);
         if !fits {
-            let [one, other] = [ty, &to].map(|it| it.name(self.names));
-            return self.fault(
-                at,
-                &format!("non-primitive cast: `{one}` as `{other}`"),
-                "",
-                "",
-            );
+            return Err(self.names.no_cast(ty, &to, at));
         }
         Ok(Typed::new(
             Node::Cast(Box::new(from.node), Box::new(to.clone()), at),

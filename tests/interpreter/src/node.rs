@@ -60,7 +60,7 @@ pub(crate) enum Node {
     Many(Vec<Node>),
     Tuple(Vec<Node>),
     Repeat(Box<Node>, usize),
-    Range(Option<Box<Node>>, Option<Box<Node>>, bool),
+    Range(Box<[Option<Node>; 2]>, bool),
     If(Box<[Node; 3]>),
     Match(Box<Node>, Vec<Arm>, At),
     Matches(Box<Pattern>, Box<Node>),

@@ -193,6 +193,16 @@ impl Names {
         Refusal::new(at, &message, "", "")
     }
 
+    pub(crate) fn no_cast(&self, from: &Type, to: &Type, at: At) -> Refusal {
+        let [from, to] = [from, to].map(|it| it.name(self));
+        Refusal::new(
+            at,
+            &format!("non-primitive cast: `{from}` as `{to}`"),
+            "",
+            "",
+        )
+    }
+
     pub(crate) fn no_unary(&self, sign: &str, ty: &Type, at: At) -> Refusal {
         let name = ty.name(self);
         let message = format!("cannot apply unary operator `{sign}` to type `{name}`");

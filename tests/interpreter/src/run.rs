@@ -11,7 +11,7 @@ use common::rtweekend::Vec3 as DVec3;
 
 use crate::lower::miscounted;
 use crate::names::Names;
-use crate::node::{At, Function, Node, Order, Pattern, Root, Sign, Step, Target};
+use crate::node::{Arm, At, Closure, Function, Node, Order, Pattern, Root, Sign, Step, Target};
 use crate::prelude::{self, LONGEST_TEXT, Native, TEXT_TOO_LONG};
 use crate::read::Refusal;
 use crate::types::{Head, Int, Type};
@@ -261,14 +261,6 @@ impl<'c> Machine<'c> {
         }
     }
 
-    fn boxed<const N: usize>(&mut self, nodes: &[Node; N]) -> Eval<[Value; N]> {
-        let mut values = [const { Value::Unit }; N];
-        for (value, node) in values.iter_mut().zip(nodes) {
-            *value = self.eval(node)?;
-        }
-        Ok(values)
-    }
-
     fn all(&mut self, nodes: &[Node]) -> Eval<Vec<Value>> {
         nodes.iter().map(|node| self.eval(node)).collect()
     }
@@ -280,42 +272,299 @@ impl<'c> Machine<'c> {
         }
     }
 
-    /// What most nodes are, each with its result where it belongs.
+    /// What a node comes to. Each arm is a function of its own: this one is entered most.
     pub(crate) fn eval(&mut self, node: &Node) -> Eval {
         match node {
-            Node::Local(slot) => Ok(self.stack[self.base + slot].clone()),
+            Node::Unit => Ok(Value::Unit),
+            Node::Bool(it) => Ok(Value::Bool(*it)),
+            Node::Int(it, int) => Ok(Value::Int(*it, *int)),
             Node::Float(it) => Ok(Value::Float(*it)),
+            Node::Single(it) => Ok(Value::Single(*it)),
+            Node::Vec3(it) => Ok(Value::Vec3(*it)),
+            Node::Str(it) => Ok(Value::Str(Rc::new(it.to_string()))),
+            Node::None => Ok(Value::None),
+            Node::Ordering(it) => Ok(Value::Ordering(*it)),
+            Node::Function(function) => Ok(Value::Function(*function)),
+            Node::NativeFunction(native, at) => Ok(Value::Native(native, *at)),
+            Node::Closure(closure, is_moved) => Ok(self.closure(closure, *is_moved)),
+            Node::Default(ty) => self.default(ty),
+            Node::Constant(function, at) => self.constant(*function, *at),
+            Node::Local(slot) => Ok(self.stack[self.base + slot].clone()),
             Node::Field(of, n) => self.field(of, *n),
+            Node::Index(nodes, at) => self.indexed(nodes, *at),
+            Node::Deref(of) => self.dereferenced(of),
+            Node::Address(target) => Ok(Value::Mut(self.address(target)?)),
+            Node::Set(target, value) => self.set(target, value),
+            Node::Update(target, sign, value, at) => self.update(target, *sign, value, *at),
+            Node::Let(pattern, value, other) => self.bound(pattern, value, other.as_deref()),
             Node::Arithmetic(sign, nodes, at) => self.operation(*sign, nodes, *at),
             Node::Compare(order, nodes, at) => self.comparison(*order, nodes, *at),
-            Node::And(nodes) => Ok(Value::Bool(
-                self.truth(&nodes[0])? && self.truth(&nodes[1])?,
-            )),
-            Node::Or(nodes) => Ok(Value::Bool(
-                self.truth(&nodes[0])? || self.truth(&nodes[1])?,
-            )),
-            Node::If(nodes) => {
-                if self.truth(&nodes[0])? {
-                    self.eval(&nodes[1])
-                } else {
-                    self.eval(&nodes[2])
-                }
-            }
-            Node::Block(nodes, has_value) => self.block(nodes, *has_value),
-            Node::Let(pattern, value, None) => self.bound(pattern, value),
-            Node::Call(function, nodes, at) => {
-                let start = self.push_all(nodes)?;
-                self.enter(*function, start, *at)
-            }
+            Node::And(nodes) => self.until(nodes, false),
+            Node::Or(nodes) => self.until(nodes, true),
+            Node::Not(of, at) => self.not(of, *at),
+            Node::Negate(of, at) => self.negated(of, *at),
+            Node::Cast(of, ty, at) => self.cast(of, ty, *at),
+            Node::Declared(of, ty, at) => self.checked(of, ty, *at),
+            Node::Call(function, nodes, at) => self.called(*function, nodes, *at),
             Node::Native(native, nodes, at) => self.native(native, nodes, *at),
-            Node::Return(value) => {
-                self.left = self.eval(value)?;
-                Err(Stop::Return)
+            Node::Dispatch(all, nodes, at) => self.dispatch(all, nodes, *at),
+            Node::Apply(function, nodes, at) => self.applied_to(function, nodes, *at),
+            Node::New(kind, variant, fields, base) => {
+                self.made(*kind, *variant, fields, base.as_deref())
             }
-            node => self.eval_rest(node),
+            Node::Some(of) => Ok(Value::Some(Rc::new(self.eval(of)?))),
+            Node::Many(nodes) => Ok(Value::Many(Rc::new(self.all(nodes)?))),
+            Node::Tuple(nodes) => Ok(Value::Tuple(self.all(nodes)?.into())),
+            Node::Repeat(of, length) => Ok(Value::Many(Rc::new(vec![self.eval(of)?; *length]))),
+            Node::Range(ends, is_closed) => self.range(ends, *is_closed),
+            Node::Format(pieces, nodes) => self.formatted(pieces, nodes),
+            Node::If(nodes) => self.choice(nodes),
+            Node::Match(of, arms, at) => self.matched(of, arms, *at),
+            Node::Matches(pattern, of) => self.matches(pattern, of),
+            Node::Block(nodes, has_value) => self.block(nodes, *has_value),
+            Node::While(nodes, at) => self.repeated(nodes, *at),
+            Node::For(pattern, nodes, at) => self.for_each(pattern, nodes, *at),
+            Node::Break(value) => self.left_with(value, Stop::Break),
+            Node::Continue => Err(Stop::Continue),
+            Node::Return(value) => self.left_with(value, Stop::Return),
+            Node::Try(of) => self.tried(of),
+            Node::Panic(message, at) => self.panic(*at, message),
         }
     }
 
+    /// The same without a call for what operators mostly stand between.
+    #[inline]
+    fn operand(&mut self, node: &Node) -> Eval {
+        match node {
+            Node::Float(it) => return Ok(Value::Float(*it)),
+            Node::Local(slot) => match &self.stack[self.base + slot] {
+                Value::Float(it) => return Ok(Value::Float(*it)),
+                Value::Vec3(it) => return Ok(Value::Vec3(*it)),
+                _ => {}
+            },
+            _ => {}
+        }
+        self.eval(node)
+    }
+
+    #[inline(never)]
+    fn closure(&mut self, closure: &Arc<Closure>, is_moved: bool) -> Value {
+        let frame = if is_moved {
+            Frame::Taken(Rc::new(self.stack[self.base..].to_vec()))
+        } else {
+            let slots = self.stack.len() - self.base;
+            Frame::At(self.base as u32, slots as u32)
+        };
+        Value::Closure(Arc::clone(closure), frame)
+    }
+
+    #[inline(never)]
+    fn indexed(&mut self, nodes: &[Node; 2], at: At) -> Eval {
+        let [list, index] = [self.eval(&nodes[0])?, self.eval(&nodes[1])?];
+        let list = self.followed(&list);
+        let n = self.index(&list, &index, at)?;
+        Ok(list.field(n))
+    }
+
+    #[inline(never)]
+    fn dereferenced(&mut self, of: &Node) -> Eval {
+        let reference = self.eval(of)?;
+        Ok(self.followed(&reference))
+    }
+
+    #[inline(never)]
+    fn set(&mut self, target: &Target, value: &Node) -> Eval {
+        let value = self.eval(value)?;
+        if let (Root::Local(slot), []) = (&target.root, target.steps.as_slice()) {
+            let slot = self.base + slot;
+            self.stack[slot] = value;
+        } else {
+            let address = self.address(target)?;
+            self.change(&address, |place| *place = value);
+        }
+        Ok(Value::Unit)
+    }
+
+    #[inline(never)]
+    fn update(&mut self, target: &Target, sign: Sign, value: &Node, at: At) -> Eval {
+        let right = self.eval(value)?;
+        let address = self.address(target)?;
+        let left = self.at(&address);
+        let value = self.arithmetic(sign, left, right, at)?;
+        self.change(&address, |place| *place = value);
+        Ok(Value::Unit)
+    }
+
+    #[inline(never)]
+    fn until(&mut self, nodes: &[Node; 2], enough: bool) -> Eval {
+        let is_enough = self.truth(&nodes[0])? == enough;
+        Ok(Value::Bool(if is_enough {
+            enough
+        } else {
+            self.truth(&nodes[1])?
+        }))
+    }
+
+    #[inline(never)]
+    fn not(&mut self, of: &Node, at: At) -> Eval {
+        match self.eval(of)? {
+            Value::Bool(it) => Ok(Value::Bool(!it)),
+            it => self.refuse(self.code.names.no_unary("!", &it.ty(), at)),
+        }
+    }
+
+    #[inline(never)]
+    fn negated(&mut self, of: &Node, at: At) -> Eval {
+        Ok(match self.operand(of)? {
+            Value::Float(it) => Value::Float(-it),
+            Value::Single(it) => Value::Single(-it),
+            Value::Vec3(it) => Value::Vec3(-it),
+            Value::Int(it, int) if int.fits(-it) => Value::Int(-it, int),
+            Value::Int(..) => return self.panic(at, "attempt to negate with overflow"),
+            it => match self.code.names.method(&it.ty(), "neg", None) {
+                Some(own) => self.run(own, &[it], at)?,
+                None => return self.refuse(self.code.names.no_unary("-", &it.ty(), at)),
+            },
+        })
+    }
+
+    #[inline(never)]
+    fn cast(&mut self, of: &Node, ty: &Type, at: At) -> Eval {
+        let value = self.eval(of)?;
+        let value = self.followed(&value);
+        value.cast(ty).map_or_else(
+            || self.refuse(self.code.names.no_cast(&value.ty(), ty, at)),
+            Ok,
+        )
+    }
+
+    #[inline(never)]
+    fn checked(&mut self, of: &Node, ty: &Type, at: At) -> Eval {
+        let value = self.eval(of)?;
+        self.declared(value, ty, at)
+    }
+
+    #[inline(never)]
+    fn called(&mut self, function: usize, nodes: &[Node], at: At) -> Eval {
+        let start = self.push_all(nodes)?;
+        self.enter(function, start, at)
+    }
+
+    #[inline(never)]
+    fn applied_to(&mut self, function: &Node, nodes: &[Node], at: At) -> Eval {
+        let function = self.eval(function)?;
+        let mut arguments = self.all(nodes)?;
+        self.apply(&function, &mut arguments, at)
+    }
+
+    #[inline(never)]
+    fn made(
+        &mut self,
+        kind: u32,
+        variant: u32,
+        fields: &[(usize, Node)],
+        base: Option<&Node>,
+    ) -> Eval {
+        let mut all = match base.map(|base| self.eval(base)).transpose()? {
+            Some(Value::Own(_, _, fields)) => fields,
+            Some(other) => unreachable!("it is declared, and this is {other:?}"),
+            None => Fields(iter::repeat_n(Value::Unit, fields.len()).collect()),
+        };
+        for (n, node) in fields {
+            let value = self.eval(node)?;
+            Rc::make_mut(&mut all.0)[*n] = value;
+        }
+        Ok(Value::Own(kind, variant, all))
+    }
+
+    fn range(&mut self, ends: &[Option<Node>; 2], is_closed: bool) -> Eval {
+        let mut end = |n: usize| match &ends[n] {
+            Some(node) => self.eval(node),
+            None => Ok(Value::Unit),
+        };
+        Ok(Value::Range(Rc::new([end(0)?, end(1)?]), is_closed))
+    }
+
+    fn formatted(&mut self, pieces: &[String], nodes: &[Node]) -> Eval {
+        let values = self.all(nodes)?;
+        let values = values.iter().map(|it| self.shown(it));
+        let pieces = pieces.iter().zip(values.chain([String::new()]));
+        let text: String = pieces
+            .flat_map(|(before, value)| [before.clone(), value])
+            .collect();
+        if text.len() >= LONGEST_TEXT {
+            return self.panic(At::default(), TEXT_TOO_LONG);
+        }
+        Ok(Value::Str(Rc::new(text)))
+    }
+
+    #[inline(never)]
+    fn choice(&mut self, nodes: &[Node; 3]) -> Eval {
+        let n = if self.truth(&nodes[0])? { 1 } else { 2 };
+        self.eval(&nodes[n])
+    }
+
+    #[inline(never)]
+    fn matched(&mut self, of: &Node, arms: &[Arm], at: At) -> Eval {
+        let value = self.eval(of)?;
+        for arm in arms {
+            let is_it = self.binds(&arm.pattern, &value)?;
+            if is_it && arm.guard.as_ref().map_or(Ok(true), |it| self.truth(it))? {
+                return self.eval(&arm.body);
+            }
+        }
+        let message = "non-exhaustive patterns: no arm matches this value";
+        self.refuse(Refusal::new(at, message, "", ""))
+    }
+
+    #[inline(never)]
+    fn matches(&mut self, pattern: &Pattern, of: &Node) -> Eval {
+        let value = self.eval(of)?;
+        Ok(Value::Bool(self.binds(pattern, &value)?))
+    }
+
+    #[inline(never)]
+    fn repeated(&mut self, nodes: &[Node; 2], at: At) -> Eval {
+        loop {
+            self.turn(at)?;
+            if !self.truth(&nodes[0])? || self.is_left(&nodes[1])? {
+                return Ok(mem::take(&mut self.left));
+            }
+        }
+    }
+
+    #[inline(never)]
+    fn for_each(&mut self, pattern: &Pattern, nodes: &[Node; 2], at: At) -> Eval {
+        let each = self.eval(&nodes[0])?;
+        let each = self.iterator(&each, at)?;
+        while let Some(value) = each.next(self)? {
+            self.turn(at)?;
+            self.binds(pattern, &value)?;
+            if self.is_left(&nodes[1])? {
+                break;
+            }
+        }
+        Ok(Value::Unit)
+    }
+
+    #[inline(never)]
+    fn left_with(&mut self, value: &Node, stop: Stop) -> Eval {
+        self.left = self.eval(value)?;
+        Err(stop)
+    }
+
+    #[inline(never)]
+    fn tried(&mut self, of: &Node) -> Eval {
+        match self.eval(of)? {
+            Value::Some(value) => Ok(Rc::unwrap_or_clone(value)),
+            _ => {
+                self.left = Value::None;
+                Err(Stop::Return)
+            }
+        }
+    }
+
+    #[inline(never)]
     fn block(&mut self, nodes: &[Node], has_value: bool) -> Eval {
         let Some((last, before)) = nodes.split_last() else {
             return Ok(Value::Unit);
@@ -328,14 +577,20 @@ impl<'c> Machine<'c> {
     }
 
     #[inline(never)]
-    fn bound(&mut self, pattern: &Pattern, value: &Node) -> Eval {
-        let value = self.eval(value)?;
+    fn bound(&mut self, pattern: &Pattern, value: &Node, other: Option<&Node>) -> Eval {
+        let value = self.operand(value)?;
         match pattern {
             Pattern::Bind(slot, inner) if matches!(**inner, Pattern::Any) => {
                 let slot = self.base + slot;
                 self.stack[slot] = value;
             }
-            pattern => drop(self.binds(pattern, &value)?),
+            pattern => {
+                if !self.binds(pattern, &value)?
+                    && let Some(other) = other
+                {
+                    self.eval(other)?;
+                }
+            }
         }
         Ok(Value::Unit)
     }
@@ -357,15 +612,11 @@ impl<'c> Machine<'c> {
     fn native(&mut self, native: &Native, nodes: &[Node], at: At) -> Eval {
         match nodes {
             [one] => {
-                let mut arguments = [self.eval(one)?];
+                let mut arguments = [self.operand(one)?];
                 prelude::run(native, self, &mut arguments, at)
             }
             [one, other] => {
-                let mut arguments = [self.eval(one)?, self.eval(other)?];
-                prelude::run(native, self, &mut arguments, at)
-            }
-            [one, two, three] => {
-                let mut arguments = [self.eval(one)?, self.eval(two)?, self.eval(three)?];
+                let mut arguments = [self.operand(one)?, self.operand(other)?];
                 prelude::run(native, self, &mut arguments, at)
             }
             nodes => {
@@ -377,24 +628,20 @@ impl<'c> Machine<'c> {
 
     #[inline(never)]
     fn operation(&mut self, sign: Sign, nodes: &[Node; 2], at: At) -> Eval {
-        let left = self.eval(&nodes[0])?;
-        let right = self.eval(&nodes[1])?;
-        if let (Value::Float(a), Value::Float(b)) = (&left, &right) {
-            match sign {
-                Sign::Plus => return Ok(Value::Float(a + b)),
-                Sign::Minus => return Ok(Value::Float(a - b)),
-                Sign::Times => return Ok(Value::Float(a * b)),
-                Sign::Over => return Ok(Value::Float(a / b)),
-                Sign::Remainder => {}
-            }
+        use Value::{Float, Vec3};
+        let left = self.operand(&nodes[0])?;
+        let right = self.operand(&nodes[1])?;
+        match (left, right) {
+            (Float(a), Float(b)) => Ok(Float(of_floats(sign, a, b))),
+            (Vec3(a), Vec3(b)) if has_vectors(sign) => Ok(Vec3(of_vectors(sign, a, b))),
+            (left, right) => self.arithmetic(sign, left, right, at),
         }
-        self.arithmetic(sign, left, right, at)
     }
 
     #[inline(never)]
     fn comparison(&mut self, order: Order, nodes: &[Node; 2], at: At) -> Eval {
-        let left = self.eval(&nodes[0])?;
-        let right = self.eval(&nodes[1])?;
+        let left = self.operand(&nodes[0])?;
+        let right = self.operand(&nodes[1])?;
         if let (Value::Float(a), Value::Float(b)) = (&left, &right) {
             return Ok(Value::Bool(order.holds(a.partial_cmp(b))));
         }
@@ -408,202 +655,6 @@ impl<'c> Machine<'c> {
             Order::Unequal => !left.equals(&right),
             order => order.holds(left.compared(&right)),
         }))
-    }
-
-    #[inline(never)]
-    fn eval_rest(&mut self, node: &Node) -> Eval {
-        Ok(match node {
-            Node::Unit => Value::Unit,
-            Node::Bool(it) => Value::Bool(*it),
-            Node::Int(it, int) => Value::Int(*it, *int),
-            Node::Single(it) => Value::Single(*it),
-            Node::Vec3(it) => Value::Vec3(*it),
-            Node::Str(it) => Value::Str(Rc::new(it.to_string())),
-            Node::None => Value::None,
-            Node::Ordering(it) => Value::Ordering(*it),
-            Node::Deref(of) => {
-                let reference = self.eval(of)?;
-                self.followed(&reference)
-            }
-            Node::Index(nodes, at) => {
-                let [list, index] = self.boxed(nodes)?;
-                let list = self.followed(&list);
-                let n = self.index(&list, &index, *at)?;
-                list.field(n)
-            }
-            Node::Address(target) => Value::Mut(self.address(target)?),
-            Node::Set(target, value) => {
-                let value = self.eval(value)?;
-                match (&target.root, target.steps.as_slice()) {
-                    (Root::Local(slot), []) => {
-                        let slot = self.base + slot;
-                        self.stack[slot] = value;
-                    }
-                    _ => {
-                        let address = self.address(target)?;
-                        self.change(&address, |place| *place = value);
-                    }
-                }
-                Value::Unit
-            }
-            Node::Update(target, sign, value, at) => {
-                let right = self.eval(value)?;
-                let address = self.address(target)?;
-                let left = self.at(&address);
-                let value = self.arithmetic(*sign, left, right, *at)?;
-                self.change(&address, |place| *place = value);
-                Value::Unit
-            }
-            Node::Let(pattern, value, other) => {
-                let value = self.eval(value)?;
-                if !self.binds(pattern, &value)?
-                    && let Some(other) = other
-                {
-                    self.eval(other)?;
-                }
-                Value::Unit
-            }
-            Node::Not(of, at) => match self.eval(of)? {
-                Value::Bool(it) => Value::Bool(!it),
-                it => return self.refuse(self.code.names.no_unary("!", &it.ty(), *at)),
-            },
-            Node::Negate(of, at) => match self.eval(of)? {
-                Value::Float(it) => Value::Float(-it),
-                Value::Single(it) => Value::Single(-it),
-                Value::Vec3(it) => Value::Vec3(-it),
-                Value::Int(it, int) if int.fits(-it) => Value::Int(-it, int),
-                Value::Int(..) => return self.panic(*at, "attempt to negate with overflow"),
-                it => match self.code.names.method(&it.ty(), "neg", None) {
-                    Some(own) => self.run(own, &[it], *at)?,
-                    None => return self.refuse(self.code.names.no_unary("-", &it.ty(), *at)),
-                },
-            },
-            Node::Cast(of, ty, at) => {
-                let value = self.eval(of)?;
-                let value = self.followed(&value);
-                match value.cast(ty) {
-                    Some(it) => it,
-                    None => {
-                        let [one, other] = [&value.ty(), ty].map(|it| it.name(&self.code.names));
-                        let message = format!("non-primitive cast: `{one}` as `{other}`");
-                        return self.refuse(Refusal::new(*at, &message, "", ""));
-                    }
-                }
-            }
-            Node::Declared(of, ty, at) => {
-                let value = self.eval(of)?;
-                self.declared(value, ty, *at)?
-            }
-            Node::Default(ty) => self.default(ty)?,
-            Node::Constant(function, at) => self.constant(*function, *at)?,
-            Node::Dispatch(all, nodes, at) => self.dispatch(all, nodes, *at)?,
-            Node::Apply(function, nodes, at) => {
-                let function = self.eval(function)?;
-                let mut arguments = self.all(nodes)?;
-                self.apply(&function, &mut arguments, *at)?
-            }
-            Node::Closure(closure, is_moved) => {
-                let frame = if *is_moved {
-                    Frame::Taken(Rc::new(self.stack[self.base..].to_vec()))
-                } else {
-                    let slots = self.stack.len() - self.base;
-                    Frame::At(self.base as u32, slots as u32)
-                };
-                Value::Closure(Arc::clone(closure), frame)
-            }
-            Node::Function(function) => Value::Function(*function),
-            Node::NativeFunction(native, at) => Value::Native(native, *at),
-            Node::New(kind, variant, fields, base) => {
-                let mut all = match base {
-                    Some(base) => match self.eval(base)? {
-                        Value::Own(_, _, fields) => fields,
-                        other => unreachable!("it is declared, and this is {other:?}"),
-                    },
-                    None => Fields(iter::repeat_n(Value::Unit, fields.len()).collect()),
-                };
-                for (n, node) in fields {
-                    let value = self.eval(node)?;
-                    Rc::make_mut(&mut all.0)[*n] = value;
-                }
-                Value::Own(*kind, *variant, all)
-            }
-            Node::Some(of) => Value::Some(Rc::new(self.eval(of)?)),
-            Node::Many(nodes) => Value::Many(Rc::new(self.all(nodes)?)),
-            Node::Tuple(nodes) => Value::Tuple(self.all(nodes)?.into()),
-            Node::Repeat(node, length) => Value::Many(Rc::new(vec![self.eval(node)?; *length])),
-            Node::Range(from, to, is_closed) => {
-                let mut end = |node: &Option<Box<Node>>| match node {
-                    Some(node) => self.eval(node),
-                    None => Ok(Value::Unit),
-                };
-                Value::Range(Rc::new([end(from)?, end(to)?]), *is_closed)
-            }
-            Node::Match(of, arms, at) => {
-                let value = self.eval(of)?;
-                for arm in arms {
-                    if self.binds(&arm.pattern, &value)?
-                        && match &arm.guard {
-                            Some(guard) => self.truth(guard)?,
-                            None => true,
-                        }
-                    {
-                        return self.eval(&arm.body);
-                    }
-                }
-                let message = "non-exhaustive patterns: no arm matches this value";
-                return self.refuse(Refusal::new(*at, message, "", ""));
-            }
-            Node::Matches(pattern, of) => {
-                let value = self.eval(of)?;
-                Value::Bool(self.binds(pattern, &value)?)
-            }
-            Node::While(nodes, at) => loop {
-                self.turn(*at)?;
-                if !self.truth(&nodes[0])? || self.is_left(&nodes[1])? {
-                    break mem::take(&mut self.left);
-                }
-            },
-            Node::For(pattern, nodes, at) => {
-                let each = self.eval(&nodes[0])?;
-                let each = self.iterator(&each, *at)?;
-                while let Some(value) = each.next(self)? {
-                    self.turn(*at)?;
-                    self.binds(pattern, &value)?;
-                    if self.is_left(&nodes[1])? {
-                        break;
-                    }
-                }
-                Value::Unit
-            }
-            Node::Break(value) => {
-                self.left = self.eval(value)?;
-                return Err(Stop::Break);
-            }
-            Node::Continue => return Err(Stop::Continue),
-            Node::Try(of) => match self.eval(of)? {
-                Value::Some(value) => Rc::unwrap_or_clone(value),
-                _ => {
-                    self.left = Value::None;
-                    return Err(Stop::Return);
-                }
-            },
-            Node::Panic(message, at) => return self.panic(*at, message),
-            Node::Format(pieces, nodes) => {
-                let values = self.all(nodes)?;
-                let values = values
-                    .iter()
-                    .map(|it| self.shown(it))
-                    .chain([String::new()]);
-                let pieces = pieces.iter().zip(values);
-                let text = pieces.map(|(before, value)| format!("{before}{value}"));
-                let text: String = text.collect();
-                if text.len() >= LONGEST_TEXT {
-                    return self.panic(At::default(), TEXT_TOO_LONG);
-                }
-                Value::Str(Rc::new(text))
-            }
-            node => self.eval(node)?,
-        })
     }
 
     /// Runs the body of a loop; whether it has left the loop.
