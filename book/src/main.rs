@@ -34,6 +34,8 @@ enum Command {
     Start(Words),
     /// Judge your crate or program whenever you save it
     Watch(Words),
+    /// Put a function of any program, in any language, under the laws
+    Laws(Words),
     /// Show the list of what you have done, or add a line to it
     Done(Words),
     /// Look at one ray and one sphere through every method of chapter 6

@@ -3,7 +3,7 @@
 
 use common::rtweekend::*;
 use hittable_list::{HitRecord, Hittable, HittableList, Sphere};
-use laws::list::{World, worlds};
+use laws::list::World;
 use laws::{config, strategies};
 use proptest::prelude::*;
 
@@ -31,7 +31,7 @@ proptest! {
     }
 
     #[test]
-    fn a_list_of_one_is_that_one(world in worlds()) {
+    fn a_list_of_one_is_that_one(world in strategies::worlds()) {
         let (center, radius) = world.spheres[0];
         let sphere = Sphere::new(center, radius);
         prop_assert_eq!(nearest(&list(&world.spheres[..1]), &world), nearest(&sphere, &world));
@@ -39,7 +39,7 @@ proptest! {
 
     /// Each sphere in a list with all that follow it.
     #[test]
-    fn a_list_in_a_list_is_no_different(world in worlds()) {
+    fn a_list_in_a_list_is_no_different(world in strategies::worlds()) {
         let nested = world.spheres.iter().rfold(HittableList::default(), |inner, &sphere| {
             let mut outer = list(&[sphere]);
             outer.add(inner);

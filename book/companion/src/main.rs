@@ -3,6 +3,7 @@
 mod check;
 mod done;
 mod hit;
+mod laws;
 mod mine;
 mod needs;
 mod probes;
@@ -40,6 +41,8 @@ enum Command {
     Start(start::Arguments),
     /// Judge your crate or program whenever you save it
     Watch(watch::Arguments),
+    /// Put a function of any program, in any language, under the laws
+    Laws(laws::Arguments),
     /// Show the list of what you have done, or add a line to it
     Done(done::Arguments),
     /// Look at one ray and one sphere through every method of chapter 6
@@ -58,6 +61,7 @@ fn main() -> ExitCode {
         Some(Command::Pictures(command)) => return misuse::exit_code_of(command.run()),
         Some(Command::Check(arguments)) => return check::check(&arguments),
         Some(Command::Watch(arguments)) => return misuse::exit_code_of(watch::watch(&arguments)),
+        Some(Command::Laws(arguments)) => return misuse::exit_code_of(laws::laws(&arguments)),
         Some(Command::Start(arguments)) => start::start(&arguments),
         Some(Command::Done(arguments)) => done::done(&arguments),
         Some(Command::Hit(arguments)) => hit::hit(&arguments),

@@ -11,7 +11,8 @@ use std::path::Path;
 use slips::{Chapter, Program};
 
 use crate::prelude::FUNCTIONS;
-use crate::question::{self, Question};
+use crate::question::Question;
+use crate::{prelude, strategies};
 
 /// The environment variable that names the file.
 pub const ANSWERS: &str = "LAWS_ANSWERS";
@@ -37,10 +38,7 @@ impl Answers {
         };
         Self {
             chapter,
-            given: question::all(chapter)
-                .into_iter()
-                .filter_map(answered)
-                .collect(),
+            given: telling(chapter).into_iter().filter_map(answered).collect(),
         }
     }
 
@@ -50,7 +48,7 @@ impl Answers {
             let answer = question.answer_of(program);
             (question, answer)
         };
-        let questions = question::all(program.chapter).into_iter();
+        let questions = telling(program.chapter).into_iter();
         Self {
             chapter: program.chapter,
             given: questions.map(answered).collect(),
@@ -67,6 +65,13 @@ impl Answers {
         })
     }
 
+    /// Whether the last answer is that of the program: a mistake that does not give it is not what
+    /// it comes from.
+    pub(crate) fn ends_as(&self, program: &Program) -> bool {
+        let last = self.given.last();
+        last.is_none_or(|(question, answer)| question.same(answer, &question.answer_of(program)))
+    }
+
     /// Of how many answers how many are not those of the program. After `most` of them no
     /// more are counted. A program of another chapter has other functions: of none.
     pub fn unlike(&self, program: &Program, most: usize) -> (usize, usize) {
@@ -78,6 +83,28 @@ impl Answers {
             given.filter(|(question, answer)| !question.same(answer, &question.answer_of(program)));
         (self.given.len(), unlike.take(most).count())
     }
+}
+
+/// The telling questions to all functions of the chapter, in the order in which they are put.
+fn telling(chapter: Chapter) -> Vec<Box<dyn Question>> {
+    let mut all = Vec::new();
+    if chapter > Chapter::BuildTest {
+        all.extend(boxed(prelude::telling()));
+    }
+    if chapter > Chapter::Gradient {
+        all.extend(boxed(strategies::telling(&strategies::ordinary_asked())));
+    }
+    if chapter == Chapter::HittableList {
+        all.extend(boxed(strategies::telling(&strategies::worlds())));
+    }
+    if chapter > Chapter::BuildTest {
+        all.extend(boxed(strategies::telling(&strategies::rays())));
+    }
+    all
+}
+
+fn boxed(questions: Vec<impl Question>) -> impl Iterator<Item = Box<dyn Question>> {
+    questions.into_iter().map(|it| Box::new(it) as _)
 }
 
 /// Adds the answer to the file.
@@ -104,7 +131,7 @@ mod tests {
     fn what_is_kept_reads_back_as_far_as_it_goes() {
         let chapter = Chapter::HittableList;
         let right = Program::right(chapter);
-        let all = question::all(chapter).into_iter();
+        let all = telling(chapter).into_iter();
         let lines = all.map(|it| line(it.as_ref(), &it.answer_of(&right)));
         let lines: Vec<String> = lines.collect();
         // The last line breaks off.

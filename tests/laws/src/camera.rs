@@ -6,7 +6,6 @@ use slips::{Chapter, Program};
 
 use crate::Verdict;
 use crate::question::{Question, of_ray, same, vector};
-use crate::strategies;
 
 /// A pixel of a picture of 16:9.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,9 +67,5 @@ impl Question for Pixel {
 
     fn answer_of(&self, program: &Program) -> Vec<f64> {
         of_ray(self.ray_by(program))
-    }
-
-    fn ordinary(_: Chapter) -> BoxedStrategy<Self> {
-        strategies::pixels().boxed()
     }
 }

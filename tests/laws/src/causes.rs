@@ -18,6 +18,8 @@ use crate::answers::Answers;
 pub struct Cause {
     /// In which chapter.
     chapter: Chapter,
+    /// In which language.
+    letters: Letters,
     /// Each of these mistakes alone gives all the answers that are explained, and no question
     /// tells them apart. They are four at most.
     pub mistakes: Vec<&'static Slip>,
@@ -32,7 +34,7 @@ const NAMED: usize = 4;
 
 impl Cause {
     /// The cause of the answers, among the slips that can be made in the chapter.
-    pub(crate) fn of(answers: &Answers) -> Self {
+    pub(crate) fn of(answers: &Answers, letters: Letters) -> Self {
         let (chapter, asked) = (answers.chapter, answers.given.len());
         // One answer in twenty may be due to a second mistake.
         let most_unexplained = asked / 20;
@@ -43,7 +45,8 @@ impl Cause {
         let right = explained_by(&Program::right(chapter)).unwrap_or(0);
         let mut fitting: Vec<(usize, &'static Slip)> = slips::all()
             .chain(slips::unnamed())
-            .filter(|slip| slip.chapters.contains(&chapter) && slip.can_be_made_in(Letters::Rust))
+            .filter(|slip| slip.chapters.contains(&chapter) && slip.can_be_made_in(letters))
+            .filter(|slip| answers.ends_as(&slip.program(chapter)))
             .filter_map(|slip| Some((explained_by(&slip.program(chapter))?, slip)))
             .filter(|&(explained, _)| explained > right)
             .collect();
@@ -54,6 +57,7 @@ impl Cause {
         fitting.truncate(NAMED);
         Self {
             chapter,
+            letters,
             mistakes: fitting.into_iter().map(|(_, slip)| slip).collect(),
             explained,
             asked,
@@ -64,7 +68,7 @@ impl Cause {
     pub(crate) fn lines(&self, usually: &str) -> Vec<String> {
         let share = format!("{} of {} answers", self.explained, self.asked);
         let mistakes = self.mistakes.iter();
-        let mut lines: Vec<String> = mistakes.map(|slip| in_a_line(slip, self.chapter)).collect();
+        let mut lines: Vec<String> = mistakes.map(|slip| self.in_a_line(slip)).collect();
         if lines.is_empty() && self.explained > 0 {
             lines.push(format!("{share} are right: what is special here?"));
         }
@@ -79,13 +83,13 @@ impl Cause {
         }
         lines
     }
-}
 
-fn in_a_line(slip: &Slip, chapter: Chapter) -> String {
-    let [(_, wrong), (should_be, right), _] = slip.rows(Letters::Rust, chapter);
-    let said = format!("{wrong}; {should_be}: {right}");
-    match slip.name {
-        "" => said,
-        name => format!("{name}: {said}"),
+    fn in_a_line(&self, slip: &Slip) -> String {
+        let [(_, wrong), (should_be, right), _] = slip.rows(self.letters, self.chapter);
+        let said = format!("{wrong}; {should_be}: {right}");
+        match slip.name {
+            "" => said,
+            name => format!("{name}: {said}"),
+        }
     }
 }

@@ -29,6 +29,7 @@
 //! `TestRunner`, and names the mistake where [`causes`] knows it.
 
 pub mod answers;
+pub mod any_language;
 pub mod camera;
 pub mod causes;
 mod functions;
@@ -44,7 +45,7 @@ pub mod strategies;
 pub mod trial;
 
 pub use common::rtweekend::{Color, Point3, Ray};
-pub use intervals::WithInterval;
+pub use question::WithInterval;
 pub use slips::Chapter;
 pub use speed_vs_accuracy::Case;
 pub use strategies::config;

@@ -1,14 +1,11 @@
 //! The law for the search of a list of spheres.
 
 use common::rtweekend::*;
-use proptest::collection::vec;
 use proptest::prelude::*;
 use slips::{Ball, Chapter, Program};
 
 use crate::Verdict;
-use crate::intervals::WithInterval;
 use crate::question::{Question, code, of_ray, vector};
-use crate::strategies::{self, number};
 
 /// Spheres, a ray, and a range of `t`.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,33 +22,6 @@ pub struct World {
 
 /// Searches a world for the nearest `t` in its range.
 pub type Search<'a> = dyn Fn(&World) -> Option<f64> + 'a;
-
-/// Up to eleven spheres around one that the ray is aimed at: before it, behind
-/// it, or overlapping it.
-pub fn worlds() -> impl Strategy<Value = World> {
-    let asked = strategies::with_interval(prop_oneof![
-        strategies::integers(),
-        strategies::book_rays(),
-        strategies::far(0.5..=3.0),
-        strategies::inside(),
-    ]);
-    let move_and_size = (number(-3.0..=3.0), number(0.5..=2.0));
-    (asked, vec(move_and_size, 0..11), 0..11usize).prop_map(|(asked, others, place)| {
-        let WithInterval { case, t_min, t_max } = asked;
-        let towards = case.center - case.ray.origin;
-        let mut spheres: Vec<(Point3, f64)> = others
-            .into_iter()
-            .map(|(by, size)| (case.center + by * towards, size * case.radius))
-            .collect();
-        spheres.insert(place.min(spheres.len()), (case.center, case.radius));
-        World {
-            spheres,
-            ray: case.ray,
-            t_min,
-            t_max,
-        }
-    })
-}
 
 /// The answer of a list is the least of its members' own answers, in whatever order they
 /// are added.
@@ -104,9 +74,5 @@ impl Question for World {
 
     fn answer_of(&self, program: &Program) -> Vec<f64> {
         self.nearest_of(program).into_iter().collect()
-    }
-
-    fn ordinary(_: Chapter) -> BoxedStrategy<Self> {
-        worlds().boxed()
     }
 }

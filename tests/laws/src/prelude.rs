@@ -3,7 +3,6 @@
 
 use common::rtweekend::*;
 use proptest::prelude::*;
-use proptest::strategy::Union;
 use slips::{Chapter, Program};
 
 use crate::Verdict;
@@ -159,14 +158,11 @@ impl Question for Asked {
     fn answer_of(&self, program: &Program) -> Vec<f64> {
         of_program(program, |prelude| self.put_to(prelude))
     }
+}
 
-    fn ordinary(_: Chapter) -> BoxedStrategy<Self> {
-        Union::new(FUNCTIONS.iter().map(Function::questions)).boxed()
-    }
-
-    fn telling(_: Chapter) -> Vec<Self> {
-        FUNCTIONS.iter().flat_map(Function::telling).collect()
-    }
+/// Questions that tell mistakes in all functions apart.
+pub(crate) fn telling() -> Vec<Asked> {
+    FUNCTIONS.iter().flat_map(Function::telling).collect()
 }
 
 /// Later ones may be made of earlier ones.

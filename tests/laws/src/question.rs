@@ -1,16 +1,11 @@
 //! Questions: what each kind of function is asked. All answers are plain numbers, so they
 //! can be compared, kept in a file, and read again.
 
-use std::fmt::Debug;
+use std::fmt::{self, Debug};
 
 use common::rtweekend::*;
-use proptest::prelude::*;
 use slips::{Chapter, Program};
-
-use crate::intervals::WithInterval;
-use crate::list::World;
-use crate::prelude::Asked;
-use crate::strategies::samples;
+use speed_vs_accuracy::Case;
 
 /// What a function under test is asked.
 pub trait Question: Debug + Send + Sync + 'static {
@@ -28,28 +23,6 @@ pub trait Question: Debug + Send + Sync + 'static {
     /// The body of a test that asks the function of the chapter this again. It stands where
     /// the function has its name, so it need not guess from where to import it.
     fn as_test(&self, chapter: Chapter) -> String;
-
-    /// Ordinary questions to the function of the chapter. Rounding decides none of them.
-    fn ordinary(chapter: Chapter) -> BoxedStrategy<Self>
-    where
-        Self: Sized;
-
-    /// All kinds of questions, those first that teach most.
-    fn kinds(chapter: Chapter) -> Vec<BoxedStrategy<Self>>
-    where
-        Self: Sized,
-    {
-        vec![Self::ordinary(chapter)]
-    }
-
-    /// Questions to which different mistakes give different answers, always the same ones:
-    /// enough for every slip. With fewer, some answer as others do.
-    fn telling(chapter: Chapter) -> Vec<Self>
-    where
-        Self: Sized,
-    {
-        samples(&Self::ordinary(chapter), 250)
-    }
 }
 
 /// Whether two answers are the same, but for a thousand times as much rounding as they
@@ -62,27 +35,39 @@ pub fn same(one: &[f64], other: &[f64]) -> bool {
     one.len() == other.len() && one.iter().zip(other).all(near)
 }
 
-/// The telling questions to all functions of the chapter, in the order in which they are put.
-pub(crate) fn all(chapter: Chapter) -> Vec<Box<dyn Question>> {
-    let mut all = Vec::new();
-    if chapter > Chapter::BuildTest {
-        all.extend(of::<Asked>(chapter));
-    }
-    if chapter > Chapter::Gradient {
-        all.extend(of::<WithInterval>(chapter));
-    }
-    if chapter == Chapter::HittableList {
-        all.extend(of::<World>(chapter));
-    }
-    if chapter > Chapter::BuildTest {
-        all.extend(of::<Ray>(chapter));
-    }
-    all
+/// A case with a range of `t`, as a sphere of chapter 5 takes it. Before, the range is left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WithInterval {
+    /// The ray and the sphere.
+    pub case: Case,
+    /// The lower end, left out.
+    pub t_min: f64,
+    /// The upper end, left out.
+    pub t_max: f64,
 }
 
-fn of<Q: Question>(chapter: Chapter) -> Vec<Box<dyn Question>> {
-    let telling = Q::telling(chapter).into_iter();
-    telling.map(|it| Box::new(it) as _).collect()
+/// A function from center, radius, ray, `t_min` and `t_max` to the nearest root
+/// between the two.
+pub type RangeSolver<'a> = dyn Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 'a;
+
+impl WithInterval {
+    /// The answer of `solve` to this case.
+    pub fn solve(&self, solve: &RangeSolver) -> Option<f64> {
+        let Case {
+            center,
+            radius,
+            ray,
+        } = &self.case;
+        solve(*center, *radius, ray, self.t_min, self.t_max)
+    }
+}
+
+impl fmt::Display for WithInterval {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { case, t_min, t_max } = self;
+        let [t_min, t_max] = [t_min, t_max].map(|&end| code(&[end]));
+        write!(f, "{case}\nlet (t_min, t_max) = ({t_min}, {t_max});")
+    }
 }
 
 /// The numbers of a ray.

@@ -3,7 +3,6 @@
 
 use common::rtweekend::*;
 use proptest::prelude::*;
-use proptest::sample::select;
 use slips::{Chapter, Program};
 
 use crate::Verdict;
@@ -49,31 +48,5 @@ impl Question for Ray {
 
     fn answer_of(&self, program: &Program) -> Vec<f64> {
         program.ray_color(self).to_array().to_vec()
-    }
-
-    /// From in front of the sphere, from behind, beside and above it, from inside, and from
-    /// far away, past it and at it, with directions so long that t is small, and so short that
-    /// it is in the thousands.
-    fn ordinary(_: Chapter) -> BoxedStrategy<Self> {
-        let v = Vec3::new;
-        let from = vec![
-            v(0.0, 0.0, -3.0),
-            v(2.0, 1.0, 0.5),
-            v(-3.0, 0.5, -1.5),
-            v(0.5, 4.0, -1.0),
-            v(0.1, 0.2, -1.1),
-            v(300.0, 200.0, 4000.0),
-        ];
-        let to = vec![
-            v(0.0, 0.0, -1.0),
-            v(0.25, 0.125, -1.0),
-            v(-0.125, -0.25, -0.875),
-            v(0.0, 1.0, -1.0),
-            v(2.0, -0.5, -3.0),
-        ];
-        let lengths = vec![1.0, -1.0, 3.0, 0.25, -0.5, 2.0, f64::exp2(-12.0)];
-        (select(from), select(to), select(lengths))
-            .prop_map(|(from, to, length)| Self::new(from, length * (to - from)))
-            .boxed()
     }
 }

@@ -2,15 +2,16 @@
 
 use common::rtweekend::*;
 use proptest::prelude::*;
+use slips::{Ball, Chapter, Program};
 use speed_vs_accuracy::Case;
 
 use crate::Verdict;
 use crate::intervals::{
-    WithInterval, no_t_outside_the_interval_is_returned,
-    the_nearest_root_in_the_interval_is_returned,
+    no_t_outside_the_interval_is_returned, the_nearest_root_in_the_interval_is_returned,
 };
-use crate::nearer_root::{self, U};
+use crate::nearer_root::{self, Solver, U};
 use crate::oracle::Exact;
+use crate::question::{Question, WithInterval};
 
 pub use slips::Hit;
 
@@ -127,4 +128,70 @@ fn the_front_face_is_where_the_ray_enters(case: &Case, hit: &Hit) -> Verdict {
          read:     chapter 5: `set_face_normal`"
     );
     Ok(())
+}
+
+/// The numbers of a root, without a range. Chapter 2 only says whether there is one: any
+/// number stands for it.
+pub(crate) fn root(chapter: Chapter, solve: &Solver, asked: &WithInterval) -> Vec<f64> {
+    let root = asked.case.solve(solve);
+    let is_told = chapter != Chapter::RedSphere;
+    let told = root.map(|t| if is_told { t } else { 0.0 });
+    told.into_iter().collect()
+}
+
+/// The numbers of a record. Which side of a tangent is hit is a matter of rounding.
+pub(crate) fn numbers(asked: &WithInterval, record: &Recorder) -> Vec<f64> {
+    let Some(hit) = record(asked) else {
+        return Vec::new();
+    };
+    if Exact::of(&asked.case).discriminant().is_eq() {
+        return vec![hit.t];
+    }
+    let vectors = [hit.point.to_array(), hit.normal.to_array()].concat();
+    [vec![hit.t, f64::from(hit.front_face)], vectors].concat()
+}
+
+/// The record that a program makes.
+pub(crate) fn record_of(program: &Program, asked: &WithInterval) -> Option<Hit> {
+    let Case {
+        center,
+        radius,
+        ray,
+    } = asked.case;
+    program.record(Ball { center, radius }, &ray, asked.t_min, asked.t_max)
+}
+
+/// What is asked of `hit_sphere` in chapters 2 to 4, and of the `hit` of a sphere in chapter 5:
+/// only this has a range.
+impl Question for WithInterval {
+    fn kind(&self) -> &'static str {
+        "sphere"
+    }
+
+    fn as_test(&self, chapter: Chapter) -> String {
+        let case = "let case = laws::Case::new(center, radius, ray);";
+        match chapter {
+            Chapter::RedSphere => {
+                let is_hit = Exact::of(&self.case).nearer_root().is_some();
+                let case = self.case;
+                format!("{case}\nassert_eq!(hit_sphere(center, radius, &ray), {is_hit});")
+            }
+            Chapter::HittableList => format!(
+                "{self}\n{case}\nlet asked = laws::WithInterval {{ case, t_min, t_max }};\n\
+                 laws::holds(laws::record::obeys_every_law(&record, &asked));"
+            ),
+            _ => format!(
+                "{}\n{case}\nlaws::holds(laws::nearer_root::obeys_every_law(&hit_sphere, &case));",
+                self.case
+            ),
+        }
+    }
+
+    fn answer_of(&self, program: &Program) -> Vec<f64> {
+        let solve = |center, radius, ray: &Ray| program.hit_sphere(center, radius, ray);
+        match program.chapter {
+            Chapter::HittableList => numbers(self, &|asked| record_of(program, asked)),
+            chapter => root(chapter, &solve, self),
+        }
+    }
 }

@@ -9,6 +9,7 @@ use std::ops::RangeInclusive;
 
 use common::rtweekend::*;
 use proptest::array::uniform10;
+use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
 use proptest::strategy::ValueTree;
@@ -16,8 +17,9 @@ use proptest::test_runner::{Config, RngAlgorithm, RngSeed, TestRunner};
 use speed_vs_accuracy::Case;
 
 use crate::camera::Pixel;
-use crate::intervals::WithInterval;
+use crate::list::World;
 use crate::oracle::Exact;
+use crate::question::WithInterval;
 
 /// The same cases in every run, so that a failure is never luck, unless `PROPTEST_RNG_SEED`
 /// says which. `PROPTEST_CASES` says how many.
@@ -50,10 +52,22 @@ pub fn samples<T: std::fmt::Debug>(strategy: &impl Strategy<Value = T>, count: u
     (0..count).map(sample).collect()
 }
 
+/// Questions to which different mistakes give different answers, always the same ones: enough
+/// for every slip. With fewer, some answer as others do.
+pub(crate) fn telling<T: std::fmt::Debug>(ordinary: &impl Strategy<Value = T>) -> Vec<T> {
+    samples(ordinary, 250)
+}
+
 /// One kind after the other. What whole numbers show can be checked by hand, so they come
 /// first; and what ordinary cases show comes before what only rounding or an overflow does.
-pub(crate) fn kinds() -> [BoxedStrategy<Case>; 3] {
-    [integers().boxed(), ordinary().boxed(), anywhere().boxed()]
+pub(crate) fn kinds() -> [BoxedStrategy<WithInterval>; 3] {
+    let kinds = [integers().boxed(), ordinary().boxed(), anywhere().boxed()];
+    kinds.map(|kind| with_interval(kind).boxed())
+}
+
+/// Ordinary cases, each with an interval.
+pub(crate) fn ordinary_asked() -> impl Strategy<Value = WithInterval> {
+    with_interval(ordinary())
 }
 
 /// Rays and spheres near and far, from inside and behind, with directions of any
@@ -259,6 +273,58 @@ pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value 
         t_min: low.map_or(0.0, |share| on_the_way(&case, share)),
         t_max: high.map_or(f64::INFINITY, |share| on_the_way(&case, share)),
     })
+}
+
+/// Up to eleven spheres around one that the ray is aimed at: before it, behind
+/// it, or overlapping it.
+pub fn worlds() -> impl Strategy<Value = World> {
+    let asked = with_interval(prop_oneof![
+        integers(),
+        book_rays(),
+        far(0.5..=3.0),
+        inside(),
+    ]);
+    let move_and_size = (number(-3.0..=3.0), number(0.5..=2.0));
+    (asked, vec(move_and_size, 0..11), 0..11usize).prop_map(|(asked, others, place)| {
+        let WithInterval { case, t_min, t_max } = asked;
+        let towards = case.center - case.ray.origin;
+        let mut spheres: Vec<(Point3, f64)> = others
+            .into_iter()
+            .map(|(by, size)| (case.center + by * towards, size * case.radius))
+            .collect();
+        spheres.insert(place.min(spheres.len()), (case.center, case.radius));
+        World {
+            spheres,
+            ray: case.ray,
+            t_min,
+            t_max,
+        }
+    })
+}
+
+/// What a `ray_color` is asked. From in front of the sphere, from behind, beside and above it, from
+/// inside, and from far away, past it and at it, with directions so long that t is small, and so
+/// short that it is in the thousands.
+pub(crate) fn rays() -> impl Strategy<Value = Ray> {
+    let v = Vec3::new;
+    let from = vec![
+        v(0.0, 0.0, -3.0),
+        v(2.0, 1.0, 0.5),
+        v(-3.0, 0.5, -1.5),
+        v(0.5, 4.0, -1.0),
+        v(0.1, 0.2, -1.1),
+        v(300.0, 200.0, 4000.0),
+    ];
+    let to = vec![
+        v(0.0, 0.0, -1.0),
+        v(0.25, 0.125, -1.0),
+        v(-0.125, -0.25, -0.875),
+        v(0.0, 1.0, -1.0),
+        v(2.0, -0.5, -3.0),
+    ];
+    let lengths = vec![1.0, -1.0, 3.0, 0.25, -0.5, 2.0, f64::exp2(-12.0)];
+    (select(from), select(to), select(lengths))
+        .prop_map(|(from, to, length)| Ray::new(from, length * (to - from)))
 }
 
 /// From the nearer root at 0 to the farther one at 1, or as far as roots may be if there are

@@ -10,20 +10,19 @@ use std::path::PathBuf;
 use common::rtweekend::*;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestCaseError, TestError, TestRunner};
-use slips::{Chapter, Program};
+use slips::{Chapter, Letters, Program};
 
 use crate::Verdict;
 use crate::answers::{self, ANSWERS, Answers};
 use crate::camera::{Pixel, the_ray_of_a_pixel_goes_through_its_center};
 use crate::causes::Cause;
-use crate::intervals::WithInterval;
 use crate::list::{Search, World, the_nearest_of_all_members_is_returned};
 use crate::nearer_root::{self, NEARER_ROOT, Solver};
 use crate::prelude::{Asked, FUNCTIONS, Prelude, small_numbers_are_worked_out_by_head};
-use crate::question::{Question, of_ray};
+use crate::question::{Question, WithInterval, of_ray};
 use crate::ray_color::{a_ray_has_its_color_from_anywhere, looks_right};
 use crate::record::{self, Recorder};
-use crate::strategies::config;
+use crate::strategies::{self, config, telling};
 
 /// `Ok` if every law holds.
 pub type Outcome = Result<(), Box<Report>>;
@@ -45,6 +44,17 @@ impl Report {
         self.said("the law:  ")
     }
 
+    /// The law, the value, the bound, the cause and the page, a line or more each. What is known
+    /// takes the place of what is usual: by the answers, or else besides.
+    pub fn message(&self, besides: Option<&str>) -> String {
+        let usual = self.said("usually:  ");
+        let known = match besides {
+            Some(besides) => besides.to_owned(),
+            None => self.cause.lines(usual).join("\n          "),
+        };
+        self.broken.replacen(usual, &known, 1)
+    }
+
     /// What the message of the law says behind a label.
     fn said(&self, label: &str) -> &str {
         let mut lines = self.broken.lines();
@@ -55,10 +65,7 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // What is known takes the place of what is usual.
-        let usual = self.said("usually:  ");
-        let known = self.cause.lines(usual).join("\n          ");
-        writeln!(f, "{}", self.broken.replacen(usual, &known, 1))?;
+        writeln!(f, "{}", self.message(None))?;
         let body = self.test.replace('\n', "\n    ");
         write!(
             f,
@@ -100,6 +107,8 @@ pub struct Trial {
     pub cases: u32,
     /// The file to which [answers] are added.
     pub answers: Option<PathBuf>,
+    /// The language in which the mistakes are said.
+    pub letters: Letters,
 }
 
 /// Panics with the first report, if there is one. All functions are tried before, so that
@@ -136,7 +145,7 @@ fn message(broken: &TestCaseError) -> String {
 }
 
 /// A function under trial, as it answers in plain numbers.
-type Answer<'a, Q> = &'a dyn Fn(&Q) -> Vec<f64>;
+pub(crate) type Answer<'a, Q> = &'a dyn Fn(&Q) -> Vec<f64>;
 
 impl Trial {
     /// With as many cases as [`config`] says, and with the file that the environment
@@ -146,6 +155,7 @@ impl Trial {
             chapter,
             cases: config().cases,
             answers: std::env::var_os(ANSWERS).map(PathBuf::from),
+            letters: Letters::Rust,
         }
     }
 
@@ -157,8 +167,8 @@ impl Trial {
     /// A function that returns the nearer root, as in chapters 3 and 4.
     pub fn nearer_root(&self, solve: &Solver) -> Outcome {
         let law = |law: nearer_root::Law| move |asked: &WithInterval| law(solve, &asked.case);
-        self.obeys(
-            &|asked: &WithInterval| asked.root(self.chapter, solve),
+        self.of_a_sphere(
+            &|asked| record::root(self.chapter, solve, asked),
             &NEARER_ROOT.map(law),
         )
     }
@@ -167,13 +177,14 @@ impl Trial {
     /// the sphere of chapter 5. On the whole line, its `t` is the nearer root.
     pub fn record(&self, record: &Recorder) -> Outcome {
         let law = |asked: &WithInterval| record::obeys_every_law(record, asked);
-        self.obeys(&|asked: &WithInterval| asked.record(record), &[law])
+        self.of_a_sphere(&|asked| record::numbers(asked, record), &[law])
     }
 
     /// A list that is searched for the nearest hit.
     pub fn list(&self, search: &Search) -> Outcome {
         let law = |world: &World| the_nearest_of_all_members_is_returned(search, world);
-        self.obeys(&|world| search(world).into_iter().collect(), &[law])
+        let answer = |world: &World| search(world).into_iter().collect();
+        self.obeys(strategies::worlds(), &answer, law)
     }
 
     /// The functions of a prelude, up to the first that is wrong: what follows may be built
@@ -192,7 +203,7 @@ impl Trial {
     /// The ray of a pixel.
     pub fn pixel_ray(&self, ray: &dyn Fn(&Pixel) -> Ray) -> Outcome {
         let law = |pixel: &Pixel| the_ray_of_a_pixel_goes_through_its_center(&ray(pixel), pixel);
-        self.obeys(&|pixel| of_ray(ray(pixel)), &[law])
+        self.obeys(strategies::pixels(), &|pixel| of_ray(ray(pixel)), law)
     }
 
     /// The `ray_color` of the chapter, about rays that its camera never casts. Says nothing
@@ -202,7 +213,8 @@ impl Trial {
             return Ok(());
         }
         let law = |ray: &Ray| a_ray_has_its_color_from_anywhere(self.chapter, ray_color(ray), ray);
-        self.obeys(&|ray| ray_color(ray).to_array().to_vec(), &[law])
+        let answer = |ray: &Ray| ray_color(ray).to_array().to_vec();
+        self.obeys(strategies::rays(), &answer, law)
     }
 
     /// The functions of a program, as its chapter has them: the intersection, and what
@@ -215,7 +227,7 @@ impl Trial {
             }
             Chapter::Normals | Chapter::HalfBSphere => self.nearer_root(&solve)?,
             Chapter::HittableList => {
-                self.record(&|asked| asked.record_of(program))?;
+                self.record(&|asked| record::record_of(program, asked))?;
                 self.list(&|world| world.nearest_of(program))?;
             }
             _ => {}
@@ -223,9 +235,24 @@ impl Trial {
         self.ray_color(&|ray| program.ray_color(ray))
     }
 
-    fn obeys<Q: Question>(&self, answer: Answer<Q>, laws: &[impl Fn(&Q) -> Verdict]) -> Outcome {
-        let telling = Q::telling(self.chapter);
-        self.obeys_on(&Q::kinds(self.chapter), telling, answer, laws)
+    /// Whether these laws hold for what answers questions about one sphere.
+    pub(crate) fn of_a_sphere(
+        &self,
+        answer: Answer<WithInterval>,
+        laws: &[impl Fn(&WithInterval) -> Verdict],
+    ) -> Outcome {
+        let telling = telling(&strategies::ordinary_asked());
+        self.obeys_on(&strategies::kinds(), telling, answer, laws)
+    }
+
+    fn obeys<Q: Question>(
+        &self,
+        cases: impl Strategy<Value = Q> + 'static,
+        answer: Answer<Q>,
+        law: impl Fn(&Q) -> Verdict,
+    ) -> Outcome {
+        let telling = telling(&cases);
+        self.obeys_on(&[cases.boxed()], telling, answer, &[law])
     }
 
     /// Whether every law holds, on cases of one kind after those of another. The `telling`
@@ -255,7 +282,7 @@ impl Trial {
         given.push((Box::new(smallest), answer));
         Err(Box::new(Report {
             broken: message(&broken),
-            cause: Cause::of(&Answers { chapter, given }),
+            cause: Cause::of(&Answers { chapter, given }, self.letters),
             test,
         }))
     }

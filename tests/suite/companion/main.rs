@@ -5,6 +5,7 @@ mod check_command;
 mod command_line;
 mod files;
 mod hit_command;
+mod laws_command;
 mod needs_command;
 mod start;
 #[cfg(unix)]

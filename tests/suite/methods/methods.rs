@@ -8,6 +8,7 @@ use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
 use laws::nearer_root::{self, root_bound};
 use laws::oracle::Exact;
+use laws::question::RangeSolver;
 use laws::strategies::{self, samples};
 use laws::{Case, WithInterval, config, intervals};
 use proptest::prelude::*;
@@ -55,7 +56,7 @@ mod every_method {
         }
     }
 
-    fn each_obeys(law: impl Fn(&intervals::RangeSolver) -> TestCaseResult) -> TestCaseResult {
+    fn each_obeys(law: impl Fn(&RangeSolver) -> TestCaseResult) -> TestCaseResult {
         for method in in_double_precision() {
             let solve = |center, radius, ray: &Ray, t_min, t_max| {
                 let ray = *ray;

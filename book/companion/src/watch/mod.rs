@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 use check::known::Known;
 use check::names::{companion, from_here};
 use check::scene::Scene;
-use check::whole::{Evidence, Verdict, step_is_done};
+use check::whole::{Evidence, Line, Verdict, step_is_done};
 use clap::Args;
 use common::engine::output;
 use slips::{Chapter, Letters, Probe, Program, Slip, steps};
@@ -24,6 +24,7 @@ use slips::{Chapter, Letters, Probe, Program, Slip, steps};
 use crate::chapter::OneOf;
 use crate::check::{probe_parser, seconds};
 use crate::done::Done;
+use crate::laws::can_be_asked;
 use crate::mine::{self, Mine, TYPED};
 use crate::misuse::misuse;
 use crate::sources;
@@ -215,7 +216,14 @@ impl Subject {
             watch: &|probe| self.watch(probe),
             start: &|chapter| self.start(chapter),
         };
-        evidence.of_picture(bytes)
+        let mut verdict = evidence.of_picture(bytes);
+        if verdict.is_right && !is_crate && can_be_asked(chapter) {
+            let text = format!("ask the function itself: {} laws --help", companion());
+            verdict
+                .cause
+                .push(Line::Labeled("the laws".to_owned(), text));
+        }
+        verdict
     }
 
     /// The command that watches this, or a probe of it.

@@ -1,0 +1,318 @@
+//! `laws`: property-based testing of a function in any language, by lines of text.
+
+mod dialogue;
+mod language;
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::error::Error;
+use std::ffi::OsString;
+use std::process::ExitCode;
+use std::time::Duration;
+
+use ::laws::any_language::{self, Broken};
+use ::laws::{Case, Trial, WithInterval};
+use check::names;
+use clap::Args;
+use common::engine::output;
+use common::rtweekend::*;
+use slips::Chapter;
+
+use crate::chapter::OneOf;
+use crate::check::seconds;
+use crate::mine;
+use crate::misuse::misuse;
+use dialogue::{Dialogue, Failure};
+use language::Language;
+
+/// The words behind `cargo rtrace laws`.
+#[derive(Args)]
+pub(crate) struct Arguments {
+    /// Whose intersection of a ray and a sphere it is
+    #[arg(value_name = "CHAPTER", value_parser = OneOf(&Chapter::OF_THE_BOOK))]
+    chapter: Chapter,
+
+    /// Your own program: it reads a line of numbers, center, radius, origin, direction (in chapter
+    /// 5 also t_min and t_max), and prints t or miss (in chapter 2: hit or miss), line by line
+    #[arg(last = true, value_name = "PROGRAM", required = true)]
+    program: Vec<OsString>,
+
+    /// How long your program may take for an answer
+    #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = seconds, allow_hyphen_values = true)]
+    timeout: Duration,
+}
+
+/// Whether there is something to ask: a program that meets a ray with a sphere.
+pub(crate) fn can_be_asked(chapter: Chapter) -> bool {
+    chapter > Chapter::Gradient
+}
+
+/// Puts the program under the laws and prints what comes of it: 0 is right, 1 breaks a law, and
+/// 2 can't be asked.
+pub(crate) fn laws(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
+    let (chapter, program) = (arguments.chapter, &arguments.program);
+    if !can_be_asked(chapter) {
+        let names = Chapter::OF_THE_BOOK
+            .into_iter()
+            .filter(|it| can_be_asked(*it));
+        let names: Vec<&str> = names.map(Chapter::name).collect();
+        return Err(misuse(&format!(
+            "{} has no function that meets a ray with a sphere: name one of {}",
+            chapter.name(),
+            names.join(", ")
+        )));
+    }
+    let (code, said) = match Dialogue::start(program, arguments.timeout) {
+        Ok(dialogue) => Asked::new(arguments, dialogue).judged(),
+        Err(cause) => (2, not_started(program, &cause.to_string())),
+    };
+    output::to_stdout(|out| out.write_all(said.as_bytes()))?;
+    Ok(ExitCode::from(code))
+}
+
+fn not_started(program: &[OsString], cause: &str) -> String {
+    format!(
+        "{} does not start: {cause}\n\
+         to do:    is it built, and is its path right? A program in this folder is ./NAME\n",
+        names::spelled(&program[0])
+    )
+}
+
+/// How long the first answers may take to be followed by lines that nobody asked for.
+const GREETING: Duration = Duration::from_millis(100);
+
+/// A program with all that it has been asked.
+struct Asked<'a> {
+    arguments: &'a Arguments,
+    language: Language,
+    dialogue: RefCell<Dialogue>,
+    /// The answers by their questions. None is asked twice: a case is made smaller by laws that
+    /// must find what they found before.
+    answers: RefCell<HashMap<String, Answer>>,
+    /// Why it is asked no more, and at which question.
+    failure: RefCell<Option<(Failure, String)>>,
+}
+
+/// A line, and what it means.
+struct Answer {
+    said: String,
+    t: Option<f64>,
+}
+
+impl<'a> Asked<'a> {
+    fn new(arguments: &'a Arguments, dialogue: Dialogue) -> Self {
+        Self {
+            arguments,
+            language: Language::of(&arguments.program),
+            dialogue: RefCell::new(dialogue),
+            answers: RefCell::default(),
+            failure: RefCell::default(),
+        }
+    }
+
+    /// The exit code, and what there is to say.
+    fn judged(&self) -> (u8, String) {
+        let trial = Trial {
+            letters: self.language.letters(),
+            answers: None,
+            ..Trial::of(self.arguments.chapter)
+        };
+        self.greet();
+        let outcome = trial.any_language(&|asked| self.answer(asked));
+        let last = || outcome.as_ref().err().map(|(_, last)| self.line(&last[0]));
+        let failed = self.failure.take().or_else(|| {
+            let more = self.dialogue.borrow_mut().end().err()?;
+            Some((more, last().unwrap_or_default()))
+        });
+        match (failed, outcome) {
+            (Some((failure, line)), _) => (2, self.failed(&failure, &line)),
+            (None, Err(broken)) => (1, self.broken(&broken)),
+            (None, Ok(())) => (0, self.obeyed()),
+        }
+    }
+
+    /// Asks first what is short to feed by hand: a ray from the eye to the ball, and one past it.
+    fn greet(&self) {
+        let ball = Point3::new(0.0, 0.0, -1.0);
+        for direction in [ball, Vec3::Y] {
+            let asked = WithInterval {
+                case: Case::new(ball, 0.5, Ray::new(Point3::ZERO, direction)),
+                t_min: 0.0,
+                t_max: f64::INFINITY,
+            };
+            self.answer(&asked);
+            if let Err(more) = self.dialogue.borrow().says_no_more(GREETING) {
+                let mut failure = self.failure.borrow_mut();
+                failure.get_or_insert((more, self.line(&asked)));
+            }
+        }
+    }
+
+    /// What the program answers, if it does. After a failure, nothing hits.
+    fn answer(&self, asked: &WithInterval) -> Option<f64> {
+        let line = self.line(asked);
+        if let Some(known) = self.answers.borrow().get(&line) {
+            return known.t;
+        }
+        if self.failure.borrow().is_some() {
+            return None;
+        }
+        let said =
+            self.dialogue.borrow_mut().ask(&line).and_then(|said| {
+                match any_language::read(self.arguments.chapter, asked, &said) {
+                    Some(t) => Ok(Answer { said, t }),
+                    None => Err(Failure::NoAnswer(said)),
+                }
+            });
+        match said {
+            Ok(answer) => {
+                let t = answer.t;
+                self.answers.borrow_mut().insert(line, answer);
+                t
+            }
+            Err(failure) => {
+                *self.failure.borrow_mut() = Some((failure, line));
+                None
+            }
+        }
+    }
+
+    fn line(&self, asked: &WithInterval) -> String {
+        any_language::line(self.arguments.chapter, asked)
+    }
+
+    fn obeyed(&self) -> String {
+        let (program, answers) = (self.program(), self.answers.borrow());
+        let all = answers.len();
+        format!("The laws hold: {program} gave {all} answers, each as it should be.\n")
+    }
+
+    fn broken(&self, (report, last): &Broken) -> String {
+        let besides = self.printed_short();
+        let answers = self.answers.borrow();
+        let by_hand = last.iter().map(|asked| {
+            let line = self.line(asked);
+            let said = answers.get(&line).map_or("", |answer| &answer.said);
+            format!(
+                "{}\nit says:  {}\n",
+                self.by_hand(&line),
+                names::visible(said)
+            )
+        });
+        format!(
+            "{} breaks a law, which should hold for every ray and every sphere.\n\n{}\n{}",
+            self.program(),
+            report.message(besides.as_deref()),
+            by_hand.collect::<String>()
+        )
+    }
+
+    /// That the answers have too few digits, if that is so: among so many of all kinds, one
+    /// should be long. A wrong function has as long ones.
+    fn printed_short(&self) -> Option<String> {
+        const MANY: usize = 50;
+        const DIGITS_OF_A_DOUBLE: usize = 15;
+        let answers = self.answers.borrow();
+        let numbers = answers
+            .values()
+            .filter(|it| it.t.is_some_and(f64::is_finite));
+        let numbers: HashMap<&str, f64> = numbers
+            .filter_map(|it| Some((&*it.said, it.said.parse().ok()?)))
+            .collect();
+        if numbers.len() < MANY {
+            return None;
+        }
+        let digits = numbers.keys().map(|said| digits(said)).max()?;
+        if digits < DIGITS_OF_A_DOUBLE {
+            let in_full = self.language.in_full();
+            return Some(format!(
+                "no answer has more than {digits} digits: {in_full}"
+            ));
+        }
+        let mut numbers = numbers.values();
+        let is_single = numbers.all(|&t| f64::from(t as f32) == t);
+        is_single.then(|| "every answer is a number of single precision: use double".to_owned())
+    }
+
+    fn failed(&self, failure: &Failure, line: &str) -> String {
+        let (problem, to_do) = self.explained(failure);
+        let by_hand = if line.is_empty() {
+            String::new()
+        } else {
+            self.by_hand(line) + "\n"
+        };
+        format!(
+            "{} {problem}.\nto do:    {to_do}\n{by_hand}",
+            self.program()
+        )
+    }
+
+    /// What is wrong with the dialogue, and what to do.
+    fn explained(&self, failure: &Failure) -> (String, String) {
+        let limit = self.arguments.timeout;
+        let wanted = match self.arguments.chapter {
+            Chapter::RedSphere => "hit or miss",
+            _ => "t, as a number, or miss",
+        };
+        let shown = |said: &str| format!("`{}`", names::visible(said));
+        let line_by_line = "answer line by line, until the input ends".to_owned();
+        match failure {
+            Failure::Late => (
+                format!("did not answer within {limit:?}, but when its input ended"),
+                format!(
+                    "answer before the next line comes: {}",
+                    self.language.flushed()
+                ),
+            ),
+            Failure::Silent => (
+                format!("did not answer within {limit:?}"),
+                format!("print {wanted}. Does a loop end? --timeout SECONDS gives more time"),
+            ),
+            Failure::Slow => (
+                format!(
+                    "is slow: {} answers, of some thousands",
+                    self.answers.borrow().len()
+                ),
+                "--timeout SECONDS gives more time".to_owned(),
+            ),
+            Failure::Ended(status, errors) if errors.is_empty() => (
+                format!("ended with {status}, without an answer"),
+                line_by_line,
+            ),
+            Failure::Ended(status, errors) => (
+                format!("ended with {status}, and said {}", shown(errors)),
+                line_by_line,
+            ),
+            Failure::Closed => ("closed its output".to_owned(), line_by_line),
+            Failure::TooMuch(said) => (
+                format!("says more than one line for a line: {}", shown(said)),
+                format!("print nothing but {wanted}; the rest can go to standard error"),
+            ),
+            Failure::NoAnswer(said) if said.is_empty() => (
+                "answers with an empty line".to_owned(),
+                format!("print {wanted}"),
+            ),
+            Failure::NoAnswer(said) => (
+                format!("answers {}", shown(said)),
+                format!("print nothing but {wanted}"),
+            ),
+        }
+    }
+
+    /// What asks a question by hand.
+    fn by_hand(&self, line: &str) -> String {
+        format!("by hand:  echo '{line}' | {}", self.program())
+    }
+
+    fn program(&self) -> String {
+        let words: Vec<String> = self.arguments.program.iter().map(mine::word).collect();
+        words.join(" ")
+    }
+}
+
+/// How many digits a number is written with, from the first that is not 0.
+fn digits(number: &str) -> usize {
+    let mantissa = number.split(['e', 'E']).next().unwrap_or_default();
+    let digits = mantissa.chars().filter(char::is_ascii_digit);
+    digits.skip_while(|&digit| digit == '0').count()
+}
