@@ -2,6 +2,7 @@
 //! known here; what is not is left to be checked when it runs.
 
 mod calls;
+mod loops;
 mod macros;
 mod patterns;
 
@@ -397,7 +398,6 @@ impl Lowerer<'_> {
     }
 
     fn expr(&mut self, expr: &syn::Expr) -> Lowered {
-        let typed = |node, ty: Type| Ok(Typed::new(node, ty));
         match expr {
             syn::Expr::Lit(it) => self.literal(&it.lit),
             syn::Expr::Paren(it) => self.expr(&it.expr),
@@ -405,116 +405,34 @@ impl Lowerer<'_> {
             syn::Expr::Path(it) => self.path(it),
             syn::Expr::Unary(it) => self.unary(it),
             syn::Expr::Binary(it) => self.binary(it),
-            syn::Expr::Assign(it) => {
-                let left = self.expr(&it.left)?;
-                let right = self.expr(&it.right)?;
-                self.learn(&left, &right.ty.clone().settled());
-                let right = self.declared(right, &left.ty, self.at(&it.right))?;
-                let target = self.assignable(left, &it.left)?;
-                typed(Node::Set(Box::new(target), Box::new(right)), Type::UNIT)
-            }
+            syn::Expr::Assign(it) => self.assignment(it),
             syn::Expr::Call(it) => self.call(it),
             syn::Expr::MethodCall(it) => self.method_call(it),
             syn::Expr::Field(it) => self.field(it),
             syn::Expr::Index(it) => self.index(it),
             syn::Expr::Block(it) if it.label.is_none() => self.block(&it.block),
             syn::Expr::If(it) => self.condition(it),
-            syn::Expr::Let(it) => {
-                let value = self.expr(&it.expr)?;
-                let pattern = self.pattern(&it.pat, &value.ty, false)?;
-                typed(
-                    Node::Matches(Box::new(pattern), Box::new(value.node)),
-                    Head::Bool.into(),
-                )
-            }
+            syn::Expr::Let(it) => self.test(it),
             syn::Expr::Match(it) => self.matching(it),
-            syn::Expr::While(it) => {
-                let outside = self.locals.len();
-                let condition = self.given(&it.cond, &Head::Bool.into())?;
-                let (body, _) = self.looped(&it.body, it.label.as_ref())?;
-                self.leave(outside);
-                let at = self.at_any(&it.while_token);
-                typed(Node::While(Box::new([condition, body]), at), Type::UNIT)
-            }
-            syn::Expr::Loop(it) => {
-                let (body, is_left) = self.looped(&it.body, it.label.as_ref())?;
-                let ty = if is_left {
-                    Type::UNKNOWN
-                } else {
-                    Head::Never.into()
-                };
-                let at = self.at_any(&it.loop_token);
-                typed(Node::While(Box::new([Node::Bool(true), body]), at), ty)
-            }
-            syn::Expr::ForLoop(it) => {
-                let each = self.expr(&it.expr)?;
-                let (each, of) = self.iterated(each, &it.expr)?;
-                let outside = self.locals.len();
-                let pattern = self.pattern(&it.pat, &of, false)?;
-                let (body, _) = self.looped(&it.body, it.label.as_ref())?;
-                self.leave(outside);
-                let at = self.at_any(&it.for_token);
-                typed(
-                    Node::For(Box::new(pattern), Box::new([each, body]), at),
-                    Type::UNIT,
-                )
-            }
-            syn::Expr::Break(it) => {
-                self.inside_a_loop(it.label.as_ref(), self.at(expr), "break")?;
-                let value = match &it.expr {
-                    Some(value) => self.expr(value)?.node,
-                    None => Node::Unit,
-                };
-                if let Some(is_left) = self.loops.last_mut() {
-                    *is_left = true;
-                }
-                typed(Node::Break(Box::new(value)), Head::Never.into())
-            }
+            syn::Expr::While(it) => self.while_loop(it),
+            syn::Expr::Loop(it) => self.endless_loop(it),
+            syn::Expr::ForLoop(it) => self.for_loop(it),
+            syn::Expr::Break(it) => self.leave_loop(it),
             syn::Expr::Continue(it) => {
                 self.inside_a_loop(it.label.as_ref(), self.at(expr), "continue")?;
-                typed(Node::Continue, Head::Never.into())
+                Ok(Typed::new(Node::Continue, Head::Never))
             }
-            syn::Expr::Return(it) => {
-                let result = self.result.clone();
-                let value = match &it.expr {
-                    Some(value) => self.given(value, &result)?,
-                    None => {
-                        self.declared(Typed::new(Node::Unit, Type::UNIT), &result, self.at(expr))?
-                    }
-                };
-                typed(Node::Return(Box::new(value)), Head::Never.into())
-            }
+            syn::Expr::Return(it) => self.returned(it, self.at(expr)),
             syn::Expr::Closure(it) => self.closure(it, &Type::UNKNOWN),
-            syn::Expr::Tuple(it) if it.elems.is_empty() => typed(Node::Unit, Type::UNIT),
-            syn::Expr::Tuple(it) => {
-                let (nodes, types) = self.each(&it.elems)?;
-                typed(Node::Tuple(nodes), Type(Head::Tuple, types))
-            }
+            syn::Expr::Tuple(it) => self.tuple(it),
             syn::Expr::Array(it) => {
                 let (nodes, of) = self.listed(&it.elems)?;
                 let head = Head::Array(nodes.len());
-                typed(Node::Many(nodes), Type::of(head, of))
+                Ok(Typed::new(Node::Many(nodes), Type::of(head, of)))
             }
-            syn::Expr::Repeat(it) => {
-                let of = self.expr(&it.expr)?;
-                match literal(&it.len) {
-                    Some(length) if length <= 1000 => typed(
-                        Node::Repeat(Box::new(of.node), length),
-                        Type::of(Head::Array(length), of.ty.settled()),
-                    ),
-                    _ => Err(Refusal::unknown(self.at(&it.len), "such a length")),
-                }
-            }
+            syn::Expr::Repeat(it) => self.repeat(it),
             syn::Expr::Range(it) => self.range(it),
-            syn::Expr::Reference(it) => {
-                let of = self.expr(&it.expr)?;
-                if it.mutability.is_none() {
-                    return typed(of.node, Type::of(Head::Ref, of.ty));
-                }
-                let ty = Type::of(Head::RefMut, of.ty.clone());
-                let target = self.mutable(of, &it.expr)?;
-                typed(Node::Address(Box::new(target)), ty)
-            }
+            syn::Expr::Reference(it) => self.reference(it),
             syn::Expr::Cast(it) => self.cast(it),
             syn::Expr::Try(it) => self.tried(it),
             syn::Expr::Struct(it) => self.structure(it),
@@ -524,15 +442,62 @@ impl Lowerer<'_> {
         }
     }
 
-    fn each<'s>(
-        &mut self,
-        all: impl IntoIterator<Item = &'s syn::Expr>,
-    ) -> Lowered<(Vec<Node>, Vec<Type>)> {
-        let all = all.into_iter().map(|it| {
+    fn assignment(&mut self, it: &syn::ExprAssign) -> Lowered {
+        let left = self.expr(&it.left)?;
+        let right = self.expr(&it.right)?;
+        self.learn(&left, &right.ty.clone().settled());
+        let right = self.declared(right, &left.ty, self.at(&it.right))?;
+        let target = self.assignable(left, &it.left)?;
+        let node = Node::Set(Box::new(target), Box::new(right));
+        Ok(Typed::new(node, Type::UNIT))
+    }
+
+    /// `let … = …` as a condition.
+    fn test(&mut self, it: &syn::ExprLet) -> Lowered {
+        let value = self.expr(&it.expr)?;
+        let pattern = self.pattern(&it.pat, &value.ty, false)?;
+        let node = Node::Matches(Box::new(pattern), Box::new(value.node));
+        Ok(Typed::new(node, Head::Bool))
+    }
+
+    fn returned(&mut self, it: &syn::ExprReturn, at: At) -> Lowered {
+        let result = self.result.clone();
+        let value = match &it.expr {
+            Some(value) => self.given(value, &result)?,
+            None => self.declared(Typed::new(Node::Unit, Type::UNIT), &result, at)?,
+        };
+        Ok(Typed::new(Node::Return(Box::new(value)), Head::Never))
+    }
+
+    fn tuple(&mut self, it: &syn::ExprTuple) -> Lowered {
+        if it.elems.is_empty() {
+            return Ok(Typed::new(Node::Unit, Type::UNIT));
+        }
+        let all = it.elems.iter().map(|it| {
             let typed = self.expr(it)?;
             Ok((typed.node, typed.ty.settled()))
         });
-        all.collect()
+        let (nodes, types) = all.collect::<Lowered<_>>()?;
+        Ok(Typed::new(Node::Tuple(nodes), Type(Head::Tuple, types)))
+    }
+
+    fn repeat(&mut self, it: &syn::ExprRepeat) -> Lowered {
+        let of = self.expr(&it.expr)?;
+        let Some(length) = literal(&it.len).filter(|&it| it <= 1000) else {
+            return Err(Refusal::unknown(self.at(&it.len), "such a length"));
+        };
+        let ty = Type::of(Head::Array(length), of.ty.settled());
+        Ok(Typed::new(Node::Repeat(Box::new(of.node), length), ty))
+    }
+
+    fn reference(&mut self, it: &syn::ExprReference) -> Lowered {
+        let of = self.expr(&it.expr)?;
+        if it.mutability.is_none() {
+            return Ok(Typed::new(of.node, Type::of(Head::Ref, of.ty)));
+        }
+        let ty = Type::of(Head::RefMut, of.ty.clone());
+        let target = self.mutable(of, &it.expr)?;
+        Ok(Typed::new(Node::Address(Box::new(target)), ty))
     }
 
     /// Values of one type, as far as it is known.
@@ -619,7 +584,7 @@ impl Lowerer<'_> {
     }
 
     /// What may be borrowed to be changed.
-    fn mutable(&mut self, typed: Typed, at: &syn::Expr) -> Lowered<Target> {
+    fn mutable(&self, typed: Typed, at: &syn::Expr) -> Lowered<Target> {
         let message = match (typed.target, typed.fixed) {
             (Some(target), None) => return Ok(target),
             (Some(_), Some(why)) => {
@@ -627,11 +592,8 @@ impl Lowerer<'_> {
                 format!("cannot borrow `{}` as mutable, {why}", said(at))
             }
             (None, _) => {
-                self.slots += 1;
-                return Ok(Target {
-                    root: Root::Temporary(self.slots - 1, typed.node),
-                    steps: Vec::new(),
-                });
+                let what = "changes of a value without a name";
+                return Err(Refusal::unknown(self.at(at), what));
             }
         };
         self.refused(self.at(at), message)
@@ -710,57 +672,6 @@ impl Lowerer<'_> {
                 _ => one.clone(),
             },
         )
-    }
-
-    /// The body of a loop, and whether it ever leaves the loop.
-    fn looped(&mut self, body: &syn::Block, label: Option<&syn::Label>) -> Lowered<(Node, bool)> {
-        if let Some(label) = label {
-            return Err(Refusal::unknown(self.at_any(label), "labels of loops"));
-        }
-        self.loops.push(false);
-        let typed = self.block(body)?;
-        let place = at_span(self.file, body.brace_token.span.close());
-        let node = self.declared(typed, &Type::UNIT, place)?;
-        Ok((node, self.loops.pop().unwrap_or_default()))
-    }
-
-    fn inside_a_loop(&self, label: Option<&syn::Lifetime>, at: At, word: &str) -> Lowered<()> {
-        match label {
-            Some(_) => Err(Refusal::unknown(at, "labels of loops")),
-            None if self.loops.is_empty() => {
-                self.refused(at, format!("`{word}` outside of a loop"))
-            }
-            None => Ok(()),
-        }
-    }
-
-    /// What a loop goes over, and the type of each.
-    fn iterated(&mut self, each: Typed, at: &syn::Expr) -> Lowered<(Node, Type)> {
-        let ty = &each.ty;
-        let on = ty.stripped();
-        match (ty.0, on.0) {
-            (Head::RefMut, Head::Vec | Head::Array(_) | Head::Slice) => {
-                let of = Type::of(Head::RefMut, on.inner());
-                Ok((
-                    self.native("list", "iter_mut", vec![each.node], self.at(at)),
-                    of,
-                ))
-            }
-            (Head::RefMut, Head::Iterator) => Ok((Node::Deref(Box::new(each.node)), on.inner())),
-            (_, Head::Unknown | Head::Never) => Ok((each.node, Type::UNKNOWN)),
-            (Head::Range, _) if !on.inner().is_float() => Ok((each.node, on.inner().settled())),
-            (
-                Head::Vec | Head::Array(_) | Head::Iterator | Head::Option | Head::Ref,
-                Head::Vec | Head::Array(_) | Head::Slice | Head::Option | Head::Iterator,
-            ) => {
-                let of = on.inner().behind(ty);
-                Ok((each.node, of))
-            }
-            _ => self.refused(
-                self.at(at),
-                format!("`{}` is not an iterator", ty.name(self.names)),
-            ),
-        }
     }
 
     fn range(&mut self, it: &syn::ExprRange) -> Lowered {
@@ -884,12 +795,7 @@ impl Lowerer<'_> {
                 return self.fault(at, &message, "", &help);
             };
             if nodes.iter().any(|it| it.0 == n) {
-                return self.fault(
-                    at,
-                    &format!("field `{own}` specified more than once"),
-                    "",
-                    "",
-                );
+                return self.refused(at, format!("field `{own}` specified more than once"));
             }
             nodes.push((n, self.given(&field.expr, &known[n].1)?));
         }

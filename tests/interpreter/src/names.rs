@@ -6,6 +6,8 @@ mod standard;
 
 use std::collections::HashMap;
 
+use strsim::levenshtein;
+
 pub(crate) use collect::{Body, Inside, collect, literal};
 
 use crate::node::At;
@@ -271,14 +273,10 @@ impl Names {
     /// Whether methods of the trait may be called in the module: it has it by some name.
     fn has_in_scope(&self, module: usize, of: usize) -> bool {
         let name = &self.traits[of].name;
-        let own = self.modules[module].names.iter();
-        let renamed = own.filter(
-            |(_, it)| matches!(&it.named, Named::Import(path) if path.last() == Some(name)),
-        );
-        renamed
-            .map(|it| it.0)
-            .chain([name])
-            .any(|name| matches!(self.seen(module, name, 0), Some(Named::Trait(it)) if it == of))
+        let is_it = |name: &String| matches!(self.seen(module, name, 0), Some(Named::Trait(it)) if it == of);
+        let is_renamed = |entry: &Entry| matches!(&entry.named, Named::Import(path) if path.last() == Some(name));
+        let mut own = self.modules[module].names.iter();
+        is_it(name) || own.any(|(other, entry)| is_renamed(entry) && is_it(other))
     }
 
     /// Says what is wrong with a path in a `use`.
@@ -525,28 +523,13 @@ pub(crate) fn there_is<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> 
 /// The name that is most like this one, if one is.
 pub(crate) fn similar<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let near = |other: &&str| {
-        let distance = distance(name, other);
+        let distance = levenshtein(name, other);
         let is_part = name.starts_with(other) || other.starts_with(name);
         distance * 3 <= name.len().max(3) || is_part && name.len().min(other.len()) > 2
     };
     among
         .filter(near)
-        .min_by_key(|other| (distance(name, other), *other))
-}
-
-/// How many letters must be changed, added or left out (Levenshtein, 1965).
-fn distance(one: &str, other: &str) -> usize {
-    let mut row: Vec<usize> = (0..=other.chars().count()).collect();
-    for (i, a) in one.chars().enumerate() {
-        let mut before = row[0];
-        row[0] = i + 1;
-        for (j, b) in other.chars().enumerate() {
-            let replaced = before + usize::from(a != b);
-            before = row[j + 1];
-            row[j + 1] = replaced.min(before + 1).min(row[j] + 1);
-        }
-    }
-    row[row.len() - 1]
+        .min_by_key(|other| (levenshtein(name, other), *other))
 }
 
 /// By what a module is kept among names.

@@ -117,8 +117,6 @@ pub(crate) enum Root {
     Local(usize),
     /// What a mutable reference leads to.
     Through(Node),
-    /// A value that has no name, kept in a slot.
-    Temporary(usize, Node),
 }
 
 #[derive(Clone, Debug)]

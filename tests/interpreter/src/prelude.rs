@@ -115,9 +115,10 @@ fn of_singles(native: &Native, machine: &mut Machine<'_>, arguments: &mut [Value
 
 /// More than a chapter has pixels is no list of a chapter.
 const LONGEST: usize = 1_000_000;
-/// Nor is more than the largest picture has as text.
-pub(crate) const LONGEST_TEXT: usize = 100_000_000;
-pub(crate) const TEXT_TOO_LONG: &str = "a text of more than a hundred million bytes, or none";
+const TOO_LONG: &str = "a list of more than a million values";
+/// Nor is more than a picture of 1,500 pixels has as text.
+pub(crate) const LONGEST_TEXT: usize = 20_000_000;
+pub(crate) const TEXT_TOO_LONG: &str = "a text of more than twenty million bytes";
 
 fn each(values: Vec<Value>) -> Value {
     let mut values = values.into_iter();
@@ -129,7 +130,7 @@ fn rest(machine: &mut Machine<'_>, of: &Value, at: At) -> Eval<Vec<Value>> {
     let mut all = Vec::new();
     while let Some(value) = iterator.next(machine)? {
         if all.len() == LONGEST {
-            return machine.panic(at, "a list of more than a million values");
+            return machine.panic(at, TOO_LONG);
         }
         all.push(value);
     }
@@ -305,6 +306,26 @@ fn text(value: String) -> Eval {
     Ok(Value::Str(Rc::new(value)))
 }
 
+fn order(value: Ordering) -> Eval {
+    Ok(Value::Ordering(value))
+}
+
+fn ray(value: Ray) -> Eval {
+    Ok(Value::Ray(Rc::new(value)))
+}
+
+fn camera(value: Camera) -> Eval {
+    Ok(Value::Camera(Rc::new(value)))
+}
+
+fn same(_: &mut Machine<'_>, a: &mut [Value], _: At) -> Eval {
+    Ok(a[0].clone())
+}
+
+fn iterated(machine: &mut Machine<'_>, a: &mut [Value], at: At) -> Eval {
+    Ok(Value::Iterator(machine.iterator(&a[0], at)?))
+}
+
 fn option(value: Option<Value>) -> Eval {
     Ok(Value::of(value))
 }
@@ -317,19 +338,28 @@ fn list(values: Vec<Value>) -> Eval {
 /// what it does. Those of one or two numbers or vectors are named only.
 macro_rules! library {
     (
-        $(of $of:literal $make:ident $take:ident { $($one:ident)* ; $($two:ident)* })*
+        $(of $of:literal $make:ident $take:ident -> $out:ident { $($one:ident)* ; $($two:ident)* })*
         $($owner:literal { $(fn $name:ident $parameters:tt $(-> $result:ty)? => $run:expr;)* })*
     ) => {
         static LIBRARY: &[(&str, &str, Run)] = &[
-            $($(($of, concat!("fn ", stringify!($one), "(self) -> Own"), |_, a, _| $make(a[0].$take().$one())),)*)*
             $($((
                 $of,
-                concat!("fn ", stringify!($two), "(self, other: Own) -> Own"),
+                concat!("fn ", stringify!($one), "(self) -> ", stringify!($out)),
+                |_, a, _| $make(a[0].$take().$one()),
+            ),)*)*
+            $($((
+                $of,
+                concat!("fn ", stringify!($two), "(self, other: Own) -> ", stringify!($out)),
                 |_, a, _| $make(a[0].$take().$two(a[1].$take())),
             ),)*)*
             $($((
                 $owner,
-                concat!("fn ", stringify!($name), stringify!($parameters), $("->", stringify!($result))?),
+                concat!(
+                    "fn ",
+                    stringify!($name),
+                    stringify!($parameters),
+                    $("->", stringify!($result))?
+                ),
                 $run,
             ),)*)*
         ];
@@ -337,35 +367,44 @@ macro_rules! library {
 }
 
 library! {
-    of "f64" float float {
+    of "f64" float float -> Own {
         sqrt abs floor ceil round trunc fract signum recip exp exp2 ln log10 log2 cbrt
         sin cos tan asin acos atan sinh cosh tanh to_radians to_degrees;
         max min powf atan2 hypot copysign rem_euclid div_euclid log
     }
-    of "Vec3" vector vec3 {
+    of "f64" bool float -> bool {
+        is_nan is_finite is_infinite is_sign_negative is_sign_positive;
+    }
+    of "Vec3" vector vec3 -> Own {
         normalize normalize_or_zero abs signum floor ceil round fract recip exp;
         cross min max reflect project_onto
     }
+    of "Vec3" float vec3 -> f64 {
+        length length_squared length_recip element_sum min_element max_element;
+        dot distance distance_squared
+    }
+    of "Vec3" bool vec3 -> bool { is_nan is_finite is_normalized; }
+    of "Ordering" order ordering -> Own { reverse; }
+    of "Ordering" bool ordering -> bool { is_lt is_gt; }
     "f64" {
         fn powi(self, n: i32) -> Own => |_, a, _| float(a[0].float().powi(a[1].int() as i32));
         fn clamp(self, least: Own, most: Own) -> Own => |m, a, at| {
             let [x, least, most] = [0, 1, 2].map(|n| a[n].float());
-            if least <= most { float(x.clamp(least, most)) } else { m.panic(at, &format!("min > max, or either was NaN. min = {least:?}, max = {most:?}"),
-                ) }
+            if least <= most {
+                float(x.clamp(least, most))
+            } else {
+                m.panic(at, "min > max, or either was NaN")
+            }
         };
-        fn mul_add(self, a: Own, b: Own) -> Own => |_, a, _| float(a[0].float().mul_add(a[1].float(), a[2].float()));
+        fn mul_add(self, a: Own, b: Own) -> Own =>
+            |_, a, _| float(a[0].float().mul_add(a[1].float(), a[2].float()));
         fn from(value: U) -> Own => |m, a, at| match &a[0] {
             Value::Int(it, _) => float(*it as f64),
             Value::Float(it) => float(*it),
             _ => m.panic(at, "this is no number"),
         };
-        fn is_nan(self) -> bool => |_, a, _| bool(a[0].float().is_nan());
-        fn is_finite(self) -> bool => |_, a, _| bool(a[0].float().is_finite());
-        fn is_infinite(self) -> bool => |_, a, _| bool(a[0].float().is_infinite());
-        fn is_sign_negative(self) -> bool => |_, a, _| bool(a[0].float().is_sign_negative());
-        fn is_sign_positive(self) -> bool => |_, a, _| bool(a[0].float().is_sign_positive());
         fn total_cmp(&self, other: &Own) -> Ordering =>
-            |_, a, _| Ok(Value::Ordering(a[0].float().total_cmp(&a[1].float())));
+            |_, a, _| order(a[0].float().total_cmp(&a[1].float()));
         fn partial_cmp(&self, other: &Own) -> Option<Ordering> =>
             |_, a, _| option(a[0].compared(&a[1]).map(Value::Ordering));
     }
@@ -396,36 +435,29 @@ library! {
             0 => m.panic(at, "attempt to calculate the remainder with a divisor of zero"),
             other => int(&a[0], a[0].int().rem_euclid(other)),
         };
-        fn cmp(&self, other: &Own) -> Ordering => |_, a, _| Ok(Value::Ordering(a[0].int().cmp(&a[1].int())));
+        fn cmp(&self, other: &Own) -> Ordering => |_, a, _| order(a[0].int().cmp(&a[1].int()));
         fn partial_cmp(&self, other: &Own) -> Option<Ordering> =>
             |_, a, _| option(a[0].compared(&a[1]).map(Value::Ordering));
     }
     "bool" {
-        fn then_some(self, value: U) -> Option<U> => |_, a, _| option(a[0].truth().then(|| a[1].clone()));
-        fn then(self, value: impl FnOnce() -> U) -> Option<U> => |m, a, at| if a[0].truth() { option(Some(m.apply(&a[1], &mut [], at)?)) } else { option(None) };
+        fn then_some(self, value: U) -> Option<U> =>
+            |_, a, _| option(a[0].truth().then(|| a[1].clone()));
+        fn then(self, value: impl FnOnce() -> U) -> Option<U> => |m, a, at| match a[0].truth() {
+            true => option(Some(m.apply(&a[1], &mut [], at)?)),
+            false => option(None),
+        };
     }
     "Vec3" {
         fn new(x: f64, y: f64, z: f64) -> Vec3 =>
             |_, a, _| vector(Vec3::new(a[0].float(), a[1].float(), a[2].float()));
         fn powf(self, n: f64) -> Vec3 => |_, a, _| vector(a[0].vec3().powf(a[1].float()));
         fn splat(value: f64) -> Vec3 => |_, a, _| vector(Vec3::splat(a[0].float()));
-        fn dot(self, other: Vec3) -> f64 => |_, a, _| float(a[0].vec3().dot(a[1].vec3()));
-        fn length(self) -> f64 => |_, a, _| float(a[0].vec3().length());
-        fn length_squared(self) -> f64 => |_, a, _| float(a[0].vec3().length_squared());
-        fn length_recip(self) -> f64 => |_, a, _| float(a[0].vec3().length_recip());
-        fn distance(self, other: Vec3) -> f64 => |_, a, _| float(a[0].vec3().distance(a[1].vec3()));
-        fn distance_squared(self, other: Vec3) -> f64 => |_, a, _| float(a[0].vec3().distance_squared(a[1].vec3()));
-        fn element_sum(self) -> f64 => |_, a, _| float(a[0].vec3().element_sum());
-        fn min_element(self) -> f64 => |_, a, _| float(a[0].vec3().min_element());
-        fn max_element(self) -> f64 => |_, a, _| float(a[0].vec3().max_element());
-        fn lerp(self, other: Vec3, s: f64) -> Vec3 => |_, a, _| vector(a[0].vec3().lerp(a[1].vec3(), a[2].float()));
+        fn lerp(self, other: Vec3, s: f64) -> Vec3 =>
+            |_, a, _| vector(a[0].vec3().lerp(a[1].vec3(), a[2].float()));
         fn clamp(self, least: Vec3, most: Vec3) -> Vec3 =>
             |_, a, _| vector(a[0].vec3().max(a[1].vec3()).min(a[2].vec3()));
-        fn mul_add(self, a: Vec3, b: Vec3) -> Vec3 => |_, a, _| vector(a[0].vec3().mul_add(a[1].vec3(), a[2].vec3()));
-        fn is_nan(self) -> bool => |_, a, _| bool(a[0].vec3().is_nan());
-        fn is_finite(self) -> bool => |_, a, _| bool(a[0].vec3().is_finite());
-        fn is_normalized(self) -> bool => |_, a, _| bool(a[0].vec3().is_normalized());
-        fn to_array(&self) -> [f64; 3] => |_, a, _| list(a[0].vec3().to_array().map(Value::Float).to_vec());
+        fn to_array(&self) -> [f64; 3] =>
+            |_, a, _| list(a[0].vec3().to_array().map(Value::Float).to_vec());
         fn from_array(array: [f64; 3]) -> Vec3 => |_, a, _| {
             let all = a[0].many();
             vector(Vec3::new(all[0].float(), all[1].float(), all[2].float()))
@@ -433,39 +465,34 @@ library! {
     }
     "Ray" {
         fn new(origin: Vec3, direction: Vec3) -> Ray =>
-            |_, a, _| Ok(Value::Ray(Rc::new(Ray::new(a[0].vec3(), a[1].vec3()))));
+            |_, a, _| ray(Ray::new(a[0].vec3(), a[1].vec3()));
         fn at(&self, t: f64) -> Vec3 => |_, a, _| vector(a[0].ray().at(a[1].float()));
     }
     "Camera" {
-        fn new(image_width: u32) -> Camera => |m, a, at| Ok(Value::Camera(Rc::new(Camera::new(width(m, &a[0], at)?))));
+        fn new(image_width: u32) -> Camera => |m, a, at| camera(Camera::new(width(m, &a[0], at)?));
         fn with_size(image_width: u32, image_height: u32) -> Camera =>
-            |m, a, at| Ok(Value::Camera(Rc::new(Camera::with_size(width(m, &a[0], at)?, width(m, &a[1], at)?))));
+            |m, a, at| camera(Camera::with_size(width(m, &a[0], at)?, width(m, &a[1], at)?));
         fn ray(&self, i: u32, j: u32) -> Ray =>
-            |_, a, _| Ok(Value::Ray(Rc::new(a[0].camera().ray(a[1].int() as u32, a[2].int() as u32))));
+            |_, a, _| ray(a[0].camera().ray(a[1].int() as u32, a[2].int() as u32));
     }
     "Picture" {
-        fn paint(width: u32, height: u32, color_at: impl Fn(u32, u32) -> Vec3) -> Picture => |m, a, at| {
-            let size = (width(m, &a[0], at)?, width(m, &a[1], at)?);
-            let color = a[2].clone();
-            painted(m, size, |m, i, j| {
-                m.colored(&color, &mut [i, j].map(|it| Value::Int(it.into(), Int::U32)), at)
-            })
-        };
+        fn paint(width: u32, height: u32, color: impl Fn(u32, u32) -> Vec3) -> Picture =>
+            |m, a, at| {
+                let size = (width(m, &a[0], at)?, width(m, &a[1], at)?);
+                painted(m, size, |m, i, j| {
+                    let pixel = [i, j].map(|it| Value::Int(it.into(), Int::U32));
+                    m.colored(&a[2], &mut { pixel }, at)
+                })
+            };
     }
     "" {
         fn render(width: u32, color: impl Fn(&Ray) -> Vec3) -> Picture => |m, a, at| {
             let camera = Camera::new(width(m, &a[0], at)?);
-            let color = a[1].clone();
             painted(m, (camera.image_width, camera.image_height), |m, i, j| {
-                m.colored(&color, &mut [Value::Ray(Rc::new(camera.ray(i, j)))], at)
+                m.colored(&a[1], &mut [Value::Ray(Rc::new(camera.ray(i, j)))], at)
             })
         };
         fn sky(ray: &Ray) -> Vec3 => |_, a, _| vector(sky(&a[0].ray()));
-    }
-    "Ordering" {
-        fn reverse(self) -> Ordering => |_, a, _| Ok(Value::Ordering(a[0].ordering().reverse()));
-        fn is_lt(self) -> bool => |_, a, _| bool(a[0].ordering().is_lt());
-        fn is_gt(self) -> bool => |_, a, _| bool(a[0].ordering().is_gt());
     }
     "Option" {
         fn is_some(&self) -> bool => |_, a, _| bool(a[0].option().is_some());
@@ -480,7 +507,8 @@ library! {
             Some(it) => Ok(it),
             None => m.panic(at, "called `Option::expect()` on a `None` value"),
         };
-        fn unwrap_or(self, other: T) -> T => |_, a, _| Ok(a[0].option().unwrap_or_else(|| a[1].clone()));
+        fn unwrap_or(self, other: T) -> T =>
+            |_, a, _| Ok(a[0].option().unwrap_or_else(|| a[1].clone()));
         fn unwrap_or_else(self, other: impl FnOnce() -> T) -> T => |m, a, at| match a[0].option() {
             Some(it) => Ok(it),
             None => m.apply(&a[1], &mut [], at),
@@ -493,10 +521,11 @@ library! {
             Some(it) => m.apply(&a[2], &mut [it], at),
             None => Ok(a[1].clone()),
         };
-        fn and_then(self, f: impl FnOnce(T) -> Option<U>) -> Option<U> => |m, a, at| match a[0].option() {
-            Some(it) => m.apply(&a[1], &mut [it], at),
-            None => option(None),
-        };
+        fn and_then(self, f: impl FnOnce(T) -> Option<U>) -> Option<U> =>
+            |m, a, at| match a[0].option() {
+                Some(it) => m.apply(&a[1], &mut [it], at),
+                None => option(None),
+            };
         fn filter(self, f: impl FnOnce(&T) -> bool) -> Option<T> => |m, a, at| match a[0].option() {
             Some(it) if m.asked(&a[1], &mut [it.clone()], at)? => option(Some(it)),
             _ => option(None),
@@ -505,26 +534,37 @@ library! {
             Some(it) => m.apply(&a[1], &mut [it], at),
             None => bool(false),
         };
-        fn or(self, other: Option<T>) -> Option<T> => |_, a, _| option(a[0].option().or_else(|| a[1].option()));
-        fn as_ref(&self) -> Option<&T> => |_, a, _| Ok(a[0].clone());
+        fn or(self, other: Option<T>) -> Option<T> =>
+            |_, a, _| option(a[0].option().or_else(|| a[1].option()));
+        fn as_ref(&self) -> Option<&T> => same;
         fn take(&mut self) -> Option<T> =>
             |m, a, _| Ok(m.change_at(&a[0], |place| std::mem::replace(place, Value::None)));
-        fn copied(self: Option<&U>) -> Option<U> => |_, a, _| Ok(a[0].clone());
-        fn cloned(self: Option<&U>) -> Option<U> => |_, a, _| Ok(a[0].clone());
-        fn iter(&self) -> Iterator<&T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
-        fn into_iter(self) -> Iterator<T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
+        fn copied(self: Option<&U>) -> Option<U> => same;
+        fn cloned(self: Option<&U>) -> Option<U> => same;
+        fn iter(&self) -> Iterator<&T> => iterated;
+        fn into_iter(self) -> Iterator<T> => iterated;
     }
     "Box" {
-        fn new(value: T) -> Own => |_, a, _| Ok(a[0].clone());
-        fn as_ref(&self) -> &T => |_, a, _| Ok(a[0].clone());
-        fn clone(&self) -> Own => |_, a, _| Ok(a[0].clone());
+        fn new(value: T) -> Own => same;
+        fn as_ref(&self) -> &T => same;
+        fn clone(&self) -> Own => same;
     }
     "Vec" {
         fn new() -> Vec<T> => |_, _, _| list(Vec::new());
         fn with_capacity(n: usize) -> Vec<T> => |_, _, _| list(Vec::new());
         fn push(&mut self, value: T) => |m, a, at| {
             let value = std::mem::take(&mut a[1]);
-            if m.change_at(&a[0], |list| changed(list, |all| { all.push(value); all.len() })) < LONGEST { Ok(Value::Unit) } else { m.panic(at, "a list of more than a million values") }
+            let length = m.change_at(&a[0], |list| {
+                changed(list, |all| {
+                    all.push(value);
+                    all.len()
+                })
+            });
+            if length < LONGEST {
+                Ok(Value::Unit)
+            } else {
+                m.panic(at, TOO_LONG)
+            }
         };
         fn pop(&mut self) -> Option<T> => |m, a, _| {
             let mut last = None;
@@ -554,12 +594,14 @@ library! {
         fn is_empty(&self) -> bool => |_, a, _| bool(a[0].many().is_empty());
         fn first(&self) -> Option<&T> => |_, a, _| option(a[0].many().first().cloned());
         fn last(&self) -> Option<&T> => |_, a, _| option(a[0].many().last().cloned());
-        fn get(&self, n: usize) -> Option<&T> => |_, a, _| option(a[0].many().get(a[1].int() as usize).cloned());
-        fn contains(&self, value: &T) -> bool => |_, a, _| bool(a[0].many().iter().any(|it| it.equals(&a[1])));
-        fn iter(&self) -> Iterator<&T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
+        fn get(&self, n: usize) -> Option<&T> =>
+            |_, a, _| option(a[0].many().get(a[1].int() as usize).cloned());
+        fn contains(&self, value: &T) -> bool =>
+            |_, a, _| bool(a[0].many().iter().any(|it| it.equals(&a[1])));
+        fn iter(&self) -> Iterator<&T> => iterated;
         fn iter_mut(&mut self) -> Iterator<&mut T> => |m, a, _| Ok(each(m.each_at(&a[0])?));
-        fn into_iter(self) -> Iterator<T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
-        fn to_vec(&self) -> Vec<T> => |_, a, _| Ok(a[0].clone());
+        fn into_iter(self) -> Iterator<T> => iterated;
+        fn to_vec(&self) -> Vec<T> => same;
     }
     "array" {
         fn map(self, f: impl FnMut(T) -> U) -> Vec<U> => |m, a, at| {
@@ -574,10 +616,10 @@ library! {
     "str" {
         fn new() -> String => |_, _, _| text(String::new());
         fn with_capacity(n: usize) -> String => |_, _, _| text(String::new());
-        fn from(value: &str) -> String => |_, a, _| Ok(a[0].clone());
-        fn to_string(&self) -> String => |_, a, _| Ok(a[0].clone());
-        fn to_owned(&self) -> String => |_, a, _| Ok(a[0].clone());
-        fn as_str(&self) -> &str => |_, a, _| Ok(a[0].clone());
+        fn from(value: &str) -> String => same;
+        fn to_string(&self) -> String => same;
+        fn to_owned(&self) -> String => same;
+        fn as_str(&self) -> &str => same;
         fn len(&self) -> usize => |_, a, _| Ok(Value::usize(a[0].text().len()));
         fn is_empty(&self) -> bool => |_, a, _| bool(a[0].text().is_empty());
         fn push_str(&mut self, more: &str) => |m, a, at| {
@@ -589,7 +631,11 @@ library! {
                 }
                 _ => LONGEST_TEXT,
             });
-            if length < LONGEST_TEXT { Ok(Value::Unit) } else { m.panic(at, TEXT_TOO_LONG) }
+            if length < LONGEST_TEXT {
+                Ok(Value::Unit)
+            } else {
+                m.panic(at, TEXT_TOO_LONG)
+            }
         };
     }
     "Range" {
@@ -608,7 +654,7 @@ library! {
         };
     }
     "Iterator" {
-        fn into_iter(self) -> Iterator<T> => |m, a, at| Ok(Value::Iterator(m.iterator(&a[0], at)?));
+        fn into_iter(self) -> Iterator<T> => iterated;
         fn next(&self) -> Option<T> => |m, a, at| {
             let next = m.iterator(&a[0], at)?.next(m)?;
             option(next)
@@ -629,7 +675,8 @@ library! {
             let f = a[1].clone();
             adapted(m, &a[0], at, move |m, it| m.chosen(&f, &mut [it], at))
         };
-        fn flatten(self: Iterator<Option<U>>) -> Iterator<U> => |m, a, at| adapted(m, &a[0], at, |_, it| Ok(it.option()));
+        fn flatten(self: Iterator<Option<U>>) -> Iterator<U> =>
+            |m, a, at| adapted(m, &a[0], at, |_, it| Ok(it.option()));
         fn take(self, n: usize) -> Iterator<T> => |m, a, at| {
             let (iterator, mut left) = (m.iterator(&a[0], at)?, a[1].int());
             Ok(Iter::giving(move |m| {
@@ -671,8 +718,8 @@ library! {
                 Ok(other.map(|other| Value::Tuple([one, other].into())))
             }))
         };
-        fn copied(self: Iterator<&U>) -> Iterator<U> => |_, a, _| Ok(a[0].clone());
-        fn cloned(self: Iterator<&U>) -> Iterator<U> => |_, a, _| Ok(a[0].clone());
+        fn copied(self: Iterator<&U>) -> Iterator<U> => same;
+        fn cloned(self: Iterator<&U>) -> Iterator<U> => same;
         fn find(self, f: impl FnMut(&T) -> bool) -> Option<T> =>
             |m, a, at| option(found(m, a, at, true)?.map(|(_, value)| value));
         fn find_map(self, f: impl FnMut(T) -> Option<U>) -> Option<U> => |m, a, at| {
@@ -686,7 +733,8 @@ library! {
         };
         fn position(self, f: impl FnMut(T) -> bool) -> Option<usize> =>
             |m, a, at| option(found(m, a, at, true)?.map(|(n, _)| Value::usize(n)));
-        fn any(self, f: impl FnMut(T) -> bool) -> bool => |m, a, at| bool(found(m, a, at, true)?.is_some());
+        fn any(self, f: impl FnMut(T) -> bool) -> bool =>
+            |m, a, at| bool(found(m, a, at, true)?.is_some());
         fn all(self, f: impl FnMut(T) -> bool) -> bool =>
             |m, a, at| bool(found(m, a, at, false)?.is_none());
         fn for_each(self, f: impl FnMut(T)) => |m, a, at| {
@@ -724,7 +772,7 @@ library! {
         fn collect(self) -> Vec<T> => |m, a, at| list(rest(m, &a[0], at)?);
     }
     "any" {
-        fn clone(&self) -> Own => |_, a, _| Ok(a[0].clone());
+        fn clone(&self) -> Own => same;
     }
 }
 
@@ -771,6 +819,20 @@ pub(crate) fn fields(head: Head) -> impl Iterator<Item = (&'static str, Type)> {
     all.iter().map(|&(name, head)| (name, head.into()))
 }
 
+/// A constant of `f64`.
+pub(crate) fn number(name: &str) -> Option<f64> {
+    Some(match name {
+        "INFINITY" => f64::INFINITY,
+        "NEG_INFINITY" => f64::NEG_INFINITY,
+        "MAX" => f64::MAX,
+        "MIN" => f64::MIN,
+        "MIN_POSITIVE" => f64::MIN_POSITIVE,
+        "EPSILON" => f64::EPSILON,
+        "NAN" => f64::NAN,
+        _ => return None,
+    })
+}
+
 /// A constant of a type of the library.
 pub(crate) fn constant(owner: &Type, name: &str) -> Option<(Node, Type)> {
     let node = match (owner.0, name) {
@@ -787,16 +849,7 @@ pub(crate) fn constant(owner: &Type, name: &str) -> Option<(Node, Type)> {
             "NAN" => Vec3::NAN,
             _ => return None,
         }),
-        (Head::F64, name) => Node::Float(match name {
-            "INFINITY" => f64::INFINITY,
-            "NEG_INFINITY" => f64::NEG_INFINITY,
-            "MAX" => f64::MAX,
-            "MIN" => f64::MIN,
-            "MIN_POSITIVE" => f64::MIN_POSITIVE,
-            "EPSILON" => f64::EPSILON,
-            "NAN" => f64::NAN,
-            _ => return None,
-        }),
+        (Head::F64, name) => Node::Float(number(name)?),
         (Head::F32, "INFINITY") => Node::Single(f32::INFINITY),
         (Head::F32, "MAX") => Node::Single(f32::MAX),
         (Head::F32, "EPSILON") => Node::Single(f32::EPSILON),

@@ -788,12 +788,6 @@ impl<'c> Machine<'c> {
                     return self.refuse(Refusal::new(At::default(), &message, "", ""));
                 }
             },
-            Root::Temporary(n, value) => {
-                let value = self.eval(value)?;
-                let slot = self.base + n;
-                self.stack[slot] = value;
-                Address::of(slot)
-            }
         };
         for step in &target.steps {
             let n = match step {

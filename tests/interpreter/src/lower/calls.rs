@@ -378,12 +378,56 @@ impl Lowerer<'_> {
         arguments: Vec<&syn::Expr>,
         (at, whole): (At, At),
     ) -> Lowered {
+        let stripped = receiver.ty.stripped().clone();
+        let (callee, on, through) = self.method_found(receiver, name, at)?;
+        let signature = self.signature(callee);
+        let Some(wanted) = signature.parameters.first().filter(|_| signature.has_self) else {
+            let on = on.ty.name(self.names);
+            let message = format!("no method named `{name}` found for `{on}` in the current scope");
+            let label = "this is an associated function, not a method";
+            return self.fault(at, &message, label, &format!("`{on}::{name}(…)`"));
+        };
+        let counts = [signature.parameters.len() - 1, arguments.len()];
+        if counts[0] != counts[1] {
+            return Err(miscounted(true, counts[0], counts[1], whole));
+        }
+        let mut with = vec![on.ty.inner(), Type::UNKNOWN, number(&on.ty)];
+        let before = on.clone();
+        let node = match (wanted.0, through) {
+            (Head::RefMut, _) if on.ty.is(Head::RefMut) => on.node,
+            (Head::RefMut, Some(reference)) if reference.ty.is(Head::RefMut) => reference.node,
+            (Head::RefMut, _) => Node::Address(Box::new(self.mutable(on, receiver_at)?)),
+            _ => on.node,
+        };
+        let rest = self.arguments(&signature.parameters[1..], arguments, whole, &mut with)?;
+        if !before.ty.1.is_empty() {
+            self.learn(&before, &Type(before.ty.0, vec![with[0].clone()]));
+        }
+        let mut nodes = [vec![node], rest].concat();
+        let result = signature.result.with(&with);
+        let result = match (name, stripped.0, callee) {
+            ("sum" | "product", _, Callee::Native(_)) => {
+                let of = result.stripped().clone();
+                nodes.push(of_none(&of, f64::from(name == "product")));
+                of
+            }
+            ("map", Head::Array(length), _) => Type(Head::Array(length), result.1),
+            _ => result,
+        };
+        Ok(self.made(callee, nodes, result, whole))
+    }
+
+    /// Which method is meant, what it is called on, and by what that was reached at last.
+    fn method_found(
+        &self,
+        receiver: Typed,
+        name: &str,
+        at: At,
+    ) -> Lowered<(Callee, Typed, Option<Typed>)> {
         if receiver.ty.stripped().is_unknown() {
             return self.needs_a_type(at);
         }
-        let mut on = receiver.clone();
-        // By what the receiver was reached at last.
-        let mut through = None;
+        let (mut on, mut through) = (receiver.clone(), None);
         let callee = loop {
             if let Some(callee) = self.names.callee(&number(&on.ty), name) {
                 break callee;
@@ -395,63 +439,19 @@ impl Lowerer<'_> {
             on = self.dereferenced(on);
         };
         self.shown(callee, at)?;
-        let is_literal = on.ty.is(Head::Float) && matches!(on.node, Node::Float(_));
-        if is_literal && matches!(callee, Callee::Native(_)) {
+        let Callee::Native(native) = callee else {
+            return Ok((callee, on, through));
+        };
+        if on.ty.is(Head::Float) && matches!(on.node, Node::Float(_)) {
             let message =
                 format!("can't call method `{name}` on ambiguous numeric type `{{float}}`");
             return self.fault(at, &message, "", "say which: `2.0_f64`");
         }
+        // What is borrowed gives references.
         let is_borrowed = through.as_ref().is_some_and(|it| it.ty.is_reference());
-        let callee = match callee {
-            // What is borrowed gives references.
-            Callee::Native(native) if name == "into_iter" && is_borrowed => {
-                Callee::Native(prelude::native(native.owner, "iter").unwrap_or(native))
-            }
-            callee => callee,
-        };
-        let signature = self.signature(callee);
-        let Some(wanted) = signature.parameters.first().filter(|_| signature.has_self) else {
-            let on = on.ty.name(self.names);
-            let message = format!("no method named `{name}` found for `{on}` in the current scope");
-            let label = "this is an associated function, not a method";
-            return self.fault(at, &message, label, &format!("`{on}::{name}(…)`"));
-        };
-        let mut with = vec![on.ty.inner(), Type::UNKNOWN, number(&on.ty)];
-        let before = on.clone();
-        let node = match (wanted.0, through) {
-            (Head::RefMut, _) if on.ty.is(Head::RefMut) => on.node,
-            (Head::RefMut, Some(reference)) if reference.ty.is(Head::RefMut) => reference.node,
-            (Head::RefMut, _) => Node::Address(Box::new(self.mutable(on, receiver_at)?)),
-            _ => on.node,
-        };
-        if signature.parameters.len() != arguments.len() + 1 {
-            return Err(miscounted(
-                true,
-                signature.parameters.len() - 1,
-                arguments.len(),
-                whole,
-            ));
-        }
-        let rest = self.arguments(&signature.parameters[1..], arguments, whole, &mut with)?;
-        if !before.ty.1.is_empty() {
-            self.learn(&before, &Type(before.ty.0, vec![with[0].clone()]));
-        }
-        let result = signature.result.with(&with);
-        let result = match (name, receiver.ty.stripped().0) {
-            ("sum" | "product", _) => result.stripped().clone(),
-            ("map", Head::Array(length)) => Type(Head::Array(length), result.1),
-            _ => result,
-        };
-        let mut nodes = [vec![node], rest].concat();
-        if let (Callee::Native(_), "sum" | "product") = (callee, name) {
-            let none = f64::from(name == "product");
-            nodes.push(match result.0 {
-                Head::Int(int) => Node::Int(none as i128, int),
-                Head::Vec3 => Node::Vec3(Vec3::splat(none)),
-                _ => Node::Float(none),
-            });
-        }
-        Ok(self.made(callee, nodes, result, whole))
+        let borrowed = prelude::native(native.owner, "iter");
+        let native = borrowed.filter(|_| is_borrowed && name == "into_iter");
+        Ok((native.map_or(callee, Callee::Native), on, through))
     }
 
     pub(super) fn closure(&mut self, it: &syn::ExprClosure, wanted: &Type) -> Lowered {
@@ -501,6 +501,15 @@ impl Lowerer<'_> {
         let closure = Arc::new(Closure { parameters, body });
         let node = Node::Closure(closure, it.capture.is_some());
         Ok(Typed::new(node, Type(Head::Fn, types)))
+    }
+}
+
+/// The sum or the product of no values of the type.
+fn of_none(ty: &Type, none: f64) -> Node {
+    match ty.0 {
+        Head::Int(int) => Node::Int(none as i128, int),
+        Head::Vec3 => Node::Vec3(Vec3::splat(none)),
+        _ => Node::Float(none),
     }
 }
 

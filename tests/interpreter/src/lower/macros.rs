@@ -14,7 +14,7 @@ impl Lowerer<'_> {
         let parser = Punctuated::<syn::Expr, syn::Token![,]>::parse_terminated;
         let arguments: Vec<syn::Expr> = match parser.parse2(it.tokens.clone()) {
             Ok(arguments) => arguments.into_iter().collect(),
-            Err(error) => return self.fault(at, &error.to_string(), "", ""),
+            Err(error) => return self.refused(at, error.to_string()),
         };
         let never = |said: &str| Ok(Typed::new(Node::Panic(said.to_owned(), at), Head::Never));
         let name = it.path.segments.last().expect("a path has a name");

@@ -19,25 +19,7 @@ impl Lowerer<'_> {
                 self.pattern(&it.pat, &written, is_late)
             }
             syn::Pat::Ident(name) if name.ident == "None" => self.option(ty, None, at),
-            syn::Pat::Ident(it) => {
-                let path = [it.ident.to_string()];
-                if let Some((kind, variant)) = self.names.variant(&self.context, &path)
-                    && self.names.kinds[kind].variants[variant].shape == Shape::Unit
-                {
-                    return self.fields(ty, (kind, variant), Vec::new(), at);
-                }
-                let inner = match &it.subpat {
-                    Some((_, pattern)) => self.pattern(pattern, ty, is_late)?,
-                    None => Pattern::Any,
-                };
-                let is_mut = it.mutability.is_some() || is_late;
-                let ty = match it.by_ref {
-                    Some(_) => Type::of(Head::Ref, ty.clone()),
-                    None => ty.clone(),
-                };
-                let slot = self.local(&path[0], ty, is_mut);
-                Ok(Pattern::Bind(slot, Box::new(inner)))
-            }
+            syn::Pat::Ident(it) => self.name(it, ty, is_late, at),
             syn::Pat::Reference(it) => match ty.0 {
                 Head::Ref | Head::RefMut | Head::Unknown => {
                     self.pattern(&it.pat, &ty.inner(), is_late)
@@ -52,13 +34,12 @@ impl Lowerer<'_> {
                 let literal = self.declared(literal, ty.stripped(), at)?;
                 Ok(Pattern::Literal(literal))
             }
-            syn::Pat::TupleStruct(it) if it.path.is_ident("Some") => match it.elems.first() {
-                Some(inner) if it.elems.len() == 1 => self.option(ty, Some(inner), at),
-                _ => {
-                    let message = "this pattern has the wrong number of fields";
-                    self.fault(at, message, "`Some` has 1", "")
-                }
-            },
+            syn::Pat::TupleStruct(it) if it.path.is_ident("Some") => {
+                let inner = it.elems.first().filter(|_| it.elems.len() == 1);
+                let message = "this pattern has the wrong number of fields";
+                let miscounted = || Refusal::new(at, message, "`Some` has 1", "");
+                self.option(ty, Some(inner.ok_or_else(miscounted)?), at)
+            }
             syn::Pat::TupleStruct(it) => {
                 let named = it.elems.iter().enumerate();
                 let named = named.map(|(n, it)| (n.to_string(), it)).collect();
@@ -94,6 +75,26 @@ impl Lowerer<'_> {
             }
             _ => Err(Refusal::unknown(at, "this kind of pattern")),
         }
+    }
+
+    /// A name: of a variant without fields, or for what is there.
+    fn name(&mut self, it: &syn::PatIdent, ty: &Type, is_late: bool, at: At) -> Lowered<Pattern> {
+        let path = [it.ident.to_string()];
+        if let Some((kind, variant)) = self.names.variant(&self.context, &path)
+            && self.names.kinds[kind].variants[variant].shape == Shape::Unit
+        {
+            return self.fields(ty, (kind, variant), Vec::new(), at);
+        }
+        let inner = match &it.subpat {
+            Some((_, pattern)) => self.pattern(pattern, ty, is_late)?,
+            None => Pattern::Any,
+        };
+        let ty = match it.by_ref {
+            Some(_) => Type::of(Head::Ref, ty.clone()),
+            None => ty.clone(),
+        };
+        let slot = self.local(&path[0], ty, it.mutability.is_some() || is_late);
+        Ok(Pattern::Bind(slot, Box::new(inner)))
     }
 
     fn expect(&self, ty: &Type, wanted: &Type, at: At) -> Lowered<()> {

@@ -3,6 +3,7 @@
 use std::f64::consts;
 
 use super::{Entry, Module, Named, Names};
+use crate::prelude::number;
 use crate::types::{Head, Int, Type};
 
 /// What `use common::rtweekend::*` brings.
@@ -78,10 +79,7 @@ fn of_std(path: &[&str]) -> Option<Named> {
         ["cmp", "Ordering"] => Some(Named::Type(Head::Ordering.into())),
         ["fmt", "Result" | "Formatter" | "Error"] => Some(Named::Type(Type::UNKNOWN)),
         ["f64" | "f32", "consts", name] => constant(name),
-        ["f64", "INFINITY"] => Some(Named::Number(f64::INFINITY)),
-        ["f64", "NEG_INFINITY"] => Some(Named::Number(f64::NEG_INFINITY)),
-        ["f64", "EPSILON"] => Some(Named::Number(f64::EPSILON)),
-        ["f64", "MAX"] => Some(Named::Number(f64::MAX)),
+        ["f64", name] => number(name).map(Named::Number),
         [.., name] => Some(Named::Standard((*name).to_owned())),
         [] => None,
     }
