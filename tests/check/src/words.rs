@@ -227,6 +227,10 @@ impl Change {
             }
             Right::Line(line) => line.clone(),
             Right::Nothing => "left out".to_owned(),
+            Right::Helper(call, line) => {
+                let instead = format!("not called: {}:{}  {line}", call.file, call.number);
+                return vec![("yours", self.yours.to_string()), ("should be", instead)];
+            }
             Right::InRust(line) => {
                 return vec![("yours", self.yours.to_string()), ("in Rust", line.clone())];
             }

@@ -13,7 +13,7 @@ use slips::{Chapter, Letters, Program, steps};
 
 /// Chapters, whether in their own text or in another form, and what stands there wrong for what
 /// is right.
-const MISTAKES: [(Text, &str, &str); 42] = [
+const MISTAKES: [(Text, &str, &str); 49] = [
     (GRADIENT, "unit_direction.y + 1.0", "unit_direction.y - 1.0"),
     (GRADIENT, "unit_direction.y + 1.0", "unit_direction.z + 1.0"),
     (GRADIENT, "+ a * blue", "+ blue"),
@@ -48,6 +48,8 @@ const MISTAKES: [(Text, &str, &str); 42] = [
     (OTHER_NORMALS, "* -2.0", "* 2.0"),
     (OTHER_NORMALS, "(-b - root)", "(-b + root)"),
     (OTHER_NORMALS, "center - r.origin", "r.origin - center"),
+    (OTHER_NORMALS, "b * b - 4.0 * a * c", "b * b - 4.0 * c"),
+    (OTHER_NORMALS, "discriminant(a, b", "discriminant(b, a"),
     (HALF_B_SPHERE, "h * h - a * c", "h * h - 4.0 * a * c"),
     (
         HALF_B_SPHERE,
@@ -60,6 +62,10 @@ const MISTAKES: [(Text, &str, &str); 42] = [
         "2.0 * ray.direction.dot(oc)",
     ),
     (HALF_B_SPHERE, "discriminant < 0.0", "discriminant > 0.0"),
+    (OWN_PRELUDE, "h * h - a * c", "h * h - a"),
+    (OWN_PRELUDE, "0.5 * (ray.direction", "(ray.direction"),
+    (OWN_PRELUDE, "+ self.y * other.y", "- self.y * other.y"),
+    (OWN_PRELUDE, "(right + down)", "(right - down)"),
     (
         HITTABLE_LIST,
         "ray.direction.dot(outward_normal) < 0.0",
@@ -86,6 +92,7 @@ const MISTAKES: [(Text, &str, &str); 42] = [
         "[(h + sqrtd) / a, (h - sqrtd) / a]",
     ),
     (OTHER_LIST, "closest = rec.t;\n", "\n"),
+    (OTHER_LIST, "low < t && t < high", "low < t"),
     (
         OTHER_LIST,
         "t = (half_b + root) / a",
@@ -125,12 +132,17 @@ struct Text {
     chapter: Chapter,
     /// The text in another form than the chapter's.
     other: Option<&'static str>,
+    /// Whether the prelude is the reader's own, too.
+    has_a_prelude: bool,
 }
+
+const PRELUDE: &str = include_str!("../../interpreter/tests/texts/own_prelude.rs");
 
 const fn own(chapter: Chapter) -> Text {
     Text {
         chapter,
         other: None,
+        has_a_prelude: false,
     }
 }
 
@@ -138,6 +150,7 @@ const fn other(chapter: Chapter, text: &'static str) -> Text {
     Text {
         chapter,
         other: Some(text),
+        has_a_prelude: false,
     }
 }
 
@@ -147,6 +160,10 @@ const RED_SPHERE: Text = own(Chapter::RedSphere);
 const NORMALS: Text = own(Chapter::Normals);
 const OTHER_NORMALS: Text = other(Chapter::Normals, include_str!("forms/normals.rs"));
 const HALF_B_SPHERE: Text = own(Chapter::HalfBSphere);
+const OWN_PRELUDE: Text = Text {
+    has_a_prelude: true,
+    ..HALF_B_SPHERE
+};
 const HITTABLE_LIST: Text = own(Chapter::HittableList);
 const OTHER_LIST: Text = other(
     Chapter::HittableList,
@@ -194,7 +211,7 @@ fn missed(&(text, right, wrong): &(Text, &str, &str)) -> Option<String> {
 
 #[test]
 fn a_right_program_in_another_form_gets_no_remark() {
-    for text in [OTHER_GRADIENT, OTHER_NORMALS, OTHER_LIST] {
+    for text in [OTHER_GRADIENT, OTHER_NORMALS, OTHER_LIST, OWN_PRELUDE] {
         assert_eq!(
             said(text.chapter, &text.files(), false),
             [("right", String::new())]
@@ -205,10 +222,16 @@ fn a_right_program_in_another_form_gets_no_remark() {
 impl Text {
     fn files(self) -> Vec<(String, String)> {
         let owned = |&(name, text): &(&str, &str)| (name.to_owned(), text.to_owned());
-        match self.other {
+        let mut files: Vec<(String, String)> = match self.other {
             Some(text) => vec![("src/lib.rs".to_owned(), text.to_owned())],
             None => self.chapter.files().iter().map(owned).collect(),
+        };
+        if self.has_a_prelude {
+            let import = "mod rtweekend;\nuse crate::rtweekend";
+            files[0].1 = files[0].1.replace("use common::rtweekend", import);
+            files.push(("src/rtweekend.rs".to_owned(), PRELUDE.to_owned()));
         }
+        files
     }
 }
 

@@ -117,7 +117,12 @@ fn expressions(
         let is_let = matches!(role, Role::Let(_));
         let score = |(other, right): &(Role, &Tree)| {
             let same_role = if is_let { 5.0 } else { 0.6 };
-            yours.likeness(right) + if *other == role { same_role } else { 0.0 }
+            yours.likeness(right)
+                + if are_parts || *other == role {
+                    same_role
+                } else {
+                    0.0
+                }
         };
         let mut likest: Vec<_> = theirs.iter().map(|it| (score(it), it.1)).collect();
         likest.sort_by(|one, other| other.0.total_cmp(&one.0));
@@ -128,7 +133,8 @@ fn expressions(
             continue;
         }
         let is_given = is_let && likest[0].0 > 5.0;
-        likest.truncate(if is_given { 1 } else { COMPARED });
+        let many = if are_parts { 2 * COMPARED } else { COMPARED };
+        likest.truncate(if is_given { 1 } else { many });
         for (n, (score, right)) in likest.into_iter().enumerate() {
             if n > 0 && score < 0.3 {
                 break;

@@ -53,11 +53,11 @@ impl Edit {
         text
     }
 
-    /// Whether this word stands in the edit as often as before.
-    pub(super) fn keeps(&self, word: &str, text: &str) -> bool {
-        let count = |text: &str| words(text).iter().filter(|it| **it == word).count();
+    /// Whether this function is called less often with it.
+    pub(super) fn writes_out(&self, name: &str, text: &str) -> bool {
+        let count = |text: &str| words(text).iter().filter(|it| **it == name).count();
         let mut parts = self.parts.iter();
-        parts.all(|(at, new)| count(&text[at.clone()]) == count(new))
+        parts.any(|(at, new)| count(&text[at.clone()]) > count(new))
     }
 
     /// Both edits, if they are in different places.

@@ -8,9 +8,12 @@ use super::tree::{ATOM, Tree};
 
 /// Each is less likely than an edit that brings the chapter nearer.
 const UNLIKELY: u32 = 5;
+/// What a function is given is often in the wrong order.
+const EXCHANGED: u32 = 3;
 /// Signs, comparisons and methods, each of which is mistaken for the others of its group.
-const MISTAKEN: [&[&str]; 9] = [
-    &["+", "-", "*", "/"],
+const MISTAKEN: [&[&str]; 10] = [
+    &["+", "-"],
+    &["*", "/"],
     &["<", ">", "<=", ">="],
     &["&&", "||"],
     &["length", "length_squared"],
@@ -121,7 +124,7 @@ impl Known<'_> {
             self.propose(node, negated.within(least), 3);
             for factor in FACTORS {
                 let product = own(vec![leaf(factor), node.clone()]);
-                self.propose(node, product.within(least), 4);
+                self.propose(node, product.within(least), 3);
             }
             for method in METHODS {
                 self.propose(node, format!("{}.{method}()", node.within(ATOM)), 4);
@@ -170,19 +173,20 @@ impl Known<'_> {
     }
 
     /// Two parts that follow each other, in the other order: of a difference, a quotient, a
-    /// comparison or a list, and the statements of a block.
+    /// comparison or a list, what a function is given, and the statements of a block.
     fn exchanged(&mut self, node: &Tree) {
-        let is_ordered = matches!(node.sign(), Some("-" | "/" | "<" | ">"))
-            || node.is_block()
-            || node.op.starts_with(['(', '[']);
-        for pair in node.parts.windows(2).filter(|_| is_ordered) {
-            let least = if node.sign().is_some() { ATOM } else { 0 };
+        let is_call = node.op.starts_with("□(");
+        let is_sign = matches!(node.sign(), Some("-" | "/" | "<" | ">"));
+        let is_ordered = is_call || is_sign || node.is_block() || node.op.starts_with(['(', '[']);
+        let parts = &node.parts[usize::from(is_call)..];
+        for pair in parts.windows(2).filter(|_| is_ordered) {
+            let least = if is_sign { ATOM } else { 0 };
             let [one, other] = [&pair[0], &pair[1]].map(|it| it.within(least));
             let between = &self.text[pair[0].at.end..pair[1].at.start];
             let at = pair[0].at.start..pair[1].at.end;
             let new = format!("{other}{between}{one}");
-            self.proposals
-                .push(Proposal::new(at, new, UNLIKELY).whole());
+            let penalty = if is_call { EXCHANGED } else { UNLIKELY };
+            self.proposals.push(Proposal::new(at, new, penalty).whole());
         }
     }
 

@@ -24,6 +24,8 @@ pub(super) struct Fix<'a> {
     pub(super) text: String,
     /// The chapter's function, if that takes its place as a whole.
     pub(super) right: Option<&'a Function>,
+    /// The helper whose call the text does without.
+    pub(super) helper: Option<&'a Function>,
 }
 
 impl<'a> Fix<'a> {
@@ -32,6 +34,7 @@ impl<'a> Fix<'a> {
             yours,
             text: edit.applied_to(&yours.text),
             right: None,
+            helper: None,
         }
     }
 
@@ -40,6 +43,7 @@ impl<'a> Fix<'a> {
             yours,
             text: right[0].text.clone(),
             right: Some(right[0]),
+            helper: None,
         }
     }
 }
@@ -92,8 +96,31 @@ impl<'a> Search<'a> {
         };
         match found.filter(|(_, edit)| edit.rank <= READABLE) {
             Some(edit) => Some(vec![Fix::edit(&edit)]),
-            None => self.whole(vec![Fix::whole(&swapped[0])]),
+            None => self
+                .in_a_call(&swapped)
+                .or_else(|| self.whole(vec![Fix::whole(&swapped[0])])),
         }
+    }
+
+    /// The helper without a call of which the program is right, and what stands there instead.
+    fn in_a_call(&self, swapped: &[Common<'a>]) -> Option<Vec<Fix<'a>>> {
+        swapped.iter().find_map(|(yours, right)| {
+            let edits = right.iter().flat_map(|right| chapter::edits(yours, right));
+            let mut edits: Vec<(&Function, Edit)> = edits.map(|edit| (*yours, edit)).collect();
+            let helpers = self.helpers(yours);
+            let written_out = |edit: &Edit| {
+                let mut helpers = helpers.iter();
+                helpers
+                    .find(|it| edit.writes_out(it.short_name(), &yours.text))
+                    .copied()
+            };
+            edits.retain(|(_, edit)| edit.rank <= READABLE && written_out(edit).is_some());
+            let (_, edit) = self.first(edits, &Vec::new())?;
+            Some(vec![Fix {
+                helper: written_out(&edit),
+                ..Fix::edit(&(*yours, edit))
+            }])
+        })
     }
 
     /// The functions that the reader and the chapter have in common.
@@ -156,7 +183,7 @@ impl<'a> Search<'a> {
     /// Those that write no call of a helper out: that would hide a mistake of the helper.
     fn keeping_calls(&self, yours: &Function, mut edits: Vec<Edit>) -> Vec<Edit> {
         for helper in self.helpers(yours) {
-            edits.retain(|it| it.keeps(helper.short_name(), &yours.text));
+            edits.retain(|it| !it.writes_out(helper.short_name(), &yours.text));
         }
         edits
     }

@@ -53,6 +53,10 @@ impl Sphere {
     }
 }
 
+fn in_range(t: f64, low: f64, high: f64) -> bool {
+    low < t && t < high
+}
+
 impl Hittable for Sphere {
     fn hit(&self, r: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
         let oc = self.center - r.origin;
@@ -65,9 +69,9 @@ impl Hittable for Sphere {
         }
         let root = disc.sqrt();
         let mut t = (half_b - root) / a;
-        if t <= t_min || t >= t_max {
+        if !in_range(t, t_min, t_max) {
             t = (half_b + root) / a;
-            if t <= t_min || t >= t_max {
+            if !in_range(t, t_min, t_max) {
                 return None;
             }
         }

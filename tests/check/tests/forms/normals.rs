@@ -27,11 +27,15 @@ pub fn hit_sphere(center: Point3, radius: f64, r: &Ray) -> Option<f64> {
     let a = r.direction.length_squared();
     let b = r.direction.dot(to_center) * -2.0;
     let c = to_center.length_squared() - radius * radius;
-    let disc = b * b - 4.0 * a * c;
+    let disc = discriminant(a, b, c);
     if disc >= 0.0 {
         let root = disc.sqrt();
         Some((-b - root) / (2.0 * a))
     } else {
         None
     }
+}
+
+fn discriminant(a: f64, b: f64, c: f64) -> f64 {
+    b * b - 4.0 * a * c
 }
