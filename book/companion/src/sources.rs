@@ -29,6 +29,28 @@ pub(crate) fn of_program(words: &[OsString], folder: &Path) -> (Sources, Option<
     (Sources::new(files, Vec::new()), first.flatten())
 }
 
+/// The only source in a picture's folder, and its language, unless it was changed after the
+/// picture was drawn.
+pub(crate) fn beside(picture: &Path) -> (Sources, Option<Letters>) {
+    let changed = |path: &Path| fs::metadata(path).and_then(|it| it.modified()).ok();
+    let folder = picture.parent().unwrap_or(Path::new(""));
+    let folder = if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
+    };
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let sources = entries
+        .map(|entry| entry.path())
+        .filter(|path| is_source(path));
+    match &sources.collect::<Vec<_>>()[..] {
+        [source] if changed(source) <= changed(picture) => {
+            of_program(&[source.into()], Path::new(""))
+        }
+        _ => (Sources::default(), None),
+    }
+}
+
 /// Whether the file is a source in a language that is known here.
 pub(crate) fn is_source(path: &Path) -> bool {
     language(path).is_some()

@@ -7,6 +7,7 @@ use check::reading::{Cause, Reading};
 use check::report::escaped;
 use check::verdict::Check;
 use check::whole::{Line, Verdict};
+use slips::Letters;
 
 /// The facts that the script asks for in the first line, the verdict in the second, since it
 /// is announced before the rest is read, and the parts below.
@@ -22,7 +23,11 @@ pub(crate) fn answer(judged: &Judged, reading: Option<&Reading>) -> String {
         }),
         &difference.map_or(0, |it| it.count).to_string(),
     ];
-    let parts: String = judged.parts().iter().map(part).collect();
+    let parts: String = judged
+        .parts()
+        .iter()
+        .map(|it| part(it, judged.known.letters))
+        .collect();
     format!("{}\n{}\n{parts}", facts.join("\t"), headline(judged))
 }
 
@@ -57,22 +62,19 @@ fn headline(judged: &Judged) -> String {
 const RIGHT: &str = "is-right";
 const WRONG: &str = "is-wrong";
 
-fn part(part: &Part) -> String {
+fn part(part: &Part, letters: Option<Letters>) -> String {
     match part {
-        Part::Title(said) => format!("<h3>{}</h3>", escaped(said)),
-        Part::Name(name) => format!("<p><code>{}</code></p>", escaped(name)),
-        Part::Rows(rows) => list(rows),
-        Part::Read(slip) => read(slip),
-        Part::Next(it) => next(it),
+        Part::Next(it) => next(it, letters),
+        other => check::html::part(other),
     }
 }
 
-fn next(it: &Next) -> String {
+fn next(it: &Next, letters: Option<Letters>) -> String {
     let probe = it.scene.probe.map_or("", |probe| probe.name);
     format!(
         "<p>{}: {}; and then <code>{}</code> <button type=\"button\" data-probe=\"{probe}\">Judge it here</button></p>",
         escaped(it.why()),
-        escaped(it.change()),
+        escaped(it.change(letters)),
         escaped(it.scene.command()),
     )
 }

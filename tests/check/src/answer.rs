@@ -175,15 +175,21 @@ impl Judged<'_> {
         } else if finding.near.is_none() && finding.difference.is_some() {
             parts.extend(whereabouts(finding));
             if finding.sights.len() != 1 {
-                let unknown = "No mistake in the catalogue draws this picture.";
-                parts.push(Part::Title(unknown.to_owned()));
+                let unknown = match self.scene.probe {
+                    None => "No mistake in the catalogue draws this picture.".to_owned(),
+                    Some(_) => format!(
+                        "No known mistake draws this picture and the chapter's own right. Is that right? {}",
+                        self.scene.without_probe().command()
+                    ),
+                };
+                parts.push(Part::Title(unknown));
             }
         }
         parts.push(Part::Rows(finding.rows(&self.known)));
         let single = finding.single().iter();
         let with_a_page = single.filter(|slip| !slip.page.is_empty());
         parts.extend(with_a_page.map(|slip| Part::Read(slip)));
-        let next = finding.next(|probe| self.scene.probed_command(probe));
+        let next = finding.next(self.known.letters, |probe| self.scene.probed_command(probe));
         parts.extend(next.map(|next| Part::Rows(vec![("next", next)])));
         parts
     }

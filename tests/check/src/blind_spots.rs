@@ -3,7 +3,7 @@
 //! Found by drawing, like a diagnosis: a slip is hidden if its program draws the
 //! right picture to the last bit, at the very width that the reader drew.
 
-use slips::{Output, PROBES, Slip, Unseen};
+use slips::{Letters, Output, PROBES, Slip, Unseen};
 
 use crate::pixels::spread;
 use crate::scene::Scene;
@@ -76,11 +76,11 @@ fn most_telling(own: &Scene, drawn: u32, hidden: &[&'static Slip]) -> Option<Nex
 
 impl Next {
     /// What to change in a program, on one line. A program may have its height as a number.
-    pub fn change(&self) -> String {
+    pub fn change(&self, letters: Option<Letters>) -> String {
         let width = format!("image_width = {}", self.width);
         let height = self.scene.height(self.width);
         let both = format!("{width}, so that image_height is {height}");
-        let change = self.scene.change(self.width).replace('\n', "; ");
+        let change = self.scene.change(self.width, letters).replace('\n', "; ");
         change.replacen(&width, &both, 1)
     }
 

@@ -1,6 +1,6 @@
 //! Why a picture is not the one that was asked for: its shape, its numbers, its scene.
 
-use slips::{Edition, Program, Slip};
+use slips::{Edition, Letters, Program, Slip};
 
 use crate::reading::{Cause, Reading};
 use crate::scene::Scene;
@@ -122,7 +122,7 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
 }
 
 /// Why a picture of `others`, scenes of this chapter, is not the right one.
-pub(crate) fn another(wanted: &Scene, others: &[Scene]) -> Cause {
+pub(crate) fn another(wanted: &Scene, others: &[Scene], letters: Option<Letters>) -> Cause {
     let own = wanted.chapter.name();
     let probes: Vec<&str> = others
         .iter()
@@ -151,7 +151,7 @@ pub(crate) fn another(wanted: &Scene, others: &[Scene]) -> Cause {
             ),
             format!(
                 "Change your program to\n  {}\nand then: {}",
-                wanted.change(probe.width).replace('\n', "\n  "),
+                wanted.change(probe.width, letters).replace('\n', "\n  "),
                 wanted.command()
             ),
         ),

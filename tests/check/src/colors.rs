@@ -40,7 +40,7 @@ pub(crate) fn own(reading: &Reading, right: &Candidate) -> Option<Candidate> {
             blue: None,
         }
     };
-    let is_own = chosen != Chosen::default() && is_typed(chosen.sky);
+    let is_own = chosen != Chosen::default() && is_typed(chosen.sky) && !is_a_mixture(chosen.sky);
     is_own.then(|| Candidate {
         scene: right.scene.with(chosen),
         ..right.clone()
@@ -51,6 +51,14 @@ pub(crate) fn own(reading: &Reading, right: &Candidate) -> Option<Candidate> {
 fn are_near(sky: [Color; 2], other: [Color; 2]) -> bool {
     let mut pairs = sky.into_iter().zip(other);
     pairs.all(|(one, other)| (one - other).abs().max_element() * SCALE < 2.0)
+}
+
+/// Whether both ends are the book's white and blue in some mixture, black and gray among them:
+/// a wrong weight draws such a sky.
+fn is_a_mixture(sky: Option<[Color; 2]>) -> bool {
+    let [white, blue] = Program::right(Chapter::Gradient).sky;
+    let across = white.cross(blue);
+    sky.is_some_and(|sky| sky.iter().all(|color| across.dot(*color).abs() < 1e-3))
 }
 
 /// Whether all components are hundredths from 0 to 1, or all are levels.

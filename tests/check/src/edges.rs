@@ -128,7 +128,8 @@ struct Seen {
     odd: usize,
     edges: usize,
     odd_at_edges: usize,
-    /// Pixels at edges that lie between both sides, and are not the program's.
+    /// Pixels at edges that lie between both sides, and are like none of the program's nearby:
+    /// a picture that is moved a little has none.
     mixed: usize,
     levels: u64,
 }
@@ -145,14 +146,19 @@ impl Seen {
             return;
         }
         self.edges += 1;
-        let [low, high] = bounds(drawn, width, n);
-        let is_between = |c: usize| {
-            let nearest = found[c].clamp(low[c], high[c]);
-            nearest.abs_diff(found[c]) <= GIVE
-        };
+        let (mut low, mut high) = ([i16::MAX; 3], [i16::MIN; 3]);
+        let mut nearest = u16::MAX;
+        for pixel in around(drawn, width, n) {
+            nearest = nearest.min(distance(*pixel, found));
+            for c in 0..3 {
+                low[c] = low[c].min(pixel[c]);
+                high[c] = high[c].max(pixel[c]);
+            }
+        }
+        let is_between = |c: usize| found[c].clamp(low[c], high[c]).abs_diff(found[c]) <= GIVE;
         let is_odd = !(0..3).all(is_between);
         self.odd_at_edges += usize::from(is_odd);
-        self.mixed += usize::from(!is_odd && distance(drawn[n], found) > CONTRAST);
+        self.mixed += usize::from(!is_odd && nearest > CONTRAST);
     }
 }
 
@@ -164,20 +170,10 @@ fn contrast(pixels: &[Pixel], width: usize, n: usize) -> u16 {
     off.max().unwrap_or_default()
 }
 
-/// The lowest and the highest levels of the five times five pixels around it.
-fn bounds(pixels: &[Pixel], width: usize, n: usize) -> [Pixel; 2] {
-    let (column, height) = (n % width, pixels.len() / width);
+/// The five times five pixels around it.
+fn around(pixels: &[Pixel], width: usize, n: usize) -> impl Iterator<Item = &Pixel> {
+    let (column, row, height) = (n % width, n / width, pixels.len() / width);
     let columns = column.saturating_sub(2)..(column + 3).min(width);
-    let row = n / width;
     let rows = row.saturating_sub(2)..(row + 3).min(height);
-    let mut bounds = [[i16::MAX; 3], [i16::MIN; 3]];
-    for row in rows {
-        for pixel in &pixels[row * width + columns.start..row * width + columns.end] {
-            for c in 0..3 {
-                bounds[0][c] = bounds[0][c].min(pixel[c]);
-                bounds[1][c] = bounds[1][c].max(pixel[c]);
-            }
-        }
-    }
-    bounds
+    rows.flat_map(move |row| &pixels[row * width + columns.start..row * width + columns.end])
 }

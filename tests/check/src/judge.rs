@@ -5,8 +5,6 @@
 
 use std::cmp::Reverse;
 
-use slips::Slip;
-
 use crate::candidate::{Candidate, Left};
 use crate::candidates::{elsewhere, pairs, rights, singles};
 use crate::known::Evidence;
@@ -95,15 +93,17 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
 }
 
 /// The right program beside which a picture is described that nothing draws: the nearest, if a
-/// part of the picture is its own, or else the edition's that was asked for.
+/// part of the picture is its own and another edition leaves much more, or else the edition's
+/// that was asked for.
 fn described_beside(evidence: &Evidence, nearest: Candidate) -> Candidate {
     let reading = evidence.reading;
-    let off = nearest.off_among(reading, LOOK).unwrap_or_default();
     let looked = spread(LOOK, reading.pixels.len() as u32).count();
-    let is_like = PART * (looked - off) > looked;
-    let mut asked = rights(evidence).into_iter();
-    let asked = asked.next().filter(|_| !is_like);
-    asked.unwrap_or(nearest)
+    let off = |it: &Candidate| it.off_among(reading, LOOK).unwrap_or(looked);
+    let asked = rights(evidence).swap_remove(0);
+    let is_like = PART * (looked - off(&nearest)) > looked;
+    // Half a pixel, which sets editions apart, says nothing where much else is off.
+    let is_nearer = nearest.scene.step().is_some() || 2 * off(&nearest) < off(&asked);
+    if is_like && is_nearer { nearest } else { asked }
 }
 
 impl Fit {
@@ -266,9 +266,6 @@ fn least(evidence: &Evidence, group: Vec<Candidate>) -> Option<Fit> {
         }
         most = most.min(left.off);
     }
-    if let Some(best) = &mut best {
-        passed_first(&evidence.scene, &mut best.candidates);
-    }
     best
 }
 
@@ -283,28 +280,6 @@ fn likeliest(evidence: &Evidence, group: Vec<Candidate>, most: usize) -> Vec<(us
     let reports = |it: &Candidate| it.slips.iter().map(|slip| slip.reports()).sum::<usize>();
     likeliest.sort_by_key(|(off, it)| (*off, Reverse(reports(it))));
     likeliest
-}
-
-/// After a right picture, which a probe follows, a mistake that would have spoiled it has not
-/// been made.
-fn passed_first(scene: &Scene, candidates: &mut Vec<Candidate>) {
-    if scene.probe.is_none() {
-        return;
-    }
-    let own = scene.without_probe();
-    let is_passed = |it: &Candidate| hides(&own, &it.slips);
-    if candidates.iter().any(is_passed) {
-        candidates.retain(is_passed);
-    }
-}
-
-/// Whether a program with these slips draws the right picture of a scene in the book's width.
-fn hides(scene: &Scene, slips: &[&'static Slip]) -> bool {
-    let [right, wrong] =
-        [&[][..], slips].map(|slips| scene.program(slips).run(scene.chapter.book_width()));
-    let (width, height) = right.size();
-    let is_same = |n: u32| right.pixel(n) == wrong.pixel(n);
-    right.size() == wrong.size() && spread(LOOK, width * height).all(is_same)
 }
 
 /// Several rays a pixel, by right programs or by those with a mistake.

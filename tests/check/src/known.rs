@@ -4,6 +4,7 @@ use std::cell::OnceCell;
 
 use slips::{Edition, Letters, Program, Slip, Words};
 
+use crate::blind_spots;
 use crate::candidate::Candidate;
 use crate::reading::Reading;
 use crate::repair::Repair;
@@ -35,6 +36,14 @@ pub struct Known<'a> {
 const REFUTING: usize = 50;
 
 impl Known<'_> {
+    /// Whether what the reader wrote follows version 4 of the book, as our chapters do: no earlier
+    /// one has such names.
+    pub(crate) fn follows_version_4(&self) -> bool {
+        let has_names =
+            |(_, text): &(String, String)| text.contains("pixel_delta") || text.contains("pixel00");
+        self.sources.are_of_the_chapter() || self.sources.files().iter().any(has_names)
+    }
+
     /// What there is to say of a slip in the scene, in the reader's letters.
     pub fn words(&self, slip: &Slip, scene: &Scene) -> Words {
         let is_older = scene.edition != Edition::V4;
@@ -97,6 +106,7 @@ pub(crate) struct Evidence<'a> {
     /// What is known besides.
     pub(crate) known: &'a Known<'a>,
     repair: OnceCell<Option<Repair>>,
+    passed: OnceCell<Vec<&'static Slip>>,
 }
 
 impl<'a> Evidence<'a> {
@@ -114,6 +124,7 @@ impl<'a> Evidence<'a> {
             has_no_levels: reading.outside().is_some(),
             known,
             repair: OnceCell::new(),
+            passed: OnceCell::new(),
         }
     }
 
@@ -128,7 +139,19 @@ impl<'a> Evidence<'a> {
         let chapter = scene.chapter;
         let unnamed = slips::unnamed().filter(move |slip| slip.chapters.contains(&chapter));
         let can_be_made = |slip: &&Slip| self.known.can_be_made.is_none_or(|can_be| can_be(slip));
-        scene.slips().chain(unnamed).filter(can_be_made)
+        let all = scene.slips().chain(unnamed).filter(can_be_made);
+        all.filter(|slip| self.has_passed(slip))
+    }
+
+    /// Whether a program with that slip draws the right picture of the chapter, which a probe
+    /// follows.
+    fn has_passed(&self, slip: &Slip) -> bool {
+        if self.scene.probe.is_none() || slip.name.is_empty() {
+            return true;
+        }
+        let hidden = || blind_spots::hidden(&self.scene, self.scene.chapter.book_width());
+        let passed = self.passed.get_or_init(hidden);
+        passed.iter().any(|it| it.name == slip.name)
     }
 
     /// Whether the reader's text or the answers of its functions speak against a program:

@@ -4,16 +4,12 @@
 //! Everything is in the page or beside it, so that it also works from a disk and
 //! without a network.
 
-use std::path::Path;
-use std::{fmt, fs, iter};
+use std::{fmt, iter};
 
 use common::rtweekend::Picture;
 
 use crate::comparison::{Comparison, differing_pixels};
 use crate::png;
-use crate::scene::Scene;
-use crate::verdict::Finding;
-use slips::{Letters, Slip};
 
 /// What a report page shows.
 #[derive(Debug)]
@@ -62,31 +58,6 @@ impl Report<'_> {
     }
 }
 
-/// What is to be said below the pictures: the mistakes that may draw yours, and what
-/// can be seen. Pages that are in the folder `book` are linked.
-pub fn remarks(scene: &Scene, finding: &Finding, book: &Path) -> String {
-    let mut html = String::new();
-    let pixels = finding.right.rgb().len() / 3;
-    if let Some(mistakes) = &finding.mistakes {
-        html += &format!("<h2>{}</h2>\n", escaped(mistakes.title(pixels)));
-        for slip in mistakes.all.iter().flatten() {
-            html += &slip_as_html(slip, &mistakes.scene, book);
-        }
-    }
-    if let Some(next) = finding.next(|probe| scene.probed_command(probe)) {
-        html += &format!("<p>Next: {}</p>\n", escaped(next));
-    }
-    let seen: String = finding
-        .sights
-        .iter()
-        .map(|it| format!("<p>{}</p>\n", escaped(it)))
-        .collect();
-    if !seen.is_empty() {
-        html += &format!("<h2>What can be seen</h2>\n{seen}");
-    }
-    html
-}
-
 /// Differing pixels in red on a faint gray copy of what was expected, or `None`
 /// if the sizes differ.
 pub fn difference_picture(expected: &Picture, actual: &Picture) -> Option<Picture> {
@@ -116,60 +87,6 @@ pub fn escaped(text: impl fmt::Display) -> String {
         .replace('<', "&lt;")
         .replace('>', "&gt;")
         .replace('"', "&quot;")
-}
-
-fn slip_as_html(slip: &Slip, scene: &Scene, book: &Path) -> String {
-    let [wrong, right, why] = slip
-        .rows(Letters::Book(scene.edition), scene.chapter)
-        .map(|(label, said)| (label, escaped(said)));
-    let rows = [
-        (wrong.0, format!("<code>{}</code>", wrong.1)),
-        (right.0, format!("<code>{}</code>", right.1)),
-        why,
-        ("read", page_of_book(slip, book)),
-        ("code", escaped(slip.source)),
-    ];
-    let rows = rows.map(|(label, said)| format!("<dt>{label}</dt><dd>{said}</dd>"));
-    format!(
-        "<h3>{}</h3>\n<dl>{}</dl>\n",
-        escaped(slip.name),
-        rows.concat()
-    )
-}
-
-/// The page that tells how it is right: a link, or its name in words while there is no
-/// such page.
-fn page_of_book(slip: &Slip, book: &Path) -> String {
-    let (page, heading) = slip.page_and_heading();
-    match fs::canonicalize(book.join(page).with_extension("html")) {
-        Ok(file) => format!(
-            "<a href=\"{}#{heading}\">{}</a>",
-            url_of(&file),
-            escaped(slip.read())
-        ),
-        Err(_) => escaped(slip.page_in_words()),
-    }
-}
-
-/// The address of a file on this machine: it leads there from wherever the report is.
-fn url_of(file: &Path) -> String {
-    let mut url = String::from("file://");
-    let path = file.to_string_lossy();
-    // Windows has no slash at the beginning, and a mark of its own that is none of
-    // the address.
-    let path = path.strip_prefix(r"\\?\").unwrap_or(&path);
-    if !path.starts_with('/') {
-        url.push('/');
-    }
-    for byte in path.bytes() {
-        match byte {
-            b'\\' if cfg!(windows) => url.push('/'),
-            b'/' | b':' | b'-' | b'.' | b'_' | b'~' => url.push(byte.into()),
-            _ if byte.is_ascii_alphanumeric() => url.push(byte.into()),
-            _ => url += &format!("%{byte:02X}"),
-        }
-    }
-    url
 }
 
 const ONION: &str = "\

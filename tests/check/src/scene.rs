@@ -5,7 +5,7 @@ use common::rtweekend::{Color, Picture};
 
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
-use slips::{Chapter, Edition, Probe, Program, Slip, steps};
+use slips::{Chapter, Edition, Letters, Probe, Program, Slip, steps, width_line};
 
 /// A chapter's scene, or a probe's in that chapter, by one edition of the book.
 #[derive(Clone, Copy, Debug)]
@@ -143,10 +143,10 @@ impl Scene {
     }
 
     /// What a reader changes to draw it that wide, a line each.
-    pub fn change(&self, width: u32) -> String {
+    pub fn change(&self, width: u32, letters: Option<Letters>) -> String {
         match self.probe {
-            Some(probe) => probe.lines(self.chapter),
-            None => format!("image_width = {width}"),
+            Some(probe) => probe.lines(self.chapter, letters),
+            None => width_line(width, letters),
         }
     }
 

@@ -11,7 +11,7 @@ use crate::reading::{self, Cause, Reading};
 use crate::repair::Repair;
 use crate::scene::Scene;
 use crate::telling;
-use crate::{candidates, causes, copies, seen};
+use crate::{candidates, causes, seen};
 
 /// What there is to say about a picture.
 #[derive(Debug)]
@@ -150,6 +150,12 @@ pub const MOST_MISSHAPEN: u64 = 1 << 20;
 
 /// The same of a picture that was read.
 pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> Check {
+    let newest = scene.only_by(Edition::V4);
+    let scene = if known.follows_version_4() {
+        &newest
+    } else {
+        scene
+    };
     let (width, height) = (reading.width, reading.height);
     let another_width = causes::not_as_wide(scene, reading);
     let may_be_right = another_width.is_none();
@@ -176,7 +182,7 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> 
         },
         shape => match (Finding::of(scene, reading, known), shape) {
             (Answer::Another(scenes), _) => Check::Another {
-                cause: causes::another(scene, &scenes),
+                cause: causes::another(scene, &scenes, known.letters),
                 scenes,
             },
             (Answer::Of(finding), _) if finding.near.is_some() => Check::Near(*finding),
@@ -337,13 +343,6 @@ impl Finding {
     /// What can be seen, where no program that is known draws it.
     fn unknown(evidence: &Evidence, right: &Candidate) -> Self {
         let finding = Self::beside(evidence, right);
-        let copied = copies::sentence(&finding.right, evidence.reading);
-        if let Some(copied) = copied {
-            return Self {
-                sights: vec![copied],
-                ..finding
-            };
-        }
         let (sights, first) = seen::seen(&finding.scene, evidence.reading, &finding.right);
         Self {
             sights,

@@ -89,7 +89,7 @@ impl Verdict {
     }
 
     fn and_obeys_the_laws(mut self, chapter: Chapter) -> Self {
-        self.headline += " The laws hold.";
+        self.headline += " The laws hold. They ask your functions about rays of all kinds.";
         self.done.push(format!("{}: the laws hold", chapter.name()));
         self
     }
@@ -189,9 +189,10 @@ impl Evidence<'_> {
             };
         }
         let (can_say, cause) = match self.laws {
-            Some(Laws::Broken(report) | Laws::BrokenPrelude(report)) => {
-                ("a law is broken", law(report))
-            }
+            Some(Laws::Broken(report) | Laws::BrokenPrelude(report)) => (
+                "a law is broken, which must hold for every ray",
+                law(report),
+            ),
             Some(Laws::Unknown(errors)) => ("the laws can't be tried", printed(errors)),
             Some(Laws::Obeyed) | None => {
                 let headline = format!(
@@ -246,7 +247,7 @@ impl Evidence<'_> {
         let verdict = match (finding.scene.step().filter(|_| is_exact), self.laws) {
             (Some(step), _) => self.of_step(step, &finding),
             (None, Some(Laws::Broken(report))) if !finding.is_answered => Verdict {
-                headline: "A law is broken.".to_owned(),
+                headline: "A law is broken, which must hold for every ray.".to_owned(),
                 cause: [
                     vec![labeled("seen", format!("right, but {}", finding.but()))],
                     law(report),
@@ -271,7 +272,9 @@ impl Evidence<'_> {
             && !finding.is_answered
         {
             return Verdict {
-                headline: format!("The picture of step {number} is right, but a law is broken."),
+                headline: format!(
+                    "The picture of step {number} is right, but a law is broken, which must hold for every ray."
+                ),
                 cause: law(report),
                 ..Verdict::default()
             };
@@ -303,7 +306,7 @@ impl Evidence<'_> {
         let command = next.scene.probe.map_or(String::new(), |probe| {
             format!("; and then {}", (self.watch)(Some(probe)))
         });
-        let to_see_it = next.change() + &command;
+        let to_see_it = next.change(self.known.letters) + &command;
         Verdict {
             cause: vec![
                 labeled("hidden", next.why()),
@@ -343,7 +346,8 @@ impl Evidence<'_> {
         };
         let headline = match finding.difference.as_ref().map(|it| it.count) {
             None | Some(0) => {
-                "The picture is right, but the code is not: a law is broken.".to_owned()
+                "The picture is right, but a law is broken, which must hold for every ray."
+                    .to_owned()
             }
             Some(count) if finding.levels() == 1 => format!(
                 "Right within one level, but for the last bit: {count} of {total} pixels{with}."
@@ -354,7 +358,7 @@ impl Evidence<'_> {
             headline,
             cause,
             next: finding
-                .next(|probe| (self.watch)(Some(probe)))
+                .next(self.known.letters, |probe| (self.watch)(Some(probe)))
                 .unwrap_or_default(),
             read: finding.single().to_vec(),
             pictures: Some((finding.yours, finding.right)),

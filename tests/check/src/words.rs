@@ -3,7 +3,7 @@
 use std::{fmt, iter};
 
 use common::rtweekend::Color;
-use slips::{Letters, Probe, Slip};
+use slips::{Chapter, Letters, Probe, Slip};
 
 use crate::candidate::{Conversion, Left};
 use crate::known::Known;
@@ -30,7 +30,7 @@ impl Finding {
                 .map(|slip| known.words(slip, &self.scene).why);
             let why = why.filter(|why| !why.is_empty());
             let why = why.map(|why| ("why", why.to_owned()));
-            return repair.rows().into_iter().chain(why).collect();
+            return repair.rows(known, &self.scene).chain(why).collect();
         }
         if self.near.is_some() {
             return Vec::new();
@@ -49,9 +49,13 @@ impl Finding {
     }
 
     /// A small change that tells the mistakes apart, and the command that judges its picture.
-    pub fn next(&self, command: impl Fn(Probe) -> String) -> Option<String> {
+    pub fn next(
+        &self,
+        letters: Option<Letters>,
+        command: impl Fn(Probe) -> String,
+    ) -> Option<String> {
         let probe = self.mistakes.as_ref()?.telling?;
-        let change = probe.lines(self.scene.chapter).replace('\n', "; ");
+        let change = probe.lines(self.scene.chapter, letters).replace('\n', "; ");
         Some(format!(
             "draw the probe {}, which tells some of them apart: {change}; and then {}",
             probe.name,
@@ -194,7 +198,7 @@ pub fn names_of(mistake: &[&'static Slip]) -> String {
 
 impl Repair {
     /// The reader's lines and what should be there, and that it was tried.
-    fn rows(&self) -> Vec<Row> {
+    fn rows(&self, known: &Known, scene: &Scene) -> impl Iterator<Item = Row> {
         let with = match &self.changes[..] {
             [_] => "with it",
             _ => "with all of this",
@@ -207,19 +211,21 @@ impl Repair {
             }]
         );
         let tried = if is_foreign {
-            "the chapter with your line draws your picture".to_owned()
+            "the chapter with your line in its place draws your picture".to_owned()
         } else if self.is_hidden {
             format!("{with} your functions answer as the chapter's do")
         } else {
             format!("{with} your program draws the picture")
         };
-        let changes = self.changes.iter().flat_map(Change::rows);
-        changes.chain([("tried", tried)]).collect()
+        let letters = known.letters.unwrap_or(Letters::Book(scene.edition));
+        let changes = self.changes.iter();
+        let changes = changes.flat_map(move |it| it.rows(letters, scene.chapter));
+        changes.chain([("tried", tried)])
     }
 }
 
 impl Change {
-    fn rows(&self) -> Vec<Row> {
+    fn rows(&self, letters: Letters, chapter: Chapter) -> Vec<Row> {
         let Line { file, number, .. } = &self.yours;
         let right = match &self.right {
             Right::More(line) => {
@@ -231,9 +237,7 @@ impl Change {
                 let instead = format!("not called: {}:{}  {line}", call.file, call.number);
                 return vec![("yours", self.yours.to_string()), ("should be", instead)];
             }
-            Right::InRust(line) => {
-                return vec![("yours", self.yours.to_string()), ("in Rust", line.clone())];
-            }
+            Right::InRust(line) => letters.spelled(line, chapter),
             Right::Function(chapters) => format!("as in {}:{}", chapters.file, chapters.number),
         };
         vec![("yours", self.yours.to_string()), ("should be", right)]

@@ -4,7 +4,7 @@
 use check::blind_spots;
 use check::png;
 use check::scene::Scene;
-use check::verdict::{Check, Finding, check};
+use check::verdict::{Check, check};
 use slips::Chapter;
 use slips::{self, PROBES, Probe, Slip, Unseen};
 
@@ -58,10 +58,9 @@ fn a_picture_that_is_too_small_is_to_be_drawn_as_large_as_in_the_book() {
 }
 
 #[test]
-#[ignore = "judges hundreds of pictures"]
 fn a_forgotten_change_is_recognized_at_any_width() {
     for (chapter, probe) in probes() {
-        for width in [20, probe.width, 400] {
+        for width in [57, probe.width] {
             let wanted = scene(chapter, Some(probe));
             let own = chapter.picture(width);
             let is_right = probe.spheres.is_none() && width == probe.width;
@@ -81,44 +80,8 @@ fn a_forgotten_change_is_recognized_at_any_width() {
             assert!(
                 cause
                     .fix
-                    .contains(&probe.lines(chapter).replace('\n', "\n  ")),
+                    .contains(&probe.lines(chapter, None).replace('\n', "\n  ")),
                 "{cause}"
-            );
-        }
-    }
-}
-
-#[test]
-#[ignore = "judges a picture of a million pixels"]
-fn a_forgotten_width_is_recognized_in_a_picture_of_any_size() {
-    let wide = check(
-        &scene(Chapter::Normals, slips::find_probe("odd-width")),
-        &png::encode(&normals::picture(1400)),
-        0,
-    );
-    assert!(matches!(wide, Check::Another { .. }), "{wide:?}");
-}
-
-#[test]
-#[ignore = "judges hundreds of pictures"]
-fn a_change_that_is_still_there_is_recognized_at_any_width() {
-    for (chapter, probe) in probes().filter(|(_, probe)| probe.spheres.is_some()) {
-        for width in [probe.width, 57, 400] {
-            let own = chapter.picture(width);
-            let picture = scene(chapter, Some(probe)).right(width, own.height());
-            if picture == own {
-                continue;
-            }
-            let check = check(&scene(chapter, None), &png::encode(&picture), 0);
-            assert_eq!(check.exit_code(), 1);
-            // At other widths a mistake that draws it as well is the better guess.
-            let is_named = |finding: &Finding| finding.mistakes.is_some();
-            let is_told = matches!(&check, Check::Another { scenes, .. }
-                if scenes.iter().any(|other| other.probe == Some(probe)));
-            assert!(
-                is_told || (width != probe.width && check.finding().is_some_and(is_named)),
-                "{} in {chapter:?}",
-                probe.name
             );
         }
     }

@@ -58,7 +58,7 @@ const ANSWERS: [(Chapter, &str, Way, &str); 20] = [
         Chapter::Gradient,
         "viewport-upside-down",
         same,
-        "rows-from-below; viewport-upside-down; white-and-blue-swapped",
+        "rows-from-below; viewport-upside-down; white-and-blue-swapped; direction-reversed",
     ),
     (
         Chapter::BuildTest,
@@ -66,17 +66,12 @@ const ANSWERS: [(Chapter, &str, Way, &str); 20] = [
         same,
         "rows-from-below; green-upwards",
     ),
-    (
-        Chapter::RedSphere,
-        "",
-        halved,
-        "unknown: Levels are off up and down by little almost everywhere, as in a copy that was compressed or scaled. Save it as PNG or PPM, at its own size, as the program wrote it.",
-    ),
+    (Chapter::Normals, "", raised, "unknown: "),
     (
         Chapter::Normals,
-        "",
-        framed,
-        "unknown: It lies in a frame of one color, as a screenshot does. Save it as PNG or PPM, at its own size, as the program wrote it.",
+        "direction-reversed",
+        same,
+        "direction-reversed",
     ),
     (
         Chapter::Normals,
@@ -235,6 +230,20 @@ fn colors_of_a_readers_own_are_no_mistake() {
     };
     let said = said(&answer(Chapter::BuildTest, &quarter.run(64).picture()));
     assert_eq!(said, "in colors of your own: blue 0.6");
+    // A wrong weight mixes the book's colors otherwise.
+    let [white, blue] = Program::right(Chapter::Gradient).sky;
+    for sky in [
+        [white, Color::ZERO],
+        [white; 2],
+        [white, 0.5 * (white + blue)],
+    ] {
+        let own = Program {
+            sky,
+            ..Program::right(Chapter::Gradient)
+        };
+        let said = self::said(&answer(Chapter::Gradient, &own.run(200).picture()));
+        assert!(said.starts_with("unknown"), "{said}");
+    }
 }
 
 /// Pixels that are not square are no choice.
@@ -303,9 +312,18 @@ fn numbers_that_are_no_levels_and_levels_that_wrap_name_their_mistake() {
 fn a_probe_remembers_what_was_passed() {
     let inside = slips::find_probe("inside");
     let scene = Scene::new(Chapter::HittableList, inside).expect("there is room");
-    let drawn = scene.program(&[slip("near-root-only")]).run(128).picture();
-    let check = verdict::check(&scene, &png::encode(&drawn), 0);
-    assert_eq!(said(&check), "near-root-only");
+    for (name, expected) in [
+        ("near-root-only", "near-root-only"),
+        ("normal-y-negated", "unknown: "),
+    ] {
+        let drawn = scene.program(&[slip(name)]).run(128).picture();
+        let check = verdict::check(&scene, &png::encode(&drawn), 0);
+        assert!(
+            said(&check).starts_with(expected),
+            "{name}: {}",
+            said(&check)
+        );
+    }
 }
 
 #[test]
@@ -430,24 +448,10 @@ fn ellipse(picture: &Picture) -> Picture {
     })
 }
 
-/// Levels moved up and down, as a copy that loses some has them.
-fn halved(picture: &Picture) -> Picture {
-    changed(picture, |_, _, color| {
-        color.map(|level| (level / 5 * 5).saturating_add(2))
-    })
-}
-
-/// Inside of four rows and columns of a dark gray.
-fn framed(picture: &Picture) -> Picture {
-    let (width, height) = (picture.width(), picture.height());
-    let is_edge = |n: u32, length: u32| n < 4 || n >= length - 4;
-    changed(picture, |i, j, color| {
-        if is_edge(i, width) || is_edge(j, height) {
-            [40; 3]
-        } else {
-            color
-        }
-    })
+/// A row higher.
+fn raised(picture: &Picture) -> Picture {
+    let last = picture.height() - 1;
+    changed(picture, |i, j, _| pixel(picture, i, last.min(j + 1)))
 }
 
 fn changed(picture: &Picture, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> Picture {

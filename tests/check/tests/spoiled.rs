@@ -106,7 +106,7 @@ fn assert_says_something(scene: &Scene, finding: &Finding) {
         assert!(mistakes.all.iter().all(|mistake| !mistake.is_empty()));
         assert_readable(&mistakes.title(pixels));
     }
-    let next = finding.next(|probe| scene.probed_command(probe));
+    let next = finding.next(None, |probe| scene.probed_command(probe));
     let rows = finding.rows(&Known::default()).into_iter();
     let said = rows.map(|(_, said)| said).chain(next);
     said.for_each(|said| assert_readable(&said));

@@ -24,6 +24,21 @@ impl Letters {
     }
 }
 
+impl Letters {
+    /// A line of our Rust in that chapter, as it is typed in this language.
+    pub fn spelled(self, line: &str, chapter: Chapter) -> String {
+        let some = line
+            .strip_prefix("Some(")
+            .and_then(|it| it.strip_suffix(')'));
+        let line = some.unwrap_or(line);
+        match self {
+            Self::Rust => line.to_owned(),
+            Self::Book(_) => in_cpp(line, chapter),
+            Self::Python(_) => in_python(&in_cpp(line, chapter)),
+        }
+    }
+}
+
 /// A line of `hit_sphere` or `ray_color` as it is typed in that chapter: from chapter 4 on
 /// with `length_squared`, and in chapter 5 with a sphere that has fields, and two roots.
 pub(super) fn in_chapter(line: &str, chapter: Chapter) -> String {

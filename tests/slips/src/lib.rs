@@ -47,7 +47,7 @@ pub use edition::Edition;
 pub use letters::Letters;
 pub use look::{Look, SIGHT_WIDTH, Sight, sights};
 pub use output::Output;
-pub use probes::{PROBES, Probe, find as find_probe};
+pub use probes::{PROBES, Probe, find as find_probe, width_line};
 pub use program::{Ball, Hit, Interpreted, Program};
 pub use slip::{Slip, Unseen, Words};
 pub use traced::{Quadratic, Row, Traced, side_by_side};

@@ -1,10 +1,9 @@
 //! Probes: small scenes that show what the book's picture can't.
 
-use std::fmt::Write;
-
 use super::program::{Ball, Program};
 use super::slip::Slip;
 use crate::chapter::{Chapter, Room};
+use crate::letters::Letters;
 
 /// A change to a chapter of which every right program makes the same picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,20 +130,31 @@ impl Probe {
     }
 
     /// What a reader changes, a line each: the width, the focal length if it
-    /// is another, the spheres.
-    pub fn lines(&self, chapter: Chapter) -> String {
-        let mut lines = format!("image_width = {}", self.width);
+    /// is another, and the spheres, which replace the chapter's.
+    pub fn lines(&self, chapter: Chapter, letters: Option<Letters>) -> String {
+        let mut lines = vec![width_line(self.width, letters)];
         if self.focal_length != 1.0 {
-            write!(lines, "\nfocal_length = {}", self.focal_length).expect("a string takes it");
+            lines.push(format!("focal_length = {}", self.focal_length));
         }
-        for Ball { center, radius } in self.spheres.into_iter().flatten() {
+        let spheres = self.spheres.into_iter().flatten().enumerate();
+        lines.extend(spheres.map(|(n, Ball { center, radius })| {
             let [x, y, z] = center.to_array();
-            let line = match chapter.room() {
+            match chapter.room() {
+                Room::Many if n == 0 => {
+                    format!("in place of all spheres, world.add(sphere(({x}, {y}, {z}), {radius}))")
+                }
                 Room::Many => format!("world.add(sphere(({x}, {y}, {z}), {radius}))"),
-                _ => format!("center = ({x}, {y}, {z}), radius = {radius}"),
-            };
-            write!(lines, "\n{line}").expect("a string takes it");
-        }
-        lines
+                _ => format!("the sphere gets center = ({x}, {y}, {z}), radius = {radius}"),
+            }
+        }));
+        lines.join("\n")
+    }
+}
+
+/// How a reader asks for a picture of that width: a crate of ours has a function for it.
+pub fn width_line(width: u32, letters: Option<Letters>) -> String {
+    match letters {
+        Some(Letters::Rust) => format!("picture({width})"),
+        _ => format!("image_width = {width}"),
     }
 }

@@ -208,25 +208,6 @@ fn tokens_of(code: &str) -> String {
     tokens.fold(" ".to_owned(), |tokens, token| tokens + token + " ")
 }
 
-/// Wrong programs print numbers that no picture holds, so these are the numbers before a
-/// picture is made of them.
-#[test]
-fn each_slip_prints_what_it_has_printed() {
-    let mut table = String::new();
-    for chapter in Chapter::OF_THE_BOOK {
-        writeln!(table, "\n{}", chapter.name()).expect("a string takes it");
-        for slip in slips::all().filter(|slip| slip.chapters.contains(&chapter)) {
-            let output = slip.program(chapter).run(chapter.book_width());
-            let (width, height) = output.size();
-            let middle = height / 2 * width + width / 2;
-            let pixels = [0, middle, width * height - 1].map(|n| output.pixel(n));
-            writeln!(table, "{:28}{width} × {height}: {pixels:?}", slip.name)
-                .expect("a string takes it");
-        }
-    }
-    insta::assert_snapshot!("printed", table);
-}
-
 #[test]
 fn slips_that_look_alike_are_known_as_a_set() {
     let mut table = String::new();

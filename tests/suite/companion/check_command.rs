@@ -167,7 +167,7 @@ fn what_is_known_is_listed_and_drawn() {
     let desk = Desk::default();
     let [probes, slips] = ["rtrace probes", "rtrace slips"].map(|it| text(&desk.run(it).stdout));
     for probe in PROBES {
-        let lines = probe.lines(Chapter::HittableList);
+        let lines = probe.lines(Chapter::HittableList, None);
         let mut parts = lines.lines().chain([probe.name]);
         assert!(parts.all(|part| probes.contains(part)), "{probes}");
     }

@@ -87,10 +87,10 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         .map(|chapter| arguments.scene(chapter))
         .transpose()?;
     // What a program is made of may lie beside it.
-    let (sources, letters) = if arguments.program.is_empty() {
-        (Sources::default(), None)
-    } else {
-        sources::of_program(&arguments.program, Path::new("."))
+    let (sources, letters) = match source {
+        Source::File(picture) => sources::beside(picture),
+        Source::Stdin => (Sources::default(), None),
+        Source::Program(words) => sources::of_program(words, Path::new(".")),
     };
     let can_be_made = |slip: &Slip| letters.is_none_or(|letters| slip.can_be_made_in(letters));
     let known = Known {

@@ -6,7 +6,7 @@ use check::answer::{Headline, Judged, Part};
 use check::blind_spots::Next;
 use check::names::{self, companion};
 use check::{Row, workspace};
-use slips::Slip;
+use slips::{Letters, Slip};
 
 use crate::terminal::Palette;
 use crate::wrap::filled;
@@ -59,7 +59,9 @@ impl Style {
 /// The whole result.
 pub(crate) fn text(judged: &Judged, report: Option<&Path>, style: Style) -> String {
     let parts = judged.parts();
-    let parts: String = parts.iter().map(|part| part_as_text(part, style)).collect();
+    let letters = judged.known.letters;
+    let parts = parts.iter().map(|part| part_as_text(part, letters, style));
+    let parts: String = parts.collect();
     let report = report.map(|page| format!("\nThe page is {}\n", names::spelled(page)));
     headline(&judged.headline(), style) + &parts + &report.unwrap_or_default()
 }
@@ -77,13 +79,13 @@ pub(crate) fn headline(said: &Headline, style: Style) -> String {
     first + &notes
 }
 
-fn part_as_text(part: &Part, style: Style) -> String {
+fn part_as_text(part: &Part, letters: Option<Letters>, style: Style) -> String {
     match part {
         Part::Title(said) => format!("\n{}\n", style.bold(wrapped(said, "", "").trim_end())),
         Part::Name(name) => format!("  {}\n", style.bold(name)),
         Part::Rows(rows) => rows.iter().map(|it| row(it, style)).collect(),
-        Part::Read(slip) => look(slip).map(|it| row(&it, style)).collect(),
-        Part::Next(next) => probe(next),
+        Part::Read(slip) => look(slip, letters).map(|it| row(&it, style)).collect(),
+        Part::Next(next) => probe(next, letters),
     }
 }
 
@@ -91,15 +93,15 @@ fn part_as_text(part: &Part, style: Style) -> String {
 fn row((label, said): &Row, style: Style) -> String {
     let shown = format!("    {} ", style.dim(&format!("{label:<9}")));
     // A path stays on one line.
-    if ["read", "code"].contains(label) {
+    if *label == "code" || *label == "read" && !said.starts_with('"') {
         return format!("{shown}{said}\n");
     }
     wrapped(said, &shown, &" ".repeat(14))
 }
 
-fn probe(next: &Next) -> String {
+fn probe(next: &Next, letters: Option<Letters>) -> String {
     let first = wrapped(
-        &format!("{}: {}; and then", next.why(), next.change()),
+        &format!("{}: {}; and then", next.why(), next.change(letters)),
         "",
         "",
     );
@@ -114,9 +116,11 @@ fn wrapped(text: &str, first: &str, rest: &str) -> String {
     filled(text, WIDTH, first, rest) + "\n"
 }
 
-/// The page and the file that have it right.
-fn look(slip: &Slip) -> impl Iterator<Item = Row> {
-    let code = workspace::source(slip).map(|file| ("code", file));
+/// The page that has it right, and the file for those who read its language.
+fn look(slip: &Slip, letters: Option<Letters>) -> impl Iterator<Item = Row> {
+    let is_rust = letters == Some(Letters::Rust);
+    let code = workspace::source(slip).filter(|_| is_rust);
+    let code = code.map(|file| ("code", file));
     [("read", read(slip))].into_iter().chain(code)
 }
 

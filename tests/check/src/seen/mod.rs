@@ -34,8 +34,6 @@ pub(crate) fn seen(scene: &Scene, reading: &Reading, right: &Picture) -> (Vec<St
             view.unscaled(),
             view.only_sky(),
             view.gray(),
-            view.wrapped(),
-            view.gamma(),
             view.disc(),
             view.where_it_differs(),
         ]
@@ -94,14 +92,10 @@ impl View<'_> {
     fn where_it_differs(&self) -> Option<String> {
         let (spheres, sky): (Vec<u32>, Vec<u32>) =
             self.wrong.iter().partition(|&&n| self.is_hit(n));
-        let share = self.wrong.len() as f64 / self.places.len() as f64;
         let said = match (spheres.len(), sky.len()) {
             _ if self.scene.chapter.room() == Room::None => return None,
             (_, 0) => "Only where spheres should be is anything wrong by more than a level.",
             (0, _) => "Where spheres should be all is right; only beside them it is wrong.",
-            _ if share < 0.03 && self.wrong.iter().all(|&n| self.is_at_rim(n)) => {
-                "Only the rim of the spheres is wrong by more than a level."
-            }
             _ => return None,
         };
         Some(said.to_owned())

@@ -1,5 +1,4 @@
-//! Where things are: a picture that is turned, a disc that is too large or too small, and
-//! levels that begin again at 0.
+//! Where things are: a picture that is turned, a disc that is too large or too small.
 
 use slips::Room;
 
@@ -10,10 +9,10 @@ use crate::pixels::distance;
 const TURNED: usize = 20;
 /// Levels that were shown by rows in another order may be off by so many.
 const NEAR: u16 = 2;
+/// A sky may be off by so many and still be one.
+const SKY: u16 = 8;
 /// A column or a row in so many of a disc may be another by a rounding.
 const ROUND: u32 = 20;
-/// What lies so near to 255 and to 0 is a level that has begun again.
-const END: i16 = 8;
 
 impl View<'_> {
     /// Whether it is the right picture upside down or in a mirror.
@@ -39,13 +38,14 @@ impl View<'_> {
 
     /// From where to where the one sphere reaches, if the sky around it is right.
     pub(super) fn disc(&self) -> Option<String> {
-        if self.scene.chapter.room() != Room::One {
+        let is_sphere_right = !self.wrong.iter().any(|n| self.is_hit(*n));
+        if self.scene.chapter.room() != Room::One || is_sphere_right {
             return None;
         }
         let sky = self.scene.of_sky(self.reading.width, self.reading.height);
         let (sky, _) = sky.rgb().as_chunks::<3>();
         let is_disc = |pixel: &dyn Fn(u32) -> [i16; 3], n: u32| {
-            distance(sky[n as usize].map(i16::from), pixel(n)) > NEAR
+            distance(sky[n as usize].map(i16::from), pixel(n)) > SKY
         };
         let should = self.bounds(|n| is_disc(&|n| self.expected(n), n))?;
         let does = self.bounds(|n| is_disc(&|n| self.found(n), n))?;
@@ -78,32 +78,6 @@ impl View<'_> {
             let [columns, rows] = bounds.unwrap_or([[i; 2], [j; 2]]);
             let wider = |[low, high]: [u32; 2], at: u32| [low.min(at), high.max(at)];
             Some([wider(columns, i), wider(rows, j)])
-        })
-    }
-
-    /// Whether levels above 255 begin again at 0: neighbors at both ends, as the right
-    /// picture has none.
-    pub(super) fn wrapped(&self) -> Option<String> {
-        let width = self.reading.width;
-        let pixels = self.reading.pixels.iter();
-        let below = self.reading.pixels.iter().skip(width as usize);
-        let jumps = |one: &[i16; 3], other: &[i16; 3]| {
-            let is_jump = |c: usize| {
-                let (low, high) = (one[c].min(other[c]), one[c].max(other[c]));
-                (0..END).contains(&low) && (256 - END..256).contains(&high)
-            };
-            (0..3).any(is_jump)
-        };
-        let count = pixels
-            .zip(below)
-            .filter(|(one, other)| jumps(one, other))
-            .count();
-        let (right, _) = self.right.rgb().as_chunks::<3>();
-        let right: Vec<[i16; 3]> = right.iter().map(|pixel| pixel.map(i16::from)).collect();
-        let mut rights = right.iter().zip(right.iter().skip(width as usize));
-        let has_none = !rights.any(|(one, other)| jumps(one, other));
-        (has_none && 8 * count >= width as usize && width > 8).then(|| {
-            "Levels jump from 255 to 0 from one row to the next, as where a number above 255 begins again at 0.".to_owned()
         })
     }
 }

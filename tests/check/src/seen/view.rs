@@ -61,20 +61,4 @@ impl View<'_> {
         let ray = (program.ray)(&program, &camera, i, j);
         program.search(&ray).is_some()
     }
-
-    /// Whether a neighbor is hit and this pixel is not, or the other way round.
-    pub(super) fn is_at_rim(&self, n: u32) -> bool {
-        let width = self.reading.width;
-        let neighbors = [
-            n.checked_sub(1),
-            n.checked_add(1),
-            n.checked_sub(width),
-            n.checked_add(width),
-        ];
-        let total = self.reading.pixels.len() as u32;
-        neighbors
-            .into_iter()
-            .flatten()
-            .any(|neighbor| neighbor < total && self.is_hit(neighbor) != self.is_hit(n))
-    }
 }

@@ -348,6 +348,13 @@ pub(super) const SLIPS: &[Slip] = &[
         ..RAY
     },
     Slip {
+        name: "direction-reversed",
+        edits: &["self.center, pixel_center - self.center→self.center, self.center - pixel_center"],
+        why: "It points from the pixel to the eye: all is seen that lies behind.",
+        alter: |p| p.aim = |_, ray| Ray::new(ray.origin, -ray.direction),
+        ..RAY
+    },
+    Slip {
         name: "ray-normalized",
         edits: &["pixel_center - self.center→(pixel_center - self.center).normalize()"],
         why: "The same lines, so the same picture; but t is no longer 1 on the viewport.",
