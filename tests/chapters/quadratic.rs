@@ -10,7 +10,7 @@ use laws::camera::Pixel;
 use laws::nearer_root::{Solver, obeys_every_law};
 use laws::prelude::Prelude;
 use laws::trial::Outcome;
-use laws::{Case, Chapter, Trial, WithInterval, functions_of_a_list, holds};
+use laws::{Case, Chapter, Trial, WithInterval, face, functions_of_a_list, holds};
 
 use crate::more;
 
@@ -51,6 +51,7 @@ mod obeys_its_laws {
 
     #[test]
     fn hittable_list() {
+        face::is_turned_against_the_ray(&set_face_normal);
         assert_lawful(Chapter::HittableList, |trial| {
             trial.record(&record)?;
             trial.list(&nearest)?;

@@ -15,6 +15,7 @@ pub fn archive(text: &Text, number: u64) -> Vec<u8> {
         ("tests/laws.rs", skeletons::test(chapter, false)),
         ("Cargo.toml", manifest),
         (".cargo/config.toml", config),
+        (".vscode/settings.json", skeletons::EDITOR.to_owned()),
     ];
     let typed = text.files.iter().cloned();
     let files = typed.chain(given.map(|(name, text)| (name.to_owned(), text)));

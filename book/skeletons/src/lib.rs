@@ -104,6 +104,14 @@ pub const OWN_PRELUDE: [(&str, &str); 4] = [
     ("src/render.rs", include_str!("../files/own/render.rs")),
 ];
 
+/// Has rust-analyzer in Visual Studio Code build in a folder of its own: while it checks a file
+/// that was saved, it locks that in which it builds, and `watch` would have to wait.
+pub const EDITOR: &str = r#"{
+  // In a folder of its own, so that `watch` need not wait for the editor.
+  "rust-analyzer.cargo.targetDir": true
+}
+"#;
+
 /// What prints the picture.
 pub fn main(chapter: Chapter, own: bool) -> String {
     let name = chapter.name();
@@ -154,12 +162,16 @@ pub fn test(chapter: Chapter, own: bool) -> String {
         (_, false) => include_str!("../files/laws/nearer_root.rs"),
         (_, true) => include_str!("../files/own/laws/nearer_root.rs"),
     };
+    let list = match chapter {
+        Chapter::HittableList => include_str!("../files/laws/list.rs"),
+        _ => "",
+    };
     let prelude = if own {
         include_str!("../files/own/laws/prelude.rs")
     } else {
         ""
     };
-    let test = format!("{test}{prelude}")
+    let test = format!("{test}{list}{prelude}")
         .replace("my_chapter", &format!("my_{}", chapter.name()))
         .replace("MyChapter", &format!("{chapter:?}"));
     match chapter {

@@ -388,7 +388,7 @@ impl Evidence<'_> {
 }
 
 /// A report on a law, whose lines have a label, or go on with the one before.
-fn law(report: &[String]) -> Vec<Line> {
+pub fn law(report: &[String]) -> Vec<Line> {
     let line = |line: &String| match line.split_once(":  ") {
         Some((label, text)) if !label.contains("  ") => {
             labeled(label, text.trim_start().to_owned())

@@ -1,6 +1,6 @@
 //! Adapters: a crate's chapter 5 as the functions that the laws ask.
 
-/// Defines `record`, `nearest` and `ray_color` for the crate `$chapter`, which has
+/// Defines `set_face_normal`, `record`, `nearest` and `ray_color` for the crate `$chapter`, which has
 /// `Hittable`, `HitRecord`, `HittableList`, `Sphere`, `world` and `ray_color` as chapter 5.
 ///
 /// `$Ray` is the ray that it takes. What it has of its own is made of what the laws have by
@@ -8,6 +8,18 @@
 #[macro_export]
 macro_rules! functions_of_a_list {
     ($chapter:ident, $Ray:ty, $vector:path, $ray:path, $back:path) => {
+        fn set_face_normal(
+            ray: &$crate::Ray,
+            outward_normal: $crate::face::Vec3,
+        ) -> $crate::face::Face {
+            let mut record = $chapter::HitRecord::default();
+            record.set_face_normal(&$ray(*ray), $vector(outward_normal));
+            $crate::face::Face {
+                normal: $back(record.normal),
+                front_face: record.front_face,
+            }
+        }
+
         fn record(asked: &$crate::WithInterval) -> Option<$crate::record::Hit> {
             use $chapter::Hittable;
             let $crate::Case {

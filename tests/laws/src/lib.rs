@@ -32,6 +32,7 @@ pub mod answers;
 pub mod any_language;
 pub mod camera;
 pub mod causes;
+pub mod face;
 mod functions;
 pub mod intervals;
 pub mod list;

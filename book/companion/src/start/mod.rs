@@ -203,7 +203,7 @@ fn given(
     own: bool,
     folder: &Path,
     workspace: &Path,
-) -> [(&'static str, String); 5] {
+) -> [(&'static str, String); 6] {
     let ours = settings::from_crate(folder, workspace);
     let path = settings::with_slashes(&ours);
     // The standard library asks the system for a random number to seed its hash tables.
@@ -217,5 +217,6 @@ fn given(
         // The same versions as ours: they have been downloaded.
         ("Cargo.lock", lock.unwrap_or_default()),
         (".cargo/config.toml", settings::config(&ours, workspace)),
+        (".vscode/settings.json", skeletons::EDITOR.to_owned()),
     ]
 }

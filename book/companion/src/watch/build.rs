@@ -28,15 +28,18 @@ pub(super) struct Problem {
     pub(super) more: usize,
 }
 
-/// What is said before more is built than the crate.
-const FIRST: &str =
-    "\nBuilding what your crates stand on: once for all of them, and about half a minute";
+/// What is said before more is built than the crate: for chapter 1, and for those with laws.
+const PRELUDE: &str = "\nBuilding the prelude for all your crates: once, about a quarter of a minute. \
+    The laws, from chapter 2 on, take a minute more, once";
+const LAWS: &str =
+    "\nBuilding the laws, which test your functions, for all your crates: once, about a minute";
 
 /// Builds the crate in `folder`, and the test that puts it under the laws.
 pub(super) fn build(folder: &Path) -> Result<Built, Problem> {
     let mut command = Command::new(cargo::cargo());
     // A test brings its program with it.
-    if folder.join("tests/laws.rs").is_file() {
+    let has_laws = folder.join("tests/laws.rs").is_file();
+    if has_laws {
         command.args(["test", "--no-run", "--test", "laws"]);
     } else {
         command.arg("build");
@@ -46,7 +49,7 @@ pub(super) fn build(folder: &Path) -> Result<Built, Problem> {
         None => "--message-format=json",
     });
     command.current_dir(folder);
-    let run = cargo::run(command, FIRST)
+    let run = cargo::run(command, if has_laws { LAWS } else { PRELUDE })
         .map_err(|cause| problem(&[], &format!("cargo does not start: {cause}")))?;
     let printed = String::from_utf8_lossy(&run.printed);
     let messages = printed.lines().map(serde_json::from_str);

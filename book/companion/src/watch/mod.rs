@@ -32,6 +32,7 @@ use crate::start::renew_config;
 use crate::subprocess::{self, End};
 use build::Built;
 use changes::Changes;
+use laws::Asked;
 
 /// The words behind `cargo rtrace watch`.
 #[derive(Args)]
@@ -170,10 +171,23 @@ impl Subject {
                 self.of_picture(&bytes, built)
             }
             Ok((End::Full(bytes), _)) => self.of_picture(&bytes, built),
-            Ok((End::Itself(status, _), errors)) => verdict::failed(&self.scene, &status, &errors),
+            Ok((End::Itself(status, _), errors)) => {
+                match verdict::not_written_yet(&errors).next() {
+                    Some(place) => {
+                        let asked = self.laws(built.and_then(|it| it.laws));
+                        verdict::not_written(self.scene.chapter, place, asked)
+                    }
+                    None => verdict::failed(&status, &errors),
+                }
+            }
             Ok((End::TooSlow, errors)) => verdict::too_slow(self.limit, &errors),
             Err(cause) => verdict::not_started(&words[0], &cause),
         })
+    }
+
+    /// What the test says that puts the crate under the laws.
+    fn laws(&self, test: Option<OsString>) -> Option<Asked> {
+        test.map(|test| laws::ask(&test, self.scene.chapter, &self.folder, self.limit))
     }
 
     /// The verdict on a picture, with all that is known of the program.
@@ -192,8 +206,7 @@ impl Subject {
                 && (!is_crate || has_own_prelude || slip.is_in_a_chapter())
         };
         let (tests, warnings) = built.map_or((None, Vec::new()), |it| (it.laws, it.warnings));
-        let asked =
-            tests.map(|test| laws::ask(&test, self.scene.chapter, &self.folder, self.limit));
+        let asked = self.laws(tests);
         let answers = asked.as_ref().map(|it| &it.answers);
         let unlike =
             answers.map(|answers| |program: &Program| answers.unlike(program, MOST_UNLIKE));

@@ -1,4 +1,10 @@
 
+#[test]
+fn a_prelude_obeys_the_laws() {
+    let trial = Trial::of(Chapter::MyChapter);
+    all_succeed([trial.prelude(&prelude())]);
+}
+
 fn prelude() -> Prelude<'static> {
     Prelude {
         mul: &|t, v| our(t * own(v)),
