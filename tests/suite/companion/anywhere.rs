@@ -34,7 +34,6 @@ fn messages_use_the_name_that_it_was_called_by() {
     }
 }
 
-/// A clone that was moved, and programs that were built before.
 #[test]
 fn the_workspace_is_the_one_that_the_reader_is_in() {
     let desk = with_a_copy();
@@ -44,17 +43,11 @@ fn the_workspace_is_the_one_that_the_reader_is_in() {
     let mut start = rtrace(&desk);
     start.args(["start", "gradient"]);
     assert_success(&run(start.current_dir(desk.path("clone/book"))));
-    fs::rename(desk.path("clone"), desk.path("moved")).expect("it is moved");
-    let manifest = desk.read("moved/mine/gradient/Cargo.toml");
+    let manifest = desk.read("clone/mine/gradient/Cargo.toml");
     assert!(
         manifest.contains("common = { path = \"../../common\""),
         "{manifest}"
     );
-    let mut watch = rtrace(&desk);
-    watch.args(["watch", "gradient", "--once"]);
-    run(watch.current_dir(desk.path("moved/mine/gradient")));
-    let settings = desk.read("moved/mine/gradient/.cargo/config.toml");
-    assert!(settings.contains("/moved/Cargo.toml"), "{settings}");
 }
 
 /// A folder outside of the workspace, with a copy of the program.

@@ -79,7 +79,6 @@ fn names_are_shown_and_not_obeyed() {
          rtrace check gradient ODD.ppm --report ODD
          rtrace check normals -- ODD
          rtrace check normals -- echo ODD
-         rtrace hit --csv ODD
          rtrace book --source ODD";
     let odd = "\u{1b}[31m\u{9b}\u{202e}\u{200f}é";
     let said = Desk::default().transcript(&lines.replace("ODD", odd));

@@ -71,17 +71,6 @@ fn a_report_takes_the_place_of_the_last_one_and_of_nothing_else() {
     assert!(!desk.path("page/yours.png").exists());
 }
 
-/// Interrupted before even the list was there.
-#[test]
-fn a_folder_is_filled_if_it_is_new_or_has_nothing_that_is_seen() {
-    let desk = Desk::default();
-    desk.write_picture("mine.ppm", &gradient::picture(16));
-    desk.write("page/.DS_Store", "the system's");
-    desk.write("page/..rtrace-manifest.0123456789abcdef.partial", "half");
-    report(&desk, 1);
-    assert!(desk.path("page/index.html").is_file());
-}
-
 /// A list that was tampered with leads nowhere, and neither does a link.
 #[test]
 fn a_file_of_the_readers_is_never_written_over() {
@@ -104,8 +93,6 @@ mod on_unix {
     use std::io::{BufRead, BufReader};
     use std::os::unix::fs::{PermissionsExt, symlink};
     use std::process::{Command, Stdio};
-    use std::thread;
-    use std::time::{Duration, Instant};
 
     use super::*;
 
@@ -177,47 +164,6 @@ mod on_unix {
         assert!(fs::read(&target).expect("it") == p3(&normals::picture(400)));
         let mode = fs::metadata(&target).expect("it").permissions().mode();
         assert_eq!(mode & 0o777, 0o640);
-    }
-
-    #[test]
-    fn a_link_among_our_files_is_the_readers() {
-        let desk = reported();
-        desk.write("thesis.txt", "mine");
-        fs::remove_file(desk.path("page/yours.png")).expect("it goes");
-        symlink("../thesis.txt", desk.path("page/yours.png")).expect("a link");
-        report(&desk, 2);
-        assert_eq!(desk.read("thesis.txt"), "mine");
-    }
-
-    /// `KILLS=200 cargo test killed -- --ignored` for a long campaign.
-    #[test]
-    #[ignore = "kills programs for half a minute"]
-    fn programs_that_are_killed_leave_nothing_to_repair() {
-        let kills = std::env::var("KILLS").map_or(30, |said| said.parse().expect("a number"));
-        let desk = reported();
-        let whole = names_in(&desk.path("page"));
-        let new = p3(&gradient::picture(3840));
-        for line in ["gradient --width 3840 kept.ppm", REPORT] {
-            let start = Instant::now();
-            desk.run(line);
-            let takes = start.elapsed();
-            for n in 0..kills {
-                desk.write("kept.ppm", "old");
-                let mut command = desk.command(line);
-                let silent = command.stdout(Stdio::null()).stderr(Stdio::null());
-                let mut child = silent.spawn().expect("the program starts");
-                // The golden ratio: moments that are spread evenly, however many.
-                let moment = (f64::from(n) * 0.618_033_988_75).fract();
-                thread::sleep(takes.mul_f64(moment).max(Duration::from_millis(1)));
-                child.kill().expect("it is there until we wait for it");
-                child.wait().expect("it ends");
-                let kept = fs::read(desk.path("kept.ppm")).expect("it is always there");
-                assert!(kept == b"old" || kept == new);
-                report(&desk, 1);
-                let names = names_in(&desk.path("page"));
-                assert!(whole.iter().all(|name| names.contains(name)));
-            }
-        }
     }
 }
 

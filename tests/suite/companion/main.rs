@@ -3,6 +3,7 @@
 mod anywhere;
 mod check_command;
 mod command_line;
+mod commands;
 mod files;
 mod hit_command;
 mod laws_command;

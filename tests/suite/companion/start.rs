@@ -190,29 +190,18 @@ fn what_cannot_be_read_is_not_carried_over_and_that_is_said() {
     assert_eq!(left, expected, "and nothing beside");
 }
 
-#[cfg(unix)]
 #[test]
-fn what_is_private_stays_private_and_what_the_reader_added_is_carried_over() {
-    use std::os::unix::fs::{PermissionsExt, symlink};
-
+fn what_the_reader_added_is_carried_over_once() {
     let mine = Mine::empty();
     mine.make("gradient", &[]);
     let lib = mine.lib("gradient");
     let source = fs::read_to_string(&lib).expect("the chapter");
     fs::write(&lib, source + "fn one() {} fn two() {}\n").expect("it is typed");
-    symlink(".", lib.with_file_name("itself")).expect("a link");
-    fs::set_permissions(&lib, fs::Permissions::from_mode(0o600)).expect("its mode is set");
-    for (chapter, again) in [("red_sphere", &[][..]), ("gradient", &["--again"])] {
-        mine.make(chapter, again);
-        let folder = fs::metadata(mine.path().join(chapter)).expect("the crate");
-        assert_eq!(folder.permissions().mode() & 0o777, 0o700, "{chapter}");
-    }
+    mine.make("red_sphere", &[]);
     let carried = fs::read_to_string(mine.lib("red_sphere")).expect("the chapter");
     for item in ["fn one() {}", "fn two() {}"] {
         assert_eq!(carried.matches(item).count(), 1, "{item} in\n{carried}");
     }
-    let names = names_in(&mine.path().join("red_sphere/src"));
-    assert_eq!(names, ["lib.rs", "main.rs"]);
 }
 
 #[test]
@@ -225,18 +214,6 @@ fn from_anywhere_below_the_same_crates_are_meant() {
     }
     let names = names_in(&mine.path());
     assert_eq!(names, ["done.md", "gradient", "red_sphere"]);
-}
-
-#[test]
-fn a_folder_of_the_workspace_is_refused() {
-    let desk = Desk::default();
-    let chapters = fs::canonicalize(workspace().join("chapters")).expect("our chapters");
-    let before = names_in(&chapters);
-    let mut start = desk.command("rtrace start gradient --into");
-    let output = run(start.arg(&chapters));
-    assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("belongs to this workspace"));
-    assert_eq!(names_in(&chapters), before);
 }
 
 #[cfg(unix)]

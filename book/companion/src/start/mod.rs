@@ -1,7 +1,6 @@
 //! `start`: a crate of the reader's own, ready to be typed into.
 
 mod carry;
-mod place;
 mod settings;
 
 use std::error::Error;
@@ -14,14 +13,12 @@ use check::names::from_here;
 use check::workspace::workspace;
 use clap::Args;
 use common::engine::output;
-use place::Place;
 use slips::{Chapter, steps};
 
 use crate::chapter::OneOf;
 use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;
 use crate::wrap::hanging;
-pub(crate) use settings::renew_config;
 
 /// The words behind `cargo rtrace start`.
 #[derive(Args)]
@@ -47,7 +44,6 @@ pub(crate) struct Arguments {
 pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let chapter = arguments.chapter;
     let mine = Mine::find(arguments.into.as_deref());
-    refuse_ours(&mine)?;
     let folder = mine.of(chapter);
     let failed = |cause: io::Error| {
         format!(
@@ -56,7 +52,7 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             Mine::find(None).start(chapter),
         )
     };
-    let place = Place::of(&folder).map_err(failed)?;
+    fs::create_dir_all(mine.folder()).map_err(failed)?;
     if folder.exists() && !arguments.again {
         let has_own = Written::read(&folder).has_own_prelude();
         let prelude = if has_own { " --own-prelude" } else { "" };
@@ -71,38 +67,28 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let before = TYPED.into_iter().rev().filter(|&it| it < chapter);
     let before = before.map(|it| mine.of(it)).find(|it| it.is_dir());
     let new = New::compose(arguments, before.as_deref(), &folder)?;
-    new.write(&place.new_folder(), &folder)
-        .and_then(|()| place.take())
-        .map_err(failed)?;
-    let kept: Vec<String> = place.kept().values().map(|it| from_here(it)).collect();
-    let kept = if kept.is_empty() {
-        String::new()
-    } else {
-        format!("What you had before is in {}.\n", kept.join(", "))
-    };
-    drop(place);
+    let aside = put_aside(&folder).map_err(failed)?;
+    new.write(&folder).map_err(failed)?;
+    let kept = aside.map_or(String::new(), |aside| {
+        format!("What you had before is in {}.\n", from_here(&aside))
+    });
     let said = kept + &new.as_text(&mine);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 
-/// Whatever is in our folders belongs to our workspace, and it would take the crate for
-/// one of its own.
-fn refuse_ours(mine: &Mine) -> Result<(), Box<dyn Error>> {
-    const OURS: [&str; 5] = [".git", "common", "chapters", "book", "tests"];
-    let real = |folder: &Path| fs::canonicalize(folder).ok();
-    // A link may lead there.
-    let existing = mine.folder().ancestors().find_map(real);
-    let workspace = workspace().and_then(real);
-    let below = existing.zip(workspace).and_then(|(existing, workspace)| {
-        let below = existing.strip_prefix(workspace).ok()?;
-        Some(below.iter().next()?.to_owned())
-    });
-    if below.is_some_and(|folder| OURS.iter().any(|ours| folder == *ours)) {
-        return Err(misuse(
-            "that folder belongs to this workspace: choose one of your own, such as mine",
-        ));
+/// Gives what has this name, if there is something, the first free one of those beside it:
+/// nothing that the reader typed is ever written to.
+fn put_aside(folder: &Path) -> io::Result<Option<PathBuf>> {
+    let is_free = |folder: &PathBuf| folder.symlink_metadata().is_err();
+    if is_free(&folder.to_owned()) {
+        return Ok(None);
     }
-    Ok(())
+    let mut beside = (1..).map(|number: u32| folder.with_extension(number.to_string()));
+    let free = beside
+        .find(is_free)
+        .expect("there are more numbers than folders");
+    fs::rename(folder, &free)?;
+    Ok(Some(free))
 }
 
 /// A crate that is about to be written.
@@ -114,8 +100,6 @@ struct New {
     files: Vec<(&'static str, String)>,
     /// What was carried over from the chapter before, or why nothing was.
     carried: String,
-    /// The crate of that chapter, if there is one.
-    before: Option<PathBuf>,
 }
 
 impl New {
@@ -153,14 +137,13 @@ impl New {
             copies,
             files: files.filter(|(_, text)| !text.is_empty()).collect(),
             carried: carried.said,
-            before: before.map(Path::to_owned),
         })
     }
 
-    /// Writes all files into the folder `new`, which is to take the place of `old`.
-    fn write(&self, new: &Path, old: &Path) -> io::Result<()> {
+    /// Writes all files into the folder.
+    fn write(&self, folder: &Path) -> io::Result<()> {
         let place = |name: &Path| {
-            let path = new.join(name);
+            let path = folder.join(name);
             fs::create_dir_all(path.parent().expect("a file is in a folder"))?;
             io::Result::Ok(path)
         };
@@ -169,9 +152,6 @@ impl New {
         }
         for (name, text) in &self.files {
             fs::write(place(name.as_ref())?, text)?;
-        }
-        for before in self.before.iter().map(PathBuf::as_path).chain([old]) {
-            place::close_like(before, new)?;
         }
         Ok(())
     }

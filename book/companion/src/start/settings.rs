@@ -1,10 +1,7 @@
 //! Settings: the paths that a new crate has in it.
 
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
-use std::{fs, io};
 
-use check::workspace::workspace;
-use common::engine::output;
 use slips::{Chapter, steps};
 
 use crate::wrap::filled;
@@ -35,25 +32,6 @@ pub(super) fn config(from_crate: &Path, workspace: &Path) -> String {
     let [manifest, built] = paths;
     let alias = format!("run --manifest-path {manifest} --target-dir {built} --package rtrace --");
     format!("{target}\n[alias]\nrtrace = {alias:?}\n")
-}
-
-/// Renews the settings of a crate after the workspace was moved, if no more
-/// than the paths has changed in them.
-///
-/// # Errors
-/// If they can't be written.
-pub(crate) fn renew_config(folder: &Path) -> io::Result<()> {
-    let Some(workspace) = workspace() else {
-        return Ok(());
-    };
-    let file = folder.join(".cargo/config.toml");
-    let old = fs::read_to_string(&file).unwrap_or_default();
-    let new = config(&from_crate(folder, workspace), workspace);
-    let without_paths = |text: &str| text.split('"').step_by(2).collect::<String>();
-    if old == new || without_paths(&old) != without_paths(&new) {
-        return Ok(());
-    }
-    output::to_file(&file, |out| out.write_all(new.as_bytes()))
 }
 
 /// The head of the chapter: its steps.

@@ -28,7 +28,6 @@ use crate::laws::can_be_asked;
 use crate::mine::{self, Mine, TYPED};
 use crate::misuse::misuse;
 use crate::sources;
-use crate::start::renew_config;
 use crate::subprocess::{self, End};
 use build::Built;
 use changes::Changes;
@@ -130,9 +129,6 @@ impl Subject {
             )));
         }
         let (program, limit) = (arguments.program.clone(), arguments.timeout);
-        if program.is_empty() {
-            renew_config(&folder)?;
-        }
         Ok(Self {
             scene,
             program,
