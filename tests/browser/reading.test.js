@@ -5,13 +5,23 @@ import assert from "node:assert/strict";
 import { alive, inBrowsers, open } from "./browsers.js";
 
 const FOUND = {
-    "hit_sphere": "#listing-hit-sphere",
-    "viewport_u": "gradient.html#listing-impl-Camera",
-    "set_face_normal": "#listing-impl-HitRecord",
-    "P(t)": "symbols.html#a-ray",
     "discriminant": "red_sphere.html#what-the-discriminant-says",
+    "half b": "half_b_sphere.html#chapter-4-half-of-b",
+    "normal": "normals.html#which-way-the-normal",
+    "viewport": "gradient.html#the-camera",
+    "delta u": "gradient.html#the-grid-of-pixels",
+    "b^2-4ac": "red_sphere.html#what-the-discriminant-says",
+    "tangent": "red_sphere.html#what-the-discriminant-says",
+    "shadow acne": "hittable_list.html#the-range-t_min-and-t_max",
+    "epsilon": "hittable_list.html#the-range-t_min-and-t_max",
+    "front face": "hittable_list.html#outward-or-against-the-ray",
+    "lerp": "gradient.html#the-color-of-the-sky",
+    "gamma": "setup.html#what-is-not-here-yet",
+    "t_min": "hittable_list.html#the-range-t_min-and-t_max",
+    "trait": "hittable_list.html#anything-that-a-ray-can-hit",
+    "NaN": "setup.html#a-picture-is-text",
 };
-inBrowsers("the first that the search finds is the listing of a name", async (page) => {
+inBrowsers("the first that the search finds is the lesson", async (page) => {
     for (const [words, place] of Object.entries(FOUND)) {
         await open(page, `introduction.html?search=${encodeURIComponent(words)}`);
         await page.waitForSelector("#mdbook-searchresults a");

@@ -64,11 +64,13 @@ pub(crate) fn gallery(chosen: &str) -> Result<String, String> {
     Ok(sights(chosen)?.into_iter().map(tile).collect())
 }
 
-/// A picture from each of the `pages` of slips, which leads there; and each slip by its name.
+/// From each of the `pages` of slips, `PAGE:SLIP`, the picture of that slip, which leads there; and
+/// each slip by its name.
 pub(crate) fn symptoms(notes: &Path, pages: &str) -> Result<String, String> {
     let mut cards = String::new();
     let mut names = BTreeMap::new();
     for page in pages.split(' ') {
+        let (page, shown) = page.split_once(':').unwrap_or((page, ""));
         let text = read(&notes.join(page).with_extension("md"))?;
         let title = text.lines().next().unwrap_or_default();
         let chosen = text.lines().filter_map(|line| {
@@ -76,9 +78,9 @@ pub(crate) fn symptoms(notes: &Path, pages: &str) -> Result<String, String> {
             line.strip_suffix("}}").filter(|look| *look != "Right")
         });
         let seen = chosen.map(sights).collect::<Result<Vec<_>, _>>()?.concat();
-        let first = seen
-            .first()
-            .ok_or_else(|| format!("{page} shows no slips"))?;
+        let has = |sight: &&&Sight| sight.slips.iter().any(|slip| slip.name == shown);
+        let first = seen.iter().find(has);
+        let first = first.ok_or_else(|| format!("{page} shows no slip `{shown}`"))?;
         cards += &format!(
             "<a class=\"symptom\" href=\"{page}.html\">{}<span>{}</span></a>",
             image(&first.picture, ""),

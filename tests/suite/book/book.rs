@@ -55,6 +55,16 @@ fn mdbooks_own_program_makes_the_same_book() {
     }
 }
 
+/// It is read as a whole by whoever searches for the first time.
+#[test]
+fn the_index_of_the_search_has_at_most_500_kilobytes() {
+    let names = names_in(woven()).into_iter();
+    let mut index = names.filter(|name| name.starts_with("searchindex"));
+    let index = woven().join(index.next().expect("an index"));
+    let bytes = fs::metadata(index).expect("a file").len();
+    assert!(bytes <= 500_000, "{bytes}");
+}
+
 /// mdBook sends an old link on, but does not look where.
 #[test]
 fn every_redirect_leads_to_a_heading() {
