@@ -21,6 +21,16 @@ label.style.display = "none";
 
 document.getElementById("mdbook-menu-bar").role = "banner";
 
+// The keyboard need not go through the list of pages.
+const main = document.querySelector("main");
+main.id = "text";
+main.tabIndex = -1;
+const skip = document.createElement("a");
+skip.className = "skip";
+skip.href = "#text";
+skip.textContent = "Skip to the text";
+document.body.prepend(skip);
+
 // The arrows turn the page, unless something has the keyboard: what scrolls, what a figure
 // has, or a button that was pressed. mdBook listens at the document, behind the body.
 document.body.addEventListener("keydown", (event) => {
@@ -83,14 +93,14 @@ function load(...files) {
     })));
 }
 
-// What moves live figures and pictures is loaded when the first comes near the screen, and
-// the judge where there is something to judge.
+// What moves live figures is loaded when the first comes near the screen, and the judge where
+// there is something to judge.
 const figures = [...document.querySelectorAll("figure.live")];
 const modules = new Set(figures.map((figure) => figure.dataset.module));
 const near = new IntersectionObserver((entries) => {
     if (entries.some((entry) => entry.isIntersecting)) {
         near.disconnect();
-        load(...modules, "figures", "inspector", "pictures", "start");
+        load(...modules, "figures", "start");
     }
 }, { rootMargin: "100%" });
 figures.forEach((figure) => near.observe(figure));
@@ -98,21 +108,36 @@ if (document.getElementById("check")) {
     load("judge", "worker", "inspector", "pixels", "check");
 }
 
-// What a reader types can be typed where it is read.
+// What a reader types can be typed beside its listing, and a known mistake be seen there.
 let editor = null;
-for (const listing of document.querySelectorAll(".listing")) {
-    const file = listing.querySelector(".file")?.textContent ?? "";
-    const [, chapter, name] = file.match(/^chapters\/([0-5])_(\w+)\/src\/(?!main)/) ?? [];
-    if (name) {
-        const button = document.createElement("button");
-        button.type = "button";
-        button.className = "type";
-        button.textContent = "Type it here";
-        button.addEventListener("click", async () => {
-            editor ??= load("judge", "worker", "editor");
-            await editor;
-            openEditor(listing, chapter, name);
-        });
-        listing.append(button);
+async function type(tools, slip) {
+    editor ??= load("judge", "worker", "editor");
+    await editor;
+    openEditor(tools.parentElement, tools.dataset.chapter, slip);
+}
+const allTools = document.querySelectorAll(".listing > .tools");
+for (const tools of allTools) {
+    tools.querySelector("button").addEventListener("click", () => type(tools));
+    tools.querySelector("select")?.addEventListener("change", ({ target }) => {
+        target.value && type(tools, { ...target.selectedOptions[0].dataset });
+    });
+}
+
+// The page of a chapter begins with a way to type it.
+const [first] = allTools;
+if (first && location.pathname.endsWith(`/${first.dataset.chapter}.html`)) {
+    const door = first.querySelector("button").cloneNode(true);
+    door.className = "door";
+    door.addEventListener("click", () => type(first));
+    document.querySelector("main > ul")?.after(door);
+}
+
+// Whoever has typed a chapter has drawn its picture.
+for (const picture of document.querySelectorAll(".made img")) {
+    const [, name] = picture.src.match(/(\w+)\.snap\.png$/);
+    const drawn = localStorage.getItem(`drawn ${name}`);
+    if (drawn) {
+        picture.src = drawn;
+        picture.closest("figure").classList.add("yours");
     }
 }

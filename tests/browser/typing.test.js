@@ -9,7 +9,9 @@ const AREA = ".typing textarea";
 
 inBrowsers("a chapter is typed in its page", async (page) => {
     assert.match(await begin(page, "normals.html"), /^Not written yet: todo!\(\) at src\/lib.rs/);
-    // No trap: after the text comes the next field.
+    // What is typed goes to the place of the listing, and Tab leads out of it.
+    const selected = await page.$eval(AREA, (it) => it.value.slice(it.selectionStart, it.selectionEnd));
+    assert.equal(selected, "todo!()");
     await page.keyboard.press("Tab");
     assert.equal(await page.evaluate(() => document.activeElement.localName), "button");
     await page.click(".typing [data-action=full]");
@@ -33,6 +35,27 @@ inBrowsers("a chapter is typed in its page", async (page) => {
     assert.deepEqual(complaintsSoFar(), []);
 });
 
+inBrowsers("a listing opens in its own file, and breaks where a mistake is chosen", async (page) => {
+    await open(page, "hittable_list.html");
+    const listing = await page.$(".listing:has(> #listing-impl-Hittable-for-HittableList)");
+    await listing.$eval("button", (button) => button.click());
+    await page.waitForSelector(".typing");
+    assert.equal(await page.$eval(".typing [type=radio]:checked", (it) => it.parentElement.innerText.trim()), "src/hittable_list.rs");
+    const typed = await answer(page);
+    await listing.$eval("select", (select) => {
+        select.value = "closest-ignored";
+        select.dispatchEvent(new Event("change"));
+    });
+    await page.waitForSelector(".typing.broken");
+    assert.match(await answer(page), /^Wrong: [^]*closest_so_far/);
+    await page.click(".typing [data-action=close]");
+    // What was typed is still there.
+    await listing.$eval("button", (button) => button.click());
+    await page.waitForSelector(".typing:not(.broken)");
+    assert.equal(await answer(page), typed);
+    assert.deepEqual(complaintsSoFar(), []);
+});
+
 const PASTED = ["[".repeat(1 << 20), `fn f() { ${"-".repeat(90000)}`, "\0", "fn <img src=x onerror=alert(1)>() {}",
     "use common::rtweekend::*; pub fn picture(width: u32) -> Picture { picture(width) }"];
 inBrowsers("whatever is pasted is answered, and the page lives", async (page) => {
@@ -49,7 +72,7 @@ inBrowsers("whatever is pasted is answered, and the page lives", async (page) =>
 
 async function begin(page, place) {
     await open(page, place);
-    await page.$eval("button.type", (button) => button.click());
+    await page.$eval(".listing .tools button", (button) => button.click());
     await page.waitForSelector(".typing");
     return answer(page);
 }

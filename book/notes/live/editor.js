@@ -1,5 +1,5 @@
-// The editor of a chapter: its listing becomes a text to type, with the picture beside it and
-// the answer below. No request leaves the page: what reads, draws and judges is in it.
+// The editor of a chapter: a text to type beside the listing, with its picture and the answer.
+// No request leaves the page: what reads, draws and judges is in it.
 //
 // The text is a plain `textarea` that nothing is drawn in: its colors and the lines below
 // faults are two layers behind it. So whoever listens, has a phone or a language of their own
@@ -9,12 +9,15 @@
 
 "use strict";
 
-// After so many milliseconds without a letter the text is drawn, and judged.
-const PAUSE = 150;
-const LONG_PAUSE = 800;
+// Each letter is drawn at once, small. After so many milliseconds without one the text is drawn
+// as the book has it, and judged.
+const PAUSE = 100;
+const LONG_PAUSE = 300;
 // Longer than that no text is read, and above that none is colored. No chapter has 8 kB.
 const MOST_LETTERS = 100000;
 const MOST_COLORED = 20000;
+// So much room is left above the editor for the header, in pixels.
+const HEADER = 60;
 // In milliseconds. The interpreter counts steps and names a loop without end long before.
 const PATIENCE = 2000;
 const LONG_PATIENCE = 30000;
@@ -44,13 +47,11 @@ function typing(rust, { bytes, text, give }) {
             const length = rust.length();
             return height ? { width, height, rgba: bytes(length).slice() } : { said: said(length) };
         },
-        judge({ fields, width }) {
+        // What was drawn last.
+        judge: () => said(rust.judge()),
+        next({ fields, first }) {
             asked(fields);
-            return said(rust.judge(width));
-        },
-        next({ fields }) {
-            asked(fields);
-            return text(rust.next_line()).split("\t");
+            return text(rust.next_line(first)).split("\t");
         },
         home({ fields, number }) {
             asked(fields);
@@ -60,28 +61,33 @@ function typing(rust, { bytes, text, give }) {
 }
 
 class Editor {
-    // The worker that draws, and the one that judges, are there for all chapters of a page.
+    // The worker that draws at once, and the one that draws large and judges, are there for all
+    // chapters of a page.
     static drawing = null;
     static judging = null;
 
-    // The listing at whose place the reader types.
-    constructor(listing, chapter, name, width) {
-        this.listing = listing;
+    // A mistake is tried in a text that is not kept: what the reader typed stays.
+    constructor(name, isBroken) {
         this.name = name;
-        this.width = width;
+        this.isBroken = isBroken;
+        this.width = name === "build_test" ? 256 : 400;
         this.turn = 0;
         this.judged = 0;
         Editor.drawing ??= new Asked(typing, judgeModule);
         Editor.judging ??= new Asked(typing, judgeModule);
         this.desk = document.createElement("section");
         this.desk.className = "check typing alive";
-        this.desk.setAttribute("aria-label", `Chapter ${chapter}, typed by you`);
+        this.desk.classList.toggle("broken", isBroken);
+        this.desk.setAttribute("aria-label", `${name}, ${isBroken ? "with a mistake" : "typed by you"}`);
         this.desk.innerHTML = DESK.replaceAll("NAME", name);
         this.desk.addEventListener("click", (event) => this.click(event));
         this.dialog = this.desk.querySelector("dialog");
+        // mdBook takes the key for its search.
+        this.dialog.addEventListener("keydown", ({ key }) => key === "Escape" && this.dialog.close());
         this.verdict = this.desk.querySelector(".verdict");
         this.rest = this.desk.querySelector(".rest");
         this.yours = this.desk.querySelector("canvas");
+        [this.yours.width, this.yours.height] = [this.width, name === "build_test" ? 256 : 225];
         this.opened = this.open();
     }
 
@@ -99,23 +105,45 @@ class Editor {
         this.desk.querySelector(".steps").append(...steps.split("\n").map(withCode));
         const kept = this.kept();
         this.files.forEach((file) => file.put(kept[file.name] ?? file.skeleton));
-        this.choose(this.files[0]);
-        this.show();
     }
 
-    // In the place of the listing.
-    show() {
-        this.listing.hidden = true;
-        this.listing.before(this.desk);
-        this.chosen.area.focus();
+    // Beside a listing, in its own file: where its first empty function is, or the mistake.
+    show(listing, slip) {
+        this.listing = listing;
+        listing.before(this.desk);
+        this.desk.querySelector(".beside").append(listing);
+        const [name] = listing.querySelector(".file").textContent.match(/src\/\w+\.rs$/);
+        const file = this.files.find((it) => it.name === name);
+        if (slip) {
+            this.files.forEach((it) => it.put(it.full));
+            file.put(file.full.replace(slip.right, () => slip.wrong));
+        }
+        this.choose(file);
+        const code = listing.querySelector("pre code").textContent;
+        file.select(...slip ? [file.full.indexOf(slip.right), slip.wrong.length] : file.toType(code));
+        this.scroll(file.area);
         this.changed();
+    }
+
+    // Below the header, with the selected line in the upper part of the window.
+    scroll(area) {
+        const lines = (text) => text.split("\n").length;
+        const part = lines(area.value.slice(0, area.selectionStart)) / lines(area.value);
+        const { top } = this.desk.getBoundingClientRect();
+        const line = area.getBoundingClientRect().top + part * area.offsetHeight;
+        // On a phone the picture stays below the text.
+        const lowest = (innerWidth > 700 ? 0.85 : 0.5) * innerHeight;
+        scrollBy(0, Math.max(top - HEADER, line - lowest));
     }
 
     close() {
         this.keep();
-        this.desk.remove();
-        this.listing.hidden = false;
-        this.listing.querySelector("button.type").focus();
+        this.desk.replaceWith(this.listing);
+        const list = this.listing.querySelector(".tools select");
+        if (list) {
+            list.selectedIndex = 0;
+        }
+        this.listing.querySelector(".tools button").focus({ preventScroll: true });
     }
 
     // What was typed before, by the names of the files. Its key has a version: another form of
@@ -133,6 +161,9 @@ class Editor {
     }
 
     keep() {
+        if (this.isBroken) {
+            return;
+        }
         const texts = Object.fromEntries(this.files.map((file) => [file.name, file.area.value]));
         let isKept = true;
         try {
@@ -155,48 +186,41 @@ class Editor {
         return [this.name, ...files];
     }
 
-    // Draws after a pause, and judges after a longer one.
-    changed() {
-        const turn = ++this.turn;
+    // Draws what there is until no letter comes meanwhile, and then looks closer.
+    async changed() {
+        const now = ++this.turn;
         this.desk.ariaBusy = "true";
         this.files.forEach((file) => file.mark([]));
-        clearTimeout(this.waiting);
-        this.waiting = setTimeout(() => this.run(turn), PAUSE);
-    }
-
-    async run(turn) {
-        this.keep();
-        const start = performance.now();
-        const said = await this.try(turn);
-        if (turn !== this.turn) {
+        if (this.isDrawing) {
             return;
         }
-        if (said) {
-            this.say(said, true);
-            return;
-        }
-        await new Promise((done) => setTimeout(done, LONG_PAUSE - (performance.now() - start)));
+        this.isDrawing = true;
+        let [turn, said] = [now, null];
+        do {
+            turn = this.turn;
+            said = await this.draw(Editor.drawing, this.width / 2, PATIENCE);
+        } while (turn !== this.turn);
+        this.isDrawing = false;
+        await pause(PAUSE);
         if (turn === this.turn) {
-            this.judge(turn);
+            this.keep();
+            said ? this.say(said, true) : this.judge(turn);
         }
     }
 
-    // Reads the text and draws it, small and then as the book has it. Returns what is said of a
-    // text that is no program, or that stops.
-    async try(turn) {
+    // Draws the text. Returns what is said of one that is no program, or that stops.
+    async draw(worker, width, patience) {
         const fields = this.fields();
         if (fields.join("").length > MOST_LETTERS) {
             return refusal("So long a text is not read here.");
         }
+        const turn = this.turn;
         try {
-            for (const [width, patience] of [[this.width / 2, PATIENCE], [this.width, LONG_PATIENCE]]) {
-                const drawn = await Editor.drawing.within(patience, "draw", { fields, width });
-                if (drawn.said || turn !== this.turn) {
-                    return drawn.said;
-                }
+            const drawn = await worker.within(patience, "draw", { fields, width });
+            if (!drawn.said && turn === this.turn) {
                 this.paint(drawn);
             }
-            return null;
+            return drawn.said;
         } catch (error) {
             return refusal(gaveUp(error));
         }
@@ -208,16 +232,33 @@ class Editor {
         this.yours.getContext("2d").putImageData(data, 0, 0);
     }
 
+    // Draws as the book has it, and says what that has come to.
     async judge(turn) {
         this.judged += 1;
         if (this.judged % JUDGED_BY_ONE === 0 || Editor.judging.waiting.size > 0) {
             Editor.judging.start();
         }
-        const question = { fields: this.fields(), width: this.width };
-        const judged = Editor.judging.within(LONG_PATIENCE, "judge", question);
-        const said = await judged.catch((error) => refusal(gaveUp(error)));
+        let said = await this.draw(Editor.judging, this.width, LONG_PATIENCE);
+        if (!said && turn === this.turn) {
+            await pause(LONG_PAUSE - PAUSE);
+        }
+        if (turn !== this.turn) {
+            return;
+        }
+        said ??= await Editor.judging.within(LONG_PATIENCE, "judge", {})
+            .catch((error) => refusal(gaveUp(error)));
         if (turn === this.turn) {
             this.say(said);
+            said.headline.includes("is-right") && this.remember();
+        }
+    }
+
+    // For the page after the last chapter.
+    remember() {
+        try {
+            localStorage.setItem(`drawn ${this.name}`, this.yours.toDataURL());
+        } catch {
+            // It has the chapter's picture.
         }
     }
 
@@ -262,7 +303,9 @@ class Editor {
         } else if (action === "full") {
             this.replace((file) => file.full);
         } else if (action === "hint" || action === "next") {
-            this.help(action === "next", await Editor.drawing.within(PATIENCE, "next", { fields: this.fields() }));
+            this.help(action === "next", await Editor.drawing.within(PATIENCE, "next", {
+                fields: this.fields(), first: this.files.indexOf(this.chosen),
+            }));
         } else if (action === "home") {
             this.takeHome();
         } else if (action === "close") {
@@ -417,6 +460,21 @@ class TypedFile {
         this.area.setSelectionRange(...this.range(line, column, column));
     }
 
+    select(at, length) {
+        this.area.focus({ preventScroll: true });
+        this.area.setSelectionRange(at, at + length);
+    }
+
+    // Where the first function of that code is that is not written yet; or where the code begins.
+    // And how much is to be typed over.
+    toType(code) {
+        const { value } = this.area;
+        const starts = [...code.matchAll(/\bfn \w+/g)].map(([name]) => value.indexOf(name)).filter((at) => at >= 0);
+        const isEmpty = (at) => /^fn (?:(?!\bfn )[^])*?todo!\(\)/.test(value.slice(at));
+        const at = starts.find(isEmpty);
+        return at === undefined ? [starts[0] ?? 0, 0] : [value.indexOf("todo!()", at), "todo!()".length];
+    }
+
     // Types a line above that one, or in its place.
     insert(line, text, isInstead) {
         const [start, end] = this.range(line, 0, isInstead ? Infinity : 0);
@@ -425,6 +483,8 @@ class TypedFile {
         this.area.setSelectionRange(start + text.length, start + text.length);
     }
 }
+
+const pause = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
 
 const refusal = (words) => {
     const said = document.createElement("p");
@@ -454,8 +514,8 @@ const PANEL = `<pre aria-hidden="true"><code class="hljs"></code></pre><pre clas
 
 const DESK = `<fieldset class="names"><legend>File</legend></fieldset>
 <div class="sides">
-<div class="files"></div>
 <div class="beside">
+<div class="said">
 <div class="pictures">
 <figure><canvas role="img" aria-label="Your picture"></canvas><figcaption>yours</figcaption></figure>
 <figure><img src="pictures/NAME.snap.png" alt="The right picture"><figcaption>what it should be</figcaption></figure>
@@ -463,6 +523,8 @@ const DESK = `<fieldset class="names"><legend>File</legend></fieldset>
 <p class="verdict" role="status" id="said-NAME"></p>
 <div class="rest"></div>
 </div>
+</div>
+<div class="files"></div>
 </div>
 <p class="unkept" hidden>This browser keeps nothing for this page: take your text home before you leave.</p>
 <div class="home" hidden><p>Unpack it in the folder of the workspace: nothing that is there is written over.</p>
@@ -479,20 +541,16 @@ cargo rtrace watch NAME</code></pre></div>
 <dialog aria-label="Start again"><p>Begin with empty functions? What you have typed goes; undo (Ctrl+Z) brings it back.</p>
 <p class="controls"><button type="button" data-action="empty">Start again</button>
 <button type="button" data-action="stay">Keep it</button></p></dialog>
-<details><summary>The steps</summary><ol class="steps"></ol></details>
-<p class="small">What you type is kept in this browser, and nowhere else. Whether values are moved or borrowed
-rightly is not checked here: cargo does.</p>`;
+<details open><summary>The steps</summary><ol class="steps"></ol></details>
+<p class="small">What you type is kept in this browser, and nowhere else.</p>`;
 
 // The editors that were opened on this page, by their chapters.
 const editors = {};
 
-// Opens the editor of a chapter in the place of a listing of it.
-async function openEditor(listing, chapter, name) {
-    const editor = editors[name] ??= new Editor(listing, chapter, name, name === "build_test" ? 256 : 400);
+// Opens the editor of a chapter beside a listing of it: with what was typed, or with a mistake.
+async function openEditor(listing, name, slip) {
+    const editor = editors[`${name} ${Boolean(slip)}`] ??= new Editor(name, Boolean(slip));
     await editor.opened;
-    if (!editor.desk.isConnected || editor.listing !== listing) {
-        editor.listing.hidden = false;
-        editor.listing = listing;
-        editor.show();
-    }
+    Object.values(editors).filter((it) => it.desk.isConnected).forEach((it) => it.close());
+    editor.show(listing, slip);
 }

@@ -2,7 +2,7 @@
 //
 // What is shown, said and allowed is computed by the package `page`, compiled into
 // the modules. This script knows nothing of rays: only numbers in, and lines of text out.
-// What it shares with pictures.js is in start.js.
+// What Rust says is read by start.js.
 
 "use strict";
 

@@ -1,11 +1,11 @@
-// Makes alive what a page has of live figures and pictures.
+// Makes alive what a page has of live figures.
 
 "use strict";
 
 for (const name of modules) {
     instantiate(globalThis[`${name}Module`]).then((rust) => {
         for (const figure of document.querySelectorAll(`[data-module=${name}]`)) {
-            new ("picture" in figure.dataset ? LivePicture : LiveFigure)(figure, rust);
+            new LiveFigure(figure, rust);
         }
     });
 }

@@ -9,8 +9,6 @@ mod checked;
 mod figures;
 #[cfg(feature = "judge")]
 mod given;
-#[cfg(feature = "lesson")]
-mod pictures;
 #[cfg(feature = "judge")]
 mod typed;
 

@@ -106,5 +106,16 @@ pub(crate) fn typed_rest(verdict: &Verdict) -> String {
         rows.push(("next", &verdict.next));
     }
     let pages: String = verdict.read.iter().map(|slip| read(slip)).collect();
-    printed + &list(&rows) + &pages
+    printed + &with_code(&list(&rows)) + &pages
+}
+
+/// What stands between backticks is code.
+fn with_code(html: &str) -> String {
+    let parts = html.split('`').enumerate();
+    parts
+        .map(|(n, part)| match n % 2 {
+            0 => part.to_owned(),
+            _ => format!("<code>{part}</code>"),
+        })
+        .collect()
 }

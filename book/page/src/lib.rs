@@ -1,9 +1,9 @@
 //! What the pages call, compiled to WebAssembly: bytes and numbers in; words and pixels out.
 //!
 //! Nothing is computed here that is not computed elsewhere: the live figures are those of
-//! [`figures`], a live [`picture`] is its chapter's, a picture is [`checked`] by the package
-//! `check`, and a text that is [`typed`] is run by `interpreter`. `.ci/live` builds the
-//! modules that the scripts in `book/notes/live` load.
+//! [`figures`], a picture is [`checked`] by the package `check`, and a text that is [`typed`] is
+//! run by `interpreter`. `.ci/live` builds the modules that the scripts in `book/notes/live`
+//! load.
 
 pub mod checked;
 #[cfg(target_family = "wasm")]
@@ -11,7 +11,6 @@ mod exports;
 pub mod home;
 mod html;
 pub mod next;
-pub mod picture;
 pub mod typed;
 
 use common::rtweekend::Picture;

@@ -15,9 +15,10 @@ pub struct Next {
     pub is_last: bool,
 }
 
-/// The next line to type, in the order of the files.
-pub fn next(yours: &Text) -> Option<Next> {
-    let mut files = yours.files.iter().enumerate();
+/// The next line to type, in the file in that place, and then in the others in their order.
+pub fn next(yours: &Text, first: usize) -> Option<Next> {
+    let files = yours.files.iter().enumerate();
+    let mut files = files.clone().skip(first).chain(files);
     files.find_map(|(file, (name, text))| {
         let (_, theirs) = yours.chapter.files().iter().find(|(it, _)| it == name)?;
         let (above, text, is_last) = missing(theirs, text)?;

@@ -108,19 +108,14 @@ impl Text {
         })
     }
 
-    /// Reads it, draws it, and judges its picture of that width.
-    ///
-    /// # Errors
-    /// What keeps it from being a program, or stops it.
-    pub fn judged(&self, width: u32) -> Result<Said, Said> {
-        let program = self.read()?;
-        let picture = self.draw(&program, width)?;
+    /// Judges it by its picture.
+    pub fn judged(&self, program: interpreter::Program, picture: &Picture) -> Said {
         // What judges keeps programs for good: the page begins with a new worker now and then.
         let program = Box::leak(Box::new(program));
-        let verdict = self.verdict(program, &picture);
+        let verdict = self.verdict(program, picture);
         // A line that the picture never runs is run by the laws.
-        self.refused(program)
-            .map_or_else(|| Ok(Said::new(&verdict, Vec::new())), Err)
+        let refused = self.refused(program);
+        refused.unwrap_or_else(|| Said::new(&verdict, Vec::new()))
     }
 
     /// The chapter's program with what was typed in the place of its code.

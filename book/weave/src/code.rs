@@ -3,6 +3,8 @@
 use std::ops::Range;
 use std::path::Path;
 
+use slips::{Chapter, Letters, Words};
+
 use crate::controls;
 use crate::ground::{escaped, read};
 use crate::source::{self, Named};
@@ -62,9 +64,53 @@ pub(crate) fn listing(
     let values = figure.map_or(Ok(String::new()), |figure| values(figure, &code))?;
     Ok(format!(
         "<div class=\"listing\"><p class=\"source\" id=\"listing-{id}\"><span class=\"file\">{file}</span>{whose}{beside}</p>\
-         \n\n````rust\n{}\n````\n\n{values}</div>\n",
-        code.trim_end()
+         {tools}\n\n````rust\n{}\n````\n\n{values}</div>\n",
+        code.trim_end(),
+        tools = tools(file, &code),
     ))
+}
+
+/// What opens the editor at a listing that a reader types: a button, and the known mistakes that
+/// are an edit of one of its lines. As labels, the search does not know them.
+fn tools(file: &str, code: &str) -> String {
+    let is_of = |it: &Chapter| file.contains(&format!("_{}/src/", it.name()));
+    let Some(chapter) = Chapter::OF_THE_BOOK.into_iter().find(is_of) else {
+        return String::new();
+    };
+    if file.ends_with("main.rs") {
+        return String::new();
+    }
+    let slips = slips::all().filter(|slip| {
+        let is_here = slip.chapters.contains(&chapter) && slip.is_in_a_chapter();
+        is_here && slip.can_be_made_in(Letters::Rust) && !IN_TWO_PLACES.contains(&slip.name)
+    });
+    let options: String = slips
+        .map(|slip| (slip.name, slip.words(Letters::Rust, chapter)))
+        .filter(|(_, words)| code.matches(&*words.right).count() == 1)
+        .map(|(name, words)| option(name, &words))
+        .collect();
+    let breaks = if options.is_empty() {
+        options
+    } else {
+        format!(
+            "<label>Break it <select><option label=\"choose a mistake\"></option>{options}</select></label>"
+        )
+    };
+    let name = chapter.name();
+    format!(
+        "<div class=\"tools\" data-chapter=\"{name}\"><button type=\"button\">Type it here</button>{breaks}</div>"
+    )
+}
+
+/// Mistakes whose words are only one of the lines that have to be changed.
+const IN_TWO_PLACES: [&str; 3] = ["farthest-wins", "integer-division", "stops-at-first-miss"];
+
+fn option(name: &str, Words { wrong, right, .. }: &Words) -> String {
+    let [wrong, right] = [wrong, right].map(|it| escaped(it));
+    format!(
+        "<option value=\"{name}\" label=\"{}\" data-right=\"{right}\" data-wrong=\"{wrong}\"></option>",
+        name.replace('-', " ")
+    )
 }
 
 /// A line of values for each line of the code: what a name comes to that the figure says, and

@@ -26,7 +26,7 @@ pub(crate) enum Woven {
 /// | `{{chart NAME}}` | the chart, and a table of its numbers |
 /// | `{{changes NAME}}` | what changed from the chapter before to this one |
 /// | `{{editions}}` | what each edition of the book draws |
-/// | `{{picture CHAPTER QUESTION IMAGE}}` | this image, which a reader can paint anew |
+/// | `{{picture CHAPTER QUESTION IMAGE}}` | this image, under the question |
 /// | `{{slip NAME CHAPTER}}` | the wrong picture that this slip draws |
 /// | `{{slips LOOK}}` | all slips that look like that; `{{slips LOOK NAMES}}`, `{{slips LOOK not NAMES}}` |
 /// | `{{symptoms PAGES}}` | a picture from each of these pages of slips, and all slips by their names |
@@ -50,7 +50,7 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
         "chart" => figure::chart(folder, rest),
         "changes" => changes::changes(rest),
         "editions" => Ok(slip::editions()),
-        "picture" => picture::picture(first, second),
+        "picture" => picture::picture(second),
         "slip" => slip::slip(first, second),
         "slips" => slip::gallery(rest),
         "symptoms" => slip::symptoms(folder, rest),

@@ -1,5 +1,5 @@
-//! Live figures answer whatever they are asked, and live pictures are those of the chapters
-//! and of the slips. What a reader does to them in a browser is in `tests/browser`.
+//! Live figures answer whatever they are asked, and mistakes that a page offers are those that
+//! are known. What a reader does to them in a browser is in `tests/browser`.
 
 use std::fmt::Write;
 
@@ -8,9 +8,11 @@ use figures::number::{spoken, three_digits};
 use figures::{Movable, Number, live_figures};
 use hittable_list::{Hittable, HittableList, Sphere};
 use insta::assert_snapshot;
-use page::picture::{self, Painting};
+use page::typed::Text;
 use slips::Chapter;
 use speed_vs_accuracy::Random;
+
+use crate::book;
 
 /// At the beginning, after each button, and for each choice.
 #[test]
@@ -37,23 +39,6 @@ fn the_snapshot_has_what_each_live_figure_says() {
         }
     }
     assert_snapshot!(said);
-}
-
-#[test]
-fn the_snapshot_has_what_is_said_of_a_live_picture() {
-    let said = [
-        (Chapter::Normals, None, 400, 0),
-        (Chapter::Normals, Some("far-root"), 400, 13_000),
-        (Chapter::Normals, Some("header-swapped"), 400, 1),
-        (Chapter::RedSphere, Some("radius-doubled"), 1, 0),
-        (Chapter::HittableList, Some("first-hit-wins"), 400, 0),
-        (Chapter::RedSphere, Some("oc-reversed"), 400, 0),
-    ]
-    .map(|(chapter, slip, width, different)| {
-        let slip = slip.map(|name| slips::find(name).expect("a slip"));
-        picture::verdict(chapter, slip, width, different)
-    });
-    assert_snapshot!(said.join("\n\n"));
 }
 
 #[test]
@@ -119,33 +104,33 @@ fn the_nearest_hit_of_the_figure_is_that_of_the_list() {
     }
 }
 
+/// The page changes the line in the editor, and the interpreter draws it.
 #[test]
-fn a_live_picture_is_what_its_chapter_draws_and_what_a_slip_draws() {
-    for chapter in Chapter::OF_THE_BOOK {
-        let right = Painting::new(chapter, None, 97);
-        assert!(
-            right.pieces.flatten().eq(opaque(&chapter.picture(97))),
-            "{chapter:?}"
-        );
-        for slip in slips::all().filter(|slip| slip.chapters.contains(&chapter)) {
-            let drawn = slip.program(chapter).run(97).picture();
-            let painting = Painting::new(chapter, Some(slip), 97);
-            assert!(
-                painting.pieces.flatten().eq(opaque(&drawn)),
-                "{}",
-                slip.name
-            );
+fn a_mistake_that_a_listing_offers_draws_in_the_editor_what_the_slip_draws() {
+    let pages = book::pages();
+    let offered = pages.iter().flat_map(|page| page.all(".tools"));
+    let (mut count, mut others) = (0, Vec::new());
+    for tools in offered {
+        let chapter = tools.attr("data-chapter").and_then(Chapter::find);
+        let chapter = chapter.expect("the tools of a listing name its chapter");
+        for option in tools.select(&book::select("option[value]")) {
+            let part = |name| option.attr(name).expect("a mistake is a change of a line");
+            let [name, right, wrong] = ["value", "data-right", "data-wrong"].map(part);
+            let mut text = Text::full(chapter);
+            for (_, file) in &mut text.files {
+                *file = file.replacen(right, wrong, 1);
+            }
+            let drawn = text.read().and_then(|it| text.draw(&it, 97));
+            let slip = slips::find(name).expect("a slip");
+            let expected = slip.program(chapter).run(97).picture();
+            if drawn.is_err() || drawn.is_ok_and(|it| it.rgb() != expected.rgb()) {
+                others.push(format!("{name} of {chapter:?}: {right} → {wrong}"));
+            }
+            count += 1;
         }
     }
-}
-
-/// The bytes of a picture as a canvas has them: four a pixel.
-fn opaque(picture: &Picture) -> Vec<u8> {
-    let (pixels, _) = picture.rgb().as_chunks();
-    pixels
-        .iter()
-        .flat_map(|&[red, green, blue]| [red, green, blue, 255])
-        .collect()
+    assert_eq!(others.join("\n"), "");
+    assert!(count > 50, "only {count} mistakes are offered");
 }
 
 /// `count` questions to a figure: first that of the page, then numbers over the whole of

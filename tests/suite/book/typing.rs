@@ -10,7 +10,7 @@ use slips::Chapter;
 fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
     for chapter in Chapter::OF_THE_BOOK {
         let mut text = Text::skeleton(chapter);
-        while let Some(next) = next(&text) {
+        while let Some(next) = next(&text, 0) {
             let (name, file) = &mut text.files[next.file];
             let mut lines: Vec<&str> = file.lines().collect();
             if next.is_last {

@@ -26,7 +26,7 @@ thread_local! {
 
 /// Sets the number in that place.
 #[unsafe(no_mangle)]
-pub(super) extern "C" fn set(place: usize, value: f64) {
+extern "C" fn set(place: usize, value: f64) {
     NUMBERS.with_borrow_mut(|numbers| numbers[place] = value);
 }
 

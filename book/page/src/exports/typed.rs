@@ -3,6 +3,10 @@
 //! What is given is the name of a chapter, and then the name and the text of each file, with a
 //! zero byte between them.
 
+use std::cell::RefCell;
+
+use common::rtweekend::Picture;
+use interpreter::Program;
 use slips::Chapter;
 
 use super::{given::given, keep};
@@ -17,15 +21,25 @@ extern "C" fn begin() -> usize {
     keep(typed::beginning(text().chapter).join("\0"))
 }
 
+thread_local! {
+    static DRAWN: RefCell<Option<(Text, Program, Picture)>> = const { RefCell::new(None) };
+}
+
 /// Draws the text: the height of the picture, whose pixels are the answer; or 0, and the answer
 /// is what is said of a text that is no program, or that stops.
 #[unsafe(no_mangle)]
 extern "C" fn draw(width: u32) -> u32 {
     let text = text();
-    match text.read().and_then(|program| text.draw(&program, width)) {
-        Ok(picture) => {
+    let drawn = text.read().and_then(|program| {
+        let picture = text.draw(&program, width)?;
+        Ok((program, picture))
+    });
+    match drawn {
+        Ok((program, picture)) => {
             keep(rgba(&picture));
-            picture.height()
+            let height = picture.height();
+            DRAWN.set(Some((text, program, picture)));
+            height
         }
         Err(said) => {
             keep(lines(&said));
@@ -40,17 +54,18 @@ extern "C" fn length() -> usize {
     super::ANSWER.with_borrow(Vec::len)
 }
 
-/// Judges the text by its picture of that width.
+/// Judges what was drawn last, once.
 #[unsafe(no_mangle)]
-extern "C" fn judge(width: u32) -> usize {
-    keep(lines(&text().judged(width).unwrap_or_else(|said| said)))
+extern "C" fn judge() -> usize {
+    let (text, program, picture) = DRAWN.take().expect("it was drawn");
+    keep(lines(&text.judged(program, &picture)))
 }
 
-/// The next line to type: its file, what it goes above, whether it takes that place, and the
-/// line itself. Nothing if all is there.
+/// The next line to type, from that file on: its file, what it goes above, whether it takes that
+/// place, and the line itself. Nothing if all is there.
 #[unsafe(no_mangle)]
-extern "C" fn next_line() -> usize {
-    let next = next::next(&text());
+extern "C" fn next_line(first: usize) -> usize {
+    let next = next::next(&text(), first);
     let next = next.map(|it| {
         let is_last = u8::from(it.is_last);
         format!("{}\t{}\t{is_last}\t{}", it.file, it.above, it.text)
