@@ -100,12 +100,12 @@ fn no_directive_is_left() {
 }
 
 #[test]
-fn each_figure_is_shown_once() {
+fn each_figure_is_shown() {
     let pages = pages();
     for figure in figures::FIGURES {
         let shown = format!("figure#{}", figure.name);
-        let count: usize = chapters(&pages).map(|page| page.all(&shown).len()).sum();
-        assert_eq!(count, 1, "how often {} is shown", figure.name);
+        let is_shown = chapters(&pages).any(|page| !page.all(&shown).is_empty());
+        assert!(is_shown, "{} is on no page", figure.name);
     }
 }
 
