@@ -19,6 +19,7 @@ class CheckPage {
         this.rest = form.querySelector(".rest");
         this.tries = form.querySelector(".tries");
         this.inspector = form.querySelector(".inspector");
+        this.waiting = form.querySelector(".waiting");
         this.pixels = new Pixels(form.querySelector(".pixels"), (column, row) => this.inspect(column, row));
         // What is judged: a file and its name, and its handle if it can be watched.
         this.given = null;
@@ -51,6 +52,11 @@ class CheckPage {
         if (name === "watch") {
             const [handle] = await showOpenFilePicker().catch(() => []);
             handle && this.take(await handle.getFile(), handle);
+        } else if (name === "stop") {
+            this.turn++;
+            this.judge.start();
+            this.status.textContent = "Stopped.";
+            this.wait(false);
         } else if (dataset.probe !== undefined) {
             // The next picture is that of the probe.
             const [chapter, probe] = this.lists;
@@ -114,8 +120,12 @@ class CheckPage {
         }
         const turn = ++this.turn;
         const { file, handle } = this.given;
-        this.form.ariaBusy = "true";
         this.status.textContent = `${file.name} is being judged …`;
+        // What was said of another picture goes at once.
+        this.rest.replaceChildren();
+        this.inspector.replaceChildren();
+        this.pixels.box.hidden = true;
+        this.wait(true);
         const asked = this.lists.map((list) => list.selectedIndex);
         try {
             const answer = await this.judge.judge({ file, most: MOST_BYTES, asked });
@@ -126,8 +136,20 @@ class CheckPage {
             }
         }
         if (turn === this.turn) {
-            this.form.ariaBusy = "false";
+            this.wait(false);
         }
+    }
+
+    // Shows for how long a picture has been judged, if it takes more than a moment.
+    wait(isBusy) {
+        this.form.ariaBusy = String(isBusy);
+        this.waiting.hidden = true;
+        clearInterval(this.clock);
+        const start = Date.now();
+        this.clock = isBusy && setInterval(() => {
+            this.waiting.hidden = false;
+            this.waiting.querySelector("span").textContent = `${Math.round((Date.now() - start) / 1000)} s`;
+        }, 1000);
     }
 
     show(answer, handle) {
@@ -155,9 +177,7 @@ class CheckPage {
 
     giveUp({ name }, error) {
         const unreadable = error.message.includes("NotReadableError") || error.message.includes("NotFoundError");
-        this.rest.replaceChildren();
         this.pixels.show([null, null, null]);
-        this.inspector.replaceChildren();
         this.status.textContent = unreadable
             ? `${name} has changed since it was chosen: choose it again.`
             : `${name} could not be judged: it needs more time or memory than a page has. The command has more: rtrace check.`;
@@ -171,7 +191,8 @@ class CheckPage {
         const time = new Date().toLocaleTimeString();
         entry.append(time, " ", this.given.file.name, ": ", verdict);
         if (answer.width) {
-            entry.append(`, ${answer.width} × ${answer.height}, ${answer.different} pixels differ`);
+            entry.append(`, ${answer.width} × ${answer.height}`);
+            answer.different && entry.append(`, ${answer.different} pixels differ`);
         }
         const isLike = before?.width === answer.width && before?.height === answer.height && answer.width;
         const less = isLike ? before.different - answer.different : 0;
