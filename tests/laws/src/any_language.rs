@@ -51,9 +51,14 @@ pub fn line(chapter: Chapter, asked: &WithInterval) -> String {
 
 /// What a line answers; `None` if that is no answer.
 ///
-/// In the book's C++, chapters 3 and 4 return -1.0 for a miss. So there it counts as one, unless it
-/// is the root.
-pub fn read(chapter: Chapter, asked: &WithInterval, line: &str) -> Option<Option<f64>> {
+/// If a program `says_minus_one` for a miss, as the book's C++ in chapters 3 and 4, that counts as
+/// one, unless it is the root.
+pub fn read(
+    chapter: Chapter,
+    asked: &WithInterval,
+    line: &str,
+    says_minus_one: bool,
+) -> Option<Option<f64>> {
     let has_t = chapter != Chapter::RedSphere;
     match line {
         "miss" => return Some(None),
@@ -63,7 +68,7 @@ pub fn read(chapter: Chapter, asked: &WithInterval, line: &str) -> Option<Option
     let is_nan = line.to_ascii_lowercase().contains("nan");
     let number = if is_nan { f64::NAN } else { line.parse().ok()? };
     let may_be_a_miss = number == -1.0 && chapter < Chapter::HittableList;
-    let is_a_miss = may_be_a_miss && !is_root(&asked.case, number);
+    let is_a_miss = says_minus_one && may_be_a_miss && !is_root(&asked.case, number);
     has_t.then_some((!is_a_miss).then_some(number))
 }
 
@@ -209,24 +214,14 @@ mod tests {
 
     #[test]
     fn the_books_word_for_a_miss_is_one_unless_it_is_the_root() {
-        let case = |z| {
-            Case::new(
-                Point3::new(0.0, 0.0, z),
-                1.0,
-                Ray::new(Point3::ZERO, Vec3::NEG_Z),
-            )
-        };
         let said = |z, chapter| {
-            let (t_min, t_max) = (-FAR, FAR);
-            read(
-                chapter,
-                &WithInterval {
-                    case: case(z),
-                    t_min,
-                    t_max,
-                },
-                "-1",
-            )
+            let case = Case::new(
+                Vec3::new(0.0, 0.0, z),
+                1.0,
+                Ray::new(Vec3::ZERO, Vec3::NEG_Z),
+            );
+            let [t_min, t_max] = [-FAR, FAR];
+            read(chapter, &WithInterval { case, t_min, t_max }, "-1", true)
         };
         assert_eq!(said(0.0, Chapter::Normals), Some(Some(-1.0)));
         assert_eq!(said(-3.0, Chapter::Normals), Some(None));

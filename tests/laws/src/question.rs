@@ -30,7 +30,8 @@ pub trait Question: Debug + Send + Sync + 'static {
 pub fn same(one: &[f64], other: &[f64]) -> bool {
     let near = |(one, other): (&f64, &f64)| {
         let allowed = 1e-9 * (1.0 + one.abs() + other.abs());
-        one == other || (one - other).abs() <= allowed || one.is_nan() && other.is_nan()
+        let is_near = allowed.is_finite() && (one - other).abs() <= allowed;
+        one == other || is_near || one.is_nan() && other.is_nan()
     };
     one.len() == other.len() && one.iter().zip(other).all(near)
 }

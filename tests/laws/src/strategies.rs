@@ -259,7 +259,7 @@ pub fn exponents() -> impl Strategy<Value = Case> {
 }
 
 /// A case, and an interval with ends near and between its roots, exactly at one, far from
-/// them, or infinite.
+/// them, or infinite. Few are empty.
 pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = WithInterval> {
     let end = || {
         prop_oneof![
@@ -268,10 +268,16 @@ pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value 
             select(vec![Some(0.0), Some(1.0)]),
         ]
     };
-    (cases, end(), end()).prop_map(|(case, low, high)| WithInterval {
-        case,
-        t_min: low.map_or(0.0, |share| on_the_way(&case, share)),
-        t_max: high.map_or(f64::INFINITY, |share| on_the_way(&case, share)),
+    let may_be_empty = proptest::bool::weighted(0.1);
+    (cases, end(), end(), may_be_empty).prop_map(|(case, low, high, may_be_empty)| {
+        let low = low.map_or(0.0, |share| on_the_way(&case, share));
+        let high = high.map_or(f64::INFINITY, |share| on_the_way(&case, share));
+        let [t_min, t_max] = match (may_be_empty, low < high) {
+            (true, _) | (_, true) => [low, high],
+            (false, false) if low == high => [low, f64::INFINITY],
+            (false, false) => [high, low],
+        };
+        WithInterval { case, t_min, t_max }
     })
 }
 

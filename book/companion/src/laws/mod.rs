@@ -3,7 +3,7 @@
 mod dialogue;
 mod language;
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::error::Error;
 use std::ffi::OsString;
@@ -86,6 +86,8 @@ struct Asked<'a> {
     arguments: &'a Arguments,
     language: Language,
     dialogue: RefCell<Dialogue>,
+    /// Whether it may say -1 for a miss.
+    says_minus_one: Cell<bool>,
     /// The answers by their questions. None is asked twice: a case is made smaller by laws that
     /// must find what they found before.
     answers: RefCell<HashMap<String, Answer>>,
@@ -105,6 +107,7 @@ impl<'a> Asked<'a> {
             arguments,
             language: Language::of(&arguments.program),
             dialogue: RefCell::new(dialogue),
+            says_minus_one: Cell::new(true),
             answers: RefCell::default(),
             failure: RefCell::default(),
         }
@@ -131,16 +134,21 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// Asks first what is short to feed by hand: a ray from the eye to the ball, and one past it.
+    /// Asks first what is short to feed by hand: a ray from the eye past the ball, so that its word
+    /// for a miss is known, and one to the ball.
     fn greet(&self) {
         let ball = Point3::new(0.0, 0.0, -1.0);
-        for direction in [ball, Vec3::Y] {
+        for direction in [Vec3::Y, ball] {
             let asked = WithInterval {
                 case: Case::new(ball, 0.5, Ray::new(Point3::ZERO, direction)),
                 t_min: 0.0,
                 t_max: f64::INFINITY,
             };
             self.answer(&asked);
+            let says_miss = |it: &Answer| it.said == "miss";
+            if self.answers.borrow().values().any(says_miss) {
+                self.says_minus_one.set(false);
+            }
             if let Err(more) = self.dialogue.borrow().says_no_more(GREETING) {
                 let mut failure = self.failure.borrow_mut();
                 failure.get_or_insert((more, self.line(&asked)));
@@ -157,13 +165,13 @@ impl<'a> Asked<'a> {
         if self.failure.borrow().is_some() {
             return None;
         }
-        let said =
-            self.dialogue.borrow_mut().ask(&line).and_then(|said| {
-                match any_language::read(self.arguments.chapter, asked, &said) {
-                    Some(t) => Ok(Answer { said, t }),
-                    None => Err(Failure::NoAnswer(said)),
-                }
-            });
+        let said = self.dialogue.borrow_mut().ask(&line).and_then(|said| {
+            let says_minus_one = self.says_minus_one.get();
+            match any_language::read(self.arguments.chapter, asked, &said, says_minus_one) {
+                Some(t) => Ok(Answer { said, t }),
+                None => Err(Failure::NoAnswer(said)),
+            }
+        });
         match said {
             Ok(answer) => {
                 let t = answer.t;

@@ -227,7 +227,9 @@ impl Subject {
         };
         let mut verdict = evidence.of_picture(bytes);
         if verdict.is_right && !is_crate && can_be_asked(chapter) {
-            let text = format!("ask the function itself: {} laws --help", companion());
+            let text =
+                "ask your function what no picture shows; lines on the page Check your picture";
+            let text = format!("{} laws {}: {text}", companion(), chapter.name());
             verdict
                 .cause
                 .push(Line::Labeled("the laws".to_owned(), text));
