@@ -32,10 +32,17 @@ for (const place of PAGES) {
             await page.evaluate((id) => document.getElementById(id)?.click(), `mdbook-theme-${theme}`);
             await nextFrame(page);
             await look(theme, faintTexts);
+            await look(theme, linksByColor);
         }
         await page.evaluate(() => document.getElementById("mdbook-theme-default_theme")?.click());
         assert.equal(problems.join("\n"), "");
     });
+}
+
+// Links in a text that only their color tells.
+async function linksByColor() {
+    const { violations } = await axe.run({ preload: false, runOnly: ["link-in-text-block"] });
+    return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${target}`));
 }
 
 // What bars a reader who listens, or has only a keyboard. A page from a file can't load its
