@@ -323,7 +323,7 @@ impl Names {
             format!("`use crate::{}::{name};` is missing", other.name)
         } else {
             let own = self.modules[module].names.keys().map(String::as_str);
-            there_is(name, own.chain(standard::NAMES))
+            there_is(name, own.chain(standard::PRELUDE.map(|it| it.0)))
         };
         Refusal::new(at, &message, "not found in this scope", &help)
     }
@@ -436,6 +436,14 @@ impl Names {
         } else {
             there_is(name, known)
         };
+        // The standard library has more than is known here, whose names are like none of these.
+        let is_standard = matches!(
+            last.0,
+            Head::Iterator | Head::Range | Head::Option | Head::Str
+        ) || matches!(last.0, Head::Vec | Head::Array(_) | Head::Slice);
+        if is_standard && help.is_empty() {
+            return Refusal::unknown(at, &format!("`{name}` of `{}`", ty.name(self)));
+        }
         let message = format!(
             "no method named `{name}` found for `{}` in the current scope",
             ty.name(self)

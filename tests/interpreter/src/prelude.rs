@@ -14,7 +14,7 @@ use crate::names::{Context, Names, Signature};
 use crate::node::{At, Node, Sign};
 use crate::run::{Eval, Machine};
 use crate::types::{Head, Int, Type};
-use crate::value::{Iter, Value};
+use crate::value::{Iter, Source, Value};
 
 /// A function of the library.
 #[derive(Debug)]
@@ -121,8 +121,7 @@ pub(crate) const LONGEST_TEXT: usize = 20_000_000;
 pub(crate) const TEXT_TOO_LONG: &str = "a text of more than twenty million bytes";
 
 fn each(values: Vec<Value>) -> Value {
-    let mut values = values.into_iter();
-    Iter::giving(move |_| Ok(values.next()))
+    Value::Iterator(Source::List(Rc::new(values), 0).into())
 }
 
 fn rest(machine: &mut Machine<'_>, of: &Value, at: At) -> Eval<Vec<Value>> {
@@ -156,21 +155,14 @@ fn adapted(
     }))
 }
 
-/// The first value of which the function says that, and how many are before it.
-fn found(
-    machine: &mut Machine<'_>,
-    a: &[Value],
-    at: At,
-    wanted: bool,
-) -> Eval<Option<(usize, Value)>> {
+/// The first value of which the function says that.
+fn found(machine: &mut Machine<'_>, a: &[Value], at: At, wanted: bool) -> Eval<Option<Value>> {
     let iterator = machine.iterator(&a[0], at)?;
-    let mut n = 0;
     while let Some(value) = iterator.next(machine)? {
         machine.turn(at)?;
         if machine.asked(&a[1], &mut [value.clone()], at)? == wanted {
-            return Ok(Some((n, value)));
+            return Ok(Some(value));
         }
-        n += 1;
     }
     Ok(None)
 }
@@ -194,13 +186,11 @@ fn extreme(machine: &mut Machine<'_>, a: &[Value], at: At, gives_way: Ordering) 
     Ok(Value::of(best))
 }
 
-/// The sum or the product of all, from that of none on.
-fn folded(machine: &mut Machine<'_>, a: &[Value], at: At, sign: Sign) -> Eval {
+/// The sum of all, from that of none on.
+fn added(machine: &mut Machine<'_>, a: &[Value], at: At) -> Eval {
     let mut all = rest(machine, &a[0], at)?.into_iter();
-    let Some(first) = all.next() else {
-        return Ok(a[1].clone());
-    };
-    all.try_fold(first, |sum, it| machine.arithmetic(sign, sum, it, at))
+    let first = all.next().unwrap_or_else(|| a[1].clone());
+    all.try_fold(first, |sum, it| machine.arithmetic(Sign::Plus, sum, it, at))
 }
 
 /// A picture whose pixels a function colors.
@@ -430,14 +420,10 @@ library! {
                 m.panic(at, "assertion failed: min <= max")
             }
         };
-        fn signum(self) -> Own => |_, a, _| int(&a[0], a[0].int().signum());
         fn rem_euclid(self, other: Own) -> Own => |m, a, at| match a[1].int() {
             0 => m.panic(at, "attempt to calculate the remainder with a divisor of zero"),
             other => int(&a[0], a[0].int().rem_euclid(other)),
         };
-        fn cmp(&self, other: &Own) -> Ordering => |_, a, _| order(a[0].int().cmp(&a[1].int()));
-        fn partial_cmp(&self, other: &Own) -> Option<Ordering> =>
-            |_, a, _| option(a[0].compared(&a[1]).map(Value::Ordering));
     }
     "bool" {
         fn then_some(self, value: U) -> Option<U> =>
@@ -470,8 +456,6 @@ library! {
     }
     "Camera" {
         fn new(image_width: u32) -> Camera => |m, a, at| camera(Camera::new(width(m, &a[0], at)?));
-        fn with_size(image_width: u32, image_height: u32) -> Camera =>
-            |m, a, at| camera(Camera::with_size(width(m, &a[0], at)?, width(m, &a[1], at)?));
         fn ray(&self, i: u32, j: u32) -> Ray =>
             |_, a, _| ray(a[0].camera().ray(a[1].int() as u32, a[2].int() as u32));
     }
@@ -566,11 +550,6 @@ library! {
                 m.panic(at, TOO_LONG)
             }
         };
-        fn pop(&mut self) -> Option<T> => |m, a, _| {
-            let mut last = None;
-            m.change_at(&a[0], |list| changed(list, |all| last = all.pop()));
-            option(last)
-        };
         fn clear(&mut self) => |m, a, _| edited(m, &a[0], Vec::clear);
         fn extend(&mut self, more: Iterator<T>) => |m, a, at| {
             let more = rest(m, &a[1], at)?;
@@ -620,8 +599,6 @@ library! {
         fn to_string(&self) -> String => same;
         fn to_owned(&self) -> String => same;
         fn as_str(&self) -> &str => same;
-        fn len(&self) -> usize => |_, a, _| Ok(Value::usize(a[0].text().len()));
-        fn is_empty(&self) -> bool => |_, a, _| bool(a[0].text().is_empty());
         fn push_str(&mut self, more: &str) => |m, a, at| {
             let more = a[1].text();
             let length = m.change_at(&a[0], |text| match text {
@@ -677,20 +654,6 @@ library! {
         };
         fn flatten(self: Iterator<Option<U>>) -> Iterator<U> =>
             |m, a, at| adapted(m, &a[0], at, |_, it| Ok(it.option()));
-        fn take(self, n: usize) -> Iterator<T> => |m, a, at| {
-            let (iterator, mut left) = (m.iterator(&a[0], at)?, a[1].int());
-            Ok(Iter::giving(move |m| {
-                left -= 1;
-                if left < 0 { Ok(None) } else { iterator.next(m) }
-            }))
-        };
-        fn skip(self, n: usize) -> Iterator<T> => |m, a, at| {
-            let mut left = a[1].int();
-            adapted(m, &a[0], at, move |_, it| {
-                left -= 1;
-                Ok((left < 0).then_some(it))
-            })
-        };
         fn enumerate(self) -> Iterator<(usize, T)> => |m, a, at| {
             let mut n = -1;
             adapted(m, &a[0], at, move |_, it| {
@@ -703,25 +666,10 @@ library! {
             all.reverse();
             Ok(each(all))
         };
-        fn chain(self, more: Iterator<T>) -> Iterator<T> => |m, a, at| {
-            let both = [m.iterator(&a[0], at)?, m.iterator(&a[1], at)?];
-            Ok(Iter::giving(move |m| match both[0].next(m)? {
-                Some(it) => Ok(Some(it)),
-                None => both[1].next(m),
-            }))
-        };
-        fn zip(self, other: Iterator<U>) -> Iterator<(T, U)> => |m, a, at| {
-            let both = [m.iterator(&a[0], at)?, m.iterator(&a[1], at)?];
-            Ok(Iter::giving(move |m| {
-                let Some(one) = both[0].next(m)? else { return Ok(None) };
-                let other = both[1].next(m)?;
-                Ok(other.map(|other| Value::Tuple([one, other].into())))
-            }))
-        };
         fn copied(self: Iterator<&U>) -> Iterator<U> => same;
         fn cloned(self: Iterator<&U>) -> Iterator<U> => same;
         fn find(self, f: impl FnMut(&T) -> bool) -> Option<T> =>
-            |m, a, at| option(found(m, a, at, true)?.map(|(_, value)| value));
+            |m, a, at| option(found(m, a, at, true)?);
         fn find_map(self, f: impl FnMut(T) -> Option<U>) -> Option<U> => |m, a, at| {
             let iterator = m.iterator(&a[0], at)?;
             while let Some(value) = iterator.next(m)? {
@@ -731,8 +679,6 @@ library! {
             }
             option(None)
         };
-        fn position(self, f: impl FnMut(T) -> bool) -> Option<usize> =>
-            |m, a, at| option(found(m, a, at, true)?.map(|(n, _)| Value::usize(n)));
         fn any(self, f: impl FnMut(T) -> bool) -> bool =>
             |m, a, at| bool(found(m, a, at, true)?.is_some());
         fn all(self, f: impl FnMut(T) -> bool) -> bool =>
@@ -761,8 +707,7 @@ library! {
             }
             option(sum)
         };
-        fn sum(self) -> T => |m, a, at| folded(m, a, at, Sign::Plus);
-        fn product(self) -> T => |m, a, at| folded(m, a, at, Sign::Times);
+        fn sum(self) -> T => |m, a, at| added(m, a, at);
         fn count(self) -> usize => |m, a, at| Ok(Value::usize(rest(m, &a[0], at)?.len()));
         fn last(self) -> Option<T> => |m, a, at| option(rest(m, &a[0], at)?.pop());
         fn min_by(self, f: impl FnMut(&T, &T) -> Ordering) -> Option<T> =>

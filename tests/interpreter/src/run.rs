@@ -477,6 +477,7 @@ impl<'c> Machine<'c> {
         Ok(Value::Own(kind, variant, all))
     }
 
+    #[inline(never)]
     fn range(&mut self, ends: &[Option<Node>; 2], is_closed: bool) -> Eval {
         let mut end = |n: usize| match &ends[n] {
             Some(node) => self.eval(node),
@@ -485,6 +486,7 @@ impl<'c> Machine<'c> {
         Ok(Value::Range(Rc::new([end(0)?, end(1)?]), is_closed))
     }
 
+    #[inline(never)]
     fn formatted(&mut self, pieces: &[String], nodes: &[Node]) -> Eval {
         let values = self.all(nodes)?;
         let values = values.iter().map(|it| self.shown(it));

@@ -310,9 +310,6 @@ impl Value {
             (Self::Float(one), Self::Single(other)) => (*one as f32).partial_cmp(other),
             (Self::Int(one, _), Self::Int(other, _)) => one.partial_cmp(other),
             (Self::Bool(one), Self::Bool(other)) => one.partial_cmp(other),
-            (Self::None, Self::Some(_)) => Some(Ordering::Less),
-            (Self::Some(_), Self::None) => Some(Ordering::Greater),
-            (Self::Some(one), Self::Some(other)) => one.compared(other),
             _ => None,
         }
     }

@@ -78,12 +78,6 @@ fn what_the_compiler_reads_is_read() {
     let drawn = program.draw(40).expect("nothing stops it");
     assert_ne!(drawn, Chapter::Normals.picture(40));
 
-    let renamed = normals.replace("common::rtweekend::*;", "names::*;\nmod names;");
-    let names = "pub use common::rtweekend::*;\n\npub type Point3 = Vec3;\n";
-    let program = program_of(&[("src/lib.rs", &renamed), ("src/names.rs", names)]);
-    let drawn = program.expect("a type may have two names").draw(40);
-    assert_eq!(drawn, Ok(Chapter::Normals.picture(40)));
-
     for row in rows::<3>(include_str!("texts/read.txt")) {
         let files = changed(&row);
         let files: Vec<(&str, &str)> = files.iter().map(|it| (it.0, &it.1[..])).collect();
@@ -146,7 +140,7 @@ fn a_hostile_text_is_answered_at_once() {
         "for _ in 0.. {}".to_owned(),
         "(0..).map(|n| n).collect::<Vec<_>>().len()".to_owned(),
         "hit_sphere(center, radius, ray)".to_owned(),
-        "(0..).skip(1_000_000_000).next()".to_owned(),
+        "(0..).filter(|n| n < &0).next()".to_owned(),
         "let mut s = \"ab\".to_owned(); loop { s = format!(\"{s}{s}\"); }".to_owned(),
         format!("{}1.0", "-".repeat(230)),
         r"'\é'".to_owned(),
@@ -235,7 +229,8 @@ fn expressions_come_to_what_the_compiler_makes_of_them() {
         if x < 3.0 && n > 6 || i > 0 { 1.0 } else { 2.0 },
         if !(x < f64::NAN) { 1.0 } else { 2.0 },
         (0..n).map(f64::from).sum::<f64>(),
-        f64::from((n..n).sum::<u32>()) + f64::from((n..n).product::<u32>()),
+        f64::from((n..n).sum::<u32>()),
+        (n..n).map(f64::from).sum::<f64>(),
         (1..=4).rev().fold(0.0, |sum, k| sum * 10.0 + f64::from(k)),
         [x, -x, 1.0].into_iter().filter(|&t| t > 0.0).min_by(|a, b| a.total_cmp(b)).unwrap(),
         v.dot(v) - v.length_squared() + (v / 3.0).x + (v * (1.0 / 3.0)).y,

@@ -406,9 +406,9 @@ impl Lowerer<'_> {
         let mut nodes = [vec![node], rest].concat();
         let result = signature.result.with(&with);
         let result = match (name, stripped.0, callee) {
-            ("sum" | "product", _, Callee::Native(_)) => {
+            ("sum", _, Callee::Native(_)) => {
                 let of = result.stripped().clone();
-                nodes.push(of_none(&of, f64::from(name == "product")));
+                nodes.push(of_none(&of));
                 of
             }
             ("map", Head::Array(length), _) => Type(Head::Array(length), result.1),
@@ -504,12 +504,13 @@ impl Lowerer<'_> {
     }
 }
 
-/// The sum or the product of no values of the type.
-fn of_none(ty: &Type, none: f64) -> Node {
+/// The sum of no values of the type.
+fn of_none(ty: &Type) -> Node {
     match ty.0 {
-        Head::Int(int) => Node::Int(none as i128, int),
-        Head::Vec3 => Node::Vec3(Vec3::splat(none)),
-        _ => Node::Float(none),
+        Head::Int(int) => Node::Int(0, int),
+        Head::Vec3 => Node::Vec3(Vec3::ZERO),
+        // As in Rust.
+        _ => Node::Float(-0.0),
     }
 }
 

@@ -112,7 +112,6 @@ impl<'a> Collector<'a> {
                 (&it.sig.ident, &it.vis, self.function())
             }
             syn::Item::Const(it) => (&it.ident, &it.vis, self.function()),
-            syn::Item::Static(it) => (&it.ident, &it.vis, self.function()),
             syn::Item::Mod(it) => (&it.ident, &it.vis, self.submodule(module, it)?),
             syn::Item::Type(it) => (&it.ident, &it.vis, Named::Type(Type::UNKNOWN)),
             syn::Item::Use(it) => return self.import(module, &it.vis, Vec::new(), &it.tree),
@@ -276,14 +275,12 @@ impl<'a> Collector<'a> {
                 own.faults.extend(done.err());
             }
         };
-        // One name may stand for another.
-        for _ in 0..3 {
-            each(self, |own, module, item| {
-                own.alias(module, item).ok();
-                Ok(())
-            });
+        // One name may stand for another that comes later.
+        let declared = self.faults.len();
+        for _ in 0..4 {
+            self.faults.truncate(declared);
+            each(self, Self::alias);
         }
-        each(self, Self::alias);
         for (module, path, at) in mem::take(&mut self.imports) {
             if let Err(lost) = self.names.found(module, &path) {
                 self.faults.push(self.names.unresolved(at, &path, lost));
@@ -362,12 +359,6 @@ impl<'a> Collector<'a> {
                 )
             }
             syn::Item::Const(it) => self.constant(
-                number(self, &it.ident),
-                &context,
-                &it.ident,
-                (&it.ty, &it.expr),
-            ),
-            syn::Item::Static(it) => self.constant(
                 number(self, &it.ident),
                 &context,
                 &it.ident,

@@ -7,29 +7,20 @@ use crate::prelude::number;
 use crate::types::{Head, Int, Type};
 
 /// What `use common::rtweekend::*` brings.
-pub(super) const NAMES: [&str; 9] = [
-    "Vec3",
-    "Point3",
-    "Color",
-    "Ray",
-    "Camera",
-    "Picture",
-    "sky",
-    "render",
-    "write_color",
+pub(super) const PRELUDE: [(&str, Named); 8] = [
+    ("Vec3", Named::Type(Type(Head::Vec3, Vec::new()))),
+    ("Point3", Named::Type(Type(Head::Vec3, Vec::new()))),
+    ("Color", Named::Type(Type(Head::Vec3, Vec::new()))),
+    ("Ray", Named::Type(Type(Head::Ray, Vec::new()))),
+    ("Camera", Named::Type(Type(Head::Camera, Vec::new()))),
+    ("Picture", Named::Type(Type(Head::Picture, Vec::new()))),
+    ("sky", Named::Library("sky")),
+    ("render", Named::Library("render")),
 ];
 
 pub(super) fn prelude(name: &str) -> Option<Named> {
-    let head = match name {
-        "Vec3" | "Point3" | "Color" => Head::Vec3,
-        "Ray" => Head::Ray,
-        "Camera" => Head::Camera,
-        "Picture" => Head::Picture,
-        "sky" => return Some(Named::Library("sky")),
-        "render" => return Some(Named::Library("render")),
-        _ => return None,
-    };
-    Some(Named::Type(head.into()))
+    let mut all = PRELUDE.into_iter();
+    all.find(|it| it.0 == name).map(|it| it.1)
 }
 
 /// What every file knows.
