@@ -737,10 +737,9 @@ impl Lowerer<'_> {
                     self.native_structure(it, &ty)
                 }
                 Ok(_) => {
-                    let message = format!(
-                        "expected struct, variant or union type, found `{}`",
-                        path.join("::")
-                    );
+                    let found = path.join("::");
+                    let message =
+                        format!("expected struct, variant or union type, found `{found}`");
                     self.fault(at_path, &message, "not a struct, variant or union type", "")
                 }
                 Err(lost) => {

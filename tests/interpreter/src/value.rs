@@ -248,11 +248,9 @@ impl Value {
             (Self::Mut(_), Head::RefMut) => true,
             (value, Head::Ref | Head::Box) => value.fits(&ty.1[0], names),
             (Self::Some(it), Head::Option) => it.fits(&ty.1[0], names),
-            (Self::Many(all), Head::Vec | Head::Slice) => {
-                all.first().is_none_or(|it| it.fits(&ty.1[0], names))
-            }
-            (Self::Many(all), Head::Array(length)) => {
-                all.len() == length && all.first().is_none_or(|it| it.fits(&ty.1[0], names))
+            (Self::Many(all), Head::Vec | Head::Slice | Head::Array(_)) => {
+                let is_as_long = !matches!(ty.0, Head::Array(length) if length != all.len());
+                is_as_long && all.first().is_none_or(|it| it.fits(&ty.1[0], names))
             }
             (Self::Tuple(all), Head::Tuple) => {
                 let mut both = all.iter().zip(&ty.1);

@@ -20,25 +20,20 @@ impl Lowerer<'_> {
             }
             syn::Pat::Ident(name) if name.ident == "None" => self.option(ty, None, at),
             syn::Pat::Ident(it) => self.name(it, ty, is_late, at),
-            syn::Pat::Reference(it) => match ty.0 {
-                Head::Ref | Head::RefMut | Head::Unknown => {
-                    self.pattern(&it.pat, &ty.inner(), is_late)
-                }
-                _ => {
-                    let label = format!("expected {}, found reference", ty.said(self.names));
-                    self.fault(at, "mismatched types", &label, "leave the `&` out")
-                }
-            },
+            syn::Pat::Reference(it) if ty.is_reference() || ty.is_unknown() => {
+                self.pattern(&it.pat, &ty.inner(), is_late)
+            }
+            syn::Pat::Reference(_) => {
+                let label = format!("expected {}, found reference", ty.said(self.names));
+                self.fault(at, "mismatched types", &label, "leave the `&` out")
+            }
             syn::Pat::Lit(it) => {
                 let literal = self.literal(&it.lit)?;
                 let literal = self.declared(literal, ty.stripped(), at)?;
                 Ok(Pattern::Literal(literal))
             }
-            syn::Pat::TupleStruct(it) if it.path.is_ident("Some") => {
-                let inner = it.elems.first().filter(|_| it.elems.len() == 1);
-                let message = "this pattern has the wrong number of fields";
-                let miscounted = || Refusal::new(at, message, "`Some` has 1", "");
-                self.option(ty, Some(inner.ok_or_else(miscounted)?), at)
+            syn::Pat::TupleStruct(it) if it.path.is_ident("Some") && it.elems.len() == 1 => {
+                self.option(ty, it.elems.first(), at)
             }
             syn::Pat::TupleStruct(it) => {
                 let named = it.elems.iter().enumerate();
@@ -58,16 +53,7 @@ impl Lowerer<'_> {
                     Ok(Pattern::Literal(constant))
                 }
             },
-            syn::Pat::Tuple(tuple) => {
-                let on = ty.stripped();
-                let wanted = Type(Head::Tuple, vec![Type::UNKNOWN; tuple.elems.len()]);
-                self.expect(on, &wanted, at)?;
-                let all = tuple.elems.iter().enumerate().map(|(n, it)| {
-                    let part = on.1.get(n).cloned().unwrap_or(Type::UNKNOWN);
-                    Ok((n, self.pattern(it, &part.behind(ty), is_late)?))
-                });
-                Ok(Pattern::Fields(all.collect::<Lowered<_>>()?))
-            }
+            syn::Pat::Tuple(it) => self.tuple_pattern(it, ty, is_late, at),
             syn::Pat::Slice(slice) => {
                 let of = ty.stripped().inner().behind(ty);
                 let all = slice.elems.iter().map(|it| self.pattern(it, &of, is_late));
@@ -95,6 +81,23 @@ impl Lowerer<'_> {
         };
         let slot = self.local(&path[0], ty, it.mutability.is_some() || is_late);
         Ok(Pattern::Bind(slot, Box::new(inner)))
+    }
+
+    fn tuple_pattern(
+        &mut self,
+        tuple: &syn::PatTuple,
+        ty: &Type,
+        is_late: bool,
+        at: At,
+    ) -> Lowered<Pattern> {
+        let on = ty.stripped();
+        let wanted = Type(Head::Tuple, vec![Type::UNKNOWN; tuple.elems.len()]);
+        self.expect(on, &wanted, at)?;
+        let all = tuple.elems.iter().enumerate().map(|(n, it)| {
+            let part = on.1.get(n).cloned().unwrap_or(Type::UNKNOWN);
+            Ok((n, self.pattern(it, &part.behind(ty), is_late)?))
+        });
+        Ok(Pattern::Fields(all.collect::<Lowered<_>>()?))
     }
 
     fn expect(&self, ty: &Type, wanted: &Type, at: At) -> Lowered<()> {
