@@ -1,14 +1,15 @@
 //! The answer to a picture, part by part: what the command and the page lay out.
 
-use slips::{Chapter, Edition, Letters, Slip};
+use slips::{Chapter, Edition, Slip};
 
+use crate::Row;
 use crate::blind_spots::{self, Next};
 use crate::causes;
 use crate::known::Known;
 use crate::reading::Cause;
 use crate::scene::Scene;
 use crate::verdict::{Check, Finding, Right};
-use crate::words::{Row, names_of};
+use crate::words::names_of;
 
 /// A picture after it has been judged.
 pub struct Judged<'a> {
@@ -101,8 +102,10 @@ impl Judged<'_> {
         match &self.check {
             Check::Right(right) => {
                 let after = format!("{}: {}.", right.by(), self.how_right(right));
-                let given_by = given_by(&right.shape_given_by).into_iter();
-                let notes = given_by.chain(notes_on(&right.scene)).collect();
+                let given_by = self
+                    .known
+                    .shape_given_by(&right.scene, &right.shape_given_by);
+                let notes = given_by.into_iter().chain(notes_on(&right.scene)).collect();
                 is("right", true, after, notes)
             }
             Check::Near(finding) => {
@@ -110,8 +113,11 @@ impl Judged<'_> {
                 let after = format!("{by}, but {}.", finding.but());
                 let (width, height) = (finding.yours.width(), finding.yours.height());
                 let shape = causes::slips_giving(&self.scene, width, height);
-                let given_by = given_by(&shape).into_iter();
-                let notes = given_by.chain(notes_on(&finding.scene)).collect();
+                let given_by = self.known.shape_given_by(&finding.scene, &shape);
+                let notes = given_by
+                    .into_iter()
+                    .chain(notes_on(&finding.scene))
+                    .collect();
                 is("right", true, after, notes)
             }
             Check::Wrong(finding) => {
@@ -277,17 +283,6 @@ impl Right {
         };
         format!("{by}{shape}")
     }
-}
-
-/// What may have given a picture its shape, if the reader did not choose it.
-fn given_by(slips: &[&Slip]) -> Option<String> {
-    let said = |slip: &&Slip| {
-        let words = slip.words(Letters::Book(Edition::V4), slip.chapters[0]);
-        format!("{} ({})", slip.name, words.wrong)
-    };
-    let said: Vec<String> = slips.iter().map(said).collect();
-    let said = said.join(", or ");
-    (!slips.is_empty()).then(|| format!("If you did not choose this shape, look for {said}."))
 }
 
 /// What the edition of a scene has otherwise than the one that this workspace follows.

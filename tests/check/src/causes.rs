@@ -4,7 +4,11 @@ use slips::{Edition, Letters, Program, Slip};
 
 use crate::reading::{Cause, Reading};
 use crate::scene::Scene;
-use crate::verdict::MOST_MISSHAPEN;
+
+/// The most pixels of a picture of a wrong shape that are looked at. Its shape says
+/// more than its pixels do, and to draw the right one in a shape that nobody wants may
+/// take long.
+pub(crate) const MOST_MISSHAPEN: u64 = 1 << 20;
 
 /// The slips with which a program draws `width` × `height` pixels where the
 /// right one does not, whatever the pixels are.
@@ -37,7 +41,7 @@ pub(crate) fn not_as_wide(scene: &Scene, reading: &Reading) -> Option<Cause> {
     (wanted != width).then(|| Cause::new(
         "wrong-shape",
         format!(
-            "the picture is {width} × {height}, but the probe {name} is about one {wanted} pixels wide"
+            "the picture is {width} × {height}, but that of the probe {name} has image_width = {wanted}"
         ),
         format!("Draw {chapter} with image_width = {wanted}."),
     ))
@@ -73,9 +77,6 @@ pub(crate) fn wrong_shape(scene: &Scene, width: u32, height: u32) -> Option<Caus
     ))
 }
 
-/// So many rays are a sum; of fewer, many a mistake has the same highest level.
-const RAYS: f64 = 4.0;
-
 /// Why the picture has numbers that are no levels, if it has.
 pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
     let outside = reading.outside()?;
@@ -92,21 +93,10 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
         (true, false) => format!("below 0, down to {lowest}"),
         _ => format!("above 255, up to {highest}"),
     };
-    // White by many rays, in whatever scale, unless it is the last of 1024 levels or more.
-    let rays = (f64::from(outside.highest) / 255.999).round();
-    let is_white = |scale: f64| (scale * rays) as i16 == outside.highest;
-    let is_last = (outside.highest.unsigned_abs() + 1).is_power_of_two();
-    let scales = [255.0, 255.99, 255.999, 256.0].into_iter();
-    let is_a_sum = rays >= RAYS && !is_last && { scales }.any(is_white);
-    let far = match (outside.lowest, outside.highest) {
-        (i16::MIN, _) => {
-            " So far below 0 is what a number becomes that is none: what is divided by 0, or has never been set?".to_owned()
-        }
-        (_, i16::MAX) => {
-            " So far above 255 may be what was scaled twice, or divided by what is no length, or has never been set.".to_owned()
-        }
-        _ if is_a_sum => format!(" The highest is {rays} times white: is a sum of as many rays not divided by their number?"),
-        _ => String::new(),
+    let far = if outside.lowest == i16::MIN {
+        " So far below 0 is what a number becomes that is none: what is divided by 0, or has never been set?"
+    } else {
+        ""
     };
     Some(Cause::new(
         "levels-outside",

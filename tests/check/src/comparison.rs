@@ -1,7 +1,5 @@
 //! Pixel-by-pixel comparison: where two pictures differ.
 
-use std::fmt;
-
 use common::rtweekend::Picture;
 
 /// What sets `actual` apart from `expected`.
@@ -30,10 +28,6 @@ pub struct Difference {
     pub rows: (u32, u32),
     /// Column and row of the first pixel that differs, in reading order.
     pub first: (u32, u32),
-    /// Its red, green and blue as they should be.
-    pub expected: [u8; 3],
-    /// Its red, green and blue as they are.
-    pub actual: [u8; 3],
 }
 
 impl Comparison {
@@ -52,8 +46,6 @@ impl Comparison {
                 columns: (i, i),
                 rows: (j, j),
                 first: (i, j),
-                expected,
-                actual,
             });
             found.count += 1;
             for (expected, actual) in expected.into_iter().zip(actual) {
@@ -63,40 +55,6 @@ impl Comparison {
             found.rows.1 = j;
         }
         difference.map_or(Self::Equal, Self::Pixels)
-    }
-}
-
-impl fmt::Display for Comparison {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Equal => write!(f, "the pictures are equal"),
-            Self::Size((width, height), (actual_width, actual_height)) => write!(
-                f,
-                "the size is {actual_width} × {actual_height}, expected {width} × {height}"
-            ),
-            Self::Pixels(difference) => difference.fmt(f),
-        }
-    }
-}
-
-impl fmt::Display for Difference {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            count,
-            total,
-            columns,
-            rows,
-            first,
-            expected,
-            actual,
-            ..
-        } = self;
-        write!(
-            f,
-            "{count} of {total} pixels differ, in columns {} to {} and rows {} to {}; \
-             the first is column {}, row {}: expected {expected:?}, got {actual:?}",
-            columns.0, columns.1, rows.0, rows.1, first.0, first.1
-        )
     }
 }
 

@@ -60,7 +60,7 @@ pub(crate) fn mean_of(candidate: &Candidate, reading: &Reading) -> Option<Mean> 
 
 /// Whether some pixels without an edge are the program's.
 pub(crate) fn may_be_mean_of(candidate: &Candidate, reading: &Reading) -> bool {
-    if reading.width < 3 || reading.height < 3 || is_doubled(reading) {
+    if reading.width < 3 || reading.height < 3 {
         return false;
     }
     let Some(output) = candidate.output(reading) else {
@@ -84,19 +84,6 @@ pub(crate) fn may_be_mean_of(candidate: &Candidate, reading: &Reading) -> bool {
     }
     // A picture that is all edges is the mean of anything.
     SMOOTH * smooth >= GLANCE
-}
-
-/// Whether each pixel stands there twice, side by side and above each other: a picture that was
-/// scaled, and no mean.
-fn is_doubled(reading: &Reading) -> bool {
-    let (width, height) = (reading.width, reading.height);
-    let is_single = |n: &u32| {
-        let (i, j) = ((n % width) & !1, (n / width) & !1);
-        let at = |i: u32, j: u32| reading.pixels[(j * width + i) as usize];
-        i + 1 < width && j + 1 < height && at(i, j) != at(i + 1, j + 1)
-    };
-    let places = spread(GLANCE, width * height);
-    ODD * places.filter(is_single).count() <= GLANCE as usize
 }
 
 /// The picture of rays through the middle of each pixel: before version 4 several rays lie

@@ -59,6 +59,14 @@ impl Known<'_> {
         slip.words(letters, scene.chapter)
     }
 
+    /// What may have given a picture its shape, if the reader did not choose it.
+    pub(crate) fn shape_given_by(&self, scene: &Scene, slips: &[&Slip]) -> Option<String> {
+        let said = |slip: &&Slip| format!("{} ({})", slip.name, self.words(slip, scene).wrong);
+        let said: Vec<String> = slips.iter().map(said).collect();
+        let said = said.join(", or ");
+        (!slips.is_empty()).then(|| format!("If you did not choose this shape, look for {said}."))
+    }
+
     /// Whether the reader can have made the slip, as far as it is known.
     pub fn can_be_made(&self, slip: &Slip, scene: &Scene) -> bool {
         self.can_be_made.is_none_or(|can_be| can_be(slip)) && self.said(slip, scene) != Said::Right

@@ -35,4 +35,7 @@ pub mod workspace;
 
 pub use candidate::{Conversion, Left};
 pub use course::names;
-pub use words::{Row, names_of};
+pub use words::names_of;
+
+/// A label and what it is about; without a label it goes on with the row before.
+pub type Row = (&'static str, String);

@@ -34,7 +34,7 @@ pub enum Check {
     WrongShape {
         /// The shape that it should have, and what gives this one.
         cause: Cause,
-        /// What its pixels show, unless there are more than [`MOST_MISSHAPEN`].
+        /// What its pixels show, unless there are more than a million or so.
         finding: Option<Box<Finding>>,
     },
     /// It is no picture, or not a valid one.
@@ -143,11 +143,6 @@ pub fn check_knowing(scene: &Scene, bytes: &[u8], tolerance: u8, known: &Known) 
     }
 }
 
-/// The most pixels of a picture of a wrong shape that are looked at. Its shape says
-/// more than its pixels do, and to draw the right one in a shape that nobody wants may
-/// take long.
-pub const MOST_MISSHAPEN: u64 = 1 << 20;
-
 /// The same of a picture that was read.
 pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> Check {
     let newest = scene.only_by(Edition::V4);
@@ -176,7 +171,7 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> 
     let size = u64::from(width) * u64::from(height);
     let has_own_shape = scene.without_probe().height(width) == height;
     match shape {
-        Some(cause) if size > MOST_MISSHAPEN && !has_own_shape => Check::WrongShape {
+        Some(cause) if size > causes::MOST_MISSHAPEN && !has_own_shape => Check::WrongShape {
             cause,
             finding: None,
         },

@@ -183,8 +183,8 @@ impl Evidence<'_> {
         if scene.has_another_shape() {
             return Verdict {
                 headline: format!("Right{}: {width} × {height}.", right.by()),
-                cause: self.rows_of_shape(right),
-                next: "if you chose the shape, nothing is wrong".to_owned(),
+                next: (self.known.shape_given_by(scene, &right.shape_given_by))
+                    .unwrap_or("if you chose the shape, nothing is wrong".to_owned()),
                 ..verdict
             };
         }
@@ -222,17 +222,6 @@ impl Evidence<'_> {
             next: "cargo test, in the folder of your crate, shows more".to_owned(),
             ..verdict
         }
-    }
-
-    fn rows_of_shape(&self, right: &Right) -> Vec<Line> {
-        let slip = right.shape_given_by.first();
-        slip.map_or(Vec::new(), |slip| {
-            let words = self.known.words(slip, &right.scene);
-            vec![
-                labeled("or is it", words.wrong.into_owned()),
-                labeled("should be", words.right.into_owned()),
-            ]
-        })
     }
 
     /// Right but for odd pixels, or as far as a step goes.

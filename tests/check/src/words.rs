@@ -5,15 +5,13 @@ use std::{fmt, iter};
 use common::rtweekend::Color;
 use slips::{Chapter, Letters, Probe, Slip};
 
+use crate::Row;
 use crate::candidate::{Conversion, Left};
 use crate::known::Known;
 use crate::repair::{Change, Repair, Right};
 use crate::scene::{Chosen, Scene};
 use crate::sources::Line;
 use crate::verdict::{Finding, Mistakes, Near};
-
-/// A label and what it is about; without a label it goes on with the row before.
-pub type Row = (&'static str, String);
 
 /// So many mistakes that draw the same are named.
 const NAMED: usize = 4;

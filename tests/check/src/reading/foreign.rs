@@ -94,7 +94,7 @@ pub(super) fn cause(bytes: &[u8]) -> Cause {
         return Cause::new(
             "missing-header",
             "the file begins with a number: its first line is missing",
-            "The header is \"P3\\n400 225\\n255\\n\", and then the pixels.",
+            "First comes P3, then width and height, and then 255, on a line each; below them the pixels.",
         );
     }
     let line: String = String::from_utf8_lossy(&text[..text.len().min(160)])

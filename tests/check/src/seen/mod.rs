@@ -11,10 +11,10 @@ mod view;
 use common::rtweekend::Picture;
 use slips::Room;
 
+use crate::Row;
 use crate::pixels::distance;
 use crate::reading::Reading;
 use crate::scene::Scene;
-use crate::words::Row;
 
 use view::View;
 

@@ -1,7 +1,7 @@
 //! The first pixel that differs, with all numbers as they should be on its way.
 
 use super::view::View;
-use crate::words::Row;
+use crate::Row;
 
 impl View<'_> {
     /// What a reader's program should print for that pixel.

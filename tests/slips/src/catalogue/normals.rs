@@ -246,9 +246,21 @@ pub(super) const SLIPS: &[Slip] = &[
         name: "normal-x-twice",
         edits: &["N.y()→N.x()"],
         why: "Red and green are the same everywhere: green is to show the y of the normal.",
-        alter: |p| {
-            p.shade = |_, normal| 0.5 * (Vec3::new(normal.x, normal.x, normal.z) + Vec3::ONE);
-        },
+        alter: |p| p.shade = |_, normal| 0.5 * (normal.with_y(normal.x) + Vec3::ONE),
+        ..SHADE
+    },
+    Slip {
+        name: "normal-y-twice",
+        edits: &["N.z()→N.y()"],
+        why: "Green and blue are the same everywhere: blue is to show the z of the normal.",
+        alter: |p| p.shade = |_, normal| 0.5 * (normal.with_z(normal.y) + Vec3::ONE),
+        ..SHADE
+    },
+    Slip {
+        name: "normal-x-and-y-exchanged",
+        edits: &["N.x() + 1, N.y()→N.y() + 1, N.x()"],
+        why: "Red is to grow to the right, with x, and green upwards, with y.",
+        alter: |p| p.shade = |_, n| 0.5 * (Vec3::new(n.y, n.x, n.z) + Vec3::ONE),
         ..SHADE
     },
     Slip {

@@ -7,63 +7,6 @@ use slips::{self, Probe, Slip, Unseen};
 
 use super::{Outcome, Shown};
 
-/// Everything, as text: each slip in each chapter and each exam.
-pub(super) fn in_full(outcomes: &[Outcome]) -> String {
-    let mut table = LEGEND.to_owned();
-    for of_chapter in outcomes.chunk_by(|one, other| one.chapter == other.chapter) {
-        write_head(&mut table, &of_chapter[0]);
-        for outcome in of_chapter {
-            write_row(&mut table, outcome);
-        }
-    }
-    table
-}
-
-const LEGEND: &str = "\
-Each slip in each chapter in which it can be made: the percentage of pixels that
-differ from the right picture at the book's size and in each probe scene, and
-the first law that it breaks. A point is the right picture, ±1 a difference of
-one level at most, `size` a picture of another size. What each slip is, and why
-an (equivalent) one is that, says tests/slips/src/catalogue.
-";
-
-const NAME_WIDTH: usize = 27;
-const VERDICT_WIDTH: usize = 12;
-
-fn write_head(table: &mut String, outcome: &Outcome) {
-    let name = outcome.chapter.name();
-    write!(table, "\n{name:NAME_WIDTH$}").expect("a string takes it");
-    for (probe, _) in &outcome.verdicts {
-        let exam = probe.map_or("book", |probe| probe.name);
-        write!(table, "{exam:>VERDICT_WIDTH$}").expect("a string takes it");
-    }
-    table.push_str("   law\n");
-}
-
-/// One slip: a point where the picture is the right one, else the percentage of
-/// pixels that differ; `±1` after it if no level is farther off. At the end the
-/// law that it breaks, if it breaks one.
-fn write_row(table: &mut String, outcome: &Outcome) {
-    write!(table, "{:NAME_WIDTH$}", outcome.slip.name).expect("a string takes it");
-    for (_, verdict) in &outcome.verdicts {
-        let text = match verdict {
-            Shown::Same => ".   ".to_owned(),
-            Shown::Size => "size   ".to_owned(),
-            Shown::Pixels(share, largest) => {
-                percent(*share) + if *largest == 1 { " ±1" } else { "   " }
-            }
-        };
-        write!(table, "{text:>VERDICT_WIDTH$}").expect("a string takes it");
-    }
-    table.push_str(match (&outcome.report, outcome.is_equivalent()) {
-        (Some(report), _) => report.law(),
-        (None, true) => "(equivalent)",
-        (None, false) => "",
-    });
-    table.truncate(table.trim_end_matches(' ').len());
-    table.push('\n');
-}
-
 fn percent(share: f64) -> String {
     match 100.0 * share {
         tiny if tiny < 0.05 => "<0.1".to_owned(),
@@ -71,7 +14,7 @@ fn percent(share: f64) -> String {
     }
 }
 
-/// The same in brief, as Markdown: what catches each slip first, and which slips
+/// Markdown: what catches each slip first, and which slips
 /// a law catches. Each name is an anchor.
 pub(super) fn at_a_glance(outcomes: &[Outcome]) -> String {
     let mut page = String::new();
@@ -130,7 +73,7 @@ impl Outcome {
     fn caught_first_by(&self) -> String {
         let differs = |(_, verdict): &&(Option<Probe>, Shown)| *verdict != Shown::Same;
         match self.verdicts.iter().find(differs) {
-            Some((None, Shown::Pixels(share, _))) => percent(*share),
+            Some((None, Shown::Pixels(share))) => percent(*share),
             Some((None, _)) => "size".to_owned(),
             Some((Some(probe), _)) => format!("*{}*", probe.name),
             None if self.is_equivalent() => "=".to_owned(),
