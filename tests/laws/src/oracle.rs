@@ -12,6 +12,7 @@
 
 use std::cmp::Ordering;
 
+use dashu_base::FloatEncoding;
 use dashu_int::ops::{BitTest, DivRemEuclid, SquareRootRem, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 use speed_vs_accuracy::Case;
@@ -304,20 +305,14 @@ const DIGITS: isize = 53;
 
 /// The `f64` nearest to `digits` · 2^`exponent`, ties to even.
 fn round(digits: &IBig, exponent: isize) -> f64 {
-    if *digits == IBig::ZERO {
-        return 0.0;
-    }
-    let sign = if *digits > IBig::ZERO { 1.0 } else { -1.0 };
-    let unit = last_place(digits, exponent);
-    // With zeros appended, there is always a digit to drop.
-    let padded = digits.unsigned_abs() << (DIGITS + 1).unsigned_abs();
-    let dropped = unit.abs_diff(exponent - DIGITS - 1);
-    let half = padded.bit(dropped - 1);
-    let tie = padded.trailing_zeros() == Some(dropped - 1);
-    let kept = u64::try_from(padded >> dropped).expect("53 digits are kept, or fewer");
-    let up = half && (!tie || kept % 2 == 1);
-    // The product of two numbers that are no longer than an `f64` is exact, or infinite.
-    sign * (kept + u64::from(up)) as f64 * f64::exp2(unit as f64)
+    // What is dropped behind 62 digits makes the last one odd, as in `Root::digits`.
+    let dropped = digits.bit_len().saturating_sub(62);
+    let is_exact = digits.trailing_zeros().is_none_or(|zeros| zeros >= dropped);
+    let kept = i64::try_from(digits >> dropped).expect("62 digits and a sign");
+    let exponent = exponent + dropped.cast_signed();
+    let beyond_all = isize::from(i16::MAX / 4);
+    let exponent = exponent.clamp(-beyond_all, beyond_all) as i16;
+    f64::encode(kept | i64::from(!is_exact), exponent).value()
 }
 
 /// The exponent of the last place that an `f64` of the size of
@@ -345,26 +340,13 @@ fn integers<const N: usize>(values: [f64; N]) -> Option<([IBig; N], isize)> {
 /// The integer and the power of two whose product is `x`, the integer odd or
 /// zero. `None` if `x` is infinite or NaN.
 fn decode(x: f64) -> Option<(i64, isize)> {
-    if !x.is_finite() {
-        return None;
-    }
-    if x == 0.0 {
+    let (mantissa, exponent) = x.decode().ok()?;
+    if mantissa == 0 {
         // No number has a greater exponent: a zero never makes others longer.
         return Some((0, 1023));
     }
-    let bits = x.abs().to_bits();
-    let fraction = (bits & ((1 << 52) - 1)).cast_signed();
-    let (mantissa, exponent) = match bits >> 52 {
-        0 => (fraction, LEAST),
-        field => (
-            fraction + (1 << 52),
-            LEAST + field.cast_signed() as isize - 1,
-        ),
-    };
     let zeros = mantissa.trailing_zeros();
-    let odd = mantissa >> zeros;
-    let signed = if x > 0.0 { odd } else { -odd };
-    Some((signed, exponent + zeros as isize))
+    Some((mantissa >> zeros, isize::from(exponent) + zeros as isize))
 }
 
 /// The dot product.

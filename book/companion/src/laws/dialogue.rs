@@ -48,7 +48,7 @@ pub(super) enum Failure {
 const MOST_OF_ALL: u32 = 24;
 
 /// How long a program that is told to end may take, or to say the rest.
-const FAREWELL: Duration = Duration::from_secs(1);
+const FAREWELL: Duration = Duration::from_secs(2);
 
 /// An answer is a number. What is longer is cut off, and shown as far as this.
 const MOST_BYTES: u64 = 200;

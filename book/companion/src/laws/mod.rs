@@ -78,8 +78,8 @@ fn not_started(program: &[OsString], cause: &str) -> String {
     )
 }
 
-/// How long the first answers may take to be followed by lines that nobody asked for.
-const GREETING: Duration = Duration::from_millis(100);
+/// How long the first answer is waited for to be followed by lines that were not asked for.
+const GREETING: Duration = Duration::from_millis(300);
 
 /// A program with all that it has been asked.
 struct Asked<'a> {
@@ -138,7 +138,7 @@ impl<'a> Asked<'a> {
     /// for a miss is known, and one to the ball.
     fn greet(&self) {
         let ball = Point3::new(0.0, 0.0, -1.0);
-        for direction in [Vec3::Y, ball] {
+        for (direction, patience) in [(Vec3::Y, GREETING), (ball, Duration::ZERO)] {
             let asked = WithInterval {
                 case: Case::new(ball, 0.5, Ray::new(Point3::ZERO, direction)),
                 t_min: 0.0,
@@ -149,7 +149,7 @@ impl<'a> Asked<'a> {
             if self.answers.borrow().values().any(says_miss) {
                 self.says_minus_one.set(false);
             }
-            if let Err(more) = self.dialogue.borrow().says_no_more(GREETING) {
+            if let Err(more) = self.dialogue.borrow().says_no_more(patience) {
                 let mut failure = self.failure.borrow_mut();
                 failure.get_or_insert((more, self.line(&asked)));
             }
