@@ -108,10 +108,10 @@ impl Dialogue {
 
     fn late(&mut self) -> Failure {
         self.questions = None;
-        match self.answers.recv_timeout(FAREWELL) {
-            Ok(_) => Failure::Late,
-            Err(_) => Failure::Silent,
-        }
+        let late = self.answers.recv_timeout(FAREWELL);
+        // It may never end by itself.
+        let _ = self.child.kill();
+        late.map_or(Failure::Silent, |_| Failure::Late)
     }
 
     fn ended(&mut self) -> Failure {
