@@ -128,11 +128,6 @@ fn show(errors: impl BufRead, first: &str) -> String {
     let mut is_shown = false;
     for line in errors.split(b'\n').map_while(Result::ok) {
         let line = String::from_utf8_lossy(&line);
-        if line.trim_start().starts_with("Blocking") {
-            complain(
-                "Waiting for another cargo, such as that of an editor, which builds in the same folder",
-            );
-        }
         if !is_shown && is_work(&line) {
             is_shown = true;
             complain(first);

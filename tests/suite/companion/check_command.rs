@@ -105,31 +105,6 @@ fn a_picture_may_come_from_a_program_which_ends_within_its_time() {
     ));
 }
 
-/// What is checked has started another one. Both hold the pipe, which ends when they have.
-#[cfg(unix)]
-#[test]
-fn ctrl_c_ends_what_is_checked_with_all_that_it_started() {
-    use rustix::process::{Pid, Signal, kill_process_group};
-    use std::io::{BufRead, BufReader, Read};
-    use std::os::unix::process::{CommandExt, ExitStatusExt};
-    use std::process::Stdio;
-
-    let mut check = crate::terminal::hears_signals(suite::command::path_of("rtrace"));
-    // The inner one says that it runs, so that there is one to be ended.
-    let script = "sh -c 'echo it runs >&2; exec sleep 60'; true";
-    check.args(["check", "gradient", "--", "sh", "-c", script]);
-    let piped = check.stdout(Stdio::null()).stderr(Stdio::piped());
-    // A terminal sends it to the group that is in front.
-    let mut child = piped.process_group(0).spawn().expect("the program starts");
-    let mut pipe = BufReader::new(child.stderr.take().expect("it is piped"));
-    let mut said = String::new();
-    pipe.read_line(&mut said).expect("it runs");
-    kill_process_group(Pid::from_child(&child), Signal::INT).expect("it is running");
-    let ended = child.wait().expect("it ends");
-    assert_eq!(ended.signal(), Some(Signal::INT.as_raw()));
-    pipe.read_to_string(&mut said).expect("the pipe ends");
-}
-
 #[test]
 fn a_report_is_a_page_that_needs_nothing_else() {
     let desk = Desk::default();

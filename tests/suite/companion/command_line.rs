@@ -65,30 +65,6 @@ fn the_companion_explains_itself_when_asked_and_when_misunderstood() {
     ));
 }
 
-/// A terminal obeys some characters, and others turn the order of letters. On Windows no
-/// file can be called so.
-#[cfg(unix)]
-#[test]
-fn names_are_shown_and_not_obeyed() {
-    let lines = "gradient ODD/a.ppm
-         gradient ODD.png
-         gradient --ODD
-         rtrace ODD
-         rtrace show ODD
-         rtrace show gradient --output ODD.ppm
-         rtrace check gradient ODD.ppm --report ODD
-         rtrace check normals -- ODD
-         rtrace check normals -- echo ODD
-         rtrace book --source ODD";
-    let odd = "\u{1b}[31m\u{9b}\u{202e}\u{200f}é";
-    let said = Desk::default().transcript(&lines.replace("ODD", odd));
-    assert!(
-        !said.contains(['\u{1b}', '\u{9b}', '\u{202e}', '\u{200f}']),
-        "{said:?}"
-    );
-    assert_snapshot!(said);
-}
-
 #[test]
 #[ignore = "builds the weaver, and weaves the book"]
 fn rtrace_alone_draws_every_picture_twice_and_then_weaves_the_book() {
