@@ -1,7 +1,7 @@
 //! Digits of D and t that are lost with distance: a star goes away. A ray of it is chosen by
 //! its pixel.
 
-use speed_vs_accuracy::{Case, Eye, Lens, Method, Scene};
+use speed_vs_accuracy::{Case, Eye, Lens, Method, Scene, USUAL_T_MIN};
 
 use crate::cancellation::Numbers;
 use crate::vocabulary::*;
@@ -138,6 +138,7 @@ impl Parameters {
             name: LIVE.name().to_owned(),
             width: PIXELS,
             sun: None,
+            t_min: USUAL_T_MIN,
             lens: Lens::new(Point3::ZERO, Vec3::NEG_Z, [self.away() / CLOSER; 2]),
             spheres: vec![(self.center(), RADIUS)],
         }

@@ -92,9 +92,9 @@ pub struct Tightness {
 /// How exact a method is at one level of a regime.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Level {
-    /// `far` or `grazing`.
+    /// `far`.
     pub regime: String,
-    /// The k of 10ᵏ radii away, or of passing at (1 ± 10⁻ᵏ) radii.
+    /// The k of 10ᵏ radii away.
     pub level: i32,
     /// As in [`Accuracy`], like all that follow.
     #[serde(with = "PrecisionName")]
@@ -138,7 +138,8 @@ pub struct Timing {
     /// | `what` | `name` | |
     /// |---|---|---|
     /// | `method` | a method | one ray against one sphere: the throughput |
-    /// | `chain` | a method | the same where each ray waits for the answer before it: the latency |
+    /// | `rays` | a method | a block of rays against one sphere, in SIMD lanes |
+    /// | `spheres` | a method | one ray against a block of spheres, in SIMD lanes |
     /// | `record` | `half_b` | chapter 5's own function, with its record of the hit |
     /// | `ray` | `nothing` | the ray is made, and nothing is asked |
     pub what: String,
@@ -147,8 +148,7 @@ pub struct Timing {
     /// What numbers it computes with.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
-    /// A regime, or `all_hits`: the rays of `book` that hit; `_shuffled` if they are not in
-    /// the picture's order.
+    /// A regime, or `all_hits`: the rays of `book` that hit.
     #[serde(rename = "where")]
     pub place: String,
     /// How many rays at a time.

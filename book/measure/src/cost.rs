@@ -1,16 +1,14 @@
-//! Throughput and latency: what a question takes by each method, here and now.
+//! Throughput: what a question takes by each method, here and now.
 //!
 //! Each method is compiled into a loop of its own, as a renderer would have it: the loop
 //! makes a ray, asks, and has a t. The processor works at several questions at once, as
-//! long as none needs the answer to another: that is their *throughput*. In a *chain*
-//! each ray starts where the answer before it says, as a path does that bounces: the
-//! time from one answer to the next is the *latency*.
+//! none needs the answer to another.
 
 use std::hint::black_box;
 
 use common::rtweekend::*;
 use glam::Vec3 as SingleVec3;
-use speed_vs_accuracy::{Case, Eye, METHODS, Method, Scene, SingleRay, T_MIN_OF_SHADOWS};
+use speed_vs_accuracy::{Case, Eye, METHODS, Method, Scene, SingleRay};
 
 use crate::contest::{Effort, Group, Runner};
 
@@ -18,7 +16,7 @@ use crate::contest::{Effort, Group, Runner};
 /// `scene`: as many as there are rounds. Each `round` is told when it is over.
 pub fn times(scene: &Scene, effort: &Effort, round: impl Fn()) -> Vec<(Method, Vec<f64>)> {
     let asked = questions(scene);
-    let mut group = group("method", &scene.name, &of_cases(&asked, &asked));
+    let mut group = group(&scene.name, &of_cases(&asked, &asked));
     METHODS
         .iter()
         .copied()
@@ -26,16 +24,15 @@ pub fn times(scene: &Scene, effort: &Effort, round: impl Fn()) -> Vec<(Method, V
         .collect()
 }
 
-/// All methods, the reference first, in a `chain` or as a `method` alone: all are asked
-/// the same questions.
-pub fn group<D, S>(what: &str, place: &str, asked: &Questions<D, S>) -> Group
+/// All methods, the reference first: all are asked the same questions.
+pub fn group<D, S>(place: &str, asked: &Questions<D, S>) -> Group
 where
     D: Fn(usize) -> Double + Clone + 'static,
     S: Fn(usize) -> Single + Clone + 'static,
 {
     let runner = |method: &Method| {
-        let key = [what, method.name, place];
-        let run = run(method, asked, what == "chain");
+        let key = ["method", method.name, place];
+        let run = run(method, asked);
         Runner::new(key, method.precision(), asked.count, asked.count, run)
     };
     Group(METHODS.iter().map(runner).collect())
@@ -112,33 +109,21 @@ macro_rules! loops {
         fn run<D, S>(
             method: &Method,
             asked: &Questions<D, S>,
-            is_chain: bool,
         ) -> Box<dyn FnMut()>
         where
             D: Fn(usize) -> Double + Clone + 'static,
             S: Fn(usize) -> Single + Clone + 'static,
         {
-            match (method.name, is_chain) {
-                $($((stringify!($method), false) => {
+            match method.name {
+                $($(stringify!($method) => {
                     let question = asked.$question.clone();
                     Box::new(throughput(asked.count, move |n| {
                         let ((center, radius), ray, t_min) = question(n);
                         let end = $number::INFINITY;
                         speed_vs_accuracy::$method(center, radius, &ray, t_min, end)
                     }))
-                }
-                (stringify!($method), true) => {
-                    let question = asked.$question.clone();
-                    Box::new(chain(asked.count, move |n, before: $number| {
-                        let ((center, radius), mut ray, t_min) = question(n);
-                        // It stays where it is, and has waited for the answer before.
-                        ray.origin += 0.0 * before;
-                        let end = $number::INFINITY;
-                        speed_vs_accuracy::$method(center, radius, &ray, t_min, end)
-                            .unwrap_or_default()
-                    }))
                 })*)*
-                (other, _) => panic!("name {other} in the list of loops"),
+                other => panic!("name {other} in the list of loops"),
             }
         }
 
@@ -159,13 +144,6 @@ pub fn throughput<T>(count: usize, answer: impl Fn(usize) -> T) -> impl FnMut() 
         for n in 0..count {
             black_box(answer(n));
         }
-    }
-}
-
-/// Asks all questions, each with the answer to the one before.
-fn chain<T: Default>(count: usize, answer: impl Fn(usize, T) -> T) -> impl FnMut() {
-    move || {
-        black_box((0..count).fold(T::default(), |before, n| answer(n, before)));
     }
 }
 
@@ -191,9 +169,9 @@ fn questions(scene: &Scene) -> Vec<(Case, f64)> {
         };
         let to_sun = scene.sun.and_then(|sun| {
             let hit = scene.look(Eye::Exact, &seen).hit?;
-            Some((case(Ray::new(hit.point, sun)), T_MIN_OF_SHADOWS))
+            Some((case(Ray::new(hit.point, sun)), scene.t_min[1]))
         });
-        [Some((case(scene.ray(&seen)), 0.0)), to_sun]
+        [Some((case(scene.ray(&seen)), scene.t_min[0])), to_sun]
     });
     asked.flatten().collect()
 }

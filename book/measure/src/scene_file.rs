@@ -3,6 +3,7 @@
 //! ```toml
 //! width = 400             # pixels; the picture is 16:9
 //! sun = [1, 0.25, 0.5]    # towards it, of any length; without it nothing has a shadow
+//! t_min = 0.001           # no hit counts before; else 0, and 0.001 for shadows
 //!
 //! [camera]                # all of it may be left out
 //! origin = [0, 0, 0]
@@ -19,7 +20,7 @@ use std::sync::LazyLock;
 use common::rtweekend::*;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
-use speed_vs_accuracy::{Lens, Scene, unit};
+use speed_vs_accuracy::{Lens, Scene, USUAL_T_MIN, unit};
 
 /// The widest picture that is drawn by every method, in pixels. All of these pictures
 /// together take half a gigabyte then.
@@ -66,6 +67,7 @@ pub fn read(name: &str, text: &str) -> Result<Scene, toml::de::Error> {
     let File {
         width,
         sun,
+        t_min,
         camera,
         sphere,
     } = toml::from_str(text)?;
@@ -73,6 +75,7 @@ pub fn read(name: &str, text: &str) -> Result<Scene, toml::de::Error> {
         name: name.to_owned(),
         width,
         sun: sun.map(unit),
+        t_min: t_min.map_or(USUAL_T_MIN, |t_min| [t_min; 2]),
         lens: Lens::new(camera.origin, camera.direction, camera.zoom),
         spheres: sphere.iter().map(|it| (it.center, it.radius)).collect(),
     })
@@ -85,6 +88,8 @@ struct File {
     width: u32,
     #[serde(default, deserialize_with = "sun")]
     sun: Option<Vec3>,
+    #[serde(default, deserialize_with = "t_min")]
+    t_min: Option<f64>,
     #[serde(default)]
     camera: Eye,
     #[serde(deserialize_with = "spheres")]
@@ -153,6 +158,12 @@ fn width<'de, D: Deserializer<'de>>(from: D) -> Result<u32, D::Error> {
 
 fn sun<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec3>, D::Error> {
     direction(from).map(Some)
+}
+
+fn t_min<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    let t_min = f64::deserialize(from)?;
+    let otherwise = "t_min is a finite number, and not below 0";
+    checked(Some(t_min), t_min.is_finite() && t_min >= 0.0, otherwise)
 }
 
 fn vector<'de, D: Deserializer<'de>>(from: D) -> Result<Vec3, D::Error> {

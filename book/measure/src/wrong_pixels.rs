@@ -49,9 +49,34 @@ pub struct View {
     pub first_wrong: Option<[u32; 2]>,
     /// How many levels a component is off at most.
     pub levels: u8,
-    /// How far a hit point is from the right one at most, in radii of the sphere on
-    /// which both are. None if it never hits the right sphere.
-    pub radii: Option<f64>,
+    /// How far hits of the right sphere are off. None if there are none.
+    pub off: Option<Off>,
+    /// How many pixels see another sphere than the right one, or the sky instead, or a
+    /// sphere instead of the sky.
+    pub misjudged: usize,
+}
+
+/// How far hits are off at most.
+#[derive(Clone, Copy, Debug)]
+pub struct Off {
+    /// The point, in radii of its sphere.
+    pub radii: f64,
+    /// t, as a part of the right one.
+    pub t: f64,
+}
+
+impl Off {
+    /// The worse of each; what is no number is as far off as can be.
+    fn or(self, other: Self) -> Self {
+        let worse = |one: f64, other: f64| match one.max(other) {
+            _ if one.is_nan() || other.is_nan() => f64::INFINITY,
+            worse => worse,
+        };
+        Self {
+            radii: worse(self.radii, other.radii),
+            t: worse(self.t, other.t),
+        }
+    }
 }
 
 /// Draws `scene` by all `methods`, on all threads. Each `row` is told when it is done.
@@ -67,7 +92,10 @@ pub fn drawn(scene: &Scene, methods: &[Method], width: u32, row: impl Fn() + Syn
         let right = sights(Eye::Exact);
         let of_method = |method: &Method| {
             let seen = sights(Eye::Method(*method));
-            (bytes(&seen), farthest(scene, &right, &seen))
+            let off = farthest(scene, &right, &seen);
+            let pairs = right.iter().zip(&seen);
+            let misjudged = pairs.filter(|(right, seen)| sphere(right) != sphere(seen));
+            (bytes(&seen), off, misjudged.count())
         };
         let seen: Vec<_> = methods.iter().map(of_method).collect();
         row();
@@ -79,11 +107,11 @@ pub fn drawn(scene: &Scene, methods: &[Method], width: u32, row: impl Fn() + Syn
     };
     let right = picture(right.concat());
     let views = methods.iter().enumerate().map(|(n, method)| {
-        let of_method = seen.iter().map(|row| &row[n]);
-        let (rgb, radii): (Vec<&[u8]>, Vec<Option<f64>>) =
-            of_method.map(|(rgb, radii)| (&rgb[..], *radii)).unzip();
-        let radii = radii.into_iter().flatten().reduce(f64::max);
-        View::new(*method, &right, picture(rgb.concat()), radii)
+        let rows = || seen.iter().map(|row| &row[n]);
+        let rgb: Vec<&[u8]> = rows().map(|(rgb, ..)| &rgb[..]).collect();
+        let off = rows().filter_map(|(_, off, _)| *off).reduce(Off::or);
+        let misjudged = rows().map(|(.., misjudged)| misjudged).sum();
+        View::new(*method, &right, picture(rgb.concat()), off, misjudged)
     });
     Drawn {
         by_method: views.collect(),
@@ -99,32 +127,45 @@ fn bytes(sights: &[Sight]) -> Vec<u8> {
     rgb
 }
 
-/// The farthest that a hit point is from the right one, where both are on one sphere.
-fn farthest(scene: &Scene, right: &[Sight], seen: &[Sight]) -> Option<f64> {
-    let radii = |(right, seen): (&Sight, &Sight)| {
+/// The farthest that hits are off, where both are on one sphere.
+fn farthest(scene: &Scene, right: &[Sight], seen: &[Sight]) -> Option<Off> {
+    let off = |(right, seen): (&Sight, &Sight)| {
         let (right, seen) = right.hit.zip(seen.hit)?;
         let (_, radius) = scene.spheres[right.sphere];
-        let away = (seen.point - right.point).length() / radius.abs();
-        // A point that is no number is as far away as can be.
-        let away = if away.is_nan() { f64::INFINITY } else { away };
-        (right.sphere == seen.sphere).then_some(away)
+        let off = Off {
+            radii: (seen.point - right.point).length() / radius.abs(),
+            t: ((seen.t - right.t) / right.t).abs(),
+        };
+        (right.sphere == seen.sphere).then_some(off.or(off))
     };
-    right.iter().zip(seen).filter_map(radii).reduce(f64::max)
+    right.iter().zip(seen).filter_map(off).reduce(Off::or)
+}
+
+/// Which sphere is seen, if one is.
+fn sphere(sight: &Sight) -> Option<usize> {
+    sight.hit.map(|hit| hit.sphere)
 }
 
 impl View {
-    fn new(method: Method, right: &Picture, picture: Picture, radii: Option<f64>) -> Self {
-        let off = levels_off(right, &picture);
-        let count = |wanted: fn(&u8) -> bool| off.iter().copied().filter(wanted).count();
-        let first = off.iter().position(|&levels| levels > 1);
+    fn new(
+        method: Method,
+        right: &Picture,
+        picture: Picture,
+        off: Option<Off>,
+        misjudged: usize,
+    ) -> Self {
+        let levels = levels_off(right, &picture);
+        let count = |wanted: fn(&u8) -> bool| levels.iter().copied().filter(wanted).count();
+        let first = levels.iter().position(|&levels| levels > 1);
         let width = right.width();
         Self {
             method,
             wrong: count(|&levels| levels > 1),
             off_by_one: count(|&levels| levels == 1),
             first_wrong: first.map(|n| [n as u32 % width, n as u32 / width]),
-            levels: off.into_iter().max().unwrap_or(0),
-            radii,
+            levels: levels.into_iter().max().unwrap_or(0),
+            off,
+            misjudged,
             picture,
         }
     }

@@ -4,23 +4,27 @@
 //! one signature.
 
 mod certified;
+mod lanes;
 mod method;
 mod methods;
+mod nearest;
 mod precision;
 mod workload;
 
 pub use certified::{
-    D_BAND, Stage, certified_f32, certified_hit, certified_nearest, certified_t, exact,
-    exact_discriminant, proven_offset, stage_of_hit, stage_of_t,
+    D_BAND, Stage, certified_f32, certified_hit, certified_t, exact, exact_discriminant,
+    proven_offset, stage_of_hit, stage_of_t,
 };
+pub use lanes::{BLOCK, certified_in_lanes, in_lanes};
 pub use method::{Discriminant, Method, Solve};
 pub use methods::{
     adaptive_q, cross_q, double_double, half_b, half_b_f32, half_b_q, widened_half_b_q_f32,
 };
+pub use nearest::certified_nearest;
 pub use precision::{Precision, SingleRay};
 pub use workload::{
-    Case, Eye, FailureMap, Hit, Lens, REGIMES, Random, Regime, Scene, Sight, T_MIN_OF_SHADOWS,
-    beside, failure_map, find_regime, tangent, unit,
+    Case, Eye, Hit, Lens, REGIMES, Random, Regime, Scene, Sight, USUAL_T_MIN, beside, find_regime,
+    tangent, unit,
 };
 
 use common::rtweekend::Picture;

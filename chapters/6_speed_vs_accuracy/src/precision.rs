@@ -48,3 +48,11 @@ pub struct SingleRay {
     /// Where it points; one `t` long.
     pub direction: Vec3,
 }
+
+impl SingleRay {
+    /// The ray from `origin` along `direction`.
+    #[inline]
+    pub const fn new(origin: Vec3, direction: Vec3) -> Self {
+        Self { origin, direction }
+    }
+}

@@ -65,7 +65,7 @@ fn found(scene: &Scene, precision: Precision, cost: impl Fn(usize) -> f64) -> Fo
     let mut methods = METHODS.to_vec();
     methods.retain(|method| method.precision() == precision);
     let drawn = wrong_pixels::drawn(scene, &methods, scene.width, || ());
-    Found::new(scene, precision, drawn.by_method, &times)
+    Found::new(scene, precision, drawn.by_method, &times, 0.001)
 }
 
 /// The folder has the chart, the right picture and the wrong ones; the text shows the ray at

@@ -1,6 +1,9 @@
 //! Chapter 6: is each method as right, as exact and as it is said to be?
 
+mod contract;
+mod happened;
 mod hostile;
+mod lanes;
 mod leaving;
 mod measured;
 mod methods;

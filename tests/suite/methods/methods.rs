@@ -72,27 +72,6 @@ mod every_method {
         }
         Ok(())
     }
-
-    #[test]
-    fn misses_what_is_no_number() {
-        let numbers = [0.0, 0.0, -1.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0];
-        let nowhere = [0.0, 0.0, -1.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-        let lost = (0..10).map(|place| {
-            let mut numbers = numbers;
-            numbers[place] = f64::NAN;
-            numbers
-        });
-        for method in METHODS {
-            let ask =
-                |numbers, t_min, t_max| Case::from_numbers(numbers).put_to(method, t_min, t_max);
-            for numbers in lost.clone().chain([nowhere]) {
-                let found = ask(numbers, 0.0, f64::INFINITY);
-                assert_eq!(found, None, "{}: {numbers:?}", method.name);
-            }
-            assert_eq!(ask(numbers, f64::NAN, 9.0), None, "{}", method.name);
-            assert_eq!(ask(numbers, 0.0, f64::NAN), None, "{}", method.name);
-        }
-    }
 }
 
 /// By which all others are measured.

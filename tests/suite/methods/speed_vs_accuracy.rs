@@ -3,10 +3,7 @@
 use common::rtweekend::*;
 use laws::oracle::Exact;
 use measure::scene_file::find_scene;
-use speed_vs_accuracy::{
-    Case, Discriminant, Eye, Lens, METHODS, Method, Precision, REGIMES, Scene, exact_discriminant,
-    failure_map,
-};
+use speed_vs_accuracy::{Case, Eye, Lens, Method, Precision, REGIMES, Scene, exact_discriminant};
 
 mod cases {
     use super::*;
@@ -67,27 +64,6 @@ mod cases {
         }
         let far = Case::from_numbers([f64::INFINITY, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
         assert_eq!(exact_discriminant(far.center, far.radius, &far.ray), None);
-    }
-}
-
-mod a_map_of_neighboring_rays {
-    use super::*;
-
-    #[test]
-    fn shows_wrong_decisions_of_half_b_and_none_of_the_certified() {
-        let wrong = |method: &Method| {
-            let map = failure_map(method, 32);
-            map.wrong.iter().filter(|wrong| **wrong).count()
-        };
-        for method in METHODS {
-            if method.discriminant == Discriminant::Certain {
-                assert_eq!(wrong(method), 0, "{}", method.name);
-            }
-        }
-        for method in [Method::HALF_B, Method::HALF_B_Q, Method::HALF_B_F32] {
-            let (name, wrong) = (method.name, wrong(&method));
-            assert!(wrong > 30, "{name}: {wrong} of 1024");
-        }
     }
 }
 

@@ -60,8 +60,9 @@ fn points(found: &[Found]) -> Vec<Point> {
             method: row.view.method.name.to_owned(),
             precision,
             ns: row.ns,
-            digits: digits(row.view.radii?, precision),
+            digits: digits(row.view.off?.radii, precision),
             is_wrong: row.view.wrong > 0,
+            in_lanes: false,
         })
     };
     all.filter_map(point).collect()

@@ -38,12 +38,24 @@ pub(crate) struct Arguments {
     /// Write the chart and the pictures into this folder [default: target/needs/SCENE]
     #[arg(long, short, value_name = "DIR")]
     output: Option<PathBuf>,
+
+    /// How large a part of t may be wrong, where distances count
+    #[arg(long, value_name = "PART", default_value_t = 0.001, value_parser = part)]
+    within: f64,
+}
+
+fn part(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(part) if part > 0.0 && part < 1.0 => Ok(part),
+        _ => Err("is no part; write one such as 0.001, a thousandth".to_owned()),
+    }
 }
 
 const HELP: &str = "\
 A scene, of which only the spheres are needed:
   width = 400             # pixels; the picture is 16:9
   sun = [1, 0.25, 0.5]    # towards it, of any length; without it nothing has a shadow
+  t_min = 0.001           # no hit counts before; else 0, and 0.001 for shadows
 
   [camera]
   origin = [0, 0, 0]
@@ -57,9 +69,9 @@ A scene, of which only the spheres are needed:
 What is said of each method:
   wrong pixels         more than one of 255 levels off, in a component, from the picture
                        that exact arithmetic draws of the scene as it is written, in f64
-  a level off          pixels that are one level off: nobody sees them
   worst, levels        how far a component is off in the worst pixel
   worst, radii         how far a hit point is at most from where it should be
+  worst, t             how large a part of t is wrong at most, where the right sphere is hit
   ns                   what one ray and one sphere of this scene take, here and now: the
                        quickest of the rounds in which every method has a turn
   ÷ half_b             how many times as long as half_b in the same round: the median
@@ -80,15 +92,15 @@ pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         None => folder::usual(&scene)?,
     };
     folder::check(&folder)?;
-    let (right, found) = look_into(&scene);
+    let (right, found) = look_into(&scene, arguments.within);
     let files = folder::write(&folder, &scene, &right, &found)?;
-    let said = text::text(&scene, &found, &folder, &files);
+    let said = text::text(&scene, &found, arguments.within, &folder, &files);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 
 /// The right picture, and what there is to say in each precision that has the numbers of
 /// the scene, `f64` first.
-fn look_into(scene: &Scene) -> (Picture, Vec<Found>) {
+fn look_into(scene: &Scene, within: f64) -> (Picture, Vec<Found>) {
     let mut precisions = Precision::ALL.to_vec();
     precisions.retain(|precision| scene.fits(*precision));
     let mut methods = METHODS.to_vec();
@@ -102,7 +114,7 @@ fn look_into(scene: &Scene) -> (Picture, Vec<Found>) {
         .into_iter()
         .partition(|view| view.method.precision() == Precision::Double);
     let found = precisions.into_iter().zip([double, single]);
-    let found = found.map(|(precision, views)| Found::new(scene, precision, views, &times));
+    let found = found.map(|(precision, views)| Found::new(scene, precision, views, &times, within));
     (right, found.collect())
 }
 

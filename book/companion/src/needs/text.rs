@@ -14,7 +14,13 @@ use crate::wrap::hanging;
 use measure::needs::{Culprit, Found, Row};
 
 /// All that there is to say.
-pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[String]) -> String {
+pub(super) fn text(
+    scene: &Scene,
+    found: &[Found],
+    within: f64,
+    folder: &Path,
+    files: &[String],
+) -> String {
     let camera = Camera::new(scene.width);
     let (width, height) = (camera.image_width, camera.image_height);
     let spheres = match scene.spheres.len() {
@@ -24,14 +30,15 @@ pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[Strin
     let sun = scene.sun.map_or("", |_| " and a sun");
     let name = names::visible(&scene.name);
     let mut text = format!("{name}: {spheres}{sun}, {width} × {height} pixels\n");
+    text += &assumed(scene, within);
     let mut rows = found.iter().flat_map(|found| &found.rows);
-    if rows.all(|row| row.view.radii.is_none()) {
+    if rows.all(|row| row.view.off.is_none()) {
         text += "No ray meets a sphere: the picture shows only sky.\n";
     }
     for precision in Precision::ALL {
         text.push('\n');
         match found.iter().find(|found| found.precision == precision) {
-            Some(found) => text += &one_precision(found),
+            Some(found) => text += &one_precision(found, within),
             None => text += "These numbers do not fit into f32: they overflow, or become 0.\n",
         }
     }
@@ -47,8 +54,20 @@ pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[Strin
 
 const FASTER: &str = "Fully optimized: cargo run --release --package companion -- needs SCENE";
 
-fn one_precision(found: &Found) -> String {
-    let mut text = paragraph(&verdict(found));
+/// What the scene says or leaves out, and what counts as right.
+fn assumed(scene: &Scene, within: f64) -> String {
+    let [eye, sun] = scene.t_min;
+    let shadows = match scene.sun {
+        Some(_) => format!(", and above {sun:?} on the way to the sun"),
+        None => String::new(),
+    };
+    paragraph(&format!(
+        "A hit counts at t above {eye:?}{shadows}. A distance is right if at most {within:?} of t is wrong."
+    ))
+}
+
+fn one_precision(found: &Found, within: f64) -> String {
+    let mut text = paragraph(&verdict(found)) + &paragraph(&distances(found, within));
     text += TABLE_HEAD;
     for (n, row) in found.rows.iter().enumerate() {
         text += &line(row, found.least == Some(n));
@@ -67,10 +86,7 @@ fn verdict(found: &Found) -> String {
     let Some(least) = &found.least else {
         return format!("In {precision}, no method draws every pixel right.");
     };
-    let mut text = format!(
-        "In {precision}, the least that suffices is {}.",
-        name(least)
-    );
+    let mut text = format!("In {precision}, the least for colors is {}.", name(least));
     if !found.ties.is_empty() {
         let ties: Vec<&str> = found.ties.iter().map(name).collect();
         text += &format!(
@@ -84,9 +100,36 @@ fn verdict(found: &Found) -> String {
     text
 }
 
+/// The least for distances, and how far off the least for colors is.
+fn distances(found: &Found, within: f64) -> String {
+    let precision = found.precision.name();
+    let name = |n: usize| found.rows[n].view.method.name;
+    let mut text = match found.least_of_t {
+        Some(least) => format!("For distances, the least is {}.", name(least)),
+        None => format!("For distances, no method in {precision} suffices."),
+    };
+    let colors = found.least.map(|n| (name(n), found.rows[n].view.off));
+    if let Some((name, Some(off))) = colors.filter(|(_, off)| off.is_some_and(|off| off.t > within))
+    {
+        text += &format!(
+            " By {name}, which has the colors, t is off by {} of itself.",
+            part(off.t)
+        );
+    }
+    text
+}
+
+fn part(part: f64) -> String {
+    if part.is_infinite() {
+        "> 1e308".to_owned()
+    } else {
+        three_digits(part)
+    }
+}
+
 const TABLE_HEAD: &str = "
-                           wrong  a level   worst,     worst,
-  method                  pixels      off   levels      radii       ns  ÷ half_b
+                           wrong   worst,     worst,    worst,
+  method                  pixels   levels      radii         t       ns  ÷ half_b
 ";
 
 fn line(row: &Row, is_least: bool) -> String {
@@ -94,16 +137,14 @@ fn line(row: &Row, is_least: bool) -> String {
         view, ns, ratio, ..
     } = row;
     let mark = if is_least { "→" } else { " " };
-    let radii = match view.radii {
-        None => "-".to_owned(),
-        Some(f64::INFINITY) => "> 1e308".to_owned(),
-        Some(radii) => three_digits(radii),
+    let [radii, t] = match view.off {
+        None => ["-", "-"].map(str::to_owned),
+        Some(off) => [off.radii, off.t].map(part),
     };
     format!(
-        "{mark} {:<22}{:>8}{:>9}{:>9}{radii:>11}{:>9}{ratio:>10.2}\n",
+        "{mark} {:<22}{:>8}{:>9}{radii:>11}{t:>10}{:>9}{ratio:>10.2}\n",
         view.method.name,
         view.wrong,
-        view.off_by_one,
         view.levels,
         three_digits(*ns),
     )

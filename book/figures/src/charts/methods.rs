@@ -23,6 +23,16 @@ pub(super) fn read(accuracy: &str, timings: &str) -> Result<Vec<Measured>, Strin
     Ok(rows.filter_map(join).collect())
 }
 
+/// The same methods in lanes: many rays against one sphere.
+pub(super) fn in_lanes(shown: &[Measured], timings: &str) -> Result<Vec<Measured>, String> {
+    let times = Table::<Timing>::read(timings)?;
+    let join = |(row, _): &Measured| {
+        let time = times.find("rays", &row.method, &row.regime)?.clone();
+        Some((row.clone(), time))
+    };
+    Ok(shown.iter().filter_map(join).collect())
+}
+
 /// A method on a chart of speed against accuracy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
@@ -36,6 +46,8 @@ pub struct Point {
     pub digits: f64,
     /// Whether it gets a cross.
     pub is_wrong: bool,
+    /// Whether a block of questions was asked at once, in SIMD lanes.
+    pub in_lanes: bool,
 }
 
 impl Point {
@@ -47,6 +59,7 @@ impl Point {
             ns: time.median_ns,
             digits: digits(row.p999_ulps, row.precision),
             is_wrong: row.wrong_per_million > 0.0,
+            in_lanes: time.what == "rays",
         }
     }
 
@@ -57,6 +70,9 @@ impl Point {
 
     /// Draws its mark.
     pub(super) fn mark(&self, svg: &mut Svg, at: DVec2) {
+        if self.in_lanes {
+            lanes(svg, self.idea(), at);
+        }
         mark(svg, self.idea(), self.precision, at);
         if self.is_wrong {
             cross(svg, at);
@@ -104,6 +120,15 @@ pub(super) fn cross(svg: &mut Svg, at: DVec2) {
     for way in [spot(7.0, 7.0), spot(7.0, -7.0)] {
         svg.line("wrong line", at - way, at + way);
     }
+}
+
+/// What a mark has beside it if questions were asked in lanes: a line to either side.
+pub(super) fn lanes(svg: &mut Svg, idea: &str, at: DVec2) {
+    svg.line(
+        &format!("{idea} line"),
+        at - spot(12.0, 0.0),
+        at + spot(12.0, 0.0),
+    );
 }
 
 /// Explains the marks at the top of a chart, on two lines, and what a cross means there.

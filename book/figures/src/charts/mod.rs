@@ -1,7 +1,6 @@
 //! The charts of the book, drawn from the files that hold what was measured.
 
 mod chart;
-mod failure_map;
 mod labels;
 mod methods;
 mod panel;
@@ -20,8 +19,6 @@ pub const CHARTS: &[Chart] = &[
     speed_accuracy::BOOK,
     speed_accuracy::REGIMES,
     sweep::DISTANCE,
-    sweep::GRAZING,
-    failure_map::CHART,
     wrong_pixels::CHART,
     race::PROGRAMS,
     race::TRACING,

@@ -43,9 +43,11 @@ impl<'a> Plot<'a> {
     pub(super) fn draw(&self, svg: &mut Svg) {
         self.panel.draw(svg);
         let mut lines = self.through_reference();
-        let front = front(self.shown);
-        lines.push(("front line", steps(front.iter().map(|one| self.at(one)))));
-        for (class, points) in &lines {
+        let fronts = [false, true].map(|in_lanes| front(self.shown, in_lanes));
+        for front in &fronts {
+            lines.push(("front line", steps(front.iter().map(|one| self.at(one)))));
+        }
+        for (class, points) in lines.iter().filter(|(_, points)| points.len() > 1) {
             svg.path(class, points);
         }
         let mut sorted: Vec<&Point> = self.shown.iter().collect();
@@ -59,7 +61,8 @@ impl<'a> Plot<'a> {
         let along = pairs.flat_map(|ends| Place::along(ends[0], ends[1]));
         let (low, high) = self.corners();
         let room = Place(low.down(-8.0), high.right(16.0));
-        let is_named = |one: &Point| self.name_all || one.idea() != "ink" || front.contains(&one);
+        let is_named =
+            |one: &Point| self.name_all || one.idea() != "ink" || fronts[0].contains(&one);
         let labels: Vec<Label> = sorted
             .iter()
             .filter(|one| is_named(one))
@@ -72,6 +75,8 @@ impl<'a> Plot<'a> {
     fn label(&self, one: &Point) -> Label {
         let text = if one.ns > self.panel.x.axis.most {
             format!("{}, {:.0} ns →", one.method, one.ns)
+        } else if one.in_lanes {
+            format!("{} in lanes", one.method)
         } else {
             one.method.clone()
         };
@@ -109,8 +114,9 @@ const IDEAS: [&str; 3] = ["reference", "certain", "ink"];
 
 /// The methods that no other beats in both speed and accuracy, the fastest
 /// first. To be fast and have no digit right is not worth a place.
-fn front(shown: &[Point]) -> Vec<&Point> {
-    let mut front: Vec<&Point> = shown.iter().filter(|one| one.digits >= 1.0).collect();
+fn front(shown: &[Point], in_lanes: bool) -> Vec<&Point> {
+    let is_asked = |one: &&Point| one.in_lanes == in_lanes && one.digits >= 1.0;
+    let mut front: Vec<&Point> = shown.iter().filter(is_asked).collect();
     front.sort_by(|one, other| {
         let by_digits = other.digits.total_cmp(&one.digits);
         one.ns.total_cmp(&other.ns).then(by_digits)

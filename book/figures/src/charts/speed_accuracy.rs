@@ -3,7 +3,7 @@
 use speed_vs_accuracy::find_regime;
 
 use super::chart::{Chart, Drawn, table};
-use super::methods::{Measured, Point, legend, read};
+use super::methods::{Measured, Point, in_lanes, lanes, legend, read};
 use super::pareto::{Plot, range};
 use crate::number::printed;
 use crate::records::{Accuracy, Timing};
@@ -23,18 +23,26 @@ pub(super) const BOOK: Chart = Chart {
     title: "Speed against accuracy, on the rays of the book",
     description: "A point for each method: how long a test takes, from left to right, and how many \
         digits of t are right, upwards. The methods in f32 lie far below those in f64. A line joins \
-        the methods that no other beats in both; all others lie below it or to its right.",
+        the methods that no other beats in both; all others lie below it or to its right. The \
+        same methods in SIMD lanes stand to the left, with a line of their own.",
     caption: "Left is faster, up is more exact. No method is both faster and more exact than one \
-        on the line. The dashed lines meet in half_b; a method that is much slower is at the \
-        right edge, with its time.",
+        on the line: the left line for questions in lanes, the right one for one at a time. The \
+        dashed lines meet in half_b; a method that is much slower is at the right edge, with its \
+        time.",
     files: FILES,
     draw: |files| {
         let mut shown = with_hits(&read(files[0], files[1])?);
         shown.retain(|(row, _)| row.regime == "book");
-        let svg = BOOK.sheet(720.0);
+        let in_lanes = in_lanes(&shown, files[1])?;
+        let table = with_lanes(&shown, &in_lanes);
+        shown.extend(in_lanes);
+        let mut svg = BOOK.sheet(720.0);
+        let key = spot(220.0, 33.5);
+        lanes(&mut svg, "ink", key);
+        svg.small_label("ink", key + spot(18.0, 4.5), Anchor::Start, "in lanes");
         Ok(Drawn {
             panels: vec![one_panel(svg, DIGITS, CONFUSED, &points(&shown))],
-            table: numbers(&shown),
+            table,
         })
     },
 };
@@ -78,7 +86,9 @@ fn one_panel(mut svg: Svg, digits: &str, wrong: &str, shown: &[Point]) -> String
     legend(&mut svg, wrong);
     // More room for the fast ones: what is much slower stands at the right edge.
     let [fastest, slowest] = range(shown);
-    let range = [fastest, slowest.min(8.0 * fastest)];
+    let one_by_one = shown.iter().filter(|one| !one.in_lanes);
+    let least = one_by_one.map(|one| one.ns).fold(f64::INFINITY, f64::min);
+    let range = [fastest, slowest.min(8.0 * least)];
     let name_all = true;
     Plot::new(digits, 88.0, 588.0, range, shown, name_all).draw(&mut svg);
     svg.finish()
@@ -108,6 +118,38 @@ fn points(shown: &[Measured]) -> Vec<Point> {
 fn with_hits(measured: &[Measured]) -> Vec<Measured> {
     let has_hit = |(row, _): &&Measured| row.p999_ulps.is_some();
     measured.iter().filter(has_hit).cloned().collect()
+}
+
+/// The numbers of one question at a time, and of the same in lanes.
+fn with_lanes(shown: &[Measured], in_lanes: &[Measured]) -> String {
+    let heads = [
+        "method",
+        "ns",
+        "÷ half_b",
+        "instructions",
+        "ns in lanes",
+        "÷ half_b in lanes",
+        "instructions in lanes",
+        "digits",
+    ];
+    let times = |time: Option<&Timing>| {
+        let count = time.and_then(|time| time.instructions);
+        [
+            time.map(|time| time.median_ns),
+            time.map(|time| time.ratio),
+            count,
+        ]
+        .map(|number| number.map_or("–".to_owned(), printed))
+    };
+    let row = |one: &Measured| {
+        let lane = in_lanes.iter().find(|lane| lane.0.method == one.0.method);
+        let mut cells = vec![format!("`{}`", one.0.method)];
+        cells.extend(times(Some(&one.1)));
+        cells.extend(times(lane.map(|(_, time)| time)));
+        cells.push(format!("{:.1}", Point::of(one).digits));
+        cells
+    };
+    table(1, &heads.map(str::to_owned), shown.iter().map(row))
 }
 
 fn numbers(shown: &[Measured]) -> String {

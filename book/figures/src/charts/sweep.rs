@@ -1,4 +1,4 @@
-//! Line charts: digits that are left, against distance and closeness to a tangent.
+//! Line charts: digits that are left, against distance.
 
 use glam::DVec2;
 use speed_vs_accuracy::{METHODS, Method, Precision};
@@ -28,66 +28,47 @@ pub(super) const DISTANCE: Chart = Chart {
         cross on they decide wrongly. The methods that compute how far from the center the ray \
         passes lose no digits. The table below has all methods.",
     files: FILES,
-    draw: |files| draw(&DISTANCE, "far", files[0], 1),
-};
-
-/// Error against closeness to a tangent.
-pub(super) const GRAZING: Chart = Chart {
-    name: "grazing",
-    title: "Digits that are left when the ray grazes the sphere",
-    description: "Lines for some methods, f64 at the left and f32 at the right: how many digits of t \
-        are right when the ray passes ever nearer to a tangent. The methods in plain f64 and f32 \
-        lose half a digit with each factor of ten. The line of certified_t is at the top from the \
-        beginning.",
-    caption: "The ray comes closer to a tangent, where the two roots meet. A method that \
-        computes with no more digits than the numbers have loses half a digit of t for each factor of \
-        ten. certified_t uses more digits where it needs them. The table below has all methods.",
-    files: FILES,
-    draw: |files| draw(&GRAZING, "grazing", files[0], -1),
+    draw: |files| draw(files[0]),
 };
 
 /// A method from level to level.
 type Line = Vec<Level>;
 
-/// A regime, whose levels are powers of ten with a positive or negative exponent.
-fn draw(chart: &Chart, regime: &str, file: &str, sign: i32) -> Result<Drawn, String> {
-    let lines = read(file, regime)?;
+fn draw(file: &str) -> Result<Drawn, String> {
+    let lines = read(file)?;
     let panels = [Precision::Double, Precision::Single].map(|precision| {
         let is_drawn = |line: &&Line| line[0].precision == precision && is_drawn(&line[0]);
         let shown: Vec<&Line> = lines.iter().filter(is_drawn).collect();
-        draw_panel(chart, precision, &shown, sign)
+        draw_panel(precision, &shown)
     });
     Ok(Drawn {
         panels: panels.into(),
-        table: numbers(&lines, sign),
+        table: numbers(&lines),
     })
 }
 
-fn draw_panel(chart: &Chart, precision: Precision, lines: &[&Line], sign: i32) -> String {
+fn draw_panel(precision: Precision, lines: &[&Line]) -> String {
     let name = precision.name();
-    let mut svg = chart.panel(1 + precision as usize, name, 420.0);
+    let mut svg = DISTANCE.panel(1 + precision as usize, name, 420.0);
     cross(&mut svg, spot(12.0, 16.0));
     let words = "from here on, it confuses hits and misses";
     svg.small_label("ink", spot(26.0, 20.5), Anchor::Start, words);
     let title = format!("{name}: digits of *t* that are right, in 999 of 1000 hits");
     let digits = Measure::linear(&title, 0.0, 16.0, 4.0);
     let (corner, size) = (spot(28.0, 62.0), spot(196.0, 310.0));
-    let panel = Panel::new(corner, size, levels(lines, sign), digits);
+    let panel = Panel::new(corner, size, levels(lines), digits);
     panel.draw(&mut svg);
     plot(&mut svg, &panel, lines);
     svg.finish()
 }
 
 /// All levels of `lines`, with some of them marked.
-fn levels(lines: &[&Line], sign: i32) -> Measure {
+fn levels(lines: &[&Line]) -> Measure {
     let last = last(lines.iter().copied());
     let marked = (0..=last).step_by(last as usize / 3).map(f64::from);
-    let title = match sign {
-        1 => "the ray starts so many radii away",
-        _ => "how far from a tangent, in radii",
-    };
+    let title = "the ray starts so many radii away";
     Measure {
-        ticks: ticks(marked, |level| power_of_ten(sign * level as i32)),
+        ticks: ticks(marked, |level| power_of_ten(level as i32)),
         ..Measure::linear(title, 0.0, f64::from(last), 1.0)
     }
 }
@@ -160,18 +141,17 @@ fn right_digits(row: &Level) -> f64 {
     digits(row.p999_ulps, row.precision)
 }
 
-fn read(file: &str, regime: &str) -> Result<Vec<Line>, String> {
+fn read(file: &str) -> Result<Vec<Line>, String> {
     let mut rows = Table::<Level>::read(file)?.rows;
-    rows.retain(|row| row.regime == regime);
     rows.sort_by_key(|row| METHODS.iter().position(|method| method.name == row.method));
     let lines = rows.chunk_by(|one, other| one.method == other.method);
     Ok(lines.map(Line::from).collect())
 }
 
-fn numbers(lines: &[Line], sign: i32) -> String {
+fn numbers(lines: &[Line]) -> String {
     let levels = 1..=last(lines.iter());
     let name = "digits right; ✗ wrong decisions per million".to_owned();
-    let powers = levels.clone().map(|level| power_of_ten(sign * level));
+    let powers = levels.clone().map(power_of_ten);
     let heads: Vec<String> = [name].into_iter().chain(powers).collect();
     let row = |line: &Line| {
         let cells = levels.clone().map(|level| {

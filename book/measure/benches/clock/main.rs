@@ -42,18 +42,18 @@ struct Arguments {
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
     if let (Some(key), Some(runs)) = (arguments.only, arguments.runs) {
-        instructions::run(one_by_one::in_order(), &key, runs);
+        instructions::run(counted(), &key, runs);
         return Ok(());
     }
     let effort = Effort::new(arguments.quick);
-    let mut groups: Vec<Group> = one_by_one::in_order().into();
-    let counted: usize = groups.iter().map(|group| group.0.len()).sum();
+    let mut groups = counted();
+    let with_count: usize = groups.iter().map(|group| group.0.len()).sum();
     groups.extend(one_by_one::groups());
     let mut timings = Table::<Timing> {
         about: about::about(&effort),
         rows: measure::contest::run(groups, &effort),
     };
-    for row in &mut timings.rows[..counted] {
+    for row in &mut timings.rows[..with_count] {
         row.instructions = instructions::of(row);
     }
     let text = timings.text();
@@ -64,4 +64,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         output::to_file(&path, |out| out.write_all(text.as_bytes()))?;
     }
     Ok(())
+}
+
+/// The loops whose instructions are counted, too.
+fn counted() -> Vec<Group> {
+    let groups = one_by_one::in_order().into_iter();
+    groups.chain(measure::lanes::groups()).collect()
 }

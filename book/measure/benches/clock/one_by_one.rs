@@ -1,10 +1,10 @@
-//! Throughput and latency: one ray against one sphere.
+//! Throughput: one ray against one sphere.
 
 use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
 use measure::contest::{Group, Runner};
 use measure::cost::{Double, group, of_cases, of_pixels, throughput};
-use speed_vs_accuracy::{Precision, REGIMES, Random, certified_hit};
+use speed_vs_accuracy::{Precision, REGIMES, certified_hit};
 
 /// So many that no processor learns them by heart.
 pub(crate) const CASES: usize = 16_384;
@@ -22,7 +22,7 @@ const SPHERES: [(Point3, f64); 2] = [
 pub(crate) fn in_order() -> [Group; 2] {
     [("book", false), ("all_hits", true)].map(|(place, only_hits)| {
         let asked = asked(only_hits);
-        let Group(mut runners) = group("method", place, &of_pixels(camera(), asked.clone()));
+        let Group(mut runners) = group(place, &of_pixels(camera(), asked.clone()));
         let record = |((center, radius), ray, t_min): Double| {
             Sphere::new(center, radius).hit(&ray, t_min, f64::INFINITY)
         };
@@ -33,27 +33,15 @@ pub(crate) fn in_order() -> [Group; 2] {
     })
 }
 
-/// The same shuffled, and in a chain; and all methods in each other regime.
-pub(crate) fn groups() -> Vec<Group> {
-    let mut groups = Vec::new();
-    for (place, only_hits) in [("book", false), ("all_hits", true)] {
-        let asked = asked(only_hits);
-        groups.push(group("chain", place, &of_pixels(camera(), asked.clone())));
-        let place = format!("{place}_shuffled");
-        groups.push(group(
-            "method",
-            &place,
-            &of_pixels(camera(), shuffled(asked)),
-        ));
-    }
-    groups.extend(REGIMES.iter().skip(1).map(|regime| {
+/// All methods in each other regime.
+pub(crate) fn groups() -> impl Iterator<Item = Group> {
+    REGIMES.iter().skip(1).map(|regime| {
         let [double, single] = Precision::ALL.map(|precision| {
             let cases = regime.cases(precision, SEED, CASES).into_iter();
             cases.map(|case| (case, 0.0)).collect::<Vec<_>>()
         });
-        group("method", regime.name, &of_cases(&double, &single))
-    }));
-    groups
+        group(regime.name, &of_cases(&double, &single))
+    })
 }
 
 /// The camera of the book.
@@ -78,15 +66,6 @@ fn asked(only_hits: bool) -> Vec<Asked> {
     // Two by two, so that a pixel keeps its second sphere.
     let kept = (0..CASES / 2).map(|k| all.len() / 2 * k / (CASES / 2));
     kept.flat_map(|k| [all[2 * k], all[2 * k + 1]]).collect()
-}
-
-/// In any order.
-fn shuffled(mut asked: Vec<Asked>) -> Vec<Asked> {
-    let mut random = Random::new(SEED);
-    for last in (1..asked.len()).rev() {
-        asked.swap(last, random.below(last as u32 + 1) as usize);
-    }
-    asked
 }
 
 /// A loop over the same questions with another answer.

@@ -4,7 +4,7 @@ use crate::truth::Truth;
 use crate::wrong_pixels::View;
 use common::rtweekend::*;
 use laws::oracle::Exact;
-use speed_vs_accuracy::{Case, Eye, Hit, Method, Scene, T_MIN_OF_SHADOWS};
+use speed_vs_accuracy::{Case, Eye, Hit, Method, Scene};
 
 /// A question that a method answers wrongly, and the pixel that shows it.
 pub struct Culprit {
@@ -43,13 +43,13 @@ impl Culprit {
         let to_sun = shaded.and_then(|(seen, right)| {
             let ray = Ray::new(seen.point, scene.sun?);
             let spheres = [seen, right].map(|hit: Hit| hit.shaded_by);
-            worst(scene, &view.method, ray, T_MIN_OF_SHADOWS, spheres)
+            worst(scene, &view.method, ray, scene.t_min[1], spheres)
                 .filter(|(_, error)| error.is_infinite())
         });
         let is_to_sun = to_sun.is_some();
-        let t_min = if is_to_sun { T_MIN_OF_SHADOWS } else { 0.0 };
+        let t_min = scene.t_min[usize::from(is_to_sun)];
         let ((sphere, case), error) =
-            to_sun.or_else(|| worst(scene, &view.method, scene.ray(&ray), 0.0, from_eye))?;
+            to_sun.or_else(|| worst(scene, &view.method, scene.ray(&ray), t_min, from_eye))?;
         let color = |color: Color| {
             let mut pixel = [0; 3];
             write_color(&mut pixel, color);

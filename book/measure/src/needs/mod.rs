@@ -16,8 +16,11 @@ pub struct Found {
     pub precision: Precision,
     /// The methods, the cheapest first.
     pub rows: Vec<Row>,
-    /// The place of the least that suffices, if one does.
+    /// The place of the least that draws every pixel right, if one does.
     pub least: Option<usize>,
+    /// The place of the least that sees the right sphere in every pixel, and its t to
+    /// within the tolerance, if one does.
+    pub least_of_t: Option<usize>,
     /// The places of those that suffice too, and cost the same as far as can be told.
     pub ties: Vec<usize>,
     /// The place of the next cheaper one that fails, or of one that costs the same;
@@ -40,17 +43,21 @@ pub struct Row {
 
 impl Found {
     /// From what the methods of that precision draw, and the times of all methods, the
-    /// reference first.
+    /// reference first; `tolerance` is how large a part of t may be wrong.
     pub fn new(
         scene: &Scene,
         precision: Precision,
         views: Vec<View>,
         times: &[(Method, Vec<f64>)],
+        tolerance: f64,
     ) -> Self {
         let views = views.into_iter();
         let mut rows: Vec<Row> = views.map(|view| Row::new(view, times)).collect();
         rows.sort_by(|one, other| one.ratio.total_cmp(&other.ratio));
-        let (least, ties) = least(&rows);
+        let (least, ties) = least_of(&rows, |view| view.wrong == 0);
+        let (least_of_t, _) = least_of(&rows, |view| {
+            view.misjudged == 0 && view.off.is_none_or(|off| off.t <= tolerance)
+        });
         let failing = match least {
             Some(least) => (0..rows.len())
                 .rev()
@@ -63,6 +70,7 @@ impl Found {
             precision,
             rows,
             least,
+            least_of_t,
             ties,
         }
     }
@@ -95,8 +103,8 @@ impl Row {
 /// Of `rows`, the cheapest first, the one to take: the cheapest that suffices, or of
 /// several that cost the same the first in the order of [`METHODS`], which begins with
 /// the simplest. And the others of these.
-fn least(rows: &[Row]) -> (Option<usize>, Vec<usize>) {
-    let mut sufficing = (0..rows.len()).filter(|&n| rows[n].view.wrong == 0);
+fn least_of(rows: &[Row], suffices: impl Fn(&View) -> bool) -> (Option<usize>, Vec<usize>) {
+    let mut sufficing = (0..rows.len()).filter(|&n| suffices(&rows[n].view));
     let Some(cheapest) = sufficing.next() else {
         return (None, Vec::new());
     };

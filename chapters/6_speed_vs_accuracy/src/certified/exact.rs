@@ -52,7 +52,7 @@ pub fn exact_discriminant(center: Point3, radius: f64, ray: &Ray) -> Option<f64>
 /// that on the second. Not if they are equal, or one of them has none.
 ///
 /// Cost: about twice that of [`exact`]. Rounds: nothing.
-pub(super) fn comes_before(spheres: [(Point3, f64); 2], ray: &Ray, t_min: f64, t_max: f64) -> bool {
+pub(crate) fn comes_before(spheres: [(Point3, f64); 2], ray: &Ray, t_min: f64, t_max: f64) -> bool {
     let [Some((first, root)), Some((second, of_second))] = spheres.map(|(center, radius)| {
         let quadratic = Quadratic::new(center, radius, ray)?;
         let root = quadratic.nearest_root_in(t_min, t_max)?;

@@ -5,7 +5,6 @@
 use common::rtweekend::*;
 
 use super::refined::refined;
-use crate::methods::roots_by_q;
 
 /// The largest relative error of one operation.
 pub(super) const U: f64 = f64::EPSILON / 2.0;
@@ -30,67 +29,72 @@ const R_BANDS: [f64; 2] = [1.0 / 65_536.0, 1.0 / 32_768.0];
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Unclear;
 
-/// The first stage. `ULP` asks for a t within one ulp.
+/// The first stage: `t`, infinity for a miss, and NaN if it is not certain. `ULP` asks for a
+/// `t` within one ulp.
+///
+/// A block of questions is asked in SIMD lanes, which all take the same way: so this is one
+/// number instead of nested options, and both roots are divided at the same time.
 #[inline(always)]
-pub(super) fn filter<const ULP: bool>(
+pub(crate) fn filter<const ULP: bool>(
     center: Point3,
     radius: f64,
     ray: &Ray,
     t_min: f64,
     t_max: f64,
-) -> Result<Option<f64>, Unclear> {
+) -> f64 {
+    let has_numbers = t_min < t_max;
+    if !has_numbers {
+        return f64::INFINITY;
+    }
     let oc = center - ray.origin;
     let a = ray.direction.length_squared();
     let h = ray.direction.dot(oc);
     let (oc_squared, r_squared) = (oc.length_squared(), radius * radius);
     let (c, m) = (oc_squared - r_squared, oc_squared + r_squared);
-    let (discriminant, am) = (h * h - a * c, a * m);
-    if !(is_ordinary(a) && is_ordinary(m)) {
-        return Err(Unclear);
-    }
+    let discriminant = h * h - a * c;
+    // No comparison with NaN holds, so none here is certain then.
+    let m = if is_ordinary(a) & is_ordinary(m) {
+        m
+    } else {
+        f64::NAN
+    };
+    let am = a * m;
     // From outside, a ray that does not turn towards the center meets nothing.
-    let turns_away = h <= 0.0 && c > C_BAND * m && t_min >= 0.0;
-    if discriminant < -D_BAND * am || turns_away {
-        return Ok(None);
+    let turns_away = (h <= 0.0) & (c > C_BAND * m) & (t_min >= 0.0);
+    if (discriminant < -D_BAND * am) | turns_away {
+        return f64::INFINITY;
     }
-    if discriminant <= if ULP { R_BANDS[0] } else { 2.0 * D_BAND } * am {
-        return Err(Unclear);
+    let is_clear = discriminant > if ULP { R_BANDS[0] } else { 2.0 * D_BAND } * am;
+    if !is_clear {
+        return f64::NAN;
     }
-    let [nearer, farther] = roots_by_q(a, h, c, discriminant).ok_or(Unclear)?;
-    let sqrtd = discriminant.sqrt();
-    for (sqrtd, (numerator, denominator)) in [(-sqrtd, nearer), (sqrtd, farther)] {
-        let t = numerator / denominator;
-        if !lies_between([t - t_min, t_max - t], sqrtd.abs(), T_BAND * m)? {
-            continue;
-        }
-        if !ULP {
-            return Ok(Some(t));
-        }
-        if (t * sqrtd).abs() <= R_BANDS[1] * m {
-            return Err(Unclear);
-        }
-        let divisor = |t: f64| (a * t - h) + sqrtd;
-        return Ok(Some(refined(center, radius, ray, m, t, divisor)));
+    let (sqrtd, band) = (discriminant.sqrt(), T_BAND * m);
+    let gap = |t: f64| lesser(t - t_min, t_max - t) * sqrtd;
+    // The roots as in `half_b_q`. The nearer one counts, unless it lies before the range.
+    let q = h + sqrtd.copysign(h);
+    let (by_c, by_a) = (c / q, q / a);
+    let c_is_nearer = h.is_sign_positive();
+    let is_out = gap(if c_is_nearer { by_c } else { by_a }) <= -band;
+    let t = if c_is_nearer ^ is_out { by_c } else { by_a };
+    let gap = gap(t);
+    if gap <= -band {
+        return f64::INFINITY;
     }
-    Ok(None)
+    let is_clear = (gap > band) & (!ULP | ((t * sqrtd).abs() > R_BANDS[1] * m));
+    if !is_clear {
+        return f64::NAN;
+    }
+    if !ULP {
+        return t;
+    }
+    let slope = if is_out { sqrtd } else { -sqrtd };
+    refined(center, radius, ray, m, t, |t| (a * t - h) + slope)
 }
 
-/// Whether a root lies inside the range, from its gaps to both ends: each is off
-/// by no more than `band` / `sqrtd`.
+/// The lesser of the two, the first if one is NaN: a single instruction.
 #[inline(always)]
-pub(super) fn lies_between(
-    [above, below]: [f64; 2],
-    sqrtd: f64,
-    band: f64,
-) -> Result<bool, Unclear> {
-    let (above, below) = (above * sqrtd, below * sqrtd);
-    if above > band && below > band {
-        Ok(true)
-    } else if above <= -band || below <= -band {
-        Ok(false)
-    } else {
-        Err(Unclear)
-    }
+fn lesser(a: f64, b: f64) -> f64 {
+    if b < a { b } else { a }
 }
 
 /// Whether `x` is from 2⁻⁴⁵⁰ to 2⁴⁵⁰. If a and M are, nothing overflows on the

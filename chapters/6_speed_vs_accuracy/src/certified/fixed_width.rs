@@ -13,7 +13,7 @@ use std::array;
 use common::rtweekend::*;
 
 use super::exact::{inwards, split};
-use super::filter::{U, Unclear, lies_between};
+use super::filter::{U, Unclear};
 use crate::methods::{Double, Quadratic};
 
 /// Bound W: a root as a pair is off by no more than 64u² of itself.
@@ -33,9 +33,14 @@ pub(super) fn fixed_width(
     t_max: f64,
 ) -> Result<Option<f64>, Unclear> {
     for root in pairs(center, radius, ray).ok_or(Unclear)? {
-        let gaps = [root.minus(t_min), -root.minus(t_max)];
-        if lies_between(gaps, 1.0, W_BAND * root.high.abs())? {
+        let (above, below) = (root.minus(t_min), -root.minus(t_max));
+        let band = W_BAND * root.high.abs();
+        if above > band && below > band {
             return Ok(inwards(root.high, t_min, t_max));
+        }
+        let is_outside = above <= -band || below <= -band;
+        if !is_outside {
+            return Err(Unclear);
         }
     }
     Ok(None)

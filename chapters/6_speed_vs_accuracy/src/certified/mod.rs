@@ -15,7 +15,6 @@ mod exact;
 mod filter;
 mod fixed_width;
 mod leaving;
-mod nearest;
 mod refined;
 
 use common::rtweekend::*;
@@ -24,13 +23,14 @@ use glam::Vec3 as SingleVec3;
 use crate::method::{Discriminant, Method};
 use crate::methods::widened;
 use crate::precision::{Precision, SingleRay};
-use filter::{Unclear, filter};
+use filter::Unclear;
+pub(crate) use filter::filter;
 use fixed_width::fixed_width;
 
+pub(crate) use exact::comes_before;
 pub use exact::{exact, exact_discriminant};
 pub use filter::D_BAND;
 pub use leaving::proven_offset;
-pub use nearest::certified_nearest;
 
 impl Method {
     /// The decision is certain, the digits of t are those of `half_b_q`.
@@ -141,20 +141,19 @@ fn staged<const ULP: bool>(
     t_min: f64,
     t_max: f64,
 ) -> (Option<f64>, Stage) {
-    match filter::<ULP>(center, radius, ray, t_min, t_max) {
-        Ok(t) => (t, Stage::Filter),
-        Err(Unclear) => {
-            // A copy: a ray whose address is asked for would be kept in memory, and the
-            // filter would wait until one that was just made is written there.
-            let ray = Ray::new(ray.origin, ray.direction);
-            later_stages(center, radius, &ray, t_min, t_max)
-        }
+    let t = filter::<ULP>(center, radius, ray, t_min, t_max);
+    if t.is_nan() {
+        // A copy: a ray whose address is asked for would be kept in memory, and the
+        // filter would wait until one that was just made is written there.
+        let ray = Ray::new(ray.origin, ray.direction);
+        return later_stages(center, radius, &ray, t_min, t_max);
     }
+    ((t < f64::INFINITY).then_some(t), Stage::Filter)
 }
 
 #[cold]
 #[inline(never)]
-fn later_stages(
+pub(crate) fn later_stages(
     center: Point3,
     radius: f64,
     ray: &Ray,

@@ -50,7 +50,7 @@ pub(crate) fn nearest_by_q(
 /// ray starts at a tangent's point of contact: q/a is 0 and comes first, and c/q
 /// is NaN, which lies in no range.
 #[inline]
-pub(crate) fn roots_by_q(a: f64, h: f64, c: f64, discriminant: f64) -> Option<[(f64, f64); 2]> {
+fn roots_by_q(a: f64, h: f64, c: f64, discriminant: f64) -> Option<[(f64, f64); 2]> {
     if discriminant < 0.0 {
         return None;
     }

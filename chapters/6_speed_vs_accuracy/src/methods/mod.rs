@@ -18,5 +18,4 @@ pub use half_b_q::half_b_q;
 pub use single::{half_b_f32, widened_half_b_q_f32};
 
 pub(crate) use double_double::{Double, Quadratic};
-pub(crate) use half_b_q::roots_by_q;
 pub(crate) use single::widened;

@@ -2,11 +2,11 @@
 //! answers in a picture.
 
 mod case;
-mod failure_map;
 mod regimes;
 mod scene;
+mod tangent;
 
 pub use case::Case;
-pub use failure_map::{FailureMap, beside, failure_map, tangent};
 pub use regimes::{REGIMES, Random, Regime, find_regime};
-pub use scene::{Eye, Hit, Lens, Scene, Sight, T_MIN_OF_SHADOWS, unit};
+pub use scene::{Eye, Hit, Lens, Scene, Sight, USUAL_T_MIN, unit};
+pub use tangent::{beside, tangent};

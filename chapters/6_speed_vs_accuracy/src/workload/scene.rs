@@ -3,8 +3,8 @@
 use common::rtweekend::*;
 
 use super::case::Case;
-use crate::certified::certified_nearest;
 use crate::method::Method;
+use crate::nearest::certified_nearest;
 use crate::precision::Precision;
 
 /// Some spheres, and a camera that looks at them.
@@ -16,15 +16,18 @@ pub struct Scene {
     pub width: u32,
     /// A unit vector towards the sun, if it casts shadows.
     pub sun: Option<Vec3>,
+    /// From where on a hit counts: along rays of the camera, and along those to the sun,
+    /// which else would hit where they start.
+    pub t_min: [f64; 2],
     /// How its eye looks at them.
     pub lens: Lens,
     /// Centers and radii, at least one.
     pub spheres: Vec<(Point3, f64)>,
 }
 
-/// Shadow rays that hit closer than this are taken to hit where they start, as
-/// in the book's later chapters: a length in the unit of the scene.
-pub const T_MIN_OF_SHADOWS: f64 = 1e-3;
+/// Where hits begin to count if a scene does not say it: in front of the camera, and for
+/// shadows as in the book's later chapters.
+pub const USUAL_T_MIN: [f64; 2] = [0.0, 1e-3];
 
 impl Scene {
     /// A star in a telescope, as far as one like the Sun at seven light-years.
@@ -33,6 +36,7 @@ impl Scene {
             name: "telescope".to_owned(),
             width: 400,
             sun: None,
+            t_min: USUAL_T_MIN,
             lens: Lens::new(Point3::ZERO, Vec3::NEG_Z, [33_554_432.0; 2]),
             spheres: vec![(Point3::new(0.25, -0.5, -1e8), 1.0)],
         }
@@ -94,7 +98,7 @@ impl Scene {
     /// nearest hit, darker where the sun does not reach it, or the sky. The sky is a
     /// backdrop, and the same behind every lens.
     pub fn look(&self, eye: Eye, ray: &Ray) -> Sight {
-        let Some((sphere, case, t)) = self.nearest(eye, &self.ray(ray), 0.0) else {
+        let Some((sphere, case, t)) = self.nearest(eye, &self.ray(ray), self.t_min[0]) else {
             return Sight {
                 hit: None,
                 color: sky(ray),
@@ -104,12 +108,13 @@ impl Scene {
         let normal = (point - case.center) / case.radius;
         let color = 0.5 * (normal + Vec3::ONE);
         let shaded_by = self.sun.and_then(|sun| {
-            let (sphere, ..) = self.nearest(eye, &Ray::new(point, sun), T_MIN_OF_SHADOWS)?;
+            let (sphere, ..) = self.nearest(eye, &Ray::new(point, sun), self.t_min[1])?;
             Some(sphere)
         });
         Sight {
             hit: Some(Hit {
                 sphere,
+                t,
                 point,
                 shaded_by,
             }),
@@ -152,6 +157,8 @@ pub struct Sight {
 pub struct Hit {
     /// The sphere, by its place in the list.
     pub sphere: usize,
+    /// The ray parameter.
+    pub t: f64,
     /// The point, as it is computed from t.
     pub point: Point3,
     /// The first sphere between the point and the sun, if there is one.

@@ -8,8 +8,7 @@
 
 use common::rtweekend::*;
 
-use super::certified_t;
-use super::exact::comes_before;
+use crate::certified::{certified_t, comes_before};
 
 /// The index of the sphere that the ray hits first in the range, and `t`.
 ///

@@ -1,0 +1,131 @@
+//! SIMD lanes: what a question takes if a block of them is asked at once.
+//!
+//! The compiler turns a loop over a block into instructions for several questions at the
+//! same time: many rays against one sphere, as a camera asks, or one ray against many
+//! spheres. The numbers of a block lie side by side, as a structure of arrays.
+
+use std::hint::black_box;
+
+use common::rtweekend::*;
+use glam::Vec3 as SingleVec3;
+use speed_vs_accuracy::{BLOCK, Case, Precision, SingleRay, certified_in_lanes, in_lanes};
+
+use crate::contest::{Group, Runner};
+
+/// A block of questions: x, y and z of origins and directions, and the sphere.
+type Block<T> = ([[T; BLOCK]; 6], [T; 4]);
+
+/// The block's questions with one method: the certified ones have lanes of their own.
+macro_rules! ask {
+    (certified_hit $answers:ident $number:ident $ray:ident $center:expr, $radius:expr, $case:expr) => {
+        ask!(@certified false $answers $ray $center, $radius, $case)
+    };
+    (certified_t $answers:ident $number:ident $ray:ident $center:expr, $radius:expr, $case:expr) => {
+        ask!(@certified true $answers $ray $center, $radius, $case)
+    };
+    (@certified $ulp:literal $answers:ident $ray:ident $center:expr, $radius:expr, $case:expr) => {
+        certified_in_lanes::<$ulp>(
+            &mut $answers,
+            #[inline(always)]
+            |k| Case::new($center(k), $radius(k), $case(k)),
+            0.0,
+            f64::INFINITY,
+        )
+    };
+    ($method:ident $answers:ident $number:ident $ray:ident $center:expr, $radius:expr, $case:expr) => {
+        in_lanes(
+            &mut $answers,
+            #[inline(always)]
+            |k| {
+                let (end, ray) = ($number::INFINITY, $case(k));
+                speed_vs_accuracy::$method($center(k), $radius(k), &ray, 0.0, end).unwrap_or(end)
+            },
+        )
+    };
+}
+
+/// Two loops for each method, which differ in what a block has in common.
+macro_rules! runners {
+    ($blocks:ident, $spheres:ident, $($method:ident $number:ident $ray:ident $point:ident $precision:ident;)*) => {
+        [
+            Group(vec![$({
+                let blocks: Vec<Block<$number>> = $blocks.iter().map(|(rays, sphere)| (
+                    rays.map(|row| row.map(|x| x as $number)), sphere.map(|x| x as $number)
+                )).collect();
+                let count = blocks.len() * BLOCK;
+                let run = move || for (rays, [x, y, z, radius]) in &blocks {
+                    let mut answers = [0.0; BLOCK];
+                    let ray = |k: usize| {
+                        let [qx, qy, qz, dx, dy, dz] = rays.each_ref().map(|row| row[k]);
+                        $ray::new($point::new(qx, qy, qz), $point::new(dx, dy, dz))
+                    };
+                    ask!($method answers $number $ray |_| $point::new(*x, *y, *z), |_| *radius, ray);
+                    black_box(&answers);
+                };
+                Runner::new(["rays", stringify!($method), "book"], Precision::$precision, count, count, run)
+            }),*]),
+            Group(vec![$({
+                let spheres: [[$number; BLOCK]; 4] = $spheres.map(|row| row.map(|x| x as $number));
+                let rays: Vec<$ray> = $blocks.iter().map(|(rays, _)| {
+                    let [qx, qy, qz, dx, dy, dz] = rays.map(|row| row[0] as $number);
+                    $ray::new($point::new(qx, qy, qz), $point::new(dx, dy, dz))
+                }).collect();
+                let count = rays.len() * BLOCK;
+                let run = move || for ray in &rays {
+                    let mut answers = [0.0; BLOCK];
+                    let [x, y, z, radius] = &spheres;
+                    ask!($method answers $number $ray |k: usize| $point::new(x[k], y[k], z[k]), |k: usize| radius[k], |_| *ray);
+                    black_box(&answers);
+                };
+                Runner::new(["spheres", stringify!($method), "book"], Precision::$precision, count, count, run)
+            }),*]),
+        ]
+    };
+}
+
+/// The methods in lanes: many rays against one sphere, and one ray against many.
+pub fn groups() -> [Group; 2] {
+    let (blocks, spheres) = (blocks(), spheres());
+    runners! { blocks, spheres,
+        half_b f64 Ray Point3 Double;
+        half_b_q f64 Ray Point3 Double;
+        cross_q f64 Ray Point3 Double;
+        adaptive_q f64 Ray Point3 Double;
+        certified_hit f64 Ray Point3 Double;
+        certified_t f64 Ray Point3 Double;
+        double_double f64 Ray Point3 Double;
+        half_b_f32 f32 SingleRay SingleVec3 Single;
+        widened_half_b_q_f32 f32 SingleRay SingleVec3 Single;
+        certified_f32 f32 SingleRay SingleVec3 Single;
+    }
+}
+
+/// Rays of the book's camera from all over the picture, block by block, each with the ball
+/// and with the ground.
+fn blocks() -> Vec<Block<f64>> {
+    let camera = Camera::new(400);
+    let spheres = [[0.0, 0.0, -1.0, 0.5], [0.0, -100.5, -1.0, 100.0]];
+    let rows = (0..camera.image_height).step_by(9);
+    let starts = rows.flat_map(|j| (0..400 / BLOCK as u32).map(move |n| (n * BLOCK as u32, j)));
+    starts
+        .flat_map(|(i, j)| {
+            spheres.map(|sphere| {
+                let mut rays = [[0.0; BLOCK]; 6];
+                for k in 0..BLOCK {
+                    let Ray { origin, direction } = camera.ray(i + k as u32, j);
+                    let numbers = origin.to_array().into_iter().chain(direction.to_array());
+                    for (row, number) in rays.iter_mut().zip(numbers) {
+                        row[k] = number;
+                    }
+                }
+                (rays, sphere)
+            })
+        })
+        .collect()
+}
+
+/// Balls of the book's size, side by side across its picture.
+fn spheres() -> [[f64; BLOCK]; 4] {
+    let x = std::array::from_fn(|k| 0.25 * k as f64 - 0.125 * BLOCK as f64);
+    [x, [0.0; BLOCK], [-1.0; BLOCK], [0.5; BLOCK]]
+}

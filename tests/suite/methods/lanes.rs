@@ -1,0 +1,73 @@
+//! In SIMD lanes, a method answers to the bit as it does alone, whatever the other lanes
+//! of the block are asked.
+
+use laws::Case;
+use laws::strategies::samples;
+use speed_vs_accuracy::{
+    BLOCK, Method, adaptive_q, certified_hit, certified_in_lanes, certified_t, cross_q, half_b,
+    half_b_q, in_lanes,
+};
+
+use crate::hostile::hostile;
+
+#[test]
+fn the_certified_methods_answer_in_lanes_as_they_do_alone() {
+    let ranges = [
+        (0.0, f64::INFINITY),
+        (0.001, 1.0),
+        (1.0, 0.0),
+        (0.0, f64::NAN),
+    ];
+    for cases in blocks() {
+        for (t_min, t_max) in ranges {
+            let mut answers = [[0.0; BLOCK]; 2];
+            certified_in_lanes::<false>(&mut answers[0], |k| cases[k], t_min, t_max);
+            certified_in_lanes::<true>(&mut answers[1], |k| cases[k], t_min, t_max);
+            for (
+                k,
+                Case {
+                    center,
+                    radius,
+                    ray,
+                },
+            ) in cases.iter().enumerate()
+            {
+                let alone = [certified_hit, certified_t]
+                    .map(|solve| solve(*center, *radius, ray, t_min, t_max));
+                let found = answers.map(|row| (row[k] < f64::INFINITY).then_some(row[k]));
+                assert_eq!(found, alone, "{}, {t_min} to {t_max}", cases[k]);
+            }
+        }
+    }
+}
+
+/// Rounding is the same in every version that the compiler makes of the loop.
+#[test]
+fn the_plain_methods_answer_in_lanes_as_they_do_alone() {
+    for cases in blocks() {
+        macro_rules! assert_alike {
+            ($($solve:ident)*) => {$(
+                let answer = |k: usize| {
+                    let Case { center, radius, ray } = &cases[k];
+                    $solve(*center, *radius, ray, 0.0, f64::INFINITY).unwrap_or(f64::INFINITY)
+                };
+                let mut answers = [0.0; BLOCK];
+                in_lanes(&mut answers, answer);
+                assert_eq!(answers, std::array::from_fn(answer));
+            )*};
+        }
+        assert_alike!(half_b half_b_q cross_q adaptive_q);
+        let mut answers = [0.0; BLOCK];
+        let answer = |k: usize| {
+            let found = cases[k].put_to(&Method::HALF_B_F32, 0.0, f64::INFINITY);
+            found.unwrap_or(f64::INFINITY)
+        };
+        in_lanes(&mut answers, answer);
+        assert_eq!(answers, std::array::from_fn(answer));
+    }
+}
+
+fn blocks() -> Vec<[Case; BLOCK]> {
+    let cases = samples(&hostile(), 6400);
+    cases.as_chunks().0.to_vec()
+}
