@@ -5,7 +5,6 @@
 //! `set_face_normal`. So a figure cannot drift from the code.
 
 mod axis;
-mod build_test;
 mod camera_frame;
 mod cancellation;
 mod charts;
@@ -27,7 +26,6 @@ mod plane;
 mod projection;
 mod ray;
 pub mod records;
-mod red_sphere;
 mod roots;
 mod sphere_test;
 mod style;
@@ -49,7 +47,6 @@ pub use text::{escape, html};
 
 /// All figures, in reading order: the nine of the notes, and eight more.
 pub static FIGURES: &[&Figure] = &[
-    &build_test::FIGURE,
     &ray::LIVE.figure,
     &camera_frame::LIVE.figure,
     &viewport_grid::LIVE.figure,
@@ -59,7 +56,6 @@ pub static FIGURES: &[&Figure] = &[
     &passing::FIGURE,
     &discriminant::LIVE.figure,
     &projection::LIVE.figure,
-    &red_sphere::FIGURE,
     &normal::LIVE.figure,
     &normal_colors::LIVE.figure,
     &face_normal::LIVE.figure,

@@ -17,9 +17,12 @@ pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String
         .find_map(|(module, figures)| Some((module, figures.iter().position(is_it)?)))
         .expect("it is in one of them");
     let answer = live.answer(&live.defaults());
+    // What a hand is to do is not printed.
+    let asked = live.question().rfind('?').map_or(0, |at| at + 1);
+    let (asked, moved) = live.question().split_at(asked);
     format!(
         "<figure id=\"{name}\" class=\"live\" aria-label=\"{title}\" data-module=\"{module}\" data-figure=\"{place}\">\
-         <p class=\"question\">{question}</p>\
+         <p class=\"question\">{question}<span class=\"move\">{moved}</span></p>\
          <div class=\"stage\">{drawing}{handles}</div>\
          <div class=\"controls\">{inputs}{buttons}</div>\
          <p class=\"sentence\" role=\"status\">{sentence}</p>\
@@ -27,7 +30,8 @@ pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String
          <figcaption>{caption}</figcaption></figure>",
         name = live.name(),
         title = escaped(live.title()),
-        question = html(live.question()),
+        question = html(asked),
+        moved = html(moved),
         solution = html(live.solution()),
         handles = handles(live),
         sentence = html(&answer.sentence),
