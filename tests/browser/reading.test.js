@@ -31,6 +31,13 @@ inBrowsers("the first that the search finds is the lesson", async (page) => {
     }
 });
 
+inBrowsers("the first key leads past the list of pages", async (page) => {
+    await open(page, "normals.html");
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("Enter");
+    assert.equal(await page.evaluate(() => document.activeElement.localName), "main");
+}, ["Chromium"]);
+
 // Only in Chromium: a Firefox without a window shows no focus.
 inBrowsers("an answer opens by keyboard and shows where the keyboard is", async (page) => {
     // The keyboard goes on from the heading that was jumped to.
