@@ -138,6 +138,8 @@ for (const picture of document.querySelectorAll(".made img")) {
     const drawn = localStorage.getItem(`drawn ${name}`);
     if (drawn) {
         picture.src = drawn;
-        picture.closest("figure").classList.add("yours");
+        picture.alt += ", typed by you";
+        picture.title = "Typed by you";
+        picture.className = "yours";
     }
 }

@@ -1,4 +1,4 @@
-//! The picture of a chapter, under a question about it.
+//! The picture of a chapter, under a question that is answered by breaking it.
 
 /// The question, and the image in Markdown.
 pub(crate) fn picture(text: &str) -> Result<String, String> {
@@ -7,7 +7,8 @@ pub(crate) fn picture(text: &str) -> Result<String, String> {
         .map(|at| text.split_at(at))
         .ok_or_else(|| format!("{text} has no image in Markdown"))?;
     Ok(format!(
-        "<figure id=\"picture\">\n\n**{}**\n\n{image}\n\n</figure>",
+        "<figure id=\"picture\">\n\n**{}**\n\n{image}\n\n\
+         *Break it*, above a listing, makes a mistake in its line, and shows what that draws.\n\n</figure>",
         question.trim()
     ))
 }
