@@ -162,18 +162,13 @@ impl<'a> Evidence<'a> {
         passed.iter().any(|it| it.name == slip.name)
     }
 
-    /// Whether the reader's text or the answers of its functions speak against a program:
-    /// the right line of a slip stands there, a value of its wrong line doesn't, or a
-    /// function that answers so has another mistake or none.
+    /// Whether the reader's text or the answers of its functions speak against a program: the
+    /// right line of a slip stands there, or a function that answers so has another mistake or
+    /// none.
     pub(crate) fn is_refuted(&self, it: &Candidate) -> bool {
         let known = self.known;
-        let is_refuted = |slip: &&'static Slip| {
-            known.said(slip, &it.scene) == Said::Right
-                || !known
-                    .sources
-                    .may_have_values_of(&known.words(slip, &it.scene))
-        };
-        if !known.sources.is_empty() && it.slips.iter().any(is_refuted) {
+        let is_right = |slip: &&'static Slip| known.said(slip, &it.scene) == Said::Right;
+        if it.slips.iter().any(is_right) {
             return true;
         }
         let is_further = it.scene.step().is_some() && known.sources.is_written();
@@ -188,11 +183,7 @@ impl<'a> Evidence<'a> {
 
     /// Whether the wrong line of each of its slips stands in the reader's files.
     pub(crate) fn is_found(&self, it: &Candidate) -> bool {
-        it.slips.iter().all(|slip| self.has_line(slip, it))
-    }
-
-    /// Whether the slip's wrong line does.
-    pub(crate) fn has_line(&self, slip: &Slip, it: &Candidate) -> bool {
-        self.known.said(slip, &it.scene) == Said::Wrong
+        let is_found = |slip: &&Slip| self.known.said(slip, &it.scene) == Said::Wrong;
+        it.slips.iter().all(is_found)
     }
 }

@@ -15,7 +15,7 @@ use crate::verdict::{Finding, Mistakes, Near};
 
 /// So many mistakes that draw the same are named.
 const NAMED: usize = 4;
-/// So many warnings of a compiler, and lines that are wrong in any program.
+/// So many warnings of a compiler.
 const WARNINGS: usize = 2;
 
 impl Finding {
@@ -43,7 +43,7 @@ impl Finding {
                 seen.chain(first).collect()
             }
         };
-        warnings.chain(lints(known)).chain(explained).collect()
+        warnings.chain(explained).collect()
     }
 
     /// A small change that tells the mistakes apart, and the command that judges its picture.
@@ -236,17 +236,16 @@ impl Change {
                 return vec![("yours", self.yours.to_string()), ("should be", instead)];
             }
             Right::InRust(line) => letters.spelled(line, chapter),
-            Right::Function(chapters) => format!("as in {}:{}", chapters.file, chapters.number),
+            Right::Function(chapters, called) => {
+                let without = match &called[..] {
+                    [] => String::new(),
+                    called => format!(", without {}", called.join(" and ")),
+                };
+                format!("as in {}:{}{without}", chapters.file, chapters.number)
+            }
         };
         vec![("yours", self.yours.to_string()), ("should be", right)]
     }
-}
-
-/// The reader's lines that are wrong in any program.
-fn lints(known: &Known) -> Vec<Row> {
-    let lints = known.sources.lints().into_iter().take(WARNINGS);
-    let said = |(line, why)| ("yours", format!("{line}  ({why})"));
-    lints.map(said).collect()
 }
 
 impl fmt::Display for Line {

@@ -154,46 +154,6 @@ fn whole_numbers_are_divided_as_cpp_does() {
     assert!(is_it, "{rows:?}");
 }
 
-/// Python works out what stands on a line, and C++ too, and neither complains.
-#[test]
-fn a_line_that_is_wrong_in_any_program_is_said_beside_a_wrong_picture() {
-    let scene = scene(Chapter::HalfBSphere);
-    let far_root = slips::find("far-root").expect("a slip");
-    let far_root = far_root.program(Chapter::HalfBSphere);
-    for (old, new, is_wrong) in [
-        ("", "", false),
-        ("discriminant = h", "discriminant == h", true),
-        ("return (h", "(h", true),
-        ("a = dot", "Color(1, 0, 0)\n    a = dot", true),
-        (
-            "a = dot",
-            "red = int(255 * x)\n    green = int(255 * x)\n    a = dot",
-            true,
-        ),
-        (
-            "a = dot",
-            "red = int(255 * x)\n    green = int(255 * y)\n    a = dot",
-            false,
-        ),
-        // A call does something, and a sum in brackets goes on on the next line.
-        ("a = dot", "print", false),
-        (
-            "c = dot(oc, oc) - ",
-            "c = dot(oc, oc) + (\n        -radius * radius\n    ) + ",
-            false,
-        ),
-    ] {
-        let known = in_python(&PROGRAM.replacen(old, new, 1));
-        let said = |picture| {
-            let rows = rows(&scene, &png::encode(&picture), &known).into_iter();
-            rows.filter(|(_, said)| said.ends_with(')') && said.contains("  ("))
-                .count()
-        };
-        assert_eq!(said(far_root.run(100).picture()) == 1, is_wrong, "{new}");
-        assert_eq!(said(half_b_sphere::picture(100)), 0, "{new}");
-    }
-}
-
 /// Three spellings of a right program in two languages, with what is clamped later.
 #[test]
 fn a_right_program_gets_no_remark() {

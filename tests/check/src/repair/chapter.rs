@@ -210,7 +210,16 @@ fn statements(own: &Tree, theirs: &Tree) -> Vec<Proposal> {
         .filter(|it| !has(&theirs, it))
         .collect();
     let mut proposals = Vec::new();
-    for missing in theirs.iter().filter(is_one).filter(|it| !has(&own, it)) {
+    // What the reader asks too is not missing, and nothing stands behind what is returned.
+    let asks = |it: &Tree| {
+        own.iter()
+            .any(|own| own.op == it.op && own.parts[0].is_same(&it.parts[0]))
+    };
+    let is_missing = |it: &&&Tree| {
+        let is_asked = it.op.starts_with("if ") && asks(it);
+        !has(&own, it) && !is_asked && !it.text().starts_with("return")
+    };
+    for missing in theirs.iter().filter(is_one).filter(is_missing) {
         let text = missing.text();
         let mut put = |at, new, penalty| proposals.push(Proposal::new(at, new, penalty).whole());
         for place in &own {

@@ -55,8 +55,8 @@ pub enum Right {
     More(String),
     /// Nothing.
     Nothing,
-    /// The whole function as it stands there.
-    Function(Line),
+    /// The whole function as it stands there, which does not call these of the reader's own.
+    Function(Line, Vec<String>),
     /// The call of this function of the reader's own does not give what stands there instead.
     Helper(Line, String),
     /// What the chapter has there, where the reader writes another language.
@@ -173,7 +173,9 @@ impl Fix<'_> {
             right,
         };
         if let Some(right) = self.right {
-            return vec![change(0, Right::Function(line(theirs, right, 0)))];
+            let called = self.called.iter().map(|it| it.short_name().to_owned());
+            let right = Right::Function(line(theirs, right, 0), called.collect());
+            return vec![change(0, right)];
         }
         let [old, new] = [&self.yours.text, &self.text].map(|it| lines(it));
         if let Some(helper) = self.helper {

@@ -24,6 +24,8 @@ pub(super) struct Fix<'a> {
     pub(super) text: String,
     /// The chapter's function, if that takes its place as a whole.
     pub(super) right: Option<&'a Function>,
+    /// What the reader's calls and the chapter's does not.
+    pub(super) called: Vec<&'a Function>,
     /// The helper whose call the text does without.
     pub(super) helper: Option<&'a Function>,
 }
@@ -35,6 +37,7 @@ impl<'a> Fix<'a> {
             text: edit.applied_to(&yours.text),
             right: None,
             helper: None,
+            called: Vec::new(),
         }
     }
 
@@ -44,6 +47,7 @@ impl<'a> Fix<'a> {
             text: right[0].text.clone(),
             right: Some(right[0]),
             helper: None,
+            called: Vec::new(),
         }
     }
 }
@@ -98,7 +102,7 @@ impl<'a> Search<'a> {
             Some(edit) => Some(vec![Fix::edit(&edit)]),
             None => self
                 .in_a_call(&swapped)
-                .or_else(|| self.whole(vec![Fix::whole(&swapped[0])])),
+                .or_else(|| self.whole(vec![self.swapped(&swapped[0])])),
         }
     }
 
@@ -170,12 +174,16 @@ impl<'a> Search<'a> {
         let generic = generic::edits(yours, right.first().copied());
         let own = self.of_chapter(yours, right).into_iter().chain(generic);
         let mut edits: Vec<_> = own.map(|edit| (*yours, edit)).collect();
-        for helper in self.helpers(yours) {
-            let theirs = right.iter();
-            let theirs = theirs.flat_map(|right| chapter::edits_of_helper(helper, yours, right));
+        let helpers = self.helpers(yours);
+        let likest: Vec<_> = helpers.iter().map(|it| (*it, self.likest(it))).collect();
+        let mut callers: Vec<_> = likest.iter().flat_map(|it| Some((it.0, it.1?))).collect();
+        callers.extend(right.iter().map(|right| (*yours, *right)));
+        for (helper, _) in &likest {
+            let others = callers.iter().filter(|(it, _)| it.name != helper.name);
+            let theirs = others.flat_map(|(it, right)| chapter::edits_of_helper(helper, it, right));
             let all = self.keeping_calls(helper, theirs.collect());
             let all = all.into_iter().chain(self.of_likest(helper));
-            edits.extend(all.map(|edit| (helper, edit)));
+            edits.extend(all.map(|edit| (*helper, edit)));
         }
         edits
     }
@@ -202,11 +210,16 @@ impl<'a> Search<'a> {
         self.keeping_calls(yours, edits.collect())
     }
 
-    /// The edits of a function that the chapter does not have, by what is most like it there.
-    fn of_likest(&self, own: &Function) -> Vec<Edit> {
+    /// The chapter's function that is most like this one.
+    fn likest(&self, own: &Function) -> Option<&'a Function> {
         let like = |it: &&Function| it.body.likeness(&own.body);
         let all = self.chapter.iter();
-        let right = all.max_by(|one, other| like(one).total_cmp(&like(other)));
+        all.max_by(|one, other| like(one).total_cmp(&like(other)))
+    }
+
+    /// The edits of a function that the chapter does not have, by what is most like it there.
+    fn of_likest(&self, own: &Function) -> Vec<Edit> {
+        let right = self.likest(own);
         let theirs = right.map_or(Vec::new(), |right| chapter::edits(own, right));
         let theirs = self.keeping_calls(own, theirs);
         [theirs, generic::edits(own, None)].concat()
@@ -288,7 +301,15 @@ impl<'a> Search<'a> {
                 return fixes;
             }
         }
-        self.whole(vec![Fix::whole(&common[m]), Fix::whole(&common[n])])
+        self.whole(vec![self.swapped(&common[m]), self.swapped(&common[n])])
+    }
+
+    /// The chapter's function for the reader's and for the helpers that this calls.
+    fn swapped(&self, common: &Common<'a>) -> Fix<'a> {
+        Fix {
+            called: self.helpers(common.0),
+            ..Fix::whole(common)
+        }
     }
 
     /// The fixes, if the program is right with all of them together.

@@ -3,7 +3,6 @@
 //! Two programs are compared as sequences of words and signs, so that spaces, comments,
 //! and how a language declares a variable don't matter.
 
-mod lints;
 mod tokens;
 
 use slips::{Chapter, Words};
@@ -217,23 +216,6 @@ impl Sources {
         ];
         self.are_of_the_chapter() && own + STATEMENT > theirs
     }
-
-    /// Whether each vector of numbers in a wrong line stands somewhere in the files: a center
-    /// that is nowhere in a program is no mistake of it.
-    pub(crate) fn may_have_values_of(&self, words: &Words) -> bool {
-        let snippets = self.snippets(&words.wrong);
-        let mut alternatives = snippets.iter().filter(|it| !it.is_value).peekable();
-        alternatives.peek().is_none()
-            || alternatives.any(|snippet| {
-                let right = tokens(&words.right);
-                let mut vectors = vectors(&snippet.tokens);
-                vectors.all(|vector| has_all(&right, vector) || self.has_vector(vector))
-            })
-    }
-
-    fn has_vector(&self, vector: &[Token]) -> bool {
-        self.yours.iter().any(|file| has_all(&file.tokens, vector))
-    }
 }
 
 /// So many tokens are a statement.
@@ -332,31 +314,6 @@ impl File {
         };
         starts.filter_map(function).collect()
     }
-}
-
-/// Each three numbers in brackets.
-fn vectors(tokens: &[Token]) -> impl Iterator<Item = &[Token]> {
-    let is_number = |it: &Token| it.text.starts_with(|c: char| c.is_ascii_digit());
-    let is_part = move |it: &Token| is_number(it) || matches!(&*it.text, "-" | ",");
-    let opened = tokens.iter().enumerate().filter(|(_, it)| it.text == "(");
-    opened.filter_map(move |(open, _)| {
-        let length = tokens[open + 1..].iter().position(|it| !is_part(it))?;
-        let inside = &tokens[open + 1..open + 1 + length];
-        let is_closed = tokens[open + 1 + length].text == ")";
-        let commas = inside.iter().filter(|it| it.text == ",").count();
-        (is_closed && commas == 2).then_some(inside)
-    })
-}
-
-/// Whether the tokens stand somewhere in these, one after the other.
-fn has_all(tokens: &[Token], part: &[Token]) -> bool {
-    let mut windows = tokens.windows(part.len().max(1));
-    windows.any(|window| {
-        window
-            .iter()
-            .map(|it| &it.text)
-            .eq(part.iter().map(|it| &it.text))
-    })
 }
 
 /// What C++ makes in braces as it is made in brackets.
