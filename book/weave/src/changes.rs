@@ -1,24 +1,20 @@
-//! Diffs: what changed from one chapter to the next, in the picture and in the code.
+//! Diffs: what changed from one chapter to the next in the picture, and which files are new.
 
 use check::comparison::Comparison;
 use check::report::difference_picture;
-use similar::TextDiff;
 use slips::Chapter;
 
 use crate::slip::address;
 
-/// The pictures of chapter `name` and of the one before, the pixels that changed,
-/// and the lines of code.
+/// The pictures of chapter `name` and of the one before, the pixels that changed, and the new files.
 pub(crate) fn changes(name: &str) -> Result<String, String> {
     let [before, after] = Chapter::OF_THE_BOOK
         .array_windows()
         .find(|[_, after]| after.name() == name)
         .ok_or_else(|| format!("no chapter `{name}` comes after another one"))?;
     let (sentence, panels) = pictures(*before, *after);
-    Ok(format!(
-        "{panels}{sentence}\n\n<details><summary>The code, line by line</summary>\n\n{}\n\n</details>",
-        code(*before, *after)
-    ))
+    let files = new_files(*before, *after);
+    Ok(format!("{panels}{sentence}{files}"))
 }
 
 /// What becomes of the picture; and where only some of its pixels change, the pictures.
@@ -58,43 +54,15 @@ fn panel(title: &str, file: &str, alt: &str) -> String {
     format!("<figure><img src=\"{file}\" alt=\"{alt}\"><figcaption>{title}</figcaption></figure>")
 }
 
-/// The new files, and the lines that change in `lib.rs`, as Markdown. Comments
-/// are left out: they are all new, and hide how little the code changes.
-fn code(before: Chapter, after: Chapter) -> String {
+fn new_files(before: Chapter, after: Chapter) -> String {
     let is_old = |name: &str| before.files().iter().any(|(old, _)| *old == name);
     let names = after.files().iter().map(|(name, _)| *name);
     let added: Vec<String> = names
         .filter(|name| !is_old(name))
         .map(|name| format!("`{}`", name.trim_start_matches("src/")))
         .collect();
-    let added = if added.is_empty() {
-        String::new()
-    } else {
-        format!("New files: {}.\n\n", added.join(", "))
-    };
-    let [old, new] = [before, after].map(lib);
-    let [old_file, new_file] = [before, after].map(|chapter| {
-        format!(
-            "chapters/{}_{}/src/lib.rs",
-            chapter as usize,
-            chapter.name()
-        )
-    });
-    let diff = TextDiff::from_lines(&old, &new)
-        .unified_diff()
-        .context_radius(30) // A chapter is short enough to be shown whole.
-        .header(&old_file, &new_file)
-        .to_string();
-    format!("{added}```diff\n{diff}```")
-}
-
-/// The lines of the chapter's `lib.rs` but for those of comments.
-fn lib(chapter: Chapter) -> String {
-    let lib = chapter
-        .files()
-        .iter()
-        .find(|(name, _)| *name == "src/lib.rs");
-    let (_, text) = lib.expect("every chapter has one");
-    let lines = text.split_inclusive('\n');
-    lines.filter(|line| !line.starts_with("//")).collect()
+    match &added[..] {
+        [] => String::new(),
+        _ => format!(" New files: {}.", added.join(", ")),
+    }
 }
