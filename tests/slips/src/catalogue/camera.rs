@@ -349,7 +349,11 @@ pub(super) const SLIPS: &[Slip] = &[
     },
     Slip {
         name: "direction-reversed",
-        edits: &["self.center, pixel_center - self.center→self.center, self.center - pixel_center"],
+        cpp: "ray_direction = pixel_center - camera_center",
+        edits: &[
+            "pixel_center - camera_center→camera_center - pixel_center",
+            "pixel_center - self.center→self.center - pixel_center",
+        ],
         why: "It points from the pixel to the eye: all is seen that lies behind.",
         alter: |p| p.aim = |_, ray| Ray::new(ray.origin, -ray.direction),
         ..RAY

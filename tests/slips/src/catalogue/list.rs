@@ -58,8 +58,10 @@ pub(super) const SLIPS: &[Slip] = &[
         name: "closest-not-updated",
         rust: "closest_so_far = record.t; nearest = Some(record)",
         cpp: "closest_so_far = temp_rec.t; rec = temp_rec",
+        python: "closest_so_far = rec.t, or closest_so_far = temp_rec.t",
         edits: &[
             "closest_so_far = record.t; →",
+            "closest_so_far = rec.t, or closest_so_far = temp_rec.t→if object.hit(…): rec = temp_rec",
             "closest_so_far = temp_rec.t;→if (object.hit(…))",
         ],
         why: "closest_so_far stays, so each hit replaces the one before, however far it is.",
