@@ -3,6 +3,7 @@
 
 use std::fmt::Write;
 
+use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
 use laws::Case;
 use speed_vs_accuracy::find;
@@ -10,121 +11,91 @@ use speed_vs_accuracy::find;
 const NAN: f64 = f64::NAN;
 const INF: f64 = f64::INFINITY;
 
-/// What is asked, in the words of the page; center and radius, origin and direction, and the
-/// range of t.
-type Row = (&'static str, [f64; 4], [f64; 6], [f64; 2]);
+/// What is asked in a row: the ball of chapter 3 and its ray straight ahead, whose roots are ½
+/// and 1½, but for what the row changes.
+struct Asked {
+    case: Case,
+    t_min: f64,
+    t_max: f64,
+}
 
-/// The ball of chapter 3, and its ray straight ahead: the roots are ½ and 1½.
-const BALL: [f64; 4] = [0.0, 0.0, -1.0, 0.5];
-const AHEAD: [f64; 6] = [0.0, 0.0, 0.0, 0.0, 0.0, -1.0];
-const ALL: [f64; 2] = [0.0, INF];
+impl Asked {
+    /// The ball of radius 1 around 0, by a ray from there in that direction.
+    fn unit_ball(&mut self, from: [f64; 3], direction: [f64; 3]) {
+        let ray = Ray::new(from.into(), direction.into());
+        self.case = Case::new(Point3::ZERO, 1.0, ray);
+    }
 
+    /// A sphere straight ahead, twice its radius away.
+    fn ahead(&mut self, away: f64) {
+        (self.case.center.z, self.case.radius) = (-away, away / 2.0);
+    }
+}
+
+type Row = (&'static str, fn(&mut Asked));
+
+/// Each row in the words of the page, and what it changes.
 const ROWS: &[Row] = &[
-    ("straight ahead, for comparison", BALL, AHEAD, ALL),
-    (
-        "$r = 0$, the line through the center",
-        [0.0, 0.0, -1.0, 0.0],
-        AHEAD,
-        ALL,
-    ),
-    (
-        "$r = 0$, a line beside it",
-        [0.0, 0.0, -1.0, 0.0],
-        [0.0, 1.0, 0.0, 0.0, 0.0, -1.0],
-        ALL,
-    ),
-    ("$r = -½$", [0.0, 0.0, -1.0, -0.5], AHEAD, ALL),
-    ("$r$ is NaN", [0.0, 0.0, -1.0, NAN], AHEAD, ALL),
-    ("$r = ∞$", [0.0, 0.0, -1.0, INF], AHEAD, ALL),
-    ("the direction is 0", BALL, [0.0; 6], ALL),
-    (
-        "the direction is subnormal, 2⁻¹⁰⁶⁰ long",
-        BALL,
-        [0.0, 0.0, 0.0, 0.0, 0.0, -8.095e-320],
-        ALL,
-    ),
-    (
-        "the direction is 10²⁰⁰ long",
-        BALL,
-        [0.0, 0.0, 0.0, 0.0, 0.0, -1e200],
-        ALL,
-    ),
-    (
-        "from the surface, outwards",
-        [0.0, 0.0, 0.0, 1.0],
-        [1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
-        ALL,
-    ),
-    (
-        "from the surface, inwards",
-        [0.0, 0.0, 0.0, 1.0],
-        [1.0, 0.0, 0.0, -1.0, 0.0, 0.0],
-        ALL,
-    ),
-    ("from the center", [0.0, 0.0, 0.0, 1.0], AHEAD, ALL),
-    (
-        "from inside",
-        [0.0, 0.0, 0.0, 2.0],
-        [0.0, 0.0, 1.0, 0.0, 0.0, -1.0],
-        ALL,
-    ),
-    (
-        "away from the sphere",
-        BALL,
-        [0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
-        ALL,
-    ),
-    (
-        "a tangent",
-        [0.0, 0.0, 0.0, 1.0],
-        [1.0, 0.0, 2.0, 0.0, 0.0, -1.0],
-        ALL,
-    ),
-    (
-        "a tangent from its point of contact",
-        [0.0, 0.0, 0.0, 1.0],
-        [1.0, 0.0, 0.0, 0.0, 0.0, -1.0],
-        ALL,
-    ),
-    ("$t_{min}$ is the nearer root", BALL, AHEAD, [0.5, INF]),
-    ("$t_{max}$ is the nearer root", BALL, AHEAD, [0.0, 0.5]),
-    ("$t_{min}$ is NaN", BALL, AHEAD, [NAN, INF]),
-    ("$t_{max}$ is NaN", BALL, AHEAD, [0.0, NAN]),
-    ("$t_{min} > t_{max}$", BALL, AHEAD, [1.0, 0.0]),
-    (
-        "the origin is NaN",
-        BALL,
-        [NAN, 0.0, 0.0, 0.0, 0.0, -1.0],
-        ALL,
-    ),
-    (
-        "the origin is at ∞",
-        BALL,
-        [0.0, 0.0, INF, 0.0, 0.0, -1.0],
-        ALL,
-    ),
-    (
-        "the direction is NaN",
-        BALL,
-        [0.0, 0.0, 0.0, NAN, 0.0, -1.0],
-        ALL,
-    ),
-    (
-        "the direction is infinite",
-        BALL,
-        [0.0, 0.0, 0.0, 0.0, 0.0, -INF],
-        ALL,
-    ),
-    ("the center is NaN", [NAN, 0.0, -1.0, 0.5], AHEAD, ALL),
-    ("the center is at −∞", [0.0, 0.0, -INF, 0.5], AHEAD, ALL),
-    (
-        "$h^2$ overflows, $a$ and $c$ do not",
-        [0.0, 0.0, -1e100, 5e99],
-        [0.0, 0.0, 0.0, 0.0, 0.0, -1e100],
-        ALL,
-    ),
-    ("$c$ overflows", [0.0, 0.0, -1e160, 5e159], AHEAD, ALL),
-    ("$c$ underflows", [0.0, 0.0, -1e-170, 5e-171], AHEAD, ALL),
+    ("straight ahead, for comparison", |_| {}),
+    ("$r = 0$, the line through the center", |it| {
+        it.case.radius = 0.0;
+    }),
+    ("$r = 0$, a line beside it", |it| {
+        it.case.radius = 0.0;
+        it.case.ray.origin.y = 1.0;
+    }),
+    ("$r = -½$", |it| it.case.radius = -0.5),
+    ("$r$ is NaN", |it| it.case.radius = NAN),
+    ("$r = ∞$", |it| it.case.radius = INF),
+    ("the direction is 0", |it| {
+        it.case.ray.direction = Vec3::ZERO;
+    }),
+    ("the direction is subnormal, 2⁻¹⁰⁶⁰ long", |it| {
+        it.case.ray.direction.z = -8.095e-320;
+    }),
+    ("the direction is 10²⁰⁰ long", |it| {
+        it.case.ray.direction.z = -1e200;
+    }),
+    ("from the surface, outwards", |it| {
+        it.unit_ball([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]);
+    }),
+    ("from the surface, inwards", |it| {
+        it.unit_ball([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]);
+    }),
+    ("from the center", |it| {
+        it.unit_ball([0.0; 3], [0.0, 0.0, -1.0]);
+    }),
+    ("from inside", |it| {
+        it.unit_ball([0.0, 0.0, 0.5], [0.0, 0.0, -1.0]);
+    }),
+    ("away from the sphere", |it| it.case.ray.direction.z = 1.0),
+    ("a tangent", |it| {
+        it.unit_ball([1.0, 0.0, 2.0], [0.0, 0.0, -1.0]);
+    }),
+    ("a tangent from its point of contact", |it| {
+        it.unit_ball([1.0, 0.0, 0.0], [0.0, 0.0, -1.0]);
+    }),
+    ("$t_{min}$ is the nearer root", |it| it.t_min = 0.5),
+    ("$t_{max}$ is the nearer root", |it| it.t_max = 0.5),
+    ("$t_{min}$ is NaN", |it| it.t_min = NAN),
+    ("$t_{max}$ is NaN", |it| it.t_max = NAN),
+    ("$t_{min} > t_{max}$", |it| {
+        (it.t_min, it.t_max) = (1.0, 0.0);
+    }),
+    ("the origin is NaN", |it| it.case.ray.origin.x = NAN),
+    ("the origin is at ∞", |it| it.case.ray.origin.z = INF),
+    ("the direction is NaN", |it| it.case.ray.direction.x = NAN),
+    ("the direction is infinite", |it| {
+        it.case.ray.direction.z = -INF;
+    }),
+    ("the center is NaN", |it| it.case.center.x = NAN),
+    ("the center is at −∞", |it| it.case.center.z = -INF),
+    ("$h^2$ overflows, $a$ and $c$ do not", |it| {
+        it.ahead(1e100);
+        it.case.ray.direction.z = -1e100;
+    }),
+    ("$c$ overflows", |it| it.ahead(1e160)),
+    ("$c$ underflows", |it| it.ahead(1e-170)),
 ];
 
 #[test]
@@ -135,12 +106,17 @@ fn each_cell_of_the_table_on_the_page_is_what_the_function_answers() {
     let head = lines.next().expect("the page has the table");
     let columns: Vec<Vec<&str>> = cells(head).skip(1).map(names).collect();
     let mut expected = String::new();
-    for &(name, sphere, ray, range) in ROWS {
+    for (name, change) in ROWS {
+        let case = Case::new(Vec3::NEG_Z, 0.5, Ray::new(Point3::ZERO, Vec3::NEG_Z));
+        let mut asked = Asked {
+            case,
+            t_min: 0.0,
+            t_max: INF,
+        };
+        change(&mut asked);
         let _ = write!(expected, "| {name} |");
         for column in &columns {
-            let mut answers = column
-                .iter()
-                .map(|function| answer(function, sphere, ray, range));
+            let mut answers = column.iter().map(|function| answer(function, &asked));
             let first = answers.next().expect("a column has a name");
             assert!(
                 answers.all(|other| other == first),
@@ -168,14 +144,8 @@ fn names(head: &str) -> Vec<&str> {
 }
 
 /// `t`, or what else is answered.
-fn answer(
-    function: &str,
-    [x, y, z, radius]: [f64; 4],
-    ray: [f64; 6],
-    [t_min, t_max]: [f64; 2],
-) -> String {
-    let [qx, qy, qz, dx, dy, dz] = ray;
-    let case = Case::from_numbers([x, y, z, radius, qx, qy, qz, dx, dy, dz]);
+fn answer(function: &str, asked: &Asked) -> String {
+    let Asked { case, t_min, t_max } = *asked;
     let Case {
         center,
         radius,
