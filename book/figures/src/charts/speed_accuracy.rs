@@ -43,7 +43,7 @@ pub(super) const BOOK: Chart = Chart {
         let in_lanes: Vec<_> = in_lanes.into_iter().filter(is_faster).collect();
         shown.extend(in_lanes);
         let mut svg = BOOK.sheet(720.0);
-        let key = spot(220.0, 33.5);
+        let key = spot(262.0, 33.5);
         lanes(&mut svg, "ink", key);
         svg.small_label("ink", key + spot(18.0, 4.5), Anchor::Start, "in lanes");
         Ok(Drawn {
