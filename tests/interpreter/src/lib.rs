@@ -276,7 +276,7 @@ impl Program {
     /// One of the reader's kinds, by the names of its fields; what has other names keeps the
     /// order.
     fn own<'n>(&self, kind: u32, parts: impl Iterator<Item = (&'n str, Value)>) -> Value {
-        let known = self.code.names.kinds[kind as usize].variants[0].known();
+        let known = self.code.names.kinds[kind as usize].known();
         let mut fields = vec![Value::Unit; known.len()];
         for (n, (name, value)) in parts.enumerate() {
             let place = known.iter().position(|it| it.0 == name).unwrap_or(n);
@@ -284,14 +284,14 @@ impl Program {
                 *field = value;
             }
         }
-        Value::Own(kind, 0, Fields(fields.into()))
+        Value::Own(kind, Fields(fields.into()))
     }
 
     fn vec3_of(&self, value: &Value) -> Option<Vec3> {
-        let Value::Own(kind, _, fields) = value else {
+        let Value::Own(kind, fields) = value else {
             return Some(value.vec3());
         };
-        let known = self.code.names.kinds[*kind as usize].variants[0].known();
+        let known = self.code.names.kinds[*kind as usize].known();
         let parts = ["x", "y", "z"].into_iter().enumerate().map(|(n, name)| {
             let place = known.iter().position(|it| it.0 == name).unwrap_or(n);
             match fields.0.get(place)? {
@@ -338,7 +338,7 @@ impl Roles {
         // Vectors are what a ray is made of.
         let ray = ray_color.and_then(|it| names.functions[it].parameters.first());
         let own_ray = ray.and_then(own_kind);
-        let vec3 = own_ray.map(|it| &names.kinds[it as usize].variants[0].fields);
+        let vec3 = own_ray.map(|it| &names.kinds[it as usize].fields);
         let own_vec3 = vec3.and_then(|it| own_kind(&it.first()?.ty));
         Self {
             picture: function("picture", 1),

@@ -731,7 +731,7 @@ impl Lowerer<'_> {
     fn structure(&mut self, it: &syn::ExprStruct) -> Lowered {
         let path = names(&it.path);
         let at_path = self.at_any(&it.path);
-        let Some((kind, variant)) = self.names.variant(&self.context, &path) else {
+        let Some(kind) = self.names.structure(&self.context, &path) else {
             return match self.names.found(self.context.module, &path) {
                 Ok(crate::names::Named::Type(ty)) if matches!(ty.0, Head::Vec3 | Head::Ray) => {
                     self.native_structure(it, &ty)
@@ -751,8 +751,8 @@ impl Lowerer<'_> {
             };
         };
         let own = &self.names.kinds[kind];
-        let fields = &own.variants[variant].fields;
-        let nodes = self.fields_given(it, &own.name, &own.variants[variant].known())?;
+        let fields = &own.fields;
+        let nodes = self.fields_given(it, &own.name, &own.known())?;
         let mut hidden = nodes.iter().map(|it| &fields[it.0]);
         let is_hidden = |it: &&Field| {
             !self
@@ -771,10 +771,7 @@ impl Lowerer<'_> {
             Some(rest) => Some(Box::new(self.given(rest, &ty)?)),
             None => None,
         };
-        Ok(Typed::new(
-            Node::New(kind as u32, variant as u32, nodes, base),
-            ty,
-        ))
+        Ok(Typed::new(Node::New(kind as u32, nodes, base), ty))
     }
 
     /// The fields of an initializer by their numbers.

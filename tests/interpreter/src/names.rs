@@ -72,24 +72,17 @@ pub(crate) struct Lost {
     is_private: bool,
 }
 
-/// A struct, or an enum, of the reader's.
+/// A struct of the reader's.
 #[derive(Debug)]
 pub(crate) struct Kind {
     pub(crate) name: String,
     pub(crate) module: usize,
-    pub(crate) is_enum: bool,
-    pub(crate) variants: Vec<Variant>,
+    pub(crate) fields: Vec<Field>,
+    pub(crate) shape: Shape,
     pub(crate) derives: Vec<String>,
 }
 
-#[derive(Debug)]
-pub(crate) struct Variant {
-    pub(crate) name: String,
-    pub(crate) fields: Vec<Field>,
-    pub(crate) shape: Shape,
-}
-
-impl Variant {
+impl Kind {
     /// The names of its fields, and their types.
     pub(crate) fn known(&self) -> Vec<(&str, Type)> {
         let fields = self.fields.iter();
@@ -419,7 +412,7 @@ impl Names {
         Some(Refusal::new(at, &message, "", &help))
     }
 
-    /// Says that a value has no such method, and which one was meant.
+    /// Says that a value has no such method, or that it is not known here, and which was meant.
     pub(crate) fn no_method(&self, ty: &Type, name: &str, at: At) -> Refusal {
         let last = ty.stripped();
         let own = self
@@ -436,19 +429,38 @@ impl Names {
         } else {
             there_is(name, known)
         };
-        // The standard library has more than is known here, whose names are like none of these.
-        let is_standard = matches!(
-            last.0,
-            Head::Iterator | Head::Range | Head::Option | Head::Str
-        ) || matches!(last.0, Head::Vec | Head::Array(_) | Head::Slice);
-        if is_standard && help.is_empty() {
-            return Refusal::unknown(at, &format!("`{name}` of `{}`", ty.name(self)));
-        }
         let message = format!(
             "no method named `{name}` found for `{}` in the current scope",
             ty.name(self)
         );
-        Refusal::new(at, &message, "", &help)
+        if !help.is_empty() && !help.starts_with("there") {
+            return Refusal::new(at, &message, "", &help);
+        }
+        self.lacks(last, name, &message, &help, at)
+    }
+
+    /// That a type has nothing of that name. The standard library and glam have more than is
+    /// known here: only of the chapters' own types and the reader's everything is known.
+    pub(crate) fn lacks(
+        &self,
+        ty: &Type,
+        name: &str,
+        message: &str,
+        help: &str,
+        at: At,
+    ) -> Refusal {
+        let is_ours = matches!(
+            ty.0,
+            Head::Own(_) | Head::Dyn(_) | Head::Ray | Head::Camera | Head::Picture
+        );
+        if is_ours {
+            return Refusal::new(at, message, "", help);
+        }
+        let what = match ty.0 {
+            Head::Unknown => format!("`{name}`"),
+            _ => format!("`{name}` of `{}`", ty.name(self)),
+        };
+        Refusal::unknown(at, &what).or_help(help)
     }
 
     /// The number of a field and its type; or what is wrong with asking for it.
@@ -471,7 +483,7 @@ impl Names {
         };
         if let Head::Own(kind) = on.0 {
             let own = &self.kinds[kind];
-            if !self.sees(module, own.module, own.variants[0].fields[n].is_public) {
+            if !self.sees(module, own.module, own.fields[n].is_public) {
                 let message = format!("field `{name}` of struct `{}` is private", own.name);
                 let help = "`pub` before it shows it to other files";
                 return Err(Refusal::new(at, &message, "private field", help));
@@ -480,37 +492,27 @@ impl Names {
         Ok((n, known[n].1.clone()))
     }
 
-    /// The names and the types of what a value has, if it has no variants.
+    /// The names and the types of what a value has.
     pub(crate) fn fields_of(&self, ty: &Type) -> Vec<(&str, Type)> {
         const NUMBERS: [&str; 8] = ["0", "1", "2", "3", "4", "5", "6", "7"];
         match ty.0 {
-            Head::Own(kind) if !self.kinds[kind].is_enum => self.kinds[kind].variants[0].known(),
+            Head::Own(kind) => self.kinds[kind].known(),
             Head::Tuple => NUMBERS.into_iter().zip(ty.1.iter().cloned()).collect(),
             head => prelude::fields(head).collect(),
         }
     }
 
-    /// The kind of the reader's that a path names, and the variant.
-    pub(crate) fn variant(&self, context: &Context, path: &[String]) -> Option<(usize, usize)> {
-        let own = |path: &[String]| match path {
-            [name] if name == "Self" => context.own.as_ref().map(|it| it.0),
-            [] => None,
+    /// The struct of the reader's that a path names.
+    pub(crate) fn structure(&self, context: &Context, path: &[String]) -> Option<usize> {
+        let named = match path {
+            [name] if name == "Self" => context.own.as_ref()?.0,
             path => match self.found(context.module, path).ok()? {
-                Named::Type(ty) => Some(ty.0),
-                _ => None,
+                Named::Type(ty) => ty.0,
+                _ => return None,
             },
         };
-        if let Some(Head::Own(kind)) = own(path)
-            && !self.kinds[kind].is_enum
-        {
-            return Some((kind, 0));
-        }
-        let (variant, kind) = path.split_last()?;
-        match own(kind) {
-            Some(Head::Own(kind)) if self.kinds[kind].is_enum => {
-                let mut variants = self.kinds[kind].variants.iter();
-                Some((kind, variants.position(|it| it.name == *variant)?))
-            }
+        match named {
+            Head::Own(kind) => Some(kind),
             _ => None,
         }
     }

@@ -53,9 +53,9 @@ pub(crate) enum Node {
     Closure(Arc<Closure>, bool),
     Function(usize),
     NativeFunction(&'static Native, At),
-    /// A variant of one of the reader's types, its fields by their numbers, and a value that
-    /// has the others.
-    New(u32, u32, Vec<(usize, Node)>, Option<Box<Node>>),
+    /// One of the reader's structs, its fields by their numbers, and a value that has the
+    /// others.
+    New(u32, Vec<(usize, Node)>, Option<Box<Node>>),
     Some(Box<Node>),
     Many(Vec<Node>),
     Tuple(Vec<Node>),
@@ -139,9 +139,7 @@ pub(crate) enum Pattern {
     Literal(Node),
     None,
     Some(Box<Pattern>),
-    /// A variant of one of the reader's kinds, and its fields by their numbers.
-    Variant(u32, Vec<(usize, Pattern)>),
-    /// The fields of a value that has no variants.
+    /// The fields of a value, by their numbers.
     Fields(Vec<(usize, Pattern)>),
     Many(Vec<Pattern>),
 }

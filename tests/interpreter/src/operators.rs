@@ -203,6 +203,14 @@ impl Names {
         )
     }
 
+    pub(crate) fn no_iterator(&self, ty: &Type, at: At) -> Refusal {
+        let name = ty.name(self);
+        match ty.0 {
+            Head::Option => Refusal::unknown(at, "loops over an `Option`"),
+            _ => Refusal::new(at, &format!("`{name}` is not an iterator"), "", ""),
+        }
+    }
+
     pub(crate) fn no_unary(&self, sign: &str, ty: &Type, at: At) -> Refusal {
         let name = ty.name(self);
         let message = format!("cannot apply unary operator `{sign}` to type `{name}`");

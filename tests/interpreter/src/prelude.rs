@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 use common::rtweekend::{Camera, Picture, Ray, Vec3, sky, write_color};
 
 use crate::names::{Context, Names, Signature};
-use crate::node::{At, Node, Sign};
+use crate::node::{At, Node};
 use crate::run::{Eval, Machine};
 use crate::types::{Head, Int, Type};
 use crate::value::{Iter, Source, Value};
@@ -120,10 +120,6 @@ const TOO_LONG: &str = "a list of more than a million values";
 pub(crate) const LONGEST_TEXT: usize = 20_000_000;
 pub(crate) const TEXT_TOO_LONG: &str = "a text of more than twenty million bytes";
 
-fn each(values: Vec<Value>) -> Value {
-    Value::Iterator(Source::List(Rc::new(values), 0).into())
-}
-
 fn rest(machine: &mut Machine<'_>, of: &Value, at: At) -> Eval<Vec<Value>> {
     let iterator = machine.iterator(of, at)?;
     let mut all = Vec::new();
@@ -184,13 +180,6 @@ fn extreme(machine: &mut Machine<'_>, a: &[Value], at: At, gives_way: Ordering) 
         }
     }
     Ok(Value::of(best))
-}
-
-/// The sum of all, from that of none on.
-fn added(machine: &mut Machine<'_>, a: &[Value], at: At) -> Eval {
-    let mut all = rest(machine, &a[0], at)?.into_iter();
-    let first = all.next().unwrap_or_else(|| a[1].clone());
-    all.try_fold(first, |sum, it| machine.arithmetic(Sign::Plus, sum, it, at))
 }
 
 /// A picture whose pixels a function colors.
@@ -261,11 +250,6 @@ impl Machine<'_> {
     fn colored(&mut self, f: &Value, given: &mut [Value], at: At) -> Eval<Vec3> {
         Ok(self.applied(f, given, Head::Vec3, at)?.vec3())
     }
-}
-
-fn edited(machine: &mut Machine<'_>, list: &Value, edit: impl FnOnce(&mut Vec<Value>)) -> Eval {
-    machine.change_at(list, |list| changed(list, edit));
-    Ok(Value::Unit)
 }
 
 fn float(value: f64) -> Eval {
@@ -399,31 +383,8 @@ library! {
             |_, a, _| option(a[0].compared(&a[1]).map(Value::Ordering));
     }
     "int" {
-        fn abs(self) -> Own => |m, a, at| match a[0].int().abs() {
-            it if kind(&a[0]).fits(it) => int(&a[0], it),
-            _ => m.panic(at, "attempt to negate with overflow"),
-        };
-        fn pow(self, n: u32) -> Own => |m, a, at| {
-            let power = a[0].int().checked_pow(a[1].int() as u32);
-            match power.filter(|it| kind(&a[0]).fits(*it)) {
-                Some(it) => int(&a[0], it),
-                None => m.panic(at, "attempt to multiply with overflow"),
-            }
-        };
         fn max(self, other: Own) -> Own => |_, a, _| int(&a[0], a[0].int().max(a[1].int()));
         fn min(self, other: Own) -> Own => |_, a, _| int(&a[0], a[0].int().min(a[1].int()));
-        fn clamp(self, least: Own, most: Own) -> Own => |m, a, at| {
-            let [it, least, most] = [0, 1, 2].map(|n| a[n].int());
-            if least <= most {
-                int(&a[0], it.clamp(least, most))
-            } else {
-                m.panic(at, "assertion failed: min <= max")
-            }
-        };
-        fn rem_euclid(self, other: Own) -> Own => |m, a, at| match a[1].int() {
-            0 => m.panic(at, "attempt to calculate the remainder with a divisor of zero"),
-            other => int(&a[0], a[0].int().rem_euclid(other)),
-        };
     }
     "bool" {
         fn then_some(self, value: U) -> Option<U> =>
@@ -514,19 +475,11 @@ library! {
             Some(it) if m.asked(&a[1], &mut [it.clone()], at)? => option(Some(it)),
             _ => option(None),
         };
-        fn is_some_and(self, f: impl FnOnce(T) -> bool) -> bool => |m, a, at| match a[0].option() {
-            Some(it) => m.apply(&a[1], &mut [it], at),
-            None => bool(false),
-        };
         fn or(self, other: Option<T>) -> Option<T> =>
             |_, a, _| option(a[0].option().or_else(|| a[1].option()));
         fn as_ref(&self) -> Option<&T> => same;
-        fn take(&mut self) -> Option<T> =>
-            |m, a, _| Ok(m.change_at(&a[0], |place| std::mem::replace(place, Value::None)));
         fn copied(self: Option<&U>) -> Option<U> => same;
         fn cloned(self: Option<&U>) -> Option<U> => same;
-        fn iter(&self) -> Iterator<&T> => iterated;
-        fn into_iter(self) -> Iterator<T> => iterated;
     }
     "Box" {
         fn new(value: T) -> Own => same;
@@ -535,7 +488,6 @@ library! {
     }
     "Vec" {
         fn new() -> Vec<T> => |_, _, _| list(Vec::new());
-        fn with_capacity(n: usize) -> Vec<T> => |_, _, _| list(Vec::new());
         fn push(&mut self, value: T) => |m, a, at| {
             let value = std::mem::take(&mut a[1]);
             let length = m.change_at(&a[0], |list| {
@@ -550,37 +502,14 @@ library! {
                 m.panic(at, TOO_LONG)
             }
         };
-        fn clear(&mut self) => |m, a, _| edited(m, &a[0], Vec::clear);
-        fn extend(&mut self, more: Iterator<T>) => |m, a, at| {
-            let more = rest(m, &a[1], at)?;
-            edited(m, &a[0], |all| all.extend(more))
-        };
     }
     "list" {
-        fn reverse(&mut self) => |m, a, _| edited(m, &a[0], |all| all.reverse());
-        fn sort_by(&mut self, f: impl FnMut(&T, &T) -> Ordering) => |m, a, at| {
-            let mut sorted: Vec<Value> = Vec::new();
-            for value in m.followed(&a[0]).many().iter() {
-                let mut place = sorted.len();
-                while place > 0 && m.ordered(&a[1], [&sorted[place - 1], value], at)?.is_gt() {
-                    place -= 1;
-                }
-                sorted.insert(place, value.clone());
-            }
-            edited(m, &a[0], |all| *all = sorted)
-        };
         fn len(&self) -> usize => |_, a, _| Ok(Value::usize(a[0].many().len()));
         fn is_empty(&self) -> bool => |_, a, _| bool(a[0].many().is_empty());
         fn first(&self) -> Option<&T> => |_, a, _| option(a[0].many().first().cloned());
         fn last(&self) -> Option<&T> => |_, a, _| option(a[0].many().last().cloned());
-        fn get(&self, n: usize) -> Option<&T> =>
-            |_, a, _| option(a[0].many().get(a[1].int() as usize).cloned());
-        fn contains(&self, value: &T) -> bool =>
-            |_, a, _| bool(a[0].many().iter().any(|it| it.equals(&a[1])));
         fn iter(&self) -> Iterator<&T> => iterated;
-        fn iter_mut(&mut self) -> Iterator<&mut T> => |m, a, _| Ok(each(m.each_at(&a[0])?));
         fn into_iter(self) -> Iterator<T> => iterated;
-        fn to_vec(&self) -> Vec<T> => same;
     }
     "array" {
         fn map(self, f: impl FnMut(T) -> U) -> Vec<U> => |m, a, at| {
@@ -652,8 +581,6 @@ library! {
             let f = a[1].clone();
             adapted(m, &a[0], at, move |m, it| m.chosen(&f, &mut [it], at))
         };
-        fn flatten(self: Iterator<Option<U>>) -> Iterator<U> =>
-            |m, a, at| adapted(m, &a[0], at, |_, it| Ok(it.option()));
         fn enumerate(self) -> Iterator<(usize, T)> => |m, a, at| {
             let mut n = -1;
             adapted(m, &a[0], at, move |_, it| {
@@ -664,32 +591,16 @@ library! {
         fn rev(self) -> Iterator<T> => |m, a, at| {
             let mut all = rest(m, &a[0], at)?;
             all.reverse();
-            Ok(each(all))
+            Ok(Value::Iterator(Source::List(Rc::new(all), 0).into()))
         };
         fn copied(self: Iterator<&U>) -> Iterator<U> => same;
         fn cloned(self: Iterator<&U>) -> Iterator<U> => same;
         fn find(self, f: impl FnMut(&T) -> bool) -> Option<T> =>
             |m, a, at| option(found(m, a, at, true)?);
-        fn find_map(self, f: impl FnMut(T) -> Option<U>) -> Option<U> => |m, a, at| {
-            let iterator = m.iterator(&a[0], at)?;
-            while let Some(value) = iterator.next(m)? {
-                if let Some(chosen) = m.chosen(&a[1], &mut [value], at)? {
-                    return option(Some(chosen));
-                }
-            }
-            option(None)
-        };
         fn any(self, f: impl FnMut(T) -> bool) -> bool =>
             |m, a, at| bool(found(m, a, at, true)?.is_some());
         fn all(self, f: impl FnMut(T) -> bool) -> bool =>
             |m, a, at| bool(found(m, a, at, false)?.is_none());
-        fn for_each(self, f: impl FnMut(T)) => |m, a, at| {
-            let iterator = m.iterator(&a[0], at)?;
-            while let Some(value) = iterator.next(m)? {
-                m.apply(&a[1], &mut [value], at)?;
-            }
-            Ok(Value::Unit)
-        };
         fn fold(self, start: U, f: impl FnMut(U, T) -> U) -> U => |m, a, at| {
             let mut sum = a[1].clone();
             for value in rest(m, &a[0], at)? {
@@ -697,19 +608,6 @@ library! {
             }
             Ok(sum)
         };
-        fn reduce(self, f: impl FnMut(T, T) -> T) -> Option<T> => |m, a, at| {
-            let mut sum = None;
-            for value in rest(m, &a[0], at)? {
-                sum = Some(match sum {
-                    Some(sum) => m.apply(&a[1], &mut [sum, value], at)?,
-                    None => value,
-                });
-            }
-            option(sum)
-        };
-        fn sum(self) -> T => |m, a, at| added(m, a, at);
-        fn count(self) -> usize => |m, a, at| Ok(Value::usize(rest(m, &a[0], at)?.len()));
-        fn last(self) -> Option<T> => |m, a, at| option(rest(m, &a[0], at)?.pop());
         fn min_by(self, f: impl FnMut(&T, &T) -> Ordering) -> Option<T> =>
             |m, a, at| extreme(m, a, at, Ordering::Greater);
         fn max_by(self, f: impl FnMut(&T, &T) -> Ordering) -> Option<T> =>

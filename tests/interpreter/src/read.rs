@@ -45,6 +45,14 @@ impl Refusal {
         Self::new(at, &message, "", "cargo does")
     }
 
+    /// The same with other help, if there is some.
+    pub(crate) fn or_help(mut self, help: &str) -> Self {
+        if !help.is_empty() {
+            help.clone_into(&mut self.help);
+        }
+        self
+    }
+
     /// A program that has begun stops.
     pub(crate) fn stop(at: At, message: &str, help: &str) -> Self {
         Self {

@@ -309,9 +309,7 @@ impl<'c> Machine<'c> {
             Node::Native(native, nodes, at) => self.native(native, nodes, *at),
             Node::Dispatch(all, nodes, at) => self.dispatch(all, nodes, *at),
             Node::Apply(function, nodes, at) => self.applied_to(function, nodes, *at),
-            Node::New(kind, variant, fields, base) => {
-                self.made(*kind, *variant, fields, base.as_deref())
-            }
+            Node::New(kind, fields, base) => self.made(*kind, fields, base.as_deref()),
             Node::Some(of) => Ok(Value::Some(Rc::new(self.eval(of)?))),
             Node::Many(nodes) => Ok(Value::Many(Rc::new(self.all(nodes)?))),
             Node::Tuple(nodes) => Ok(Value::Tuple(self.all(nodes)?.into())),
@@ -458,15 +456,9 @@ impl<'c> Machine<'c> {
     }
 
     #[inline(never)]
-    fn made(
-        &mut self,
-        kind: u32,
-        variant: u32,
-        fields: &[(usize, Node)],
-        base: Option<&Node>,
-    ) -> Eval {
+    fn made(&mut self, kind: u32, fields: &[(usize, Node)], base: Option<&Node>) -> Eval {
         let mut all = match base.map(|base| self.eval(base)).transpose()? {
-            Some(Value::Own(_, _, fields)) => fields,
+            Some(Value::Own(_, fields)) => fields,
             Some(other) => unreachable!("it is declared, and this is {other:?}"),
             None => Fields(iter::repeat_n(Value::Unit, fields.len()).collect()),
         };
@@ -474,7 +466,7 @@ impl<'c> Machine<'c> {
             let value = self.eval(node)?;
             Rc::make_mut(&mut all.0)[*n] = value;
         }
-        Ok(Value::Own(kind, variant, all))
+        Ok(Value::Own(kind, all))
     }
 
     #[inline(never)]
@@ -727,13 +719,11 @@ impl<'c> Machine<'c> {
         self.enter(function, start, at)
     }
 
-    /// What gives the values of a list, a range or an option, one after the other.
+    /// What gives the values of a list or a range, one after the other.
     pub(crate) fn iterator(&mut self, of: &Value, at: At) -> Eval<Iter> {
         Ok(match self.followed(of) {
             Value::Iterator(it) => it,
             Value::Many(all) => Source::List(all, 0).into(),
-            Value::None => Source::List(Rc::default(), 0).into(),
-            Value::Some(it) => Source::List(Rc::new(vec![Value::clone(&it)]), 0).into(),
             Value::Range(ends, is_closed) => {
                 let end = match &ends[1] {
                     Value::Int(it, int) => Some((it + i128::from(is_closed), *int)),
@@ -752,8 +742,8 @@ impl<'c> Machine<'c> {
     }
 
     fn no_iterator<T>(&mut self, of: &Value, at: At) -> Eval<T> {
-        let message = format!("`{}` is not an iterator", of.ty().name(&self.code.names));
-        self.refuse(Refusal::new(at, &message, "", ""))
+        let ty = self.followed(of).ty();
+        self.refuse(self.code.names.no_iterator(&ty, at))
     }
 
     fn index(&mut self, list: &Value, index: &Value, at: At) -> Eval<usize> {
@@ -854,21 +844,6 @@ impl<'c> Machine<'c> {
         }
     }
 
-    /// References to each value of the list that is there.
-    pub(crate) fn each_at(&mut self, reference: &Value) -> Eval<Vec<Value>> {
-        let mut last = reference.clone();
-        while let Value::Mut(address) = &last
-            && let inner @ Value::Mut(_) = self.at(address)
-        {
-            last = inner;
-        }
-        let (Value::Mut(address), Value::Many(all)) = (&last, self.followed(&last)) else {
-            unreachable!("types are checked");
-        };
-        let each = (0..all.len()).map(|n| Ok(Value::Mut(self.part(*address, n)?)));
-        each.collect()
-    }
-
     /// Whether the value matches; if so, its parts have their names.
     fn binds(&mut self, pattern: &Pattern, value: &Value) -> Eval<bool> {
         match pattern {
@@ -888,9 +863,6 @@ impl<'c> Machine<'c> {
             (Pattern::Literal(literal), _) => self.eval(literal)?.equals(value),
             (Pattern::None, value) => matches!(value, Value::None),
             (Pattern::Some(pattern), Value::Some(value)) => self.binds(pattern, value)?,
-            (Pattern::Variant(variant, fields), Value::Own(_, tag, values)) => {
-                variant == tag && self.all_bind(fields, |n| values.0[n].clone())?
-            }
             (Pattern::Fields(fields), value) => self.all_bind(fields, |n| value.field(n))?,
             (Pattern::Many(patterns), Value::Many(values)) if patterns.len() == values.len() => {
                 for (pattern, value) in patterns.iter().zip(values.iter()) {
@@ -1004,9 +976,9 @@ impl<'c> Machine<'c> {
             Head::Own(kind) => match code.names.method(ty, "default", None) {
                 Some(own) => self.run(own, &[], At::default())?,
                 None => {
-                    let fields = code.names.kinds[kind].variants[0].fields.iter();
+                    let fields = code.names.kinds[kind].fields.iter();
                     let fields = self.defaults(fields.map(|it| &it.ty))?;
-                    Value::Own(kind as u32, 0, Fields(fields))
+                    Value::Own(kind as u32, Fields(fields))
                 }
             },
             _ => {

@@ -211,7 +211,7 @@ impl Type {
                 self.inner().fits_behind(&wanted.inner(), names)
             }
             (_, Head::Dyn(of)) => names.implements(self, of),
-            (Head::Vec | Head::Array(_) | Head::Range | Head::Option, Head::Iterator) => {
+            (Head::Vec | Head::Array(_) | Head::Range, Head::Iterator) => {
                 self.inner().fits(&wanted.inner(), names)
             }
             (one, other) => one == other && fit(&self.1, &wanted.1),

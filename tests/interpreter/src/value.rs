@@ -35,8 +35,8 @@ pub(crate) enum Value {
     Ordering(Ordering),
     None,
     Some(Rc<Value>),
-    /// One of the reader's kinds, the number of its variant, and its fields.
-    Own(u32, u32, Fields),
+    /// One of the reader's structs, and its fields.
+    Own(u32, Fields),
     Tuple(Rc<[Value]>),
     /// A list or an array.
     Many(Rc<Vec<Value>>),
@@ -63,7 +63,7 @@ impl Drop for Fields {
         self.give(&mut left);
         while let Some(value) = left.pop() {
             match value {
-                Value::Own(_, _, mut fields) => fields.give(&mut left),
+                Value::Own(_, mut fields) => fields.give(&mut left),
                 Value::Some(inner) => left.extend(Rc::try_unwrap(inner)),
                 Value::Many(all) => left.extend(Rc::try_unwrap(all).into_iter().flatten()),
                 _ => {}
@@ -263,7 +263,7 @@ impl Value {
     /// A part of a value that has parts, by its number.
     pub(crate) fn field(&self, n: usize) -> Self {
         match self {
-            Self::Own(_, _, fields) => fields.0[n].clone(),
+            Self::Own(_, fields) => fields.0[n].clone(),
             Self::Tuple(fields) => fields[n].clone(),
             Self::Many(fields) => fields[n].clone(),
             Self::Vec3(vector) => Self::Float(vector[n]),
@@ -290,9 +290,7 @@ impl Value {
             (Self::Str(one), Self::Str(other)) => one == other,
             (Self::None, Self::None) | (Self::Unit, Self::Unit) => true,
             (Self::Some(one), Self::Some(other)) => one.equals(other),
-            (Self::Own(_, tag, fields), Self::Own(_, other, others)) => {
-                tag == other && all_equal(&fields.0, &others.0)
-            }
+            (Self::Own(_, fields), Self::Own(_, others)) => all_equal(&fields.0, &others.0),
             (Self::Tuple(fields), Self::Tuple(others)) => all_equal(fields, others),
             (Self::Many(fields), Self::Many(others)) => all_equal(fields, others),
             (one, other) => one.compared(other).is_some_and(Ordering::is_eq),
@@ -339,7 +337,7 @@ impl Value {
         };
         let first = *first as usize;
         match self {
-            Self::Own(_, _, fields) => Rc::make_mut(&mut fields.0)[first].reach(rest, change),
+            Self::Own(_, fields) => Rc::make_mut(&mut fields.0)[first].reach(rest, change),
             Self::Tuple(fields) => Rc::make_mut(fields)[first].reach(rest, change),
             Self::Many(fields) => Rc::make_mut(fields)[first].reach(rest, change),
             Self::Some(inner) => Rc::make_mut(inner).reach(rest, change),

@@ -13,7 +13,7 @@ use crate::read::{Refusal, at_span};
 use crate::types::{Head, Int, Type};
 
 impl Lowerer<'_> {
-    /// A name that is a value: a variable, a constant, a function, a variant.
+    /// A name that is a value: a variable, a constant, a function.
     pub(super) fn path(&mut self, it: &syn::ExprPath) -> Lowered {
         let path = names(&it.path);
         if let [name] = path.as_slice()
@@ -27,10 +27,10 @@ impl Lowerer<'_> {
                 Type::of(Head::Option, Type::UNKNOWN),
             ));
         }
-        if let Some((kind, variant)) = self.names.variant(&self.context, &path)
-            && self.names.kinds[kind].variants[variant].shape == Shape::Unit
+        if let Some(kind) = self.names.structure(&self.context, &path)
+            && self.names.kinds[kind].shape == Shape::Unit
         {
-            let node = Node::New(kind as u32, variant as u32, Vec::new(), None);
+            let node = Node::New(kind as u32, Vec::new(), None);
             return Ok(Typed::new(node, Head::Own(kind)));
         }
         let at = self.at_any(it);
@@ -96,10 +96,11 @@ impl Lowerer<'_> {
         let module = self.context.module;
         if let Some(owner) = owner {
             let Some(callee) = self.names.callee(owner, name) else {
-                return self.refused(at, format!(
+                let message = format!(
                     "no function or associated item named `{name}` found for `{}` in the current scope",
                     owner.name(self.names)
-                ));
+                );
+                return Err(self.names.lacks(owner, name, &message, "", at));
             };
             self.shown(callee, at)?;
             return Ok(callee);
@@ -110,6 +111,7 @@ impl Lowerer<'_> {
                 let native = prelude::native("", name).expect("it is listed");
                 Ok(Callee::Native(native))
             }
+            Ok(Named::Standard(name)) => Err(Refusal::unknown(at, &format!("`{name}`"))),
             Ok(_) => {
                 let message = format!("expected {what}, found `{}`", path.join("::"));
                 self.fault(at, &message, &format!("not a {what}"), "")
@@ -161,14 +163,14 @@ impl Lowerer<'_> {
         if let Some("Some" | "Ok") = path.last().map(String::as_str) {
             return self.wrapped(it, path[0] == "Ok", at);
         }
-        if let Some((kind, variant)) = self.names.variant(&self.context, &path)
-            && self.names.kinds[kind].variants[variant].shape == Shape::Tuple
+        if let Some(kind) = self.names.structure(&self.context, &path)
+            && self.names.kinds[kind].shape == Shape::Tuple
         {
-            let fields = &self.names.kinds[kind].variants[variant].fields;
+            let fields = &self.names.kinds[kind].fields;
             let types: Vec<Type> = fields.iter().map(|it| it.ty.clone()).collect();
             let nodes = self.arguments(&types, &it.args, at, &mut [])?;
             let fields = nodes.into_iter().enumerate().collect();
-            let node = Node::New(kind as u32, variant as u32, fields, None);
+            let node = Node::New(kind as u32, fields, None);
             return Ok(Typed::new(node, Head::Own(kind)));
         }
         let at_path = self.at_any(&function.path);
@@ -358,7 +360,7 @@ impl Lowerer<'_> {
         let name = it.method.to_string();
         let arguments = it.args.iter().collect();
         let made = self.method(receiver, &it.receiver, &name, arguments, (at, whole))?;
-        // `.sum::<f64>()` and `.collect::<Vec<_>>()` say what comes out.
+        // `.collect::<Vec<_>>()` says what comes out.
         if let Some(written) = &it.turbofish
             && let Some(syn::GenericArgument::Type(ty)) = written.args.first()
         {
@@ -403,15 +405,10 @@ impl Lowerer<'_> {
         if !before.ty.1.is_empty() {
             self.learn(&before, &Type(before.ty.0, vec![with[0].clone()]));
         }
-        let mut nodes = [vec![node], rest].concat();
+        let nodes = [vec![node], rest].concat();
         let result = signature.result.with(&with);
-        let result = match (name, stripped.0, callee) {
-            ("sum", _, Callee::Native(_)) => {
-                let of = result.stripped().clone();
-                nodes.push(of_none(&of));
-                of
-            }
-            ("map", Head::Array(length), _) => Type(Head::Array(length), result.1),
+        let result = match (name, stripped.0) {
+            ("map", Head::Array(length)) => Type(Head::Array(length), result.1),
             _ => result,
         };
         Ok(self.made(callee, nodes, result, whole))
@@ -501,16 +498,6 @@ impl Lowerer<'_> {
         let closure = Arc::new(Closure { parameters, body });
         let node = Node::Closure(closure, it.capture.is_some());
         Ok(Typed::new(node, Type(Head::Fn, types)))
-    }
-}
-
-/// The sum of no values of the type.
-fn of_none(ty: &Type) -> Node {
-    match ty.0 {
-        Head::Int(int) => Node::Int(0, int),
-        Head::Vec3 => Node::Vec3(Vec3::ZERO),
-        // As in Rust.
-        _ => Node::Float(-0.0),
     }
 }
 

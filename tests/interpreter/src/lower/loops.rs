@@ -80,27 +80,21 @@ impl Lowerer<'_> {
         let ty = &each.ty;
         let on = ty.stripped();
         match (ty.0, on.0) {
-            (Head::RefMut, Head::Vec | Head::Array(_) | Head::Slice) => {
-                let of = Type::of(Head::RefMut, on.inner());
-                Ok((
-                    self.native("list", "iter_mut", vec![each.node], self.at(at)),
-                    of,
-                ))
-            }
+            (Head::RefMut, Head::Vec | Head::Array(_) | Head::Slice) => Err(Refusal::unknown(
+                self.at(at),
+                "loops that change each value of a list",
+            )),
             (Head::RefMut, Head::Iterator) => Ok((Node::Deref(Box::new(each.node)), on.inner())),
             (_, Head::Unknown | Head::Never) => Ok((each.node, Type::UNKNOWN)),
             (Head::Range, _) if !on.inner().is_float() => Ok((each.node, on.inner().settled())),
             (
-                Head::Vec | Head::Array(_) | Head::Iterator | Head::Option | Head::Ref,
-                Head::Vec | Head::Array(_) | Head::Slice | Head::Option | Head::Iterator,
+                Head::Vec | Head::Array(_) | Head::Iterator | Head::Ref,
+                Head::Vec | Head::Array(_) | Head::Slice | Head::Iterator,
             ) => {
                 let of = on.inner().behind(ty);
                 Ok((each.node, of))
             }
-            _ => self.refused(
-                self.at(at),
-                format!("`{}` is not an iterator", ty.name(self.names)),
-            ),
+            _ => Err(self.names.no_iterator(ty, self.at(at))),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Patterns: what a value may look like, and the names of its parts.
 
 use super::{Lowered, Lowerer, Typed, member};
-use crate::names::{Named, Shape, names};
+use crate::names::{Named, names};
 use crate::node::{Arm, At, Node, Pattern};
 use crate::read::Refusal;
 use crate::types::{Head, Type};
@@ -19,7 +19,7 @@ impl Lowerer<'_> {
                 self.pattern(&it.pat, &written, is_late)
             }
             syn::Pat::Ident(name) if name.ident == "None" => self.option(ty, None, at),
-            syn::Pat::Ident(it) => self.name(it, ty, is_late, at),
+            syn::Pat::Ident(it) => self.name(it, ty, is_late),
             syn::Pat::Reference(it) if ty.is_reference() || ty.is_unknown() => {
                 self.pattern(&it.pat, &ty.inner(), is_late)
             }
@@ -45,14 +45,11 @@ impl Lowerer<'_> {
                 let named = named.map(|it| (member(&it.member), &*it.pat)).collect();
                 self.structure_pattern(&it.path, ty, named, at)
             }
-            syn::Pat::Path(it) => match self.names.variant(&self.context, &names(&it.path)) {
-                Some(found) => self.fields(ty, found, Vec::new(), at),
-                None => {
-                    let constant = self.path(it)?;
-                    let constant = self.declared(constant, ty.stripped(), at)?;
-                    Ok(Pattern::Literal(constant))
-                }
-            },
+            syn::Pat::Path(it) => {
+                let constant = self.path(it)?;
+                let constant = self.declared(constant, ty.stripped(), at)?;
+                Ok(Pattern::Literal(constant))
+            }
             syn::Pat::Tuple(it) => self.tuple_pattern(it, ty, is_late, at),
             syn::Pat::Slice(slice) => {
                 let of = ty.stripped().inner().behind(ty);
@@ -63,14 +60,8 @@ impl Lowerer<'_> {
         }
     }
 
-    /// A name: of a variant without fields, or for what is there.
-    fn name(&mut self, it: &syn::PatIdent, ty: &Type, is_late: bool, at: At) -> Lowered<Pattern> {
-        let path = [it.ident.to_string()];
-        if let Some((kind, variant)) = self.names.variant(&self.context, &path)
-            && self.names.kinds[kind].variants[variant].shape == Shape::Unit
-        {
-            return self.fields(ty, (kind, variant), Vec::new(), at);
-        }
+    /// A name for what is there.
+    fn name(&mut self, it: &syn::PatIdent, ty: &Type, is_late: bool) -> Lowered<Pattern> {
         let inner = match &it.subpat {
             Some((_, pattern)) => self.pattern(pattern, ty, is_late)?,
             None => Pattern::Any,
@@ -79,7 +70,11 @@ impl Lowerer<'_> {
             Some(_) => Type::of(Head::Ref, ty.clone()),
             None => ty.clone(),
         };
-        let slot = self.local(&path[0], ty, it.mutability.is_some() || is_late);
+        let slot = self.local(
+            &it.ident.to_string(),
+            ty,
+            it.mutability.is_some() || is_late,
+        );
         Ok(Pattern::Bind(slot, Box::new(inner)))
     }
 
@@ -128,11 +123,12 @@ impl Lowerer<'_> {
         given: Vec<(String, &syn::Pat)>,
         at: At,
     ) -> Lowered<Pattern> {
-        let names = names(path);
-        if let Some(found) = self.names.variant(&self.context, &names) {
-            return self.fields(ty, found, given, at);
-        }
-        match self.names.found(self.context.module, &names) {
+        let path = names(path);
+        let own = match (path.as_slice(), &self.context.own) {
+            ([name], Some(own)) if name == "Self" => Ok(Named::Type(own.clone())),
+            (path, _) => self.names.found(self.context.module, path),
+        };
+        match own {
             Ok(Named::Type(own)) => {
                 self.expect(ty.stripped(), &own, at)?;
                 let known = self.names.fields_of(&own);
@@ -140,31 +136,10 @@ impl Lowerer<'_> {
             }
             Ok(_) => self.refused(at, "expected a struct or a variant"),
             Err(lost) => {
-                let module = self.context.module;
-                Err(self
-                    .names
-                    .not_found(module, at, "struct or variant", &names, lost))
+                let (module, what) = (self.context.module, "struct or variant");
+                Err(self.names.not_found(module, at, what, &path, lost))
             }
         }
-    }
-
-    /// What has fields: a variant of one of the reader's types, or a struct.
-    fn fields(
-        &mut self,
-        ty: &Type,
-        (kind, variant): (usize, usize),
-        given: Vec<(String, &syn::Pat)>,
-        at: At,
-    ) -> Lowered<Pattern> {
-        self.expect(ty.stripped(), &Head::Own(kind).into(), at)?;
-        let own = &self.names.kinds[kind];
-        let known = own.variants[variant].known();
-        let parts = self.parts(&known, ty, given, at)?;
-        Ok(if own.is_enum {
-            Pattern::Variant(variant as u32, parts)
-        } else {
-            Pattern::Fields(parts)
-        })
     }
 
     fn parts(

@@ -6,8 +6,7 @@ use std::ptr;
 use syn::punctuated::Punctuated;
 
 use super::{
-    Context, Entry, Field, Kind, Module, Named, Names, Shape, Signature, Trait, Variant,
-    module_key, names,
+    Context, Entry, Field, Kind, Module, Named, Names, Shape, Signature, Trait, module_key, names,
 };
 use crate::node::At;
 use crate::read::{Refusal, at};
@@ -92,12 +91,7 @@ impl<'a> Collector<'a> {
     fn declare(&mut self, module: usize, item: &'a syn::Item) -> Read {
         let (name, visibility, named) = match item {
             syn::Item::Struct(it) => {
-                let named = self.kind(module, &it.ident, &it.attrs, false);
-                self.no_generics(module, &it.generics)?;
-                (&it.ident, &it.vis, named)
-            }
-            syn::Item::Enum(it) => {
-                let named = self.kind(module, &it.ident, &it.attrs, true);
+                let named = self.kind(module, it);
                 self.no_generics(module, &it.generics)?;
                 (&it.ident, &it.vis, named)
             }
@@ -201,25 +195,23 @@ impl<'a> Collector<'a> {
         Ok(Named::Module(self.module(own, &files[file].1.items)))
     }
 
-    fn kind(
-        &mut self,
-        module: usize,
-        name: &syn::Ident,
-        attributes: &[syn::Attribute],
-        is_enum: bool,
-    ) -> Named {
+    fn kind(&mut self, module: usize, it: &syn::ItemStruct) -> Named {
         let mut derives = Vec::new();
-        for derive in attributes.iter().filter(|it| it.path().is_ident("derive")) {
+        for derive in it.attrs.iter().filter(|it| it.path().is_ident("derive")) {
             let _ = derive.parse_nested_meta(|meta| {
                 derives.extend(meta.path.segments.last().map(|it| it.ident.to_string()));
                 Ok(())
             });
         }
         self.names.kinds.push(Kind {
-            name: name.to_string(),
+            name: it.ident.to_string(),
             module,
-            is_enum,
-            variants: Vec::new(),
+            fields: Vec::new(),
+            shape: match it.fields {
+                syn::Fields::Named(_) => Shape::Named,
+                syn::Fields::Unnamed(_) => Shape::Tuple,
+                syn::Fields::Unit => Shape::Unit,
+            },
             derives,
         });
         Named::Type(Head::Own(self.names.kinds.len() - 1).into())
@@ -311,10 +303,7 @@ impl<'a> Collector<'a> {
     fn fields_or_trait(&mut self, module: usize, item: &'a syn::Item) -> Read {
         let context = Context::of(module);
         match item {
-            syn::Item::Struct(it) => self.fields(&context, &it.ident, &it.ident, &it.fields),
-            syn::Item::Enum(it) => it.variants.iter().try_for_each(|variant| {
-                self.fields(&context, &it.ident, &variant.ident, &variant.fields)
-            }),
+            syn::Item::Struct(it) => self.fields(&context, &it.ident, &it.fields),
             syn::Item::Trait(it) => {
                 let own = match self.names.modules[module].names[&it.ident.to_string()].named {
                     Named::Trait(own) => own,
@@ -369,39 +358,22 @@ impl<'a> Collector<'a> {
         }
     }
 
-    fn fields(
-        &mut self,
-        context: &Context,
-        kind: &syn::Ident,
-        name: &syn::Ident,
-        fields: &syn::Fields,
-    ) -> Read {
-        let own = self.names.modules[context.module].names[&kind.to_string()]
+    fn fields(&mut self, context: &Context, name: &syn::Ident, fields: &syn::Fields) -> Read {
+        let own = self.names.modules[context.module].names[&name.to_string()]
             .named
             .clone();
         let Named::Type(Type(Head::Own(own), _)) = own else {
             return Ok(());
         };
-        let shape = match fields {
-            syn::Fields::Named(_) => Shape::Named,
-            syn::Fields::Unnamed(_) => Shape::Tuple,
-            syn::Fields::Unit => Shape::Unit,
-        };
-        let is_enum = self.names.kinds[own].is_enum;
         let fields = fields.iter().enumerate().map(|(n, field)| {
             let name = field.ident.as_ref();
             Ok(Field {
                 name: name.map_or(n.to_string(), ToString::to_string),
                 ty: self.names.ty(context, &field.ty)?,
-                is_public: is_enum || is_public(&field.vis),
+                is_public: is_public(&field.vis),
             })
         });
-        let fields = fields.collect::<Read<Vec<_>>>()?;
-        self.names.kinds[own].variants.push(Variant {
-            name: name.to_string(),
-            fields,
-            shape,
-        });
+        self.names.kinds[own].fields = fields.collect::<Read<_>>()?;
         Ok(())
     }
 

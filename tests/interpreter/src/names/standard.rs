@@ -35,7 +35,10 @@ pub(super) fn everywhere(name: &str) -> Option<Named> {
         "Box" => Some(Named::Generic(Head::Box)),
         "Vec" => Some(Named::Generic(Head::Vec)),
         "Default" | "Clone" | "Copy" | "PartialEq" | "PartialOrd" | "Debug" | "Send" | "Sync"
-        | "Sized" | "From" | "Iterator" | "IntoIterator" => Some(Named::Standard(name.to_owned())),
+        | "Sized" | "From" | "Into" | "Iterator" | "IntoIterator" | "Eq" | "Ord" | "Drop"
+        | "ToString" | "Result" | "Err" | "char" | "i128" | "u128" | "drop" => {
+            Some(Named::Standard(name.to_owned()))
+        }
         _ => Int::named(name).and_then(|int| plain(Head::Int(int))),
     }
 }
