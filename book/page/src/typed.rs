@@ -145,7 +145,7 @@ impl Text {
             can_be_made: Some(&can_be_made),
             sources: Sources::of_chapter(self.files.clone(), self.chapter),
             answers: laws.is_some().then_some(&unlike),
-            warnings: program.warnings.clone(),
+            warnings: Vec::new(),
             steps: vec![false; steps::of(self.chapter).len()],
         };
         let evidence = Evidence {

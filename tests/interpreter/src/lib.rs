@@ -66,8 +66,6 @@ pub struct Place {
 pub struct Program {
     code: Arc<Code>,
     roles: Roles,
-    /// What the compiler would warn of, in its words.
-    pub warnings: Vec<String>,
     refused: OnceLock<Fault>,
 }
 
@@ -126,9 +124,8 @@ pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
     }
     let (names, bodies) = names::collect(&trees).map_err(refused)?;
     let mut functions = Vec::new();
-    let mut warnings = Vec::new();
     for (signature, body) in names.functions.iter().zip(&bodies) {
-        match lower::lower(&names, signature, body.as_ref(), &mut warnings) {
+        match lower::lower(&names, signature, body.as_ref()) {
             Ok(function) => functions.push(Arc::new(function)),
             Err(fault) => faults.push(fault),
         }
@@ -143,7 +140,6 @@ pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
             functions,
             texts,
         }),
-        warnings,
         refused: OnceLock::new(),
     })
 }

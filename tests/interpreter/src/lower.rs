@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use syn::spanned::Spanned;
 
-use crate::names::{Body, Context, Field, Inside, Names, Signature, literal, names, there_is};
+use crate::names::{Body, Context, Inside, Named, Names, Signature, names};
 use crate::node::{At, Function, Node, Root, Step, Target};
 use crate::operators::{Operator, operator};
 use crate::read::{Refusal, at, at_expr, at_span};
@@ -20,12 +20,11 @@ use crate::types::{Head, Int, Type};
 
 type Lowered<T = Typed> = Result<T, Refusal>;
 
-/// A function that can be run; what the compiler would warn of is added to the warnings.
+/// A function that can be run.
 pub(crate) fn lower(
     names: &Names,
     signature: &Signature,
     body: Option<&Body>,
-    warnings: &mut Vec<String>,
 ) -> Lowered<Function> {
     let module = body.map_or(signature.module, |it| it.module);
     let mut lowerer = Lowerer {
@@ -39,7 +38,6 @@ pub(crate) fn lower(
         slots: 0,
         loops: Vec::new(),
         result: signature.result.clone(),
-        warnings,
     };
     lowerer.function(signature, body)
 }
@@ -61,18 +59,6 @@ enum Fixed {
     Behind,
 }
 
-impl Fixed {
-    fn said(&self, at: &syn::Expr, pronoun: &str) -> String {
-        match self {
-            Self::Behind => format!("{pronoun} is behind a `&` reference"),
-            Self::Variable(name) if said(at) == *name => {
-                "as it is not declared as mutable".to_owned()
-            }
-            Self::Variable(name) => format!("as `{name}` is not declared as mutable"),
-        }
-    }
-}
-
 impl Typed {
     fn new(node: Node, ty: impl Into<Type>) -> Self {
         Self {
@@ -89,7 +75,6 @@ struct Local {
     slot: usize,
     ty: Type,
     is_mut: bool,
-    is_used: bool,
 }
 
 struct Lowerer<'n> {
@@ -101,7 +86,6 @@ struct Lowerer<'n> {
     /// Of each loop around whether it is ever left.
     loops: Vec<bool>,
     result: Type,
-    warnings: &'n mut Vec<String>,
 }
 
 impl Lowerer<'_> {
@@ -131,7 +115,6 @@ impl Lowerer<'_> {
                 self.body(block, &signature.result)?
             }
         };
-        self.leave(0);
         Ok(Function {
             slots: self.slots,
             patterns,
@@ -210,18 +193,7 @@ impl Lowerer<'_> {
             slot,
             ty,
             is_mut,
-            is_used: false,
         });
-    }
-
-    /// Forgets the variables of a block.
-    fn leave(&mut self, outside: usize) {
-        for local in self.locals.drain(outside..) {
-            if !local.is_used && !local.name.starts_with('_') && local.name != "self" {
-                self.warnings
-                    .push(format!("unused variable: `{}`", local.name));
-            }
-        }
     }
 
     /// A type without its references and boxes, and the value that they lead to.
@@ -340,7 +312,7 @@ impl Lowerer<'_> {
             }
             nodes.push(done.node);
         }
-        self.leave(outside);
+        self.locals.truncate(outside);
         if is_left && !has_value {
             value = Head::Never.into();
         }
@@ -430,7 +402,6 @@ impl Lowerer<'_> {
                 let head = Head::Array(nodes.len());
                 Ok(Typed::new(Node::Many(nodes), Type::of(head, of)))
             }
-            syn::Expr::Repeat(it) => self.repeat(it),
             syn::Expr::Range(it) => self.range(it),
             syn::Expr::Reference(it) => self.reference(it),
             syn::Expr::Cast(it) => self.cast(it),
@@ -479,15 +450,6 @@ impl Lowerer<'_> {
         });
         let (nodes, types) = all.collect::<Lowered<_>>()?;
         Ok(Typed::new(Node::Tuple(nodes), Type(Head::Tuple, types)))
-    }
-
-    fn repeat(&mut self, it: &syn::ExprRepeat) -> Lowered {
-        let of = self.expr(&it.expr)?;
-        let Some(length) = literal(&it.len).filter(|&it| it <= 1000) else {
-            return Err(Refusal::unknown(self.at(&it.len), "such a length"));
-        };
-        let ty = Type::of(Head::Array(length), of.ty.settled());
-        Ok(Typed::new(Node::Repeat(Box::new(of.node), length), ty))
     }
 
     fn reference(&mut self, it: &syn::ExprReference) -> Lowered {
@@ -569,9 +531,8 @@ impl Lowerer<'_> {
     }
 
     /// Looks a variable up.
-    fn variable(&mut self, name: &str) -> Option<Typed> {
-        let local = self.locals.iter_mut().rev().find(|it| it.name == name)?;
-        local.is_used = true;
+    fn variable(&self, name: &str) -> Option<Typed> {
+        let local = self.locals.iter().rev().find(|it| it.name == name)?;
         Some(Typed {
             node: Node::Local(local.slot),
             ty: local.ty.clone(),
@@ -587,9 +548,11 @@ impl Lowerer<'_> {
     fn mutable(&self, typed: Typed, at: &syn::Expr) -> Lowered<Target> {
         let message = match (typed.target, typed.fixed) {
             (Some(target), None) => return Ok(target),
-            (Some(_), Some(why)) => {
-                let why = why.said(at, "as it");
-                format!("cannot borrow `{}` as mutable, {why}", said(at))
+            (Some(_), Some(Fixed::Variable(name))) => {
+                format!("cannot borrow `{name}` as mutable, as it is not declared as mutable")
+            }
+            (Some(_), Some(Fixed::Behind)) => {
+                "cannot change this, as it is behind a `&` reference".to_owned()
             }
             (None, _) => {
                 let what = "changes of a value without a name";
@@ -600,25 +563,21 @@ impl Lowerer<'_> {
     }
 
     fn assignable(&self, typed: Typed, at: &syn::Expr) -> Lowered<Target> {
-        let message = match (typed.target, typed.fixed) {
-            (Some(target), None) => return Ok(target),
+        match (&typed.target, &typed.fixed) {
             (Some(target), Some(Fixed::Variable(name))) if target.steps.is_empty() => {
-                format!("cannot assign twice to immutable variable `{name}`")
+                let message = format!("cannot assign twice to immutable variable `{name}`");
+                self.refused(self.at(at), message)
             }
-            (Some(_), Some(why)) => {
-                let why = why.said(at, "which");
-                format!("cannot assign to `{}`, {why}", said(at))
-            }
-            (None, _) => "invalid left-hand side of assignment".to_owned(),
-        };
-        self.refused(self.at(at), message)
+            (None, _) => self.refused(self.at(at), "invalid left-hand side of assignment"),
+            _ => self.mutable(typed, at),
+        }
     }
 
     fn condition(&mut self, it: &syn::ExprIf) -> Lowered {
         let outside = self.locals.len();
         let condition = self.given(&it.cond, &Head::Bool.into())?;
         let then = self.block(&it.then_branch)?;
-        self.leave(outside);
+        self.locals.truncate(outside);
         let Some((_, other)) = &it.else_branch else {
             if !then.ty.fits(&Type::UNIT, self.names) {
                 let last = it.then_branch.stmts.last();
@@ -729,95 +688,72 @@ impl Lowerer<'_> {
     }
 
     fn structure(&mut self, it: &syn::ExprStruct) -> Lowered {
-        let path = names(&it.path);
-        let at_path = self.at_any(&it.path);
-        let Some(kind) = self.names.structure(&self.context, &path) else {
-            return match self.names.found(self.context.module, &path) {
-                Ok(crate::names::Named::Type(ty)) if matches!(ty.0, Head::Vec3 | Head::Ray) => {
-                    self.native_structure(it, &ty)
-                }
-                Ok(_) => {
-                    let found = path.join("::");
-                    let message =
-                        format!("expected struct, variant or union type, found `{found}`");
-                    self.fault(at_path, &message, "not a struct, variant or union type", "")
-                }
-                Err(lost) => {
-                    let what = "struct, variant or union type";
-                    Err(self
-                        .names
-                        .not_found(self.context.module, at_path, what, &path, lost))
-                }
-            };
-        };
-        let own = &self.names.kinds[kind];
-        let fields = &own.fields;
-        let nodes = self.fields_given(it, &own.name, &own.known())?;
-        let mut hidden = nodes.iter().map(|it| &fields[it.0]);
-        let is_hidden = |it: &&Field| {
-            !self
-                .names
-                .sees(self.context.module, own.module, it.is_public)
-        };
-        if let Some(hidden) = hidden.find(is_hidden) {
-            let message = format!(
-                "field `{}` of struct `{}` is private",
-                hidden.name, own.name
-            );
-            return self.refused(at_path, message);
-        }
-        let ty = Type::from(Head::Own(kind));
+        let ty = self.struct_named(&it.path)?;
+        let mut nodes = self.fields_given(it, &ty)?;
         let base = match &it.rest {
             Some(rest) => Some(Box::new(self.given(rest, &ty)?)),
             None => None,
         };
-        Ok(Typed::new(Node::New(kind as u32, nodes, base), ty))
-    }
-
-    /// The fields of an initializer by their numbers.
-    fn fields_given(
-        &mut self,
-        it: &syn::ExprStruct,
-        name: &str,
-        known: &[(&str, Type)],
-    ) -> Lowered<Vec<(usize, Node)>> {
-        let mut nodes: Vec<(usize, Node)> = Vec::new();
-        for field in &it.fields {
-            let own = member(&field.member);
-            let at = self.at_any(&field.member);
-            let Some(n) = known.iter().position(|it| it.0 == own) else {
-                let message = format!("struct `{name}` has no field named `{own}`");
-                let help = there_is(&own, known.iter().map(|it| it.0));
-                return self.fault(at, &message, "", &help);
-            };
-            if nodes.iter().any(|it| it.0 == n) {
-                return self.refused(at, format!("field `{own}` specified more than once"));
-            }
-            nodes.push((n, self.given(&field.expr, &known[n].1)?));
+        if let Head::Own(kind) = ty.0 {
+            return Ok(Typed::new(Node::New(kind as u32, nodes, base), ty));
         }
-        let mut all = known.iter().enumerate();
-        let missing = all.find(|(n, _)| nodes.iter().all(|it| it.0 != *n));
-        match missing {
-            Some((_, missing)) if it.rest.is_none() => self.refused(
-                self.at_any(&it.path),
-                format!("missing field `{}` in initializer of `{name}`", missing.0),
-            ),
-            _ => Ok(nodes),
-        }
-    }
-
-    /// `Ray { origin, direction }`, and a vector by its components.
-    fn native_structure(&mut self, it: &syn::ExprStruct, ty: &Type) -> Lowered {
-        let name = ty.name(self.names);
-        let known = self.names.fields_of(ty);
-        let mut nodes = self.fields_given(it, &name, &known)?;
-        if it.rest.is_some() {
-            return Err(Refusal::unknown(self.at_any(it), "such an initializer"));
+        let at = self.at_any(&it.path);
+        if base.is_some() {
+            return Err(Refusal::unknown(at, "such an initializer"));
         }
         nodes.sort_by_key(|it| it.0);
         let nodes = nodes.into_iter().map(|it| it.1).collect();
-        let node = self.native(&name, "new", nodes, self.at_any(it));
-        Ok(Typed::new(node, ty.clone()))
+        let node = self.native(&ty.name(self.names), "new", nodes, at);
+        Ok(Typed::new(node, ty))
+    }
+
+    /// The type that a path names, which has fields.
+    fn struct_named(&self, path: &syn::Path) -> Lowered<Type> {
+        let (path, at) = (names(path), self.at_any(path));
+        let named = match (path.as_slice(), &self.context.own) {
+            ([name], Some(own)) if name == "Self" => Ok(Named::Type(own.clone())),
+            (path, _) => self.names.found(self.context.module, path),
+        };
+        let what = "struct, variant or union type";
+        match named {
+            Ok(Named::Type(ty)) if matches!(ty.0, Head::Own(_) | Head::Vec3 | Head::Ray) => Ok(ty),
+            Ok(Named::Type(Type(Head::Camera, _)) | Named::Standard(_)) => {
+                Err(Refusal::unknown(at, "the fields of this type"))
+            }
+            Ok(_) => {
+                let message = format!("expected {what}, found `{}`", path.join("::"));
+                self.fault(at, &message, &format!("not a {what}"), "")
+            }
+            Err(lost) => {
+                let module = self.context.module;
+                Err(self.names.not_found(module, at, what, &path, lost))
+            }
+        }
+    }
+
+    /// The fields of an initializer by their numbers.
+    fn fields_given(&mut self, it: &syn::ExprStruct, ty: &Type) -> Lowered<Vec<(usize, Node)>> {
+        let mut nodes: Vec<(usize, Node)> = Vec::new();
+        for field in &it.fields {
+            let name = member(&field.member);
+            let at = self.at_any(&field.member);
+            let (n, of) = self.names.field(ty, &name, self.context.module, at)?;
+            if nodes.iter().any(|it| it.0 == n) {
+                return self.refused(at, format!("field `{name}` specified more than once"));
+            }
+            nodes.push((n, self.given(&field.expr, &of)?));
+        }
+        let known = self.names.fields_of(ty);
+        let mut all = known.iter().enumerate();
+        let missing = all.find(|(n, _)| nodes.iter().all(|it| it.0 != *n));
+        match missing {
+            Some((_, missing)) if it.rest.is_none() => {
+                let name = ty.name(self.names);
+                let message = format!("missing field `{}` in initializer of `{name}`", missing.0);
+                self.refused(self.at_any(&it.path), message)
+            }
+            _ => Ok(nodes),
+        }
     }
 
     fn field(&mut self, it: &syn::ExprField) -> Lowered {
@@ -968,9 +904,7 @@ impl Lowerer<'_> {
         at: At,
     ) -> Lowered {
         let [one, other] = [&left, &right].map(|it| self.stripped(it.clone()));
-        let refused = self
-            .names
-            .no_operator(sign, is_assignment, [&left.ty, &right.ty], at);
+        let refused = self.names.no_operator(sign, [&left.ty, &right.ty], at);
         if is_assignment && let Some(own) = self.names.operator(sign, true, [&one.ty, &other.ty]) {
             let target = Box::new(self.assignable(left, left_at)?);
             let nodes = Box::new([Node::Address(target), other.node]);
@@ -1019,17 +953,5 @@ fn member(it: &syn::Member) -> String {
     match it {
         syn::Member::Named(name) => name.to_string(),
         syn::Member::Unnamed(n) => n.index.to_string(),
-    }
-}
-
-/// A place in the reader's words.
-fn said(it: &syn::Expr) -> String {
-    match it {
-        syn::Expr::Field(it) => format!("{}.{}", said(&it.base), member(&it.member)),
-        syn::Expr::Path(it) => names(&it.path).join("::"),
-        syn::Expr::Index(it) => format!("{}[_]", said(&it.expr)),
-        syn::Expr::Unary(it) => format!("*{}", said(&it.expr)),
-        syn::Expr::Paren(it) => said(&it.expr),
-        _ => "*…".to_owned(),
     }
 }

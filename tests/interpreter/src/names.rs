@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use strsim::levenshtein;
 
-pub(crate) use collect::{Body, Inside, collect, literal};
+pub(crate) use collect::{Body, Inside, collect};
 
 use crate::node::At;
 use crate::prelude::{self, NATIVES, Native};
@@ -531,7 +531,7 @@ pub(crate) fn there_is<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> 
 }
 
 /// The name that is most like this one, if one is.
-pub(crate) fn similar<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+fn similar<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let near = |other: &&str| {
         let distance = levenshtein(name, other);
         let is_part = name.starts_with(other) || other.starts_with(name);

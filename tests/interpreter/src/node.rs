@@ -59,7 +59,6 @@ pub(crate) enum Node {
     Some(Box<Node>),
     Many(Vec<Node>),
     Tuple(Vec<Node>),
-    Repeat(Box<Node>, usize),
     Range(Box<[Option<Node>; 2]>, bool),
     If(Box<[Node; 3]>),
     Match(Box<Node>, Vec<Arm>, At),

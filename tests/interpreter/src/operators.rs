@@ -150,20 +150,9 @@ impl Names {
     }
 
     /// That these two do not go together, in the words of the compiler.
-    pub(crate) fn no_operator(
-        &self,
-        sign: Sign,
-        is_assignment: bool,
-        types: [&Type; 2],
-        at: At,
-    ) -> Refusal {
+    pub(crate) fn no_operator(&self, sign: Sign, types: [&Type; 2], at: At) -> Refusal {
         let (_, sign, verb) = sign.words();
         let [one, other] = types.map(|it| it.name(self));
-        let verb = if is_assignment {
-            format!("{verb}-assign")
-        } else {
-            verb.to_owned()
-        };
         let message = match sign {
             "+" => format!("cannot {verb} `{other}` to `{one}`"),
             "-" => format!("cannot {verb} `{other}` from `{one}`"),

@@ -313,7 +313,6 @@ impl<'c> Machine<'c> {
             Node::Some(of) => Ok(Value::Some(Rc::new(self.eval(of)?))),
             Node::Many(nodes) => Ok(Value::Many(Rc::new(self.all(nodes)?))),
             Node::Tuple(nodes) => Ok(Value::Tuple(self.all(nodes)?.into())),
-            Node::Repeat(of, length) => Ok(Value::Many(Rc::new(vec![self.eval(of)?; *length]))),
             Node::Range(ends, is_closed) => self.range(ends, *is_closed),
             Node::Format(pieces, nodes) => self.formatted(pieces, nodes),
             Node::If(nodes) => self.choice(nodes),
@@ -769,7 +768,7 @@ impl<'c> Machine<'c> {
         let mut address = match &target.root {
             // A variable may itself be a mutable reference.
             Root::Local(n) => match &self.stack[self.base + n] {
-                Value::Mut(address) if !target.steps.is_empty() => *address,
+                Value::Mut(address) if !target.steps.is_empty() => address.clone(),
                 _ => Address::of(self.base + n),
             },
             Root::Through(reference) => match self.eval(reference)? {
@@ -789,17 +788,9 @@ impl<'c> Machine<'c> {
                     self.index(&self.at(&address), &index, *at)?
                 }
             };
-            address = self.part(address, n)?;
+            address.steps.push(n);
         }
         Ok(address)
-    }
-
-    fn part(&mut self, address: Address, n: usize) -> Eval<Address> {
-        let what = "places so deep in a value";
-        let part = address
-            .part(n)
-            .ok_or_else(|| Refusal::unknown(At::default(), what));
-        part.or_else(|refusal| self.refuse(refusal))
     }
 
     /// The value at the end of a mutable reference, or of several.
@@ -811,19 +802,19 @@ impl<'c> Machine<'c> {
     }
 
     fn at(&self, address: &Address) -> Value {
-        let root = &self.stack[address.slot as usize];
-        let Some((first, rest)) = address.path().split_first() else {
-            return root.clone();
-        };
-        let first = root.field(*first as usize);
-        rest.iter().fold(first, |value, &n| value.field(n as usize))
+        let root = &self.stack[address.slot];
+        let mut steps = address.steps.iter();
+        match steps.next() {
+            None => root.clone(),
+            Some(&first) => steps.fold(root.field(first), |value, &n| value.field(n)),
+        }
     }
 
     /// Changes what is at an address.
     fn change<R>(&mut self, address: &Address, change: impl FnOnce(&mut Value) -> R) -> R {
         let mut change = Some(change);
         let mut result = None;
-        self.stack[address.slot as usize].reach(address.path(), &mut |place| {
+        self.stack[address.slot].reach(&address.steps, &mut |place| {
             result = change.take().map(|change| change(place));
         });
         result.expect("an address leads somewhere")
@@ -933,7 +924,7 @@ impl<'c> Machine<'c> {
         self.refuse(
             self.code
                 .names
-                .no_operator(sign, false, [&types[0], &types[1]], at),
+                .no_operator(sign, [&types[0], &types[1]], at),
         )
     }
 

@@ -85,31 +85,16 @@ impl Fields {
 }
 
 /// The place of a value: a slot of the stack, and the way from there to a part.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Address {
-    pub(crate) slot: u32,
-    steps: [u32; 5],
-    count: u8,
+    pub(crate) slot: usize,
+    pub(crate) steps: Vec<usize>,
 }
 
 impl Address {
     pub(crate) fn of(slot: usize) -> Self {
-        Self {
-            slot: slot as u32,
-            steps: [0; 5],
-            count: 0,
-        }
-    }
-
-    pub(crate) fn path(&self) -> &[u32] {
-        &self.steps[..self.count.into()]
-    }
-
-    /// Of a part of what is there, if there is room for the way.
-    pub(crate) fn part(mut self, n: usize) -> Option<Self> {
-        *self.steps.get_mut(usize::from(self.count))? = n as u32;
-        self.count += 1;
-        Some(self)
+        let steps = Vec::new();
+        Self { slot, steps }
     }
 }
 
@@ -331,11 +316,10 @@ impl Value {
     }
 
     /// Changes the part that a path leads to.
-    pub(crate) fn reach(&mut self, path: &[u32], change: &mut dyn FnMut(&mut Self)) {
-        let [first, rest @ ..] = path else {
+    pub(crate) fn reach(&mut self, path: &[usize], change: &mut dyn FnMut(&mut Self)) {
+        let &[first, ref rest @ ..] = path else {
             return change(self);
         };
-        let first = *first as usize;
         match self {
             Self::Own(_, fields) => Rc::make_mut(&mut fields.0)[first].reach(rest, change),
             Self::Tuple(fields) => Rc::make_mut(fields)[first].reach(rest, change),

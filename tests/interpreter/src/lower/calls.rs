@@ -6,7 +6,7 @@ use std::sync::Arc;
 use common::rtweekend::Vec3;
 
 use super::{Lowered, Lowerer, Typed};
-use crate::names::{Callee, Named, Shape, Signature, names, similar};
+use crate::names::{Callee, Named, Shape, Signature, names, there_is};
 use crate::node::{At, Closure, Node};
 use crate::prelude;
 use crate::read::{Refusal, at_span};
@@ -117,14 +117,10 @@ impl Lowerer<'_> {
                 self.fault(at, &message, &format!("not a {what}"), "")
             }
             Err(lost) => {
+                let refusal = self.names.not_found(module, at, what, path, lost);
                 let locals = self.locals.iter().map(|it| it.name.as_str());
-                let near = similar(name, locals);
-                let Some(near) = near.filter(|_| path.len() == 1 && what == "value") else {
-                    return Err(self.names.not_found(module, at, what, path, lost));
-                };
-                let message = format!("cannot find value `{name}` in this scope");
-                let help = format!("there is a variable with a similar name: `{near}`");
-                self.fault(at, &message, "not found in this scope", &help)
+                let is_local = path.len() == 1 && what == "value";
+                Err(refusal.or_help(&there_is(name, locals.filter(|_| is_local))))
             }
         }
     }
@@ -454,16 +450,6 @@ impl Lowerer<'_> {
     pub(super) fn closure(&mut self, it: &syn::ExprClosure, wanted: &Type) -> Lowered {
         let mut types = match wanted.0 {
             Head::Fn if wanted.1.len() == it.inputs.len() + 1 => wanted.1.clone(),
-            Head::Fn => {
-                return self.refused(
-                    self.at_any(it),
-                    format!(
-                        "closure is expected to take {} arguments, but it takes {}",
-                        wanted.1.len() - 1,
-                        it.inputs.len()
-                    ),
-                );
-            }
             _ => vec![Type::UNKNOWN; it.inputs.len() + 1],
         };
         let mut result = types.pop().expect("a function has a result");
@@ -488,7 +474,7 @@ impl Lowerer<'_> {
         self.result = outer;
         self.loops = loops;
         let body = body?;
-        self.leave(outside);
+        self.locals.truncate(outside);
         types.push(if result.is_certain() {
             result.clone()
         } else {

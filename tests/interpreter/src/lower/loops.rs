@@ -10,7 +10,7 @@ impl Lowerer<'_> {
         let outside = self.locals.len();
         let condition = self.given(&it.cond, &Head::Bool.into())?;
         let (body, _) = self.looped(&it.body, it.label.as_ref())?;
-        self.leave(outside);
+        self.locals.truncate(outside);
         let at = self.at_any(&it.while_token);
         let node = Node::While(Box::new([condition, body]), at);
         Ok(Typed::new(node, Type::UNIT))
@@ -30,7 +30,7 @@ impl Lowerer<'_> {
         let outside = self.locals.len();
         let pattern = self.pattern(&it.pat, &of, false)?;
         let (body, _) = self.looped(&it.body, it.label.as_ref())?;
-        self.leave(outside);
+        self.locals.truncate(outside);
         let at = self.at_any(&it.for_token);
         let node = Node::For(Box::new(pattern), Box::new([each, body]), at);
         Ok(Typed::new(node, Type::UNIT))

@@ -63,7 +63,7 @@ impl Lowerer<'_> {
         Ok(Typed::new(Node::Some(Box::new(written)), ty))
     }
 
-    /// A text with values in its brackets: `{}`, `{name}` and `{0}`. How they are to look,
+    /// A text with values in its brackets: `{}` and `{name}`. How they are to look,
     /// after a colon, is passed over.
     fn formatted(&mut self, arguments: &[syn::Expr], end: &str, at: At) -> Lowered<Node> {
         let (text, values) = match arguments.split_first() {
@@ -82,10 +82,9 @@ impl Lowerer<'_> {
         let mut rest = text.as_str();
         while let Some((before, inside, after)) = bracket(rest) {
             let name = inside.split(':').next().unwrap_or_default();
-            let value = match name.parse::<usize>() {
-                _ if name.is_empty() => unnamed.next().map(|it| self.expr(it)),
-                Ok(n) => values.get(n).map(|it| self.expr(it)),
-                Err(_) => Some(self.inline(name, at)),
+            let value = match name {
+                "" => unnamed.next().map(|it| self.expr(it)),
+                name => Some(self.inline(name, at)),
             };
             let Some(value) = value else {
                 return self.refused(at, "this text has more brackets than there are arguments");
@@ -96,12 +95,15 @@ impl Lowerer<'_> {
         }
         pieces.push(plain(rest));
         match unnamed.next() {
-            Some(_) if !text.contains("{0") => self.refused(at, "argument never used"),
-            _ => Ok(Node::Format(pieces, nodes)),
+            Some(_) => self.refused(at, "argument never used"),
+            None => Ok(Node::Format(pieces, nodes)),
         }
     }
 
     fn inline(&mut self, name: &str, at: At) -> Lowered {
+        if name.starts_with(|it: char| it.is_ascii_digit()) {
+            return Err(Refusal::unknown(at, &format!("`{{{name}}}` in a text")));
+        }
         let message = format!("cannot find value `{name}` in this scope");
         let missing = Refusal::new(at, &message, "not found in this scope", "");
         self.variable(name).ok_or(missing)

@@ -1,7 +1,6 @@
 //! Patterns: what a value may look like, and the names of its parts.
 
 use super::{Lowered, Lowerer, Typed, member};
-use crate::names::{Named, names};
 use crate::node::{Arm, At, Node, Pattern};
 use crate::read::Refusal;
 use crate::types::{Head, Type};
@@ -123,44 +122,17 @@ impl Lowerer<'_> {
         given: Vec<(String, &syn::Pat)>,
         at: At,
     ) -> Lowered<Pattern> {
-        let path = names(path);
-        let own = match (path.as_slice(), &self.context.own) {
-            ([name], Some(own)) if name == "Self" => Ok(Named::Type(own.clone())),
-            (path, _) => self.names.found(self.context.module, path),
-        };
-        match own {
-            Ok(Named::Type(own)) => {
-                self.expect(ty.stripped(), &own, at)?;
-                let known = self.names.fields_of(&own);
-                Ok(Pattern::Fields(self.parts(&known, ty, given, at)?))
-            }
-            Ok(_) => self.refused(at, "expected a struct or a variant"),
-            Err(lost) => {
-                let (module, what) = (self.context.module, "struct or variant");
-                Err(self.names.not_found(module, at, what, &path, lost))
-            }
-        }
-    }
-
-    fn parts(
-        &mut self,
-        known: &[(&str, Type)],
-        ty: &Type,
-        given: Vec<(String, &syn::Pat)>,
-        at: At,
-    ) -> Lowered<Vec<(usize, Pattern)>> {
+        let own = self.struct_named(path)?;
+        self.expect(ty.stripped(), &own, at)?;
         let mut all = Vec::new();
         for (name, pattern) in given {
             if matches!(pattern, syn::Pat::Rest(_)) {
                 continue;
             }
-            let Some(n) = known.iter().position(|it| it.0 == name) else {
-                return self.refused(at, format!("there is no field `{name}`"));
-            };
-            let part = known[n].1.clone().behind(ty);
-            all.push((n, self.pattern(pattern, &part, false)?));
+            let (n, part) = self.names.field(&own, &name, self.context.module, at)?;
+            all.push((n, self.pattern(pattern, &part.behind(ty), false)?));
         }
-        Ok(all)
+        Ok(Pattern::Fields(all))
     }
 
     pub(super) fn matching(&mut self, it: &syn::ExprMatch) -> Lowered {
@@ -180,7 +152,7 @@ impl Lowerer<'_> {
             let guard = guard.map(|it| self.given(it, &Head::Bool.into()));
             let guard = guard.transpose()?;
             let body: Typed = self.expr(&arm.body)?;
-            self.leave(outside);
+            self.locals.truncate(outside);
             let message = "`match` arms have incompatible types";
             ty = self.joined(&ty, &body.ty, message, self.at(&arm.body))?;
             arms.push(Arm {

@@ -769,7 +769,7 @@ fn where_bounds<'a>(
     })
 }
 
-pub(crate) fn literal(length: &syn::Expr) -> Option<usize> {
+fn literal(length: &syn::Expr) -> Option<usize> {
     match length {
         syn::Expr::Lit(syn::ExprLit {
             lit: syn::Lit::Int(it),
