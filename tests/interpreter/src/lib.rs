@@ -107,7 +107,8 @@ pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
     // Places of an earlier text are not needed any more.
     proc_macro2::extra::invalidate_current_thread_spans();
     let texts: Vec<String> = files.iter().map(|it| it.1.to_owned()).collect();
-    let refused = |all: Vec<Refusal>| {
+    let refused = |mut all: Vec<Refusal>| {
+        all.sort_by_key(|it| it.is_unknown);
         all.into_iter()
             .map(|it| it.fault(&texts))
             .collect::<Vec<_>>()

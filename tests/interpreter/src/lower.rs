@@ -20,6 +20,9 @@ use crate::types::{Head, Int, Type};
 
 type Lowered<T = Typed> = Result<T, Refusal>;
 
+/// No value here is an `f32`; the type is known, so that one is not taken for an `f64`.
+const SINGLES: &str = "numbers of the type `f32`";
+
 /// A function that can be run.
 pub(crate) fn lower(
     names: &Names,
@@ -90,7 +93,6 @@ struct Lowerer<'n> {
 
 impl Lowerer<'_> {
     fn function(&mut self, signature: &Signature, body: Option<&Body>) -> Lowered<Function> {
-        let mut patterns = Vec::new();
         let body = match body.map(|it| it.of) {
             None => Node::Unit,
             Some(Inside::Constant(value)) => self.given(value, &signature.result)?,
@@ -108,7 +110,10 @@ impl Lowerer<'_> {
                                 let is_mut = name.mutability.is_some();
                                 self.named(&name.ident.to_string(), n, ty.clone(), is_mut);
                             }
-                            pattern => patterns.push((n, self.pattern(pattern, ty, false)?)),
+                            pattern => {
+                                let at = self.at_any(pattern);
+                                return Err(Refusal::unknown(at, "patterns as parameters"));
+                            }
                         },
                     }
                 }
@@ -117,7 +122,6 @@ impl Lowerer<'_> {
         };
         Ok(Function {
             slots: self.slots,
-            patterns,
             body,
         })
     }
@@ -255,7 +259,7 @@ impl Lowerer<'_> {
             (Head::Int(Int::Any), Head::Int(int)) if int != Int::Any => {
                 self.literal_as(node, ty, at)
             }
-            (Head::Float, Head::F32) => self.literal_as(node, ty, at),
+            (Head::Float, Head::F32) => Err(Refusal::unknown(at, SINGLES)),
             _ if typed.ty.is_certain() => Ok(node),
             _ => Ok(Node::Declared(Box::new(node), Box::new(ty.clone()), at)),
         }
@@ -269,7 +273,6 @@ impl Lowerer<'_> {
                 at,
                 format!("literal out of range for `{}`", ty.name(self.names)),
             ),
-            (Node::Float(it), _) => Ok(Node::Single(it as f32)),
             (node, _) => Ok(Node::Declared(Box::new(node), Box::new(ty.clone()), at)),
         }
     }
@@ -487,7 +490,7 @@ impl Lowerer<'_> {
         let suffixed = |suffix: &str, what: &str| match suffix {
             "" => Ok(None),
             "f64" => Ok(Some(Head::F64)),
-            "f32" => Ok(Some(Head::F32)),
+            "f32" => Err(Refusal::unknown(place, SINGLES)),
             name => match Int::named(name) {
                 Some(int) => Ok(Some(Head::Int(int))),
                 None => {
@@ -506,10 +509,8 @@ impl Lowerer<'_> {
             syn::Lit::Bool(it) => Typed::new(Node::Bool(it.value), Head::Bool),
             syn::Lit::Float(it) => {
                 let value: f64 = it.base10_digits().parse().unwrap_or(f64::NAN);
-                match suffixed(it.suffix(), "float")? {
-                    Some(Head::F32) => Typed::new(Node::Single(value as f32), Head::F32),
-                    head => Typed::new(Node::Float(value), head.unwrap_or(Head::Float)),
-                }
+                let head = suffixed(it.suffix(), "float")?;
+                Typed::new(Node::Float(value), head.unwrap_or(Head::Float))
             }
             syn::Lit::Int(it) => {
                 let Ok(value) = it.base10_digits().parse::<i128>() else {
@@ -517,7 +518,6 @@ impl Lowerer<'_> {
                 };
                 match suffixed(it.suffix(), "number")? {
                     Some(Head::F64) => Typed::new(Node::Float(value as f64), Head::F64),
-                    Some(Head::F32) => Typed::new(Node::Single(value as f32), Head::F32),
                     Some(Head::Int(int)) => Typed::new(Node::Int(value, int), Head::Int(int)),
                     _ => Typed::new(Node::Int(value, Int::Any), Head::Int(Int::Any)),
                 }
@@ -663,6 +663,9 @@ impl Lowerer<'_> {
         if !fits {
             return Err(self.names.no_cast(ty, &to, at));
         }
+        if to.is(Head::F32) {
+            return Err(Refusal::unknown(at, SINGLES));
+        }
         Ok(Typed::new(
             Node::Cast(Box::new(from.node), Box::new(to.clone()), at),
             to,
@@ -717,9 +720,7 @@ impl Lowerer<'_> {
         let what = "struct, variant or union type";
         match named {
             Ok(Named::Type(ty)) if matches!(ty.0, Head::Own(_) | Head::Vec3 | Head::Ray) => Ok(ty),
-            Ok(Named::Type(Type(Head::Camera, _)) | Named::Standard(_)) => {
-                Err(Refusal::unknown(at, "the fields of this type"))
-            }
+            Ok(Named::Standard(name)) => Err(Refusal::unknown(at, &format!("`{name}`"))),
             Ok(_) => {
                 let message = format!("expected {what}, found `{}`", path.join("::"));
                 self.fault(at, &message, &format!("not a {what}"), "")

@@ -451,7 +451,7 @@ impl Names {
     ) -> Refusal {
         let is_ours = matches!(
             ty.0,
-            Head::Own(_) | Head::Dyn(_) | Head::Ray | Head::Camera | Head::Picture
+            Head::Own(_) | Head::Dyn(_) | Head::Ray | Head::Picture
         );
         if is_ours {
             return Refusal::new(at, message, "", help);

@@ -16,7 +16,6 @@ pub(crate) enum Node {
     Bool(bool),
     Int(i128, Int),
     Float(f64),
-    Single(f32),
     Vec3(Vec3),
     Str(Arc<str>),
     None,
@@ -147,8 +146,6 @@ pub(crate) enum Pattern {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Function {
     pub(crate) slots: usize,
-    /// How the parameters are taken apart, where one is more than a name.
-    pub(crate) patterns: Vec<(usize, Pattern)>,
     pub(crate) body: Node,
 }
 

@@ -222,8 +222,7 @@ impl Names {
         };
         let is_comparable = match on.0 {
             Head::Own(_) if order.is_of_equality() => self.derives(on, "PartialEq"),
-            Head::Own(_) => self.derives(on, "PartialOrd"),
-            Head::Dyn(_) | Head::Fn | Head::Iterator | Head::Camera | Head::Picture => false,
+            Head::Dyn(_) | Head::Fn | Head::Iterator | Head::Picture => false,
             Head::Vec3 | Head::Ray => order.is_of_equality(),
             _ => true,
         };
@@ -242,7 +241,12 @@ impl Names {
         if !other.fits(one, self) && !one.fits(other, self) {
             return Err(self.mismatch(one, other, right));
         }
-        Ok(())
+        let is_ordered = matches!(on.0, Head::Bool | Head::Unknown | Head::Never);
+        if order.is_of_equality() || is_ordered || on.is_integer() || on.is_float() {
+            return Ok(());
+        }
+        let what = format!("`{}` of `{}`", order.sign(), on.name(self));
+        Err(Refusal::unknown(at, &what))
     }
 
     /// That something else is declared than is found.

@@ -22,7 +22,7 @@ pub(crate) struct Native {
     /// Which types have it.
     pub(crate) owner: &'static str,
     pub(crate) signature: Signature,
-    run: Run,
+    pub(crate) run: Run,
 }
 
 type Run = fn(&mut Machine<'_>, &mut [Value], At) -> Eval;
@@ -61,12 +61,11 @@ static BY_NAME: LazyLock<HashMap<(&str, &str), &Native>> = LazyLock::new(|| {
 /// Where the type's functions are in the list. What a list has a vector has, too.
 pub(crate) fn owners(ty: &Type) -> &'static [&'static str] {
     match ty.0 {
-        Head::F64 | Head::F32 => &["f64", "any"],
+        Head::F64 => &["f64", "any"],
         Head::Int(_) => &["int", "any"],
         Head::Bool => &["bool", "any"],
         Head::Vec3 => &["Vec3", "any"],
         Head::Ray => &["Ray", "any"],
-        Head::Camera => &["Camera", "any"],
         Head::Picture => &["Picture"],
         Head::Str => &["str", "any"],
         Head::Ordering => &["Ordering", "any"],
@@ -84,33 +83,6 @@ pub(crate) fn owners(ty: &Type) -> &'static [&'static str] {
 /// A function of the library.
 pub(crate) fn native(owner: &str, name: &str) -> Option<&'static Native> {
     BY_NAME.get(&(owner, name)).copied()
-}
-
-pub(crate) fn run(
-    native: &Native,
-    machine: &mut Machine<'_>,
-    arguments: &mut [Value],
-    at: At,
-) -> Eval {
-    if let Some(Value::Single(_)) = arguments.first()
-        && native.owner == "f64"
-    {
-        return of_singles(native, machine, arguments, at);
-    }
-    (native.run)(machine, arguments, at)
-}
-
-/// What a function of an `f64` makes of an `f32`.
-fn of_singles(native: &Native, machine: &mut Machine<'_>, arguments: &mut [Value], at: At) -> Eval {
-    for value in arguments.iter_mut() {
-        if let Value::Single(it) = value {
-            *value = Value::Float((*it).into());
-        }
-    }
-    Ok(match (native.run)(machine, arguments, at)? {
-        Value::Float(it) => Value::Single(it as f32),
-        other => other,
-    })
 }
 
 /// More than a chapter has pixels is no list of a chapter.
@@ -288,10 +260,6 @@ fn ray(value: Ray) -> Eval {
     Ok(Value::Ray(Rc::new(value)))
 }
 
-fn camera(value: Camera) -> Eval {
-    Ok(Value::Camera(Rc::new(value)))
-}
-
 fn same(_: &mut Machine<'_>, a: &mut [Value], _: At) -> Eval {
     Ok(a[0].clone())
 }
@@ -414,11 +382,6 @@ library! {
         fn new(origin: Vec3, direction: Vec3) -> Ray =>
             |_, a, _| ray(Ray::new(a[0].vec3(), a[1].vec3()));
         fn at(&self, t: f64) -> Vec3 => |_, a, _| vector(a[0].ray().at(a[1].float()));
-    }
-    "Camera" {
-        fn new(image_width: u32) -> Camera => |m, a, at| camera(Camera::new(width(m, &a[0], at)?));
-        fn ray(&self, i: u32, j: u32) -> Ray =>
-            |_, a, _| ray(a[0].camera().ray(a[1].int() as u32, a[2].int() as u32));
     }
     "Picture" {
         fn paint(width: u32, height: u32, color: impl Fn(u32, u32) -> Vec3) -> Picture =>
@@ -649,14 +612,6 @@ pub(crate) fn fields(head: Head) -> impl Iterator<Item = (&'static str, Type)> {
     let all: &'static [(&str, Head)] = match head {
         Head::Vec3 => &[("x", Head::F64), ("y", Head::F64), ("z", Head::F64)],
         Head::Ray => &[("origin", Head::Vec3), ("direction", Head::Vec3)],
-        Head::Camera => &[
-            ("image_width", Head::Int(Int::U32)),
-            ("image_height", Head::Int(Int::U32)),
-            ("center", Head::Vec3),
-            ("pixel00", Head::Vec3),
-            ("pixel_delta_u", Head::Vec3),
-            ("pixel_delta_v", Head::Vec3),
-        ],
         _ => &[],
     };
     all.iter().map(|&(name, head)| (name, head.into()))
@@ -668,8 +623,6 @@ pub(crate) fn number(name: &str) -> Option<f64> {
         "INFINITY" => f64::INFINITY,
         "NEG_INFINITY" => f64::NEG_INFINITY,
         "MAX" => f64::MAX,
-        "MIN" => f64::MIN,
-        "MIN_POSITIVE" => f64::MIN_POSITIVE,
         "EPSILON" => f64::EPSILON,
         "NAN" => f64::NAN,
         _ => return None,
@@ -682,20 +635,13 @@ pub(crate) fn constant(owner: &Type, name: &str) -> Option<(Node, Type)> {
         (Head::Vec3, name) => Node::Vec3(match name {
             "ZERO" => Vec3::ZERO,
             "ONE" => Vec3::ONE,
-            "NEG_ONE" => Vec3::NEG_ONE,
             "X" => Vec3::X,
             "Y" => Vec3::Y,
             "Z" => Vec3::Z,
-            "NEG_X" => Vec3::NEG_X,
-            "NEG_Y" => Vec3::NEG_Y,
             "NEG_Z" => Vec3::NEG_Z,
-            "NAN" => Vec3::NAN,
             _ => return None,
         }),
         (Head::F64, name) => Node::Float(number(name)?),
-        (Head::F32, "INFINITY") => Node::Single(f32::INFINITY),
-        (Head::F32, "MAX") => Node::Single(f32::MAX),
-        (Head::F32, "EPSILON") => Node::Single(f32::EPSILON),
         (Head::Int(int), "MAX") => Node::Int(int.ends().1, int),
         (Head::Int(int), "MIN") => Node::Int(int.ends().0, int),
         (Head::Ordering, "Less") => Node::Ordering(Ordering::Less),

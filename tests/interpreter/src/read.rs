@@ -26,6 +26,8 @@ pub(crate) struct Refusal {
     help: String,
     /// Whether the compiler would say so, and not the program when it runs.
     is_refused: bool,
+    /// Whether the compiler may take it: what it refuses is said before.
+    pub(crate) is_unknown: bool,
 }
 
 impl Refusal {
@@ -36,13 +38,17 @@ impl Refusal {
             label: label.to_owned(),
             help: help.to_owned(),
             is_refused: true,
+            is_unknown: false,
         }
     }
 
     /// What the compiler takes, and is not known here.
     pub(crate) fn unknown(at: At, what: &str) -> Self {
         let message = format!("this page does not know {what}");
-        Self::new(at, &message, "", "cargo does")
+        Self {
+            is_unknown: true,
+            ..Self::new(at, &message, "", "cargo does")
+        }
     }
 
     /// The same with other help, if there is some.

@@ -12,7 +12,7 @@ use common::rtweekend::Vec3 as DVec3;
 use crate::lower::miscounted;
 use crate::names::Names;
 use crate::node::{Arm, At, Closure, Function, Node, Order, Pattern, Root, Sign, Step, Target};
-use crate::prelude::{self, LONGEST_TEXT, Native, TEXT_TOO_LONG};
+use crate::prelude::{LONGEST_TEXT, Native, TEXT_TOO_LONG};
 use crate::read::Refusal;
 use crate::types::{Head, Int, Type};
 use crate::value::{Address, Fields, Frame, Iter, Source, Value};
@@ -134,13 +134,7 @@ impl<'c> Machine<'c> {
         let code = self.code;
         let function = &code.functions[function];
         let size = start + function.slots;
-        self.in_frame(start, size, at, |own| {
-            for (n, pattern) in &function.patterns {
-                let value = own.stack[start + n].clone();
-                own.binds(pattern, &value)?;
-            }
-            own.eval(&function.body)
-        })
+        self.in_frame(start, size, at, |own| own.eval(&function.body))
     }
 
     /// Runs a body in a frame of its own.
@@ -195,7 +189,7 @@ impl<'c> Machine<'c> {
                 self.turn(*at)?;
                 let wanted = &native.signature.parameters;
                 let mut arguments = self.all_declared(wanted, arguments, *at)?;
-                prelude::run(native, self, &mut arguments, *at)
+                (native.run)(self, &mut arguments, *at)
             }
             Value::Closure(closure, frame) => {
                 let body = |own: &mut Self| {
@@ -279,7 +273,6 @@ impl<'c> Machine<'c> {
             Node::Bool(it) => Ok(Value::Bool(*it)),
             Node::Int(it, int) => Ok(Value::Int(*it, *int)),
             Node::Float(it) => Ok(Value::Float(*it)),
-            Node::Single(it) => Ok(Value::Single(*it)),
             Node::Vec3(it) => Ok(Value::Vec3(*it)),
             Node::Str(it) => Ok(Value::Str(Rc::new(it.to_string()))),
             Node::None => Ok(Value::None),
@@ -414,7 +407,6 @@ impl<'c> Machine<'c> {
     fn negated(&mut self, of: &Node, at: At) -> Eval {
         Ok(match self.operand(of)? {
             Value::Float(it) => Value::Float(-it),
-            Value::Single(it) => Value::Single(-it),
             Value::Vec3(it) => Value::Vec3(-it),
             Value::Int(it, int) if int.fits(-it) => Value::Int(-it, int),
             Value::Int(..) => return self.panic(at, "attempt to negate with overflow"),
@@ -606,15 +598,15 @@ impl<'c> Machine<'c> {
         match nodes {
             [one] => {
                 let mut arguments = [self.operand(one)?];
-                prelude::run(native, self, &mut arguments, at)
+                (native.run)(self, &mut arguments, at)
             }
             [one, other] => {
                 let mut arguments = [self.operand(one)?, self.operand(other)?];
-                prelude::run(native, self, &mut arguments, at)
+                (native.run)(self, &mut arguments, at)
             }
             nodes => {
                 let mut arguments = self.all(nodes)?;
-                prelude::run(native, self, &mut arguments, at)
+                (native.run)(self, &mut arguments, at)
             }
         }
     }
@@ -664,7 +656,6 @@ impl<'c> Machine<'c> {
     fn shown(&self, value: &Value) -> String {
         match value {
             Value::Float(it) => it.to_string(),
-            Value::Single(it) => it.to_string(),
             Value::Int(it, _) => it.to_string(),
             Value::Bool(it) => it.to_string(),
             Value::Str(it) => it.to_string(),
@@ -882,7 +873,7 @@ impl<'c> Machine<'c> {
 
     #[inline(never)]
     pub(crate) fn arithmetic(&mut self, sign: Sign, left: Value, right: Value, at: At) -> Eval {
-        use Value::{Float, Single, Vec3};
+        use Value::{Float, Vec3};
         Ok(match (sign, left, right) {
             (sign, Vec3(a), Vec3(b)) if has_vectors(sign) => Vec3(of_vectors(sign, a, b)),
             (sign, Vec3(a), Float(b)) if has_vectors(sign) => {
@@ -892,8 +883,6 @@ impl<'c> Machine<'c> {
                 Vec3(of_vectors(sign, DVec3::splat(a), b))
             }
             (sign, Float(a), Float(b)) => Float(of_floats(sign, a, b)),
-            // Rounded twice it is the same.
-            (sign, Single(a), Single(b)) => Single(of_floats(sign, a.into(), b.into()) as f32),
             (Sign::Plus, Value::Str(a), Value::Str(b)) => Value::Str(Rc::new(format!("{a}{b}"))),
             (sign, Value::Int(a, one), Value::Int(b, other)) => {
                 let Some(int) = one.joined(other) else {
@@ -954,7 +943,6 @@ impl<'c> Machine<'c> {
         Ok(match ty.0 {
             Head::Bool => Value::Bool(false),
             Head::F64 => Value::Float(0.0),
-            Head::F32 => Value::Single(0.0),
             Head::Int(int) => Value::Int(0, int),
             Head::Vec3 => Value::Vec3(DVec3::ZERO),
             Head::Str => Value::Str(Rc::default()),

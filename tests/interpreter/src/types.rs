@@ -24,7 +24,6 @@ pub(crate) enum Head {
     Int(Int),
     Vec3,
     Ray,
-    Camera,
     Picture,
     Ordering,
     Option,
@@ -54,30 +53,22 @@ pub(crate) enum Int {
     /// That of a number without a point of which nothing more is said.
     Any,
     U8,
-    U16,
     U32,
     U64,
     Usize,
-    I8,
-    I16,
     I32,
     I64,
-    Isize,
 }
 
 /// Each with its name and its ends. `usize` is that of a machine with 64 bits, also where a
 /// page has 32.
-const INTEGERS: [(Int, &str, i128, i128); 10] = [
+const INTEGERS: [(Int, &str, i128, i128); 6] = [
     (Int::U8, "u8", 0, u8::MAX as i128),
-    (Int::U16, "u16", 0, u16::MAX as i128),
     (Int::U32, "u32", 0, u32::MAX as i128),
     (Int::U64, "u64", 0, u64::MAX as i128),
     (Int::Usize, "usize", 0, u64::MAX as i128),
-    (Int::I8, "i8", i8::MIN as i128, i8::MAX as i128),
-    (Int::I16, "i16", i16::MIN as i128, i16::MAX as i128),
     (Int::I32, "i32", i32::MIN as i128, i32::MAX as i128),
     (Int::I64, "i64", i64::MIN as i128, i64::MAX as i128),
-    (Int::Isize, "isize", i64::MIN as i128, i64::MAX as i128),
 ];
 
 impl Int {
@@ -256,7 +247,6 @@ impl Type {
             Head::Int(int) => int.name(),
             Head::Vec3 => "Vec3",
             Head::Ray => "Ray",
-            Head::Camera => "Camera",
             Head::Picture => "Picture",
             Head::Ordering => "Ordering",
             Head::Own(n) => &names.kinds[n].name,

@@ -10,7 +10,7 @@ use std::mem;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use common::rtweekend::{Camera, Ray, Vec3};
+use common::rtweekend::{Ray, Vec3};
 
 use crate::names::Names;
 use crate::node::{At, Closure};
@@ -25,10 +25,8 @@ pub(crate) enum Value {
     Bool(bool),
     Int(i128, Int),
     Float(f64),
-    Single(f32),
     Vec3(Vec3),
     Ray(Rc<Ray>),
-    Camera(Rc<Camera>),
     /// Width, height, and three bytes a pixel.
     Picture(Rc<(u32, u32, Vec<u8>)>),
     Str(Rc<String>),
@@ -175,7 +173,6 @@ impl Value {
     taken!(truth, Bool, bool);
     taken!(vec3, Vec3, Vec3);
     taken!(ray, Ray, Rc<Ray>);
-    taken!(camera, Camera, Rc<Camera>);
     taken!(many, Many, Rc<Vec<Value>>);
     taken!(ordering, Ordering, Ordering);
     taken!(text, Str, Rc<String>);
@@ -203,10 +200,8 @@ impl Value {
             Self::Bool(_) => Head::Bool.into(),
             Self::Int(_, int) => Head::Int(*int).into(),
             Self::Float(_) => Head::F64.into(),
-            Self::Single(_) => Head::F32.into(),
             Self::Vec3(_) => Head::Vec3.into(),
             Self::Ray(_) => Head::Ray.into(),
-            Self::Camera(_) => Head::Camera.into(),
             Self::Picture(_) => Head::Picture.into(),
             Self::Str(_) => Head::Str.into(),
             Self::Ordering(_) => Head::Ordering.into(),
@@ -253,11 +248,6 @@ impl Value {
             Self::Many(fields) => fields[n].clone(),
             Self::Vec3(vector) => Self::Float(vector[n]),
             Self::Ray(ray) => Self::Vec3([ray.origin, ray.direction][n]),
-            Self::Camera(it) => match n {
-                0 => Self::Int(it.image_width.into(), Int::U32),
-                1 => Self::Int(it.image_height.into(), Int::U32),
-                n => Self::Vec3([it.center, it.pixel00, it.pixel_delta_u, it.pixel_delta_v][n - 2]),
-            },
             Self::Some(it) => Self::clone(it),
             other => unreachable!("types are checked, and {other:?} has no fields"),
         }
@@ -286,9 +276,6 @@ impl Value {
     pub(crate) fn compared(&self, other: &Self) -> Option<Ordering> {
         match (self, other) {
             (Self::Float(one), Self::Float(other)) => one.partial_cmp(other),
-            (Self::Single(one), Self::Single(other)) => one.partial_cmp(other),
-            (Self::Single(one), Self::Float(other)) => one.partial_cmp(&(*other as f32)),
-            (Self::Float(one), Self::Single(other)) => (*one as f32).partial_cmp(other),
             (Self::Int(one, _), Self::Int(other, _)) => one.partial_cmp(other),
             (Self::Bool(one), Self::Bool(other)) => one.partial_cmp(other),
             _ => None,
@@ -303,14 +290,10 @@ impl Value {
                 Self::Int((*it as i128).clamp(least, most), int)
             }
             (Self::Int(it, _), Head::Int(int)) => Self::Int(int.wrapped(*it), int),
-            (Self::Float(it), Head::F32) => Self::Single(*it as f32),
-            (Self::Single(it), Head::Int(_)) => Self::Float((*it).into()).cast(ty)?,
-            (Self::Single(it), Head::F64) => Self::Float((*it).into()),
             (Self::Int(it, _), Head::F64) => Self::Float(*it as f64),
-            (Self::Int(it, _), Head::F32) => Self::Single(*it as f32),
             (Self::Bool(it), Head::Int(int)) => Self::Int((*it).into(), int),
-            (Self::Float(_), Head::F64) | (Self::Single(_), Head::F32) => self.clone(),
-            (_, Head::Int(_) | Head::F64 | Head::F32) => return None,
+            (Self::Float(_), Head::F64) => self.clone(),
+            (_, Head::Int(_) | Head::F64) => return None,
             (value, _) => value.clone(),
         })
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use common::rtweekend::Vec3;
 
-use super::{Lowered, Lowerer, Typed};
+use super::{Lowered, Lowerer, SINGLES, Typed};
 use crate::names::{Callee, Named, Shape, Signature, names, there_is};
 use crate::node::{At, Closure, Node};
 use crate::prelude;
@@ -229,7 +229,7 @@ impl Lowerer<'_> {
         }
         let has_none = match owner.0 {
             Head::Own(_) => !self.names.derives(owner, "Default"),
-            Head::Ray | Head::Camera | Head::Picture | Head::Dyn(_) => true,
+            Head::Ray | Head::Picture | Head::Dyn(_) => true,
             Head::Unknown => return Err(Refusal::unknown(at, "a default without its type")),
             _ => false,
         };
@@ -248,11 +248,11 @@ impl Lowerer<'_> {
     /// A number as a type that has room for all of its type.
     fn converted(&self, from: Typed, wanted: &Type, at: At) -> Lowered {
         let fits = match (from.ty.0, wanted.0) {
+            (_, Head::F32) => return Err(Refusal::unknown(at, SINGLES)),
             (Head::Unknown | Head::Never, _) => true,
-            (Head::Int(Int::Any) | Head::Float, Head::F64 | Head::F32) => true,
+            (Head::Int(Int::Any) | Head::Float, Head::F64) => true,
             (Head::Int(int), Head::F64) => int.ends().1 < 1 << 32,
             (Head::F32, Head::F64) | (Head::Bool, Head::Int(_)) => true,
-            (Head::Int(int), Head::F32) => int.ends().1 < 1 << 16,
             (Head::Int(int), Head::Int(wanted)) => {
                 let (least, most) = int.ends();
                 int == Int::Any || int == wanted || wanted.fits(least) && wanted.fits(most)

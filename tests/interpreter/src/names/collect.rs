@@ -476,7 +476,6 @@ impl<'a> Collector<'a> {
                     self.names.functions[made]
                         .in_standard
                         .clone_from(&in_standard);
-                    self.fits_its_trait(made)?;
                 }
                 syn::ImplItem::Const(it) => {
                     self.function();
@@ -489,43 +488,40 @@ impl<'a> Collector<'a> {
         Ok(())
     }
 
-    fn fits_its_trait(&self, function: usize) -> Read {
-        let own = &self.names.functions[function];
-        let Some(implemented) = own.in_trait.map(|it| &self.names.traits[it]) else {
-            return Ok(());
-        };
-        let others = |it: &Signature| it.parameters[usize::from(it.has_self)..].to_vec();
-        let message = match self.names.method_of(implemented, &own.name) {
-            None => format!(
-                "method `{}` is not a member of trait `{}`",
-                own.name, implemented.name
-            ),
-            Some(promised) => {
-                let promised = &self.names.functions[promised];
-                let is_same = own.has_self == promised.has_self
-                    && others(own) == others(promised)
-                    && own.result == promised.result;
-                if is_same {
-                    return Ok(());
-                }
-                format!("method `{}` has an incompatible type for trait", own.name)
-            }
-        };
-        Err(Refusal::new(own.at, &message, "", ""))
-    }
-
+    /// Whether each implementation of a trait has what that promises, and nothing else.
     fn are_traits_complete(&self) -> Read {
-        for (n, it) in self.names.traits.iter().enumerate() {
-            let promised = it.methods.iter().map(|&it| &self.names.functions[it]);
-            for missing in promised.filter(|it| !it.has_body) {
-                let lacks = |ty: &&Type| self.names.method(ty, &missing.name, Some(n)).is_none();
-                if let Some(ty) = it.implemented_for.iter().find(lacks) {
-                    let message = format!(
-                        "not all trait items implemented, missing: `{}`",
-                        missing.name
-                    );
-                    let label = format!("`{}` for `{}`", it.name, ty.name(&self.names));
-                    return Err(Refusal::new(missing.at, &message, &label, ""));
+        let names = &self.names;
+        let refused = |at, message: String| Err(Refusal::new(at, &message, "", ""));
+        for own in &names.functions {
+            let of = own.in_trait.map(|it| &names.traits[it]);
+            if let Some(of) = of.filter(|it| names.method_of(it, &own.name).is_none()) {
+                let message = format!(
+                    "method `{}` is not a member of trait `{}`",
+                    own.name, of.name
+                );
+                return refused(own.at, message);
+            }
+        }
+        for (n, of) in names.traits.iter().enumerate() {
+            let each = |ty| of.methods.iter().map(move |&it| (ty, &names.functions[it]));
+            for (ty, promised) in of.implemented_for.iter().flat_map(each) {
+                let name = &promised.name;
+                match names
+                    .method(ty, name, Some(n))
+                    .map(|it| &names.functions[it])
+                {
+                    None if !promised.has_body => {
+                        let on = ty.name(names);
+                        let message = format!(
+                            "not all trait items implemented, missing: `{name}` for `{on}`"
+                        );
+                        return refused(promised.at, message);
+                    }
+                    Some(own) if !own.is_as_promised(promised) => {
+                        let message = format!("method `{name}` has an incompatible type for trait");
+                        return refused(own.at, message);
+                    }
+                    _ => {}
                 }
             }
         }
@@ -550,6 +546,15 @@ fn is_public(visibility: &syn::Visibility) -> bool {
 
 fn is_test(item: &syn::Item) -> bool {
     matches!(item, syn::Item::Mod(it) if it.ident == "tests")
+}
+
+impl Signature {
+    fn is_as_promised(&self, promised: &Self) -> bool {
+        let others = |it: &Self| it.parameters[usize::from(it.has_self)..].to_vec();
+        self.has_self == promised.has_self
+            && others(self) == others(promised)
+            && self.result == promised.result
+    }
 }
 
 impl Trait {

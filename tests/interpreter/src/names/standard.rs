@@ -7,12 +7,11 @@ use crate::prelude::number;
 use crate::types::{Head, Int, Type};
 
 /// What `use common::rtweekend::*` brings.
-pub(super) const PRELUDE: [(&str, Named); 8] = [
+pub(super) const PRELUDE: [(&str, Named); 7] = [
     ("Vec3", Named::Type(Type(Head::Vec3, Vec::new()))),
     ("Point3", Named::Type(Type(Head::Vec3, Vec::new()))),
     ("Color", Named::Type(Type(Head::Vec3, Vec::new()))),
     ("Ray", Named::Type(Type(Head::Ray, Vec::new()))),
-    ("Camera", Named::Type(Type(Head::Camera, Vec::new()))),
     ("Picture", Named::Type(Type(Head::Picture, Vec::new()))),
     ("sky", Named::Library("sky")),
     ("render", Named::Library("render")),
@@ -20,7 +19,8 @@ pub(super) const PRELUDE: [(&str, Named); 8] = [
 
 pub(super) fn prelude(name: &str) -> Option<Named> {
     let mut all = PRELUDE.into_iter();
-    all.find(|it| it.0 == name).map(|it| it.1)
+    let known = all.find(|it| it.0 == name).map(|it| it.1);
+    known.or_else(|| (name == "Camera").then(|| Named::Standard(name.to_owned())))
 }
 
 /// What every file knows.
@@ -36,9 +36,8 @@ pub(super) fn everywhere(name: &str) -> Option<Named> {
         "Vec" => Some(Named::Generic(Head::Vec)),
         "Default" | "Clone" | "Copy" | "PartialEq" | "PartialOrd" | "Debug" | "Send" | "Sync"
         | "Sized" | "From" | "Into" | "Iterator" | "IntoIterator" | "Eq" | "Ord" | "Drop"
-        | "ToString" | "Result" | "Err" | "char" | "i128" | "u128" | "drop" => {
-            Some(Named::Standard(name.to_owned()))
-        }
+        | "ToString" | "Result" | "Err" | "char" | "u16" | "i8" | "i16" | "isize" | "i128"
+        | "u128" | "drop" => Some(Named::Standard(name.to_owned())),
         _ => Int::named(name).and_then(|int| plain(Head::Int(int))),
     }
 }
@@ -50,7 +49,7 @@ pub(super) fn by_path(path: &[String]) -> Option<Named> {
         ["common", "rtweekend"] => Some(Named::Prelude),
         ["common", "rtweekend", name] => prelude(name),
         ["std" | "core", rest @ ..] => of_std(rest),
-        ["f64" | "f32", "consts", name] => constant(name),
+        ["f64", "consts", name] => constant(name),
         _ => None,
     }
 }
@@ -72,8 +71,8 @@ fn of_std(path: &[&str]) -> Option<Named> {
         ["ops", "Range"] => Some(Named::Generic(Head::Range)),
         ["cmp", "Ordering"] => Some(Named::Type(Head::Ordering.into())),
         ["fmt", "Result" | "Formatter" | "Error"] => Some(Named::Type(Type::UNKNOWN)),
-        ["f64" | "f32", "consts", name] => constant(name),
-        ["f64", name] => number(name).map(Named::Number),
+        ["f64", "consts", name] => constant(name),
+        ["f64", name] if number(name).is_some() => number(name).map(Named::Number),
         [.., name] => Some(Named::Standard((*name).to_owned())),
         [] => None,
     }
@@ -83,12 +82,7 @@ fn constant(name: &str) -> Option<Named> {
     Some(Named::Number(match name {
         "PI" => consts::PI,
         "TAU" => consts::TAU,
-        "E" => consts::E,
-        "SQRT_2" => consts::SQRT_2,
-        "FRAC_PI_2" => consts::FRAC_PI_2,
-        "FRAC_PI_4" => consts::FRAC_PI_4,
-        "FRAC_1_SQRT_2" => consts::FRAC_1_SQRT_2,
-        _ => return None,
+        _ => return Some(Named::Standard(name.to_owned())),
     }))
 }
 
