@@ -231,10 +231,6 @@ impl Change {
             }
             Right::Line(line) => line.clone(),
             Right::Nothing => "left out".to_owned(),
-            Right::Helper(call, line) => {
-                let instead = format!("not called: {}:{}  {line}", call.file, call.number);
-                return vec![("yours", self.yours.to_string()), ("should be", instead)];
-            }
             Right::InRust(line) => letters.spelled(line, chapter),
             Right::Function(chapters, called) => {
                 let without = match &called[..] {

@@ -5,7 +5,7 @@ use slips::Chapter;
 
 use super::edit::{Role, roots};
 use super::functions::{Files, Function, functions, with};
-use super::goal::{self, program};
+use super::goal::{DRAWN, LOOKED, draws, program};
 use super::spelling::{in_rust, plain};
 use super::tree::{Tree, squeezed};
 use super::{Change, Repair, Right};
@@ -199,17 +199,20 @@ impl Place<'_> {
         });
         let mut likest: Vec<_> = scored.filter(|(score, ..)| *score > ALIKE).collect();
         likest.sort_by(|one, other| other.0.total_cmp(&one.0));
-        let draws = |value: &Tree| {
+        let is_it = |value: &Tree| {
             let mut text = self.function.text.clone();
             text.replace_range(self.value.at.clone(), &value.within(super::tree::ATOM));
             let files = with(files, &[(self.function, &text)]);
-            program(&files)
-                .is_some_and(|it| goal::draws(&it, reading) && goal::draws_all(&it, reading))
+            program(&files).is_some_and(|it| {
+                [LOOKED, DRAWN]
+                    .iter()
+                    .all(|count| draws(&it, reading, *count))
+            })
         };
         let (_, _, statement) = likest
             .into_iter()
             .take(TRIED)
-            .find(|(_, value, _)| draws(value))?;
+            .find(|(_, value, _)| is_it(value))?;
         Some(Repair {
             changes: vec![Change {
                 yours: statement.line.clone(),

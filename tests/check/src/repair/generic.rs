@@ -23,41 +23,18 @@ const MISTAKEN: [&[&str]; 10] = [
     &["x", "y", "z"],
     &["origin", "direction"],
 ];
-/// Numbers that stand in many formulas, and factors that are forgotten.
-const NUMBERS: [&str; 4] = ["0.0", "1.0", "0.5", "2.0"];
-const FACTORS: [&str; 3] = ["0.5", "2.0", "4.0"];
 /// Of so many names in an expression each is swapped with each other.
 const SWAPPED: usize = 8;
-const METHODS: [&str; 3] = ["normalize", "sqrt", "abs"];
 
-/// The edits of a function, with the numbers of the chapter's if there is one.
-pub(super) fn edits(yours: &Function, right: Option<&Function>) -> Vec<Edit> {
+/// The edits of a function.
+pub(super) fn edits(yours: &Function) -> Vec<Edit> {
     let mut names: Vec<String> = yours.parameters.clone();
     names.extend(locals(&yours.body).iter().map(|it| it.name.to_owned()));
-    let fields = yours
-        .body
-        .nodes()
-        .into_iter()
-        .chain(right.iter().flat_map(|it| it.body.nodes()));
-    let fields = fields
-        .map(Tree::text)
-        .filter(|it| it.starts_with("self.") && !it.contains('('));
-    names.extend(fields.filter(|it| it.matches('.').count() == 1));
-    let mut numbers: Vec<String> = NUMBERS.map(str::to_owned).to_vec();
-    let theirs = right.map_or(Vec::new(), |it| it.body.nodes());
-    let theirs = theirs
-        .iter()
-        .filter(|it| is_number(it))
-        .map(|it| it.op.clone());
-    numbers.extend(theirs);
-    for all in [&mut names, &mut numbers] {
-        all.sort();
-        all.dedup();
-    }
+    names.sort();
+    names.dedup();
     let mut known = Known {
         text: &yours.text,
         names,
-        numbers,
         proposals: Vec::new(),
     };
     known.walk(&yours.body, 0);
@@ -71,16 +48,13 @@ pub(super) fn edits(yours: &Function, right: Option<&Function>) -> Vec<Edit> {
 struct Known<'a> {
     text: &'a str,
     names: Vec<String>,
-    numbers: Vec<String>,
     proposals: Vec<Proposal>,
 }
 
 impl Known<'_> {
     fn walk(&mut self, node: &Tree, least: u8) {
         self.mistaken(node, least);
-        self.left_out(node, least);
-        self.too_much(node, least);
-        self.another(node);
+        self.negated(node, least);
         self.exchanged(node);
         for (n, part) in node.parts.iter().enumerate() {
             // A function is called by its name.
@@ -110,53 +84,15 @@ impl Known<'_> {
         }
     }
 
-    /// A sign, a factor, a method or a square that may have been forgotten.
-    fn left_out(&mut self, node: &Tree, least: u8) {
-        let is_name = self.names.contains(&node.text());
-        let is_value = is_name
+    /// A sign that may have been forgotten.
+    fn negated(&mut self, node: &Tree, least: u8) {
+        let is_value = self.names.contains(&node.text())
             || node.member().is_some()
             || node.op.starts_with("□(")
             || matches!(node.sign(), Some("+" | "-" | "*" | "/"));
         if is_value && node.op != "self" {
-            let own = |parts| Tree::new("□ * □", parts);
-            let leaf = |op: &str| Tree::new(op, Vec::new());
             let negated = Tree::new("-□", vec![node.clone()]);
             self.propose(node, negated.within(least), 3);
-            for factor in FACTORS {
-                let product = own(vec![leaf(factor), node.clone()]);
-                self.propose(node, product.within(least), 3);
-            }
-            for method in METHODS {
-                self.propose(node, format!("{}.{method}()", node.within(ATOM)), 4);
-            }
-            let square = own(vec![node.clone(), node.clone()]);
-            self.propose(node, square.within(least), 4);
-        }
-        let is_condition = least == 0 && (is_name || node.sign().is_some_and(is_comparison));
-        if is_condition {
-            self.propose(node, Tree::new("!□", vec![node.clone()]).text(), 4);
-        }
-    }
-
-    /// One of two operands, a sign or a method that may be too much, and a statement.
-    fn too_much(&mut self, node: &Tree, least: u8) {
-        let is_method = node.member().is_some() && node.op.ends_with(')');
-        let is_negated = matches!(node.op.as_str(), "-□" | "!□");
-        let is_operation = node.sign().is_some_and(|sign| sign != "=");
-        if is_method || is_negated || is_operation {
-            for (n, part) in node.parts.iter().enumerate() {
-                self.propose(node, part.within(least), 2 + n as u32);
-            }
-        }
-        if node.is_block() {
-            for statement in node
-                .parts
-                .iter()
-                .filter(|it| it.op == "□;" || it.op.starts_with("if "))
-            {
-                let size = statement.nodes().len() as u32;
-                self.propose(statement, String::new(), size);
-            }
         }
     }
 
@@ -189,24 +125,6 @@ impl Known<'_> {
             self.proposals.push(Proposal::new(at, new, penalty).whole());
         }
     }
-
-    /// Another name or number.
-    fn another(&mut self, node: &Tree) {
-        let all = if is_number(node) {
-            self.propose(node, format!("-{}", node.op), 3);
-            self.numbers.clone()
-        } else if self.names.contains(&node.text()) {
-            self.names.clone()
-        } else {
-            return;
-        };
-        for other in all
-            .into_iter()
-            .filter(|it| *it != node.text() && it != "self")
-        {
-            self.propose(node, other, 3);
-        }
-    }
 }
 
 /// The tree with two names exchanged.
@@ -222,14 +140,4 @@ fn renamed(tree: &Tree, [one, other]: [&str; 2]) -> Tree {
         parts: parts.collect(),
         ..tree.clone()
     }
-}
-
-fn is_number(node: &Tree) -> bool {
-    node.parts.is_empty()
-        && node.op.contains('.')
-        && node.op.starts_with(|c: char| c.is_ascii_digit())
-}
-
-fn is_comparison(sign: &str) -> bool {
-    matches!(sign, "<" | ">" | "<=" | ">=")
 }

@@ -15,9 +15,9 @@ use crate::reading::Reading;
 use crate::scene::Scene;
 
 /// So many wrong and right pixels are looked at, the wrong ones first.
-const LOOKED: u32 = 100;
+pub(super) const LOOKED: u32 = 100;
 /// A picture is drawn whole up to this size; of a larger one so many pixels are.
-const DRAWN: u32 = 100_000;
+pub(super) const DRAWN: u32 = 100_000;
 /// So wide is a picture that a reader's own loop draws for each text that is tried.
 const SMALL: u32 = 24;
 /// So many questions are asked.
@@ -44,17 +44,8 @@ pub(super) fn program(files: &[(String, String)]) -> Option<Program> {
     interpreter::read(&files).ok()
 }
 
-/// Whether the program draws this picture, by the look of some pixels.
-pub(super) fn draws(program: &Program, reading: &Reading) -> bool {
-    draws_some(program, reading, LOOKED)
-}
-
-/// The same by all of them.
-pub(super) fn draws_all(program: &Program, reading: &Reading) -> bool {
-    draws_some(program, reading, DRAWN)
-}
-
-fn draws_some(program: &Program, reading: &Reading, count: u32) -> bool {
+/// Whether the program draws this picture, by the look of so many pixels.
+pub(super) fn draws(program: &Program, reading: &Reading, count: u32) -> bool {
     let pixel = |n: u32| {
         (
             n,
@@ -115,18 +106,15 @@ impl Goal {
         questions.all(|(n, right)| are_near(right, &answer(program, self.chapter, n)))
     }
 
-    /// Whether the program is right, by the look of some pixels and by its answers.
+    /// Whether the program is right, by its answers and by what it draws.
     pub(super) fn is_met_by(&self, program: &Program) -> bool {
-        let matched = program.matches(self.width, &self.sample);
+        let has =
+            |sample: &Rc<Sample>| program.matches(self.width, sample).ok() == Some(sample.len());
         let loops = |small: &Picture| program.draw(SMALL).is_ok_and(|it| it == *small);
-        matched.ok() == Some(self.sample.len())
+        has(&self.sample)
             && self.small.as_ref().is_none_or(loops)
             && self.is_answered_by(program)
-    }
-
-    /// Whether the program draws the picture.
-    pub(super) fn is_drawn_by(&self, program: &Program) -> bool {
-        program.matches(self.width, &self.all).ok() == Some(self.all.len())
+            && has(&self.all)
     }
 }
 

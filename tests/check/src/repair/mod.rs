@@ -57,8 +57,6 @@ pub enum Right {
     Nothing,
     /// The whole function as it stands there, which does not call these of the reader's own.
     Function(Line, Vec<String>),
-    /// The call of this function of the reader's own does not give what stands there instead.
-    Helper(Line, String),
     /// What the chapter has there, where the reader writes another language.
     InRust(String),
 }
@@ -87,7 +85,7 @@ impl Repair {
                 .draw(reading.width)
                 .is_ok_and(|it| it == reading.picture())
         };
-        if !(goal::draws(&yours, reading) || has_a_loop && draws()) {
+        if !(goal::draws(&yours, reading, goal::LOOKED) || has_a_loop && draws()) {
             return None;
         }
         let right = scene.right(reading.width, scene.height(reading.width));
@@ -178,51 +176,28 @@ impl Fix<'_> {
             return vec![change(0, right)];
         }
         let [old, new] = [&self.yours.text, &self.text].map(|it| lines(it));
-        if let Some(helper) = self.helper {
-            let at = old
-                .iter()
-                .zip(&new)
-                .take_while(|(one, other)| one == other)
-                .count();
-            let instead = new.get(at).cloned().unwrap_or_default();
-            let mut change = change(at, Right::Nothing);
-            change.right = Right::Helper(
-                std::mem::replace(&mut change.yours, line(files, helper, 0)),
-                instead,
-            );
-            return vec![change];
-        }
+        // Only what stands between the first and the last lines that differ is looked at.
         let is_same = |(one, other): &(&String, &String)| one == other;
-        if old.len() == new.len() {
-            let pairs = old.iter().zip(&new).enumerate();
-            let changed = pairs.filter(|(_, pair)| !is_same(pair));
-            let changes = changed.map(|(n, (_, new))| {
-                if new.is_empty() {
-                    change(n, Right::Nothing)
-                } else {
-                    change(n, Right::Line(new.clone()))
-                }
-            });
-            return changes.collect();
-        }
         let first = old.iter().zip(&new).take_while(is_same).count();
         let back = old[first..].iter().rev().zip(new[first..].iter().rev());
         let last = back.take_while(is_same).count();
-        let right = new[first..new.len() - last].join(" ");
-        vec![match old.len() - last - first {
-            0 => change(first, Right::More(right)),
-            many => {
-                let all = old[first..first + many].join(" ");
-                let right = if right.is_empty() {
-                    Right::Nothing
-                } else {
-                    Right::Line(right)
-                };
-                let mut change = change(first, right);
-                change.yours.text = all;
-                change
-            }
-        }]
+        let [old, new] = [&old, &new].map(|it| &it[first..it.len() - last]);
+        let right = |text: String| match text.is_empty() {
+            true => Right::Nothing,
+            false => Right::Line(text),
+        };
+        if old.is_empty() {
+            return vec![change(first, Right::More(new.join(" ")))];
+        }
+        if old.len() == new.len() {
+            let pairs = old.iter().zip(new).enumerate();
+            let changed = pairs.filter(|(_, pair)| !is_same(pair));
+            let changes = changed.map(|(n, (_, new))| change(first + n, right(new.clone())));
+            return changes.collect();
+        }
+        let mut change = change(first, right(new.join(" ")));
+        change.yours.text = old.join(" ");
+        vec![change]
     }
 }
 

@@ -26,8 +26,6 @@ pub(super) struct Fix<'a> {
     pub(super) right: Option<&'a Function>,
     /// What the reader's calls and the chapter's does not.
     pub(super) called: Vec<&'a Function>,
-    /// The helper whose call the text does without.
-    pub(super) helper: Option<&'a Function>,
 }
 
 impl<'a> Fix<'a> {
@@ -36,7 +34,6 @@ impl<'a> Fix<'a> {
             yours,
             text: edit.applied_to(&yours.text),
             right: None,
-            helper: None,
             called: Vec::new(),
         }
     }
@@ -46,7 +43,6 @@ impl<'a> Fix<'a> {
             yours,
             text: right[0].text.clone(),
             right: Some(right[0]),
-            helper: None,
             called: Vec::new(),
         }
     }
@@ -100,31 +96,8 @@ impl<'a> Search<'a> {
         };
         match found.filter(|(_, edit)| edit.rank <= READABLE) {
             Some(edit) => Some(vec![Fix::edit(&edit)]),
-            None => self
-                .in_a_call(&swapped)
-                .or_else(|| self.whole(vec![self.swapped(&swapped[0])])),
+            None => self.whole(vec![self.swapped(&swapped[0])]),
         }
-    }
-
-    /// The helper without a call of which the program is right, and what stands there instead.
-    fn in_a_call(&self, swapped: &[Common<'a>]) -> Option<Vec<Fix<'a>>> {
-        swapped.iter().find_map(|(yours, right)| {
-            let edits = right.iter().flat_map(|right| chapter::edits(yours, right));
-            let mut edits: Vec<(&Function, Edit)> = edits.map(|edit| (*yours, edit)).collect();
-            let helpers = self.helpers(yours);
-            let written_out = |edit: &Edit| {
-                let mut helpers = helpers.iter();
-                helpers
-                    .find(|it| edit.writes_out(it.short_name(), &yours.text))
-                    .copied()
-            };
-            edits.retain(|(_, edit)| edit.rank <= READABLE && written_out(edit).is_some());
-            let (_, edit) = self.first(edits, &Vec::new())?;
-            Some(vec![Fix {
-                helper: written_out(&edit),
-                ..Fix::edit(&(*yours, edit))
-            }])
-        })
     }
 
     /// The functions that the reader and the chapter have in common.
@@ -148,20 +121,8 @@ impl<'a> Search<'a> {
     }
 
     fn meets_the_goal(&self, changes: &Changes) -> bool {
-        program(&self.changed(changes)).is_some_and(|it| self.goal.is_met_by(&it))
-    }
-
-    /// The same for every pixel.
-    fn is_whole(&self, changes: &Changes) -> bool {
-        program(&self.changed(changes)).is_some_and(|it| self.goal.is_drawn_by(&it))
-    }
-
-    fn changed(&self, changes: &Changes) -> Files {
-        let changes: Vec<_> = changes
-            .iter()
-            .map(|(it, text)| (*it, text.as_str()))
-            .collect();
-        with(self.files, &changes)
+        let texts: Vec<_> = changes.iter().map(|(it, text)| (*it, &**text)).collect();
+        program(&with(self.files, &texts)).is_some_and(|it| self.goal.is_met_by(&it))
     }
 
     /// The likeliest edit that makes the program right, in this function or in what it calls.
@@ -171,7 +132,7 @@ impl<'a> Search<'a> {
 
     /// The edits of a function and of the helpers that it calls.
     fn edits(&self, (yours, right): &Common<'a>) -> Vec<(&'a Function, Edit)> {
-        let generic = generic::edits(yours, right.first().copied());
+        let generic = generic::edits(yours);
         let own = self.of_chapter(yours, right).into_iter().chain(generic);
         let mut edits: Vec<_> = own.map(|edit| (*yours, edit)).collect();
         let helpers = self.helpers(yours);
@@ -222,7 +183,7 @@ impl<'a> Search<'a> {
         let right = self.likest(own);
         let theirs = right.map_or(Vec::new(), |right| chapter::edits(own, right));
         let theirs = self.keeping_calls(own, theirs);
-        [theirs, generic::edits(own, None)].concat()
+        [theirs, generic::edits(own)].concat()
     }
 
     /// The reader's own functions that this one calls, and those that they call.
@@ -258,7 +219,7 @@ impl<'a> Search<'a> {
                 return false;
             }
             let changes = [others.clone(), vec![(*function, text)]].concat();
-            self.is_right(&changes) && self.is_whole(&changes)
+            self.is_right(&changes)
         })
     }
 
@@ -315,7 +276,7 @@ impl<'a> Search<'a> {
     /// The fixes, if the program is right with all of them together.
     fn whole(&self, fixes: Vec<Fix<'a>>) -> Option<Vec<Fix<'a>>> {
         let changes = fixes.iter().map(|it| (it.yours, it.text.clone())).collect();
-        (self.meets_the_goal(&changes) && self.is_whole(&changes)).then_some(fixes)
+        self.meets_the_goal(&changes).then_some(fixes)
     }
 
     /// A mistake in what the chapter does not have, or where its functions don't fit.
