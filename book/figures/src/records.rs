@@ -37,33 +37,10 @@ pub struct Accuracy {
     pub largest_ulps: Option<f64>,
     /// How far the point at t is from the sphere, in radii.
     pub surface_median_radii: Option<f64>,
-    /// What 999 of 1000 do not exceed.
-    pub surface_p999_radii: Option<f64>,
     /// The farthest.
     pub surface_largest_radii: Option<f64>,
-    /// Answers that are NaN or infinite.
-    pub nans: usize,
     /// A sum of the first few answers, by which a test knows them again.
     pub answers: u64,
-}
-
-/// The pixel of the book's picture at which a method is farthest off.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-pub struct Worst {
-    /// The `ball` or the `ground`.
-    pub sphere: String,
-    /// The name of the method.
-    pub method: String,
-    /// From the left, from 0, of 3840.
-    pub column: u32,
-    /// From the top, from 0, of 2160.
-    pub row: u32,
-    /// √D, half the slope of F at the root.
-    pub sqrt_d: f64,
-    /// How far off t is.
-    pub ulps: f64,
-    /// How far off it should be by the rule, u·M / 2√D.
-    pub rule_ulps: f64,
 }
 
 /// The case that comes closest to an error bound of chapter 6, of all that a search has
@@ -139,7 +116,6 @@ pub struct Timing {
     /// |---|---|---|
     /// | `method` | a method | one ray against one sphere: the throughput |
     /// | `rays` | a method | a block of rays against one sphere, in SIMD lanes |
-    /// | `spheres` | a method | one ray against a block of spheres, in SIMD lanes |
     /// | `record` | `half_b` | chapter 5's own function, with its record of the hit |
     /// | `ray` | `nothing` | the ray is made, and nothing is asked |
     pub what: String,
@@ -156,8 +132,6 @@ pub struct Timing {
     /// Nanoseconds: half of the rounds took less, half more. It has the digits on which
     /// half of the rounds agree, as `ratio` has.
     pub median_ns: f64,
-    /// Nanoseconds in the quickest round.
-    pub least_ns: f64,
     /// The median, over rounds, of the time divided by that of `half_b` on the same rays in
     /// the same round.
     pub ratio: f64,
@@ -217,7 +191,6 @@ macro_rules! files {
 
 files! {
     Accuracy: "measured/accuracy.csv",
-    Worst: "measured/worst.snap.csv",
     Tightness: "measured/tightness.csv",
     Level: "measured/sweeps.csv",
     WrongPixels: "measured/scenes.snap.csv",

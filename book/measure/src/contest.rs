@@ -10,7 +10,6 @@ use std::time::Duration;
 use figures::records::Timing;
 use speed_vs_accuracy::Precision;
 
-use crate::progress::Progress;
 use crate::spread::Spread;
 
 /// Those that take turns. The first is what the others are compared with.
@@ -61,7 +60,6 @@ impl Runner {
             place: place.to_owned(),
             n,
             median_ns: f64::NAN,
-            least_ns: f64::NAN,
             ratio: f64::NAN,
             instructions: None,
         };
@@ -109,8 +107,8 @@ fn now() -> Duration {
 
 impl Group {
     /// The times of each in each round, in nanoseconds for one test: a list for
-    /// everyone, in order. Each `round` is told when it is over.
-    pub fn times(&mut self, effort: &Effort, round: impl Fn()) -> Vec<Vec<f64>> {
+    /// everyone, in order.
+    pub fn times(&mut self, effort: &Effort) -> Vec<Vec<f64>> {
         let Self(runners) = self;
         let runs: Vec<usize> = runners
             .iter_mut()
@@ -121,7 +119,6 @@ impl Group {
             for ((runner, &runs), times) in runners.iter_mut().zip(&runs).zip(&mut times) {
                 times.push(runner.take_turn(runs));
             }
-            round();
         }
         times
     }
@@ -129,27 +126,19 @@ impl Group {
 
 /// The rows of all runners, in order.
 pub fn run(groups: Vec<Group>, effort: &Effort) -> Vec<Timing> {
-    let progress = Progress::new(groups.len() * effort.rounds);
-    let rows = groups
-        .into_iter()
-        .flat_map(|group| take_times(group, effort, &progress));
+    let rows = groups.into_iter().flat_map(|mut group| {
+        let times = group.times(effort);
+        let first = times[0].clone();
+        let rows = group.0.into_iter().zip(times);
+        rows.map(move |(runner, times)| filled_in(runner.row, times, &first))
+    });
     rows.collect()
-}
-
-fn take_times(mut group: Group, effort: &Effort, progress: &Progress) -> Vec<Timing> {
-    let times = group.times(effort, || progress.step());
-    let first = times[0].clone();
-    let rows = group.0.into_iter().zip(times);
-    rows.map(|(runner, times)| filled_in(runner.row, times, &first))
-        .collect()
 }
 
 fn filled_in(row: Timing, times: Vec<f64>, first: &[f64]) -> Timing {
     let ratio = ratio(&times, first).agreed();
-    let times = Spread::of(times);
     Timing {
-        median_ns: times.agreed(),
-        least_ns: times.least,
+        median_ns: Spread::of(times).agreed(),
         ratio,
         ..row
     }

@@ -13,15 +13,11 @@ use speed_vs_accuracy::{Case, Eye, METHODS, Method, Scene, SingleRay};
 use crate::contest::{Effort, Group, Runner};
 
 /// The times of each method, the reference first, in nanoseconds for a question of
-/// `scene`: as many as there are rounds. Each `round` is told when it is over.
-pub fn times(scene: &Scene, effort: &Effort, round: impl Fn()) -> Vec<(Method, Vec<f64>)> {
+/// `scene`: as many as there are rounds.
+pub fn times(scene: &Scene, effort: &Effort) -> Vec<(Method, Vec<f64>)> {
     let asked = questions(scene);
     let mut group = group(&scene.name, &of_cases(&asked, &asked));
-    METHODS
-        .iter()
-        .copied()
-        .zip(group.times(effort, round))
-        .collect()
+    METHODS.iter().copied().zip(group.times(effort)).collect()
 }
 
 /// All methods, the reference first: all are asked the same questions.
@@ -162,11 +158,7 @@ fn questions(scene: &Scene) -> Vec<(Case, f64)> {
         let (i, j) = (n / spheres % width, n / spheres / width);
         let seen = camera.ray(i as u32, j as u32);
         let (center, radius) = scene.spheres[n % spheres];
-        let case = |ray| Case {
-            center,
-            radius,
-            ray,
-        };
+        let case = |ray| Case::new(center, radius, ray);
         let to_sun = scene.sun.and_then(|sun| {
             let hit = scene.look(Eye::Exact, &seen).hit?;
             Some((case(Ray::new(hit.point, sun)), scene.t_min[1]))

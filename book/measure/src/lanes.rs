@@ -1,8 +1,8 @@
 //! SIMD lanes: what a question takes if a block of them is asked at once.
 //!
 //! The compiler turns a loop over a block into instructions for several questions at the
-//! same time: many rays against one sphere, as a camera asks, or one ray against many
-//! spheres. The numbers of a block lie side by side, as a structure of arrays.
+//! same time: many rays against one sphere, as a camera asks. The numbers of a block lie
+//! side by side, as a structure of arrays.
 
 use std::hint::black_box;
 
@@ -17,76 +17,59 @@ type Block<T> = ([[T; BLOCK]; 6], [T; 4]);
 
 /// The block's questions with one method: the certified ones have lanes of their own.
 macro_rules! ask {
-    (certified_hit $answers:ident $number:ident $ray:ident $center:expr, $radius:expr, $case:expr) => {
-        ask!(@certified false $answers $ray $center, $radius, $case)
+    (certified_hit $answers:ident $number:ident $center:expr, $radius:expr, $ray:expr) => {
+        ask!(@certified false $answers $center, $radius, $ray)
     };
-    (certified_t $answers:ident $number:ident $ray:ident $center:expr, $radius:expr, $case:expr) => {
-        ask!(@certified true $answers $ray $center, $radius, $case)
+    (certified_t $answers:ident $number:ident $center:expr, $radius:expr, $ray:expr) => {
+        ask!(@certified true $answers $center, $radius, $ray)
     };
-    (@certified $ulp:literal $answers:ident $ray:ident $center:expr, $radius:expr, $case:expr) => {
+    (@certified $ulp:literal $answers:ident $center:expr, $radius:expr, $ray:expr) => {
         certified_in_lanes::<$ulp>(
             &mut $answers,
             #[inline(always)]
-            |k| Case::new($center(k), $radius(k), $case(k)),
+            |k| Case::new($center, $radius, $ray(k)),
             0.0,
             f64::INFINITY,
         )
     };
-    ($method:ident $answers:ident $number:ident $ray:ident $center:expr, $radius:expr, $case:expr) => {
+    ($method:ident $answers:ident $number:ident $center:expr, $radius:expr, $ray:expr) => {
         in_lanes(
             &mut $answers,
             #[inline(always)]
             |k| {
-                let (end, ray) = ($number::INFINITY, $case(k));
-                speed_vs_accuracy::$method($center(k), $radius(k), &ray, 0.0, end).unwrap_or(end)
+                let (end, ray) = ($number::INFINITY, $ray(k));
+                speed_vs_accuracy::$method($center, $radius, &ray, 0.0, end).unwrap_or(end)
             },
         )
     };
 }
 
-/// Two loops for each method, which differ in what a block has in common.
+/// A loop for each method.
 macro_rules! runners {
-    ($blocks:ident, $spheres:ident, $($method:ident $number:ident $ray:ident $point:ident $precision:ident;)*) => {
-        [
-            Group(vec![$({
-                let blocks: Vec<Block<$number>> = $blocks.iter().map(|(rays, sphere)| (
-                    rays.map(|row| row.map(|x| x as $number)), sphere.map(|x| x as $number)
-                )).collect();
-                let count = blocks.len() * BLOCK;
-                let run = move || for (rays, [x, y, z, radius]) in &blocks {
-                    let mut answers = [0.0; BLOCK];
-                    let ray = |k: usize| {
-                        let [qx, qy, qz, dx, dy, dz] = rays.each_ref().map(|row| row[k]);
-                        $ray::new($point::new(qx, qy, qz), $point::new(dx, dy, dz))
-                    };
-                    ask!($method answers $number $ray |_| $point::new(*x, *y, *z), |_| *radius, ray);
-                    black_box(&answers);
-                };
-                Runner::new(["rays", stringify!($method), "book"], Precision::$precision, count, count, run)
-            }),*]),
-            Group(vec![$({
-                let spheres: [[$number; BLOCK]; 4] = $spheres.map(|row| row.map(|x| x as $number));
-                let rays: Vec<$ray> = $blocks.iter().map(|(rays, _)| {
-                    let [qx, qy, qz, dx, dy, dz] = rays.map(|row| row[0] as $number);
+    ($blocks:ident, $($method:ident $number:ident $ray:ident $point:ident $precision:ident;)*) => {
+        vec![$({
+            let blocks: Vec<Block<$number>> = $blocks.iter().map(|(rays, sphere)| (
+                rays.map(|row| row.map(|x| x as $number)), sphere.map(|x| x as $number)
+            )).collect();
+            let count = blocks.len() * BLOCK;
+            let run = move || for (rays, [x, y, z, radius]) in &blocks {
+                let mut answers = [0.0; BLOCK];
+                let ray = |k: usize| {
+                    let [qx, qy, qz, dx, dy, dz] = rays.each_ref().map(|row| row[k]);
                     $ray::new($point::new(qx, qy, qz), $point::new(dx, dy, dz))
-                }).collect();
-                let count = rays.len() * BLOCK;
-                let run = move || for ray in &rays {
-                    let mut answers = [0.0; BLOCK];
-                    let [x, y, z, radius] = &spheres;
-                    ask!($method answers $number $ray |k: usize| $point::new(x[k], y[k], z[k]), |k: usize| radius[k], |_| *ray);
-                    black_box(&answers);
                 };
-                Runner::new(["spheres", stringify!($method), "book"], Precision::$precision, count, count, run)
-            }),*]),
-        ]
+                ask!($method answers $number $point::new(*x, *y, *z), *radius, ray);
+                black_box(&answers);
+            };
+            Runner::new(["rays", stringify!($method), "book"], Precision::$precision, count, count, run)
+        }),*]
     };
 }
 
-/// The methods in lanes: many rays against one sphere, and one ray against many.
-pub fn groups() -> [Group; 2] {
-    let (blocks, spheres) = (blocks(), spheres());
-    runners! { blocks, spheres,
+/// The methods in lanes.
+pub fn group() -> Group {
+    let blocks = blocks();
+    Group(runners! { blocks,
         half_b f64 Ray Point3 Double;
         half_b_q f64 Ray Point3 Double;
         cross_q f64 Ray Point3 Double;
@@ -97,7 +80,7 @@ pub fn groups() -> [Group; 2] {
         half_b_f32 f32 SingleRay SingleVec3 Single;
         widened_half_b_q_f32 f32 SingleRay SingleVec3 Single;
         certified_f32 f32 SingleRay SingleVec3 Single;
-    }
+    })
 }
 
 /// Rays of the book's camera from all over the picture, block by block, each with the ball
@@ -122,10 +105,4 @@ fn blocks() -> Vec<Block<f64>> {
             })
         })
         .collect()
-}
-
-/// Balls of the book's size, side by side across its picture.
-fn spheres() -> [[f64; BLOCK]; 4] {
-    let x = std::array::from_fn(|k| 0.25 * k as f64 - 0.125 * BLOCK as f64);
-    [x, [0.0; BLOCK], [-1.0; BLOCK], [0.5; BLOCK]]
 }

@@ -44,16 +44,12 @@ impl Population {
 }
 
 /// The ray of a pixel, and the `ball` of the book or its `ground`.
-pub fn pixel(sphere: &str, column: u32, row: u32) -> Case {
+fn pixel(sphere: &str, column: u32, row: u32) -> Case {
     let (center, radius) = match sphere {
         "ball" => (Point3::new(0.0, 0.0, -1.0), 0.5),
         _ => (Point3::new(0.0, -100.5, -1.0), 100.0),
     };
-    Case {
-        center,
-        radius,
-        ray: Camera::new(WIDTH).ray(column, row),
-    }
+    Case::new(center, radius, Camera::new(WIDTH).ray(column, row))
 }
 
 /// How wide the picture is of which all pixels are asked, and how many there are.

@@ -15,7 +15,7 @@ pub fn table(width: u32) -> Table<WrongPixels> {
 }
 
 fn rows(scene: &Scene, width: u32) -> impl Iterator<Item = WrongPixels> {
-    let Drawn { right, by_method } = drawn(scene, METHODS, width, || ());
+    let Drawn { right, by_method } = drawn(scene, METHODS, width);
     let pixels = right.rgb().len() / 3;
     by_method.into_iter().map(move |view| WrongPixels {
         scene: scene.name.clone(),
@@ -79,8 +79,8 @@ impl Off {
     }
 }
 
-/// Draws `scene` by all `methods`, on all threads. Each `row` is told when it is done.
-pub fn drawn(scene: &Scene, methods: &[Method], width: u32, row: impl Fn() + Sync) -> Drawn {
+/// Draws `scene` by all `methods`, on all threads.
+pub fn drawn(scene: &Scene, methods: &[Method], width: u32) -> Drawn {
     let camera = Camera::new(width);
     let rows = (0..camera.image_height).into_par_iter().map(|j| {
         let sights = |eye| -> Vec<Sight> {
@@ -98,7 +98,6 @@ pub fn drawn(scene: &Scene, methods: &[Method], width: u32, row: impl Fn() + Syn
             (bytes(&seen), off, misjudged.count())
         };
         let seen: Vec<_> = methods.iter().map(of_method).collect();
-        row();
         (bytes(&right), seen)
     });
     let (right, seen): (Vec<Vec<u8>>, Vec<Vec<_>>) = rows.unzip();

@@ -13,7 +13,7 @@ mod workload;
 
 pub use certified::{
     D_BAND, Stage, certified_f32, certified_hit, certified_t, exact, exact_discriminant,
-    proven_offset, stage_of_hit, stage_of_t,
+    stage_of_hit, stage_of_t,
 };
 pub use lanes::{BLOCK, certified_in_lanes, in_lanes};
 pub use method::{Discriminant, Method, Solve};

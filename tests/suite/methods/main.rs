@@ -4,7 +4,6 @@ mod contract;
 mod happened;
 mod hostile;
 mod lanes;
-mod leaving;
 mod measured;
 mod methods;
 mod neighbors;

@@ -9,7 +9,7 @@ use std::fs;
 use figures::records::{Accuracy, Level};
 use figures::table::{Record, Table};
 use insta::assert_binary_snapshot;
-use measure::{accuracy, worst, wrong_pixels};
+use measure::{accuracy, wrong_pixels};
 use suite::drawn::shown_in;
 
 /// The book shows these files, so they stand where the book finds them.
@@ -27,11 +27,6 @@ mod the_snapshot_holds {
     #[test]
     fn scenes() {
         assert_measured("scenes", &wrong_pixels::table(WIDTH));
-    }
-
-    #[test]
-    fn worst() {
-        assert_measured("worst", &worst::table());
     }
 }
 

@@ -59,13 +59,7 @@ mod every_method {
     fn each_obeys(law: impl Fn(&RangeSolver) -> TestCaseResult) -> TestCaseResult {
         for method in in_double_precision() {
             let solve = |center, radius, ray: &Ray, t_min, t_max| {
-                let ray = *ray;
-                let case = Case {
-                    center,
-                    radius,
-                    ray,
-                };
-                case.put_to(method, t_min, t_max)
+                Case::new(center, radius, *ray).put_to(method, t_min, t_max)
             };
             let name = method.name;
             law(&solve).map_err(|broken| TestCaseError::fail(format!("{name}:\n{broken}")))?;

@@ -18,7 +18,6 @@ use common::rtweekend::*;
 use measure::contest::Effort;
 use measure::cost;
 use measure::needs::Found;
-use measure::progress::Progress;
 use measure::scene_file::{self, WIDEST};
 use measure::wrong_pixels::{self, Drawn};
 use speed_vs_accuracy::{METHODS, Precision, Scene};
@@ -105,11 +104,8 @@ fn look_into(scene: &Scene, within: f64) -> (Picture, Vec<Found>) {
     precisions.retain(|precision| scene.fits(*precision));
     let mut methods = METHODS.to_vec();
     methods.retain(|method| precisions.contains(&method.precision()));
-    let rows = Camera::new(scene.width).image_height as usize;
-    let progress = Progress::new(rows + EFFORT.rounds);
-    let times = cost::times(scene, &EFFORT, || progress.step());
-    let Drawn { right, by_method } =
-        wrong_pixels::drawn(scene, &methods, scene.width, || progress.step());
+    let times = cost::times(scene, &EFFORT);
+    let Drawn { right, by_method } = wrong_pixels::drawn(scene, &methods, scene.width);
     let (double, single) = by_method
         .into_iter()
         .partition(|view| view.method.precision() == Precision::Double);

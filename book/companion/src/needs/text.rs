@@ -193,7 +193,7 @@ fn cure(culprit: &Culprit, precision: Precision) -> &'static str {
     match precision {
         _ if culprit.is_shadow => {
             "A better t would not help: the ray to the sun starts at a rounded point. \
-             proven_offset of chapter 6 says where it should start, so that no sphere shades itself."
+             A larger t_min passes over the surface that it leaves."
         }
         Precision::Double => {
             "So t is as exact as an f64 can be there, but two spheres are nearer to each other. \

@@ -79,11 +79,7 @@ fn worst(
 ) -> Option<((usize, Case), f64)> {
     let found = spheres.into_iter().flatten().map(|sphere| {
         let (center, radius) = scene.spheres[sphere];
-        let case = Case {
-            center,
-            radius,
-            ray,
-        };
+        let case = Case::new(center, radius, ray);
         ((sphere, case), error(method, &case, t_min))
     });
     found.max_by(|(_, one), (_, other)| one.total_cmp(other))

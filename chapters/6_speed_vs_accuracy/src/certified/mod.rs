@@ -14,7 +14,6 @@
 mod exact;
 mod filter;
 mod fixed_width;
-mod leaving;
 mod refined;
 
 use common::rtweekend::*;
@@ -30,7 +29,6 @@ use fixed_width::fixed_width;
 pub(crate) use exact::comes_before;
 pub use exact::{exact, exact_discriminant};
 pub use filter::D_BAND;
-pub use leaving::proven_offset;
 
 impl Method {
     /// The decision is certain, the digits of t are those of `half_b_q`.

@@ -20,8 +20,7 @@ pub struct Regime {
     pub name: &'static str,
     /// A few words, for charts.
     pub title: &'static str,
-    /// What a level means; empty if there is only one.
-    pub level: &'static str,
+    /// From which k to which, in `f64` and in `f32`.
     levels: [(i32, i32); 2],
     case: fn(&mut Random, level: i32) -> Case,
 }
@@ -46,52 +45,46 @@ impl Regime {
     pub const BOOK: Self = Self {
         name: "book",
         title: "the book’s camera rays",
-        level: "",
         levels: [(0, 0); 2],
         case: |random, _| book(random),
     };
 
-    /// Near a tangent.
+    /// Near a tangent: the line passes the center at (1 ± 10⁻ᵏ) radii.
     pub const GRAZING: Self = Self {
         name: "grazing",
         title: "grazing rays",
-        level: "the line passes the center at (1 ± 10⁻ᵏ) radii",
         levels: [(1, 15), (1, 7)],
         case: grazing,
     };
 
-    /// Small spheres far away.
+    /// Small spheres far away: the ray starts 10ᵏ radii away.
     pub const FAR: Self = Self {
         name: "far",
         title: "a sphere far away",
-        level: "the ray starts 10ᵏ radii away",
         levels: [(1, 15), (1, 6)],
         case: far,
     };
 
-    /// From a point of the surface.
+    /// From a point of the surface, of a sphere with a radius of 10ᵏ.
     pub const NEAR_SURFACE: Self = Self {
         name: "near_surface",
         title: "rays that leave the surface",
-        level: "the sphere has a radius of 10ᵏ",
         levels: [(0, 9), (0, 4)],
         case: near_surface,
     };
 
-    /// Above a sphere as large as an Earth.
+    /// Above a ground with a radius of 10ᵏ, up to that of an Earth and beyond.
     pub const GROUND: Self = Self {
         name: "ground",
         title: "above a huge ground",
-        level: "the ground has a radius of 10ᵏ",
         levels: [(2, 9), (2, 6)],
         case: ground,
     };
 
-    /// From inside the sphere.
+    /// From inside the sphere, (1 − 10⁻ᵏ) radii from the center.
     pub const INSIDE: Self = Self {
         name: "inside",
         title: "from inside",
-        level: "the ray starts at (1 − 10⁻ᵏ) radii from the center",
         levels: [(0, 12), (0, 5)],
         case: inside,
     };
@@ -146,11 +139,7 @@ fn book(random: &mut Random) -> Case {
         0 => (Point3::new(0.0, 0.0, -1.0), 0.5),
         _ => (Point3::new(0.0, -100.5, -1.0), 100.0),
     };
-    Case {
-        center,
-        radius,
-        ray,
-    }
+    Case::new(center, radius, ray)
 }
 
 /// From 3 radii away, along a line that just meets the sphere or just misses.
@@ -171,11 +160,7 @@ fn near_surface(random: &mut Random, level: i32) -> Case {
     let (center, radius) = sphere(random, power_of_ten(level));
     let normal = random.direction();
     let ray = Ray::new(center + radius * normal, normal + random.direction());
-    Case {
-        center,
-        radius,
-        ray,
-    }
+    Case::new(center, radius, ray)
 }
 
 /// In any direction, from 0.01 to 10 above a sphere as large as an Earth.
@@ -196,11 +181,7 @@ fn inside(random: &mut Random, level: i32) -> Case {
     let depth = 1.0 - 1.0 / power_of_ten(level);
     let origin = center + radius * depth * random.direction();
     let ray = Ray::new(origin, random.direction());
-    Case {
-        center,
-        radius,
-        ray,
-    }
+    Case::new(center, radius, ray)
 }
 
 /// A ray that starts `away` radii before a sphere of ordinary size, and whose
@@ -213,11 +194,7 @@ fn aimed(random: &mut Random, away: f64, miss_by: f64) -> Case {
     let closest = center + radius * miss_by * sideways;
     let length = random.between(0.5, 2.0);
     let ray = Ray::new(closest - radius * away * forward, length * forward);
-    Case {
-        center,
-        radius,
-        ray,
-    }
+    Case::new(center, radius, ray)
 }
 
 /// A sphere within a few radii of the origin.

@@ -77,12 +77,7 @@ impl Scene {
         rays.extend(self.sun.map(|sun| Ray::new(Point3::ZERO, sun)));
         self.spheres.iter().all(|&(center, radius)| {
             rays.iter().all(|&ray| {
-                let case = Case {
-                    center,
-                    radius,
-                    ray,
-                };
-                let case = case.rounded(precision);
+                let case = Case::new(center, radius, ray).rounded(precision);
                 let is_something = case.radius != 0.0 && case.ray.direction != Vec3::ZERO;
                 is_something && case.numbers().iter().all(|number| number.is_finite())
             })
