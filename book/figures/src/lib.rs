@@ -20,7 +20,6 @@ mod normal;
 mod normal_colors;
 pub mod number;
 mod parameters;
-mod passing;
 mod pixels;
 mod plane;
 mod projection;
@@ -45,7 +44,7 @@ pub use style::{CSS, standalone};
 pub use svg::Svg;
 pub use text::{escape, html};
 
-/// All figures, in reading order: the nine of the notes, and eight more.
+/// All figures, in reading order: the nine of the notes, and five more.
 pub static FIGURES: &[&Figure] = &[
     &ray::LIVE.figure,
     &camera_frame::LIVE.figure,
@@ -53,7 +52,6 @@ pub static FIGURES: &[&Figure] = &[
     &unit_sky::FIGURE,
     &sphere_test::FIGURE,
     &roots::FIGURE,
-    &passing::FIGURE,
     &discriminant::LIVE.figure,
     &projection::LIVE.figure,
     &normal::LIVE.figure,

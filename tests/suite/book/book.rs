@@ -65,26 +65,6 @@ fn the_index_of_the_search_has_at_most_500_kilobytes() {
     assert!(bytes <= 500_000, "{bytes}");
 }
 
-/// mdBook sends an old link on, but does not look where.
-#[test]
-fn every_redirect_leads_to_a_heading() {
-    let pages = pages();
-    let has = |address: &str| {
-        let (path, id) = address.split_once('#').unwrap_or((address, ""));
-        let page = pages.iter().find(|page| page.name == path);
-        page.is_some_and(|page| id.is_empty() || page.has(id))
-    };
-    let book = fs::read_to_string(Path::new(NOTES).join("../book.toml")).expect("book.toml");
-    for line in book.lines().filter(|line| line.starts_with("\"/")) {
-        let ends: Vec<&str> = line.split('"').collect();
-        assert!(
-            !has(ends[1].trim_start_matches('/')),
-            "it is still there: {line}"
-        );
-        assert!(has(ends[3]), "it leads nowhere: {line}");
-    }
-}
-
 /// In a code span no directive is seen: `{{value …}}` would stand there as it is.
 #[test]
 fn no_directive_is_left() {

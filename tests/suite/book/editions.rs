@@ -68,20 +68,6 @@ fn every_mixture_finds_the_root_of_the_ray_or_of_the_ray_turned_round() {
 }
 
 #[test]
-fn one_turned_sign_shows_the_sky_and_two_show_the_sphere() {
-    for (chapter, signs) in SIGNS {
-        for turned in subsets(signs) {
-            let drawn = with_slips(chapter, &turned).run(128).picture();
-            let expected = match turned.len() % 2 {
-                0 => normals::picture(128),
-                _ => gradient::picture(128),
-            };
-            assert_eq!(drawn, expected, "{turned:?} in {chapter:?}");
-        }
-    }
-}
-
-#[test]
 fn in_chapter_5_one_turned_sign_hangs_the_ground_in_the_sky() {
     cancel_each_other("minus-h", "oc-reversed", 128);
 }

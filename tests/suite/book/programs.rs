@@ -1,5 +1,4 @@
-//! What pages say of programs: the book's C++, of any edition, prints the same bytes as
-//! ours, which take little memory.
+//! What pages say of programs: the book's C++, of any edition, prints the same bytes as ours.
 
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -71,39 +70,5 @@ fn each_edition_draws_what_its_program_in_cpp_draws() {
                 "{chapter:?} of version {name} at {width} wide"
             );
         }
-    }
-}
-
-/// `speed.md` says that memory does not grow with the picture. The widest one is not waited for:
-/// its memory is at its height when the first megabytes are there.
-#[cfg(target_os = "linux")]
-#[test]
-#[ignore = "builds the programs of two chapters"]
-fn printing_takes_less_than_6_mib_of_memory_at_any_width() {
-    use std::fs;
-    use std::io::Read;
-    use std::process::Stdio;
-
-    use suite::command::program_with;
-
-    for (chapter, width, read) in [
-        ("hittable_list", "400", 1 << 19),
-        ("normals", "3840", 8 << 20),
-        ("hittable_list", "16384", 8 << 20),
-    ] {
-        let mut command = program_with(chapter, &["--width", width, "-"]);
-        let mut child = command.stdout(Stdio::piped()).spawn().expect("it starts");
-        let mut out = child.stdout.take().expect("it was asked for");
-        out.read_exact(&mut vec![0; read]).expect("it prints");
-        let status = fs::read_to_string(format!("/proc/{}/status", child.id())).expect("it runs");
-        child.kill().expect("it is ours");
-        child.wait().expect("it ends");
-        let most = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-        let most = most.and_then(|line| line.trim().strip_suffix(" kB"));
-        let kibibytes: u32 = most.expect("a number").parse().expect("a number");
-        assert!(
-            kibibytes < 6 << 10,
-            "{chapter} at {width} wide: {kibibytes} KiB"
-        );
     }
 }
