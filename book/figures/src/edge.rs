@@ -3,9 +3,7 @@
 
 use std::sync::LazyLock;
 
-use speed_vs_accuracy::{
-    Case, D_BAND, Method, Precision, Stage, beside, exact_discriminant, stage_of_hit, tangent,
-};
+use speed_vs_accuracy::{Case, D_BAND, Method, Precision, Stage, beside, stage_of_hit, tangent};
 
 use crate::vocabulary::*;
 
@@ -40,9 +38,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
             at the lower left and misses at the upper right. In the left map, by half_b, cells along the \
             border are marked in a broad band: there it decides wrongly. In the right map, by certified_hit, \
             the border is straight, and all cells are shaded that integers had to decide. Below is an axis of \
-            how large a cell is, from two to the power of 48 ulps to a single one, with a mark at the end. \
-            Below that is an axis of D with a bar around 0 on it, which is the bound, and two marks: D as it \
-            is computed, and D as it is.",
+            how large a cell is, from two to the power of 48 ulps to a single one, with a mark at the end.",
         caption: "Each cell is a ray, the same on the left and on the right; the circle is a tangent, the square \
             is the chosen ray. Tinted cells are hits. On the left the cells are marked that the method decides \
             wrongly, on the right those that the filter leaves to integers.",
@@ -125,9 +121,8 @@ const MAPS: [Plane; 2] = [
 ];
 const SIDE: f64 = 7.5;
 
-/// The sizes of a cell, and D in bounds.
+/// The sizes of a cell.
 const SIZES: Axis = Axis::new(20.0, 258.0, 360.0, 0.0, MOST_DOUBLINGS);
-const IN_BOUNDS: Axis = Axis::new(32.0, 334.0, 336.0, -2.4, 2.4);
 
 /// What is decided about a ray, and by whom.
 struct Decision {
@@ -186,9 +181,9 @@ impl Parameters {
     }
 }
 
-/// Draws both maps of these decisions, the axis of sizes, and D of the chosen cell.
+/// Draws both maps of these decisions, and the axis of sizes.
 fn draw(it: &Parameters, decisions: &[Decision]) -> Svg {
-    let mut svg = LIVE.figure.sheet(378.0);
+    let mut svg = LIVE.figure.sheet(304.0);
     let set = |of: fn(&Decision) -> bool| decisions.iter().map(of).collect::<Vec<bool>>();
     let (hits, wrong) = (set(|it| it.hits), set(Decision::is_wrong));
     let words = format!("wrong: {}", wrong.iter().filter(|it| **it).count());
@@ -202,7 +197,6 @@ fn draw(it: &Parameters, decisions: &[Decision]) -> Svg {
     draw_map(&mut svg, it, MAPS[1], "certified_hit", &cells);
     svg.key(INTEGERS, DVec2::new(208.0, 218.0), "integers");
     draw_sizes(&mut svg, it.doublings);
-    draw_discriminants(&mut svg, &it.case(it.cell));
     svg
 }
 
@@ -234,27 +228,4 @@ fn ulps(doublings: f64) -> String {
         0.0 => "1 ulp".to_owned(),
         _ => format!("2{} ulps", raised(doublings as i32)),
     }
-}
-
-/// An axis of D around 0, counted in bounds.
-fn draw_discriminants(svg: &mut Svg, case: &Case) {
-    let [low, high] = [-1.0, 1.0].map(|bounds| IN_BOUNDS.point(bounds));
-    svg.arrow("ink line", IN_BOUNDS.start, IN_BOUNDS.end.right(12.0));
-    svg.rect("viewport wash", low.down(-6.0), (high - low).down(12.0));
-    for (bounds, words) in [(-1.0, "−bound"), (0.0, "0"), (1.0, "bound")] {
-        let at = IN_BOUNDS.point(bounds);
-        svg.line("viewport line", at.down(-6.0), at.down(6.0));
-        svg.small_label("viewport", at.down(20.0), Middle, words);
-    }
-    let exact = exact_discriminant(case.center, case.radius, &case.ray).expect("finite numbers");
-    let computed = case.discriminant();
-    let [found, right] = [computed, exact].map(|it| IN_BOUNDS.point(it / bound(case)));
-    svg.line("ink bold", right.down(-10.0), right.down(10.0));
-    svg.circle("ray solid", found, 4.5);
-    // So that the words stay on the sheet.
-    let beside = |at: DVec2, down| spot(at.x.clamp(100.0, 300.0), at.y + down);
-    let words = format!("the filter's *D*: {}", printed(computed));
-    svg.small_label("ray", beside(found, -16.0), Middle, &words);
-    let words = format!("*D* exactly: {}", printed(exact));
-    svg.small_label("ink", beside(right, 37.0), Middle, &words);
 }

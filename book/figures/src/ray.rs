@@ -20,8 +20,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         title: "Points on a ray",
         description: "A straight line rises to the right. It passes through a point Q, where t is 0. \
             An arrow d leads from Q to the point where t is 1. Equal steps further on t is 2, where the \
-            point P is, and 3. On the other side of Q the line is dashed, and t is negative. It says \
-            that P is Q plus twice d, and how far from Q that is.",
+            point P is, and 3. On the other side of Q the line is dashed, and t is negative.",
         caption: "**P**(*t*) = **Q** + *t* **d**. Each *t* is a place on the line: from one whole number to the next it \
             is one arrow **d**. Behind **Q**, *t* is negative.",
         draw: || LIVE.on_page(),
@@ -96,8 +95,7 @@ const MARKS: [f64; 5] = [-1.0, 0.0, 1.0, 2.0, 3.0];
 
 /// Draws the ray with its marks, and the point P.
 fn draw(ray: &Ray, t: f64) -> Svg {
-    // Below the scene is room for the formulas, which nothing that is dragged can reach.
-    let mut svg = LIVE.figure.sheet(SIZE.y + 48.0);
+    let mut svg = LIVE.figure.sheet(SIZE.y);
     let at = |t| PLANE.point(ray.at(t));
     PLANE.draw_line(&mut svg, ray, SIZE, f64::INFINITY);
     if let Some((first, last)) = PLANE.on_sheet(ray, SIZE) {
@@ -110,7 +108,6 @@ fn draw(ray: &Ray, t: f64) -> Svg {
     svg.label("ink", at(0.0) + beside, Middle, "**Q**");
     svg.circle("ink hollow", at(t), 6.0);
     svg.label("ink", at(t) + beside, Middle, "**P**");
-    svg.readout(spot(14.0, SIZE.y + 20.0), &formulas(ray, t));
     svg
 }
 
@@ -129,14 +126,4 @@ fn draw_mark(svg: &mut Svg, ray: &Ray, mark: f64) {
         let words = format!("*t* = {}", spoken(mark));
         svg.small_label("faint", beyond, anchor, &words);
     }
-}
-
-/// What P is, and how far from Q.
-fn formulas(ray: &Ray, t: f64) -> [String; 2] {
-    let length = ray.direction.length();
-    let [t, distance, length] = [t, t * length, length].map(spoken);
-    [
-        format!("**P**({t}) = **Q** + {t} **d**"),
-        format!("from **Q**: *t* · |**d**| = {t} · {length} = {distance}"),
-    ]
 }
