@@ -393,8 +393,8 @@ impl Lowerer<'_> {
             syn::Expr::Loop(it) => self.endless_loop(it),
             syn::Expr::ForLoop(it) => self.for_loop(it),
             syn::Expr::Break(it) => self.leave_loop(it),
-            syn::Expr::Continue(it) => {
-                self.inside_a_loop(it.label.as_ref(), self.at(expr), "continue")?;
+            syn::Expr::Continue(_) => {
+                self.inside_a_loop(self.at(expr), "continue")?;
                 Ok(Typed::new(Node::Continue, Head::Never))
             }
             syn::Expr::Return(it) => self.returned(it, self.at(expr)),
@@ -491,9 +491,10 @@ impl Lowerer<'_> {
             "" => Ok(None),
             "f64" => Ok(Some(Head::F64)),
             "f32" => Err(Refusal::unknown(place, SINGLES)),
-            name => match Int::named(name) {
-                Some(int) => Ok(Some(Head::Int(int))),
-                None => {
+            name => match self.names.found(self.context.module, &[name.to_owned()]) {
+                Ok(Named::Type(Type(head @ Head::Int(_), _))) => Ok(Some(head)),
+                Ok(Named::Standard(_)) => Err(Refusal::unknown(place, &format!("`{name}`"))),
+                _ => {
                     let message = format!("invalid suffix `{name}` for {what} literal");
                     let help = format!("a sign is missing before `{name}`, or a blank");
                     Err(Refusal::new(
@@ -865,7 +866,9 @@ impl Lowerer<'_> {
             ..self.at(&it.left)
         };
         let Some(operator) = operator(&it.op) else {
-            return Err(Refusal::unknown(at, "this operator"));
+            let sign = it.op.span().source_text().unwrap_or_default();
+            let types = [self.expr(&it.left)?.ty, self.expr(&it.right)?.ty];
+            return Err(self.names.no_bits(&sign, [&types[0], &types[1]], at));
         };
         let bool = Type::from(Head::Bool);
         match operator {
@@ -884,10 +887,6 @@ impl Lowerer<'_> {
                     .comparable(order, types, at, self.at(&it.right))?;
                 let nodes = [left, right].map(|it| self.stripped(it).node);
                 Ok(Typed::new(Node::Compare(order, Box::new(nodes), at), bool))
-            }
-            Operator::Bits(sign) => {
-                let (left, right) = (self.expr(&it.left)?, self.expr(&it.right)?);
-                Err(self.names.no_bits(sign, [&left.ty, &right.ty], at))
             }
             Operator::Arithmetic(sign, is_assignment) => {
                 let (left, right) = (self.expr(&it.left)?, self.expr(&it.right)?);

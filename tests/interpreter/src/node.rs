@@ -133,7 +133,7 @@ pub(crate) struct Arm {
 #[derive(Clone, Debug)]
 pub(crate) enum Pattern {
     Any,
-    Bind(usize, Box<Pattern>),
+    Bind(usize),
     Literal(Node),
     None,
     Some(Box<Pattern>),
@@ -160,8 +160,7 @@ impl Pattern {
     /// Whether every value matches.
     pub(crate) fn is_irrefutable(&self) -> bool {
         match self {
-            Self::Any => true,
-            Self::Bind(_, pattern) => pattern.is_irrefutable(),
+            Self::Any | Self::Bind(_) => true,
             Self::Fields(all) => all.iter().all(|(_, it)| it.is_irrefutable()),
             Self::Many(all) => all.iter().all(Self::is_irrefutable),
             _ => false,

@@ -15,8 +15,6 @@ pub(crate) enum Operator {
     Compare(Order),
     And,
     Or,
-    /// Of bits, which no chapter has: a `^` is meant as a power.
-    Bits(&'static str),
 }
 
 pub(crate) fn operator(op: &syn::BinOp) -> Option<Operator> {
@@ -28,11 +26,6 @@ pub(crate) fn operator(op: &syn::BinOp) -> Option<Operator> {
         Op::Mul(_) => Arithmetic(Sign::Times, false),
         Op::Div(_) => Arithmetic(Sign::Over, false),
         Op::Rem(_) => Arithmetic(Sign::Remainder, false),
-        Op::BitAnd(_) => Operator::Bits("&"),
-        Op::BitOr(_) => Operator::Bits("|"),
-        Op::BitXor(_) => Operator::Bits("^"),
-        Op::Shl(_) => Operator::Bits("<<"),
-        Op::Shr(_) => Operator::Bits(">>"),
         Op::AddAssign(_) => Arithmetic(Sign::Plus, true),
         Op::SubAssign(_) => Arithmetic(Sign::Minus, true),
         Op::MulAssign(_) => Arithmetic(Sign::Times, true),
@@ -171,7 +164,7 @@ impl Names {
         Refusal::new(at, &message, "", help)
     }
 
-    /// The same of bits, where the compiler has none for these types.
+    /// The same of bits, which no chapter has: a `^` is meant as a power.
     pub(crate) fn no_bits(&self, sign: &str, types: [&Type; 2], at: At) -> Refusal {
         let has_bits = |it: &Type| it.is_integer() || it.is(Head::Bool) || it.is_unknown();
         if types.into_iter().all(has_bits) {

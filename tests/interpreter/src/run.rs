@@ -565,7 +565,7 @@ impl<'c> Machine<'c> {
     fn bound(&mut self, pattern: &Pattern, value: &Node, other: Option<&Node>) -> Eval {
         let value = self.operand(value)?;
         match pattern {
-            Pattern::Bind(slot, inner) if matches!(**inner, Pattern::Any) => {
+            Pattern::Bind(slot) => {
                 let slot = self.base + slot;
                 self.stack[slot] = value;
             }
@@ -830,10 +830,10 @@ impl<'c> Machine<'c> {
     fn binds(&mut self, pattern: &Pattern, value: &Value) -> Eval<bool> {
         match pattern {
             Pattern::Any => return Ok(true),
-            Pattern::Bind(slot, pattern) => {
+            Pattern::Bind(slot) => {
                 let slot = self.base + slot;
                 self.stack[slot] = value.clone();
-                return self.binds(pattern, value);
+                return Ok(true);
             }
             _ => {}
         }

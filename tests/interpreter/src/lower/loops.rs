@@ -37,7 +37,7 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn leave_loop(&mut self, it: &syn::ExprBreak) -> Lowered {
-        self.inside_a_loop(it.label.as_ref(), self.at_any(it), "break")?;
+        self.inside_a_loop(self.at_any(it), "break")?;
         let value = match &it.expr {
             Some(value) => self.expr(value)?.node,
             None => Node::Unit,
@@ -60,19 +60,11 @@ impl Lowerer<'_> {
         Ok((node, self.loops.pop().unwrap_or_default()))
     }
 
-    pub(super) fn inside_a_loop(
-        &self,
-        label: Option<&syn::Lifetime>,
-        at: At,
-        word: &str,
-    ) -> Lowered<()> {
-        match label {
-            Some(_) => Err(Refusal::unknown(at, "labels of loops")),
-            None if self.loops.is_empty() => {
-                self.refused(at, format!("`{word}` outside of a loop"))
-            }
-            None => Ok(()),
+    pub(super) fn inside_a_loop(&self, at: At, word: &str) -> Lowered<()> {
+        if self.loops.is_empty() {
+            return self.refused(at, format!("`{word}` outside of a loop"));
         }
+        Ok(())
     }
 
     /// What a loop goes over, and the type of each.

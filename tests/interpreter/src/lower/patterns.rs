@@ -61,10 +61,9 @@ impl Lowerer<'_> {
 
     /// A name for what is there.
     fn name(&mut self, it: &syn::PatIdent, ty: &Type, is_late: bool) -> Lowered<Pattern> {
-        let inner = match &it.subpat {
-            Some((_, pattern)) => self.pattern(pattern, ty, is_late)?,
-            None => Pattern::Any,
-        };
+        if it.subpat.is_some() {
+            return Err(Refusal::unknown(self.at_any(it), "patterns with `@`"));
+        }
         let ty = match it.by_ref {
             Some(_) => Type::of(Head::Ref, ty.clone()),
             None => ty.clone(),
@@ -74,7 +73,7 @@ impl Lowerer<'_> {
             ty,
             it.mutability.is_some() || is_late,
         );
-        Ok(Pattern::Bind(slot, Box::new(inner)))
+        Ok(Pattern::Bind(slot))
     }
 
     fn tuple_pattern(
