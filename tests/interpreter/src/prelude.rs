@@ -236,18 +236,6 @@ fn bool(value: bool) -> Eval {
     Ok(Value::Bool(value))
 }
 
-/// An integer of the same type.
-fn int(like: &Value, value: i128) -> Eval {
-    Ok(Value::Int(value, kind(like)))
-}
-
-fn kind(value: &Value) -> Int {
-    match value {
-        Value::Int(_, int) => *int,
-        _ => Int::Any,
-    }
-}
-
 fn text(value: String) -> Eval {
     Ok(Value::Str(Rc::new(value)))
 }
@@ -351,8 +339,10 @@ library! {
             |_, a, _| option(a[0].compared(&a[1]).map(Value::Ordering));
     }
     "int" {
-        fn max(self, other: Own) -> Own => |_, a, _| int(&a[0], a[0].int().max(a[1].int()));
-        fn min(self, other: Own) -> Own => |_, a, _| int(&a[0], a[0].int().min(a[1].int()));
+        fn max(self, other: Own) -> Own =>
+            |_, a, _| Ok(a[usize::from(a[1].int() > a[0].int())].clone());
+        fn min(self, other: Own) -> Own =>
+            |_, a, _| Ok(a[usize::from(a[1].int() < a[0].int())].clone());
     }
     "bool" {
         fn then_some(self, value: U) -> Option<U> =>

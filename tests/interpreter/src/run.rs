@@ -950,13 +950,11 @@ impl<'c> Machine<'c> {
             Head::Vec => Value::Many(Rc::default()),
             Head::Box => self.default(&ty.1[0])?,
             Head::Tuple if ty.1.is_empty() => Value::Unit,
-            Head::Tuple => Value::Tuple(self.defaults(ty.1.iter())?),
-            Head::Array(length) => Value::Many(Rc::new(vec![self.default(&ty.1[0])?; length])),
             Head::Own(kind) => match code.names.method(ty, "default", None) {
                 Some(own) => self.run(own, &[], At::default())?,
                 None => {
                     let fields = code.names.kinds[kind].fields.iter();
-                    let fields = self.defaults(fields.map(|it| &it.ty))?;
+                    let fields = fields.map(|it| self.default(&it.ty)).collect::<Eval<_>>()?;
                     Value::Own(kind as u32, Fields(fields))
                 }
             },
@@ -968,10 +966,6 @@ impl<'c> Machine<'c> {
                 return self.refuse(Refusal::new(At::default(), &message, "", "cargo does"));
             }
         })
-    }
-
-    fn defaults<'t>(&mut self, types: impl Iterator<Item = &'t Type>) -> Eval<Rc<[Value]>> {
-        types.map(|it| self.default(it)).collect()
     }
 }
 

@@ -585,16 +585,11 @@ impl Names {
             let syn::GenericParam::Type(parameter) = parameter else {
                 continue;
             };
-            let bounds = if parameter.bounds.is_empty() {
-                where_bounds(&it.generics, &parameter.ident)
-            } else {
-                Some(&parameter.bounds)
-            };
-            let ty = match bounds {
-                Some(bounds) => self.bounded(&context, bounds)?,
-                None => Type::UNKNOWN,
-            };
+            let ty = self.bounded(&context, &parameter.bounds)?;
             context.parameters.insert(parameter.ident.to_string(), ty);
+        }
+        if let Some(clause) = &it.generics.where_clause {
+            return Err(Refusal::unknown(at(file, clause), "`where`"));
         }
         let parameters = it.inputs.iter().map(|input| match input {
             syn::FnArg::Typed(input) => self.ty(&context, &input.ty),
@@ -758,20 +753,6 @@ impl Names {
         }
         Ok(Type::UNKNOWN)
     }
-}
-
-fn where_bounds<'a>(
-    generics: &'a syn::Generics,
-    name: &syn::Ident,
-) -> Option<&'a Punctuated<syn::TypeParamBound, syn::Token![+]>> {
-    let mut predicates = generics.where_clause.iter().flat_map(|it| &it.predicates);
-    predicates.find_map(|it| match it {
-        syn::WherePredicate::Type(it) => match &it.bounded_ty {
-            syn::Type::Path(ty) if ty.path.is_ident(name) => Some(&it.bounds),
-            _ => None,
-        },
-        _ => None,
-    })
 }
 
 fn literal(length: &syn::Expr) -> Option<usize> {
