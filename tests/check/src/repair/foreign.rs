@@ -8,7 +8,6 @@ use super::functions::{Files, Function, functions, with};
 use super::goal::{DRAWN, LOOKED, draws, program};
 use super::spelling::{in_rust, plain};
 use super::tree::{Tree, squeezed};
-use super::{Change, Repair, Right};
 use crate::reading::Reading;
 use crate::scene::Scene;
 use crate::sources::Line;
@@ -35,13 +34,13 @@ struct Place<'a> {
 }
 
 /// The reader's line with which the chapter draws the reader's picture, in the edition to which
-/// the reader keeps.
+/// the reader keeps, and the chapter's line in its place.
 pub(super) fn repair(
     chapter: Chapter,
     theirs: &Files,
     yours: &[(String, String)],
     reading: &Reading,
-) -> Option<Repair> {
+) -> Option<(Line, String)> {
     let yours = yours.iter().flat_map(|(name, text)| statements(name, text));
     let yours: Vec<Statement> = yours.collect();
     let editions = [false, true].map(|is_older| with_a_camera(chapter, theirs, is_older));
@@ -191,7 +190,12 @@ impl Place<'_> {
         renamed(value, &renames)
     }
 
-    fn repair(&self, wrong: &[&Statement], files: &Files, reading: &Reading) -> Option<Repair> {
+    fn repair(
+        &self,
+        wrong: &[&Statement],
+        files: &Files,
+        reading: &Reading,
+    ) -> Option<(Line, String)> {
         let scored = wrong.iter().filter(|it| self.takes(it)).map(|it| {
             let value = self.spell(&it.value);
             let named = if it.role == self.role { 0.4 } else { 0.0 };
@@ -213,14 +217,7 @@ impl Place<'_> {
             .into_iter()
             .take(TRIED)
             .find(|(_, value, _)| is_it(value))?;
-        Some(Repair {
-            changes: vec![Change {
-                yours: statement.line.clone(),
-                right: Right::InRust(squeezed(&self.statement())),
-            }],
-            files: Files::new(),
-            is_hidden: false,
-        })
+        Some((statement.line.clone(), squeezed(&self.statement())))
     }
 
     /// The line of the chapter around it.

@@ -4,24 +4,19 @@
 use super::edit::{Edit, Proposal, ranked, roots};
 use super::functions::Function;
 use super::letters::locals;
-use super::tree::{ATOM, Tree};
+use super::tree::Tree;
 
 /// Each is less likely than an edit that brings the chapter nearer.
 const UNLIKELY: u32 = 5;
 /// What a function is given is often in the wrong order.
 const EXCHANGED: u32 = 3;
-/// Signs, comparisons and methods, each of which is mistaken for the others of its group.
-const MISTAKEN: [&[&str]; 10] = [
+/// Signs and fields, each of which is mistaken for the others of its group.
+const MISTAKEN: [&[&str]; 5] = [
     &["+", "-"],
     &["*", "/"],
     &["<", ">", "<=", ">="],
     &["&&", "||"],
-    &["length", "length_squared"],
-    &["min", "max"],
-    &["first", "last"],
-    &["any", "all"],
     &["x", "y", "z"],
-    &["origin", "direction"],
 ];
 /// Of so many names in an expression each is swapped with each other.
 const SWAPPED: usize = 8;
@@ -33,7 +28,6 @@ pub(super) fn edits(yours: &Function) -> Vec<Edit> {
     names.sort();
     names.dedup();
     let mut known = Known {
-        text: &yours.text,
         names,
         proposals: Vec::new(),
     };
@@ -45,13 +39,12 @@ pub(super) fn edits(yours: &Function) -> Vec<Edit> {
 }
 
 /// What can take the place of something else.
-struct Known<'a> {
-    text: &'a str,
+struct Known {
     names: Vec<String>,
     proposals: Vec<Proposal>,
 }
 
-impl Known<'_> {
+impl Known {
     fn walk(&mut self, node: &Tree, least: u8) {
         self.mistaken(node, least);
         self.negated(node, least);
@@ -70,7 +63,7 @@ impl Known<'_> {
             .push(Proposal::new(node.at.clone(), new, penalty));
     }
 
-    /// One sign, method or field for another of its group.
+    /// One sign or field for another of its group.
     fn mistaken(&mut self, node: &Tree, least: u8) {
         let Some(name) = node.sign().or(node.member()) else {
             return;
@@ -86,10 +79,7 @@ impl Known<'_> {
 
     /// A sign that may have been forgotten.
     fn negated(&mut self, node: &Tree, least: u8) {
-        let is_value = self.names.contains(&node.text())
-            || node.member().is_some()
-            || node.op.starts_with("□(")
-            || matches!(node.sign(), Some("+" | "-" | "*" | "/"));
+        let is_value = self.names.contains(&node.text()) || node.member().is_some();
         if is_value && node.op != "self" {
             let negated = Tree::new("-□", vec![node.clone()]);
             self.propose(node, negated.within(least), 3);
@@ -108,21 +98,15 @@ impl Known<'_> {
         }
     }
 
-    /// Two parts that follow each other, in the other order: of a difference, a quotient, a
-    /// comparison or a list, what a function is given, and the statements of a block.
+    /// Two values that a function is given, in the other order.
     fn exchanged(&mut self, node: &Tree) {
         let is_call = node.op.starts_with("□(");
-        let is_sign = matches!(node.sign(), Some("-" | "/" | "<" | ">"));
-        let is_ordered = is_call || is_sign || node.is_block() || node.op.starts_with(['(', '[']);
-        let parts = &node.parts[usize::from(is_call)..];
-        for pair in parts.windows(2).filter(|_| is_ordered) {
-            let least = if is_sign { ATOM } else { 0 };
-            let [one, other] = [&pair[0], &pair[1]].map(|it| it.within(least));
-            let between = &self.text[pair[0].at.end..pair[1].at.start];
-            let at = pair[0].at.start..pair[1].at.end;
-            let new = format!("{other}{between}{one}");
-            let penalty = if is_call { EXCHANGED } else { UNLIKELY };
-            self.proposals.push(Proposal::new(at, new, penalty).whole());
+        for n in (2..node.parts.len()).filter(|_| is_call) {
+            let mut other = node.clone();
+            other.parts.swap(n - 1, n);
+            let at = node.at.clone();
+            self.proposals
+                .push(Proposal::new(at, other.text(), EXCHANGED));
         }
     }
 }

@@ -68,6 +68,18 @@ impl Repair {
         changes.all(|it| matches!(it.right, Right::Line(_)))
     }
 
+    /// What the chapter has in the place of a line in another language.
+    fn in_rust(chapter: Chapter, reading: &Reading, sources: &Sources) -> Option<Self> {
+        let theirs = right_files(chapter);
+        let (yours, line) = foreign::repair(chapter, &theirs, &sources.files(), reading)?;
+        let right = Right::InRust(line);
+        Some(Self {
+            changes: vec![Change { yours, right }],
+            files: Files::new(),
+            is_hidden: false,
+        })
+    }
+
     /// What makes a program right that draws this picture of the scene.
     pub(crate) fn of(scene: &Scene, reading: &Reading, sources: &Sources) -> Option<Self> {
         let files = sources.in_rust();
@@ -75,8 +87,7 @@ impl Repair {
             return None;
         }
         if files.is_empty() {
-            let (chapter, files) = (scene.chapter, sources.files());
-            return foreign::repair(chapter, &right_files(chapter), &files, reading);
+            return Self::in_rust(scene.chapter, reading, sources);
         }
         let yours = program(&files)?;
         let has_a_loop = files.iter().any(|(_, text)| text.contains("struct Ray"));

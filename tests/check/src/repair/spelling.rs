@@ -1,6 +1,8 @@
 //! Translation, token by token: an expression of Python or C++ as the same in Rust, and Rust in
 //! the fewest words.
 
+use std::borrow::Cow;
+
 use super::tree::{Reader, Tree};
 
 /// Longer expressions are left alone, and those with more signs that each may be a level deeper.
@@ -23,19 +25,12 @@ pub(super) fn in_rust(text: &str, is_python: bool) -> Option<Tree> {
 }
 
 fn translated(text: &str, is_python: bool) -> String {
-    let tokens = tokens(text);
-    let divided = if is_python {
-        Vec::new()
-    } else {
-        divided(&tokens)
-    };
-    let tokens = if is_python {
-        tokens
-    } else {
-        divided.iter().map(String::as_str).collect()
-    };
+    let mut tokens = tokens(text);
+    if !is_python {
+        divide(&mut tokens);
+    }
     let mut rust = String::new();
-    let mut rest = tokens.iter().copied().peekable();
+    let mut rest = tokens.iter().map(|it| &**it).peekable();
     while let Some(token) = rest.next() {
         match (token, rest.peek().copied().unwrap_or_default()) {
             ("std" | "math" | "np", "::" | ".") => drop(rest.next()),
@@ -75,30 +70,24 @@ fn translated(text: &str, is_python: bool) -> String {
 }
 
 /// Divides whole numbers as C++ does: `1 / 2` becomes `0`.
-fn divided(tokens: &[&str]) -> Vec<String> {
-    let mut all: Vec<String> = Vec::new();
-    for token in tokens {
-        let quotient = match &all[..] {
-            // What stands behind a product is divided as a whole.
-            [.., before, _, _] if ["*", "/", "%"].contains(&&**before) => None,
-            [.., one, sign] if sign == "/" => {
-                let [one, other] = [one, *token].map(|it| it.parse::<u32>().ok());
-                one.zip(other)
-                    .and_then(|(one, other)| one.checked_div(other))
+fn divide(tokens: &mut Vec<Cow<str>>) {
+    let mut n = 0;
+    while n + 2 < tokens.len() {
+        // What stands behind a product is divided as a whole.
+        let is_first = n == 0 || !["*", "/", "%"].contains(&&*tokens[n - 1]);
+        let whole = |n: usize| tokens[n].parse::<u32>().ok();
+        let quotient = whole(n).zip(whole(n + 2));
+        match quotient.and_then(|(one, other)| one.checked_div(other)) {
+            Some(quotient) if is_first && tokens[n + 1] == "/" => {
+                let quotient = Cow::Owned(quotient.to_string());
+                tokens.splice(n..n + 3, [quotient]);
             }
-            _ => None,
-        };
-        match quotient {
-            Some(quotient) => all
-                .splice(all.len() - 2.., [quotient.to_string()])
-                .for_each(drop),
-            None => all.push((*token).to_owned()),
+            _ => n += 1,
         }
     }
-    all
 }
 
-fn tokens(text: &str) -> Vec<&str> {
+fn tokens(text: &str) -> Vec<Cow<'_, str>> {
     const SIGNS: [&str; 9] = ["->", "**", "&&", "||", "<=", ">=", "==", "!=", "::"];
     let is_word = |c: char| c.is_alphanumeric() || c == '_';
     let mut tokens = Vec::new();
@@ -115,7 +104,7 @@ fn tokens(text: &str) -> Vec<&str> {
             ),
         };
         let (token, after) = rest.split_at(length.unwrap_or(rest.len()));
-        tokens.push(token);
+        tokens.push(Cow::Borrowed(token));
         rest = after.trim_start();
     }
     tokens
@@ -124,55 +113,26 @@ fn tokens(text: &str) -> Vec<&str> {
 /// The same in the fewest words: methods for functions, one name for all vectors, fields for
 /// functions that return them.
 pub(super) fn plain(tree: &Tree) -> Tree {
-    let parts: Vec<Tree> = tree.parts.iter().map(plain).collect();
+    let mut parts: Vec<Tree> = tree.parts.iter().map(plain).collect();
     let name = parts.first().map_or("", |it| &it.op).to_lowercase();
-    let op = match (&*tree.op, parts.len()) {
-        ("□(□)", 2) => match &*name {
-            "double" | "float" => return parts[1].clone(),
-            "sqrt" | "abs" | "length" | "length_squared" | "normalize" => format!("□.{name}()"),
-            "fabs" => "□.abs()".to_owned(),
-            "unit_vector" | "unit" | "normalized" => "□.normalize()".to_owned(),
-            _ => tree.op.clone(),
-        },
-        ("□(□, □)", 3) => match &*name {
-            "dot" if parts[1].is_same(&parts[2]) => {
-                return Tree {
-                    op: "□.length_squared()".to_owned(),
-                    parts: parts[1..2].to_vec(),
-                    ..tree.clone()
-                };
-            }
-            "dot" => "□.dot(□)".to_owned(),
-            "add" => "□ + □".to_owned(),
-            "sub" => "□ - □".to_owned(),
-            "scale" => "□ * □".to_owned(),
-            "sphere" | "sphere::new" => {
-                let made = [Tree::new("Sphere::new", Vec::new())].into_iter();
-                return Tree {
-                    parts: made.chain(parts[1..].iter().cloned()).collect(),
-                    ..tree.clone()
-                };
-            }
-            _ => tree.op.clone(),
-        },
-        ("□(□, □, □)", 4)
-            if ["vec3", "point3", "color"].contains(&name.trim_end_matches("::new")) =>
-        {
-            let numbers = parts[1..].iter().cloned();
-            let new = [Tree::new("Vec3::new", Vec::new())]
-                .into_iter()
-                .chain(numbers);
-            return Tree {
-                parts: new.collect(),
-                ..tree.clone()
-            };
+    let mut op = match (&*tree.op, name.trim_end_matches("::new")) {
+        ("□(□)", "double" | "float") => return parts.remove(1),
+        ("□(□)", "sqrt" | "abs" | "length" | "length_squared" | "normalize") => {
+            format!("□.{name}()")
         }
-        ("□.dot(□)", 2) if parts[0].is_same(&parts[1]) => {
-            return Tree {
-                op: "□.length_squared()".to_owned(),
-                parts: parts[..1].to_vec(),
-                ..tree.clone()
-            };
+        ("□(□)", "fabs") => "□.abs()".to_owned(),
+        ("□(□)", "unit_vector" | "unit" | "normalized") => "□.normalize()".to_owned(),
+        ("□(□, □)", "dot") => "□.dot(□)".to_owned(),
+        ("□(□, □)", "add") => "□ + □".to_owned(),
+        ("□(□, □)", "sub") => "□ - □".to_owned(),
+        ("□(□, □)", "scale") => "□ * □".to_owned(),
+        ("□(□, □)", "sphere") => {
+            parts[0] = Tree::new("Sphere::new", Vec::new());
+            tree.op.clone()
+        }
+        ("□(□, □, □)", "vec3" | "point3" | "color") => {
+            parts[0] = Tree::new("Vec3::new", Vec::new());
+            tree.op.clone()
         }
         ("□.origin()" | "□.orig" | "□.orig()", _) => "□.origin".to_owned(),
         ("□.direction()" | "□.dir" | "□.dir()", _) => "□.direction".to_owned(),
@@ -182,16 +142,18 @@ pub(super) fn plain(tree: &Tree) -> Tree {
         ("Vec3::ONE" | "Color::ONE", _) => return vector("1.0"),
         _ => tree.op.clone(),
     };
-    let is_method = op != tree.op && tree.op.starts_with("□(");
-    let parts = if is_method {
-        parts[1..].to_vec()
-    } else {
-        parts
-    };
+    // A method has no function before what it is given.
+    if op != tree.op && tree.op.starts_with("□(") {
+        parts.remove(0);
+    }
+    if op == "□.dot(□)" && parts[0].is_same(&parts[1]) {
+        op = "□.length_squared()".to_owned();
+        parts.pop();
+    }
     Tree {
         op,
         parts,
-        ..tree.clone()
+        at: tree.at.clone(),
     }
 }
 
