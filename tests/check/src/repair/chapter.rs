@@ -193,9 +193,6 @@ fn differences<'a>(
     {
         differences(own, right, depth + 4, yours.least(n), found);
     }
-    for theirs in theirs.iter().filter(|it| it.likeness(yours) > 0.5) {
-        differences(yours, theirs, depth + 4, least, found);
-    }
 }
 
 /// Statements that only the chapter has, at every place, and without those that only the reader

@@ -4,7 +4,8 @@
 use std::ops::Range;
 
 use syn::spanned::Spanned;
-use syn::{Block, Expr, Pat, Stmt};
+use syn::visit::{self, Visit};
+use syn::{Block, Expr, FieldValue, Pat, Stmt, Type};
 
 /// Stands for a part in the text of a node.
 const HOLE: char = '□';
@@ -180,77 +181,22 @@ impl Reader<'_> {
     }
 
     pub(super) fn expression(&self, it: &Expr) -> Tree {
-        let all = |parts: &[&Expr]| parts.iter().map(|it| self.expression(it)).collect();
-        let parts: Vec<Tree> = match it {
-            Expr::Paren(inner) => {
-                let at = self.place(it);
-                return Tree {
-                    at,
-                    ..self.expression(&inner.expr)
+        match it {
+            Expr::Paren(inner) => Tree {
+                at: self.place(it),
+                ..self.expression(&inner.expr)
+            },
+            Expr::Block(it) => self.block(&it.block),
+            Expr::Range(_) => self.node(it, Vec::new()),
+            _ => {
+                let mut parts = Parts {
+                    reader: self,
+                    found: Vec::new(),
                 };
+                visit::visit_expr(&mut parts, it);
+                self.node(it, parts.found)
             }
-            Expr::Block(it) => return self.block(&it.block),
-            Expr::Binary(it) => all(&[&it.left, &it.right]),
-            Expr::Assign(it) => all(&[&it.left, &it.right]),
-            Expr::Index(it) => all(&[&it.expr, &it.index]),
-            Expr::Unary(it) => all(&[&it.expr]),
-            Expr::Field(it) => all(&[&it.base]),
-            Expr::Reference(it) => all(&[&it.expr]),
-            Expr::Cast(it) => all(&[&it.expr]),
-            Expr::Try(it) => all(&[&it.expr]),
-            Expr::Let(it) => all(&[&it.expr]),
-            Expr::Closure(it) => all(&[&it.body]),
-            Expr::Return(it) => it.expr.iter().map(|it| self.expression(it)).collect(),
-            Expr::Array(it) => it.elems.iter().map(|it| self.expression(it)).collect(),
-            Expr::Tuple(it) => it.elems.iter().map(|it| self.expression(it)).collect(),
-            Expr::MethodCall(it) => {
-                let arguments = it.args.iter().map(|it| self.expression(it));
-                [self.expression(&it.receiver)]
-                    .into_iter()
-                    .chain(arguments)
-                    .collect()
-            }
-            Expr::Call(it) => {
-                let arguments = it.args.iter().map(|it| self.expression(it));
-                [self.expression(&it.func)]
-                    .into_iter()
-                    .chain(arguments)
-                    .collect()
-            }
-            Expr::Struct(it) => {
-                let fields = it.fields.iter();
-                // A field that is given a name of its own is written out.
-                let fields = fields.map(|it| Tree {
-                    op: format!("{}: {HOLE}", &self.text[it.member.span().byte_range()]),
-                    parts: vec![self.expression(&it.expr)],
-                    at: self.place(it),
-                });
-                let rest = it.rest.iter().map(|it| self.expression(it));
-                fields.chain(rest).collect()
-            }
-            Expr::If(it) => {
-                let otherwise = it.else_branch.iter().map(|(_, it)| self.expression(it));
-                let then = [self.expression(&it.cond), self.block(&it.then_branch)];
-                then.into_iter().chain(otherwise).collect()
-            }
-            Expr::ForLoop(it) => vec![self.expression(&it.expr), self.block(&it.body)],
-            Expr::While(it) => vec![self.expression(&it.cond), self.block(&it.body)],
-            Expr::Match(it) => {
-                let arms = it.arms.iter().flat_map(|arm| {
-                    let guard = match &arm.pat {
-                        Pat::Guard(it) => Some(self.expression(&it.guard)),
-                        _ => None,
-                    };
-                    guard.into_iter().chain([self.expression(&arm.body)])
-                });
-                [self.expression(&it.expr)]
-                    .into_iter()
-                    .chain(arms)
-                    .collect()
-            }
-            _ => Vec::new(),
-        };
-        self.node(it, parts)
+        }
     }
 
     /// A node whose parts stand in this order in its text.
@@ -280,6 +226,40 @@ impl Reader<'_> {
         let at = it.span().byte_range();
         at.start - self.start..at.end - self.start
     }
+}
+
+/// The parts of an expression in their order, each with its own.
+struct Parts<'a> {
+    reader: &'a Reader<'a>,
+    found: Vec<Tree>,
+}
+
+impl<'a> Visit<'a> for Parts<'_> {
+    fn visit_expr(&mut self, it: &'a Expr) {
+        self.found.push(self.reader.expression(it));
+    }
+
+    fn visit_block(&mut self, it: &'a Block) {
+        self.found.push(self.reader.block(it));
+    }
+
+    /// A field that is given a name of its own is written out.
+    fn visit_field_value(&mut self, it: &'a FieldValue) {
+        let member = &self.reader.text[it.member.span().byte_range()];
+        self.found.push(Tree {
+            op: format!("{member}: {HOLE}"),
+            parts: vec![self.reader.expression(&it.expr)],
+            at: self.reader.place(it),
+        });
+    }
+
+    fn visit_pat(&mut self, it: &'a Pat) {
+        if let Pat::Guard(it) = it {
+            self.visit_expr(&it.guard);
+        }
+    }
+
+    fn visit_type(&mut self, _: &'a Type) {}
 }
 
 /// On one line, without comments, and with blanks where rustfmt has them.
