@@ -208,17 +208,6 @@ fn tokens_of(code: &str) -> String {
     tokens.fold(" ".to_owned(), |tokens, token| tokens + token + " ")
 }
 
-#[test]
-fn slips_that_look_alike_are_known_as_a_set() {
-    let mut table = String::new();
-    for sight in slips::sights() {
-        let names: Vec<&str> = sight.slips.iter().map(|slip| slip.name).collect();
-        let (look, chapter) = (sight.look, sight.chapter.name());
-        writeln!(table, "{look:?} in {chapter}: {}", names.join(", ")).expect("a string takes it");
-    }
-    insta::assert_snapshot!("sights", table);
-}
-
 fn rays(camera: &Camera) -> Vec<Ray> {
     (0..camera.image_height)
         .flat_map(|j| (0..camera.image_width).map(move |i| camera.ray(i, j)))
