@@ -82,7 +82,7 @@ fn tools(file: &str, code: &str) -> String {
     }
     let slips = slips::all().filter(|slip| {
         let is_here = slip.chapters.contains(&chapter) && slip.is_in_a_chapter();
-        is_here && slip.can_be_made_in(Letters::Rust) && !IN_TWO_PLACES.contains(&slip.name)
+        is_here && slip.can_be_made_in(Letters::Rust) && !slip.is_in_two_places
     });
     let options: String = slips
         .map(|slip| (slip.name, slip.words(Letters::Rust, chapter)))
@@ -101,9 +101,6 @@ fn tools(file: &str, code: &str) -> String {
         "<div class=\"tools\" data-chapter=\"{name}\"><button type=\"button\">Type it here</button>{breaks}</div>"
     )
 }
-
-/// Mistakes whose words are only one of the lines that have to be changed.
-const IN_TWO_PLACES: [&str; 3] = ["farthest-wins", "integer-division", "stops-at-first-miss"];
 
 fn option(name: &str, Words { wrong, right, .. }: &Words) -> String {
     let [wrong, right] = [wrong, right].map(|it| escaped(it));

@@ -40,6 +40,8 @@ pub struct Slip {
     /// A part of the line, and what is typed in its place: `right→wrong`. The first whose
     /// part is in the line counts; no part is the whole line.
     pub(super) edits: &'static [&'static str],
+    /// Whether it stands in a second line as well: to make it, both are mistyped.
+    pub is_in_two_places: bool,
     /// What the mistake does to the picture, and why.
     pub(super) why: &'static str,
     /// The same in editions before version 4, if it is another; or nothing.
@@ -105,6 +107,7 @@ pub(super) const SLIP: Slip = Slip {
     python: "",
     older: "",
     edits: &[],
+    is_in_two_places: false,
     why: "",
     older_why: "",
     made_in: |_| true,

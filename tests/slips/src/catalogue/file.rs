@@ -47,6 +47,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "double(i)→i",
             "i /→i //",
         ],
+        is_in_two_places: true,
         why: "Two integers divide to an integer: 0 but in the last column, where it is 1.",
         alter: |p| p.ramp = |[i, j], [width, height]| [i / width, j / height].map(f64::floor),
         ..THE_CODE

@@ -88,6 +88,7 @@ pub(super) const SLIPS: &[Slip] = &[
             "(object.hit(…)) …→(!object.hit(…)) return false",
             "→else { return None",
         ],
+        is_in_two_places: true,
         why: "A missed object ends the search, so a ray hits only where it meets all of them.",
         alter: |p| p.search = all_or_none,
         ..SEARCH
@@ -96,6 +97,7 @@ pub(super) const SLIPS: &[Slip] = &[
         name: "farthest-wins",
         cpp: "if (rec.t < closest_so_far)",
         edits: &["<→>", "→if record.t > closest_so_far"],
+        is_in_two_places: true,
         why: "The farthest hit covers all nearer ones.",
         alter: |p| {
             p.search = |program, balls, ray| {
