@@ -210,10 +210,9 @@ impl Answered {
         let mistakes = finding.and_then(|finding| finding.mistakes.as_ref());
         let mistake = mistakes.map(|mistakes| &mistakes.all[0][..]);
         let scene = scene_by_edition(&self.judged).fitting(width, height);
-        let traced = iter::once(&[][..]).chain(mistake).map(|slips| {
-            let program = scene.program(slips);
-            program.traced(width, column, row).rows(scene.chapter)
-        });
+        let traced = iter::once(&[][..])
+            .chain(mistake)
+            .map(|slips| scene.program(slips).traced(width, column, row));
         let lines = slips::side_by_side(&traced.collect::<Vec<_>>());
         format!("{lines}\nyours\t{r} {g} {b}")
     }

@@ -50,4 +50,4 @@ pub use output::Output;
 pub use probes::{PROBES, Probe, find as find_probe, width_line};
 pub use program::{Ball, Hit, Interpreted, Program};
 pub use slip::{Slip, Unseen, Words};
-pub use traced::{Quadratic, Row, Traced, side_by_side};
+pub use traced::{Row, side_by_side};

@@ -3,109 +3,60 @@
 use common::rtweekend::*;
 
 use crate::chapter::Chapter;
-use crate::program::{Ball, Program};
-
-/// The numbers of a pixel, in the order in which a program finds them.
-#[derive(Clone, Debug)]
-pub struct Traced {
-    /// The ray, if there is one.
-    pub ray: Option<Ray>,
-    /// The quadratic of each sphere.
-    pub spheres: Vec<Quadratic>,
-    /// The hit that wins.
-    pub hit: Option<(f64, Point3, Vec3)>,
-    /// The color, each component from 0 to 1.
-    pub color: Color,
-    /// The three numbers in the file.
-    pub levels: [i32; 3],
-}
-
-/// The quadratic of a ray and a sphere.
-#[derive(Clone, Copy, Debug)]
-pub struct Quadratic {
-    /// Its a, b or h, and c.
-    pub coefficients: [f64; 3],
-    /// b² − 4ac, or h² − ac.
-    pub discriminant: f64,
-    /// The ray parameter of the hit, in lengths of the ray's direction.
-    pub t: Option<f64>,
-}
-
-impl Program {
-    /// The numbers of the pixel in a column and a row of a picture of that width.
-    pub fn traced(&self, width: u32, column: u32, row: u32) -> Traced {
-        let camera = self.camera(width);
-        let color = (self.color)(self, &camera, column, row);
-        let components = color.to_array();
-        let casts_rays = self.chapter != Chapter::BuildTest;
-        let ray = casts_rays.then(|| (self.ray)(self, &camera, column, row));
-        let quadratics = |ray| {
-            self.world
-                .iter()
-                .map(move |&ball| self.quadratic(ball, &ray))
-        };
-        let hit = |ray: Ray| {
-            let (t, ball) = self.search(&ray)?;
-            let point = (self.hit_point)(self, &ray, t);
-            let outward = (self.outward)(self, point, ball);
-            Some((t, point, (self.face)(self, ray.direction, outward)))
-        };
-        Traced {
-            ray,
-            spheres: ray.into_iter().flat_map(quadratics).collect(),
-            hit: ray.and_then(hit),
-            color,
-            levels: self.channels.map(|it| (self.level)(components[it])),
-        }
-    }
-
-    fn quadratic(&self, ball: Ball, ray: &Ray) -> Quadratic {
-        let [a, b, c] = self.coefficients(ball, ray);
-        Quadratic {
-            coefficients: [a, b, c],
-            discriminant: (self.discriminant)(self.four, a, b, c),
-            t: self.hit(ball, ray, self.t_min, self.t_max),
-        }
-    }
-}
+use crate::program::Program;
 
 /// A label and what it is about.
 pub type Row = (String, String);
 
-impl Traced {
-    /// The numbers with their names in that chapter, from the viewport to the levels.
-    pub fn rows(&self, chapter: Chapter) -> Vec<Row> {
-        let mut rows: Vec<Row> = Vec::new();
-        let mut row = |label: String, said: String| rows.push((label, said));
-        if let Some(ray) = self.ray {
-            row("point on the viewport".into(), vector(ray.at(1.0)));
-            row("origin".into(), vector(ray.origin));
-            row("direction".into(), vector(ray.direction));
+impl Program {
+    /// The numbers of the pixel in a column and a row of a picture of that width, with their
+    /// names in the chapter, from the viewport to the levels.
+    pub fn traced(&self, width: u32, column: u32, row: u32) -> Vec<Row> {
+        let camera = self.camera(width);
+        let color = (self.color)(self, &camera, column, row);
+        let levels = self.channels.map(|it| (self.level)(color.to_array()[it]));
+        let mut rows = Vec::new();
+        if self.chapter != Chapter::BuildTest {
+            rows = self.traced_ray(&(self.ray)(self, &camera, column, row));
         }
-        let middle = match chapter {
+        let [r, g, b] = levels;
+        rows.push(("color".into(), vector(color)));
+        rows.push(("levels".into(), format!("{r} {g} {b}")));
+        rows
+    }
+
+    /// The ray, the quadratic of each sphere, and the hit that wins.
+    fn traced_ray(&self, ray: &Ray) -> Vec<Row> {
+        let mut rows: Vec<Row> = Vec::new();
+        let mut row = |label: &str, of: &str, said| rows.push((format!("{label}{of}"), said));
+        row("point on the viewport", "", vector(ray.at(1.0)));
+        row("origin", "", vector(ray.origin));
+        row("direction", "", vector(ray.direction));
+        let middle = match self.chapter {
             Chapter::RedSphere | Chapter::Normals => "b",
             _ => "h",
         };
-        for (n, it) in self.spheres.iter().enumerate() {
-            let of = match self.spheres.len() {
+        for (n, &ball) in (1..).zip(self.world) {
+            let of = match self.world.len() {
                 1 => String::new(),
-                _ => format!(", sphere {}", n + 1),
+                _ => format!(", sphere {n}"),
             };
-            let [a, b, c] = it.coefficients.map(number);
-            for (label, said) in [("a", a), (middle, b), ("c", c)] {
-                row(format!("{label}{of}"), said);
-            }
-            row(format!("discriminant{of}"), number(it.discriminant));
-            let t = it.t.map_or("no hit".to_owned(), number);
-            row(format!("t{of}"), t);
+            let [a, b, c] = self.coefficients(ball, ray);
+            let discriminant = (self.discriminant)(self.four, a, b, c);
+            let t = self.hit(ball, ray, self.t_min, self.t_max);
+            row("a", &of, number(a));
+            row(middle, &of, number(b));
+            row("c", &of, number(c));
+            row("discriminant", &of, number(discriminant));
+            row("t", &of, t.map_or("no hit".to_owned(), number));
         }
-        if let Some((_, point, normal)) = self.hit {
-            row("point".into(), vector(point));
-            row("normal".into(), vector(normal));
+        if let Some((t, ball)) = self.search(ray) {
+            let point = (self.hit_point)(self, ray, t);
+            let outward = (self.outward)(self, point, ball);
+            let normal = (self.face)(self, ray.direction, outward);
+            row("point", "", vector(point));
+            row("normal", "", vector(normal));
         }
-        row("color".into(), vector(self.color));
-        let [r, g, b] = self.levels;
-        row("levels".into(), format!("{r} {g} {b}"));
         rows
     }
 }
