@@ -99,13 +99,14 @@ impl Judged<'_> {
             after,
             notes,
         };
+        let notes = |scene: &Scene, shape: &[&Slip]| {
+            let given_by = self.known.shape_given_by(scene, shape);
+            given_by.into_iter().chain(notes_on(scene)).collect()
+        };
         match &self.check {
             Check::Right(right) => {
                 let after = format!("{}: {}.", right.by(), self.how_right(right));
-                let given_by = self
-                    .known
-                    .shape_given_by(&right.scene, &right.shape_given_by);
-                let notes = given_by.into_iter().chain(notes_on(&right.scene)).collect();
+                let notes = notes(&right.scene, &right.shape_given_by);
                 is("right", true, after, notes)
             }
             Check::Near(finding) => {
@@ -113,12 +114,7 @@ impl Judged<'_> {
                 let after = format!("{by}, but {}.", finding.but());
                 let (width, height) = (finding.yours.width(), finding.yours.height());
                 let shape = causes::slips_giving(&self.scene, width, height);
-                let given_by = self.known.shape_given_by(&finding.scene, &shape);
-                let notes = given_by
-                    .into_iter()
-                    .chain(notes_on(&finding.scene))
-                    .collect();
-                is("right", true, after, notes)
+                is("right", true, after, notes(&finding.scene, &shape))
             }
             Check::Wrong(finding) => {
                 let verdict = if finding.levels() <= 1 {
@@ -129,15 +125,13 @@ impl Judged<'_> {
                 let after = format!(": {}.", self.counts(finding));
                 is(verdict, false, after, notes_on(&finding.scene))
             }
-            Check::Another { cause, .. } | Check::WrongShape { cause, .. } => {
-                let after = format!(": {}.", cause.problem);
-                is("wrong", false, after, vec![cause.fix.clone()])
-            }
-            Check::NotAPicture { cause, finding } => {
-                let verdict = if finding.is_none() {
-                    "not a picture"
-                } else {
-                    "not a valid picture"
+            Check::Another { cause, .. }
+            | Check::WrongShape { cause, .. }
+            | Check::NotAPicture { cause, .. } => {
+                let verdict = match &self.check {
+                    Check::NotAPicture { finding: None, .. } => "not a picture",
+                    Check::NotAPicture { .. } => "not a valid picture",
+                    _ => "wrong",
                 };
                 let after = format!(": {}.", cause.problem);
                 is(verdict, false, after, vec![cause.fix.clone()])

@@ -40,8 +40,7 @@ pub(crate) struct Mean {
 pub(crate) fn mean_of(candidate: &Candidate, reading: &Reading) -> Option<Mean> {
     let scene = candidate.scene;
     let has_rays = scene.chapter != Chapter::BuildTest && scene.step().is_none();
-    let is_large = reading.width >= 3 && reading.height >= 3;
-    if !has_rays || !is_large || !may_be_mean_of(candidate, reading) {
+    if !has_rays || !may_be_mean_of(candidate, reading) {
         return None;
     }
     let drawn = through_the_middle(candidate, reading)?;

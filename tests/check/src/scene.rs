@@ -192,7 +192,10 @@ impl Scene {
         if own.height(width) == height {
             own
         } else {
-            self.shaped(width, height)
+            Self {
+                shape: Some((width, height)),
+                ..self
+            }
         }
     }
 
@@ -200,14 +203,6 @@ impl Scene {
     pub(crate) fn in_own_shape(self) -> Self {
         Self {
             shape: None,
-            ..self
-        }
-    }
-
-    /// The same scene in a picture of another shape.
-    pub(crate) fn shaped(self, width: u32, height: u32) -> Self {
-        Self {
-            shape: Some((width, height)),
             ..self
         }
     }

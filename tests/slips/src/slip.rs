@@ -2,7 +2,6 @@
 //! what there is to say of it.
 
 use std::borrow::Cow;
-use std::path::{Path, PathBuf};
 
 use crate::chapter::Chapter;
 use crate::edition::Edition;
@@ -238,11 +237,6 @@ impl Slip {
         self.page.replace('#', ".html#")
     }
 
-    /// Where `cargo rtrace book` puts the page, as seen from the workspace.
-    pub fn read(&self) -> String {
-        format!("target/book/{}", self.address())
-    }
-
     /// The page and its heading in words, where it can't be opened.
     pub fn page_in_words(&self) -> String {
         let (page, heading) = self.page_and_heading();
@@ -250,13 +244,6 @@ impl Slip {
             "\"{}\", on the page {page} of the book",
             heading.replace('-', " ")
         )
-    }
-
-    /// The page with the heading, if the book was woven in that workspace.
-    pub fn page_in(&self, workspace: &Path) -> Option<PathBuf> {
-        let path = workspace.join(self.read());
-        let (file, _) = path.to_str()?.rsplit_once('#')?;
-        Path::new(file).is_file().then_some(path)
     }
 
     /// Whether the line is in a chapter, and not in what all of them share.
@@ -268,10 +255,5 @@ impl Slip {
     /// them as numbers.
     pub fn is_of_the_size(&self) -> bool {
         self.part == Part::Sizes
-    }
-
-    /// The file that has the line right, if it is in that workspace.
-    pub fn source_in(&self, workspace: &Path) -> Option<PathBuf> {
-        Some(workspace.join(self.source)).filter(|file| file.is_file())
     }
 }
