@@ -16,7 +16,7 @@ pub use certified::{
     stage_of_hit, stage_of_t,
 };
 pub use lanes::{BLOCK, certified_in_lanes, in_lanes};
-pub use method::{Discriminant, Method, Solve};
+pub use method::{Method, Solve};
 pub use methods::{
     adaptive_q, cross_q, double_double, half_b, half_b_f32, half_b_q, widened_half_b_q_f32,
 };

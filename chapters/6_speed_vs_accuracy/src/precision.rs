@@ -23,14 +23,6 @@ impl Precision {
         }
     }
 
-    /// How many decimal digits a number has.
-    pub const fn digits(self) -> f64 {
-        match self {
-            Self::Double => 16.0,
-            Self::Single => 7.0,
-        }
-    }
-
     /// How far numbers from 1 to 2 are apart.
     pub fn epsilon(self) -> f64 {
         match self {

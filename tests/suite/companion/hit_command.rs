@@ -4,21 +4,13 @@ use insta::assert_snapshot;
 use suite::desk::Desk;
 
 #[test]
-fn one_ray_shows_which_methods_lose_digits_or_overflow_and_why() {
+fn one_ray_shows_which_methods_lose_digits_or_overflow() {
     assert_snapshot!(Desk::default().transcript(
         "rtrace hit --origin -1,0,0 --direction 1,0,-1e-9 --center 3e7,0.5,0 --radius 1
          rtrace hit --origin 0,0,0 --direction 0,0,-1e200 --center 0,0,-1 --radius 0.5
          rtrace hit --origin 0,0,0 --direction 0,0,1e-50 --center 0,0,1 --radius 0.5
-         rtrace hit --origin 0,0,0 --direction 0,0,-1e-300 --center 0,0,-1e300 --radius 1"
-    ));
-}
-
-/// Also where negative numbers stand after a blank.
-#[test]
-fn one_ray_may_have_a_range_and_be_seen_by_one_method() {
-    assert_snapshot!(Desk::default().transcript(
-        "rtrace hit --origin=0,0,0 --direction=0,0,-1 --center=0,0,-1 --radius=0.5 --t-min=0.5 --t-max=1.5 --method=half_b
-         rtrace hit --origin -1,-2,-3 --direction -1,0,0 --center -5,-2,-3 --radius -1 --t-min -1 --method exact"
+         rtrace hit --origin 0,0,0 --direction 0,0,-1e-300 --center 0,0,-1e300 --radius 1
+         rtrace hit --origin=0,0,0 --direction=0,0,-1 --center=0,0,-1 --radius=0.5 --t-min=0.5"
     ));
 }
 

@@ -3,7 +3,7 @@
 
 use insta::assert_snapshot;
 use measure::needs::Found;
-use measure::scene_file::{self, find_scene};
+use measure::scene_file;
 use measure::wrong_pixels;
 use speed_vs_accuracy::{METHODS, Method, Precision, Scene};
 use suite::command::{names_in, picture_in, text};
@@ -124,11 +124,6 @@ fn a_scene_that_shows_nothing_is_answered() {
 }
 
 #[test]
-fn the_telescope_is_the_scene_that_the_picture_of_chapter_6_shows() {
-    assert_eq!(find_scene("telescope"), Some(&Scene::telescope()));
-}
-
-#[test]
 fn the_scene_on_the_page_is_read() {
     let page = include_str!("../../../book/notes/speed_vs_accuracy.md");
     let block = page.split("```toml\n").nth(1).expect("the page has one");
@@ -140,16 +135,9 @@ fn the_scene_on_the_page_is_read() {
 fn a_scene_with_a_mistake_is_refused_by_line_and_column() {
     let sphere = "[[sphere]]\ncenter = [0, 0, -1]\nradius = 1\n";
     let transcript = [
-        "",
         "[[sphere]]\ncentre = [0, 0, 0]\n",
-        "[[sphere]]\ncenter = [0, 0]\n",
-        "[[sphere]]\ncenter = [0, 0, 0]\n",
         "[[sphere]]\ncenter = [0, 0, nan]\nradius=1",
-        "[[sphere]]\ncenter = [0, 1e400, 0]\nradius=1",
-        "[[sphere]]\r\ncenter = [0, 0, 0]\r\nradius = five\r\n",
         "[[sphere]]\ncenter = [0, 0, 0]\nradius = 0\n",
-        "[sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
-        "SPHEREsun = [1, 0, 0]\n",
         "width = 0\nSPHERE",
         "sun = [0, 0, 0]\nSPHERE",
         "[camera]\nzoom = -1\nSPHERE",

@@ -37,18 +37,10 @@ pub(crate) struct Arguments {
     /// Write the chart and the pictures into this folder [default: target/needs/SCENE]
     #[arg(long, short, value_name = "DIR")]
     output: Option<PathBuf>,
-
-    /// How large a part of t may be wrong, where distances count
-    #[arg(long, value_name = "PART", default_value_t = 0.001, value_parser = part)]
-    within: f64,
 }
 
-fn part(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(part) if part > 0.0 && part < 1.0 => Ok(part),
-        _ => Err("is no part; write one such as 0.001, a thousandth".to_owned()),
-    }
-}
+/// How large a part of t may be wrong, where distances count.
+const WITHIN: f64 = 0.001;
 
 const HELP: &str = "\
 A scene, of which only the spheres are needed:
@@ -91,15 +83,15 @@ pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         None => folder::usual(&scene)?,
     };
     folder::check(&folder)?;
-    let (right, found) = look_into(&scene, arguments.within);
+    let (right, found) = look_into(&scene);
     let files = folder::write(&folder, &scene, &right, &found)?;
-    let said = text::text(&scene, &found, arguments.within, &folder, &files);
+    let said = text::text(&scene, &found, &folder, &files);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 
 /// The right picture, and what there is to say in each precision that has the numbers of
 /// the scene, `f64` first.
-fn look_into(scene: &Scene, within: f64) -> (Picture, Vec<Found>) {
+fn look_into(scene: &Scene) -> (Picture, Vec<Found>) {
     let mut precisions = Precision::ALL.to_vec();
     precisions.retain(|precision| scene.fits(*precision));
     let mut methods = METHODS.to_vec();
@@ -110,7 +102,7 @@ fn look_into(scene: &Scene, within: f64) -> (Picture, Vec<Found>) {
         .into_iter()
         .partition(|view| view.method.precision() == Precision::Double);
     let found = precisions.into_iter().zip([double, single]);
-    let found = found.map(|(precision, views)| Found::new(scene, precision, views, &times, within));
+    let found = found.map(|(precision, views)| Found::new(scene, precision, views, &times, WITHIN));
     (right, found.collect())
 }
 

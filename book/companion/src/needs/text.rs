@@ -9,18 +9,13 @@ use figures::number::three_digits;
 use measure::machine;
 use speed_vs_accuracy::{Method, Precision, Scene};
 
+use super::WITHIN;
 use crate::hit;
 use crate::wrap::hanging;
 use measure::needs::{Culprit, Found, Row};
 
 /// All that there is to say.
-pub(super) fn text(
-    scene: &Scene,
-    found: &[Found],
-    within: f64,
-    folder: &Path,
-    files: &[String],
-) -> String {
+pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[String]) -> String {
     let camera = Camera::new(scene.width);
     let (width, height) = (camera.image_width, camera.image_height);
     let spheres = match scene.spheres.len() {
@@ -30,7 +25,7 @@ pub(super) fn text(
     let sun = scene.sun.map_or("", |_| " and a sun");
     let name = names::visible(&scene.name);
     let mut text = format!("{name}: {spheres}{sun}, {width} × {height} pixels\n");
-    text += &assumed(scene, within);
+    text += &assumed(scene);
     let mut rows = found.iter().flat_map(|found| &found.rows);
     if rows.all(|row| row.view.off.is_none()) {
         text += "No ray meets a sphere: the picture shows only sky.\n";
@@ -38,7 +33,7 @@ pub(super) fn text(
     for precision in Precision::ALL {
         text.push('\n');
         match found.iter().find(|found| found.precision == precision) {
-            Some(found) => text += &one_precision(found, within),
+            Some(found) => text += &one_precision(found),
             None => text += "These numbers do not fit into f32: they overflow, or become 0.\n",
         }
     }
@@ -55,19 +50,19 @@ pub(super) fn text(
 const FASTER: &str = "Fully optimized: cargo run --release --package companion -- needs SCENE";
 
 /// What the scene says or leaves out, and what counts as right.
-fn assumed(scene: &Scene, within: f64) -> String {
+fn assumed(scene: &Scene) -> String {
     let [eye, sun] = scene.t_min;
     let shadows = match scene.sun {
         Some(_) => format!(", and above {sun:?} on the way to the sun"),
         None => String::new(),
     };
     paragraph(&format!(
-        "A hit counts at t above {eye:?}{shadows}. A distance is right if at most {within:?} of t is wrong."
+        "A hit counts at t above {eye:?}{shadows}. A distance is right if at most {WITHIN:?} of t is wrong."
     ))
 }
 
-fn one_precision(found: &Found, within: f64) -> String {
-    let mut text = paragraph(&verdict(found)) + &paragraph(&distances(found, within));
+fn one_precision(found: &Found) -> String {
+    let mut text = paragraph(&verdict(found)) + &paragraph(&distances(found));
     text += TABLE_HEAD;
     for (n, row) in found.rows.iter().enumerate() {
         text += &line(row, found.least == Some(n));
@@ -101,7 +96,7 @@ fn verdict(found: &Found) -> String {
 }
 
 /// The least for distances, and how far off the least for colors is.
-fn distances(found: &Found, within: f64) -> String {
+fn distances(found: &Found) -> String {
     let precision = found.precision.name();
     let name = |n: usize| found.rows[n].view.method.name;
     let mut text = match found.least_of_t {
@@ -109,7 +104,7 @@ fn distances(found: &Found, within: f64) -> String {
         None => format!("For distances, no method in {precision} suffices."),
     };
     let colors = found.least.map(|n| (name(n), found.rows[n].view.off));
-    if let Some((name, Some(off))) = colors.filter(|(_, off)| off.is_some_and(|off| off.t > within))
+    if let Some((name, Some(off))) = colors.filter(|(_, off)| off.is_some_and(|off| off.t > WITHIN))
     {
         text += &format!(
             " By {name}, which has the colors, t is off by {} of itself.",
@@ -177,9 +172,9 @@ fn why(row: &Row, least: Option<&Row>, culprit: &Culprit) -> String {
     ));
     let methods = [Some(row), least].into_iter().flatten();
     let methods: Vec<Method> = methods.map(|row| row.view.method).collect();
-    let range = (culprit.t_min, f64::INFINITY);
     let precision = row.view.method.precision();
-    for line in hit::under_the_microscope(&culprit.case, precision, &methods, range).lines() {
+    for line in hit::under_the_microscope(&culprit.case, precision, &methods, culprit.t_min).lines()
+    {
         let _ = writeln!(text, "  {line}");
     }
     if least.is_none() && (culprit.is_shadow || culprit.error <= hit::ORDINARY) {

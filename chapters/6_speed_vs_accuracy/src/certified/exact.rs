@@ -12,16 +12,11 @@ use common::rtweekend::*;
 use dashu_int::ops::{Abs, BitTest, SquareRoot};
 use dashu_int::{IBig, UBig};
 
-use crate::method::{Discriminant, Method};
+use crate::method::Method;
 
 impl Method {
     /// Integers.
-    pub const EXACT: Self = Self {
-        discriminant: Discriminant::Certain,
-        c_cancels: false,
-        any_exponent: true,
-        ..Self::double("exact", exact)
-    };
+    pub const EXACT: Self = Self::double("exact", exact);
 }
 
 /// The nearest root in the range, decided exactly and rounded once.

@@ -19,9 +19,9 @@ mod refined;
 use common::rtweekend::*;
 use glam::Vec3 as SingleVec3;
 
-use crate::method::{Discriminant, Method};
+use crate::method::Method;
 use crate::methods::widened;
-use crate::precision::{Precision, SingleRay};
+use crate::precision::SingleRay;
 use filter::Unclear;
 pub(crate) use filter::filter;
 use fixed_width::fixed_width;
@@ -33,27 +33,18 @@ pub use filter::D_BAND;
 impl Method {
     /// The decision is certain, the digits of t are those of `half_b_q`.
     pub const CERTIFIED_HIT: Self = Self {
-        discriminant: Discriminant::Certain,
-        any_exponent: true,
         is_certified: true,
         ..Self::double("certified_hit", certified_hit)
     };
 
     /// The decision is certain, and so are the digits of t.
     pub const CERTIFIED_T: Self = Self {
-        discriminant: Discriminant::Certain,
-        c_cancels: false,
-        any_exponent: true,
         is_certified: true,
         ..Self::double("certified_t", certified_t)
     };
 
     /// Input in `f32`; the decision is certain, and so is the last digit of t.
     pub const CERTIFIED_F32: Self = Self {
-        discriminant: Discriminant::Certain,
-        c_cancels: false,
-        any_exponent: true,
-        digits: Precision::Double.digits(),
         is_certified: true,
         ..Self::single("certified_f32", certified_f32)
     };

@@ -5,21 +5,14 @@ use common::rtweekend::*;
 
 use super::error_free;
 use super::half_b_q::nearest_by_q;
-use crate::method::{Discriminant, Method};
+use crate::method::Method;
 
 impl Method {
     /// The distance of the line by a cross product.
-    pub const CROSS_Q: Self = Self {
-        discriminant: Discriminant::Distance,
-        ..Self::double("cross_q", cross_q)
-    };
+    pub const CROSS_Q: Self = Self::double("cross_q", cross_q);
 
     /// The cross product far away, and near the surface a c with all its digits.
-    pub const ADAPTIVE_Q: Self = Self {
-        discriminant: Discriminant::Distance,
-        c_cancels: false,
-        ..Self::double("adaptive_q", adaptive_q)
-    };
+    pub const ADAPTIVE_Q: Self = Self::double("adaptive_q", adaptive_q);
 }
 
 /// The discriminant by the identity of Lagrange: (d·oc)² + |d × oc|² is

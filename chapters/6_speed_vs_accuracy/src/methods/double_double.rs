@@ -6,14 +6,10 @@ use common::rtweekend::*;
 
 use super::error_free::{quick_two_sum, two_product, two_sum};
 use crate::method::Method;
-use crate::precision::Precision;
 
 impl Method {
     /// Twice the digits.
-    pub const DOUBLE_DOUBLE: Self = Self {
-        digits: 2.0 * Precision::Double.digits(),
-        ..Self::double("double_double", double_double)
-    };
+    pub const DOUBLE_DOUBLE: Self = Self::double("double_double", double_double);
 }
 
 /// `half_b_q` with some 106 digits instead of 53; `t` is rounded at the end.

@@ -6,10 +6,7 @@ use crate::method::Method;
 
 impl Method {
     /// Half of b, as in chapter 5.
-    pub const HALF_B: Self = Self {
-        root_cancels: true,
-        ..Self::double("half_b", half_b)
-    };
+    pub const HALF_B: Self = Self::double("half_b", half_b);
 
     /// The method by which the others are measured: that of the chapters.
     pub const REFERENCE: Self = Self::HALF_B;

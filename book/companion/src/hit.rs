@@ -1,0 +1,138 @@
+//! Error analysis of one case: each method's answer, and its error in ulps.
+
+use std::error::Error;
+
+use clap::Args;
+use common::engine::output;
+use common::rtweekend::*;
+use figures::number::three_digits;
+use laws::oracle::Exact;
+use measure::truth::Truth;
+use speed_vs_accuracy::{Case, METHODS, Method, Precision, Solve};
+
+/// The words behind `cargo rtrace hit`.
+#[derive(Args)]
+pub(crate) struct Arguments {
+    /// Where the ray starts
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    origin: Vec3,
+
+    /// Where the ray points; t counts lengths of it
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    direction: Vec3,
+
+    /// The center of the sphere
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    center: Vec3,
+
+    /// The radius of the sphere
+    #[arg(long, value_name = "R", value_parser = finite, allow_hyphen_values = true)]
+    radius: f64,
+
+    /// A hit must have a greater t than this
+    #[arg(long, value_name = "T", value_parser = finite, default_value = "0", allow_hyphen_values = true)]
+    t_min: f64,
+}
+
+/// Prints the exact answer, and what each method answers instead.
+pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let ray = Ray::new(arguments.origin, arguments.direction);
+    let case = Case::new(arguments.center, arguments.radius, ray);
+    let of = |precision| {
+        let mut methods = METHODS.to_vec();
+        methods.retain(|method| method.precision() == precision);
+        under_the_microscope(&case, precision, &methods, arguments.t_min)
+    };
+    let text = Precision::ALL.map(of).join("\n");
+    Ok(output::to_stdout(|out| out.write_all(text.as_bytes()))?)
+}
+
+/// An error of this many ulps is what a handful of rounded operations leaves.
+pub(crate) const ORDINARY: f64 = 4.0;
+
+/// The exact answer in one precision above `t_min`, and what its `methods` say.
+pub(crate) fn under_the_microscope(
+    case: &Case,
+    precision: Precision,
+    methods: &[Method],
+    t_min: f64,
+) -> String {
+    let rounded = case.rounded(precision);
+    let name = precision.name();
+    let Some(exact) = Exact::of_finite(&rounded) else {
+        return format!("These numbers do not fit into {name}: they overflow.\n");
+    };
+    let (lower, greatest) = match precision {
+        Precision::Double => (t_min, f64::MAX),
+        Precision::Single => (f64::from(t_min as f32), f64::from(f32::MAX)),
+    };
+    let truth = Truth::of(&exact, precision, lower, f64::INFINITY);
+    let changed = if rounded == *case {
+        ""
+    } else {
+        ", after the numbers are rounded to it"
+    };
+    let found = match truth.map(|truth| truth.nearest()) {
+        Some(t) if t.abs() >= greatest => {
+            return format!("These numbers do not fit into {name}: t overflows.\n");
+        }
+        Some(t) => format!("the ray hits at t = {t:?}"),
+        None if rounded.ray.direction == Vec3::ZERO => {
+            "the direction is zero, and such a ray hits nothing".to_owned()
+        }
+        None => "the ray misses".to_owned(),
+    };
+    let line = |method| line(method, case.put_to(method, t_min, f64::INFINITY), truth);
+    let lines: String = methods.iter().map(line).collect();
+    format!("In {name}{changed}, {found}.\n{lines}")
+}
+
+fn line(method: &Method, t: Option<f64>, truth: Option<Truth>) -> String {
+    let answer = t.map_or("miss".to_owned(), |t| {
+        format!("hit  {}", shortest(method, t))
+    });
+    let verdict = match (t, truth) {
+        (Some(t), Some(truth)) => how_far_off(t, truth),
+        (None, None) => "right".to_owned(),
+        (Some(_), None) => "WRONG: it misses".to_owned(),
+        (None, Some(_)) => "WRONG: it hits".to_owned(),
+    };
+    format!("  {:<22}{answer:<30}{verdict}\n", method.name)
+}
+
+/// The error of `t` in words.
+fn how_far_off(t: f64, truth: Truth) -> String {
+    match truth.error_in_ulps(t) {
+        f64::INFINITY => "more than 1e308 ulps off".to_owned(),
+        1.0 => "1 ulp off".to_owned(),
+        error => format!("{} ulps off", three_digits(error)),
+    }
+}
+
+/// `t` in as few digits as lead back to it in the precision of `method`.
+fn shortest(method: &Method, t: f64) -> String {
+    match method.solve {
+        Solve::Double(_) => format!("{t:?}"),
+        Solve::Single(_) => format!("{:?}", t as f32),
+    }
+}
+
+/// The `f64` nearest to the decimal number in `text`.
+fn finite(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        _ => Err("is not a finite number; write one such as 0.5, -3 or 1e-9".to_owned()),
+    }
+}
+
+/// Three numbers with commas between them.
+fn vector(text: &str) -> Result<Vec3, String> {
+    let numbers: Vec<f64> = text
+        .split(',')
+        .map(|number| finite(number).map_err(|problem| format!("{:?} {problem}", number.trim())))
+        .collect::<Result<_, _>>()?;
+    match numbers[..] {
+        [x, y, z] => Ok(Vec3::new(x, y, z)),
+        _ => Err("three numbers with commas between them are needed, such as 0,0,-1".to_owned()),
+    }
+}
