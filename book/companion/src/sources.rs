@@ -78,7 +78,7 @@ fn file(path: &Path, before: &str) -> Option<(String, String)> {
 
 /// The language of a source file, in which a slip can be said if it has a name here; `None`
 /// for any other file.
-fn language(path: &Path) -> Option<Option<Letters>> {
+pub(crate) fn language(path: &Path) -> Option<Option<Letters>> {
     match path.extension()?.to_str()? {
         "rs" => Some(Some(Letters::Rust)),
         "py" => Some(Some(Letters::Python(Edition::V4))),

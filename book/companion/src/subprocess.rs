@@ -115,7 +115,7 @@ fn finish(
 }
 
 /// A program that ends when this is dropped.
-struct Running(Child);
+pub(crate) struct Running(pub(crate) Child);
 
 impl Drop for Running {
     fn drop(&mut self) {

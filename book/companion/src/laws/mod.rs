@@ -1,9 +1,8 @@
 //! `laws`: property-based testing of a function in any language, by lines of text.
 
 mod dialogue;
-mod language;
 
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::error::Error;
 use std::ffi::OsString;
@@ -16,20 +15,19 @@ use check::names;
 use clap::Args;
 use common::engine::output;
 use common::rtweekend::*;
-use slips::Chapter;
+use slips::{Chapter, Edition, Letters};
 
 use crate::chapter::OneOf;
 use crate::check::seconds;
 use crate::mine;
-use crate::misuse::misuse;
+use crate::sources;
 use dialogue::{Dialogue, Failure};
-use language::Language;
 
 /// The words behind `cargo rtrace laws`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Whose intersection of a ray and a sphere it is
-    #[arg(value_name = "CHAPTER", value_parser = OneOf(&Chapter::OF_THE_BOOK))]
+    #[arg(value_name = "CHAPTER", value_parser = OneOf(&ASKED))]
     chapter: Chapter,
 
     /// Your own program: it reads a line of numbers, center, radius, origin, direction (in chapter
@@ -42,26 +40,18 @@ pub(crate) struct Arguments {
     timeout: Duration,
 }
 
-/// Whether there is something to ask: a program that meets a ray with a sphere.
-pub(crate) fn can_be_asked(chapter: Chapter) -> bool {
-    chapter > Chapter::Gradient
-}
+/// The chapters with something to ask: what meets a ray with a sphere.
+pub(crate) const ASKED: [Chapter; 4] = [
+    Chapter::RedSphere,
+    Chapter::Normals,
+    Chapter::HalfBSphere,
+    Chapter::HittableList,
+];
 
 /// Puts the program under the laws and prints what comes of it: 0 is right, 1 breaks a law, and
 /// 2 can't be asked.
 pub(crate) fn laws(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
-    let (chapter, program) = (arguments.chapter, &arguments.program);
-    if !can_be_asked(chapter) {
-        let names = Chapter::OF_THE_BOOK
-            .into_iter()
-            .filter(|it| can_be_asked(*it));
-        let names: Vec<&str> = names.map(Chapter::name).collect();
-        return Err(misuse(&format!(
-            "{} has no function that meets a ray with a sphere: name one of {}",
-            chapter.name(),
-            names.join(", ")
-        )));
-    }
+    let program = &arguments.program;
     let (code, said) = match Dialogue::start(program, arguments.timeout) {
         Ok(dialogue) => Asked::new(arguments, dialogue).judged(),
         Err(cause) => (2, not_started(program, &cause.to_string())),
@@ -78,16 +68,17 @@ fn not_started(program: &[OsString], cause: &str) -> String {
     )
 }
 
+/// How a line is printed at once.
+const AT_ONCE: &str = "print(…, flush=True) in Python, std::endl in C++, the event 'line' of \
+    node:readline in JavaScript, fflush() in awk, with -W interactive in mawk";
+
 /// How long the first answer is waited for to be followed by lines that were not asked for.
 const GREETING: Duration = Duration::from_millis(300);
 
 /// A program with all that it has been asked.
 struct Asked<'a> {
     arguments: &'a Arguments,
-    language: Language,
     dialogue: RefCell<Dialogue>,
-    /// Whether it may say -1 for a miss.
-    says_minus_one: Cell<bool>,
     /// The answers by their questions. None is asked twice: a case is made smaller by laws that
     /// must find what they found before.
     answers: RefCell<HashMap<String, Answer>>,
@@ -105,9 +96,7 @@ impl<'a> Asked<'a> {
     fn new(arguments: &'a Arguments, dialogue: Dialogue) -> Self {
         Self {
             arguments,
-            language: Language::of(&arguments.program),
             dialogue: RefCell::new(dialogue),
-            says_minus_one: Cell::new(true),
             answers: RefCell::default(),
             failure: RefCell::default(),
         }
@@ -116,17 +105,14 @@ impl<'a> Asked<'a> {
     /// The exit code, and what there is to say.
     fn judged(&self) -> (u8, String) {
         let trial = Trial {
-            letters: self.language.letters(),
+            letters: self.letters(),
             answers: None,
             ..Trial::of(self.arguments.chapter)
         };
-        self.greet();
+        let line = self.greet();
         let outcome = trial.any_language(&|asked| self.answer(asked));
-        let last = || outcome.as_ref().err().map(|(_, last)| self.line(&last[0]));
-        let failed = self.failure.take().or_else(|| {
-            let more = self.dialogue.borrow_mut().end().err()?;
-            Some((more, last().unwrap_or_default()))
-        });
+        let ended = || Some((self.dialogue.borrow_mut().end().err()?, line));
+        let failed = self.failure.take().or_else(ended);
         match (failed, outcome) {
             (Some((failure, line)), _) => (2, self.failed(&failure, &line)),
             (None, Err(broken)) => (1, self.broken(&broken)),
@@ -134,26 +120,32 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// Asks first what is short to feed by hand: a ray from the eye past the ball, so that its word
-    /// for a miss is known, and one to the ball.
-    fn greet(&self) {
+    /// In which mistakes are said: those of the source that the command names.
+    fn letters(&self) -> Letters {
+        let mut words = self.arguments.program.iter();
+        let named = words.find_map(|word| sources::language(word.as_ref()));
+        named.flatten().unwrap_or(Letters::Book(Edition::V4))
+    }
+
+    /// Asks first what is short to feed by hand: a ray from the eye past the ball, so that the word
+    /// for a miss is known, and one to the ball. Returns the last line.
+    fn greet(&self) -> String {
         let ball = Point3::new(0.0, 0.0, -1.0);
-        for (direction, patience) in [(Vec3::Y, GREETING), (ball, Duration::ZERO)] {
+        let [_, last] = [Vec3::Y, ball].map(|direction| {
             let asked = WithInterval {
                 case: Case::new(ball, 0.5, Ray::new(Point3::ZERO, direction)),
                 t_min: 0.0,
                 t_max: f64::INFINITY,
             };
             self.answer(&asked);
-            let says_miss = |it: &Answer| it.said == "miss";
-            if self.answers.borrow().values().any(says_miss) {
-                self.says_minus_one.set(false);
-            }
-            if let Err(more) = self.dialogue.borrow().says_no_more(patience) {
+            let line = self.line(&asked);
+            if let Err(more) = self.dialogue.borrow().says_no_more(GREETING) {
                 let mut failure = self.failure.borrow_mut();
-                failure.get_or_insert((more, self.line(&asked)));
+                failure.get_or_insert((more, line.clone()));
             }
-        }
+            line
+        });
+        last
     }
 
     /// What the program answers, if it does. After a failure, nothing hits.
@@ -166,7 +158,8 @@ impl<'a> Asked<'a> {
             return None;
         }
         let said = self.dialogue.borrow_mut().ask(&line).and_then(|said| {
-            let says_minus_one = self.says_minus_one.get();
+            let known = self.answers.borrow();
+            let says_minus_one = !known.values().any(|it| it.said == "miss");
             match any_language::read(self.arguments.chapter, asked, &said, says_minus_one) {
                 Some(t) => Ok(Answer { said, t }),
                 None => Err(Failure::NoAnswer(said)),
@@ -232,9 +225,9 @@ impl<'a> Asked<'a> {
         }
         let digits = numbers.keys().map(|said| digits(said)).max()?;
         if digits < DIGITS_OF_A_DOUBLE {
-            let in_full = self.language.in_full();
             return Some(format!(
-                "no answer has more than {digits} digits: {in_full}"
+                "no answer has more than {digits} digits: print all, in C++ by std::setprecision(17), \
+                 in awk by \"%.17g\", and elsewhere without a format"
             ));
         }
         let mut numbers = numbers.values();
@@ -244,15 +237,8 @@ impl<'a> Asked<'a> {
 
     fn failed(&self, failure: &Failure, line: &str) -> String {
         let (problem, to_do) = self.explained(failure);
-        let by_hand = if line.is_empty() {
-            String::new()
-        } else {
-            self.by_hand(line) + "\n"
-        };
-        format!(
-            "{} {problem}.\nto do:    {to_do}\n{by_hand}",
-            self.program()
-        )
+        let (program, by_hand) = (self.program(), self.by_hand(line));
+        format!("{program} {problem}.\nto do:    {to_do}\n{by_hand}\n")
     }
 
     /// What is wrong with the dialogue, and what to do.
@@ -263,35 +249,22 @@ impl<'a> Asked<'a> {
             _ => "t, as a number, or miss",
         };
         let shown = |said: &str| format!("`{}`", names::visible(said));
-        let line_by_line = "answer line by line, until the input ends".to_owned();
         match failure {
             Failure::Late => (
                 format!("did not answer within {limit:?}, but when its input ended"),
-                format!(
-                    "answer before the next line comes: {}",
-                    self.language.flushed()
-                ),
+                format!("answer before the next line comes: {AT_ONCE}"),
             ),
             Failure::Silent => (
                 format!("did not answer within {limit:?}"),
                 format!("print {wanted}. Does a loop end? --timeout SECONDS gives more time"),
             ),
-            Failure::Slow => (
-                format!(
-                    "is slow: {} answers, of some thousands",
-                    self.answers.borrow().len()
-                ),
-                "--timeout SECONDS gives more time".to_owned(),
+            Failure::Ended(status) => (
+                match status {
+                    Some(status) => format!("ended with {status}, without an answer"),
+                    None => "closed its output".to_owned(),
+                },
+                "answer line by line, until the input ends".to_owned(),
             ),
-            Failure::Ended(status, errors) if errors.is_empty() => (
-                format!("ended with {status}, without an answer"),
-                line_by_line,
-            ),
-            Failure::Ended(status, errors) => (
-                format!("ended with {status}, and said {}", shown(errors)),
-                line_by_line,
-            ),
-            Failure::Closed => ("closed its output".to_owned(), line_by_line),
             Failure::TooMuch(said) => (
                 format!("says more than one line for a line: {}", shown(said)),
                 format!("print nothing but {wanted}; the rest can go to standard error"),

@@ -24,7 +24,7 @@ use slips::{Chapter, Letters, Probe, Program, Slip, steps};
 use crate::chapter::OneOf;
 use crate::check::{probe_parser, seconds};
 use crate::done::Done;
-use crate::laws::can_be_asked;
+use crate::laws::ASKED;
 use crate::mine::{self, Mine, TYPED};
 use crate::misuse::misuse;
 use crate::sources;
@@ -226,7 +226,7 @@ impl Subject {
             start: &|chapter| self.start(chapter),
         };
         let mut verdict = evidence.of_picture(bytes);
-        if verdict.is_right && !is_crate && can_be_asked(chapter) {
+        if verdict.is_right && !is_crate && ASKED.contains(&chapter) {
             let text =
                 "ask your function what no picture shows; lines on the page Check your picture";
             let text = format!("{} laws {}: {text}", companion(), chapter.name());
