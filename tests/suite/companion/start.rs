@@ -41,6 +41,7 @@ fn every_chapter_can_be_typed_and_begins_with_the_one_before() {
         // What was typed in chapter 1 is still what the sky is.
         let last = fs::read_to_string(mine.lib("hittable_list")).expect("the chapter");
         assert!(last.contains("pub fn sky(ray: &Ray) -> Color {\n    let white"));
+        paste_the_tests_of_reports(&mine, prelude);
     }
 }
 
@@ -143,14 +144,7 @@ fn a_crate_is_made_once_and_nothing_that_was_typed_is_written_over() {
          rtrace start 3
          rtrace start chapters/3_normals/ --into mine/file/deeper",
     );
-    fs::write(mine.lib("normals"), "// mine").expect("a file");
-    assert_snapshot!(said + &mine.desk.transcript("rtrace start normals --again"));
-    assert_eq!(mine.desk.read("mine/normals.1/src/lib.rs"), "// mine");
-    assert!(
-        mine.desk
-            .read("mine/normals/src/lib.rs")
-            .contains("todo!()")
-    );
+    assert_snapshot!(said);
 }
 
 /// To cargo two crates are one if they have the same name and version, in whatever folders.
@@ -172,22 +166,16 @@ fn what_cannot_be_read_is_not_carried_over_and_that_is_said() {
     let mine = Mine::empty();
     mine.make("gradient", &[]);
     fs::write(mine.lib("gradient"), "pub fn ray_color(").expect("a file");
+    // An editor has it open, and a note is no text.
+    mine.desk.write("mine/gradient/src/.lib.rs.swp", b"\xff");
+    mine.desk.write("mine/gradient/src/note.bin", b"\xff");
     let said = text(&mine.desk.run("rtrace start red_sphere").stdout);
     assert!(
         said.contains("Nothing is carried over from gradient"),
         "{said}"
     );
-
-    // An editor has it open, and a note is no text.
-    mine.desk.write("mine/gradient/src/.lib.rs.swp", b"\xff");
-    mine.desk.write("mine/gradient/src/note.bin", b"\xff");
-    fs::remove_file(mine.lib("gradient")).expect("it goes");
-    mine.make("red_sphere", &["--again"]);
     let names = names_in(&mine.path().join("red_sphere/src"));
     assert_eq!(names, ["lib.rs", "main.rs", "note.bin"]);
-    let left = names_in(&mine.path());
-    let expected = ["gradient", "red_sphere", "red_sphere.1"];
-    assert_eq!(left, expected, "and nothing beside");
 }
 
 #[test]
@@ -237,46 +225,39 @@ fn the_list_of_done_things_has_what_came_out_right_once_and_the_readers_own_line
     assert_snapshot!(list + "\n" + &undated(&desk.transcript("rtrace done")));
 }
 
-/// A report ends with a test to paste, and that is where it came from.
-#[test]
-#[ignore = "builds ten crates of a reader"]
-fn the_test_that_a_report_shows_compiles_where_it_is_pasted() {
-    for prelude in OWN_PRELUDE {
-        let mine = Mine::empty();
-        for &chapter in TYPED {
-            start_and_type(&mine, chapter, prelude);
-        }
-        let of_prelude = ("gradient", "+ self.z * other.z", "");
-        let of_prelude = (!prelude.is_empty()).then_some(of_prelude);
-        for (chapter, right, wrong) in MISTAKES.iter().copied().chain(of_prelude) {
-            let (mistyped, right_source) = mine.source_with(chapter, right);
-            mine.edit(chapter, right, wrong);
-            let law = mine.path().join(chapter).join("tests/laws.rs");
-            let test = |words: &[&str]| {
-                let mut cargo = cargo();
-                cargo
-                    .args(["test", "--quiet", "--test", "laws"])
-                    .args(words);
-                cargo.env_remove("RUST_BACKTRACE");
-                let output = run(cargo.current_dir(mine.path().join(chapter)));
-                text(&output.stdout) + &text(&output.stderr)
-            };
-            let said = test(&[]);
-            let pasted = said
-                .split_once("#[test]\n")
-                .and_then(|(_, it)| it.split_once("\n}\n"));
-            let (pasted, _) = pasted.unwrap_or_else(|| panic!("{chapter}, {wrong}: {said}"));
-            let source = fs::read_to_string(&law).expect("the test");
-            fs::write(&law, format!("{source}\n#[test]\n{pasted}\n}}\n")).expect("it is pasted");
-            let said = test(&["this_case_is_right"]);
-            assert!(
-                said.contains("0 passed; 1 failed"),
-                "{chapter}: {pasted}\n{said}"
-            );
-            fs::write(&law, source).expect("the test as it was");
-            fs::write(&mistyped, right_source).expect("the chapter as it was");
-        }
+/// A report ends with a test to paste, which compiles there and fails.
+fn paste_the_tests_of_reports(mine: &Mine, prelude: &[&str]) {
+    let of_prelude = ("gradient", "+ self.z * other.z", "");
+    let of_prelude = (!prelude.is_empty()).then_some(of_prelude);
+    for (chapter, right, wrong) in MISTAKES.iter().copied().chain(of_prelude) {
+        let (mistyped, right_source) = mine.source_with(chapter, right);
+        mine.edit(chapter, right, wrong);
+        let said = test_the_laws(mine, chapter, &[]);
+        let pasted = said
+            .split_once("#[test]\n")
+            .and_then(|(_, it)| it.split_once("\n}\n"));
+        let (pasted, _) = pasted.unwrap_or_else(|| panic!("{chapter}, {wrong}: {said}"));
+        let law = mine.path().join(chapter).join("tests/laws.rs");
+        let source = fs::read_to_string(&law).expect("the test");
+        fs::write(&law, format!("{source}\n#[test]\n{pasted}\n}}\n")).expect("it is pasted");
+        let said = test_the_laws(mine, chapter, &["this_case_is_right"]);
+        assert!(
+            said.contains("0 passed; 1 failed"),
+            "{chapter}: {pasted}\n{said}"
+        );
+        fs::write(&law, source).expect("the test as it was");
+        fs::write(&mistyped, right_source).expect("the chapter as it was");
     }
+}
+
+fn test_the_laws(mine: &Mine, chapter: &str, words: &[&str]) -> String {
+    let mut cargo = cargo();
+    cargo
+        .args(["test", "--quiet", "--test", "laws"])
+        .args(words);
+    cargo.env_remove("RUST_BACKTRACE");
+    let output = run(cargo.current_dir(mine.path().join(chapter)));
+    text(&output.stdout) + &text(&output.stderr)
 }
 
 /// One in each kind of function that is put under laws: the line, and what is typed for it.

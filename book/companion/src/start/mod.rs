@@ -34,10 +34,6 @@ pub(crate) struct Arguments {
     /// Type the prelude as well: vectors, rays, camera and the text of a picture
     #[arg(long)]
     own_prelude: bool,
-
-    /// Begin the chapter once more; what you have typed is kept beside it
-    #[arg(long)]
-    again: bool,
 }
 
 /// Makes the crate, and says where it is and what comes next.
@@ -53,42 +49,20 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         )
     };
     fs::create_dir_all(mine.folder()).map_err(failed)?;
-    if folder.exists() && !arguments.again {
-        let has_own = Written::read(&folder).has_own_prelude();
-        let prelude = if has_own { " --own-prelude" } else { "" };
+    if folder.exists() {
         return Err(misuse(&format!(
             "{} is there already, and nothing is written over it\n\
-             Go on with {}, or begin once more with {}{prelude} --again.",
+             Go on with {}, or rename that folder to begin once more.",
             from_here(&folder),
             mine.watch(chapter),
-            mine.start(chapter),
         )));
     }
     let before = TYPED.into_iter().rev().filter(|&it| it < chapter);
     let before = before.map(|it| mine.of(it)).find(|it| it.is_dir());
     let new = New::compose(arguments, before.as_deref(), &folder)?;
-    let aside = put_aside(&folder).map_err(failed)?;
     new.write(&folder).map_err(failed)?;
-    let kept = aside.map_or(String::new(), |aside| {
-        format!("What you had before is in {}.\n", from_here(&aside))
-    });
-    let said = kept + &new.as_text(&mine);
+    let said = new.as_text(&mine);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
-}
-
-/// Gives what has this name, if there is something, the first free one of those beside it:
-/// nothing that the reader typed is ever written to.
-fn put_aside(folder: &Path) -> io::Result<Option<PathBuf>> {
-    let is_free = |folder: &PathBuf| folder.symlink_metadata().is_err();
-    if is_free(&folder.to_owned()) {
-        return Ok(None);
-    }
-    let mut beside = (1..).map(|number: u32| folder.with_extension(number.to_string()));
-    let free = beside
-        .find(is_free)
-        .expect("there are more numbers than folders");
-    fs::rename(folder, &free)?;
-    Ok(Some(free))
 }
 
 /// A crate that is about to be written.
