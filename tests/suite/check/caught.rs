@@ -7,8 +7,8 @@ use laws::Trial;
 use laws::answers::Answers;
 use laws::prelude;
 use laws::trial::Report;
+use rayon::prelude::*;
 use slips::{Chapter, PROBES, Probe, Program, Slip, Unseen};
-use suite::parallel;
 
 #[test]
 fn every_slip_is_caught() {
@@ -57,7 +57,8 @@ pub(crate) static OUTCOMES: LazyLock<Vec<Outcome>> = LazyLock::new(|| {
         slips.map(move |slip| (chapter, slip))
     });
     let exams = Chapter::OF_THE_BOOK.map(exams);
-    parallel::map(&made.collect::<Vec<_>>(), |&(chapter, slip)| {
+    let made: Vec<_> = made.collect();
+    let made = made.into_par_iter().map(|(chapter, slip)| {
         let program = slip.program(chapter);
         let mut exams = exams[chapter as usize].iter();
         Outcome {
@@ -66,7 +67,8 @@ pub(crate) static OUTCOMES: LazyLock<Vec<Outcome>> = LazyLock::new(|| {
             is_seen: exams.any(|it| it.shows(program)),
             report: first_report(&program),
         }
-    })
+    });
+    made.collect()
 });
 
 impl Outcome {

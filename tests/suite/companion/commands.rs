@@ -33,40 +33,6 @@ fn every_command_that_a_page_names_works() {
     }
 }
 
-/// What is said of other commands of cargo names packages, benchmarks and paths that exist.
-#[test]
-fn every_command_of_cargo_that_a_page_names_is_about_something_that_exists() {
-    let ours = files(&workspace().join("book")).into_iter();
-    let all = ours.chain(
-        ["chapters", "tests", "common"]
-            .map(|it| workspace().join(it))
-            .into_iter()
-            .flat_map(|it| files(&it)),
-    );
-    let manifests: String = all
-        .filter(|file| file.ends_with("Cargo.toml"))
-        .map(|file| fs::read_to_string(file).expect("a manifest"))
-        .collect();
-    for (page, text) in pages() {
-        for line in commands(&text, "cargo ") {
-            let words: Vec<&str> = line
-                .split_whitespace()
-                .take_while(|&it| it != "--")
-                .collect();
-            for pair in words.windows(2) {
-                let exists = match pair[0] {
-                    "-p" | "--package" | "--bench" => {
-                        manifests.contains(&format!("name = \"{}\"", pair[1]))
-                    }
-                    "--path" => workspace().join(pair[1]).is_dir(),
-                    _ => true,
-                };
-                assert!(exists, "{page}: {line}");
-            }
-        }
-    }
-}
-
 /// What the companion tells a reader to type next.
 #[test]
 fn every_command_that_an_answer_names_is_understood() {
