@@ -103,8 +103,6 @@ pub struct WrongPixels {
     /// How many are more than one level off, in some component, from the exact
     /// picture.
     pub wrong: usize,
-    /// How many are one level off: the eye does not see them.
-    pub off_by_one: usize,
 }
 
 /// How long one test takes, or one ray, as the benchmark `clock` measured it.
@@ -127,7 +125,7 @@ pub struct Timing {
     /// A regime, or `all_hits`: the rays of `book` that hit.
     #[serde(rename = "where")]
     pub place: String,
-    /// How many rays at a time.
+    /// How many questions there are.
     pub n: usize,
     /// Nanoseconds: half of the rounds took less, half more. It has the digits on which
     /// half of the rounds agree, as `ratio` has.

@@ -19,9 +19,7 @@ pub struct Group(pub Vec<Runner>);
 pub struct Runner {
     /// The row without its times.
     pub row: Timing,
-    /// How many tests, or rays, `run` takes.
-    pub work: usize,
-    /// Does it all once.
+    /// Asks all questions of the row once.
     pub run: Box<dyn FnMut()>,
 }
 
@@ -50,7 +48,6 @@ impl Runner {
         [what, name, place]: [&str; 3],
         precision: Precision,
         n: usize,
-        work: usize,
         run: impl FnMut() + 'static,
     ) -> Self {
         let row = Timing {
@@ -64,7 +61,7 @@ impl Runner {
             instructions: None,
         };
         let run = Box::new(run);
-        Self { row, work, run }
+        Self { row, run }
     }
 
     /// Nanoseconds for one test, from so many runs.
@@ -73,7 +70,7 @@ impl Runner {
         for _ in 0..runs {
             (self.run)();
         }
-        1e9 * (now() - start).as_secs_f64() / (runs * self.work) as f64
+        1e9 * (now() - start).as_secs_f64() / (runs * self.row.n) as f64
     }
 
     /// How many runs make a turn. The first of them also warm up.

@@ -29,7 +29,7 @@ where
     let runner = |method: &Method| {
         let key = ["method", method.name, place];
         let run = run(method, asked);
-        Runner::new(key, method.precision(), asked.count, asked.count, run)
+        Runner::new(key, method.precision(), asked.count, run)
     };
     Group(METHODS.iter().map(runner).collect())
 }

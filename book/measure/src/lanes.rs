@@ -61,7 +61,7 @@ macro_rules! runners {
                 ask!($method answers $number $point::new(*x, *y, *z), *radius, ray);
                 black_box(&answers);
             };
-            Runner::new(["rays", stringify!($method), "book"], Precision::$precision, count, count, run)
+            Runner::new(["rays", stringify!($method), "book"], Precision::$precision, count, run)
         }),*]
     };
 }

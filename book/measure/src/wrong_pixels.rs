@@ -23,7 +23,6 @@ fn rows(scene: &Scene, width: u32) -> impl Iterator<Item = WrongPixels> {
         method: view.method.name.to_owned(),
         pixels,
         wrong: view.wrong,
-        off_by_one: view.off_by_one,
     })
 }
 
@@ -43,8 +42,6 @@ pub struct View {
     pub picture: Picture,
     /// How many pixels have a component that is more than a level off.
     pub wrong: usize,
-    /// How many have one that is a level off, and none that is farther off.
-    pub off_by_one: usize,
     /// The first wrong pixel from the top: column and row.
     pub first_wrong: Option<[u32; 2]>,
     /// How many levels a component is off at most.
@@ -154,13 +151,11 @@ impl View {
         misjudged: usize,
     ) -> Self {
         let levels = levels_off(right, &picture);
-        let count = |wanted: fn(&u8) -> bool| levels.iter().copied().filter(wanted).count();
         let first = levels.iter().position(|&levels| levels > 1);
         let width = right.width();
         Self {
             method,
-            wrong: count(|&levels| levels > 1),
-            off_by_one: count(|&levels| levels == 1),
+            wrong: levels.iter().filter(|&&levels| levels > 1).count(),
             first_wrong: first.map(|n| [n as u32 % width, n as u32 / width]),
             levels: levels.into_iter().max().unwrap_or(0),
             off,

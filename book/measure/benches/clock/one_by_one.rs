@@ -79,5 +79,5 @@ fn runner<T: 'static>(
         let ([i, j], sphere) = asked[n];
         answer((sphere, camera.ray(i, j), 0.0))
     });
-    Runner::new(key, Precision::Double, CASES, CASES, run)
+    Runner::new(key, Precision::Double, CASES, run)
 }

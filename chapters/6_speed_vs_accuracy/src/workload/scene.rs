@@ -200,13 +200,6 @@ impl Lens {
     }
 }
 
-impl Default for Lens {
-    /// That of the book.
-    fn default() -> Self {
-        Self::new(Point3::ZERO, Vec3::NEG_Z, [1.0; 2])
-    }
-}
-
 /// The unit vector along `v`, which may be as long or short as numbers allow.
 pub fn unit(v: Vec3) -> Vec3 {
     // Else its square might overflow, or underflow.
