@@ -19,6 +19,7 @@ mod slip;
 mod source;
 mod step;
 mod symbols;
+mod time;
 mod warnings;
 
 use std::error::Error;
