@@ -10,6 +10,15 @@ use super::tree::Tree;
 
 /// A reader's expression is compared with so many of the chapter's.
 const COMPARED: usize = 3;
+/// What is less like it, from 0 to 1 and by its role, is tried only as the first.
+const UNLIKE: f64 = 0.3;
+/// What the same role adds to a likeness; a name that is the same decides.
+const SAME_ROLE: f64 = 0.6;
+const SAME_NAME: f64 = 5.0;
+/// A part of a difference has to have so much in common with the other side as a whole.
+const HALF: f64 = 0.5;
+/// A part is less likely than the whole by so much.
+const PARTIAL: u32 = 4;
 /// No expression here is deeper.
 const DEEPEST: u8 = 12;
 
@@ -116,7 +125,7 @@ fn expressions(
     for (role, yours) in roots(own) {
         let is_let = matches!(role, Role::Let(_));
         let score = |(other, right): &(Role, &Tree)| {
-            let same_role = if is_let { 5.0 } else { 0.6 };
+            let same_role = if is_let { SAME_NAME } else { SAME_ROLE };
             yours.likeness(right)
                 + if are_parts || *other == role {
                     same_role
@@ -132,11 +141,11 @@ fn expressions(
         if likest.first().is_none_or(|(_, right)| yours.is_same(right)) {
             continue;
         }
-        let is_given = is_let && likest[0].0 > 5.0;
+        let is_given = is_let && likest[0].0 > SAME_NAME;
         let many = if are_parts { 2 * COMPARED } else { COMPARED };
         likest.truncate(if is_given { 1 } else { many });
         for (n, (score, right)) in likest.into_iter().enumerate() {
-            if n > 0 && score < 0.3 {
+            if n > 0 && score < UNLIKE {
                 break;
             }
             let unlike = (3.0 * (2.0 - score.min(2.0))) as u32 + n as u32;
@@ -147,7 +156,7 @@ fn expressions(
                 if yours.with(&at, right_part).is_same(right) && !new.contains("if ") {
                     Proposal::new(at, new, unlike).whole()
                 } else {
-                    Proposal::new(at, new, unlike + 4)
+                    Proposal::new(at, new, unlike + PARTIAL)
                 }
             }));
         }
@@ -189,7 +198,7 @@ fn differences<'a>(
     for (n, own) in own
         .iter()
         .enumerate()
-        .filter(|(_, it)| it.likeness(right) > 0.5)
+        .filter(|(_, it)| it.likeness(right) > HALF)
     {
         differences(own, right, depth + 4, yours.least(n), found);
     }

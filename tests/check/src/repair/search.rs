@@ -37,15 +37,6 @@ impl<'a> Fix<'a> {
             called: Vec::new(),
         }
     }
-
-    fn whole((yours, right): &Common<'a>) -> Self {
-        Self {
-            yours,
-            text: right[0].text.clone(),
-            right: Some(right[0]),
-            called: Vec::new(),
-        }
-    }
 }
 
 /// A reader's program and what it is compared with.
@@ -267,9 +258,12 @@ impl<'a> Search<'a> {
 
     /// The chapter's function for the reader's and for the helpers that this calls.
     fn swapped(&self, common: &Common<'a>) -> Fix<'a> {
+        let (yours, right) = (common.0, common.1[0]);
         Fix {
-            called: self.helpers(common.0),
-            ..Fix::whole(common)
+            yours,
+            text: right.text.clone(),
+            right: Some(right),
+            called: self.helpers(yours),
         }
     }
 
