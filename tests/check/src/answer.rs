@@ -176,7 +176,11 @@ impl Judged<'_> {
             parts.extend(whereabouts(finding));
             if finding.sights.len() != 1 {
                 let unknown = match self.scene.probe {
-                    None => "No mistake in the catalogue draws this picture.".to_owned(),
+                    None if self.known.sources.files().is_empty() => {
+                        "No mistake in the catalogue draws this picture.".to_owned()
+                    }
+                    None => "No known mistake was found in your files that draws this picture."
+                        .to_owned(),
                     Some(_) => format!(
                         "No known mistake draws this picture and the chapter's own right. Is that right? {}",
                         self.scene.without_probe().command()
