@@ -15,7 +15,7 @@ use suite::drawn::shown_in;
 use suite::left_out::left_out;
 use suite::mine::Mine;
 
-/// The first hour of the introduction, which shows some of these screens.
+/// Chapter 3 in a terminal, as the introduction shows it.
 #[test]
 #[ignore = "builds a reader's crate a dozen times"]
 fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
