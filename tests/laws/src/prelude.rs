@@ -119,9 +119,8 @@ impl Asked {
 pub fn of_program<T>(program: &Program, act: impl FnOnce(&Prelude) -> T) -> T {
     let squared = |v| (program.squared)(program, v);
     act(&Prelude {
-        // The book divides by multiplying with the reciprocal.
-        mul: &|t, v| (program.over)(v, 1.0 / t),
-        add: &program.plus,
+        mul: &|t, v| t * v,
+        add: &|u, v| u + v,
         neg: &|v| -v,
         sub: &|u, v| u - v,
         dot: &program.dot,

@@ -155,12 +155,6 @@ impl Edition {
         self != Self::V4
     }
 
-    /// Whether its camera divides the edges of the viewport. The oldest ones write out
-    /// what comes of it, as `lower_left_corner(-2.0, -1.0, -1.0)`.
-    pub(super) fn divides_the_viewport(self) -> bool {
-        matches!(self, Self::V3 | Self::V4)
-    }
-
     /// The row that the right loop counts as it draws the `j`th row from above.
     pub(super) fn row(self, j: u32, image_height: u32) -> f64 {
         if self.counts_from_below() {

@@ -105,10 +105,6 @@ pub struct Program {
     pub ray: fn(&Program, &Camera, u32, u32) -> Ray,
     /// The ray that is cast, from the right one.
     pub aim: fn(&Program, Ray) -> Ray,
-    /// The sum of two vectors.
-    pub plus: fn(Vec3, Vec3) -> Vec3,
-    /// A vector divided by a number.
-    pub over: fn(Vec3, f64) -> Vec3,
     /// The vector of length 1 in the same direction.
     pub unit: fn(Vec3) -> Vec3,
     /// The direction by which the sky is blended, from that of the ray.
@@ -161,8 +157,6 @@ pub struct Program {
     pub choice: fn(&Program, [f64; 2], f64, f64) -> Option<f64>,
     /// The point at a ray parameter.
     pub at: fn(&Program, &Ray, f64) -> Point3,
-    /// The point that is hit, from the ray parameter.
-    pub hit_point: fn(&Program, &Ray, f64) -> Point3,
     /// The unit normal that points out, from a point on a sphere.
     pub outward: fn(&Program, Point3, Ball) -> Vec3,
     /// Whether the ray comes from outside, from its direction and the normal that points out.
@@ -216,18 +210,11 @@ impl Program {
         let viewport_u = Vec3::new(right * viewport_width, 0.0, 0.0);
         let viewport_v = Vec3::new(0.0, up * self.viewport_height, 0.0);
 
-        let part = |share: f64, edge| {
-            if self.edition.divides_the_viewport() {
-                (self.over)(edge, 1.0 / share)
-            } else {
-                share * edge
-            }
-        };
         let [left, above] = self.corner;
         let corner = center
             - Vec3::new(0.0, 0.0, self.focal_length)
-            - part(left, viewport_u)
-            - part(above, viewport_v);
+            - left * viewport_u
+            - above * viewport_v;
         let mut camera = Camera {
             image_width,
             image_height,
@@ -238,11 +225,10 @@ impl Program {
         };
         if !self.edition.counts_from_below() {
             let [across, down] = self.divided(image_width, image_height);
-            camera.pixel_delta_u = (self.over)(viewport_u, across);
-            camera.pixel_delta_v = (self.over)(viewport_v, down);
+            camera.pixel_delta_u = viewport_u * (1.0 / across);
+            camera.pixel_delta_v = viewport_v * (1.0 / down);
             let [right, down] = self.inset;
-            let inset = (self.plus)(right * camera.pixel_delta_u, down * camera.pixel_delta_v);
-            camera.pixel00 = (self.plus)(corner, inset);
+            camera.pixel00 = corner + (right * camera.pixel_delta_u + down * camera.pixel_delta_v);
         }
         camera
     }
@@ -266,7 +252,7 @@ impl Program {
     /// The normal of a hit that is colored, if the ray hits anything.
     pub fn normal(&self, ray: &Ray) -> Option<Vec3> {
         let (t, ball) = self.search(ray)?;
-        let outward = (self.outward)(self, (self.hit_point)(self, ray, t), ball);
+        let outward = (self.outward)(self, (self.at)(self, ray, t), ball);
         Some((self.face)(self, ray.direction, outward))
     }
 
@@ -294,7 +280,7 @@ impl Program {
             return code.record(ball, ray, t_min, t_max);
         }
         let t = self.hit(ball, ray, t_min, t_max)?;
-        let point = (self.hit_point)(self, ray, t);
+        let point = (self.at)(self, ray, t);
         let outward = (self.outward)(self, point, ball);
         Some(Hit {
             t,
@@ -320,8 +306,7 @@ impl Program {
             let [across, up] = self.divided(camera.image_width, camera.image_height);
             [u, v] = [u / across, v / up];
         }
-        let in_column = (self.plus)(camera.pixel00, u * camera.pixel_delta_u);
-        let point = (self.plus)(in_column, v * camera.pixel_delta_v);
+        let point = camera.pixel00 + u * camera.pixel_delta_u + v * camera.pixel_delta_v;
         Ray::new(camera.center, point - camera.center)
     }
 
@@ -395,8 +380,6 @@ const HITTABLE_LIST: Program = Program {
     color: |program, camera, i, j| program.ray_color(&(program.ray)(program, camera, i, j)),
     ray: |program, camera, i, j| (program.aim)(program, program.through(camera, i, j)),
     aim: |_, ray| ray,
-    plus: |u, v| u + v,
-    over: |v, t| v * (1.0 / t),
     unit: Vec3::normalize,
     sky_direction: |program, direction| (program.unit)(direction),
     blend: |direction| 0.5 * (direction.y + 1.0),
@@ -425,9 +408,8 @@ const HITTABLE_LIST: Program = Program {
         let in_range = |&t: &f64| (program.in_range)(t_min, t, t_max);
         roots.into_iter().find(in_range)
     },
-    at: |program, ray, t| (program.plus)(ray.origin, t * ray.direction),
-    hit_point: |program, ray, t| (program.at)(program, ray, t),
-    outward: |program, point, ball| (program.over)(point - ball.center, ball.radius),
+    at: |_, ray, t| ray.origin + t * ray.direction,
+    outward: |_, point, ball| (point - ball.center) * (1.0 / ball.radius),
     front_face: |program, direction, outward| (program.dot)(direction, outward) < 0.0,
     face: |program, direction, outward| {
         if (program.front_face)(program, direction, outward) {

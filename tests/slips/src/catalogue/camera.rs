@@ -4,7 +4,6 @@ use common::rtweekend::*;
 
 use super::chapters::{GRADIENT, RAYS};
 use crate::edition::Edition;
-use crate::letters::Letters;
 use crate::slip::{Part, SLIP, Slip};
 
 const GRID: Slip = Slip {
@@ -84,13 +83,6 @@ pub(super) const SLIPS: &[Slip] = &[
               pixel.",
         reported: &["#923", "PR #1158"],
         alter: |p| p.inset = [0.0, 0.0],
-        ..PIXEL00
-    },
-    Slip {
-        name: "inset-whole-pixel",
-        edits: &["0.5 * (pixel_delta_u + pixel_delta_v)→pixel_delta_u + pixel_delta_v"],
-        why: "Its middle is half a pixel from the corner. A whole one in, all moves by half.",
-        alter: |p| p.inset = [1.0, 1.0],
         ..PIXEL00
     },
     Slip {
@@ -278,16 +270,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ..RATIO
     },
     Slip {
-        name: "integer-viewport-width",
-        cpp: "double viewport_width = …",
-        python: "viewport_width = …",
-        edits: &["double→int", "…→int(…)"],
-        why: "An integer keeps 3 of the 3.56 units: everything is wider by a fifth.",
-        made_in: |letters| letters != Letters::Rust,
-        alter: |p| p.viewport_ratio = |width, height, _| (2.0 * width / height).trunc() / 2.0,
-        ..SIZE
-    },
-    Slip {
         name: "viewport-width-four",
         page: CAMERA.page,
         part: Part::Prelude,
@@ -300,15 +282,6 @@ pub(super) const SLIPS: &[Slip] = &[
               fits a picture twice as wide as high; in another one a sphere is an egg.",
         alter: |p| p.viewport_ratio = |_, _, _| 2.0,
         ..RATIO
-    },
-    Slip {
-        name: "columns-by-height",
-        rust: "pixel_delta_u = viewport_u * (1.0 / f64::from(image_width))",
-        older: "u = i / (image_width - 1)",
-        edits: &["image_width→image_height"],
-        why: "A step to the right is too long, and the columns run out of the viewport.",
-        alter: |p| p.divisors = |_, height| [height; 2],
-        ..GRID
     },
     Slip {
         name: "rows-by-width",
@@ -329,14 +302,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ],
         why: "i counts to the right and j along a column. Swapped, all is transposed.",
         alter: |p| p.place = |[i, j]| [j, i],
-        ..PIXEL
-    },
-    Slip {
-        name: "column-for-row",
-        older: "v = j / (image_height - 1)",
-        edits: &["f64::from(j)→f64::from(i)", "v = j→v = i"],
-        why: "A copied term keeps its letter: all rows are the same.",
-        alter: |p| p.place = |[i, _]| [i; 2],
         ..PIXEL
     },
     Slip {

@@ -84,28 +84,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ..COLOR
     },
     Slip {
-        name: "column-twice",
-        cpp: "g = j / (height - 1)",
-        edits: &[
-            "f64::from(j)→f64::from(i)",
-            "j / (height - 1)→i / (width - 1)",
-        ],
-        why: "A copied term keeps its letter: green runs to the right, and all rows are the same.",
-        alter: |p| p.ramp = |[i, _], [width, _]| [i / width; 2],
-        ..COLOR
-    },
-    Slip {
-        name: "row-twice",
-        cpp: "r = i / (width - 1)",
-        edits: &[
-            "f64::from(i)→f64::from(j)",
-            "i / (width - 1)→j / (height - 1)",
-        ],
-        why: "A copied term keeps its letter: red runs down, and all columns are the same.",
-        alter: |p| p.ramp = |[_, j], [_, height]| [j / height; 2],
-        ..COLOR
-    },
-    Slip {
         name: "green-upwards",
         cpp: "g = j / (height - 1)",
         older: "g = j / (image_height - 1)",
@@ -155,25 +133,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ..PIXELS
     },
     Slip {
-        name: "loops-from-one",
-        cpp: "for j = 0 to image_height - 1, for i = 0 to image_width - 1",
-        older: "for j = image_height - 1 down to 0, for i = 0 to image_width - 1",
-        edits: &[
-            "0..image_height { for i in 0..image_width→1..=image_height { for i in 1..=image_width",
-            "- 1 down to 0, for i = 0 to image_width - 1→down to 1, for i = 1 to image_width",
-            "→for j = 1 to image_height, for i = 1 to image_width",
-        ],
-        why: "Pixels are counted from 0. From 1, everything moves by a pixel.",
-        alter: |p| {
-            if p.edition.counts_from_below() {
-                p.place = |place| place.map(|count| count + 1.0);
-            } else {
-                p.order = |n, width, _| (n % width + 1, n / width + 1);
-            }
-        },
-        ..LOOPS
-    },
-    Slip {
         name: "header-swapped",
         rust: "P3\\n{image_width} {image_height}\\n255",
         cpp: "print image_width, image_height",
@@ -201,13 +160,6 @@ pub(super) const SLIPS: &[Slip] = &[
         why: "A pixel is red, green, blue. Here red and green change places, where they are \
               printed or in every color that is typed: a blue sky turns violet.",
         alter: |p| p.channels = [1, 0, 2],
-        ..CHANNELS
-    },
-    Slip {
-        name: "green-twice",
-        edits: &["{b}→{g}", "g, b→g, g"],
-        why: "A copied line keeps its old letter: green stands where blue should.",
-        alter: |p| p.channels = [0, 1, 1],
         ..CHANNELS
     },
     Slip {

@@ -30,12 +30,6 @@ const FACE: Slip = Slip {
     rust: "record.set_face_normal(ray, outward_normal)",
     ..SEARCH
 };
-const TURN: Slip = Slip {
-    rust: "if self.front_face { outward_normal } else { -outward_normal }",
-    cpp: "normal = front_face ? outward_normal : -outward_normal",
-    python: "normal = outward_normal if front_face else -outward_normal",
-    ..FACE
-};
 const GROUND: Slip = Slip {
     page: "hittable_list#the-world",
     source: "chapters/5_hittable_list/src/lib.rs",
@@ -78,19 +72,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ],
         why: "The first object that is hit hides nearer ones, and the book adds the nearest first.",
         alter: |p| p.search = |program, balls, ray| hits(program, balls, ray).next(),
-        ..SEARCH
-    },
-    Slip {
-        name: "stops-at-first-miss",
-        rust: "if let Some(record) = object.hit(ray, t_min, closest_so_far) {",
-        cpp: "if (object.hit(…)) …",
-        edits: &[
-            "(object.hit(…)) …→(!object.hit(…)) return false",
-            "→else { return None",
-        ],
-        is_in_two_places: true,
-        why: "A missed object ends the search, so a ray hits only where it meets all of them.",
-        alter: |p| p.search = all_or_none,
         ..SEARCH
     },
     Slip {
@@ -152,13 +133,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ..RANGE
     },
     Slip {
-        name: "t-max-ignored",
-        edits: &[" && t < t_max→"],
-        why: "What is farther than the closest so far counts too, so the last hit wins.",
-        alter: |p| p.in_range = |t_min, t, _| t_min < t,
-        ..RANGE
-    },
-    Slip {
         name: "range-closed",
         edits: &["t_min < t && t < t_max→t_min <= t && t <= t_max"],
         why: "A ray that leaves a surface must not hit it at t = 0, the end of the interval.",
@@ -178,17 +152,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ..FACE
     },
     Slip {
-        name: "normal-not-turned",
-        edits: &[
-            "front_face ? outward_normal : -outward_normal→outward_normal",
-            " if front_face else -outward_normal→",
-            "→self.normal = outward_normal",
-        ],
-        why: "From inside a sphere, where no camera here is, the normal turns against the ray.",
-        alter: |p| p.face = |_, _, outward| outward,
-        ..TURN
-    },
-    Slip {
         name: "normal-not-set",
         cpp: "rec.set_face_normal(r, outward_normal)",
         edits: &[
@@ -204,6 +167,9 @@ pub(super) const SLIPS: &[Slip] = &[
     },
     Slip {
         name: "faces-swapped",
+        rust: "if self.front_face { outward_normal } else { -outward_normal }",
+        cpp: "normal = front_face ? outward_normal : -outward_normal",
+        python: "normal = outward_normal if front_face else -outward_normal",
         edits: &[
             "{ outward_normal } else { -outward_normal }→\
              { -outward_normal } else { outward_normal }",
@@ -219,7 +185,7 @@ pub(super) const SLIPS: &[Slip] = &[
                 if is_front { -outward } else { outward }
             }
         },
-        ..TURN
+        ..FACE
     },
     Slip {
         name: "ground-too-high",
@@ -264,15 +230,4 @@ fn hits<'a>(
 
 fn last_hit(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
     hits(program, balls, ray).next_back()
-}
-
-fn all_or_none(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
-    let mut found = None;
-    let mut closest_so_far = program.t_max;
-    for &ball in balls {
-        let t = program.hit(ball, ray, program.t_min, closest_so_far)?;
-        closest_so_far = t;
-        found = Some((t, ball));
-    }
-    found
 }

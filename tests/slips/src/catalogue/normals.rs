@@ -27,11 +27,6 @@ const NORMAL: Slip = Slip {
     )),
     ..CHAPTER
 };
-const NORMAL_BY_RADIUS: Slip = Slip {
-    chapters: HITTABLE_LIST,
-    source: "chapters/5_hittable_list/src/sphere.rs",
-    ..NORMAL
-};
 const POINT: Slip = Slip {
     page: "gradient#a-ray-is-a-function",
     source: "common/src/ray.rs",
@@ -99,12 +94,14 @@ pub(super) const SLIPS: &[Slip] = &[
     },
     Slip {
         name: "normal-from-first-center",
+        chapters: HITTABLE_LIST,
+        source: "chapters/5_hittable_list/src/sphere.rs",
         edits: &[
             "(point - center) * (1.0 / radius)→(point - Point3::new(0.0, 0.0, -1.0)).normalize()",
         ],
         why: "With one sphere that was right. Any other has its normals from its own center.",
         alter: |p| p.outward = |program, point, _| (program.unit)(point - BALL.center),
-        ..NORMAL_BY_RADIUS
+        ..NORMAL
     },
     Slip {
         name: "center-added",
@@ -147,13 +144,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ..NORMAL
     },
     Slip {
-        name: "normal-times-radius",
-        edits: &["(1.0 / radius)→radius"],
-        why: "The way from the center is as long as the radius: dividing makes it a unit vector.",
-        alter: |p| p.outward = |_, point, ball| (point - ball.center) * ball.radius,
-        ..NORMAL_BY_RADIUS
-    },
-    Slip {
         name: "point-along-unit-direction",
         edits: &[
             "self.direction→self.direction.normalize()",
@@ -171,14 +161,6 @@ pub(super) const SLIPS: &[Slip] = &[
         law: "A ray is at its origin at t = 0.",
         alter: |p| p.at = |_, ray, t| t * ray.direction,
         ..POINT
-    },
-    Slip {
-        name: "point-at-one",
-        rust: "ray.at(t)",
-        edits: &["ray.at(t)→ray.at(1.0)"],
-        why: "The point at t = 1 is on the viewport: the disc is right, its colors are not.",
-        alter: |p| p.hit_point = |program, ray, _| (program.at)(program, ray, 1.0),
-        ..CHAPTER
     },
     Slip {
         name: "normal-not-mapped",
@@ -239,57 +221,10 @@ pub(super) const SLIPS: &[Slip] = &[
         rust: "center - Vec3::new(0.0, 0.0, focal_length), and the spheres at z = -1.0",
         edits: &["→center + Vec3::new(0.0, 0.0, focal_length), and the spheres at z = 1.0"],
         why: "z points away from the eye then, and the normals' blue too. All else is the same.",
-        alter: |p| p.shade = |_, normal| 0.5 * (mirrored(normal) + Vec3::ONE),
+        alter: |p| p.shade = |_, normal| 0.5 * (normal.with_z(-normal.z) + Vec3::ONE),
         ..CHAPTER
     },
-    Slip {
-        name: "normal-x-twice",
-        edits: &["N.y()→N.x()"],
-        why: "Red and green are the same everywhere: green is to show the y of the normal.",
-        alter: |p| p.shade = |_, normal| 0.5 * (normal.with_y(normal.x) + Vec3::ONE),
-        ..SHADE
-    },
-    Slip {
-        name: "normal-y-twice",
-        edits: &["N.z()→N.y()"],
-        why: "Green and blue are the same everywhere: blue is to show the z of the normal.",
-        alter: |p| p.shade = |_, normal| 0.5 * (normal.with_z(normal.y) + Vec3::ONE),
-        ..SHADE
-    },
-    Slip {
-        name: "normal-x-and-y-exchanged",
-        edits: &["N.x() + 1, N.y()→N.y() + 1, N.x()"],
-        why: "Red is to grow to the right, with x, and green upwards, with y.",
-        alter: |p| p.shade = |_, n| 0.5 * (Vec3::new(n.y, n.x, n.z) + Vec3::ONE),
-        ..SHADE
-    },
-    Slip {
-        name: "normal-x-negated",
-        edits: &["N.x()→-N.x()"],
-        why: "The sphere has its right side's red at the left.",
-        alter: |p| p.shade = |_, normal| 0.5 * (normal.with_x(-normal.x) + Vec3::ONE),
-        ..SHADE
-    },
-    Slip {
-        name: "normal-y-negated",
-        edits: &["N.y()→-N.y()"],
-        why: "The sphere has its upper side's green below.",
-        alter: |p| p.shade = |_, normal| 0.5 * (normal.with_y(-normal.y) + Vec3::ONE),
-        ..SHADE
-    },
-    Slip {
-        name: "normal-z-negated",
-        edits: &["N.z()→-N.z()"],
-        why: "What faces the eye has z near 1, and is to be blue.",
-        alter: |p| p.shade = |_, normal| 0.5 * (mirrored(normal) + Vec3::ONE),
-        ..SHADE
-    },
 ];
-
-/// The same as seen with z the other way.
-fn mirrored(normal: Vec3) -> Vec3 {
-    normal.with_z(-normal.z)
-}
 
 /// A vector as long as the sphere's radius made one of length 1, in the way of
 /// the chapter: by its own length, or from chapter 5 on by the radius.

@@ -3,8 +3,6 @@
 use common::rtweekend::*;
 
 use super::chapters::{RAYS, SPHERES};
-use crate::chapter::Chapter;
-use crate::program::Program;
 use crate::slip::{Part, SLIP, Slip};
 
 const SKY: Slip = Slip {
@@ -25,63 +23,12 @@ const VECTOR: Slip = Slip {
 
 pub(super) const SLIPS: &[Slip] = &[
     Slip {
-        name: "divided-with-swapped-letter",
-        page: "gradient#the-grid-of-pixels",
-        rust: "Vec3::new(self.x / t, self.y / t, self.z / t)",
-        cpp: "vec3(v.x / t, v.y / t, v.z / t)",
-        edits: &["self.z→self.y", "v.z→v.y"],
-        why: "In operator/ the third component is made of the second. Half of an edge that has \
-              only y has a z as well, and no unit vector keeps its own.",
-        alter: |p| {
-            p.over = swapped_over;
-            p.unit = |v| swapped_over(v, v.length());
-        },
-        ..VECTOR
-    },
-    Slip {
-        name: "sum-with-swapped-letter",
-        page: "gradient#a-ray-is-a-function",
-        rust: "Vec3::new(self.x + other.x, self.y + other.y, self.z + other.z)",
-        cpp: "vec3(u.x + v.x, u.y + v.y, u.z + v.z)",
-        edits: &["other.z→self.z", "v.z→u.z"],
-        why: "In operator+ the third component is that of the first vector, twice. Each sum on the \
-              way to a pixel doubles the viewport's distance, and a point on a ray has no depth.",
-        alter: |p| {
-            p.plus = swapped_plus;
-            p.lerp = |[below, above], a| swapped_plus((1.0 - a) * below, a * above);
-            if p.chapter == Chapter::HittableList {
-                p.shade = |_, normal| 0.5 * swapped_plus(normal, Vec3::ONE);
-            }
-        },
-        ..VECTOR
-    },
-    Slip {
         name: "divided-by-length-squared",
         rust: "(1.0 / self.length()) * self",
         cpp: "unit_vector(v) = v / v.length()",
         edits: &["length()→length_squared()"],
         why: "Divided by its length's square, a long vector becomes too short.",
         alter: |p| p.unit = |v| v * (1.0 / v.length_squared()),
-        ..VECTOR
-    },
-    Slip {
-        name: "length-with-swapped-letter",
-        rust: "self.x * self.x + self.y * self.y + self.z * self.z",
-        cpp: "e[0]*e[0] + e[1]*e[1] + e[2]*e[2]",
-        python: "x*x + y*y + z*z",
-        edits: &[
-            "self.z * self.z→self.y * self.y",
-            "e[2]*e[2]→e[1]*e[1]",
-            "z*z→y*y",
-        ],
-        why: "One component counts twice, one never: each length and unit vector is wrong.",
-        alter: |p| {
-            p.unit = |v| v * (1.0 / swapped_length_squared(v).sqrt());
-            // Chapters 4 and 5 take the square of a length by the same function.
-            if p.chapter >= Chapter::HalfBSphere {
-                p.squared = |_: &Program, v| swapped_length_squared(v);
-            }
-        },
         ..VECTOR
     },
     Slip {
@@ -137,14 +84,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ..SKY
     },
     Slip {
-        name: "blue-with-exchanged-numbers",
-        rust: "blue = Color::new(0.5, 0.7, 1.0)",
-        edits: &["0.5, 0.7→0.7, 0.5"],
-        why: "Red has less of it than green. Exchanged, the sky is violet.",
-        alter: |p| p.sky = [Color::ONE, Color::new(0.7, 0.5, 1.0)],
-        ..SKY
-    },
-    Slip {
         name: "background-missing",
         chapters: SPHERES,
         rust: "sky(ray)",
@@ -158,15 +97,3 @@ pub(super) const SLIPS: &[Slip] = &[
         ..SKY
     },
 ];
-
-fn swapped_length_squared(v: Vec3) -> f64 {
-    v.x * v.x + v.y * v.y + v.y * v.y
-}
-
-fn swapped_plus(u: Vec3, v: Vec3) -> Vec3 {
-    Vec3::new(u.x + v.x, u.y + v.y, u.z + u.z)
-}
-
-fn swapped_over(v: Vec3, t: f64) -> Vec3 {
-    Vec3::new(v.x, v.y, v.y) * (1.0 / t)
-}

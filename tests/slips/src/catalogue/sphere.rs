@@ -188,27 +188,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ..C
     },
     Slip {
-        name: "radius-doubled",
-        edits: &["radius * radius→2.0 * radius"],
-        why: "Twice 0.5 is 1, the distance of the center: the eye is on the sphere.",
-        alter: |p| p.constant = |oc_squared, radius| oc_squared - 2.0 * radius,
-        ..C
-    },
-    Slip {
-        name: "radius-forgotten",
-        edits: &[" - radius * radius→"],
-        why: "A sphere of radius 0 is a point, and no ray meets it but one.",
-        alter: |p| p.constant = |oc_squared, _| oc_squared,
-        ..C
-    },
-    Slip {
-        name: "center-not-squared",
-        edits: &["oc.dot(oc)→oc.length()"],
-        why: "The equation has the square of the distance, and near 1 the two are alike.",
-        alter: |p| p.constant = |oc_squared, radius| oc_squared.sqrt() - radius * radius,
-        ..C
-    },
-    Slip {
         name: "a-taken-as-one",
         edits: &["ray.direction.dot(ray.direction)→1.0"],
         why: "That holds for unit directions only. Here every ray hits, as the one in the middle.",
@@ -223,26 +202,12 @@ pub(super) const SLIPS: &[Slip] = &[
         ..A
     },
     Slip {
-        name: "discriminant-without-a",
-        edits: &["a * →"],
-        why: "Without a it holds for directions 1 long only, and the disc is too large or torn.",
-        alter: |p| p.discriminant = |four, _, b, c| b * b - four * c,
-        ..DISCRIMINANT
-    },
-    Slip {
         name: "dot-with-swapped-letter",
         edits: &["other.z→self.z", "v.z→u.z"],
         why: "With oc.z and d.z both -1 the last product is right by chance. Any other sphere, \
               and every normal's side, is wrong.",
         reported: &["#1292"],
         alter: |p| p.dot = |u, v| u.x * v.x + u.y * v.y + u.z * u.z,
-        ..DOT
-    },
-    Slip {
-        name: "dot-without-z",
-        edits: &[" + self.z * other.z→", " + u.z*v.z→"],
-        why: "A dot product has three terms. Without the third, depth is lost.",
-        alter: |p| p.dot = |u, v| u.x * v.x + u.y * v.y,
         ..DOT
     },
     Slip {
