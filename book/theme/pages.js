@@ -117,6 +117,10 @@ async function type(tools, slip) {
 }
 const allTools = document.querySelectorAll(".listing > .tools");
 for (const tools of allTools) {
+    // A link to a listing opens it.
+    if (location.hash === `#${tools.parentElement.querySelector(".source").id}`) {
+        document.fonts.ready.then(() => type(tools));
+    }
     tools.querySelector("button").addEventListener("click", () => type(tools));
     tools.querySelector("select")?.addEventListener("change", ({ target }) => {
         target.value && type(tools, { ...target.selectedOptions[0].dataset });
