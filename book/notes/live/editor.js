@@ -189,6 +189,7 @@ class Editor {
     // Draws what there is until no letter comes meanwhile, and then looks closer.
     async changed() {
         const now = ++this.turn;
+        this.typed = performance.now();
         this.desk.ariaBusy = "true";
         this.files.forEach((file) => file.mark([]));
         if (this.isDrawing) {
@@ -201,7 +202,7 @@ class Editor {
             said = await this.draw(Editor.drawing, this.width / 2, PATIENCE);
         } while (turn !== this.turn);
         this.isDrawing = false;
-        await pause(PAUSE);
+        await until(this.typed + PAUSE);
         if (turn === this.turn) {
             this.keep();
             said ? this.say(said, true) : this.judge(turn);
@@ -240,7 +241,7 @@ class Editor {
         }
         let said = await this.draw(Editor.judging, this.width, LONG_PATIENCE);
         if (!said && turn === this.turn) {
-            await pause(LONG_PAUSE - PAUSE);
+            await until(this.typed + LONG_PAUSE);
         }
         if (turn !== this.turn) {
             return;
@@ -484,7 +485,7 @@ class TypedFile {
     }
 }
 
-const pause = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
+const until = (time) => new Promise((done) => setTimeout(done, time - performance.now()));
 
 const refusal = (words) => {
     const said = document.createElement("p");
