@@ -120,14 +120,9 @@ impl Text {
 
     /// The chapter's program with what was typed in the place of its code.
     fn in_place_of_ours(&self, typed: &'static interpreter::Program) -> Program {
-        let ours = Program::right(self.chapter);
-        let range = typed.range(&Ray::new(Point3::ZERO, Vec3::NEG_Z));
-        let [t_min, t_max] = range.unwrap_or([ours.t_min, ours.t_max]);
         Program {
             code: Some(typed),
-            t_min,
-            t_max,
-            ..ours
+            ..Program::right(self.chapter)
         }
     }
 

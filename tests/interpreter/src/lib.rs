@@ -126,7 +126,7 @@ pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
     let (names, bodies) = names::collect(&trees).map_err(refused)?;
     let mut functions = Vec::new();
     for (signature, body) in names.functions.iter().zip(&bodies) {
-        match lower::lower(&names, signature, body.as_ref()) {
+        match lower::lower(&names, signature, *body) {
             Ok(function) => functions.push(Arc::new(function)),
             Err(fault) => faults.push(fault),
         }
@@ -210,18 +210,6 @@ impl Program {
             write_color(&mut pixel, self.vec3_of(&colored).unwrap_or(Color::NAN));
             Ok(pixel)
         })
-    }
-
-    /// The range that `ray_color` asks the world for.
-    pub fn range(&self, ray: &Ray) -> Option<[f64; 2]> {
-        let color = self.roles.ray_color?;
-        let world = self.code.names.functions[color].parameters.get(1)?;
-        if !matches!(world.stripped().0, Head::Dyn(_)) {
-            return None;
-        }
-        let asked = Rc::default();
-        self.call(color, &[self.ray(ray), Value::Nothing(Rc::clone(&asked))])?;
-        asked.get()
     }
 
     /// What the compiler refuses and was seen only when functions were asked by themselves.
@@ -330,7 +318,7 @@ impl Roles {
             let kind = names.kinds.iter().position(|it| it.name == name);
             kind.map(|it| Type::from(Head::Own(it)))
         };
-        let method = |ty: &Type, name| names.method_or_default(ty, name);
+        let method = |ty: &Type, name| names.method(ty, name, None);
         let ray_color = function("ray_color", 1).or_else(|| function("ray_color", 2));
         // Vectors are what a ray is made of.
         let ray = ray_color.and_then(|it| names.functions[it].parameters.first());

@@ -12,8 +12,8 @@ use std::sync::Arc;
 
 use syn::spanned::Spanned;
 
-use crate::names::{Body, Context, Inside, Named, Names, Signature, names};
-use crate::node::{At, Function, Node, Root, Step, Target};
+use crate::names::{Context, Inside, Named, Names, Signature, names};
+use crate::node::{At, Function, Node, Root, Target};
 use crate::operators::{Operator, operator};
 use crate::read::{Refusal, at, at_expr, at_span};
 use crate::types::{Head, Int, Type};
@@ -27,9 +27,9 @@ const SINGLES: &str = "numbers of the type `f32`";
 pub(crate) fn lower(
     names: &Names,
     signature: &Signature,
-    body: Option<&Body>,
+    body: Option<Inside>,
 ) -> Lowered<Function> {
-    let module = body.map_or(signature.module, |it| it.module);
+    let module = signature.module;
     let mut lowerer = Lowerer {
         names,
         file: names.file(module),
@@ -92,8 +92,8 @@ struct Lowerer<'n> {
 }
 
 impl Lowerer<'_> {
-    fn function(&mut self, signature: &Signature, body: Option<&Body>) -> Lowered<Function> {
-        let body = match body.map(|it| it.of) {
+    fn function(&mut self, signature: &Signature, body: Option<Inside>) -> Lowered<Function> {
+        let body = match body {
             None => Node::Unit,
             Some(Inside::Constant(value)) => self.given(value, &signature.result)?,
             Some(Inside::Function(syntax, block)) => {
@@ -288,8 +288,10 @@ impl Lowerer<'_> {
             has_value = false;
             let done = match statement {
                 syn::Stmt::Local(it) => self.declaration(it)?,
-                // It is known already.
-                syn::Stmt::Item(_) => continue,
+                syn::Stmt::Item(it) => {
+                    let what = "declarations in a function";
+                    return Err(Refusal::unknown(self.at_any(it), what));
+                }
                 syn::Stmt::Macro(it) => {
                     has_value = is_last && it.semi_token.is_none();
                     self.macro_call(&it.mac)?
@@ -556,7 +558,7 @@ impl Lowerer<'_> {
                 "cannot change this, as it is behind a `&` reference".to_owned()
             }
             (None, _) => {
-                let what = "changes of a value without a name";
+                let what = "changes of a part of a list, or of a value without a name";
                 return Err(Refusal::unknown(self.at(at), what));
             }
         };
@@ -569,7 +571,6 @@ impl Lowerer<'_> {
                 let message = format!("cannot assign twice to immutable variable `{name}`");
                 self.refused(self.at(at), message)
             }
-            (None, _) => self.refused(self.at(at), "invalid left-hand side of assignment"),
             _ => self.mutable(typed, at),
         }
     }
@@ -768,7 +769,7 @@ impl Lowerer<'_> {
         let (n, ty) = self.names.field(&base.ty, &name, self.context.module, at)?;
         let on = self.stripped(base);
         let target = on.target.map(|mut target| {
-            target.steps.push(Step::Field(n));
+            target.steps.push(n);
             target
         });
         Ok(Typed {
@@ -805,16 +806,7 @@ impl Lowerer<'_> {
             return self.fault(self.at(&it.index), &message, "an index is a `usize`", "");
         }
         let index = self.declared(index, &usize, self.at(&it.index))?;
-        let target = on.target.map(|mut target| {
-            target.steps.push(Step::Index(index.clone(), at));
-            target
-        });
-        Ok(Typed {
-            node: Node::Index(Box::new([on.node, index]), at),
-            ty: of,
-            target,
-            fixed: on.fixed,
-        })
+        Ok(Typed::new(Node::Index(Box::new([on.node, index]), at), of))
     }
 
     fn unary(&mut self, it: &syn::ExprUnary) -> Lowered {
@@ -905,17 +897,16 @@ impl Lowerer<'_> {
     ) -> Lowered {
         let [one, other] = [&left, &right].map(|it| self.stripped(it.clone()));
         let refused = self.names.no_operator(sign, [&left.ty, &right.ty], at);
-        if is_assignment && let Some(own) = self.names.operator(sign, true, [&one.ty, &other.ty]) {
-            let target = Box::new(self.assignable(left, left_at)?);
-            let nodes = Box::new([Node::Address(target), other.node]);
-            return Ok(Typed::new(Node::Call(own, nodes, at), Type::UNIT));
+        if is_assignment && matches!(one.ty.0, Head::Own(_)) {
+            let what = "operators that change a struct";
+            return Err(Refusal::unknown(at, what));
         }
         let Some(ty) = self.names.result_of(sign, &one.ty, &other.ty) else {
             return Err(refused);
         };
         if !is_assignment {
             let nodes = Box::new([one.node, other.node]);
-            let node = match self.names.operator(sign, false, [&one.ty, &other.ty]) {
+            let node = match self.names.operator(sign, [&one.ty, &other.ty]) {
                 Some(own) if !one.ty.is_unknown() && !other.ty.is_unknown() => {
                     Node::Call(own, nodes, at)
                 }

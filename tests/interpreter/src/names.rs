@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use strsim::levenshtein;
 
-pub(crate) use collect::{Body, Inside, collect};
+pub(crate) use collect::{Inside, collect};
 
 use crate::node::At;
 use crate::prelude::{self, NATIVES, Native};
@@ -24,14 +24,12 @@ pub(crate) struct Names {
     pub(crate) functions: Vec<Signature>,
 }
 
-/// A file, a part of one in brackets, or a block that declares something.
+/// A file, or a part of one in brackets.
 #[derive(Debug, Default)]
 pub(crate) struct Module {
     name: String,
     pub(crate) file: u32,
     parent: usize,
-    /// A block sees what is around it, too.
-    is_block: bool,
     names: HashMap<String, Entry>,
     /// What it imports by a `*`: names of its own go before these.
     globs: Vec<(Vec<String>, bool)>,
@@ -78,7 +76,6 @@ pub(crate) struct Kind {
     pub(crate) name: String,
     pub(crate) module: usize,
     pub(crate) fields: Vec<Field>,
-    pub(crate) shape: Shape,
     pub(crate) derives: Vec<String>,
 }
 
@@ -88,13 +85,6 @@ impl Kind {
         let fields = self.fields.iter();
         fields.map(|it| (it.name.as_str(), it.ty.clone())).collect()
     }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Shape {
-    Named,
-    Tuple,
-    Unit,
 }
 
 #[derive(Debug)]
@@ -107,7 +97,7 @@ pub(crate) struct Field {
 #[derive(Debug)]
 pub(crate) struct Trait {
     pub(crate) name: String,
-    /// The functions that an implementation has, and those that it may have.
+    /// The functions that an implementation has.
     pub(crate) methods: Vec<usize>,
     pub(crate) implemented_for: Vec<Type>,
 }
@@ -129,7 +119,6 @@ pub(crate) struct Signature {
     pub(crate) in_trait: Option<usize>,
     pub(crate) in_standard: Option<String>,
     pub(crate) is_constant: bool,
-    pub(crate) has_body: bool,
 }
 
 /// What a type is read with.
@@ -157,16 +146,6 @@ impl Names {
         self.modules[module].file
     }
 
-    /// The module of the file itself, or of the part in brackets.
-    fn outside_of_blocks(&self, module: usize) -> usize {
-        let own = &self.modules[module];
-        if own.is_block {
-            self.outside_of_blocks(own.parent)
-        } else {
-            module
-        }
-    }
-
     /// Whether a module is another one or is in it.
     fn is_within(&self, module: usize, other: usize) -> bool {
         module == other || module != 0 && self.is_within(self.modules[module].parent, other)
@@ -174,7 +153,7 @@ impl Names {
 
     /// Whether what a module declares may be used in another.
     pub(crate) fn sees(&self, from: usize, module: usize, is_public: bool) -> bool {
-        is_public || self.is_within(from, self.outside_of_blocks(module))
+        is_public || self.is_within(from, module)
     }
 
     /// What a path means in the module.
@@ -190,7 +169,6 @@ impl Names {
         if let Some(named) = standard::by_path(path) {
             return Ok(named);
         }
-        let own = self.outside_of_blocks(from);
         // A module and something else may have one name: which is meant, its place says.
         let keys = |part: usize| {
             if part + 1 < path.len() {
@@ -201,8 +179,8 @@ impl Names {
         };
         let mut named = match path[0].as_str() {
             "crate" => Named::Module(0),
-            "self" => Named::Module(own),
-            "super" => Named::Module(self.modules[own].parent),
+            "self" => Named::Module(from),
+            "super" => Named::Module(self.modules[from].parent),
             _ => {
                 let mut seen = keys(0).into_iter();
                 let seen = seen.find_map(|name| self.seen(from, &name, depth));
@@ -229,13 +207,8 @@ impl Names {
 
     /// What a single name means, where nothing says where it is from.
     fn seen(&self, from: usize, name: &str, depth: u32) -> Option<Named> {
-        let around = self.modules[from]
-            .is_block
-            .then(|| self.modules[from].parent);
-        self.member(from, from, name, depth)
-            .ok()
-            .or_else(|| self.seen(around?, name, depth))
-            .or_else(|| standard::everywhere(name))
+        let own = self.member(from, from, name, depth);
+        own.ok().or_else(|| standard::everywhere(name))
     }
 
     /// What a module has by that name; if nothing, whether it is there and private.
@@ -263,13 +236,10 @@ impl Names {
         found.next().ok_or(false)
     }
 
-    /// Whether methods of the trait may be called in the module: it has it by some name.
+    /// Whether methods of the trait may be called in the module: it has it by its name.
     fn has_in_scope(&self, module: usize, of: usize) -> bool {
         let name = &self.traits[of].name;
-        let is_it = |name: &String| matches!(self.seen(module, name, 0), Some(Named::Trait(it)) if it == of);
-        let is_renamed = |entry: &Entry| matches!(&entry.named, Named::Import(path) if path.last() == Some(name));
-        let mut own = self.modules[module].names.iter();
-        is_it(name) || own.any(|(other, entry)| is_renamed(entry) && is_it(other))
+        matches!(self.seen(module, name, 0), Some(Named::Trait(it)) if it == of)
     }
 
     /// Says what is wrong with a path in a `use`.
@@ -340,17 +310,6 @@ impl Names {
         self.functions.iter().position(is_it)
     }
 
-    /// The same, or the one that a trait gives to all.
-    pub(crate) fn method_or_default(&self, ty: &Type, name: &str) -> Option<usize> {
-        self.method(ty, name, None).or_else(|| {
-            let mut traits = self
-                .traits
-                .iter()
-                .filter(|it| it.implemented_for.contains(ty));
-            traits.find_map(|it| self.method_of(it, name))
-        })
-    }
-
     pub(crate) fn method_of(&self, of: &Trait, name: &str) -> Option<usize> {
         let mut methods = of.methods.iter().copied();
         methods.find(|&it| self.functions[it].name == name)
@@ -361,7 +320,7 @@ impl Names {
         if let Head::Dyn(of) = ty.0 {
             return self.method_of(&self.traits[of], name).map(Callee::Dynamic);
         }
-        if let Some(own) = self.method_or_default(ty, name) {
+        if let Some(own) = self.method(ty, name, None) {
             return Some(Callee::Own(own));
         }
         let has = match ty.0 {
@@ -499,21 +458,6 @@ impl Names {
             Head::Own(kind) => self.kinds[kind].known(),
             Head::Tuple => NUMBERS.into_iter().zip(ty.1.iter().cloned()).collect(),
             head => prelude::fields(head).collect(),
-        }
-    }
-
-    /// The struct of the reader's that a path names.
-    pub(crate) fn structure(&self, context: &Context, path: &[String]) -> Option<usize> {
-        let named = match path {
-            [name] if name == "Self" => context.own.as_ref()?.0,
-            path => match self.found(context.module, path).ok()? {
-                Named::Type(ty) => ty.0,
-                _ => return None,
-            },
-        };
-        match named {
-            Head::Own(kind) => Some(kind),
-            _ => None,
         }
     }
 }

@@ -107,7 +107,8 @@ pub(crate) enum Order {
 #[derive(Clone, Debug)]
 pub(crate) struct Target {
     pub(crate) root: Root,
-    pub(crate) steps: Vec<Step>,
+    /// The numbers of the fields that lead there.
+    pub(crate) steps: Vec<usize>,
 }
 
 #[derive(Clone, Debug)]
@@ -115,12 +116,6 @@ pub(crate) enum Root {
     Local(usize),
     /// What a mutable reference leads to.
     Through(Node),
-}
-
-#[derive(Clone, Debug)]
-pub(crate) enum Step {
-    Field(usize),
-    Index(Node, At),
 }
 
 #[derive(Clone, Debug)]

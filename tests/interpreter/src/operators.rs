@@ -93,26 +93,16 @@ impl Order {
 }
 
 impl Names {
-    /// The reader's function for an operator between these types; `=` is after the sign of
-    /// one that changes its left side.
-    pub(crate) fn operator(
-        &self,
-        sign: Sign,
-        is_assignment: bool,
-        types: [&Type; 2],
-    ) -> Option<usize> {
+    /// The reader's function for an operator between these types.
+    pub(crate) fn operator(&self, sign: Sign, types: [&Type; 2]) -> Option<usize> {
         if types.into_iter().any(Type::is_unknown) {
             return None;
         }
         let (name, _, _) = sign.words();
-        let suffix = if is_assignment { "Assign" } else { "" };
         let is_it = |it: &Signature| {
-            let own = it
-                .in_standard
-                .as_deref()
-                .and_then(|it| it.strip_prefix(name));
             let mut wanted = it.of.iter().chain(it.parameters.get(1)).zip(types);
-            own == Some(suffix) && wanted.all(|(wanted, found)| found.fits(wanted, self))
+            it.in_standard.as_deref() == Some(name)
+                && wanted.all(|(wanted, found)| found.fits(wanted, self))
         };
         self.functions.iter().position(is_it)
     }
@@ -120,7 +110,7 @@ impl Names {
     /// The type of what comes out, if the two go together.
     pub(crate) fn result_of(&self, sign: Sign, one: &Type, other: &Type) -> Option<Type> {
         let is_of_vectors = sign != Sign::Remainder;
-        if let Some(own) = self.operator(sign, false, [one, other]) {
+        if let Some(own) = self.operator(sign, [one, other]) {
             return Some(self.functions[own].result.clone());
         }
         match (one.0, other.0) {

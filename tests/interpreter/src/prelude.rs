@@ -1,7 +1,7 @@
 //! The library: each function of Rust and of our prelude that a chapter or its reader may
 //! call, with its signature as Rust has it.
 //!
-//! Iterators are lazy, as in Rust: each is a closure that gives the next value.
+//! What iterators give is a list at once: only a closure that changes something could tell.
 
 use std::cmp::Ordering;
 use std::collections::HashMap;
@@ -14,7 +14,7 @@ use crate::names::{Context, Names, Signature};
 use crate::node::{At, Node};
 use crate::run::{Eval, Machine};
 use crate::types::{Head, Int, Type};
-use crate::value::{Iter, Source, Value};
+use crate::value::Value;
 
 /// A function of the library.
 #[derive(Debug)]
@@ -93,9 +93,9 @@ pub(crate) const LONGEST_TEXT: usize = 20_000_000;
 pub(crate) const TEXT_TOO_LONG: &str = "a text of more than twenty million bytes";
 
 fn rest(machine: &mut Machine<'_>, of: &Value, at: At) -> Eval<Vec<Value>> {
-    let iterator = machine.iterator(of, at)?;
+    let mut iterator = machine.iterator(of, at)?;
     let mut all = Vec::new();
-    while let Some(value) = iterator.next(machine)? {
+    while let Some(value) = iterator.next() {
         if all.len() == LONGEST {
             return machine.panic(at, TOO_LONG);
         }
@@ -104,29 +104,26 @@ fn rest(machine: &mut Machine<'_>, of: &Value, at: At) -> Eval<Vec<Value>> {
     Ok(all)
 }
 
-/// An iterator that does something with each value of another, and gives some of the results.
+/// Some of what becomes of each value.
 fn adapted(
     machine: &mut Machine<'_>,
     of: &Value,
     at: At,
-    mut change: impl FnMut(&mut Machine<'_>, Value) -> Eval<Option<Value>> + 'static,
+    mut change: impl FnMut(&mut Machine<'_>, Value) -> Eval<Option<Value>>,
 ) -> Eval {
-    let iterator = machine.iterator(of, at)?;
-    Ok(Iter::giving(move |machine| {
-        while let Some(value) = iterator.next(machine)? {
-            machine.turn(at)?;
-            if let Some(changed) = change(machine, value)? {
-                return Ok(Some(changed));
-            }
-        }
-        Ok(None)
-    }))
+    let mut iterator = machine.iterator(of, at)?;
+    let mut all = Vec::new();
+    while let Some(value) = iterator.next() {
+        machine.turn(at)?;
+        all.extend(change(machine, value)?);
+    }
+    list(all)
 }
 
 /// The first value of which the function says that.
 fn found(machine: &mut Machine<'_>, a: &[Value], at: At, wanted: bool) -> Eval<Option<Value>> {
-    let iterator = machine.iterator(&a[0], at)?;
-    while let Some(value) = iterator.next(machine)? {
+    let mut iterator = machine.iterator(&a[0], at)?;
+    while let Some(value) = iterator.next() {
         machine.turn(at)?;
         if machine.asked(&a[1], &mut [value.clone()], at)? == wanted {
             return Ok(Some(value));
@@ -135,17 +132,13 @@ fn found(machine: &mut Machine<'_>, a: &[Value], at: At, wanted: bool) -> Eval<O
     Ok(None)
 }
 
-/// The extreme value, which gives way to one that it stands in that order to: of equal ones
-/// the first least or the last greatest, as in Rust.
-fn extreme(machine: &mut Machine<'_>, a: &[Value], at: At, gives_way: Ordering) -> Eval {
+/// The least value, of equal ones the first.
+fn least(machine: &mut Machine<'_>, a: &[Value], at: At) -> Eval {
     let mut best: Option<Value> = None;
     for value in rest(machine, &a[0], at)? {
         let is_better = match &best {
             None => true,
-            Some(best) => {
-                let order = machine.ordered(&a[1], [best, &value], at)?;
-                order == gives_way || order.is_eq() && gives_way.is_lt()
-            }
+            Some(best) => machine.ordered(&a[1], [best, &value], at)?.is_gt(),
         };
         if is_better {
             best = Some(value);
@@ -250,10 +243,6 @@ fn ray(value: Ray) -> Eval {
 
 fn same(_: &mut Machine<'_>, a: &mut [Value], _: At) -> Eval {
     Ok(a[0].clone())
-}
-
-fn iterated(machine: &mut Machine<'_>, a: &mut [Value], at: At) -> Eval {
-    Ok(Value::Iterator(machine.iterator(&a[0], at)?))
 }
 
 fn option(value: Option<Value>) -> Eval {
@@ -461,17 +450,12 @@ library! {
         fn is_empty(&self) -> bool => |_, a, _| bool(a[0].many().is_empty());
         fn first(&self) -> Option<&T> => |_, a, _| option(a[0].many().first().cloned());
         fn last(&self) -> Option<&T> => |_, a, _| option(a[0].many().last().cloned());
-        fn iter(&self) -> Iterator<&T> => iterated;
-        fn into_iter(self) -> Iterator<T> => iterated;
+        fn iter(&self) -> Iterator<&T> => same;
+        fn into_iter(self) -> Iterator<T> => same;
     }
     "array" {
         fn map(self, f: impl FnMut(T) -> U) -> Vec<U> => |m, a, at| {
-            let all = a[0]
-                .many()
-                .iter()
-                .map(|it| m.apply(&a[1], &mut [it.clone()], at))
-                .collect::<Eval<_>>()?;
-            list(all)
+            adapted(m, &a[0], at, |m, it| Ok(Some(m.apply(&a[1], &mut [it], at)?)))
         };
     }
     "str" {
@@ -513,11 +497,7 @@ library! {
         };
     }
     "Iterator" {
-        fn into_iter(self) -> Iterator<T> => iterated;
-        fn next(&self) -> Option<T> => |m, a, at| {
-            let next = m.iterator(&a[0], at)?.next(m)?;
-            option(next)
-        };
+        fn into_iter(self) -> Iterator<T> => same;
         fn map(self, f: impl FnMut(T) -> U) -> Iterator<U> => |m, a, at| {
             let f = a[1].clone();
             adapted(m, &a[0], at, move |m, it| {
@@ -544,7 +524,7 @@ library! {
         fn rev(self) -> Iterator<T> => |m, a, at| {
             let mut all = rest(m, &a[0], at)?;
             all.reverse();
-            Ok(Value::Iterator(Source::List(Rc::new(all), 0).into()))
+            list(all)
         };
         fn copied(self: Iterator<&U>) -> Iterator<U> => same;
         fn cloned(self: Iterator<&U>) -> Iterator<U> => same;
@@ -562,9 +542,7 @@ library! {
             Ok(sum)
         };
         fn min_by(self, f: impl FnMut(&T, &T) -> Ordering) -> Option<T> =>
-            |m, a, at| extreme(m, a, at, Ordering::Greater);
-        fn max_by(self, f: impl FnMut(&T, &T) -> Ordering) -> Option<T> =>
-            |m, a, at| extreme(m, a, at, Ordering::Less);
+            |m, a, at| least(m, a, at);
         fn collect(self) -> Vec<T> => |m, a, at| list(rest(m, &a[0], at)?);
     }
     "any" {

@@ -11,11 +11,11 @@ use common::rtweekend::Vec3 as DVec3;
 
 use crate::lower::miscounted;
 use crate::names::Names;
-use crate::node::{Arm, At, Closure, Function, Node, Order, Pattern, Root, Sign, Step, Target};
+use crate::node::{Arm, At, Closure, Function, Node, Order, Pattern, Root, Sign, Target};
 use crate::prelude::{LONGEST_TEXT, Native, TEXT_TOO_LONG};
 use crate::read::Refusal;
 use crate::types::{Head, Int, Type};
-use crate::value::{Address, Fields, Frame, Iter, Source, Value};
+use crate::value::{Address, Fields, Frame, Iter, Value};
 
 /// What runs.
 #[derive(Debug)]
@@ -87,9 +87,9 @@ impl<'c> Machine<'c> {
         if self.turns > 0 {
             return Ok(());
         }
-        let message = format!("more than {} turns of loops and calls", grouped(self.limit));
+        let message = "this takes too many turns of loops and calls";
         let help = "the page counts no further: what ends a loop here may never come true";
-        self.refuse(Refusal::stop(at, &message, help))
+        self.refuse(Refusal::stop(at, message, help))
     }
 
     pub(crate) fn refuse<T>(&mut self, refusal: Refusal) -> Eval<T> {
@@ -521,8 +521,8 @@ impl<'c> Machine<'c> {
     #[inline(never)]
     fn for_each(&mut self, pattern: &Pattern, nodes: &[Node; 2], at: At) -> Eval {
         let each = self.eval(&nodes[0])?;
-        let each = self.iterator(&each, at)?;
-        while let Some(value) = each.next(self)? {
+        let mut each = self.iterator(&each, at)?;
+        while let Some(value) = each.next() {
             self.turn(at)?;
             self.binds(pattern, &value)?;
             if self.is_left(&nodes[1])? {
@@ -687,14 +687,6 @@ impl<'c> Machine<'c> {
         }
         let function = match &self.stack[start] {
             Value::Own(kind, ..) => all[*kind as usize],
-            Value::Nothing(asked) => {
-                // A trait of the reader's own may have its range in one value, or none.
-                if let [_, _, Value::Float(from), Value::Float(to), ..] = self.stack[start..] {
-                    asked.set(Some([from, to]));
-                }
-                self.stack.truncate(start);
-                return Ok(Value::None);
-            }
             _ => None,
         };
         let Some(function) = function else {
@@ -712,8 +704,7 @@ impl<'c> Machine<'c> {
     /// What gives the values of a list or a range, one after the other.
     pub(crate) fn iterator(&mut self, of: &Value, at: At) -> Eval<Iter> {
         Ok(match self.followed(of) {
-            Value::Iterator(it) => it,
-            Value::Many(all) => Source::List(all, 0).into(),
+            Value::Many(all) => Iter::List(all, 0),
             Value::Range(ends, is_closed) => {
                 let end = match &ends[1] {
                     Value::Int(it, int) => Some((it + i128::from(is_closed), *int)),
@@ -722,7 +713,7 @@ impl<'c> Machine<'c> {
                 };
                 match (&ends[0], end) {
                     (Value::Int(from, int), Some((to, other))) => {
-                        Source::Range(*from, to, int.joined(other).unwrap_or(*int)).into()
+                        Iter::Range(*from, to, int.joined(other).unwrap_or(*int))
                     }
                     _ => return self.no_iterator(of, at),
                 }
@@ -771,16 +762,7 @@ impl<'c> Machine<'c> {
                 }
             },
         };
-        for step in &target.steps {
-            let n = match step {
-                Step::Field(n) => *n,
-                Step::Index(index, at) => {
-                    let index = self.eval(index)?;
-                    self.index(&self.at(&address), &index, *at)?
-                }
-            };
-            address.steps.push(n);
-        }
+        address.steps.extend(&target.steps);
         Ok(address)
     }
 
@@ -902,7 +884,7 @@ impl<'c> Machine<'c> {
             return self.arithmetic(sign, left, right, at);
         }
         let types = [&left.ty(), &right.ty()];
-        match self.code.names.operator(sign, false, types) {
+        match self.code.names.operator(sign, types) {
             Some(own) => self.run(own, &[left, right], at),
             None => self.no_operator(sign, [left, right], at),
         }
@@ -990,16 +972,4 @@ fn of_vectors(sign: Sign, a: DVec3, b: DVec3) -> DVec3 {
         Sign::Times => a * b,
         _ => a / b,
     }
-}
-
-/// A number with its thousands apart.
-fn grouped(number: u32) -> String {
-    let digits = number.to_string();
-    let groups: Vec<&str> = digits
-        .as_bytes()
-        .rchunks(3)
-        .rev()
-        .filter_map(|it| std::str::from_utf8(it).ok())
-        .collect();
-    groups.join(",")
 }

@@ -3,9 +3,7 @@
 //! A shared reference is the value itself, since nothing changes while it lives, and so is a
 //! box. A mutable reference is an address: a slot of the stack and the way from there to a part.
 
-use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
-use std::fmt;
 use std::mem;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -15,7 +13,6 @@ use common::rtweekend::{Ray, Vec3};
 use crate::names::Names;
 use crate::node::{At, Closure};
 use crate::prelude::Native;
-use crate::run::{Eval, Machine};
 use crate::types::{Head, Int, Type};
 
 #[derive(Clone, Debug, Default)]
@@ -36,17 +33,14 @@ pub(crate) enum Value {
     /// One of the reader's structs, and its fields.
     Own(u32, Fields),
     Tuple(Rc<[Value]>),
-    /// A list or an array.
+    /// A list, an array, or what an iterator gives.
     Many(Rc<Vec<Value>>),
     Range(Rc<[Value; 2]>, bool),
-    Iterator(Iter),
     Mut(Address),
     /// A closure, and the frame that it looks at or has taken along.
     Closure(Arc<Closure>, Frame),
     Function(usize),
     Native(&'static Native, At),
-    /// Is never hit, and keeps the range that it was asked for.
-    Nothing(Rc<Cell<Option<[f64; 2]>>>),
 }
 
 /// The values of the fields of one of the reader's kinds, which alone may hold each other
@@ -103,54 +97,25 @@ pub(crate) enum Frame {
     Taken(Rc<Vec<Value>>),
 }
 
-/// What gives one value after the other.
-#[derive(Clone)]
-pub(crate) struct Iter(Rc<RefCell<Source>>);
-
-pub(crate) enum Source {
+/// What gives one value after the other: of a list by its place, or of a range by the next
+/// number and the one after the last.
+pub(crate) enum Iter {
     List(Rc<Vec<Value>>, usize),
-    /// The next number, and the one after the last.
     Range(i128, i128, Int),
-    Next(Box<Next>),
-}
-
-type Next = dyn FnMut(&mut Machine<'_>) -> Eval<Option<Value>>;
-
-impl fmt::Debug for Iter {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Iter")
-    }
-}
-
-impl From<Source> for Iter {
-    fn from(source: Source) -> Self {
-        Self(Rc::new(RefCell::new(source)))
-    }
 }
 
 impl Iter {
-    pub(crate) fn giving(
-        next: impl FnMut(&mut Machine<'_>) -> Eval<Option<Value>> + 'static,
-    ) -> Value {
-        Value::Iterator(Source::Next(Box::new(next)).into())
-    }
-
-    pub(crate) fn next(&self, machine: &mut Machine<'_>) -> Eval<Option<Value>> {
-        // Only a text that borrows what it has lent asks for a value meanwhile.
-        let Ok(mut source) = self.0.try_borrow_mut() else {
-            return Ok(None);
-        };
-        match &mut *source {
-            Source::List(all, next) => {
+    pub(crate) fn next(&mut self) -> Option<Value> {
+        match self {
+            Self::List(all, next) => {
                 *next += 1;
-                Ok(all.get(*next - 1).cloned())
+                all.get(*next - 1).cloned()
             }
-            Source::Range(next, end, int) => {
+            Self::Range(next, end, int) => {
                 let is_there = *next < *end;
                 *next += i128::from(is_there);
-                Ok(is_there.then(|| Value::Int(*next - 1, *int)))
+                is_there.then(|| Value::Int(*next - 1, *int))
             }
-            Source::Next(next) => next(machine),
         }
     }
 }
@@ -211,13 +176,12 @@ impl Value {
             Self::Tuple(all) => Type(Head::Tuple, all.iter().map(Self::ty).collect()),
             Self::Many(all) => Type::of(Head::Vec, of(all.first())),
             Self::Range(ends, _) => Type::of(Head::Range, ends[0].ty()),
-            Self::Iterator(_) => Type::of(Head::Iterator, Type::UNKNOWN),
             Self::Mut(_) => Type::of(Head::RefMut, Type::UNKNOWN),
             Self::Closure(closure, _) => {
                 let unknown = vec![Type::UNKNOWN; closure.parameters.len() + 1];
                 Type(Head::Fn, unknown)
             }
-            Self::Function(_) | Self::Native(..) | Self::Nothing(_) => Type::UNKNOWN,
+            Self::Function(_) | Self::Native(..) => Type::UNKNOWN,
         }
     }
 

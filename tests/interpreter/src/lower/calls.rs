@@ -6,7 +6,7 @@ use std::sync::Arc;
 use common::rtweekend::Vec3;
 
 use super::{Lowered, Lowerer, SINGLES, Typed};
-use crate::names::{Callee, Named, Shape, Signature, names, there_is};
+use crate::names::{Callee, Named, Signature, names, there_is};
 use crate::node::{At, Closure, Node};
 use crate::prelude;
 use crate::read::{Refusal, at_span};
@@ -27,19 +27,13 @@ impl Lowerer<'_> {
                 Type::of(Head::Option, Type::UNKNOWN),
             ));
         }
-        if let Some(kind) = self.names.structure(&self.context, &path)
-            && self.names.kinds[kind].shape == Shape::Unit
-        {
-            let node = Node::New(kind as u32, Vec::new(), None);
-            return Ok(Typed::new(node, Head::Own(kind)));
-        }
         let at = self.at_any(it);
         if let Ok(Named::Number(number)) = self.names.found(self.context.module, &path) {
             return Ok(Typed::new(Node::Float(number), Head::F64));
         }
         let (owner, name) = self.owner(&path, at)?;
         if let Some(owner) = &owner
-            && self.names.method_or_default(owner, &name).is_none()
+            && self.names.method(owner, &name, None).is_none()
             && let Some((node, ty)) = prelude::constant(owner, &name)
         {
             return Ok(Typed::new(node, ty));
@@ -158,16 +152,6 @@ impl Lowerer<'_> {
         }
         if let Some("Some" | "Ok") = path.last().map(String::as_str) {
             return self.wrapped(it, path[0] == "Ok", at);
-        }
-        if let Some(kind) = self.names.structure(&self.context, &path)
-            && self.names.kinds[kind].shape == Shape::Tuple
-        {
-            let fields = &self.names.kinds[kind].fields;
-            let types: Vec<Type> = fields.iter().map(|it| it.ty.clone()).collect();
-            let nodes = self.arguments(&types, &it.args, at, &mut [])?;
-            let fields = nodes.into_iter().enumerate().collect();
-            let node = Node::New(kind as u32, fields, None);
-            return Ok(Typed::new(node, Head::Own(kind)));
         }
         let at_path = self.at_any(&function.path);
         let (owner, name) = self.owner(&path, at_path)?;
@@ -338,7 +322,7 @@ impl Lowerer<'_> {
             },
             Callee::Dynamic(function) => {
                 let name = &self.names.functions[function].name;
-                let of = |kind| self.names.method_or_default(&Head::Own(kind).into(), name);
+                let of = |kind| self.names.method(&Head::Own(kind).into(), name, None);
                 Node::Dispatch((0..self.names.kinds.len()).map(of).collect(), nodes, at)
             }
         };

@@ -72,11 +72,10 @@ impl Lowerer<'_> {
         let ty = &each.ty;
         let on = ty.stripped();
         match (ty.0, on.0) {
-            (Head::RefMut, Head::Vec | Head::Array(_) | Head::Slice) => Err(Refusal::unknown(
+            (Head::RefMut, _) => Err(Refusal::unknown(
                 self.at(at),
-                "loops that change each value of a list",
+                "loops that change what they go over",
             )),
-            (Head::RefMut, Head::Iterator) => Ok((Node::Deref(Box::new(each.node)), on.inner())),
             (_, Head::Unknown | Head::Never) => Ok((each.node, Type::UNKNOWN)),
             (Head::Range, _) if !on.inner().is_float() => Ok((each.node, on.inner().settled())),
             (

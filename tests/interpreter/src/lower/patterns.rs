@@ -34,11 +34,6 @@ impl Lowerer<'_> {
             syn::Pat::TupleStruct(it) if it.path.is_ident("Some") && it.elems.len() == 1 => {
                 self.option(ty, it.elems.first(), at)
             }
-            syn::Pat::TupleStruct(it) => {
-                let named = it.elems.iter().enumerate();
-                let named = named.map(|(n, it)| (n.to_string(), it)).collect();
-                self.structure_pattern(&it.path, ty, named, at)
-            }
             syn::Pat::Struct(it) => {
                 let named = it.fields.iter();
                 let named = named.map(|it| (member(&it.member), &*it.pat)).collect();
@@ -61,18 +56,12 @@ impl Lowerer<'_> {
 
     /// A name for what is there.
     fn name(&mut self, it: &syn::PatIdent, ty: &Type, is_late: bool) -> Lowered<Pattern> {
-        if it.subpat.is_some() {
-            return Err(Refusal::unknown(self.at_any(it), "patterns with `@`"));
+        if it.subpat.is_some() || it.by_ref.is_some() {
+            let what = "patterns with `@` or `ref`";
+            return Err(Refusal::unknown(self.at_any(it), what));
         }
-        let ty = match it.by_ref {
-            Some(_) => Type::of(Head::Ref, ty.clone()),
-            None => ty.clone(),
-        };
-        let slot = self.local(
-            &it.ident.to_string(),
-            ty,
-            it.mutability.is_some() || is_late,
-        );
+        let is_mut = it.mutability.is_some() || is_late;
+        let slot = self.local(&it.ident.to_string(), ty.clone(), is_mut);
         Ok(Pattern::Bind(slot))
     }
 
@@ -125,9 +114,6 @@ impl Lowerer<'_> {
         self.expect(ty.stripped(), &own, at)?;
         let mut all = Vec::new();
         for (name, pattern) in given {
-            if matches!(pattern, syn::Pat::Rest(_)) {
-                continue;
-            }
             let (n, part) = self.names.field(&own, &name, self.context.module, at)?;
             all.push((n, self.pattern(pattern, &part.behind(ty), false)?));
         }

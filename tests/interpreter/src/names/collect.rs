@@ -1,12 +1,11 @@
 //! Declarations: what each item of the trees is, and the types of its parts.
 
 use std::mem;
-use std::ptr;
 
 use syn::punctuated::Punctuated;
 
 use super::{
-    Context, Entry, Field, Kind, Module, Named, Names, Shape, Signature, Trait, module_key, names,
+    Context, Entry, Field, Kind, Module, Named, Names, Signature, Trait, module_key, names,
 };
 use crate::node::At;
 use crate::read::{Refusal, at};
@@ -15,13 +14,6 @@ use crate::types::{Head, Type};
 type Read<T = ()> = Result<T, Refusal>;
 
 /// What is in a function.
-#[derive(Clone, Copy)]
-pub(crate) struct Body<'a> {
-    /// The module of the names in it.
-    pub(crate) module: usize,
-    pub(crate) of: Inside<'a>,
-}
-
 #[derive(Clone, Copy)]
 pub(crate) enum Inside<'a> {
     Function(&'a syn::Signature, &'a syn::Block),
@@ -32,13 +24,12 @@ pub(crate) enum Inside<'a> {
 /// function what is in it, if anything is.
 pub(crate) fn collect<'a>(
     files: &'a [(String, syn::File)],
-) -> Result<(Names, Vec<Option<Body<'a>>>), Vec<Refusal>> {
+) -> Result<(Names, Vec<Option<Inside<'a>>>), Vec<Refusal>> {
     let mut collector = Collector {
         files,
         names: Names::default(),
         items: Vec::new(),
         imports: Vec::new(),
-        blocks: Vec::new(),
         bodies: Vec::new(),
         faults: Vec::new(),
     };
@@ -64,9 +55,7 @@ struct Collector<'a> {
     items: Vec<(usize, &'a syn::Item)>,
     /// The paths of all imports, each with its module and its place.
     imports: Vec<(usize, Vec<String>, At)>,
-    /// The blocks that declare something, and what they are as modules.
-    blocks: Vec<(*const syn::Block, usize)>,
-    bodies: Vec<Option<Body<'a>>>,
+    bodies: Vec<Option<Inside<'a>>>,
     faults: Vec<Refusal>,
 }
 
@@ -93,6 +82,10 @@ impl<'a> Collector<'a> {
             syn::Item::Struct(it) => {
                 let named = self.kind(module, it);
                 self.no_generics(module, &it.generics)?;
+                if !matches!(it.fields, syn::Fields::Named(_)) {
+                    let what = "structs whose fields have no names";
+                    return Err(Refusal::unknown(self.at(module, &it.ident), what));
+                }
                 (&it.ident, &it.vis, named)
             }
             syn::Item::Trait(it) => {
@@ -101,22 +94,12 @@ impl<'a> Collector<'a> {
                 self.names.traits.push(Trait::called(&it.ident));
                 (&it.ident, &it.vis, named)
             }
-            syn::Item::Fn(it) => {
-                self.block(module, &it.block);
-                (&it.sig.ident, &it.vis, self.function())
-            }
+            syn::Item::Fn(it) => (&it.sig.ident, &it.vis, self.function()),
             syn::Item::Const(it) => (&it.ident, &it.vis, self.function()),
             syn::Item::Mod(it) => (&it.ident, &it.vis, self.submodule(module, it)?),
             syn::Item::Type(it) => (&it.ident, &it.vis, Named::Type(Type::UNKNOWN)),
             syn::Item::Use(it) => return self.import(module, &it.vis, Vec::new(), &it.tree),
-            syn::Item::Impl(it) => {
-                for item in &it.items {
-                    if let syn::ImplItem::Fn(it) = item {
-                        self.block(module, &it.block);
-                    }
-                }
-                return Ok(());
-            }
+            syn::Item::Impl(_) => return Ok(()),
             _ => return Err(Refusal::unknown(self.at(module, item), "this kind of item")),
         };
         self.name(module, name, visibility, named)
@@ -151,24 +134,6 @@ impl<'a> Collector<'a> {
         self.names.functions.push(Signature::default());
         self.bodies.push(None);
         Named::Function(self.names.functions.len() - 1)
-    }
-
-    /// A block that declares something has names of its own.
-    fn block(&mut self, module: usize, block: &'a syn::Block) {
-        let mut items = block.stmts.iter().filter_map(|it| match it {
-            syn::Stmt::Item(it) => Some(it),
-            _ => None,
-        });
-        if let Some(first) = items.next() {
-            let own = Module {
-                file: self.names.file(module),
-                parent: module,
-                is_block: true,
-                ..Module::default()
-            };
-            let own = self.module(own, [first].into_iter().chain(items));
-            self.blocks.push((ptr::from_ref(block), own));
-        }
     }
 
     fn submodule(&mut self, module: usize, it: &'a syn::ItemMod) -> Read<Named> {
@@ -207,11 +172,6 @@ impl<'a> Collector<'a> {
             name: it.ident.to_string(),
             module,
             fields: Vec::new(),
-            shape: match it.fields {
-                syn::Fields::Named(_) => Shape::Named,
-                syn::Fields::Unnamed(_) => Shape::Tuple,
-                syn::Fields::Unit => Shape::Unit,
-            },
             derives,
         });
         Named::Type(Head::Own(self.names.kinds.len() - 1).into())
@@ -224,7 +184,7 @@ impl<'a> Collector<'a> {
         mut path: Vec<String>,
         tree: &syn::UseTree,
     ) -> Read {
-        let (own, name) = match tree {
+        let own = match tree {
             syn::UseTree::Path(it) => {
                 path.push(it.ident.to_string());
                 return self.import(module, visibility, path, &it.tree);
@@ -233,11 +193,14 @@ impl<'a> Collector<'a> {
                 let mut trees = it.items.iter();
                 return trees.try_for_each(|it| self.import(module, visibility, path.clone(), it));
             }
-            syn::UseTree::Glob(_) => (None, None),
-            syn::UseTree::Name(it) => (Some(&it.ident), Some(&it.ident)),
-            syn::UseTree::Rename(it) => (Some(&it.ident), Some(&it.rename)),
+            syn::UseTree::Glob(_) => None,
+            syn::UseTree::Name(it) => Some(&it.ident),
+            syn::UseTree::Rename(_) => {
+                let what = "other names for what is imported";
+                return Err(Refusal::unknown(self.at(module, tree), what));
+            }
         };
-        let mut name = name.cloned();
+        let mut name = own.cloned();
         match (own, path.last()) {
             // `use std::fmt::{self, …}`.
             (Some(own), Some(last)) if own == "self" => {
@@ -248,7 +211,6 @@ impl<'a> Collector<'a> {
         self.imports
             .push((module, path.clone(), self.at(module, tree)));
         match name {
-            Some(name) if name == "_" => Ok(()),
             Some(name) => self.name(module, &name, visibility, Named::Import(path)),
             None => {
                 let is_public = is_public(visibility);
@@ -317,8 +279,11 @@ impl<'a> Collector<'a> {
                     let syn::TraitItem::Fn(method) = item else {
                         return Err(Refusal::unknown(self.at(module, item), "this in a trait"));
                     };
-                    let function =
-                        self.method(&context, &method.sig, method.default.as_ref(), true)?;
+                    if let Some(default) = &method.default {
+                        let what = "functions that a trait gives to all";
+                        return Err(Refusal::unknown(self.at(module, default), what));
+                    }
+                    let function = self.method(&context, &method.sig, None, true)?;
                     self.names.traits[own].methods.push(function);
                 }
                 Ok(())
@@ -388,16 +353,9 @@ impl<'a> Collector<'a> {
     ) -> Read {
         self.names.functions[number] = Signature {
             is_public,
-            has_body: block.is_some(),
             ..self.names.signature(context, it)?
         };
-        self.bodies[number] = block.map(|block| {
-            let own = self.blocks.iter().find(|it| ptr::eq(it.0, block));
-            Body {
-                module: own.map_or(context.module, |it| it.1),
-                of: Inside::Function(it, block),
-            }
-        });
+        self.bodies[number] = block.map(|block| Inside::Function(it, block));
         Ok(())
     }
 
@@ -431,10 +389,7 @@ impl<'a> Collector<'a> {
             result: self.names.ty(context, ty)?,
             ..Signature::default()
         };
-        self.bodies[number] = Some(Body {
-            module: context.module,
-            of: Inside::Constant(value),
-        });
+        self.bodies[number] = Some(Inside::Constant(value));
         Ok(())
     }
 
@@ -510,7 +465,7 @@ impl<'a> Collector<'a> {
                     .method(ty, name, Some(n))
                     .map(|it| &names.functions[it])
                 {
-                    None if !promised.has_body => {
+                    None => {
                         let on = ty.name(names);
                         let message = format!(
                             "not all trait items implemented, missing: `{name}` for `{on}`"
@@ -717,7 +672,7 @@ impl Names {
         }
     }
 
-    /// What has these traits: functions, iterators, and whatever has a trait of the reader's.
+    /// What has these traits: functions, and whatever has a trait of the reader's.
     fn bounded(
         &self,
         context: &Context,
@@ -732,13 +687,6 @@ impl Names {
                 (syn::PathArguments::Parenthesized(it), "Fn" | "FnMut" | "FnOnce") => {
                     let inputs = it.inputs.iter().map(|it| &it.ty);
                     return self.function_type(context, inputs, &it.output);
-                }
-                (syn::PathArguments::AngleBracketed(it), "Iterator" | "IntoIterator") => {
-                    for argument in &it.args {
-                        if let syn::GenericArgument::AssocType(item) = argument {
-                            return Ok(Type::of(Head::Iterator, self.ty(context, &item.ty)?));
-                        }
-                    }
                 }
                 _ => match self.found(context.module, &names(&bound.path)) {
                     Ok(Named::Trait(found)) => return Ok(Head::Dyn(found).into()),

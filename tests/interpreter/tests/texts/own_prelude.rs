@@ -89,9 +89,7 @@ pub struct Ray {
 
 impl Ray {
     pub fn at(&self, t: f64) -> Point3 {
-        let mut point = self.origin;
-        point += t * self.direction;
-        point
+        self.origin + t * self.direction
     }
 }
 
