@@ -7,7 +7,7 @@ import { PAGES, alive, complaintsSoFar, inBrowsers, nextFrame, open, textOf } fr
 // The page and the name of each live figure.
 const FIGURES = PAGES.flatMap((place) =>
     [...textOf(place).matchAll(/<figure id="(\w+)"[^>]*data-figure/g)].map(([, name]) => [place, name]));
-assert.ok(FIGURES.length >= 11, `only ${FIGURES.length} live figures`);
+assert.ok(FIGURES.length >= 10, `only ${FIGURES.length} live figures`);
 
 for (const [place, name] of FIGURES) {
     inBrowsers(`${place}: the figure ${name} is as woven, and its handles follow the pointer`, async (page) => {

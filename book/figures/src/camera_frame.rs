@@ -28,12 +28,11 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         caption: "The eye is where the axes meet, and looks along −*z* through a viewport that \
             is one focal length away. A ray goes through the middle of each pixel; here is a row of \
             them, and the sphere that chapter 2 will put there.",
-        draw: || LIVE.on_page(),
-    },
-    question: "In which rows do rays meet the sphere? And what do all rays have in common? Turn the scene, \
+        question: "In which rows do rays meet the sphere? And what do all rays have in common? Turn the scene, \
         and choose the row.",
-    solution: "In the rows 2 to 6. All rays start in the eye. So they spread, and what is far away takes \
+        solution: "In the rows 2 to 6. All rays start in the eye. So they spread, and what is far away takes \
         fewer of them: it looks small.",
+    },
     handles: &[Handle {
         field: "side",
         at: |it| KNOB + KNOB_ROOM * spot(it.side.x / 180.0, -it.side.y / 90.0),

@@ -31,12 +31,11 @@ pub(crate) static LIVE: Live<Parameters> = Live {
             only the first is right. Of t the first nine digits are right, and the other eight are not.",
         caption: "In the subtraction the digits in which *h*² and *ac* agree cancel. *D* has only the digits that are \
             left, and earlier rounding has made some of them wrong: right digits are bold, wrong ones are underlined.",
-        draw: || LIVE.on_page(),
-    },
-    question: "From which distance on is *D* only rounding error? Drag the star away, along the axis, \
+        question: "From which distance on is *D* only rounding error? Drag the star away, along the axis, \
         and choose a pixel in either picture.",
-    solution: "From about 10⁸ radii on: then the square of the distance has no digit left for the square of \
+        solution: "From about 10⁸ radii on: then the square of the distance has no digit left for the square of \
         the radius.",
+    },
     handles: &[
         point!(AXIS, exponent),
         point!(SKIES[0], pixel),

@@ -2,7 +2,6 @@
 
 use normals::hit_sphere;
 
-use crate::roots::roots;
 use crate::traced::red_sphere_lines;
 use crate::vocabulary::*;
 
@@ -31,12 +30,11 @@ pub(crate) static LIVE: Live<Parameters> = Live {
             center at a distance l that is less than r.",
         caption: "Each root is a place on the line and a number on the axis. A place behind the eye has \
             a negative *t*. The line passes the center at the distance *l*.",
-        draw: || LIVE.on_page(),
-    },
-    question: "Where does the first root go when the eye enters the sphere? Drag **Q** into it, and \
+        question: "Where does the first root go when the eye enters the sphere? Drag **Q** into it, and \
         out at the other side.",
-    solution: "It gets smaller, is 0 on the surface, and negative inside: then it is behind the eye. On the \
+        solution: "It gets smaller, is 0 on the surface, and negative inside: then it is behind the eye. On the \
         other side the second root does the same, and both are negative.",
+    },
     handles: &[
         point!(PLANE, q),
         point!(PLANE, d from q),

@@ -23,12 +23,11 @@ pub(crate) static LIVE: Live<Parameters> = Live {
             sphere, and front_face is false there.",
         caption: "Left: the normal always points outward, and the sign of **d**·**n** says from which side the \
             ray came. Right, and in our code: it always points against the ray, and front_face keeps the side.",
-        draw: || LIVE.on_page(),
-    },
-    question: "When does the normal at the right turn round? Drag the origin of the lower ray out of \
+        question: "When does the normal at the right turn round? Drag the origin of the lower ray out of \
         the sphere, and then to where the ray only grazes it.",
-    solution: "When the ray comes from inside: then the outward normal and the ray point the same way. A graze \
+        solution: "When the ray comes from inside: then the outward normal and the ray point the same way. A graze \
         counts as inside, since its product is 0, not less than 0.",
+    },
     handles: &[point!(PLANES[0], origin), point!(PLANES[1], origin)],
     actions: &[
         ("From inside", |it| it.origin = xy(-0.55, -0.65)),

@@ -1,9 +1,8 @@
 //! What the book knows about a figure.
 
 use crate::svg::Svg;
-use crate::text::html;
 
-/// A figure: words, and a function that draws it.
+/// The words of a figure.
 #[derive(Clone, Copy, Debug)]
 pub struct Figure {
     /// How pages name it: `{{figure NAME}}`.
@@ -14,16 +13,13 @@ pub struct Figure {
     pub description: &'static str,
     /// What stands below it on the page; `*t*` is a number, `**P**` a vector.
     pub caption: &'static str,
-    /// Draws it as an `<svg>` element in one line, which a page can take in.
-    pub draw: fn() -> String,
+    /// What a reader is to find out; `*t*` is a number, `**P**` a vector.
+    pub question: &'static str,
+    /// What a reader finds out: closed on the page, until it is asked for.
+    pub solution: &'static str,
 }
 
 impl Figure {
-    /// The caption as HTML.
-    pub fn caption(&self) -> String {
-        html(self.caption)
-    }
-
     /// An empty drawing with the words of this figure.
     pub(crate) fn sheet(&self, height: f64) -> Svg {
         Svg::new(self.name, self.title, self.description, height)

@@ -11,7 +11,6 @@ mod charts;
 mod decimal;
 mod digits;
 mod discriminant;
-mod edge;
 mod face_normal;
 mod figure;
 mod live;
@@ -25,14 +24,11 @@ mod plane;
 mod projection;
 mod ray;
 pub mod records;
-mod roots;
-mod sphere_test;
 mod style;
 mod svg;
 pub mod table;
 mod text;
 mod traced;
-mod unit_sky;
 mod viewport_grid;
 mod vocabulary;
 
@@ -44,26 +40,7 @@ pub use style::{CSS, standalone};
 pub use svg::Svg;
 pub use text::{escape, html};
 
-/// All figures, in reading order: the nine of the notes, and five more.
-pub static FIGURES: &[&Figure] = &[
-    &ray::LIVE.figure,
-    &camera_frame::LIVE.figure,
-    &viewport_grid::LIVE.figure,
-    &unit_sky::FIGURE,
-    &sphere_test::FIGURE,
-    &roots::FIGURE,
-    &discriminant::LIVE.figure,
-    &projection::LIVE.figure,
-    &normal::LIVE.figure,
-    &normal_colors::LIVE.figure,
-    &face_normal::LIVE.figure,
-    &nearest::LIVE.figure,
-    &digits::LIVE.figure,
-    &edge::LIVE.figure,
-];
-
-/// The figures of the lesson that a reader can move, in reading order. A page names them by
-/// their place.
+/// The figures of the lesson, in reading order. A page names them by their place.
 pub static LESSON: &[&dyn Movable] = &[
     &ray::LIVE,
     &camera_frame::LIVE,
@@ -76,15 +53,10 @@ pub static LESSON: &[&dyn Movable] = &[
     &face_normal::LIVE,
 ];
 
-/// Those of chapter 6, which call all that it has, integers of any size among it.
-pub static ACCURACY: &[&dyn Movable] = &[&digits::LIVE, &edge::LIVE];
+/// That of chapter 6, which calls all that it has, integers of any size among it.
+pub static ACCURACY: &[&dyn Movable] = &[&digits::LIVE];
 
-/// All figures that a reader can move.
-pub fn live_figures() -> impl Iterator<Item = &'static dyn Movable> {
+/// All figures, in reading order.
+pub fn figures() -> impl Iterator<Item = &'static dyn Movable> {
     LESSON.iter().chain(ACCURACY).copied()
-}
-
-/// The live figure of that name.
-pub fn find_live(name: &str) -> Option<&'static dyn Movable> {
-    live_figures().find(|live| live.name() == name)
 }

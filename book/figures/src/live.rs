@@ -1,13 +1,13 @@
 //! Live figures: what can be changed in a figure, and what it answers.
 //!
-//! A page shows a figure as a drawing that was made when the book was woven. Where a figure
-//! is live, a reader may move what is in it, and the same function draws it anew in the page,
-//! compiled to WebAssembly (package `page`). A figure's file has all that is known about it:
-//! its words, its parameters with their ranges, which of them can be grasped on the sheet,
-//! the drawing, and the sentence below.
+//! A page shows a figure as a drawing that was made when the book was woven. A reader may move
+//! what is in it, and the same function draws it anew in the page, compiled to WebAssembly
+//! (package `page`). A figure's file has all that is known about it: its words, its parameters
+//! with their ranges, which of them can be grasped on the sheet, the drawing, and the sentence
+//! below.
 //!
-//! To make another figure live: state its `parameters!`, make a [`Live`] of it, and name that
-//! in [`LESSON`](crate::LESSON). From then on `{{figure NAME}}` weaves it with its handles.
+//! To make another figure: state its `parameters!`, make a [`Live`] of it, and name that in
+//! [`LESSON`](crate::LESSON). From then on `{{figure NAME}}` weaves it with its handles.
 //! `.ci/live` builds the module of the pages anew.
 
 use glam::DVec2;
@@ -56,10 +56,6 @@ pub(crate) type Action<P> = (&'static str, fn(&mut P));
 pub(crate) struct Live<P: 'static> {
     /// The figure, as the page shows it.
     pub(crate) figure: Figure,
-    /// What a reader is to find out; `*t*` is a number, `**P**` a vector.
-    pub(crate) question: &'static str,
-    /// What a reader finds out: closed on the page, until it is asked for.
-    pub(crate) solution: &'static str,
     /// Where on the drawing it can be grasped. Of two in the same place the later one is.
     pub(crate) handles: &'static [Handle<P>],
     /// What a button does.
@@ -96,16 +92,10 @@ impl Answer {
     }
 }
 
-/// A live figure, whatever its parameters are: they go in and come out as a list of numbers.
+/// A figure, whatever its parameters are: they go in and come out as a list of numbers.
 pub trait Movable: Sync {
     /// The figure, as the page shows it.
     fn figure(&self) -> &Figure;
-
-    /// What a reader is to find out.
-    fn question(&self) -> &'static str;
-
-    /// What a reader finds out.
-    fn solution(&self) -> &'static str;
 
     /// What can be changed.
     fn numbers(&self) -> &'static [Number];
@@ -128,11 +118,6 @@ pub trait Movable: Sync {
     /// How pages name the figure.
     fn name(&self) -> &'static str {
         self.figure().name
-    }
-
-    /// What it shows, in a few words.
-    fn title(&self) -> &'static str {
-        self.figure().title
     }
 
     /// The numbers of the figure on the page.
@@ -172,14 +157,6 @@ pub trait Movable: Sync {
 impl<P: Parameters> Movable for Live<P> {
     fn figure(&self) -> &Figure {
         &self.figure
-    }
-
-    fn question(&self) -> &'static str {
-        self.question
-    }
-
-    fn solution(&self) -> &'static str {
-        self.solution
     }
 
     fn numbers(&self) -> &'static [Number] {
@@ -226,12 +203,5 @@ impl<P: Parameters> Movable for Live<P> {
         let handles = self.handles.iter().map(|it| (it.at)(&parameters));
         answer.handles = handles.collect();
         answer
-    }
-}
-
-impl<P: Parameters> Live<P> {
-    /// The drawing on the page.
-    pub(crate) fn on_page(&self) -> String {
-        Movable::answer(self, &self.defaults()).drawing.finish()
     }
 }

@@ -42,12 +42,11 @@ pub(crate) static LIVE: Live<Parameters> = Live {
             is hit. A last bar, as long, is closest_so_far.",
         caption: "A list asks each sphere in turn. After a hit, the next sphere should be asked only for nearer \
             places, so that a sphere behind the nearest hit so far cannot win.",
-        draw: || LIVE.on_page(),
-    },
-    question: "Which sphere wins if you change the order of the list? And which, if the search \
+        question: "Which sphere wins if you change the order of the list? And which, if the search \
         returns at the first hit? Can you place the spheres so that even that is right?",
-    solution: "Always the nearest one. If the search returns at the first hit, the first sphere of the list that is \
+        solution: "Always the nearest one. If the search returns at the first hit, the first sphere of the list that is \
         hit wins: that is right only if it is also the nearest.",
+    },
     handles: &[
         point!(PLANE, one),
         point!(PLANE, two),

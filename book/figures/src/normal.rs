@@ -25,12 +25,11 @@ pub(crate) static LIVE: Live<Parameters> = Live {
             and is one unit long. It stands upright on a short line that touches the sphere in P.",
         caption: "The outward normal is the way from the center to the point that was hit: **P** − **C**. \
             That way is *r* long, so **n** = (**P** − **C**)/*r* has length 1.",
-        draw: || LIVE.on_page(),
-    },
-    question: "Where must the ray hit so that **n** points straight back along it? And what does this \
+        question: "Where must the ray hit so that **n** points straight back along it? And what does this \
         chapter find if **Q** is inside the sphere?",
-    solution: "Where a ray hits that is aimed at the center: only such a ray lies on a radius. From inside, the \
+        solution: "Where a ray hits that is aimed at the center: only such a ray lies on a radius. From inside, the \
         nearer root is behind **Q**, so *t* is negative, and this chapter paints the sky.",
+    },
     handles: &[point!(PLANE, d from q), point!(PLANE, q)],
     actions: &[
         ("At the center", |it| {

@@ -22,11 +22,10 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         caption: "A color for each direction: red for *x*, green for *y*, blue for *z*, each from −1…1 to \
             0…1. So red grows to the right, green grows upwards, and where the surface faces the eye \
             there is most blue.",
-        draw: || LIVE.on_page(),
-    },
-    question: "Where on the ball is red strongest? And where is green weakest? Guess, and drag point 1 there.",
-    solution: "Red at the right edge, where *x* is greatest; green at the lowest place that is seen, where *y* \
+        question: "Where on the ball is red strongest? And where is green weakest? Guess, and drag point 1 there.",
+        solution: "Red at the right edge, where *x* is greatest; green at the lowest place that is seen, where *y* \
         is least.",
+    },
     handles: &[point!(viewport(), first)],
     actions: &[
         ("Near the top", |it| it.first = xy(0.0, 0.55)),

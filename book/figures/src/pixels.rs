@@ -1,4 +1,4 @@
-//! Large squares: the pixels of a picture, or the cells of a map.
+//! Large squares: the pixels of a picture.
 
 use common::rtweekend::*;
 use glam::DVec2;
@@ -34,19 +34,6 @@ impl Frame {
         });
         let size = DVec2::new(width, height);
         svg.rect("faint thin", self.corner, self.side * size);
-    }
-
-    /// Draws a square map of so many cells in a row: those of each class that are set, and a
-    /// thin line around all.
-    pub(crate) fn map(&self, svg: &mut Svg, count: usize, classes: &[(&str, Vec<bool>)]) {
-        svg.group("pixels", |svg| {
-            for (class, cells) in classes {
-                let set = self.runs(cells, count).filter(|(is_set, _)| **is_set);
-                svg.bars(&format!("class=\"{class}\""), set.map(|(_, bar)| bar));
-            }
-        });
-        let size = DVec2::splat(self.side * count as f64);
-        svg.rect("faint thin", self.corner, size);
     }
 
     /// Neighbors in a row that are equal, as one bar: its corner and its size.

@@ -86,3 +86,13 @@ pub(crate) fn ray(origin: Point3, direction: Vec3) -> Ray {
 pub(crate) fn nearest(ray: &Ray, point: Point3) -> f64 {
     ray.direction.dot(point - ray.origin) / ray.direction.length_squared()
 }
+
+/// All t at which the line of `ray` meets what `nearer` finds: the farther one is the nearer
+/// one of the ray turned round.
+pub(crate) fn roots(ray: &Ray, nearer: impl Fn(&Ray) -> Option<f64>) -> Vec<f64> {
+    let turned = Ray::new(ray.origin, -ray.direction);
+    let farther = nearer(&turned).map(|t| -t);
+    let mut roots: Vec<f64> = nearer(ray).into_iter().chain(farther).collect();
+    roots.dedup();
+    roots
+}

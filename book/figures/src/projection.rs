@@ -3,7 +3,6 @@
 
 use half_b_sphere::hit_sphere;
 
-use crate::roots::roots;
 use crate::traced::half_b_lines;
 use crate::vocabulary::*;
 
@@ -26,12 +25,11 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         caption: "With **d** of length 1, *h* = **d**·(**C** − **Q**) is how far along the ray it comes nearest to **C**. The \
             square root of *h*² − *ac* is half of the way through the sphere: one root is as far before that \
             point as the other is behind it.",
-        draw: || LIVE.on_page(),
-    },
-    question: "Which values of the listing below change if **d** becomes longer, and which stay? Drag its \
+        question: "Which values of the listing below change if **d** becomes longer, and which stay? Drag its \
         tip.",
-    solution: "*a* grows with the square of the length, *h* with the length, and *c* stays. The result \
+        solution: "*a* grows with the square of the length, *h* with the length, and *c* stays. The result \
         *t* is divided by the length, so that the place stays the same.",
+    },
     handles: &[
         point!(PLANE, c),
         Handle {

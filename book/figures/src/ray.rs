@@ -23,11 +23,10 @@ pub(crate) static LIVE: Live<Parameters> = Live {
             point P is, and 3. On the other side of Q the line is dashed, and t is negative.",
         caption: "**P**(*t*) = **Q** + *t* **d**. Each *t* is a place on the line: from one whole number to the next it \
             is one arrow **d**. Behind **Q**, *t* is negative.",
-        draw: || LIVE.on_page(),
-    },
-    question: "What is *t* if **d** is twice as long, and **P** stays? Drag the tip of **d**, then \
+        question: "What is *t* if **d** is twice as long, and **P** stays? Drag the tip of **d**, then \
         **P** back to where it was.",
-    solution: "*t* is halved: half as many arrows, each twice as long, lead to the same place.",
+        solution: "*t* is halved: half as many arrows, each twice as long, lead to the same place.",
+    },
     handles: &[
         point!(PLANE, q),
         point!(PLANE, d from q),

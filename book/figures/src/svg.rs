@@ -188,13 +188,6 @@ impl Svg {
         }
     }
 
-    /// A square of a class, and what it means.
-    pub(crate) fn key(&mut self, class: &str, corner: DVec2, words: &str) {
-        self.rect(class, corner, DVec2::splat(12.0));
-        let beside = corner + spot(18.0, 11.0);
-        self.small_label("ink", beside, Anchor::Start, words);
-    }
-
     /// Digits of equal width, each stretch of a class.
     pub(crate) fn digits(&mut self, at: DVec2, stretches: &[(&str, &str)]) {
         let [x, y] = at.to_array().map(number);

@@ -31,12 +31,11 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         caption: "The pixels of a picture on its viewport. The first **P** is the \
             center of a pixel: half a step right and half a step down from the corner. Rows are counted \
             downwards, but *y* grows upwards, so Δ**v** points along −*y*.",
-        draw: || LIVE.on_page(),
-    },
-    question: "At which widths does the picture gain a row? And where does the ray of the marked \
+        question: "At which widths does the picture gain a row? And where does the ray of the marked \
         pixel go, if the half pixel is forgotten?",
-    solution: "At 4, 6, 8, 9, 11 and so on: wherever 9/16 of the width passes a whole number. Without the half \
+        solution: "At 4, 6, 8, 9, 11 and so on: wherever 9/16 of the width passes a whole number. Without the half \
         pixel it goes to the upper left corner of its pixel.",
+    },
     handles: &[Handle {
         field: "pixel",
         at: |it| Grid::of(it).at(Grid::of(it).pixel),

@@ -3,14 +3,20 @@
 //! Everything is on the page from the start, so nothing jumps when the script comes, and
 //! the style sheet hides what does nothing without it.
 
-use figures::{ACCURACY, LESSON, Movable, Number, html, live_figures};
+use figures::{ACCURACY, Figure, LESSON, Movable, Number, figures, html};
 
 use crate::ground::{escaped, named};
 
-/// The figure `live`: its question, its `drawing` under handles, what is to be seen, buttons,
+/// The figure `live`: its question, its drawing under handles, what is to be seen, buttons,
 /// the answer, closed, and the caption. Its place is that in the module that draws it.
-pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String {
-    let is_it = |it: &&dyn Movable| it.name() == live.name();
+pub(crate) fn around(live: &dyn Movable) -> String {
+    let Figure {
+        name,
+        title,
+        question,
+        ..
+    } = *live.figure();
+    let is_it = |it: &&dyn Movable| it.name() == name;
     let modules = [("lesson", LESSON), ("accuracy", ACCURACY)];
     let (module, place) = modules
         .into_iter()
@@ -18,8 +24,8 @@ pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String
         .expect("it is in one of them");
     let answer = live.answer(&live.defaults());
     // What a hand is to do is not printed.
-    let asked = live.question().rfind('?').map_or(0, |at| at + 1);
-    let (asked, moved) = live.question().split_at(asked);
+    let asked = question.rfind('?').map_or(0, |at| at + 1);
+    let (asked, moved) = question.split_at(asked);
     format!(
         "<figure id=\"{name}\" class=\"live\" aria-label=\"{title}\" data-module=\"{module}\" data-figure=\"{place}\">\
          <p class=\"question\">{question}<span class=\"move\">{moved}</span></p>\
@@ -28,13 +34,14 @@ pub(crate) fn around(live: &dyn Movable, drawing: &str, caption: &str) -> String
          <p class=\"sentence\" role=\"status\">{sentence}</p>\
          <details class=\"answer\"><summary>Answer</summary>{solution}</details>\
          <figcaption>{caption}</figcaption></figure>",
-        name = live.name(),
-        title = escaped(live.title()),
+        title = escaped(title),
         question = html(asked),
         moved = html(moved),
-        solution = html(live.solution()),
+        solution = html(live.figure().solution),
         handles = handles(live),
         sentence = html(&answer.sentence),
+        caption = html(live.figure().caption),
+        drawing = answer.drawing.finish(),
         inputs = inputs(live),
         buttons = buttons(live),
     )
@@ -49,7 +56,7 @@ pub(crate) fn number(figure: &str, name: &str) -> Result<String, String> {
 
 /// What the live figure of that name says at first.
 pub(crate) fn says(figure: &str) -> Result<Vec<(&'static str, String)>, String> {
-    let live = named("live figure", figure, live_figures(), |live| live.name())?;
+    let live = named("live figure", figure, figures(), |live| live.name())?;
     Ok(live.answer(&live.defaults()).says)
 }
 

@@ -2,22 +2,15 @@
 
 use std::path::Path;
 
-use figures::{CHARTS, FIGURES};
+use figures::CHARTS;
 
 use crate::controls;
 use crate::ground::named;
 
-/// The figure of that name, drawn now, with its caption; and if it is live, with what
-/// moves it.
+/// The figure of that name, drawn now, with its caption and with what moves it.
 pub(crate) fn figure(name: &str) -> Result<String, String> {
-    let figure = named("figure", name, FIGURES, |figure| figure.name)?;
-    let (drawing, caption) = ((figure.draw)(), figure.caption());
-    Ok(match figures::find_live(name) {
-        Some(live) => controls::around(live, &drawing, &caption),
-        None => {
-            format!("<figure id=\"{name}\">{drawing}<figcaption>{caption}</figcaption></figure>")
-        }
-    })
+    let figure = named("figure", name, figures::figures(), |figure| figure.name())?;
+    Ok(controls::around(figure))
 }
 
 /// The chart of that name, drawn now from its files in the folder `notes`, with its

@@ -82,10 +82,10 @@ fn no_directive_is_left() {
 #[test]
 fn each_figure_is_shown() {
     let pages = pages();
-    for figure in figures::FIGURES {
-        let shown = format!("figure#{}", figure.name);
+    for figure in figures::figures() {
+        let shown = format!("figure#{}", figure.name());
         let is_shown = chapters(&pages).any(|page| !page.all(&shown).is_empty());
-        assert!(is_shown, "{} is on no page", figure.name);
+        assert!(is_shown, "{} is on no page", figure.name());
     }
 }
 

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use figures::{CHARTS, FIGURES, standalone};
+use figures::{CHARTS, figures, standalone};
 use insta::assert_binary_snapshot;
 use suite::drawn::shown_in;
 
@@ -11,10 +11,11 @@ use crate::book::NOTES;
 
 #[test]
 fn every_figure_is_its_snapshot() {
-    for figure in FIGURES {
+    for figure in figures() {
         shown_in("figures").bind(|| {
-            let file = standalone(&(figure.draw)());
-            assert_binary_snapshot!(&format!("{}.svg", figure.name), file.into_bytes());
+            let drawing = figure.answer(&figure.defaults()).drawing;
+            let file = standalone(&drawing.finish());
+            assert_binary_snapshot!(&format!("{}.svg", figure.name()), file.into_bytes());
         });
     }
 }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use common::rtweekend::*;
 use figures::number::{spoken, three_digits};
-use figures::{Movable, Number, live_figures};
+use figures::{Movable, Number, figures};
 use hittable_list::{Hittable, HittableList, Sphere};
 use insta::assert_snapshot;
 use page::typed::Text;
@@ -18,7 +18,7 @@ use crate::book;
 #[test]
 fn the_snapshot_has_what_each_live_figure_says() {
     let mut said = String::new();
-    for live in live_figures() {
+    for live in figures() {
         let _ = writeln!(said, "{}", live.name());
         let mut tell = |when: &str, numbers: &[f64]| {
             let answer = live.answer(numbers);
@@ -43,7 +43,7 @@ fn the_snapshot_has_what_each_live_figure_says() {
 
 #[test]
 fn a_live_figure_has_an_answer_to_everything() {
-    for live in live_figures() {
+    for live in figures() {
         for numbers in questions(live, 60) {
             let (name, text) = (live.name(), live.text(&numbers));
             let is_a_number = !text.contains("NaN") && !text.contains("inf");
@@ -74,7 +74,7 @@ fn the_values_beside_a_listing_end_with_the_chapters_own_answer() {
     };
     type Hit<'a> = &'a dyn Fn(&[f64]) -> Option<f64>;
     for (name, hit) in [("normal", &normal as Hit), ("projection", &projection)] {
-        let live = figures::find_live(name).expect("a live figure");
+        let live = figure(name);
         for numbers in questions(live, 60) {
             let says = live.answer(&numbers).says;
             let result = says.into_iter().find(|(of, _)| *of == "result");
@@ -88,7 +88,7 @@ fn the_values_beside_a_listing_end_with_the_chapters_own_answer() {
 /// The figure goes through the list turn by turn, and ends where chapter 5's own list does.
 #[test]
 fn the_nearest_hit_of_the_figure_is_that_of_the_list() {
-    let live = figures::find_live("nearest").expect("a live figure");
+    let live = figure("nearest");
     for mut numbers in questions(live, 60) {
         numbers[10] = 3.0;
         let place = |n: usize| Point3::new(numbers[n], numbers[n + 1], 0.0);
@@ -131,6 +131,11 @@ fn a_mistake_that_a_listing_offers_draws_in_the_editor_what_the_slip_draws() {
     }
     assert_eq!(others.join("\n"), "");
     assert!(count > 50, "only {count} mistakes are offered");
+}
+
+fn figure(name: &str) -> &'static dyn Movable {
+    let mut figures = figures();
+    figures.find(|it| it.name() == name).expect("a figure")
 }
 
 /// `count` questions to a figure: first that of the page, then numbers over the whole of

@@ -16,7 +16,7 @@ const E_EXPONENT: u64 = 450;
 const C_BAND: f64 = 8.0 * U;
 
 /// Bound D: |D̂ − D| ≤ 24u·a·M.
-pub const D_BAND: f64 = 24.0 * U;
+const D_BAND: f64 = 24.0 * U;
 
 /// Bound T: |t̂ − t|·√D̂ ≤ 64u·M where D̂ > 48u·a·M.
 const T_BAND: f64 = 64.0 * U;

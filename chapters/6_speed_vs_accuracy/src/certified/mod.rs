@@ -28,7 +28,6 @@ use fixed_width::fixed_width;
 
 pub(crate) use exact::comes_before;
 pub use exact::{exact, exact_discriminant};
-pub use filter::D_BAND;
 
 impl Method {
     /// The decision is certain, the digits of t are those of `half_b_q`.

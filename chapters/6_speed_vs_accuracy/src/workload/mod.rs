@@ -4,9 +4,7 @@
 mod case;
 mod regimes;
 mod scene;
-mod tangent;
 
 pub use case::Case;
 pub use regimes::{REGIMES, Random, Regime, find_regime};
 pub use scene::{Eye, Hit, Lens, Scene, Sight, USUAL_T_MIN, unit};
-pub use tangent::{beside, tangent};
