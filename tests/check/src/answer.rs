@@ -179,7 +179,7 @@ impl Judged<'_> {
                     None if self.known.sources.files().is_empty() => {
                         "No mistake in the catalogue draws this picture.".to_owned()
                     }
-                    None => "No known mistake was found in your files that draws this picture."
+                    None => "No mistake in the catalogue explains this picture and your files."
                         .to_owned(),
                     Some(_) => format!(
                         "No known mistake draws this picture and the chapter's own right. Is that right? {}",

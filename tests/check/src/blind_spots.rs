@@ -84,15 +84,11 @@ impl Next {
         change.replacen(&width, &both, 1)
     }
 
-    /// Why to draw it.
+    /// What to draw, and why.
     pub fn why(&self) -> String {
-        match self.slips.len() {
-            1 => {
-                "One known mistake can hide from this picture, and would show in another".to_owned()
-            }
-            all => format!(
-                "{all} known mistakes can hide from this picture, and would show in another"
-            ),
+        match self.scene.probe {
+            Some(probe) => format!("To test more, draw the probe {}", probe.name),
+            None => format!("To test more, draw it {} wide", self.width),
         }
     }
 }

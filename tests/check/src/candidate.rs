@@ -67,13 +67,6 @@ impl Candidate {
         output.pixel(n).map(|level| self.conversion.apply(level))
     }
 
-    /// Its whole picture, if that has the reader's size.
-    pub(crate) fn drawn(&self, reading: &Reading) -> Option<Vec<Pixel>> {
-        let output = self.output(reading)?;
-        let all = 0..reading.pixels.len() as u32;
-        Some(all.map(|n| self.pixel(&output, n)).collect())
-    }
-
     /// Whether it may leave no more than `most` pixels, by the look of some.
     pub(crate) fn may_leave(&self, reading: &Reading, most: usize) -> bool {
         let Some(output) = self.output(reading) else {

@@ -94,7 +94,7 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
         _ => format!("above 255, up to {highest}"),
     };
     let far = if outside.lowest == i16::MIN {
-        " So far below 0 is what a number becomes that is none: what is divided by 0, or has never been set?"
+        " So far below 0 is what no number becomes: is 0 / 0 taken, the root of a negative number, or what was never set?"
     } else {
         ""
     };
@@ -130,7 +130,11 @@ pub(crate) fn another(wanted: &Scene, others: &[Scene], letters: Option<Letters>
                 "this is a picture of the chapter {}{by}, not of {own}",
                 other.chapter.name()
             ),
-            format!("Look at it as what it is: {}", other.command()),
+            format!(
+                "What {own} adds is not seen: is it called, and is its answer used? If you meant {}: {}",
+                other.chapter.name(),
+                other.command()
+            ),
         );
     }
     let (problem, fix) = match (wanted.probe, others[0].probe) {

@@ -7,16 +7,16 @@ use std::cmp::Reverse;
 
 use crate::candidate::{Candidate, Left};
 use crate::candidates::{elsewhere, pairs, rights, singles};
+use crate::colors;
 use crate::known::Evidence;
 use crate::pixels::spread;
 use crate::scene::Scene;
-use crate::{colors, edges};
 
 /// What explains a picture.
 pub(crate) enum Explanation {
     /// It is the right one of other scenes, all of which look the same.
     Another(Vec<Scene>),
-    /// It is the right one, but for what is left or for what else was done.
+    /// It is the right one, but for what is left, or in other colors.
     Near(Fit),
     /// It is drawn by programs with mistakes.
     Mistakes(Fit),
@@ -33,8 +33,8 @@ pub(crate) struct Fit {
     pub(crate) has_more: bool,
     /// What they leave.
     pub(crate) left: Left,
-    /// Whether each pixel is the mean of several of their rays.
-    pub(crate) is_antialiased: bool,
+    /// Whether the wrong lines of all of them stand in the reader's files, or no file is known.
+    pub(crate) is_in_text: bool,
 }
 
 /// A mistake may leave one pixel in so many, a right program more: a picture of which a
@@ -70,25 +70,26 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     if let Some(scenes) = elsewhere.clone().filter(|it| is_forgotten(evidence, it)) {
         return Explanation::Another(scenes);
     }
-    if let Some(single) = mistake(evidence, &left) {
+    let single = first(evidence, &left, singles(evidence)).map(|it| in_the_text(evidence, it));
+    let is_repaired = || evidence.repair().is_some();
+    if let Some(single) = single.clone().filter(|it| it.is_in_text || is_repaired()) {
         return Explanation::Mistakes(single);
-    }
-    if let Some(scenes) = elsewhere {
-        return Explanation::Another(scenes);
     }
     if evidence.repair().is_some() {
         let own = in_own_colors(evidence).map(Explanation::Near);
         return own.unwrap_or(Explanation::Nothing(right));
     }
-    if left.is_nothing() || MANY * left.off <= reading.pixels.len() || left.is_rounding() {
-        let is_mean = edges::mean_of(&right, reading).is_some_and(|it| it.is_mixed);
-        let mean = || antialiased(evidence).filter(|_| is_mean);
-        return mean().unwrap_or_else(|| near(left));
+    if let Some(single) = single.filter(|_| !left.is_nothing()) {
+        return Explanation::Mistakes(single);
     }
-    let several = || two_mistakes(evidence, &right, &left).map(Explanation::Mistakes);
-    let found = several()
-        .or_else(|| antialiased(evidence))
-        .or_else(|| in_own_colors(evidence).map(Explanation::Near));
+    if let Some(scenes) = elsewhere {
+        return Explanation::Another(scenes);
+    }
+    if left.is_nothing() || MANY * left.off <= reading.pixels.len() || left.is_rounding() {
+        return near(left);
+    }
+    let several = two_mistakes(evidence, &right, &left).map(Explanation::Mistakes);
+    let found = several.or_else(|| in_own_colors(evidence).map(Explanation::Near));
     found.unwrap_or_else(|| Explanation::Nothing(described_beside(evidence, right)))
 }
 
@@ -112,16 +113,7 @@ impl Fit {
             candidates: vec![candidate],
             has_more: false,
             left,
-            is_antialiased: false,
-        }
-    }
-
-    fn mean(candidates: Vec<Candidate>, left: Left) -> Self {
-        Self {
-            candidates,
-            has_more: false,
-            left,
-            is_antialiased: true,
+            is_in_text: true,
         }
     }
 }
@@ -182,19 +174,17 @@ fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Scene>> {
     Some(scenes).filter(|scenes| !scenes.is_empty())
 }
 
-/// One mistake that explains what the right program leaves.
-fn mistake(evidence: &Evidence, all: &Left) -> Option<Fit> {
-    let found = first(evidence, all, singles(evidence))?;
-    let is_repaired = || evidence.repair().is_some();
-    in_the_text(evidence, found.clone()).or_else(|| is_repaired().then_some(found))
-}
-
-/// Where the reader's files are known, only the programs whose wrong lines stand in them.
-fn in_the_text(evidence: &Evidence, mut found: Fit) -> Option<Fit> {
-    if !evidence.known.sources.is_empty() {
+/// Where the reader's files are known, the programs whose wrong lines stand in them; or all, if
+/// none of these is found.
+fn in_the_text(evidence: &Evidence, mut found: Fit) -> Fit {
+    if evidence.known.sources.is_empty() {
+        return found;
+    }
+    found.is_in_text = found.candidates.iter().any(|it| evidence.is_found(it));
+    if found.is_in_text {
         found.candidates.retain(|it| evidence.is_found(it));
     }
-    Some(found).filter(|it| !it.candidates.is_empty())
+    found
 }
 
 /// Two mistakes, if few pairs draw the very picture.
@@ -204,7 +194,7 @@ fn two_mistakes(evidence: &Evidence, nearest: &Candidate, all: &Left) -> Option<
         return None;
     }
     let found = first(evidence, all, pairs(evidence, nearest.scene.edition))?;
-    in_the_text(evidence, found).filter(|it| it.candidates.len() <= PAIRS && !it.has_more)
+    Some(in_the_text(evidence, found)).filter(|it| it.candidates.len() <= PAIRS && !it.has_more)
 }
 
 /// The programs of the first group in which some draw the picture, but for odd pixels; or
@@ -280,35 +270,6 @@ fn likeliest(evidence: &Evidence, group: Vec<Candidate>, most: usize) -> Vec<(us
     let reports = |it: &Candidate| it.slips.iter().map(|slip| slip.reports()).sum::<usize>();
     likeliest.sort_by_key(|(off, it)| (*off, Reverse(reports(it))));
     likeliest
-}
-
-/// Several rays a pixel, by right programs or by those with a mistake.
-fn antialiased(evidence: &Evidence) -> Option<Explanation> {
-    let reading = evidence.reading;
-    let closest = |all: Vec<Candidate>| {
-        let found = all
-            .into_iter()
-            .filter(|it| edges::may_be_mean_of(it, reading));
-        let found = found.filter(|it| !evidence.is_refuted(it));
-        // No more than can be drawn soon.
-        let few = found.take(1 + WORK / reading.pixels.len());
-        let found = few.filter_map(|it| Some((edges::mean_of(&it, reading)?, it)));
-        let found: Vec<_> = found.collect();
-        let least = found.iter().map(|(mean, _)| mean.levels).min()?;
-        let best = found.into_iter().filter(|(mean, _)| mean.levels == least);
-        let mixed = best.filter(|(mean, _)| mean.is_mixed).map(|(_, it)| it);
-        let mixed: Vec<Candidate> = mixed.collect();
-        (!mixed.is_empty()).then(|| Fit::mean(mixed, Left::default()))
-    };
-    // In the shape of version 4 the first edition's rays, all of a pixel together, are the same.
-    let is_later = |it: &Candidate| it.scene.is_in_a_later_shape(reading.width, reading.height);
-    let rights = rights(evidence).into_iter().filter(|it| !is_later(it));
-    if let Some(right) = closest(rights.collect()) {
-        return Some(Explanation::Near(right));
-    }
-    let wrong = singles(evidence).find_map(closest);
-    let wrong = wrong.and_then(|it| in_the_text(evidence, it));
-    wrong.map(Explanation::Mistakes)
 }
 
 /// The right picture in colors of the reader's own, but for few pixels.

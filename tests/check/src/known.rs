@@ -76,7 +76,7 @@ impl Known<'_> {
     pub(crate) fn is_mended(&self, slip: &Slip, scene: &Scene, repair: &Repair) -> bool {
         let words = self.words(slip, scene);
         let repaired = Sources::new(repair.files.clone(), Vec::new());
-        self.sources.say(&words) != Said::Right && repaired.say(&words) == Said::Right
+        self.sources.say(&words) == Said::Wrong && repaired.say(&words) == Said::Right
     }
 
     /// What the reader's files say of the slip. A line that an older edition has is wrong in

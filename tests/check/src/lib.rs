@@ -14,7 +14,6 @@ mod candidates;
 mod causes;
 mod colors;
 pub mod comparison;
-mod edges;
 pub mod guess;
 pub mod html;
 mod judge;

@@ -100,8 +100,6 @@ pub struct Finding {
 pub struct Near {
     /// The scene, with the colors that the reader chose.
     pub scene: Scene,
-    /// Whether each pixel is the mean of several rays.
-    pub is_antialiased: bool,
     /// The pixels that are not explained.
     pub left: Left,
 }
@@ -118,8 +116,8 @@ pub struct Mistakes {
     pub has_more: bool,
     /// What becomes of numbers that are no levels.
     pub conversion: Conversion,
-    /// Whether each pixel is the mean of several rays.
-    pub is_antialiased: bool,
+    /// Whether their lines stand in the reader's files, or no file is known.
+    pub is_in_text: bool,
     /// The pixels that they leave unexplained.
     pub left: Left,
     /// A small change of scene that tells them apart, if there is one.
@@ -256,7 +254,6 @@ impl Finding {
             Explanation::Near(fit) => {
                 let near = Near {
                     scene: fit.candidates[0].scene,
-                    is_antialiased: fit.is_antialiased,
                     left: fit.left,
                 };
                 Self {
@@ -365,7 +362,7 @@ impl Fit {
     fn editions(&self, reading: &Reading) -> Vec<Edition> {
         let it = &self.candidates[0];
         let own = it.scene.edition;
-        if own == Edition::V4 || self.is_antialiased {
+        if own == Edition::V4 {
             return vec![own];
         }
         let scenes = it.scene.by_editions(reading.width, reading.height);
@@ -393,7 +390,7 @@ impl Mistakes {
             all,
             has_more: fit.has_more,
             conversion: first.conversion,
-            is_antialiased: fit.is_antialiased,
+            is_in_text: fit.is_in_text,
             left: fit.left,
         }
     }
@@ -402,7 +399,7 @@ impl Mistakes {
 impl Near {
     /// Whether it is right to the last bit: a step on the way.
     pub fn is_exact(&self) -> bool {
-        self.left.is_nothing() && !self.is_antialiased && !self.has_own_colors()
+        self.left.is_nothing() && !self.has_own_colors()
     }
 
     fn has_own_colors(&self) -> bool {

@@ -295,12 +295,9 @@ impl Evidence<'_> {
         let command = next.scene.probe.map_or(String::new(), |probe| {
             format!("; and then {}", (self.watch)(Some(probe)))
         });
-        let to_see_it = next.change(self.known.letters) + &command;
+        let change = next.change(self.known.letters) + &command;
         Verdict {
-            cause: vec![
-                labeled("hidden", next.why()),
-                labeled("to see it", to_see_it),
-            ],
+            cause: vec![labeled("probe", format!("{}: {change}", next.why()))],
             ..verdict
         }
     }
@@ -315,7 +312,7 @@ impl Evidence<'_> {
 
     fn of_wrong_picture(&self, finding: Finding) -> Verdict {
         let mut cause = self.rows(&finding);
-        let is_unknown = finding.mistakes.is_none();
+        let is_unknown = finding.mistakes.as_ref().is_none_or(|it| !it.is_in_text);
         match self.laws {
             _ if finding.repair.is_some() => {}
             Some(Laws::Broken(report)) if !finding.is_answered || is_unknown => {

@@ -83,13 +83,18 @@ impl Mistakes {
         } else {
             ""
         };
-        format!("{who} {}{wrapped}{others}:", self.extent(pixels))
+        let recognized = match (self.is_in_text, self.all.len()) {
+            (true, _) => "",
+            (false, 1) if !is_pair => ". Its line was not recognized in your files",
+            (false, _) => ". Their lines were not recognized in your files",
+        };
+        format!(
+            "{who} {}{wrapped}{others}{recognized}:",
+            self.extent(pixels)
+        )
     }
 
     fn extent(&self, pixels: usize) -> String {
-        if self.is_antialiased {
-            return "this picture, antialiased as in the book's next chapter".to_owned();
-        }
         if self.left.is_nothing() {
             return "exactly this picture".to_owned();
         }
@@ -118,7 +123,8 @@ impl Mistakes {
             let words = known.words(slip, &self.scene);
             let wrong = match known.line_of(slip, &self.scene) {
                 Some(line) => ("yours", line.to_string()),
-                None => ("probably", words.wrong.into_owned()),
+                None if self.is_in_text => ("probably", words.wrong.into_owned()),
+                None => ("perhaps", words.wrong.into_owned()),
             };
             let lines = [wrong, ("should be", words.right.into_owned())];
             let lines = lines.into_iter().filter(|(_, said)| !said.is_empty());
@@ -132,11 +138,6 @@ impl Mistakes {
 impl Near {
     /// What it is instead of the book's picture, after "right, but".
     pub fn clause(&self, pixels: usize) -> String {
-        if self.is_antialiased {
-            return "antialiased, with several rays a pixel: that is the book's next chapter. \
-                    With one ray it can be compared to the last bit"
-                .to_owned();
-        }
         let left = (!self.left.is_nothing()).then(|| format!("for {}", self.left.said(pixels)));
         let all: Vec<String> = self.scene.clause().into_iter().chain(left).collect();
         all.join(", and ")
@@ -231,7 +232,11 @@ impl Change {
             }
             Right::Line(line) => line.clone(),
             Right::Nothing => "left out".to_owned(),
-            Right::InRust(line) => letters.spelled(line, chapter),
+            Right::InRust(line) => {
+                let line = letters.spelled(line, chapter);
+                let line = line.trim_start_matches("let ");
+                line.trim_start_matches("mut ").to_owned()
+            }
             Right::Function(chapters, called) => {
                 let without = match &called[..] {
                     [] => String::new(),

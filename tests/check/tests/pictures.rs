@@ -161,28 +161,6 @@ fn each_edition_is_right_and_known_by_its_picture_alone() {
 }
 
 #[test]
-fn several_rays_a_pixel_are_the_next_chapter_and_no_mistake() {
-    use Chapter::{HittableList, Normals, RedSphere};
-    for chapter in [RedSphere, Normals, HittableList] {
-        for edition in [Edition::V4, Edition::V3] {
-            for samples in [4, 50] {
-                let right = edition.program(chapter);
-                let check = answer(chapter, &with_rays(&right, samples));
-                assert_eq!(said(&check), "antialiased", "{chapter:?} by {edition:?}");
-                let near = check.finding().and_then(|it| it.near.as_ref());
-                // Few rays are off to one side together, as far as editions are apart.
-                if samples == 50 {
-                    assert_eq!(near.map(|near| near.scene.edition), Some(edition));
-                }
-            }
-        }
-    }
-    let far_root = slip("far-root").program(Normals);
-    let check = answer(Normals, &with_rays(&far_root, 16));
-    assert_eq!(said(&check), "far-root, antialiased");
-}
-
-#[test]
 fn colors_of_a_readers_own_are_no_mistake() {
     let sky = [Color::new(1.0, 0.8, 0.6), Color::new(0.2, 0.3, 0.55)];
     for chapter in [Chapter::Gradient, Chapter::RedSphere, Chapter::HittableList] {
@@ -254,7 +232,6 @@ fn what_is_not_in_a_scene_is_not_right() {
     };
     let pictures = [
         (Chapter::HittableList, three.run(WIDTH).picture()),
-        (Chapter::HittableList, with_rays(&three, 4)),
         (Chapter::RedSphere, ellipse(&gradient::picture(WIDTH))),
     ];
     for (chapter, picture) in pictures {
@@ -337,7 +314,6 @@ fn said(check: &Check) -> String {
     };
     if let Some(near) = &finding.near {
         return match near.scene.clause() {
-            _ if near.is_antialiased => "antialiased".to_owned(),
             Some(clause) => clause,
             None => format!("right but for {}", near.left.off),
         };
@@ -347,7 +323,6 @@ fn said(check: &Check) -> String {
     };
     let names: Vec<String> = mistakes.all.iter().map(|it| names_of(it)).collect();
     let left = match mistakes.left.off {
-        _ if mistakes.is_antialiased => ", antialiased".to_owned(),
         0 => String::new(),
         off => format!(" but for {off}"),
     };
@@ -437,31 +412,4 @@ fn changed(picture: &Picture, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> 
 
 fn pixel(picture: &Picture, i: u32, j: u32) -> [u8; 3] {
     picture.rgb().as_chunks().0[(j * picture.width() + i) as usize]
-}
-
-/// The mean of so many rays a pixel, as random as a low-discrepancy sequence (R₂; Roberts,
-/// 2018) is: in the middle of each pixel by version 4, and above and to the right before.
-fn with_rays(program: &Program, samples: u32) -> Picture {
-    let camera = program.camera(WIDTH);
-    let (width, height) = program.run(WIDTH).size();
-    let (middle, down) = if program.edition == Edition::V4 {
-        (0.5, 1.0)
-    } else {
-        (0.0, -1.0)
-    };
-    let color = |i: u32, j: u32, sample: u32| {
-        let part = |step: f64| (0.5 + f64::from(sample) * step).fract() - middle;
-        let (right, down) = (part(0.754_877_666), down * part(0.569_840_291));
-        let ray = |i: u32, j: u32| (program.ray)(program, &camera, i, j).direction;
-        let here = ray(i, j);
-        let direction = here + right * (ray(i + 1, j) - here) + down * (ray(i, j + 1) - here);
-        program.ray_color(&Ray::new(camera.center, direction))
-    };
-    let mean = |n: u32| {
-        let (i, j) = (program.order)(n, width, height);
-        let sum = (0..samples).fold(Color::ZERO, |sum, sample| sum + color(i, j, sample));
-        (sum / f64::from(samples)).to_array()
-    };
-    let levels = (0..width * height).flat_map(|n| mean(n).map(|it| (255.999 * it) as u8));
-    Picture::from_rgb(width, height, levels.collect()).expect("its size")
 }

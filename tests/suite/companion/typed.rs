@@ -59,7 +59,7 @@ fn said(text: &Text) -> Vec<String> {
         .expect("it draws");
     let verdict = text.verdict(Box::leak(Box::new(program)), &picture);
     let row = |line: &Line| match line {
-        Line::Labeled(label, _) if label == "to see it" => None,
+        Line::Labeled(label, _) if label == "probe" => None,
         Line::Labeled(label, text) => Some(squeezed(&format!("{label} {text}"))),
         Line::Printed(text) => Some(squeezed(text)),
     };

@@ -85,7 +85,7 @@ fn part_as_text(part: &Part, letters: Option<Letters>, style: Style) -> String {
         Part::Name(name) => format!("  {}\n", style.bold(name)),
         Part::Rows(rows) => rows.iter().map(|it| row(it, style)).collect(),
         Part::Read(slip) => look(slip, letters).map(|it| row(&it, style)).collect(),
-        Part::Next(next) => probe(next, letters),
+        Part::Next(next) => probe(next),
     }
 }
 
@@ -93,19 +93,19 @@ fn part_as_text(part: &Part, letters: Option<Letters>, style: Style) -> String {
 fn row((label, said): &Row, style: Style) -> String {
     let shown = format!("    {} ", style.dim(&format!("{label:<9}")));
     // A path stays on one line.
-    if ["code", "read"].contains(label) {
+    if ["code", "read"].contains(label) && !said.starts_with('"') {
         return format!("{shown}{said}\n");
     }
     wrapped(said, &shown, &" ".repeat(14))
 }
 
-fn probe(next: &Next, letters: Option<Letters>) -> String {
-    let first = wrapped(
-        &format!("{}: {}; and then", next.why(), next.change(letters)),
-        "",
-        "",
-    );
-    format!("\n{first}  {}\n", next.scene.command())
+fn probe(next: &Next) -> String {
+    let chapter = next.scene.chapter.name();
+    let how = match next.scene.probe {
+        Some(_) => format!(": {} probes {chapter} tells how", companion()),
+        None => String::new(),
+    };
+    format!("\n{}{how}.\n", next.why())
 }
 
 /// How wide the answer is, whatever the terminal.

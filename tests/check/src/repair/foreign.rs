@@ -10,7 +10,7 @@ use super::spelling::{in_rust, plain};
 use super::tree::{Tree, squeezed};
 use crate::reading::Reading;
 use crate::scene::Scene;
-use crate::sources::Line;
+use crate::sources::{Line, with_brackets};
 
 /// So many lines are tried in one place, if they have this much in common with what is there.
 const TRIED: usize = 3;
@@ -190,6 +190,18 @@ impl Place<'_> {
         renamed(value, &renames)
     }
 
+    /// Whether something of the statement stands in the place under the same name: else its
+    /// names, turned into those of the place, make any sum look like any other.
+    fn shares(&self, typed: &Tree, spelled: &Tree) -> bool {
+        let leaves = |tree: &Tree| -> Vec<String> {
+            let leaves = tree.nodes().into_iter().filter(|it| it.parts.is_empty());
+            leaves.map(|it| it.op.clone()).collect()
+        };
+        let (typed, theirs) = (leaves(typed), leaves(&self.plain));
+        let mut both = leaves(spelled).into_iter();
+        both.any(|it| typed.contains(&it) && theirs.contains(&it))
+    }
+
     fn repair(
         &self,
         wrong: &[&Statement],
@@ -201,7 +213,12 @@ impl Place<'_> {
             let named = if it.role == self.role { 0.4 } else { 0.0 };
             (value.likeness(&self.plain) + named, value, it)
         });
-        let mut likest: Vec<_> = scored.filter(|(score, ..)| *score > ALIKE).collect();
+        let is_let = |role: &Role| matches!(role, Role::Let(_));
+        let is_like = |(score, value, it): &(f64, Tree, &&Statement)| {
+            *score > ALIKE
+                && (is_let(&it.role) == is_let(&self.role) || self.shares(&it.value, value))
+        };
+        let mut likest: Vec<_> = scored.filter(is_like).collect();
         likest.sort_by(|one, other| other.0.total_cmp(&one.0));
         let is_it = |value: &Tree| {
             let mut text = self.function.text.clone();
@@ -264,7 +281,8 @@ fn statements(name: &str, text: &str) -> Vec<Statement> {
     let comment = if is_python { "#" } else { "//" };
     let mut all = Vec::new();
     let (mut open, mut first, mut depth) = (String::new(), 0, 0);
-    for (n, line) in text.lines().enumerate() {
+    let typed: Vec<&str> = text.lines().collect();
+    for (n, line) in with_brackets(name, text).lines().enumerate() {
         let code = line.split(comment).next().unwrap_or_default().trim();
         if open.is_empty() {
             first = n;
@@ -281,7 +299,7 @@ fn statements(name: &str, text: &str) -> Vec<Statement> {
         let line = Line {
             file: name.to_owned(),
             number: first + 1,
-            text: squeezed(&open),
+            text: squeezed(&typed[first..=n].join(" ")),
         };
         let values = values(&open, is_python).into_iter();
         all.extend(values.filter_map(|(role, value)| {

@@ -20,6 +20,8 @@ use view::View;
 
 /// Where one pixel in so many is another, nearly all are the same.
 const ODD: usize = 32;
+/// Neighbors that are so many levels apart make an edge.
+const EDGE: u16 = 16;
 
 /// What can be seen, the most telling first, and the numbers of the first pixel that differs.
 pub(crate) fn seen(scene: &Scene, reading: &Reading, right: &Picture) -> (Vec<String>, Vec<Row>) {
@@ -35,7 +37,7 @@ pub(crate) fn seen(scene: &Scene, reading: &Reading, right: &Picture) -> (Vec<St
             view.only_sky(),
             view.gray(),
             view.disc(),
-            view.where_it_differs(),
+            view.only_at_edges().or_else(|| view.where_it_differs()),
         ]
         .into_iter()
         .flatten()
@@ -59,7 +61,9 @@ impl View<'_> {
         let is_cut = first.contains(&i16::MAX);
         (is_plain && !is_cut).then(|| match first {
             [0, 0, 0] => {
-                format!("{all} is black: is a component NaN, or is no color ever set?")
+                format!(
+                    "{all} is black: is no color ever set, or is it no number, such as 0 / 0 or the root of a negative one?"
+                )
             }
             color => format!("{all} has the same color, {color:?}."),
         })
@@ -86,6 +90,25 @@ impl View<'_> {
         Some(format!(
             "No level is above {most}: is each component multiplied by 255.999?"
         ))
+    }
+
+    /// Several rays a pixel change only those in which two things meet.
+    fn only_at_edges(&self) -> Option<String> {
+        let width = self.reading.width as usize;
+        let is_at_edge = |&n: &u32| {
+            let n = n as usize;
+            let around = [n.wrapping_sub(width), n.wrapping_sub(1), n + 1, n + width];
+            let around = around
+                .into_iter()
+                .filter(|n| *n < self.reading.pixels.len());
+            let mut far = around.map(|it| distance(self.found(it as u32), self.found(n as u32)));
+            far.any(|levels| levels > EDGE)
+        };
+        self.wrong.iter().all(is_at_edge).then(|| {
+            "Only at edges is anything wrong: does your program send several rays through a pixel? \
+             Send one."
+                .to_owned()
+        })
     }
 
     /// On the spheres, in the sky, or along the rim.

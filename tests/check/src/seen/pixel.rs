@@ -1,4 +1,4 @@
-//! The first pixel that differs, with all numbers as they should be on its way.
+//! The first pixel that differs, with all numbers as they should be there.
 
 use super::view::View;
 use crate::Row;
@@ -19,7 +19,12 @@ impl View<'_> {
         let numbers: Vec<_> = numbers
             .map(|(label, it)| format!("{label} = {it}"))
             .collect();
-        let way = (!numbers.is_empty()).then(|| ("its way", numbers.join("; ")));
+        let way = (!numbers.is_empty()).then(|| {
+            (
+                "numbers",
+                format!("as they should be there: {}", numbers.join("; ")),
+            )
+        });
         [("first", first)].into_iter().chain(way).collect()
     }
 }

@@ -247,13 +247,7 @@ impl File {
     fn new(name: String, text: String) -> Self {
         // Some editors begin a file with a byte order mark.
         let text = text.trim_start_matches('\u{feff}').to_owned();
-        let has_no_braces = name.ends_with(".py") || name.ends_with(".rs");
-        let text = if has_no_braces {
-            text
-        } else {
-            with_brackets(&text)
-        };
-        let tokens = tokens(&text);
+        let tokens = tokens(&with_brackets(&name, &text));
         Self { name, text, tokens }
     }
 
@@ -316,8 +310,11 @@ impl File {
     }
 }
 
-/// What C++ makes in braces as it is made in brackets.
-fn with_brackets(text: &str) -> String {
+/// What C++ makes in braces as it is made in brackets, line for line.
+pub(crate) fn with_brackets(name: &str, text: &str) -> String {
+    if name.ends_with(".py") || name.ends_with(".rs") {
+        return text.to_owned();
+    }
     let mut open = Vec::new();
     let mut before = String::new();
     for letter in text.chars() {
