@@ -237,13 +237,6 @@ impl Change {
                 let line = line.trim_start_matches("let ");
                 line.trim_start_matches("mut ").to_owned()
             }
-            Right::Function(chapters, called) => {
-                let without = match &called[..] {
-                    [] => String::new(),
-                    called => format!(", without {}", called.join(" and ")),
-                };
-                format!("as in {}:{}{without}", chapters.file, chapters.number)
-            }
         };
         vec![("yours", self.yours.to_string()), ("should be", right)]
     }

@@ -8,8 +8,9 @@ use super::tree::Tree;
 /// A change of a function's text.
 #[derive(Clone, Debug)]
 pub(super) struct Edit {
-    /// What is replaced by what; an empty place takes what is left out there.
-    pub(super) parts: Vec<(Range<usize>, String)>,
+    /// What is replaced; an empty place takes what is left out there.
+    at: Range<usize>,
+    new: String,
     /// The lower, the likelier.
     pub(super) rank: u32,
 }
@@ -44,35 +45,15 @@ impl Proposal {
 impl Edit {
     /// The function with the edit.
     pub(super) fn applied_to(&self, text: &str) -> String {
-        let mut parts: Vec<_> = self.parts.iter().collect();
-        parts.sort_by_key(|(at, _)| std::cmp::Reverse((at.start, at.end)));
         let mut text = text.to_owned();
-        for (at, new) in parts {
-            text.replace_range(at.clone(), new);
-        }
+        text.replace_range(self.at.clone(), &self.new);
         text
     }
 
     /// Whether this function is called less often with it.
     pub(super) fn writes_out(&self, name: &str, text: &str) -> bool {
         let count = |text: &str| words(text).iter().filter(|it| **it == name).count();
-        let mut parts = self.parts.iter();
-        parts.any(|(at, new)| count(&text[at.clone()]) > count(new))
-    }
-
-    /// Both edits, if they are in different places.
-    pub(super) fn and(&self, other: &Self) -> Option<Self> {
-        let meets = |(one, _): &(Range<usize>, String), (other, _): &(Range<usize>, String)| {
-            one == other || one.start < other.end && other.start < one.end
-        };
-        let mut own = self.parts.iter();
-        if own.any(|part| other.parts.iter().any(|it| meets(part, it))) {
-            return None;
-        }
-        Some(Self {
-            parts: [&self.parts[..], &other.parts[..]].concat(),
-            rank: self.rank + other.rank,
-        })
+        count(&text[self.at.clone()]) > count(&self.new)
     }
 }
 
@@ -89,7 +70,8 @@ pub(super) fn ranked(function: &Function, proposals: Vec<Proposal>) -> Vec<Edit>
             apart
         };
         Some(Edit {
-            parts: vec![(it.at, it.new)],
+            at: it.at,
+            new: it.new,
             rank: it.penalty + 2 * cost,
         })
     });

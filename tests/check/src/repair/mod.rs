@@ -55,8 +55,6 @@ pub enum Right {
     More(String),
     /// Nothing.
     Nothing,
-    /// The whole function as it stands there, which does not call these of the reader's own.
-    Function(Line, Vec<String>),
     /// What the chapter has there, where the reader writes another language.
     InRust(String),
 }
@@ -123,7 +121,7 @@ impl Repair {
         };
         let fixes = search.find()?;
         let texts: Vec<_> = fixes.iter().map(|it| (it.yours, &*it.text)).collect();
-        let changes = fixes.iter().flat_map(|it| it.changes(&files, &theirs));
+        let changes = fixes.iter().flat_map(|it| it.changes(&files));
         Some(Self {
             changes: changes.collect(),
             files: with(&files, &texts),
@@ -166,8 +164,8 @@ fn right_files(chapter: Chapter) -> Files {
 }
 
 impl Fix<'_> {
-    /// The lines that are changed, or the whole function.
-    fn changes(&self, files: &Files, theirs: &Files) -> Vec<Change> {
+    /// The lines that are changed.
+    fn changes(&self, files: &Files) -> Vec<Change> {
         let line = |files: &Files, function: &Function, n: usize| {
             let (name, text) = &files[function.file];
             let before = text[..function.at.start].matches('\n').count();
@@ -181,11 +179,6 @@ impl Fix<'_> {
             yours: line(files, self.yours, n),
             right,
         };
-        if let Some(right) = self.right {
-            let called = self.called.iter().map(|it| it.short_name().to_owned());
-            let right = Right::Function(line(theirs, right, 0), called.collect());
-            return vec![change(0, right)];
-        }
         let [old, new] = [&self.yours.text, &self.text].map(|it| lines(it));
         // Only what stands between the first and the last lines that differ is looked at.
         let is_same = |(one, other): &(&String, &String)| one == other;
@@ -193,9 +186,12 @@ impl Fix<'_> {
         let back = old[first..].iter().rev().zip(new[first..].iter().rev());
         let last = back.take_while(is_same).count();
         let [old, new] = [&old, &new].map(|it| &it[first..it.len() - last]);
-        let right = |text: String| match text.is_empty() {
-            true => Right::Nothing,
-            false => Right::Line(text),
+        let right = |text: String| {
+            if text.is_empty() {
+                Right::Nothing
+            } else {
+                Right::Line(text)
+            }
         };
         if old.is_empty() {
             return vec![change(first, Right::More(new.join(" ")))];

@@ -11,10 +11,6 @@ use super::{chapter, generic};
 
 /// So many bytes of programs are read, which takes two seconds at most.
 const READ: usize = 1 << 20;
-/// Two edits are tried where the one that is found is less likely than this.
-const LIKELY: u32 = 14;
-/// Of so many edits each is tried with each other.
-const PAIRED: usize = 45;
 /// Nobody would recognize the mistake in a less likely edit.
 const READABLE: u32 = 16;
 
@@ -22,10 +18,6 @@ const READABLE: u32 = 16;
 pub(super) struct Fix<'a> {
     pub(super) yours: &'a Function,
     pub(super) text: String,
-    /// The chapter's function, if that takes its place as a whole.
-    pub(super) right: Option<&'a Function>,
-    /// What the reader's calls and the chapter's does not.
-    pub(super) called: Vec<&'a Function>,
 }
 
 impl<'a> Fix<'a> {
@@ -33,8 +25,6 @@ impl<'a> Fix<'a> {
         Self {
             yours,
             text: edit.applied_to(&yours.text),
-            right: None,
-            called: Vec::new(),
         }
     }
 }
@@ -74,21 +64,8 @@ impl<'a> Search<'a> {
             .iter()
             .filter_map(|common| self.repair(common, &Vec::new()));
         let found = found.min_by_key(|(_, edit)| edit.rank);
-        let rank = found.as_ref().map_or(u32::MAX, |(_, edit)| edit.rank);
-        let pair = || {
-            swapped
-                .iter()
-                .find_map(|common| self.by_two_edits(common, rank))
-        };
-        let found = if rank > LIKELY {
-            pair().or(found)
-        } else {
-            found
-        };
-        match found.filter(|(_, edit)| edit.rank <= READABLE) {
-            Some(edit) => Some(vec![Fix::edit(&edit)]),
-            None => self.whole(vec![self.swapped(&swapped[0])]),
-        }
+        let found = found.filter(|(_, edit)| edit.rank <= READABLE);
+        found.map(|edit| vec![Fix::edit(&edit)])
     }
 
     /// The functions that the reader and the chapter have in common.
@@ -214,29 +191,6 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Two edits of the chapter's that make the program right together.
-    fn by_two_edits(
-        &self,
-        (yours, right): &Common<'a>,
-        below: u32,
-    ) -> Option<(&'a Function, Edit)> {
-        let mut edits = self.of_chapter(yours, right);
-        edits.sort_by_key(|edit| edit.rank);
-        edits.dedup_by(|one, other| one.parts == other.parts);
-        edits.truncate(PAIRED);
-        let pairs = edits.iter().enumerate().flat_map(|(n, edit)| {
-            let others = edits[..n].iter();
-            others.filter_map(|other| edit.and(other))
-        });
-        let likely = pairs.filter(|edit| edit.rank + 4 < below.min(2 * READABLE));
-        // What two mistakes cost together is no more than each may.
-        let halved = likely.map(|edit| Edit {
-            rank: edit.rank / 2,
-            ..edit
-        });
-        self.first(halved.map(|edit| (*yours, edit)).collect(), &Vec::new())
-    }
-
     /// Mistakes in two functions: each is repaired while the other is the chapter's.
     fn in_two(&self, common: &[Common<'a>]) -> Option<Vec<Fix<'a>>> {
         let pairs = (0..common.len()).flat_map(|n| (0..n).map(move |m| [n, m]));
@@ -248,23 +202,9 @@ impl<'a> Search<'a> {
         if let [Some(one), Some(other)] = edits
             && [&one, &other].iter().all(|(_, edit)| edit.rank <= READABLE)
         {
-            let fixes = self.whole(vec![Fix::edit(&other), Fix::edit(&one)]);
-            if fixes.is_some() {
-                return fixes;
-            }
+            return self.whole(vec![Fix::edit(&other), Fix::edit(&one)]);
         }
-        self.whole(vec![self.swapped(&common[m]), self.swapped(&common[n])])
-    }
-
-    /// The chapter's function for the reader's and for the helpers that this calls.
-    fn swapped(&self, common: &Common<'a>) -> Fix<'a> {
-        let (yours, right) = (common.0, common.1[0]);
-        Fix {
-            yours,
-            text: right.text.clone(),
-            right: Some(right),
-            called: self.helpers(yours),
-        }
+        None
     }
 
     /// The fixes, if the program is right with all of them together.
