@@ -69,14 +69,16 @@ pub(crate) fn filter<const ULP: bool>(
         return f64::NAN;
     }
     let (sqrtd, band) = (discriminant.sqrt(), T_BAND * m);
-    let gap = |t: f64| lesser(t - t_min, t_max - t) * sqrtd;
-    // The roots as in `half_b_q`. The nearer one counts, unless it lies before the range.
+    // The roots as in `half_b_q`. The nearer one counts, unless it lies before the range: both
+    // sides of that are multiplied by its denominator, so that one division is enough.
     let q = h + sqrtd.copysign(h);
-    let (by_c, by_a) = (c / q, q / a);
     let c_is_nearer = h.is_sign_positive();
-    let is_out = gap(if c_is_nearer { by_c } else { by_a }) <= -band;
-    let t = if c_is_nearer ^ is_out { by_c } else { by_a };
-    let gap = gap(t);
+    let (numerator, denominator) = if c_is_nearer { (c, q) } else { (q, a) };
+    let is_before = (numerator - t_min * denominator) * sqrtd <= -band * denominator;
+    let takes_c = c_is_nearer ^ is_before;
+    let (numerator, denominator) = if takes_c { (c, q) } else { (q, a) };
+    let t = numerator / denominator;
+    let gap = lesser(t - t_min, t_max - t) * sqrtd;
     if gap <= -band {
         return f64::INFINITY;
     }
@@ -87,7 +89,7 @@ pub(crate) fn filter<const ULP: bool>(
     if !ULP {
         return t;
     }
-    let slope = if is_out { sqrtd } else { -sqrtd };
+    let slope = if is_before { sqrtd } else { -sqrtd };
     refined(center, radius, ray, m, t, |t| (a * t - h) + slope)
 }
 
