@@ -144,7 +144,7 @@ impl Lowerer<'_> {
             ));
         }
         match last {
-            Some(syn::Stmt::Expr(last, None)) => self.declared(body, result, self.at(last)),
+            Some(syn::Stmt::Expr(last, None)) => self.declared_of(last, body, result),
             _ => {
                 let end = at_span(self.file, block.brace_token.span.close());
                 self.declared(body, result, end)
@@ -240,7 +240,19 @@ impl Lowerer<'_> {
             }
             value => self.expr(value)?,
         };
-        self.declared(typed, ty, self.at(value))
+        self.declared_of(value, typed, ty)
+    }
+
+    /// The same of what an expression is known to be.
+    fn declared_of(&self, value: &syn::Expr, typed: Typed, ty: &Type) -> Lowered<Node> {
+        let is_lent = matches!(value, syn::Expr::Reference(it) if it.mutability.is_none());
+        let help = if is_lent && typed.ty.inner().fits(ty, self.names) {
+            "consider removing the borrow"
+        } else {
+            ""
+        };
+        let declared = self.declared(typed, ty, self.at(value));
+        declared.map_err(|it| it.or_help(help))
     }
 
     /// The same of what is known: refused, taken, or checked when it runs.

@@ -325,6 +325,14 @@ fn what_the_compiler_refuses_or_is_not_known_is_refused() {
 }
 
 #[test]
+fn a_reference_where_a_value_is_wanted_has_the_help_of_the_compiler() {
+    let typed =
+        with(Chapter::Normals, "direction.dot(oc)", "direction.dot(&oc)").expect("it is there");
+    let said = typed.err().unwrap_or_default();
+    assert!(said.ends_with("; consider removing the borrow"), "{said}");
+}
+
+#[test]
 #[ignore = "asks the compiler of a hundred texts"]
 fn most_faults_are_in_the_line_and_the_words_of_the_compiler() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("refused");

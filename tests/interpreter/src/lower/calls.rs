@@ -299,7 +299,7 @@ impl Lowerer<'_> {
             {
                 with[n] = ty.settled();
             }
-            nodes.push(self.declared(typed, &wanted, self.at(value))?);
+            nodes.push(self.declared_of(value, typed, &wanted)?);
         }
         Ok(nodes)
     }
@@ -464,7 +464,7 @@ impl Lowerer<'_> {
         } else {
             body.ty.clone()
         });
-        let body = self.declared(body, &result, self.at(&it.body))?;
+        let body = self.declared_of(&it.body, body, &result)?;
         let closure = Arc::new(Closure { parameters, body });
         let node = Node::Closure(closure, it.capture.is_some());
         Ok(Typed::new(node, Type(Head::Fn, types)))
