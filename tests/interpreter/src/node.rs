@@ -1,6 +1,5 @@
 //! An intermediate representation: what a text says, with its names found.
 
-use std::cmp::Ordering;
 use std::sync::Arc;
 
 use common::rtweekend::Vec3;
@@ -19,7 +18,6 @@ pub(crate) enum Node {
     Vec3(Vec3),
     Str(Arc<str>),
     None,
-    Ordering(Ordering),
     Local(usize),
     /// What a mutable reference leads to.
     Deref(Box<Node>),

@@ -612,9 +612,6 @@ pub(crate) fn constant(owner: &Type, name: &str) -> Option<(Node, Type)> {
         (Head::F64, name) => Node::Float(number(name)?),
         (Head::Int(int), "MAX") => Node::Int(int.ends().1, int),
         (Head::Int(int), "MIN") => Node::Int(int.ends().0, int),
-        (Head::Ordering, "Less") => Node::Ordering(Ordering::Less),
-        (Head::Ordering, "Equal") => Node::Ordering(Ordering::Equal),
-        (Head::Ordering, "Greater") => Node::Ordering(Ordering::Greater),
         _ => return None,
     };
     Some((node, owner.clone()))

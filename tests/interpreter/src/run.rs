@@ -276,7 +276,6 @@ impl<'c> Machine<'c> {
             Node::Vec3(it) => Ok(Value::Vec3(*it)),
             Node::Str(it) => Ok(Value::Str(Rc::new(it.to_string()))),
             Node::None => Ok(Value::None),
-            Node::Ordering(it) => Ok(Value::Ordering(*it)),
             Node::Function(function) => Ok(Value::Function(*function)),
             Node::NativeFunction(native, at) => Ok(Value::Native(native, *at)),
             Node::Closure(closure, is_moved) => Ok(self.closure(closure, *is_moved)),

@@ -128,7 +128,7 @@ pub fn of_program<T>(program: &Program, act: impl FnOnce(&Prelude) -> T) -> T {
         length: &|v| squared(v).sqrt(),
         normalize: &program.unit,
         ray: &Ray::new,
-        at: &|ray, t| (program.at)(program, &ray, t),
+        at: &|ray, t| ray.at(t),
     })
 }
 

@@ -155,8 +155,6 @@ pub struct Program {
     pub kept: fn(Option<[f64; 2]>) -> Option<[f64; 2]>,
     /// Which of two roots counts, given `t_min` and `t_max`.
     pub choice: fn(&Program, [f64; 2], f64, f64) -> Option<f64>,
-    /// The point at a ray parameter.
-    pub at: fn(&Program, &Ray, f64) -> Point3,
     /// The unit normal that points out, from a point on a sphere.
     pub outward: fn(&Program, Point3, Ball) -> Vec3,
     /// Whether the ray comes from outside, from its direction and the normal that points out.
@@ -252,7 +250,7 @@ impl Program {
     /// The normal of a hit that is colored, if the ray hits anything.
     pub fn normal(&self, ray: &Ray) -> Option<Vec3> {
         let (t, ball) = self.search(ray)?;
-        let outward = (self.outward)(self, (self.at)(self, ray, t), ball);
+        let outward = (self.outward)(self, ray.at(t), ball);
         Some((self.face)(self, ray.direction, outward))
     }
 
@@ -280,7 +278,7 @@ impl Program {
             return code.record(ball, ray, t_min, t_max);
         }
         let t = self.hit(ball, ray, t_min, t_max)?;
-        let point = (self.at)(self, ray, t);
+        let point = ray.at(t);
         let outward = (self.outward)(self, point, ball);
         Some(Hit {
             t,
@@ -408,7 +406,6 @@ const HITTABLE_LIST: Program = Program {
         let in_range = |&t: &f64| (program.in_range)(t_min, t, t_max);
         roots.into_iter().find(in_range)
     },
-    at: |_, ray, t| ray.origin + t * ray.direction,
     outward: |_, point, ball| (point - ball.center) * (1.0 / ball.radius),
     front_face: |program, direction, outward| (program.dot)(direction, outward) < 0.0,
     face: |program, direction, outward| {

@@ -43,8 +43,6 @@ pub struct Slip {
     pub is_in_two_places: bool,
     /// What the mistake does to the picture, and why.
     pub(super) why: &'static str,
-    /// The same in editions before version 4, if it is another; or nothing.
-    pub(super) older_why: &'static str,
     /// The languages that let it be made: not all take a number for a truth, or -1.0 for a
     /// miss.
     pub(super) made_in: fn(Letters) -> bool,
@@ -108,7 +106,6 @@ pub(super) const SLIP: Slip = Slip {
     edits: &[],
     is_in_two_places: false,
     why: "",
-    older_why: "",
     made_in: |_| true,
     reported: &[],
     unseen_in: &[],
@@ -121,9 +118,11 @@ impl Slip {
     /// What there is to say of it to someone who made it in that chapter.
     pub fn words(&self, letters: Letters, chapter: Chapter) -> Words {
         let [wrong, right] = self.lines(letters, chapter).map(Cow::Owned);
-        let is_older = letters.edition() != Edition::V4 && !self.older_why.is_empty();
-        let why = if is_older { self.older_why } else { self.why };
-        Words { wrong, right, why }
+        Words {
+            wrong,
+            right,
+            why: self.why,
+        }
     }
 
     /// The wrong line and the right one.

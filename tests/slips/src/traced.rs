@@ -51,7 +51,7 @@ impl Program {
             row("t", &of, t.map_or("no hit".to_owned(), number));
         }
         if let Some((t, ball)) = self.search(ray) {
-            let point = (self.at)(self, ray, t);
+            let point = ray.at(t);
             let outward = (self.outward)(self, point, ball);
             let normal = (self.face)(self, ray.direction, outward);
             row("point", "", vector(point));

@@ -39,11 +39,6 @@ impl Lowerer<'_> {
                 let named = named.map(|it| (member(&it.member), &*it.pat)).collect();
                 self.structure_pattern(&it.path, ty, named, at)
             }
-            syn::Pat::Path(it) => {
-                let constant = self.path(it)?;
-                let constant = self.declared(constant, ty.stripped(), at)?;
-                Ok(Pattern::Literal(constant))
-            }
             syn::Pat::Tuple(it) => self.tuple_pattern(it, ty, is_late, at),
             syn::Pat::Slice(slice) => {
                 let of = ty.stripped().inner().behind(ty);

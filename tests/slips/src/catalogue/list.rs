@@ -195,13 +195,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ..GROUND
     },
     Slip {
-        name: "ground-above",
-        edits: &["-100.5→100.5"],
-        why: "y points up and the ground's center is below. Without the minus it is in the sky.",
-        alter: |p| p.world = const { &[BALL, Ball::new(0.0, 100.5, -1.0, 100.0)] },
-        ..GROUND
-    },
-    Slip {
         name: "ground-not-added",
         rust: "world.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5)); \
              world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)); world }",

@@ -27,14 +27,6 @@ const NORMAL: Slip = Slip {
     )),
     ..CHAPTER
 };
-const POINT: Slip = Slip {
-    page: "gradient#a-ray-is-a-function",
-    source: "common/src/ray.rs",
-    part: Part::Prelude,
-    rust: "self.origin + t * self.direction",
-    cpp: "r.at(t) = origin + t * direction",
-    ..CHAPTER
-};
 const SHADE: Slip = Slip {
     page: "normals#a-color-for-each-direction",
     rust: "return 0.5 * (normal + Vec3::ONE)",
@@ -111,16 +103,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ..NORMAL
     },
     Slip {
-        name: "center-after-unit",
-        edits: &[
-            "(ray.at(t) - center).normalize()→ray.at(t).normalize() - center",
-            "(point - center) * (1.0 / radius)→point.normalize() - center",
-        ],
-        why: "The bracket closes too early: what is 1 long is taken before the difference.",
-        alter: |p| p.outward = |program, point, ball| (program.unit)(point) - ball.center,
-        ..NORMAL
-    },
-    Slip {
         name: "normal-inward",
         edits: &[
             "ray.at(t) - center→center - ray.at(t)",
@@ -142,25 +124,6 @@ pub(super) const SLIPS: &[Slip] = &[
         reported: &["#1062", "#525"],
         alter: |p| p.outward = |_, point, ball| point - ball.center,
         ..NORMAL
-    },
-    Slip {
-        name: "point-along-unit-direction",
-        edits: &[
-            "self.direction→self.direction.normalize()",
-            "t * direction→t * unit_vector(direction)",
-        ],
-        why: "t counts lengths of the direction, whatever that length is.",
-        alter: |p| p.at = |program, ray, t| ray.origin + t * (program.unit)(ray.direction),
-        ..POINT
-    },
-    Slip {
-        name: "point-without-origin",
-        edits: &["self.origin + →", "origin + →"],
-        why: "It shows as soon as a ray starts anywhere but at the origin.",
-        unseen_in: ROOTS,
-        law: "A ray is at its origin at t = 0.",
-        alter: |p| p.at = |_, ray, t| t * ray.direction,
-        ..POINT
     },
     Slip {
         name: "normal-not-mapped",

@@ -54,13 +54,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ..BLEND
     },
     Slip {
-        name: "blend-not-halved",
-        edits: &["0.5 * (unit_direction.y + 1.0)→unit_direction.y + 1.0"],
-        why: "y + 1 runs from 0 to 2. Above the horizon that exceeds 1, and the sky is too blue.",
-        alter: |p| p.blend = |direction| direction.y + 1.0,
-        ..BLEND
-    },
-    Slip {
         name: "blend-without-brackets",
         edits: &["(unit_direction.y + 1.0)→unit_direction.y + 1.0"],
         why: "The half takes y alone, so the weight runs from 0.5 to 1.5: the sky is too blue.",

@@ -238,11 +238,9 @@ pub(super) const SLIPS: &[Slip] = &[
         name: "minus-h",
         page: "half_b_sphere#the-sign-that-got-lost",
         edits: &["(h→(-h", "(-half_b→(half_b"],
-        why: "b is -2h, so -b is 2h: the minus is used up. With a second minus the result is \
-              minus the far root, and the sphere is behind the camera.",
-        older_why: "Here half_b is half of b, so the root begins with a minus, as it does with b. \
-                    Without it the result is minus the far root, and the sphere is behind the \
-                    camera.",
+        why: "h is half of minus b, and half_b is half of b: the root begins with h, or with \
+              -half_b. With the other sign it is minus the far root, and the sphere is behind the \
+              camera.",
         reported: &["#1292", "PR #1304", "#1643"],
         alter: |p| p.first_term = |h| -h,
         ..ROOT_BY_H
