@@ -26,8 +26,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         description: "A ray starts at Q and goes through a sphere with center C. Where it goes in and \
             where it comes out a circle is drawn, t1 and t2. Below is an axis of t with the same two \
             circles on it, both to the right of 0. To the left of 0 the axis is shaded: that is behind \
-            the eye. Below the axis are a, b, c and the discriminant as numbers, and that the line passes the \
-            center at a distance l that is less than r.",
+            the eye. A dashed line l leads from the center to the nearest place of the ray.",
         caption: "Each root is a place on the line and a number on the axis. A place behind the eye has \
             a negative *t*. The line passes the center at the distance *l*.",
         question: "Where does the first root go when the eye enters the sphere? Drag **Q** into it, and \
@@ -132,9 +131,9 @@ const SIZE: DVec2 = spot(400.0, 226.0);
 /// Where a t is, below the scene.
 const AXIS: Axis = Axis::new(23.0, 258.0, 357.0, -2.5, 6.0);
 
-/// Draws the scene, the axis, and the numbers.
+/// Draws the scene and the axis.
 fn draw(it: &Parameters, roots: &[f64]) -> Svg {
-    let mut svg = LIVE.figure.sheet(352.0);
+    let mut svg = LIVE.figure.sheet(286.0);
     draw_scene(&mut svg, it);
     draw_axis(&mut svg, roots);
     for (&t, n) in roots.iter().zip(1..) {
@@ -149,9 +148,6 @@ fn draw(it: &Parameters, roots: &[f64]) -> Svg {
             svg.label("ink", AXIS.point(t), Above, &name);
         }
     }
-    let [left, right] = numbers(it);
-    svg.readout(spot(14.0, 302.0), &left);
-    svg.readout(spot(150.0, 302.0), &right);
     svg
 }
 
@@ -175,27 +171,4 @@ fn draw_axis(svg: &mut Svg, roots: &[f64]) {
     if let &[nearer, farther] = roots {
         svg.line("ink bold", AXIS.point(nearer), AXIS.point(farther));
     }
-}
-
-/// The coefficients, and what they come to.
-fn numbers(it: &Parameters) -> [Vec<String>; 2] {
-    let (d, oc) = (it.ray().direction, it.c - it.q);
-    let (a, b, c) = (
-        d.dot(d),
-        -2.0 * d.dot(oc),
-        oc.dot(oc) - it.radius * it.radius,
-    );
-    let passing = (it.c - it.foot()).length();
-    let relation = sign(passing, it.radius);
-    let [l, r, discriminant] = [passing, it.radius, b * b - 4.0 * a * c].map(spoken);
-    let coefficients = [("a", a), ("b", b), ("c", c)];
-    [
-        coefficients
-            .map(|(name, value)| format!("*{name}* = {}", spoken(value)))
-            .into(),
-        vec![
-            format!("*b*² − 4*ac* = {discriminant}"),
-            format!("*l* = {l} {relation} *r* = {r}"),
-        ],
-    ]
 }

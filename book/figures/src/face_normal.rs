@@ -1,5 +1,5 @@
-//! Figure 9 of the notes: two ways to direct a normal. The origin of the lower ray moves
-//! through the surface.
+//! Figure 9 of the notes: two ways to direct a normal. The origin of the ray moves through
+//! the surface.
 
 use hittable_list::{HitRecord, Hittable, Sphere};
 
@@ -17,13 +17,12 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     figure: Figure {
         name: "face_normal",
         title: "Normals that point outward, and normals against the ray",
-        description: "Two spheres, each met by one ray from outside and by one from inside. At the \
-            left both normals point out of the sphere: the ray from inside runs along with its normal. \
-            At the right each normal points against its ray: the one from inside points into the \
-            sphere, and front_face is false there.",
+        description: "Two spheres, each met by the same ray from inside. At the left the normal points \
+            out of the sphere, and the ray runs along with it. At the right the normal points against the \
+            ray, into the sphere, and front_face is false.",
         caption: "Left: the normal always points outward, and the sign of **d**·**n** says from which side the \
             ray came. Right, and in our code: it always points against the ray, and front_face keeps the side.",
-        question: "When does the normal at the right turn round? Drag the origin of the lower ray out of \
+        question: "When does the normal at the right turn round? Drag the origin of the ray out of \
         the sphere, and then to where the ray only grazes it.",
         solution: "When the ray comes from inside: then the outward normal and the ray point the same way. A graze \
         counts as inside, since its product is 0, not less than 0.",
@@ -68,8 +67,8 @@ fn sentence(ray: &Ray) -> String {
 
 /// Where the left of the two spheres is on the sheet, and where the right one.
 const PLANES: [Plane; 2] = [
-    Plane::new(98.0, 180.0, 64.0),
-    Plane::new(302.0, 180.0, 64.0),
+    Plane::new(98.0, 128.0, 64.0),
+    Plane::new(302.0, 128.0, 64.0),
 ];
 
 /// Where a ray meets the sphere. It has radius 1 around the origin, so a point of it is the
@@ -78,26 +77,19 @@ fn hit(ray: &Ray) -> Option<HitRecord> {
     Sphere::new(Point3::ZERO, 1.0).hit(ray, 0.0, f64::INFINITY)
 }
 
-/// A ray that comes from outside.
-fn from_outside() -> Ray {
-    Ray::new(Point3::new(-1.45, 0.9, 0.0), Vec3::new(1.0, -0.13, 0.0))
-}
-
 /// Draws both ways side by side.
-fn draw(lower: &Ray) -> Svg {
-    let mut svg = LIVE.figure.sheet(328.0);
+fn draw(ray: &Ray) -> Svg {
+    let mut svg = LIVE.figure.sheet(276.0);
     let titles = [("outward", false), ("against the ray", true)];
     for (plane, (title, against)) in PLANES.iter().zip(titles) {
         let at = |y| spot(plane.origin.x, y);
         svg.label("ink", at(22.0), Middle, title);
         svg.circle("sphere area", plane.origin, plane.scale);
-        // No normal reaches so far up, nor so far down.
-        for (ray, y) in [(&from_outside(), 46.0), (lower, 318.0)] {
-            let words = meet(&mut svg, plane, ray, against);
-            svg.small_label("ink", at(y), Middle, &words);
-        }
+        // No normal reaches so far down.
+        let words = meet(&mut svg, plane, ray, against);
+        svg.small_label("ink", at(266.0), Middle, &words);
     }
-    svg.line("grid thin", spot(200.0, 12.0), spot(200.0, 316.0));
+    svg.line("grid thin", spot(200.0, 12.0), spot(200.0, 264.0));
     svg
 }
 

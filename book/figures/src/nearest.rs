@@ -1,5 +1,5 @@
 //! How a list finds the nearest hit: each hit ends the interval for the next sphere. Spheres
-//! and ray move, the order changes, the loop goes on turn by turn, and mistakes break it.
+//! and ray move, and the order of the list changes.
 
 use hittable_list::{Hittable, Sphere};
 
@@ -21,13 +21,7 @@ parameters! {
     q: Point3 =
         Number::new("Q, to the right", 0.0, 2.0, 0.0),
         Number::new("Q, upwards", -0.6, 0.6, 0.0);
-    turns: f64 = Number::whole("Turns", 0.0, 3.0, 3.0);
     list: f64 = Number::choice("The list", LISTS);
-    search: f64 = Number::choice("The search", &[
-        "as it should be",
-        "returns at the first hit",
-        "closest_so_far is not handed on",
-    ]);
 }
 
 /// The figure, as a reader moves it.
@@ -42,10 +36,10 @@ pub(crate) static LIVE: Live<Parameters> = Live {
             is hit. A last bar, as long, is closest_so_far.",
         caption: "A list asks each sphere in turn. After a hit, the next sphere should be asked only for nearer \
             places, so that a sphere behind the nearest hit so far cannot win.",
-        question: "Which sphere wins if you change the order of the list? And which, if the search \
-        returns at the first hit? Can you place the spheres so that even that is right?",
-        solution: "Always the nearest one. If the search returns at the first hit, the first sphere of the list that is \
-        hit wins: that is right only if it is also the nearest.",
+        question: "Which sphere wins if you change the order of the list? And in which order are the fewest \
+            spheres hit?",
+        solution: "Always the nearest one. If the list begins with it, no other is hit: the rest is asked only \
+            for nearer places.",
     },
     handles: &[
         point!(PLANE, one),
@@ -54,7 +48,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         point!(PLANE, d from q),
         point!(PLANE, q),
     ],
-    actions: &[("Next turn", |it| it.turns = (it.turns + 1.0) % 4.0)],
+    actions: &[("Sphere 2 first", |it| it.list = 2.0)],
     answer,
 };
 
@@ -70,23 +64,25 @@ const RADII: [f64; 3] = [0.7, 0.6, 0.5];
 struct Turn {
     /// The number of the sphere.
     sphere: usize,
-    /// Up to which t it is asked, if at all.
-    t_max: Option<f64>,
+    /// Up to which t it is asked.
+    t_max: f64,
     /// Where it is hit before that.
     hit: Option<f64>,
 }
 
 impl Turn {
     fn in_words(&self) -> String {
-        let sphere = self.sphere;
-        let Some(end) = self.t_max.map(in_digits) else {
-            return format!("Sphere {sphere} is not asked: the search has returned.");
-        };
+        let (sphere, end) = (self.sphere, in_digits(self.t_max));
         let result = match self.hit.map(in_digits) {
             None => "not hit there".to_owned(),
             Some(t) => format!("hit at {t}"),
         };
         format!("Sphere {sphere} is asked for 0 < *t* < {end}, and {result}.")
+    }
+
+    /// What the search holds after it.
+    fn closest_so_far(&self) -> f64 {
+        self.hit.unwrap_or(self.t_max)
     }
 }
 
@@ -99,66 +95,43 @@ impl Parameters {
         Ray::new(self.q, self.d)
     }
 
-    /// The turns so far.
     fn turns(&self) -> Vec<Turn> {
-        let mut turns: Vec<Turn> = Vec::new();
+        let mut t_max = f64::INFINITY;
         let list = LISTS[self.list as usize].split(", ");
-        for name in list.take(self.turns as usize) {
+        list.map(|name| {
             let number: usize = name.parse().expect("the number of a sphere");
             let sphere = Sphere::new(self.centers()[number - 1], RADII[number - 1]);
-            let t_max = self.t_max(held(&turns));
-            let hit = t_max.and_then(|t_max| sphere.hit(&self.ray(), 0.0, t_max));
-            turns.push(Turn {
+            let hit = sphere.hit(&self.ray(), 0.0, t_max);
+            let turn = Turn {
                 sphere: number,
                 t_max,
                 hit: hit.map(|it| it.t),
-            });
-        }
-        turns
+            };
+            t_max = turn.closest_so_far();
+            turn
+        })
+        .collect()
     }
-
-    /// Up to which t the next sphere is asked; `None` if it is not asked.
-    fn t_max(&self, held: Option<(f64, usize)>) -> Option<f64> {
-        match (self.search as u8, held) {
-            (0, Some((closest_so_far, _))) => Some(closest_so_far),
-            (1, Some(_)) => None,
-            _ => Some(f64::INFINITY),
-        }
-    }
-}
-
-/// What the search holds after these turns: t, and the number of the sphere.
-fn held(turns: &[Turn]) -> Option<(f64, usize)> {
-    let mut last_first = turns.iter().rev();
-    last_first.find_map(|turn| Some((turn.hit?, turn.sphere)))
 }
 
 fn answer(it: &Parameters) -> Answer {
-    let right = Parameters { search: 0.0, ..*it }.turns();
-    let closest = (0..=right.len()).map(|n| held(&right[..n]));
-    let closest = closest.map(|held| in_digits(held.map_or(f64::INFINITY, |(t, _)| t)));
-    let closest: Vec<String> = closest.collect();
     let turns = it.turns();
-    let sentence = match turns.last() {
-        Some(turn) => turn.in_words() + &end(&turns, &right),
-        None => "No sphere has had its turn: the first one will be asked for every *t* above 0."
-            .to_owned(),
-    };
-    let says = vec![("held", closest.join(", "))];
-    Answer::new(draw(it, &turns), sentence, says)
-}
-
-/// What comes out when all had their turn.
-fn end(turns: &[Turn], right: &[Turn]) -> String {
-    match (held(turns), held(right)) {
-        _ if turns.len() < RADII.len() => String::new(),
-        (Some((t, sphere)), Some((nearest, nearer))) if t > nearest => format!(
-            " Sphere {sphere} wins, and is painted over sphere {nearer}, which is nearer: its *t* is {}.",
-            in_digits(nearest)
+    let held = turns.iter().map(Turn::closest_so_far);
+    let held = [f64::INFINITY].into_iter().chain(held).map(in_digits);
+    let held: Vec<String> = held.collect();
+    let hits: Vec<&Turn> = turns.iter().filter(|turn| turn.hit.is_some()).collect();
+    let sentence = match hits.last() {
+        Some(turn) => format!(
+            "Sphere {} wins at *t* = {}. Of the three, {} {} hit on the way.",
+            turn.sphere,
+            in_digits(turn.closest_so_far()),
+            hits.len(),
+            if hits.len() == 1 { "was" } else { "were" },
         ),
-        (Some((_, sphere)), _) => format!(" Sphere {sphere} wins, and no other is nearer."),
-        (None, _) => " No sphere is hit ahead of **Q**.".to_owned(),
-    }
+        None => "No sphere is hit ahead of **Q**.".to_owned(),
+    };
+    let says = vec![("held", held.join(", "))];
+    Answer::new(draw(it, &turns), sentence, says)
 }
 
 /// A t of a hit, or the end of an interval, in few digits.
@@ -183,7 +156,7 @@ fn bar(row: usize) -> Axis {
     Axis::new(PLANE.origin.x, y, MOST * PLANE.scale, 0.0, MOST)
 }
 
-/// Draws the spheres and the ray, then a bar for each turn so far, and what is held.
+/// Draws the spheres and the ray, then a bar for each turn, and what is held at the end.
 fn draw(it: &Parameters, turns: &[Turn]) -> Svg {
     let mut svg = LIVE.figure.sheet(352.0);
     for ((center, radius), name) in it.centers().iter().zip(RADII).zip(1..) {
@@ -193,14 +166,9 @@ fn draw(it: &Parameters, turns: &[Turn]) -> Svg {
     }
     PLANE.draw_line(&mut svg, &it.ray(), SIZE, f64::INFINITY);
     PLANE.draw_ray(&mut svg, &it.ray());
+    let mut closest = f64::INFINITY;
     for (turn, row) in turns.iter().zip(0..) {
-        draw_row(
-            &mut svg,
-            row,
-            ["ink", "sphere"],
-            &turn.in_words(),
-            turn.t_max,
-        );
+        draw_row(&mut svg, row, "sphere", &turn.in_words(), turn.t_max);
         if let Some(t) = turn.hit.filter(|&t| t < MOST) {
             svg.circle("ray hollow", bar(row).point(t), 5.0);
         }
@@ -208,32 +176,21 @@ fn draw(it: &Parameters, turns: &[Turn]) -> Svg {
         if let Some(point) = point.filter(|it| it.cmple(SIZE).all()) {
             svg.circle("ray hollow", point, 5.0);
         }
+        closest = turn.closest_so_far();
     }
-    let held = held(turns);
-    let name = match it.t_max(held) {
-        Some(_) => "closest_so_far",
-        None => "returned *t*",
-    };
-    let (t, words) = match held {
-        None => (f64::INFINITY, format!("{name} = ∞")),
-        Some((t, sphere)) => (t, format!("{name} = {}, sphere {sphere}", in_digits(t))),
-    };
-    draw_row(&mut svg, turns.len(), ["ray"; 2], &words, Some(t));
+    let words = format!("closest_so_far = {}", in_digits(closest));
+    draw_row(&mut svg, turns.len(), "ray", &words, closest);
     svg
 }
 
-/// Words, and below them a bar from 0 to `end`, in these colors.
-fn draw_row(svg: &mut Svg, row: usize, ideas: [&str; 2], words: &str, end: Option<f64>) {
-    let from = bar(row).start;
-    svg.small_label(ideas[0], from.down(-10.0), Start, words);
-    let Some(end) = end else {
-        return;
-    };
-    let to = bar(row).point(end);
-    let [line, bold] = ["line", "bold"].map(|stroke| format!("{} {stroke}", ideas[1]));
+/// Words, and below them a bar from 0 to `end`.
+fn draw_row(svg: &mut Svg, row: usize, idea: &str, words: &str, end: f64) {
+    let (from, to) = (bar(row).start, bar(row).point(end));
+    svg.small_label("ink", from.down(-10.0), Start, words);
+    let bold = format!("{idea} bold");
     if end >= MOST {
         return svg.arrow(&bold, from, to);
     }
     svg.line(&bold, from, to);
-    svg.line(&line, to.down(-6.0), to.down(6.0));
+    svg.line(&format!("{idea} line"), to.down(-6.0), to.down(6.0));
 }

@@ -4,18 +4,17 @@
 use crate::vocabulary::*;
 
 parameters! {
-    width: f64 = Number::whole("Width", 1.0, 40.0, 8.0);
+    width: f64 = Number::whole("Width", 1.0, 11.0, 8.0);
     pixel: Vec3 =
         Number {
             most_beside: Some(|numbers| f64::from(Camera::new(numbers[0] as u32).image_width - 1)),
-            ..Number::whole("Column i", 0.0, 39.0, 5.0)
+            ..Number::whole("Column i", 0.0, 10.0, 5.0)
         },
         Number {
             most_beside: Some(|numbers| f64::from(Camera::new(numbers[0] as u32).image_height - 1)),
             downwards: true,
-            ..Number::whole("Row j", 0.0, 21.0, 2.0)
+            ..Number::whole("Row j", 0.0, 5.0, 2.0)
         };
-    first: f64 = Number::choice("The first P", &["half a pixel in", "at the corner"]);
 }
 
 /// The figure, as a reader moves it: the height jumps, and a pixel has its ray.
@@ -31,10 +30,9 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         caption: "The pixels of a picture on its viewport. The first **P** is the \
             center of a pixel: half a step right and half a step down from the corner. Rows are counted \
             downwards, but *y* grows upwards, so Δ**v** points along −*y*.",
-        question: "At which widths does the picture gain a row? And where does the ray of the marked \
-        pixel go, if the half pixel is forgotten?",
-        solution: "At 4, 6, 8, 9, 11 and so on: wherever 9/16 of the width passes a whole number. Without the half \
-        pixel it goes to the upper left corner of its pixel.",
+        question: "At which widths does the picture gain a row? And at which does a ray go straight ahead?",
+        solution: "At 4, 6, 8, 9 and 11: wherever 9/16 of the width passes a whole number. A ray goes straight ahead \
+            if the numbers of columns and of rows are both odd, as at 7: then a pixel is in the middle.",
     },
     handles: &[Handle {
         field: "pixel",
@@ -44,8 +42,8 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     // The pixel stays, where there is one.
     actions: &[
         ("1 wide", |it| it.width = 1.0),
-        ("16 wide", |it| it.width = 16.0),
-        ("40 wide", |it| it.width = 40.0),
+        ("7 wide", |it| it.width = 7.0),
+        ("11 wide", |it| it.width = 11.0),
     ],
     answer,
 };
@@ -58,17 +56,12 @@ fn answer(it: &Parameters) -> Answer {
         ..
     } = grid.camera;
     let [i, j] = grid.pixel;
-    let right = triple(Camera::new(width).ray(i, j).direction);
-    let way = triple(grid.camera.ray(i, j).direction);
-    let aside = match &right {
-        _ if way == right => String::new(),
-        _ => format!(", to its corner: half a pixel up and to the left of {right}"),
-    };
+    let direction = triple(grid.camera.ray(i, j).direction);
     let rows = if height == 1 { "row" } else { "rows" };
     let rows = format!("{height} {rows}");
     let because = because(width);
     let sentence = format!(
-        "The ray of pixel ({i}, {j}) has the direction {way}{aside}. A picture {width} wide has \
+        "The ray of pixel ({i}, {j}) has the direction {direction}. A picture {width} wide has \
         {rows}: {because}."
     );
     let says = vec![
@@ -76,7 +69,7 @@ fn answer(it: &Parameters) -> Answer {
         ("rows", rows),
         ("because", because),
         ("pixel", format!("({i}, {j})")),
-        ("direction", right),
+        ("direction", direction),
     ];
     Answer::new(draw(&grid), sentence, says)
 }
@@ -108,14 +101,11 @@ struct Grid {
 }
 
 impl Grid {
-    /// The grid of the chapter's camera, unless that forgets the half pixel.
+    /// The grid of the chapter's camera.
     fn of(it: &Parameters) -> Self {
-        let mut camera = Camera::new(it.width as u32);
+        let camera = Camera::new(it.width as u32);
         let u = f64::from(camera.image_width) * camera.pixel_delta_u;
         let v = f64::from(camera.image_height) * camera.pixel_delta_v;
-        if it.first > 0.0 {
-            camera.pixel00 -= 0.5 * (camera.pixel_delta_u + camera.pixel_delta_v);
-        }
         let corner = camera.center - Vec3::Z - 0.5 * u - 0.5 * v;
         let scale = (ROOM.x / u.x).min(ROOM.y / -v.y);
         let origin = CORNER - scale * spot(corner.x, -corner.y);
@@ -153,11 +143,6 @@ impl Grid {
         let steps = [self.camera.pixel_delta_u, self.camera.pixel_delta_v];
         steps.map(|step| self.plane.vector(step))
     }
-
-    /// How large the dot of a pixel is.
-    fn dot(&self) -> f64 {
-        (self.steps()[0].x / 3.0).min(5.0)
-    }
 }
 
 /// Where the upper left corner of the viewport is on the sheet.
@@ -193,7 +178,7 @@ fn draw_grid(svg: &mut Svg, grid: &Grid) {
     }
     let pixels = (0..height).flat_map(|j| (0..width).map(move |i| [i, j]));
     for pixel in pixels {
-        svg.circle("faint solid", grid.at(pixel), 0.5 * grid.dot());
+        svg.circle("faint solid", grid.at(pixel), 0.5 * DOT);
     }
 }
 
@@ -210,29 +195,28 @@ fn draw_viewport(svg: &mut Svg, grid: &Grid) {
 /// The first point, and from there the steps to its neighbors, as far as there are any.
 fn draw_steps(svg: &mut Svg, grid: &Grid) {
     let ([u, v], first) = (grid.steps(), grid.at([0, 0]));
-    let has_room = u.x >= LABELED;
-    if grid.camera.image_width > 1 && has_room {
+    if grid.camera.image_width > 1 {
         svg.arrow("ray bold", first, first + u);
         svg.label("ray", (first + 0.5 * u).down(-6.0), Middle, "Δ**u**");
     }
-    if grid.camera.image_height > 1 && has_room {
+    if grid.camera.image_height > 1 {
         svg.arrow("ray bold", first, first + v);
         svg.label("ray", (first + 0.5 * v).right(8.0), Start, "Δ**v**");
     }
     let beside = spot(CORNER.x - 10.0, first.y);
     svg.line("faint dashed", beside, first);
-    svg.circle("ink solid", first, grid.dot());
+    svg.circle("ink solid", first, DOT);
     svg.label("ink", beside, Left, "**P**_{0,0}");
 }
 
-/// The least width of a pixel on the sheet at which there is room for arrows and their names.
-const LABELED: f64 = 26.0;
+/// How large the dot of a pixel is.
+const DOT: f64 = 5.0;
 
 /// The point of the marked pixel, and its name.
 fn draw_pixel(svg: &mut Svg, grid: &Grid) {
     let [i, j] = grid.pixel;
     let point = grid.at([i, j]);
-    svg.circle("ink solid", point, grid.dot());
+    svg.circle("ink solid", point, DOT);
     if [i, j] == [0, 0] {
         return;
     }
