@@ -67,8 +67,8 @@ fn sentence(ray: &Ray) -> String {
 
 /// Where the left of the two spheres is on the sheet, and where the right one.
 const PLANES: [Plane; 2] = [
-    Plane::new(98.0, 128.0, 64.0),
-    Plane::new(302.0, 128.0, 64.0),
+    Plane::new(98.0, 148.0, 64.0),
+    Plane::new(302.0, 148.0, 64.0),
 ];
 
 /// Where a ray meets the sphere. It has radius 1 around the origin, so a point of it is the
@@ -79,17 +79,17 @@ fn hit(ray: &Ray) -> Option<HitRecord> {
 
 /// Draws both ways side by side.
 fn draw(ray: &Ray) -> Svg {
-    let mut svg = LIVE.figure.sheet(276.0);
+    let mut svg = LIVE.figure.sheet(296.0);
     let titles = [("outward", false), ("against the ray", true)];
     for (plane, (title, against)) in PLANES.iter().zip(titles) {
         let at = |y| spot(plane.origin.x, y);
         svg.label("ink", at(22.0), Middle, title);
         svg.circle("sphere area", plane.origin, plane.scale);
-        // No normal reaches so far down.
+        // No normal reaches so far up, nor so far down.
         let words = meet(&mut svg, plane, ray, against);
-        svg.small_label("ink", at(266.0), Middle, &words);
+        svg.small_label("ink", at(286.0), Middle, &words);
     }
-    svg.line("grid thin", spot(200.0, 12.0), spot(200.0, 264.0));
+    svg.line("grid thin", spot(200.0, 12.0), spot(200.0, 284.0));
     svg
 }
 
