@@ -39,11 +39,3 @@ fn the_steps_from_pixel_to_pixel_are_products_with_a_reciprocal() {
         assert_eq!(camera.pixel_delta_v, Vec3::new(0.0, -2.0 * (1.0 / h), 0.0));
     }
 }
-
-#[test]
-fn the_grid_is_inset_by_half_a_pixel() {
-    // 4 × 2 pixels on a viewport 4 wide and 2 high: each pixel is a unit square.
-    let camera = Camera::with_size(4, 2);
-    assert_eq!(camera.ray(0, 0).direction, Vec3::new(-1.5, 0.5, -1.0));
-    assert_eq!(camera.ray(3, 1).direction, Vec3::new(1.5, -0.5, -1.0));
-}

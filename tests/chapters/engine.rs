@@ -124,15 +124,3 @@ fn a_writer_that_fails_ends_the_picture_on_any_number_of_threads() {
         );
     }
 }
-
-#[test]
-fn pictures_are_equal_if_size_and_bytes_are() {
-    let picture = |width, height, level| {
-        Picture::from_rgb(width, height, vec![level; 12]).expect("12 bytes are 4 pixels")
-    };
-    assert_eq!(picture(2, 2, 7), picture(2, 2, 7));
-    assert_ne!(picture(2, 2, 7), picture(2, 2, 8));
-    assert_ne!(picture(4, 1, 7), picture(1, 4, 7));
-    assert_ne!(picture(4, 1, 7), picture(2, 2, 7));
-    assert_eq!(Picture::from_rgb(2, 2, vec![0; 11]), None);
-}
