@@ -130,8 +130,7 @@ impl Repair {
     }
 }
 
-/// What is right, by the files of this workspace: the chapter, its root first, the prelude, and
-/// what the book prints.
+/// What is right, by the files of this workspace: the chapter, its root first, and the prelude.
 fn right_files(chapter: Chapter) -> Files {
     let folder = format!("chapters/{}_{}", chapter as usize, chapter.name());
     let files = chapter.files().iter();
@@ -139,11 +138,6 @@ fn right_files(chapter: Chapter) -> Files {
         .map(|(name, text)| (format!("{folder}/{name}"), (*text).to_owned()))
         .collect();
     files.sort_by_key(|(name, _)| !name.ends_with("lib.rs"));
-    let printed = match chapter {
-        Chapter::Normals | Chapter::HalfBSphere => include_str!("book/normals.rs"),
-        Chapter::HittableList => include_str!("book/hittable_list.rs"),
-        _ => "",
-    };
     let more = [
         (
             "common/src/color.rs",
@@ -157,7 +151,6 @@ fn right_files(chapter: Chapter) -> Files {
             "common/src/camera.rs",
             include_str!("../../../../common/src/camera.rs"),
         ),
-        ("the book", printed),
     ];
     files.extend(more.map(|(name, text)| (name.to_owned(), text.to_owned())));
     files
