@@ -102,10 +102,10 @@ fn row((label, said): &Row, style: Style) -> String {
 fn probe(next: &Next) -> String {
     let chapter = next.scene.chapter.name();
     let how = match next.scene.probe {
-        Some(_) => format!(": {} probes {chapter} tells how", companion()),
-        None => String::new(),
+        Some(_) => format!(". What to change: {} probes {chapter}", companion()),
+        None => ".".to_owned(),
     };
-    format!("\n{}{how}.\n", next.why())
+    format!("\n{}{how}\n", next.why())
 }
 
 /// How wide the answer is, whatever the terminal.
