@@ -168,7 +168,11 @@ impl Lowerer<'_> {
             let Some(receiver) = it.args.first() else {
                 return Err(miscounted(false, signature.parameters.len(), 0, at));
             };
-            let typed = self.expr(receiver)?;
+            let mut typed = self.expr(receiver)?;
+            // The path says which number a literal is.
+            if owner.is_some_and(|it| it.is(Head::F64)) && typed.ty.is(Head::Float) {
+                typed.ty = Head::F64.into();
+            }
             let rest = it.args.iter().skip(1).collect();
             return self.method(typed, receiver, &name, rest, (at, at));
         }
