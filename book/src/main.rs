@@ -44,8 +44,6 @@ enum Command {
     Needs(Words),
     /// List the small scenes that show what the book's picture can't
     Probes(Words),
-    /// List the mistakes that are known, or draw one
-    Slips(Words),
     /// Print this message or the help of the given subcommand(s)
     Help(Words),
 }

@@ -7,7 +7,6 @@ mod laws;
 mod mine;
 mod needs;
 mod probes;
-mod slips;
 mod sources;
 mod start;
 mod subprocess;
@@ -18,7 +17,7 @@ use std::process::ExitCode;
 
 use ::check::names::companion;
 use clap::{Parser, Subcommand};
-use rtrace::{chapter, draw, files, misuse, save, terminal};
+use rtrace::{chapter, draw, files, misuse, terminal};
 
 /// The pictures of Ray Tracing in One Weekend, chapter by chapter.
 ///
@@ -51,8 +50,6 @@ enum Command {
     Needs(needs::Arguments),
     /// List the small scenes that show what the book's picture can't
     Probes(probes::Arguments),
-    /// List the mistakes that are known, or draw one
-    Slips(slips::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -67,7 +64,6 @@ fn main() -> ExitCode {
         Some(Command::Hit(arguments)) => hit::hit(&arguments),
         Some(Command::Needs(arguments)) => needs::needs(&arguments),
         Some(Command::Probes(arguments)) => probes::list(&arguments),
-        Some(Command::Slips(arguments)) => slips::slips(&arguments),
     };
     misuse::exit_code(done)
 }

@@ -21,7 +21,6 @@ fn messages_use_the_name_that_it_was_called_by() {
         "check gradient right.ppm --probe behind",
         "check --help",
         "probes normals",
-        "slips normals",
         "watch normals",
         "start gradient",
     ] {

@@ -36,7 +36,7 @@ fn the_first_command_hands_on_what_it_does_not_do_itself() {
         "--help",
         "help watch",
         "check normals -- echo -- * \u{1b}",
-        "slips no-such",
+        "probes no-such",
         "hit --origin -1,0,0",
     ] {
         let [handed_on, itself] =

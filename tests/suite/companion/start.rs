@@ -283,10 +283,10 @@ fn in_a_crate_inside_the_workspace_cargo_rtrace_is_the_same() {
     let into = mine.path().to_str().expect("a name in UTF-8");
     Mine::empty().make("normals", &["--into", into]);
     let mut cargo = cargo();
-    cargo.args(["rtrace", "slips", "minus-h"]);
+    cargo.args(["rtrace", "probes", "gradient"]);
     let said = run(cargo.current_dir(mine.path().join("normals/src")));
     assert!(
-        text(&said.stdout).starts_with("minus-h"),
+        text(&said.stdout).starts_with("Probes for gradient"),
         "{}",
         text(&said.stderr)
     );
