@@ -22,6 +22,8 @@ use measure::scene_file::{self, WIDEST};
 use measure::wrong_pixels::{self, Drawn};
 use speed_vs_accuracy::{METHODS, Precision, Scene};
 
+use crate::misuse::misuse;
+
 /// The words behind `cargo rtrace needs`.
 #[derive(Args)]
 #[command(after_help = HELP)]
@@ -113,8 +115,10 @@ fn look_into(scene: &Scene) -> (Picture, Vec<Found>) {
 fn read(path: &Path) -> Result<Scene, Box<dyn Error>> {
     let shown = names::spelled(path);
     let text = fs::read_to_string(path).map_err(|cause| {
-        format!("cannot read {shown}: {cause}\nA scene is a TOML file; --help shows an example.")
+        misuse(&format!(
+            "cannot read {shown}: {cause}\nA scene is a TOML file; --help shows an example."
+        ))
     })?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    scene_file::read(&name, &text).map_err(|mistake| format!("{shown}: {mistake}").into())
+    scene_file::read(&name, &text).map_err(|mistake| misuse(&format!("{shown}: {mistake}")))
 }
