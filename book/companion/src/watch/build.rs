@@ -14,8 +14,6 @@ use crate::terminal::Palette;
 pub(super) struct Built {
     /// Prints the picture.
     pub(super) program: OsString,
-    /// Puts what the chapter computes under the laws, if it computes something.
-    pub(super) laws: Option<OsString>,
     /// What the compiler warned of in the reader's files, each in its first line.
     pub(super) warnings: Vec<String>,
 }
@@ -34,22 +32,35 @@ const PRELUDE: &str = "\nBuilding the prelude for all your crates: once, about a
 const LAWS: &str =
     "\nBuilding the laws, which test your functions, for all your crates: once, about a minute";
 
-/// Builds the crate in `folder`, and the test that puts it under the laws.
+/// Builds the crate in `folder`.
 pub(super) fn build(folder: &Path) -> Result<Built, Problem> {
-    let mut command = Command::new(cargo::cargo());
-    // A test brings its program with it.
-    let has_laws = folder.join("tests/laws.rs").is_file();
-    if has_laws {
-        command.args(["test", "--no-run", "--test", "laws"]);
-    } else {
-        command.arg("build");
+    let messages = cargo_says(folder, &["build"], PRELUDE)?;
+    let missing = "the crate has no program: src/main.rs is missing";
+    Ok(Built {
+        program: executable(&messages, "bin").ok_or_else(|| problem(&[], missing))?,
+        warnings: warnings(&messages),
+    })
+}
+
+/// Builds the test that puts under the laws what the crate computes, if it computes something.
+pub(super) fn laws(folder: &Path) -> Result<Option<OsString>, Problem> {
+    if !folder.join("tests/laws.rs").is_file() {
+        return Ok(None);
     }
+    let messages = cargo_says(folder, &["test", "--no-run", "--test", "laws"], LAWS)?;
+    Ok(executable(&messages, "test"))
+}
+
+/// What cargo says of this, if it succeeds, and `first` before it if it takes its time.
+fn cargo_says(folder: &Path, words: &[&str], first: &str) -> Result<Vec<Value>, Problem> {
+    let mut command = Command::new(cargo::cargo());
+    command.args(words);
     command.arg(match Palette::of_stdout() {
         Some(_) => "--message-format=json-diagnostic-rendered-ansi",
         None => "--message-format=json",
     });
     command.current_dir(folder);
-    let run = cargo::run(command, if has_laws { LAWS } else { PRELUDE })
+    let run = cargo::run(command, first)
         .map_err(|cause| problem(&[], &format!("cargo does not start: {cause}")))?;
     let printed = String::from_utf8_lossy(&run.printed);
     let messages = printed.lines().map(serde_json::from_str);
@@ -57,12 +68,7 @@ pub(super) fn build(folder: &Path) -> Result<Built, Problem> {
     if !run.status.success() {
         return Err(problem(&messages, &run.said));
     }
-    let missing = "the crate has no program: src/main.rs is missing";
-    Ok(Built {
-        program: executable(&messages, "bin").ok_or_else(|| problem(&[], missing))?,
-        laws: executable(&messages, "test"),
-        warnings: warnings(&messages),
-    })
+    Ok(messages)
 }
 
 /// The compiler's warnings, each with its file and line. A program and its test have some in common.

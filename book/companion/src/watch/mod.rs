@@ -15,10 +15,12 @@ use std::time::{Duration, Instant};
 
 use check::known::Known;
 use check::names::{companion, from_here};
+use check::reading::read;
 use check::scene::Scene;
 use check::whole::{Evidence, Line, Verdict, step_is_done};
 use clap::Args;
 use common::engine::output;
+use common::rtweekend::Picture;
 use slips::{Chapter, Letters, Probe, Program, Slip, steps};
 
 use crate::chapter::OneOf;
@@ -29,7 +31,7 @@ use crate::mine::{self, Mine, TYPED};
 use crate::misuse::misuse;
 use crate::sources;
 use crate::subprocess::{self, End};
-use build::Built;
+use build::{Built, Problem};
 use changes::Changes;
 use laws::Asked;
 
@@ -169,10 +171,13 @@ impl Subject {
             Ok((End::Full(bytes), _)) => self.of_picture(&bytes, built),
             Ok((End::Itself(status, _), errors)) => {
                 match verdict::not_written_yet(&errors).next() {
-                    Some(place) => {
-                        let asked = self.laws(built.and_then(|it| it.laws));
-                        verdict::not_written(self.scene.chapter, place, asked)
+                    Some(place) if !is_crate || self.scene.chapter == Chapter::RedSphere => {
+                        verdict::not_written(self.scene.chapter, place, None)
                     }
+                    Some(place) => match self.laws() {
+                        Ok(asked) => verdict::not_written(self.scene.chapter, place, asked),
+                        Err(problem) => verdict::not_built(&problem),
+                    },
                     None => verdict::failed(&status, &errors),
                 }
             }
@@ -182,8 +187,19 @@ impl Subject {
     }
 
     /// What the test says that puts the crate under the laws.
-    fn laws(&self, test: Option<OsString>) -> Option<Asked> {
-        test.map(|test| laws::ask(&test, self.scene.chapter, &self.folder, self.limit))
+    fn laws(&self) -> Result<Option<Asked>, Problem> {
+        let test = build::laws(&self.folder)?;
+        Ok(test.map(|test| laws::ask(&test, self.scene.chapter, &self.folder, self.limit)))
+    }
+
+    /// Whether chapter 2 has only its sky yet: there is nothing to ask, and no reader waits for
+    /// the laws.
+    fn is_before_the_laws(&self, bytes: &[u8]) -> bool {
+        let chapter = self.scene.chapter;
+        let is_sky = |picture: Picture| picture == Chapter::Gradient.picture(picture.width());
+        chapter == Chapter::RedSphere
+            && !self.done.has(&step_is_done(chapter, 1))
+            && read(bytes).is_ok_and(|reading| is_sky(reading.picture()))
     }
 
     /// The verdict on a picture, with all that is known of the program.
@@ -201,8 +217,13 @@ impl Subject {
             letters.is_none_or(|letters| slip.can_be_made_in(letters))
                 && (!is_crate || has_own_prelude || slip.is_in_a_chapter())
         };
-        let (tests, warnings) = built.map_or((None, Vec::new()), |it| (it.laws, it.warnings));
-        let asked = self.laws(tests);
+        let warnings = built.map_or_else(Vec::new, |it| it.warnings);
+        let asks = is_crate && !self.is_before_the_laws(bytes);
+        let asked = asks.then(|| self.laws()).transpose().map(Option::flatten);
+        let asked = match asked {
+            Ok(asked) => asked,
+            Err(problem) => return verdict::not_built(&problem),
+        };
         let answers = asked.as_ref().map(|it| &it.answers);
         let unlike =
             answers.map(|answers| |program: &Program| answers.unlike(program, MOST_UNLIKE));
