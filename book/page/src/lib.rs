@@ -18,9 +18,6 @@ use common::rtweekend::Picture;
 /// The bytes of a picture as a canvas has them: four a pixel.
 fn rgba(picture: &Picture) -> Vec<u8> {
     let (pixels, _) = picture.rgb().as_chunks();
-    opaque(pixels.iter().copied())
-}
-
-fn opaque(pixels: impl Iterator<Item = [u8; 3]>) -> Vec<u8> {
-    pixels.flat_map(|[r, g, b]| [r, g, b, u8::MAX]).collect()
+    let opaque = |&[r, g, b]: &[u8; 3]| [r, g, b, u8::MAX];
+    pixels.iter().flat_map(opaque).collect()
 }
