@@ -6,13 +6,9 @@
 use std::cell::RefCell;
 
 use common::rtweekend::*;
-use proptest::test_runner::TestCaseResult;
 use slips::Chapter;
 use speed_vs_accuracy::Case;
 
-use crate::intervals::{
-    no_t_outside_the_interval_is_returned, the_nearest_root_in_the_interval_is_returned,
-};
 use crate::nearer_root::{self, NEARER_ROOT, Solver, root_bound};
 use crate::oracle::Exact;
 use crate::question::WithInterval;
@@ -23,14 +19,11 @@ use crate::trial::{Report, Trial};
 /// for is as far away.
 pub const FAR: f64 = 1e300;
 
-/// Asks a program for the root in a range; before chapter 5, the range is left out.
-pub type Ask<'a> = dyn Fn(&WithInterval) -> Option<f64> + 'a;
+/// Asks a program for the hit in a range; before chapter 5, the range is left out.
+pub type Ask<'a> = dyn Fn(&WithInterval) -> Option<Hit> + 'a;
 
 /// A broken law, and what was asked about the smallest case that breaks it.
 pub type Broken = (Box<Report>, Vec<WithInterval>);
-
-/// A law for a function of this kind.
-type Law<'a> = Box<dyn Fn(&WithInterval) -> TestCaseResult + 'a>;
 
 /// The question as a line: center, radius, origin, direction, and in chapter 5 the range, as
 /// decimal numbers that read back to the same bits.
@@ -51,25 +44,40 @@ pub fn line(chapter: Chapter, asked: &WithInterval) -> String {
 
 /// What a line answers; `None` if that is no answer.
 ///
-/// If a program `says_minus_one` for a miss, as the book's C++ in chapters 3 and 4, that counts as
-/// one, unless it is the root.
+/// In chapter 5, the normal and `front` or `back` may stand behind `t`; without them, they count
+/// as right. If a program `says_minus_one` for a miss, as the book's C++ in chapters 3 and 4, that
+/// counts as one, unless it is the root.
 pub fn read(
     chapter: Chapter,
     asked: &WithInterval,
     line: &str,
     says_minus_one: bool,
-) -> Option<Option<f64>> {
-    let has_t = chapter != Chapter::RedSphere;
-    match line {
-        "miss" => return Some(None),
-        "hit" if !has_t => return Some(Some(0.0)),
-        _ => {}
+) -> Option<Option<Hit>> {
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let case = &asked.case;
+    match (chapter, &words[..]) {
+        (_, ["miss"]) => Some(None),
+        (Chapter::RedSphere, ["hit"]) => Some(Some(right_record(case, 0.0))),
+        (Chapter::RedSphere, _) => None,
+        (Chapter::HittableList, [t, x, y, z, side @ ("front" | "back")]) => Some(Some(Hit {
+            normal: Vec3::new(number(x)?, number(y)?, number(z)?),
+            front_face: *side == "front",
+            ..right_record(case, number(t)?)
+        })),
+        (_, [t]) => {
+            let t = number(t)?;
+            let may_be_a_miss = t == -1.0 && chapter < Chapter::HittableList;
+            let is_a_miss = says_minus_one && may_be_a_miss && !is_root(case, t);
+            Some((!is_a_miss).then(|| right_record(case, t)))
+        }
+        _ => None,
     }
-    let is_nan = line.to_ascii_lowercase().contains("nan");
-    let number = if is_nan { f64::NAN } else { line.parse().ok()? };
-    let may_be_a_miss = number == -1.0 && chapter < Chapter::HittableList;
-    let is_a_miss = says_minus_one && may_be_a_miss && !is_root(&asked.case, number);
-    has_t.then_some((!is_a_miss).then_some(number))
+}
+
+/// A number as any language prints it: NaN also as `-nan(ind)`.
+fn number(word: &str) -> Option<f64> {
+    let is_nan = word.to_ascii_lowercase().contains("nan");
+    word.parse().ok().or(is_nan.then_some(f64::NAN))
 }
 
 /// Whether `t` is the nearer root, as far as rounding lets it be known.
@@ -89,63 +97,43 @@ impl Trial {
         let last = RefCell::new(Vec::new());
         let ask_and_keep = |asked: &WithInterval| {
             let mut last = last.borrow_mut();
+            // What is asked about a range is no matter of the whole line any more.
+            if asked.t_min.is_finite() || asked.t_max.is_finite() {
+                last.clear();
+            }
             if !last.contains(asked) {
                 last.push(*asked);
             }
             ask(asked)
         };
-        let laws = self.laws_for(&ask_and_keep);
-        let laws = laws.iter().map(|law| {
-            |asked: &WithInterval| {
+        let outcome = if self.chapter == Chapter::HittableList {
+            let law = |asked: &WithInterval| {
                 last.borrow_mut().clear();
-                law(asked)
-            }
-        });
-        let laws: Vec<_> = laws.collect();
-        let outcome = self.of_a_sphere(&|asked| self.answer(ask, asked), &laws);
-        outcome.map_err(|report| (report, last.take()))
-    }
-
-    /// The laws of `hit_sphere`, in chapter 5 on the whole line, and then those of a range.
-    fn laws_for<'a>(&self, ask: &'a Ask) -> Vec<Law<'a>> {
-        let is_decision = self.chapter == Chapter::RedSphere;
-        let of_root = NEARER_ROOT.into_iter().map(|law| -> Law {
-            Box::new(move |asked| law(&*on_the_line(is_decision, ask), &asked.case))
-        });
-        let mut laws: Vec<Law> = of_root.collect();
-        if self.chapter == Chapter::HittableList {
-            let in_range = |center, radius, ray: &Ray, t_min, t_max| {
-                let case = Case::new(center, radius, *ray);
-                ask(&WithInterval { case, t_min, t_max })
+                record::obeys_every_law(&ask_and_keep, asked)
             };
-            laws.push(Box::new(move |asked| {
-                no_t_outside_the_interval_is_returned(&in_range, asked)
-            }));
-            laws.push(Box::new(move |asked| {
-                the_nearest_root_in_the_interval_is_returned(&in_range, asked)
-            }));
-        }
-        laws
-    }
-
-    /// The numbers of an answer. To a `t` in chapter 5 belongs the record that is right there.
-    fn answer(&self, ask: &Ask, asked: &WithInterval) -> Vec<f64> {
-        if self.chapter == Chapter::HittableList {
-            return record::numbers(asked, &|asked| Some(right_record(&asked.case, ask(asked)?)));
-        }
-        let is_decision = self.chapter == Chapter::RedSphere;
-        record::root(self.chapter, &*on_the_line(is_decision, ask), asked)
+            self.of_a_sphere(&|asked| record::numbers(asked, ask), &[law])
+        } else {
+            let is_decision = self.chapter == Chapter::RedSphere;
+            let [solve, kept] = [ask, &ask_and_keep].map(|ask| on_the_line(is_decision, ask));
+            let laws = NEARER_ROOT.map(|law| {
+                let (last, kept) = (&last, &*kept);
+                move |asked: &WithInterval| {
+                    last.borrow_mut().clear();
+                    law(kept, &asked.case)
+                }
+            });
+            self.of_a_sphere(&|asked| record::root(self.chapter, &*solve, asked), &laws)
+        };
+        outcome.map_err(|report| (report, last.take()))
     }
 }
 
 /// What the program says of a line that goes both ways.
 fn on_the_line<'a>(is_decision: bool, ask: &'a Ask) -> Box<Solver<'a>> {
     let root = move |center, radius, ray: &Ray| {
-        ask(&WithInterval {
-            case: Case::new(center, radius, *ray),
-            t_min: -FAR,
-            t_max: FAR,
-        })
+        let (t_min, t_max) = (f64::NEG_INFINITY, f64::INFINITY);
+        let case = Case::new(center, radius, *ray);
+        Some(ask(&WithInterval { case, t_min, t_max })?.t)
     };
     if is_decision {
         let decide = move |center, radius, ray: &Ray| root(center, radius, ray).is_some();
@@ -183,7 +171,8 @@ mod tests {
                 radius,
                 ray,
             } = asked.case;
-            half_b(center, radius, &ray, asked.t_min, asked.t_max)
+            let t = half_b(center, radius, &ray, asked.t_min, asked.t_max)?;
+            Some(right_record(&asked.case, t))
         };
         for chapter in [Chapter::RedSphere, Chapter::Normals, Chapter::HittableList] {
             let outcome = Trial::of(chapter).any_language(&near);
@@ -200,7 +189,8 @@ mod tests {
                 Ray::new(Vec3::ZERO, Vec3::NEG_Z),
             );
             let [t_min, t_max] = [-FAR, FAR];
-            read(chapter, &WithInterval { case, t_min, t_max }, "-1", true)
+            let hit = read(chapter, &WithInterval { case, t_min, t_max }, "-1", true);
+            hit.map(|hit| hit.map(|hit| hit.t))
         };
         assert_eq!(said(0.0, Chapter::Normals), Some(Some(-1.0)));
         assert_eq!(said(-3.0, Chapter::Normals), Some(None));

@@ -29,9 +29,6 @@ pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &Pixel) -> V
         "the law:  {LAW}\n\
          found:    from {} to {} at t = 1\n\
          allowed:  from the origin to {}, for {pixel:?}\n\
-         usually:  x and y, or rows and columns, are swapped; y points down; the half step into \
-         the first pixel is missing; the viewport is not centered, or has the ideal ratio and not \
-         the real one; the focal length points backwards; the height is rounded up\n\
          read:     chapter 1: the viewport and its grid of pixels",
         ray.origin,
         ray.at(1.0),

@@ -64,17 +64,15 @@ impl Cause {
         }
     }
 
-    /// What to tell a reader, a line each: what makes it so `usually`, if nothing is known.
-    pub(crate) fn lines(&self, usually: &str) -> Vec<String> {
+    /// What to tell a reader, a line each; none, if nothing is known.
+    pub(crate) fn lines(&self) -> Vec<String> {
         let share = format!("{} of {} answers", self.explained, self.asked);
         let mistakes = self.mistakes.iter();
         let mut lines: Vec<String> = mistakes.map(|slip| self.in_a_line(slip)).collect();
-        if lines.is_empty() && self.explained > 0 {
-            lines.push(format!("{share} are right: what is special here?"));
+        if lines.is_empty() {
+            return lines;
         }
-        if self.mistakes.is_empty() {
-            lines.push(usually.to_owned());
-        } else if self.explained < self.asked {
+        if self.explained < self.asked {
             lines.push(format!(
                 "and another mistake: {share} are as this one has it"
             ));

@@ -49,8 +49,6 @@ fn the_normal_is_turned(set_face_normal: &Facing, direction: Vec3, outward: Vec3
          outside\n\
          found:    normal = {}, front_face = {}\n\
          allowed:  normal = {normal}, front_face = {front_face}\n\
-         usually:  > stands where it should say `ray.direction.dot(outward_normal) < 0.0`; or the \
-         two branches are swapped\n\
          ray:      direction = {direction}, outward_normal = {outward}\n\
          read:     chapter 5: `set_face_normal`",
         found.normal,

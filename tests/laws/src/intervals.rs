@@ -7,7 +7,7 @@
 use proptest::prelude::*;
 
 use crate::Verdict;
-use crate::nearer_root::{BAND, EQUATION, root_bound, said};
+use crate::nearer_root::{BAND, fits, root_bound, said};
 use crate::oracle::Exact;
 use crate::question::{RangeSolver, WithInterval};
 
@@ -26,14 +26,16 @@ pub fn no_t_outside_the_interval_is_returned(solve: &RangeSolver, asked: &WithIn
         t_min < t && t < t_max,
         "the law:  a hit lies inside the open interval (t_min, t_max)\n\
          found:    t = {t:?}\n\
-         allowed:  {t_min:?} < t < {t_max:?}, or a miss\n\
-         usually:  {}\n\
+         allowed:  {t_min:?} < t < {t_max:?}, or a miss{}{}\n\
          read:     chapter 5: both roots are tried, and each must lie in the range",
-        if t.is_nan() {
+        fits(
+            t.is_nan(),
             "`t <= t_min || t_max <= t` lets NaN pass: say `t_min < t && t < t_max`"
-        } else {
-            "one end is not tested, <= stands for <, or the farther root is not tested at all"
-        }
+        ),
+        fits(
+            t == t_min || t == t_max,
+            "an end does not count: < and not <="
+        )
     );
     Ok(())
 }
@@ -68,7 +70,6 @@ pub fn the_nearest_root_in_the_interval_is_returned(
         "the law:  the nearest root in the open interval (t_min, t_max) is returned\n\
          found:    {}\n\
          allowed:  {} ± {bound:.1e}\n\
-         usually:  {EQUATION}\n\
          read:     chapter 5: both roots are tried, the nearer one first",
         said(found),
         said(expected)

@@ -38,8 +38,6 @@ pub fn the_nearest_of_all_members_is_returned(search: &Search, world: &World) ->
         "the law:  of all that a ray hits, the nearest counts\n\
          found:    {found:?}\n\
          allowed:  {expected:?}, the least of the members' own answers\n\
-         usually:  closest_so_far does not start at t_max, or is not handed to the next object, or \
-         not updated; or the search ends at the first hit, or before the end of the list\n\
          read:     chapter 5: closest_so_far"
     );
     Ok(())

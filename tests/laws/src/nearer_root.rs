@@ -43,10 +43,6 @@ pub const U: f64 = f64::EPSILON / 2.0;
 /// As long as |D| is above this many times a·M, rounding can't change its sign.
 pub const BAND: f64 = 24.0 * U;
 
-/// What to do where no known mistake explains the answers.
-pub(crate) const EQUATION: &str =
-    "compare a, b and c with equations (13) to (15), letter by letter";
-
 /// Every law for a nearer root, in the order in which they teach most.
 ///
 /// A function that only decides, as that of chapter 2, is under them too, with the exact
@@ -87,14 +83,12 @@ fn t_is_a_number(solve: &Solver, case: &Case) -> Verdict {
         !is_nan || !case.is_well_scaled(),
         "the law:  t is a number\n\
          found:    t = NaN\n\
-         allowed:  a number, or a miss\n\
-         usually:  {}\n\
+         allowed:  a number, or a miss{}\n\
          read:     chapter 2: a negative discriminant has no root",
-        if Exact::of(case).discriminant().is_lt() {
-            "the root of a negative discriminant is taken: return a miss before that"
-        } else {
-            "a division of 0 by 0, or the root of a negative number"
-        }
+        fits(
+            Exact::of(case).discriminant().is_lt(),
+            "the discriminant is negative here: return a miss before its root is taken"
+        )
     );
     Ok(())
 }
@@ -111,21 +105,34 @@ fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -> Ve
         is_silent || found.is_some() == (margin > 0.0),
         "the law:  the line hits the sphere exactly when the discriminant is not negative\n\
          found:    {}\n\
-         allowed:  {}: the exact discriminant is {margin:.3e} of a·M, rounding reaches {BAND:.1e}\n\
-         usually:  {}\n\
+         allowed:  {}: the discriminant is {}, by more than rounding changes{}{}\n\
          read:     chapter 2, and equations (12) to (15) of the notes",
         named(found.is_some()),
         named(margin > 0.0),
-        if lies_behind {
-            "the sign of h or of t is tested inside hit_sphere: but a line goes both ways"
-        } else if found == Some(0.0) {
+        if margin > 0.0 { "positive" } else { "negative" },
+        fits(
+            lies_behind && found.is_none(),
+            "the sphere lies behind the ray, where t is negative: that is a root too"
+        ),
+        fits(
+            found == Some(0.0) && margin < 0.0,
             "0 is returned for a miss: but it is a number like others"
-        } else {
-            EQUATION
-        }
+        )
     );
     Ok(())
 }
+
+/// A line with the cause, if it fits what was found.
+pub(crate) fn fits(is_so: bool, cause: &str) -> String {
+    if is_so {
+        format!("\n{CAUSE}{cause}")
+    } else {
+        String::new()
+    }
+}
+
+/// What stands before a cause.
+pub(crate) const CAUSE: &str = "cause:    ";
 
 fn named(hit: bool) -> &'static str {
     if hit { "a hit" } else { "a miss" }
@@ -148,10 +155,13 @@ fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> Verdict {
         is_silent || found.is_some_and(|t| t.is_finite() && t != 0.0),
         "the law:  where h is 0, no root is lost\n\
          found:    {}\n\
-         allowed:  −√D/a, which is behind the ray\n\
-         usually:  sgn(0) is 0: of q = h + sgn(h)·√D nothing is left then, and c/q is no root\n\
+         allowed:  −√D/a, which is behind the ray{}\n\
          read:     equation (12) of the notes, with both signs",
-        said(found)
+        said(found),
+        fits(
+            found.is_some(),
+            "sgn(0) is 0: of q = h + sgn(h)·√D nothing is left then, and c/q is no root"
+        )
     );
     Ok(())
 }
@@ -173,19 +183,18 @@ pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> Verdict {
     };
     let (squared, r_squared) = (squared_at(t), case.radius * case.radius);
     let bound = 96.0 * U * case.m();
-    let counts_units = (squared_at(t / case.a().sqrt()) - r_squared).abs() <= 2.0 * bound;
+    let fits_at = |t| (squared_at(t) - r_squared).abs() <= 2.0 * bound;
     prop_assert!(
         (squared - r_squared).abs() <= bound || !case.is_well_scaled(),
         "the law:  the point at t lies on the sphere\n\
          found:    |P(t) − C|² = {squared:?} at t = {t:?}\n\
-         allowed:  r² = {r_squared:?} ± {bound:.1e}, which is 96u·M\n\
-         usually:  {}\n\
+         allowed:  r² = {r_squared:?} ± {bound:.1e}, for rounding{}{}\n\
          read:     equation (7) of the notes: it defines what a root is",
-        if counts_units {
-            "the direction is made a unit vector inside, so t counts other lengths than the ray's"
-        } else {
-            EQUATION
-        }
+        fits(fits_at(-t), "−t would fit: the sign of t is lost"),
+        fits(
+            case.a() != 1.0 && fits_at(t / case.a().sqrt()),
+            "the direction is made a unit vector first, so t counts other lengths than the ray's"
+        )
     );
     Ok(())
 }
@@ -203,12 +212,15 @@ fn the_root_is_the_nearer_one_to_the_digits_that_remain(solve: &Solver, case: &C
     prop_assert!(
         (t - root.rounded()).abs() <= bound || !case.is_well_scaled(),
         "the law:  t is the nearer root\n\
-         found:    t = {t:?}, {:.1e} ulps away\n\
-         allowed:  {:?} ± {bound:.1e}\n\
-         usually:  {EQUATION}\n\
+         found:    t = {t:?}, off by {:.1e} last digits\n\
+         allowed:  {:?} ± {bound:.1e}{}\n\
          read:     chapter 3, and equation (12) of the notes: the nearer root takes −√",
         root.error_in_ulps(t),
-        root.rounded()
+        root.rounded(),
+        fits(
+            (t + root.rounded()).abs() <= bound,
+            "−t would fit: the sign of t is lost"
+        )
     );
     Ok(())
 }
@@ -241,15 +253,13 @@ fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> Verd
         found == Some(root),
         "the law:  a tangent is a hit, and its root is exact where no operation rounds\n\
          found:    {}\n\
-         allowed:  a hit, at t = {root:?}\n\
-         usually:  {}\n\
+         allowed:  a hit, at t = {root:?}{}\n\
          read:     chapter 2: what happens at a discriminant of zero",
         said(found),
-        if found.is_none() {
+        fits(
+            found.is_none(),
             "`discriminant <= 0.0` where it should say `discriminant < 0.0`"
-        } else {
-            EQUATION
-        }
+        )
     );
     Ok(())
 }
@@ -289,9 +299,6 @@ fn a_scene_in_another_unit_and_a_mirror_has_the_same_digits(
          make it t × 128\n\
          found:    {}\n\
          allowed:  {}, and no other bit\n\
-         usually:  a number with a unit, such as 0.001, is compared with one without; or the \
-         radius is not squared, the direction is made a unit vector, a letter is swapped in a dot \
-         product, or an absolute value hides a sign\n\
          read:     chapter 4: multiplying by a power of two never rounds",
         said(found),
         said(expected)

@@ -32,7 +32,6 @@ pub struct Function {
     call: &'static str,
     /// How far rounding may take an answer, in relation to it.
     rounding: f64,
-    usually: &'static str,
     answer: fn(&Prelude, &Asked) -> Vec<f64>,
 }
 
@@ -60,13 +59,11 @@ pub fn small_numbers_are_worked_out_by_head(prelude: &Prelude, asked: &Asked) ->
         "the law:  a function of the prelude gives what one works out by head\n\
          found:    {}{} is {}\n\
          allowed:  {}\n\
-         usually:  {}\n\
          read:     chapter 1, and equations (1) to (5) of the notes",
         asked.kind(),
         asked.given(),
         code(&found),
-        code(&right),
-        asked.function.usually
+        code(&right)
     );
     Ok(())
 }
@@ -169,62 +166,51 @@ pub static FUNCTIONS: [Function; 10] = [
     Function {
         call: "mul(t, v)",
         rounding: 4.0 * U,
-        usually: "a letter stands twice, or is left out",
         answer: |it, asked| (it.mul)(asked.t, asked.v).to_array().to_vec(),
     },
     Function {
         call: "add(u, v)",
         rounding: 0.0,
-        usually: "a letter stands twice: u.x + v.x, u.y + v.y, u.z + v.z",
         answer: |it, asked| (it.add)(asked.u, asked.v).to_array().to_vec(),
     },
     Function {
         call: "neg(u)",
         rounding: 0.0,
-        usually: "a minus is missing, or a letter stands twice",
         answer: |it, asked| (it.neg)(asked.u).to_array().to_vec(),
     },
     Function {
         call: "sub(u, v)",
         rounding: 0.0,
-        usually: "a plus where a minus should be, or the two are swapped",
         answer: |it, asked| (it.sub)(asked.u, asked.v).to_array().to_vec(),
     },
     Function {
         call: "dot(u, v)",
         rounding: 0.0,
-        usually: "a letter is swapped: u.x*v.x + u.y*v.y + u.z*v.z",
         answer: |it, asked| vec![(it.dot)(asked.u, asked.v)],
     },
     Function {
         call: "length_squared(v)",
         rounding: 0.0,
-        usually: "a letter is swapped, or the root is taken: v.x*v.x + v.y*v.y + v.z*v.z",
         answer: |it, asked| vec![(it.length_squared)(asked.v)],
     },
     Function {
         call: "length(v)",
         rounding: 0.0,
-        usually: "the root is not taken, or twice",
         answer: |it, asked| vec![(it.length)(asked.v)],
     },
     Function {
         call: "normalize(v)",
         rounding: 4.0 * U,
-        usually: "the vector is not divided by its length, the root of v.x² + v.y² + v.z²",
         answer: |it, asked| (it.normalize)(asked.v).to_array().to_vec(),
     },
     Function {
         call: "ray(u, v)",
         rounding: 0.0,
-        usually: "the two are swapped",
         answer: |it, asked| of_ray((it.ray)(asked.u, asked.v)),
     },
     Function {
         call: "at(Ray::new(u, v), t)",
         rounding: 0.0,
-        usually: "the origin is left out, the direction is changed first, or the product and the \
-                  sum are fused",
         answer: |it, asked| {
             (it.at)(Ray::new(asked.u, asked.v), asked.t)
                 .to_array()

@@ -16,8 +16,6 @@ pub fn a_ray_has_its_color_from_anywhere(chapter: Chapter, color: Color, ray: &R
         "the law:  a ray has the color of what it meets, from wherever it starts\n\
          found:    {color:.4} for the ray from {} along {}\n\
          allowed:  {right:.4}\n\
-         usually:  the origin of the ray is left out, its direction is made a unit vector while t \
-         counts lengths of it, what lies behind is not left out, or t has an end\n\
          read:     chapter 3: what t counts, and which t is in front",
         ray.origin,
         ray.direction

@@ -50,7 +50,6 @@ fn the_point_is_the_one_at_t(case: &Case, hit: &Hit) -> Verdict {
         "the law:  the point of a hit is the one at its t\n\
          found:    {} at t = {}\n\
          allowed:  {expected} ± {bound:.1e}\n\
-         usually:  it is computed before t is known, or without the origin of the ray\n\
          read:     chapter 5: anything that a ray can hit",
         hit.point,
         hit.t
@@ -80,8 +79,6 @@ fn the_normal_is_the_radius_to_the_point_by_its_length(case: &Case, hit: &Hit) -
         "the law:  the normal of a hit is the radius to its point, and of length 1\n\
          found:    {}, of length {}\n\
          allowed:  {outward} ± {bound:.1e}, or the other way\n\
-         usually:  it is not that of point - center, or set before the point is, or not divided \
-         by the radius\n\
          read:     chapter 3: how long normals are, and why",
         hit.normal,
         hit.normal.length()
@@ -98,8 +95,6 @@ fn the_normal_points_against_the_ray(case: &Case, hit: &Hit) -> Verdict {
         "the law:  the normal of a hit points against the ray\n\
          found:    d·n = {along:?}, with n = {}\n\
          allowed:  d·n ≤ 0\n\
-         usually:  the outward normal is not turned where the ray comes from inside; or front and \
-         back are mixed up\n\
          read:     chapter 5: `set_face_normal`",
         hit.normal
     );
@@ -123,8 +118,6 @@ fn the_front_face_is_where_the_ray_enters(case: &Case, hit: &Hit) -> Verdict {
         "the law:  a ray meets the front face where it enters the sphere\n\
          found:    front_face = {front_face}\n\
          allowed:  front_face = {enters}\n\
-         usually:  > where it should say `ray.direction.dot(outward_normal) < 0.0`, or the normal \
-         that is tested points inwards\n\
          read:     chapter 5: `set_face_normal`"
     );
     Ok(())

@@ -17,7 +17,7 @@ use crate::answers::{self, ANSWERS, Answers};
 use crate::camera::{Pixel, the_ray_of_a_pixel_goes_through_its_center};
 use crate::causes::Cause;
 use crate::list::{Search, World, the_nearest_of_all_members_is_returned};
-use crate::nearer_root::{self, NEARER_ROOT, Solver};
+use crate::nearer_root::{self, CAUSE, NEARER_ROOT, Solver};
 use crate::prelude::{Asked, FUNCTIONS, Prelude, small_numbers_are_worked_out_by_head};
 use crate::question::{Question, WithInterval, of_ray};
 use crate::ray_color::{a_ray_has_its_color_from_anywhere, looks_right};
@@ -41,25 +41,26 @@ pub struct Report {
 impl Report {
     /// The sentence of the law.
     pub fn law(&self) -> &str {
-        self.said("the law:  ")
+        let law = self.broken.strip_prefix("the law:  ");
+        law.and_then(|law| law.lines().next())
+            .expect("it begins so")
     }
 
     /// The law, the value, the bound, the cause and the page, a line or more each. What is known
-    /// takes the place of what is usual: by the answers, or else besides.
+    /// `besides`, or by all answers, takes the place of what fits this one.
     pub fn message(&self, besides: Option<&str>) -> String {
-        let usual = self.said("usually:  ");
         let known = match besides {
             Some(besides) => besides.to_owned(),
-            None => self.cause.lines(usual).join("\n          "),
+            None => self.cause.lines().join("\n          "),
         };
-        self.broken.replacen(usual, &known, 1)
-    }
-
-    /// What the message of the law says behind a label.
-    fn said(&self, label: &str) -> &str {
-        let mut lines = self.broken.lines();
-        let said = lines.find_map(|line| line.strip_prefix(label));
-        said.expect("each law says it")
+        if known.is_empty() {
+            return self.broken.clone();
+        }
+        let lines = self.broken.lines();
+        let lines: Vec<&str> = lines.filter(|line| !line.starts_with(CAUSE)).collect();
+        lines
+            .join("\n")
+            .replacen("\nread:", &format!("\n{CAUSE}{known}\nread:"), 1)
     }
 }
 

@@ -10,11 +10,17 @@ use suite::drawn::shown_in;
 use suite::left_out::left_out;
 use suite::workspace;
 
+use crate::accepted::{VEC3_CC, VEC3_PY};
+
 /// A language of the page: how its block is fenced there, and what stands above that block.
 struct Language {
     fence: &'static str,
     file: &'static str,
-    functions: &'static str,
+    functions: [&'static str; 2],
+    /// The same in chapter 5, if the page has lines for that.
+    list: [&'static str; 2],
+    /// What turns the normal, and what does not.
+    turned: [&'static str; 2],
     /// What compiles the file, or shows that it can be run.
     prepare: &'static str,
     run: &'static str,
@@ -41,7 +47,7 @@ fn the_lines_of_the_page_put_a_function_in_javascript_under_the_laws() {
 /// Judges a right function and one with the far root, and returns what is said of that.
 fn is_judged(language: &Language) -> Option<String> {
     let right = Desk::default();
-    let program = language.functions.to_owned() + &on_the_page(language.fence);
+    let program = language.functions.concat() + &on_the_page(language.fence, 1);
     right.write(language.file, &program);
     let mut words = language.prepare.split(' ');
     let mut prepare = Command::new(words.next().expect("a program"));
@@ -73,16 +79,30 @@ fn is_judged(language: &Language) -> Option<String> {
         said.contains("far-root: (-b + sqrt(discriminant))"),
         "{said}"
     );
+    if !language.list[1].is_empty() {
+        let laws = laws.replace("normals", "hittable_list");
+        let program = language.list.concat() + &on_the_page(language.fence, 2);
+        let [turned, not] = language.turned;
+        for (program, expected) in [
+            (program.clone(), "The laws hold: "),
+            (program.replacen(turned, not, 1), "points against the ray"),
+        ] {
+            right.write(language.file, program);
+            assert!(run(prepare.current_dir(right.path(""))).status.success());
+            let said = text(&right.run(&laws).stdout);
+            assert!(said.contains(expected), "{said}");
+        }
+    }
     Some(said.replace(" --timeout 60", ""))
 }
 
-/// The block of that language on the page.
-fn on_the_page(fence: &str) -> String {
+/// The block of that language on the page, the first or the second one.
+fn on_the_page(fence: &str, which: usize) -> String {
     let page = workspace().join("book/notes/check.md");
     let page = fs::read_to_string(page).expect("the page");
-    let (_, after) = page.split_once(&format!("```{fence}\n")).expect("a block");
-    let (block, _) = after.split_once("```").expect("its end");
-    block.to_owned()
+    let block = page.split(&format!("```{fence}\n")).nth(which);
+    let block = block.and_then(|it| it.split("```").next());
+    block.expect("a block").to_owned()
 }
 
 #[cfg(unix)]
@@ -123,34 +143,9 @@ const PYTHON: Language = Language {
     file: "hit.py",
     prepare: "python3 --version",
     run: "python3 hit.py",
-    functions: "\
-import math
-
-class vec3:
-    def __init__(self, x, y, z):
-        self.x, self.y, self.z = x, y, z
-
-    def __sub__(self, v):
-        return vec3(self.x - v.x, self.y - v.y, self.z - v.z)
-
-class ray:
-    def __init__(self, origin, direction):
-        self.origin, self.direction = origin, direction
-
-def dot(u, v):
-    return u.x * v.x + u.y * v.y + u.z * v.z
-
-def hit_sphere(center, radius, r):
-    oc = center - r.origin
-    a = dot(r.direction, r.direction)
-    b = -2.0 * dot(r.direction, oc)
-    c = dot(oc, oc) - radius * radius
-    discriminant = b * b - 4 * a * c
-    if discriminant < 0:
-        return None
-    return (-b - math.sqrt(discriminant)) / (2.0 * a)
-
-",
+    functions: [VEC3_PY, include_str!("programs/normals.py")],
+    list: [VEC3_PY, include_str!("programs/hittable_list.py")],
+    turned: ["if rec.front_face else -", "if rec.front_face else "],
 };
 
 const CPP: Language = Language {
@@ -158,36 +153,9 @@ const CPP: Language = Language {
     file: "hit.cc",
     prepare: "g++ -o hit hit.cc",
     run: "./hit",
-    functions: "\
-#include <cmath>
-
-struct vec3 {
-    double e[3];
-    vec3(double x, double y, double z) : e{x, y, z} {}
-    vec3 operator-(const vec3& v) const { return vec3(e[0] - v.e[0], e[1] - v.e[1], e[2] - v.e[2]); }
-};
-
-struct ray {
-    vec3 orig, dir;
-    ray(const vec3& origin, const vec3& direction) : orig(origin), dir(direction) {}
-    const vec3& origin() const { return orig; }
-    const vec3& direction() const { return dir; }
-};
-
-double dot(const vec3& u, const vec3& v) {
-    return u.e[0] * v.e[0] + u.e[1] * v.e[1] + u.e[2] * v.e[2];
-}
-
-double hit_sphere(const vec3& center, double radius, const ray& r) {
-    vec3 oc = center - r.origin();
-    auto a = dot(r.direction(), r.direction());
-    auto b = -2.0 * dot(r.direction(), oc);
-    auto c = dot(oc, oc) - radius*radius;
-    auto discriminant = b*b - 4*a*c;
-    return discriminant < 0 ? -1.0 : (-b - std::sqrt(discriminant)) / (2.0*a);
-}
-
-",
+    functions: [VEC3_CC, include_str!("programs/normals.cc")],
+    list: [VEC3_CC, include_str!("programs/hittable_list.cc")],
+    turned: ["outward_normal : -", "outward_normal : "],
 };
 
 const JAVASCRIPT: Language = Language {
@@ -195,24 +163,7 @@ const JAVASCRIPT: Language = Language {
     file: "hit.js",
     prepare: "node --version",
     run: "node hit.js",
-    functions: "\
-class vec3 {
-  constructor(x, y, z) { this.x = x; this.y = y; this.z = z; }
-  minus(v) { return new vec3(this.x - v.x, this.y - v.y, this.z - v.z); }
-}
-class ray {
-  constructor(origin, direction) { this.origin = origin; this.direction = direction; }
-}
-const dot = (u, v) => u.x * v.x + u.y * v.y + u.z * v.z;
-
-function hit_sphere(center, radius, r) {
-  const oc = center.minus(r.origin);
-  const a = dot(r.direction, r.direction);
-  const b = -2 * dot(r.direction, oc);
-  const c = dot(oc, oc) - radius * radius;
-  const discriminant = b * b - 4 * a * c;
-  return discriminant < 0 ? null : (-b - Math.sqrt(discriminant)) / (2 * a);
-}
-
-",
+    functions: ["", include_str!("programs/normals.js")],
+    list: ["", ""],
+    turned: ["", ""],
 };

@@ -1,5 +1,6 @@
 //! The companion: what does each command do with good input and bad?
 
+mod accepted;
 mod anywhere;
 mod check_command;
 mod command_line;

@@ -20,7 +20,11 @@ pub(super) struct Dialogue {
     questions: Option<ChildStdin>,
     answers: Receiver<String>,
     limit: Duration,
+    start: Instant,
 }
+
+/// For all answers, a program may take so many times as long as for one.
+const ALL: u32 = 20;
 
 /// Why a program can't be asked any more.
 pub(super) enum Failure {
@@ -28,6 +32,8 @@ pub(super) enum Failure {
     Late,
     /// It did not answer in time, nor later.
     Silent,
+    /// Not all answers came within this time.
+    Slow(Duration),
     /// It ended, or runs with a closed output.
     Ended(Option<ExitStatus>),
     /// It said one more line than it was asked.
@@ -57,12 +63,16 @@ impl Dialogue {
             answers: reader(program.0.stdout.take().expect(piped)),
             program,
             limit,
+            start: Instant::now(),
         })
     }
 
     /// What it answers to the line.
     pub(super) fn ask(&mut self, line: &str) -> Result<String, Failure> {
         self.says_no_more(Duration::ZERO)?;
+        if self.start.elapsed() > ALL * self.limit {
+            return Err(Failure::Slow(ALL * self.limit));
+        }
         if let Some(questions) = &mut self.questions {
             // A pipe has room for a line, whether it is read or not; where nothing reads, nothing
             // answers.

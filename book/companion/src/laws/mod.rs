@@ -10,6 +10,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use ::laws::any_language::{self, Broken};
+use ::laws::record::Hit;
 use ::laws::{Case, Trial, WithInterval};
 use check::names;
 use clap::Args;
@@ -31,11 +32,12 @@ pub(crate) struct Arguments {
     chapter: Chapter,
 
     /// Your own program: it reads a line of numbers, center, radius, origin, direction (in chapter
-    /// 5 also t_min and t_max), and prints t or miss (in chapter 2: hit or miss), line by line
+    /// 5 also t_min and t_max), and prints t or miss (in chapter 2: hit or miss; in chapter 5 the
+    /// normal, and front or back, may follow t), line by line
     #[arg(last = true, value_name = "PROGRAM", required = true)]
     program: Vec<OsString>,
 
-    /// How long your program may take for an answer
+    /// How long your program may take for an answer; for all of them, twenty times as long
     #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = seconds, allow_hyphen_values = true)]
     timeout: Duration,
 }
@@ -89,7 +91,7 @@ struct Asked<'a> {
 /// A line, and what it means.
 struct Answer {
     said: String,
-    t: Option<f64>,
+    hit: Option<Hit>,
 }
 
 impl<'a> Asked<'a> {
@@ -149,10 +151,10 @@ impl<'a> Asked<'a> {
     }
 
     /// What the program answers, if it does. After a failure, nothing hits.
-    fn answer(&self, asked: &WithInterval) -> Option<f64> {
+    fn answer(&self, asked: &WithInterval) -> Option<Hit> {
         let line = self.line(asked);
         if let Some(known) = self.answers.borrow().get(&line) {
-            return known.t;
+            return known.hit;
         }
         if self.failure.borrow().is_some() {
             return None;
@@ -161,15 +163,15 @@ impl<'a> Asked<'a> {
             let known = self.answers.borrow();
             let says_minus_one = !known.values().any(|it| it.said == "miss");
             match any_language::read(self.arguments.chapter, asked, &said, says_minus_one) {
-                Some(t) => Ok(Answer { said, t }),
+                Some(hit) => Ok(Answer { said, hit }),
                 None => Err(Failure::NoAnswer(said)),
             }
         });
         match said {
             Ok(answer) => {
-                let t = answer.t;
+                let hit = answer.hit;
                 self.answers.borrow_mut().insert(line, answer);
-                t
+                hit
             }
             Err(failure) => {
                 *self.failure.borrow_mut() = Some((failure, line));
@@ -216,9 +218,11 @@ impl<'a> Asked<'a> {
         let answers = self.answers.borrow();
         let numbers = answers
             .values()
-            .filter(|it| it.t.is_some_and(f64::is_finite));
-        let numbers: HashMap<&str, f64> = numbers
-            .filter_map(|it| Some((&*it.said, it.said.parse().ok()?)))
+            .filter(|it| it.hit.is_some_and(|hit| hit.t.is_finite()));
+        let t = |it: &'_ Answer| it.said.split(' ').next().unwrap_or_default().to_owned();
+        let numbers: HashMap<String, f64> = numbers
+            .map(t)
+            .filter_map(|t| Some((t.clone(), t.parse().ok()?)))
             .collect();
         if numbers.len() < MANY {
             return None;
@@ -246,6 +250,7 @@ impl<'a> Asked<'a> {
         let limit = self.arguments.timeout;
         let wanted = match self.arguments.chapter {
             Chapter::RedSphere => "hit or miss",
+            Chapter::HittableList => "t, and perhaps the normal and front or back; or miss",
             _ => "t, as a number, or miss",
         };
         let shown = |said: &str| format!("`{}`", names::visible(said));
@@ -257,6 +262,15 @@ impl<'a> Asked<'a> {
             Failure::Silent => (
                 format!("did not answer within {limit:?}"),
                 format!("print {wanted}. Does a loop end? --timeout SECONDS gives more time"),
+            ),
+            Failure::Slow(limit) => (
+                format!(
+                    "gave only {} answers within {limit:?}",
+                    self.answers.borrow().len()
+                ),
+                "some two thousand are asked for: let it only solve them. --timeout SECONDS gives \
+                 more time"
+                    .to_owned(),
             ),
             Failure::Ended(status) => (
                 match status {
