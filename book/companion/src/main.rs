@@ -17,7 +17,7 @@ use std::process::ExitCode;
 
 use ::check::names::companion;
 use clap::{Parser, Subcommand};
-use rtrace::{chapter, draw, files, misuse, terminal};
+use rtrace::{chapter, files, misuse, terminal};
 
 /// The pictures of Ray Tracing in One Weekend, chapter by chapter.
 ///

@@ -32,7 +32,7 @@ mod traced;
 mod viewport_grid;
 mod vocabulary;
 
-pub use charts::{CHARTS, Chart, Drawn, Point, scene_chart};
+pub use charts::{CHARTS, Chart, Drawn};
 pub use figure::Figure;
 pub use live::{Answer, Movable};
 pub use parameters::Number;

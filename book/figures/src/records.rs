@@ -114,6 +114,7 @@ pub struct Timing {
     /// |---|---|---|
     /// | `method` | a method | one ray against one sphere: the throughput |
     /// | `rays` | a method | a block of rays against one sphere, in SIMD lanes |
+    /// | `limit` | `divider`, `memory` | in lanes, a root and two divisions; or only the numbers of a ray |
     /// | `record` | `half_b` | chapter 5's own function, with its record of the hit |
     /// | `ray` | `nothing` | the ray is made, and nothing is asked |
     pub what: String,
@@ -169,13 +170,8 @@ pub struct Race {
     pub cpp_least_ms: f64,
     /// Its slowest run.
     pub cpp_greatest_ms: f64,
-}
-
-impl Race {
-    /// How many times as long the C++ program takes.
-    pub fn ratio(&self) -> f64 {
-        self.cpp_median_ms / self.rust_median_ms
-    }
+    /// How many times as long the C++ program takes, by the medians.
+    pub ratio: f64,
 }
 
 /// Says in which file the rows of a type are.

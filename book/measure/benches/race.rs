@@ -22,7 +22,7 @@ struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..))]
     rounds: u32,
 
-    /// Keep the numbers in book/notes/speed; a chart is drawn from them
+    /// Keep the numbers in book/notes/speed; a page shows them
     #[arg(long)]
     record: bool,
 
@@ -134,6 +134,7 @@ fn result(chapter: &str, to: &str, [ours, mut theirs]: [Vec<f64>; 2]) -> Race {
         cpp_median_ms: cpp.median,
         cpp_least_ms: cpp.least,
         cpp_greatest_ms: cpp.greatest,
+        ratio: cpp.median / rust.median,
     }
 }
 
@@ -160,11 +161,11 @@ fn shown(race: &Race) -> String {
         race.cpp_median_ms,
         race.cpp_least_ms,
         race.cpp_greatest_ms,
-        race.ratio()
+        race.ratio
     )
 }
 
-/// Writes the numbers, from which the book draws its chart.
+/// Writes the numbers, which the book shows.
 fn record(machine: String, rows: Vec<Race>) -> Result<(), io::Error> {
     let about = [("machine".to_owned(), machine)].into();
     let text = Table { about, rows }.text();

@@ -69,7 +69,7 @@ macro_rules! runners {
 /// The methods in lanes.
 pub fn group() -> Group {
     let blocks = blocks();
-    Group(runners! { blocks,
+    let mut runners = runners! { blocks,
         half_b f64 Ray Point3 Double;
         half_b_q f64 Ray Point3 Double;
         cross_q f64 Ray Point3 Double;
@@ -80,7 +80,33 @@ pub fn group() -> Group {
         half_b_f32 f32 SingleRay SingleVec3 Single;
         widened_half_b_q_f32 f32 SingleRay SingleVec3 Single;
         certified_f32 f32 SingleRay SingleVec3 Single;
-    })
+    };
+    let divided = |[_, _, _, x, y, z]: [f64; 6]| (1.5 + x * x).sqrt() / (2.0 + y) + x / z;
+    runners.push(limit("divider", blocks.clone(), divided));
+    let read = |[x, y, z, dx, dy, dz]: [f64; 6]| ((x + y) + (z + dx)) + (dy + dz);
+    runners.push(limit("memory", blocks, read));
+    Group(runners)
+}
+
+/// What a question in lanes cannot do without: the same blocks, with so little to compute.
+fn limit(
+    name: &str,
+    blocks: Vec<Block<f64>>,
+    answer: impl Fn([f64; 6]) -> f64 + 'static,
+) -> Runner {
+    let count = blocks.len() * BLOCK;
+    let run = move || {
+        for (rays, _) in &blocks {
+            let mut answers = [0.0; BLOCK];
+            in_lanes(
+                &mut answers,
+                #[inline(always)]
+                |k| answer(rays.each_ref().map(|row| row[k])),
+            );
+            black_box(&answers);
+        }
+    };
+    Runner::new(["limit", name, "book"], Precision::Double, count, run)
 }
 
 /// Rays of the book's camera from all over the picture, block by block, each with the ball

@@ -38,8 +38,6 @@ pub struct Drawn {
 pub struct View {
     /// The method.
     pub method: Method,
-    /// What it draws.
-    pub picture: Picture,
     /// How many pixels have a component that is more than a level off.
     pub wrong: usize,
     /// The first wrong pixel from the top: column and row.
@@ -107,7 +105,7 @@ pub fn drawn(scene: &Scene, methods: &[Method], width: u32) -> Drawn {
         let rgb: Vec<&[u8]> = rows().map(|(rgb, ..)| &rgb[..]).collect();
         let off = rows().filter_map(|(_, off, _)| *off).reduce(Off::or);
         let misjudged = rows().map(|(.., misjudged)| misjudged).sum();
-        View::new(*method, &right, picture(rgb.concat()), off, misjudged)
+        View::new(*method, &right, &picture(rgb.concat()), off, misjudged)
     });
     Drawn {
         by_method: views.collect(),
@@ -146,11 +144,11 @@ impl View {
     fn new(
         method: Method,
         right: &Picture,
-        picture: Picture,
+        picture: &Picture,
         off: Option<Off>,
         misjudged: usize,
     ) -> Self {
-        let levels = levels_off(right, &picture);
+        let levels = levels_off(right, picture);
         let first = levels.iter().position(|&levels| levels > 1);
         let width = right.width();
         Self {
@@ -160,7 +158,6 @@ impl View {
             levels: levels.into_iter().max().unwrap_or(0),
             off,
             misjudged,
-            picture,
         }
     }
 }

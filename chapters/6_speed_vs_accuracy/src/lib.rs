@@ -13,7 +13,6 @@ mod workload;
 
 pub use certified::{
     Stage, certified_f32, certified_hit, certified_t, exact, exact_discriminant, stage_of_hit,
-    stage_of_t,
 };
 pub use lanes::{BLOCK, certified_in_lanes, in_lanes};
 pub use method::{Method, Solve};
@@ -23,7 +22,7 @@ pub use methods::{
 pub use nearest::certified_nearest;
 pub use precision::{Precision, SingleRay};
 pub use workload::{
-    Case, Eye, Hit, Lens, REGIMES, Random, Regime, Scene, Sight, USUAL_T_MIN, find_regime, unit,
+    Case, Eye, Hit, Lens, REGIMES, Random, Regime, Scene, Sight, USUAL_T_MIN, unit,
 };
 
 use common::rtweekend::Picture;

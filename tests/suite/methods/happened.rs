@@ -74,8 +74,8 @@ fn a_ray_across_the_way_to_the_center_keeps_its_root() {
     }
 }
 
-/// `precomputed_atmospheric_scattering`, issue 21: an Earth in meters, in `f32`. From the
-/// height of an eye the distance of the ground is wrong by tens of percents.
+/// `precomputed_atmospheric_scattering`, issue 21: an Earth in meters, in `f32`. The report has
+/// no ray; from the height of an eye the distance of the ground is wrong by tens of percents.
 #[test]
 fn an_earth_in_meters_is_at_a_wrong_distance_in_f32() {
     let worst = |method: &Method| {

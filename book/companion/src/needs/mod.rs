@@ -3,7 +3,6 @@
 //! The scene is drawn by every method, each is timed on its rays, and the cheapest
 //! one that draws every pixel right is named, in each precision.
 
-mod folder;
 mod text;
 
 use std::error::Error;
@@ -14,12 +13,11 @@ use std::time::Duration;
 use check::names;
 use clap::{Args, value_parser};
 use common::engine::output;
-use common::rtweekend::*;
 use measure::contest::Effort;
 use measure::cost;
 use measure::needs::Found;
 use measure::scene_file::{self, WIDEST};
-use measure::wrong_pixels::{self, Drawn};
+use measure::wrong_pixels;
 use speed_vs_accuracy::{METHODS, Precision, Scene};
 
 use crate::misuse::misuse;
@@ -35,10 +33,6 @@ pub(crate) struct Arguments {
     /// Width in pixels [default: as the scene says, or 400]
     #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(WIDEST)), allow_hyphen_values = true)]
     width: Option<u32>,
-
-    /// Write the chart and the pictures into this folder [default: target/needs/SCENE]
-    #[arg(long, short, value_name = "DIR")]
-    output: Option<PathBuf>,
 }
 
 /// How large a part of t may be wrong, where distances count.
@@ -80,32 +74,25 @@ const EFFORT: Effort = Effort {
 pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut scene = read(&arguments.scene)?;
     scene.width = arguments.width.unwrap_or(scene.width);
-    let folder = match &arguments.output {
-        Some(folder) => folder.clone(),
-        None => folder::usual(&scene)?,
-    };
-    folder::check(&folder)?;
-    let (right, found) = look_into(&scene);
-    let files = folder::write(&folder, &scene, &right, &found)?;
-    let said = text::text(&scene, &found, &folder, &files);
+    let said = text::text(&scene, &look_into(&scene));
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 
-/// The right picture, and what there is to say in each precision that has the numbers of
-/// the scene, `f64` first.
-fn look_into(scene: &Scene) -> (Picture, Vec<Found>) {
+/// What there is to say in each precision that has the numbers of the scene, `f64` first.
+fn look_into(scene: &Scene) -> Vec<Found> {
     let mut precisions = Precision::ALL.to_vec();
     precisions.retain(|precision| scene.fits(*precision));
     let mut methods = METHODS.to_vec();
     methods.retain(|method| precisions.contains(&method.precision()));
     let times = cost::times(scene, &EFFORT);
-    let Drawn { right, by_method } = wrong_pixels::drawn(scene, &methods, scene.width);
-    let (double, single) = by_method
+    let drawn = wrong_pixels::drawn(scene, &methods, scene.width);
+    let (double, single) = drawn
+        .by_method
         .into_iter()
         .partition(|view| view.method.precision() == Precision::Double);
     let found = precisions.into_iter().zip([double, single]);
     let found = found.map(|(precision, views)| Found::new(scene, precision, views, &times, WITHIN));
-    (right, found.collect())
+    found.collect()
 }
 
 /// The scene that the file at `path` describes, under the name of the file.

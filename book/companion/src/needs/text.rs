@@ -1,7 +1,6 @@
 //! Text: what a scene needs, for people, in the terminal.
 
 use std::fmt::Write;
-use std::path::Path;
 
 use check::names::{self, companion};
 use common::rtweekend::*;
@@ -15,7 +14,7 @@ use crate::wrap::hanging;
 use measure::needs::{Culprit, Found, Row};
 
 /// All that there is to say.
-pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[String]) -> String {
+pub(super) fn text(scene: &Scene, found: &[Found]) -> String {
     let camera = Camera::new(scene.width);
     let (width, height) = (camera.image_width, camera.image_height);
     let spheres = match scene.spheres.len() {
@@ -43,8 +42,7 @@ pub(super) fn text(scene: &Scene, found: &[Found], folder: &Path, files: &[Strin
         "release profile"
     };
     let times = format!("Times: {profile}, {}. {FASTER}", machine::machine());
-    let written = format!("In {}: {}", names::spelled(folder), files.join(", "));
-    text + "\n" + &paragraph(&times) + &paragraph(&written)
+    text + "\n" + &paragraph(&times)
 }
 
 const FASTER: &str = "Fully optimized: cargo run --release --package companion -- needs SCENE";

@@ -11,28 +11,17 @@ use crate::svg::{Step, Svg, spot};
 pub(super) struct Plot<'a> {
     panel: Panel,
     shown: &'a [Point],
-    /// Whether methods have names that are neither certified nor in the front.
-    name_all: bool,
 }
 
 impl<'a> Plot<'a> {
-    /// A panel of that height, so far below the upper edge of the sheet, for times in that
-    /// range.
-    pub(super) fn new(
-        digits: &str,
-        top: f64,
-        height: f64,
-        [fastest, slowest]: [f64; 2],
-        shown: &'a [Point],
-        name_all: bool,
-    ) -> Self {
+    /// A panel below the marks that are explained, for times in that range.
+    pub(super) fn new([fastest, slowest]: [f64; 2], shown: &'a [Point]) -> Self {
         let title = "nanoseconds for one test";
         let times = Measure::logarithmic(title, fastest / 1.25, slowest * 1.25);
-        let digits = Measure::linear(digits, -1.0, 17.0, 4.0);
+        let digits = Measure::linear("digits of *t* that are right", -1.0, 17.0, 4.0);
         Self {
-            panel: Panel::new(spot(28.0, top), spot(354.0, height), times, digits),
+            panel: Panel::new(spot(28.0, 88.0), spot(354.0, 588.0), times, digits),
             shown,
-            name_all,
         }
     }
 
@@ -61,13 +50,7 @@ impl<'a> Plot<'a> {
         let along = pairs.flat_map(|ends| Place::along(ends[0], ends[1]));
         let (low, high) = self.corners();
         let room = Place(low.down(-8.0), high.right(16.0));
-        let is_named =
-            |one: &Point| self.name_all || one.idea() != "ink" || fronts[0].contains(&one);
-        let labels: Vec<Label> = sorted
-            .iter()
-            .filter(|one| is_named(one))
-            .map(|one| self.label(one))
-            .collect();
+        let labels: Vec<Label> = sorted.iter().map(|one| self.label(one)).collect();
         write(svg, room, marks.chain(along).collect(), &labels);
     }
 

@@ -1,6 +1,4 @@
-//! Speed against accuracy: every method in the situations of chapter 6.
-
-use speed_vs_accuracy::find_regime;
+//! Speed against accuracy: every method on the rays of the book.
 
 use super::chart::{Chart, Drawn, table};
 use super::methods::{Measured, Point, in_lanes, lanes, legend, read};
@@ -11,11 +9,6 @@ use crate::svg::{Anchor, Svg, spot};
 use crate::table::Record;
 
 const FILES: &[&str] = &[Accuracy::FILE, Timing::FILE];
-
-const DIGITS: &str = "digits of *t* that are right";
-
-/// What a cross means there.
-const CONFUSED: &str = "confuses some hits and misses";
 
 /// The book's own rays.
 pub(super) const BOOK: Chart = Chart {
@@ -47,72 +40,19 @@ pub(super) const BOOK: Chart = Chart {
         lanes(&mut svg, "ink", key);
         svg.small_label("ink", key + spot(18.0, 4.5), Anchor::Start, "in lanes");
         Ok(Drawn {
-            panels: vec![one_panel(svg, DIGITS, CONFUSED, &points(&shown))],
+            panels: vec![one_panel(svg, &points(&shown))],
             table,
         })
     },
 };
 
-/// All situations as small panels.
-pub(super) const REGIMES: Chart = Chart {
-    name: "speed_accuracy_regimes",
-    title: "Speed against accuracy, situation by situation",
-    description: "The same chart for each situation, in small panels with equal scales. Far away, \
-        near a tangent and close to a surface most plain methods lose digits, and many get crosses. \
-        certified_t stays at the top and moves to the right. certified_hit never has a cross.",
-    caption: "The same for every situation, with the same scales. The methods that no other \
-        beats, the reference, and the certified ones have names here; the table names all.",
-    files: FILES,
-    draw: |files| {
-        let all = read(files[0], files[1])?;
-        let situations = all.chunk_by(|(one, _), (other, _)| one.regime == other.regime);
-        let situations: Vec<_> = situations.map(with_hits).collect();
-        let panel = |(n, shown): (usize, &Vec<Measured>)| small_panel(n, shown, &all);
-        Ok(Drawn {
-            panels: situations.iter().enumerate().map(panel).collect(),
-            table: numbers(&situations.concat()),
-        })
-    },
-};
-
-/// A chart of one scene, as a drawing for a wide page: how long a question takes, and
-/// how many digits of the hit point are right where it is worst. A cross means wrong
-/// pixels.
-pub fn scene_chart(name: &str, shown: &[Point]) -> String {
-    let title = format!("Speed against accuracy: {name}");
-    let description = "A point for each method: how long a question takes, from left to right, and \
-        how many digits of the worst hit point are right, upwards. A method with wrong pixels has a \
-        cross. A line joins the methods that no other beats in both.";
-    let svg = Svg::new("scene", &title, description, 720.0);
-    let digits = "digits of the worst hit point that are right";
-    one_panel(svg, digits, "has wrong pixels", shown)
-}
-
-fn one_panel(mut svg: Svg, digits: &str, wrong: &str, shown: &[Point]) -> String {
-    legend(&mut svg, wrong);
+fn one_panel(mut svg: Svg, shown: &[Point]) -> String {
+    legend(&mut svg);
     // More room for the fast ones: what is much slower stands at the right edge.
     let [fastest, slowest] = range(shown);
     let one_by_one = shown.iter().filter(|one| !one.in_lanes);
     let least = one_by_one.map(|one| one.ns).fold(f64::INFINITY, f64::min);
-    let range = [fastest, slowest.min(8.0 * least)];
-    let name_all = true;
-    Plot::new(digits, 88.0, 588.0, range, shown, name_all).draw(&mut svg);
-    svg.finish()
-}
-
-/// A situation on scales that are wide enough for `all`; the marks are explained in the first.
-fn small_panel(n: usize, shown: &[Measured], all: &[Measured]) -> String {
-    let regime = &shown[0].0.regime;
-    let title = find_regime(regime).map_or(&regime[..], |regime| regime.title);
-    let explained = if n == 0 { 38.0 } else { 0.0 };
-    let mut svg = REGIMES.panel(n + 1, title, 296.0 + explained);
-    if n == 0 {
-        legend(&mut svg, CONFUSED);
-    }
-    let top = 56.0 + explained;
-    svg.label("ink", spot(4.0, top - 34.0), Anchor::Start, title);
-    let (shown, range, name_all) = (points(shown), range(&points(all)), false);
-    Plot::new(DIGITS, top, 196.0, range, &shown, name_all).draw(&mut svg);
+    Plot::new([fastest, slowest.min(8.0 * least)], shown).draw(&mut svg);
     svg.finish()
 }
 
@@ -156,29 +96,4 @@ fn with_lanes(shown: &[Measured], in_lanes: &[Measured]) -> String {
         cells
     };
     table(1, &heads.map(str::to_owned), shown.iter().map(row))
-}
-
-fn numbers(shown: &[Measured]) -> String {
-    let heads = [
-        "situation",
-        "method",
-        "ns",
-        "÷ half_b",
-        "digits",
-        "ulps, 99.9 %",
-        "✗ per million",
-    ];
-    let row = |one: &Measured| {
-        let (row, time) = one;
-        vec![
-            row.regime.replace('_', " "),
-            format!("`{}`", row.method),
-            format!("{:.2}", time.median_ns),
-            format!("{:.2}", time.ratio),
-            format!("{:.1}", Point::of(one).digits),
-            row.p999_ulps.map_or("none".to_owned(), printed),
-            printed(row.wrong_per_million),
-        ]
-    };
-    table(2, &heads.map(str::to_owned), shown.iter().map(row))
 }

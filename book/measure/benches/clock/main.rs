@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let effort = Effort::new(arguments.quick);
     let mut groups = counted();
     let with_count: usize = groups.iter().map(|group| group.0.len()).sum();
-    groups.extend(one_by_one::groups());
+    groups.push(one_by_one::far());
     let mut timings = Table::<Timing> {
         about: about::about(&effort),
         rows: measure::contest::run(groups, &effort),

@@ -75,6 +75,7 @@ pub fn certified_hit(
 /// are asked also if D or c is small: from some 250 radii away, and close to the
 /// surface. Error: less than 0.8 ulp is proven. As with [`exact`], a root
 /// beyond the largest `f64` becomes that. Fails: never.
+/// A radius < 0 counts by its size. NaN, ∞ or a direction of 0: `None`.
 #[inline]
 pub fn certified_t(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     staged::<true>(center, radius, ray, t_min, t_max).0
@@ -88,6 +89,7 @@ pub fn certified_t(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f6
 /// never. A filter in `f32` would be silent from 600 radii on, 48u·a·M being all of
 /// D there, and for the last digit of t it takes wider numbers anyway: so they are
 /// widened first.
+/// A radius < 0 counts by its size. NaN, ∞ or a direction of 0: `None`.
 #[inline]
 pub fn certified_f32(
     center: SingleVec3,
@@ -113,11 +115,6 @@ pub enum Stage {
 /// The stage at which [`certified_hit`] has its answer.
 pub fn stage_of_hit(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Stage {
     staged::<false>(center, radius, ray, t_min, t_max).1
-}
-
-/// The stage at which [`certified_t`] has its answer.
-pub fn stage_of_t(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Stage {
-    staged::<true>(center, radius, ray, t_min, t_max).1
 }
 
 /// The answer, and the stage that has it.

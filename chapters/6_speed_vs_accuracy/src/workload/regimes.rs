@@ -18,8 +18,6 @@ use crate::precision::Precision;
 pub struct Regime {
     /// A word, for tables.
     pub name: &'static str,
-    /// A few words, for charts.
-    pub title: &'static str,
     /// From which k to which, in `f64` and in `f32`.
     levels: [(i32, i32); 2],
     case: fn(&mut Random, level: i32) -> Case,
@@ -35,16 +33,10 @@ pub const REGIMES: [Regime; 6] = [
     Regime::INSIDE,
 ];
 
-/// The regime of that name.
-pub fn find_regime(name: &str) -> Option<Regime> {
-    REGIMES.into_iter().find(|regime| regime.name == name)
-}
-
 impl Regime {
     /// The camera rays of the book’s own picture.
     pub const BOOK: Self = Self {
         name: "book",
-        title: "the book’s camera rays",
         levels: [(0, 0); 2],
         case: |random, _| book(random),
     };
@@ -52,7 +44,6 @@ impl Regime {
     /// Near a tangent: the line passes the center at (1 ± 10⁻ᵏ) radii.
     pub const GRAZING: Self = Self {
         name: "grazing",
-        title: "grazing rays",
         levels: [(1, 15), (1, 7)],
         case: grazing,
     };
@@ -60,7 +51,6 @@ impl Regime {
     /// Small spheres far away: the ray starts 10ᵏ radii away.
     pub const FAR: Self = Self {
         name: "far",
-        title: "a sphere far away",
         levels: [(1, 15), (1, 6)],
         case: far,
     };
@@ -68,7 +58,6 @@ impl Regime {
     /// From a point of the surface, of a sphere with a radius of 10ᵏ.
     pub const NEAR_SURFACE: Self = Self {
         name: "near_surface",
-        title: "rays that leave the surface",
         levels: [(0, 9), (0, 4)],
         case: near_surface,
     };
@@ -76,7 +65,6 @@ impl Regime {
     /// Above a ground with a radius of 10ᵏ, up to that of an Earth and beyond.
     pub const GROUND: Self = Self {
         name: "ground",
-        title: "above a huge ground",
         levels: [(2, 9), (2, 6)],
         case: ground,
     };
@@ -84,7 +72,6 @@ impl Regime {
     /// From inside the sphere, (1 − 10⁻ᵏ) radii from the center.
     pub const INSIDE: Self = Self {
         name: "inside",
-        title: "from inside",
         levels: [(0, 12), (0, 5)],
         case: inside,
     };
