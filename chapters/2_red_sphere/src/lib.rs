@@ -18,13 +18,10 @@ pub fn ray_color(ray: &Ray) -> Color {
     sky(ray)
 }
 
-/// Whether the whole line through `ray` meets the sphere; a tangent does.
+/// Whether the whole line through `ray` meets the sphere, ahead or behind; a tangent does.
 ///
-/// The line goes both ways, so a sphere *behind* the origin counts as well.
-/// That is the limit of this chapter: it asks whether there is a root, not
-/// where. The sign of `radius` does not matter. Where rounding decides, near a
-/// tangent or far away, the answer may be wrong.
-/// Source: equations (11)–(15) of the notes.
+/// It asks whether there is a root, not where. `radius` counts by its size; NaN anywhere or
+/// an overflow: false; a direction of 0: true. Source: equations (11)–(15) of the notes.
 pub fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> bool {
     let oc = center - ray.origin;
     let a = ray.direction.dot(ray.direction);

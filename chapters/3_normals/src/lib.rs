@@ -28,12 +28,9 @@ pub fn ray_color(ray: &Ray) -> Color {
 /// The nearer root `t` of |C − P(t)|² = r², if the line of the ray meets the
 /// sphere; a tangent does.
 ///
-/// `t` counts lengths of `ray.direction`: a distance only if that is a unit
-/// vector. A negative `t` lies behind the origin. From inside the sphere the
-/// nearer root is the one behind; this chapter never looks for the other. The
-/// sign of `radius` does not matter; a direction of length zero gives NaN. The
-/// smaller and farther the sphere, the fewer digits are left.
-/// Source: equations (12)–(15) of the notes.
+/// `t` counts lengths of `ray.direction`; if negative, it lies behind the origin, as from
+/// inside. `radius` counts by its size, ∞ gives −∞; NaN anywhere, a direction of 0 or an
+/// overflow: NaN. Source: equations (12)–(15) of the notes.
 pub fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
     let oc = center - ray.origin;
     let a = ray.direction.dot(ray.direction);

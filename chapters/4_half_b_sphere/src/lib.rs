@@ -28,11 +28,8 @@ pub fn ray_color(ray: &Ray) -> Color {
 /// The nearer root `t` of |C − P(t)|² = r², if the line of the ray meets the
 /// sphere; a tangent does.
 ///
-/// `t` counts lengths of `ray.direction`: a distance only if that is a unit
-/// vector. A negative `t` lies behind the origin. Barring overflow and
-/// underflow it is the `t` of chapter 3 to the last bit, because multiplying by
-/// two and four never rounds: this form is shorter, not more accurate. The sign
-/// of `radius` does not matter; a direction of length zero gives NaN.
+/// It is the `t` of chapter 3 to the last bit, barring overflow and underflow, and NaN,
+/// −∞ or negative where that is: multiplying by two and four never rounds.
 /// Source: equations (13)–(15) of the notes with h = d·(C − Q) = b/−2.
 pub fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
     let oc = center - ray.origin;

@@ -12,7 +12,7 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// A sphere; a negative `radius` counts as 0, as in the book.
+    /// A sphere; a `radius` below 0, or NaN, counts as 0, as in the book.
     pub fn new(center: Point3, radius: f64) -> Self {
         Self {
             center,
@@ -25,9 +25,8 @@ impl Hittable for Sphere {
     /// The nearer root if it lies in the interval, else the farther one: from
     /// inside the sphere, the nearer root is behind the ray.
     ///
-    /// Dividing by the radius makes the normal a unit vector without a square
-    /// root, as far as the point really is on the surface. A sphere of radius 0
-    /// is a point and has no normal: it is NaN.
+    /// Both ends are left out. NaN or ∞ anywhere, a direction of 0 or an overflow: `None`.
+    /// A sphere of radius 0 is a point and has no normal: it is NaN.
     fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
         let oc = self.center - ray.origin;
         let a = ray.direction.length_squared();

@@ -23,6 +23,7 @@ impl Method {
 /// book's ground. Source: the discriminant as a distance is that of Haines, Günther and
 /// Akenine-Möller, *Precision Improvements for Ray/Sphere Intersection*, in Ray Tracing
 /// Gems, 2019; the cross product spares its division.
+/// A radius < 0 counts by its size. NaN, ∞, a direction of 0 or an overflow: `None`.
 #[inline]
 pub fn cross_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     let oc = center - ray.origin;
@@ -42,6 +43,7 @@ pub fn cross_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -
 /// every method must that rounds D; at |d|·|oc| above 1e150 or below 1e-150.
 /// Near means that c is less than 1/32 of oc·oc: there h² is at least as good a
 /// source of D as |d × oc|², and c begins to lose digits.
+/// A radius < 0 counts by its size. NaN, ∞, a direction of 0 or an overflow: `None`.
 #[inline]
 pub fn adaptive_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     let oc = center - ray.origin;

@@ -20,6 +20,7 @@ impl Method {
 /// the error bounds of its operations: Joldes, Muller and Popescu, *Tight and
 /// rigorous error bounds for basic building blocks of double-word arithmetic*,
 /// 2017.
+/// A radius < 0 counts by its size. NaN, ∞, a direction of 0 or an overflow: `None`.
 pub fn double_double(
     center: Point3,
     radius: f64,

@@ -20,6 +20,7 @@ impl Method {
 /// factor of ten; by the digits of t near the surface and above a large sphere,
 /// where h − √D cancels; at |d|·|oc| above 1e154 or below 1e-154. Source: the
 /// book, chapter 6.2.
+/// A radius < 0 counts by its size. NaN, ∞, a direction of 0 or an overflow: `None`.
 #[inline]
 pub fn half_b(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     let oc = center - ray.origin;

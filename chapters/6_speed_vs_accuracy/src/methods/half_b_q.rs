@@ -15,6 +15,7 @@ impl Method {
 /// but t keeps the digits that c has. Fails: where `half_b` does, save that a
 /// large sphere costs no digit as long as c is exact. Source: Numerical Recipes,
 /// §5.6; Forsythe, *How do you solve a quadratic equation?*, 1966.
+/// A radius < 0 counts by its size. NaN, ∞, a direction of 0 or an overflow: `None`.
 #[inline]
 pub fn half_b_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     let oc = center - ray.origin;

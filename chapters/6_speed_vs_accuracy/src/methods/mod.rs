@@ -4,12 +4,10 @@
 //! operation, and M = oc·oc + r². What a method costs is counted in √ and ÷,
 //! which take several times as long as + and ×.
 //!
-//! What all methods answer where the formula ends: both ends of the range are open. A
-//! tangent is a hit. A radius below 0 counts by its size, and one of 0 is a point. If the
-//! direction is 0, or any number is NaN or a length infinite, it is a miss. Where h², a·c or c
-//! overflows, the methods here miss; where they underflow, t may be wrong; the certified
-//! ones and `exact` are right there too. The page of all methods has this as a table, of
-//! which each cell is tested.
+//! Both ends of the range are open, and a tangent is a hit. What a method answers where the
+//! formula ends stands beside it; the page of all methods has it as a table, of which each
+//! cell is tested. Where h², a·c or c underflows, t may be wrong; the certified methods and
+//! `exact` are right there too.
 
 mod cross_q;
 mod double_double;

@@ -24,6 +24,7 @@ impl Method {
 ///
 /// Cost: 1 √, 1 ÷. Fails: by the decision from 10 radii on, a few times in a
 /// million, and from 1000 radii on for one ray in thirty.
+/// A radius < 0 counts by its size. NaN, ∞, a direction of 0 or an overflow: `None`.
 #[inline]
 pub fn half_b_f32(
     center: Vec3,
@@ -54,6 +55,7 @@ pub fn half_b_f32(
 /// `f32`, as long as `half_b_q` is good for 24 digits. Fails: by the decision
 /// from 10⁵ radii on, a few times in a million. No exponent of an `f32` is too
 /// large or too small. A root in range that rounds to an end gives way inwards.
+/// A radius < 0 counts by its size. NaN, ∞ or a direction of 0: `None`.
 #[inline]
 pub fn widened_half_b_q_f32(
     center: Vec3,
