@@ -268,9 +268,7 @@ impl<'a> Asked<'a> {
                     "gave only {} answers within {limit:?}",
                     self.answers.borrow().len()
                 ),
-                "some two thousand are asked for: let it only solve them. --timeout SECONDS gives \
-                 more time"
-                    .to_owned(),
+                "some two thousand are asked for; --timeout SECONDS gives more time".to_owned(),
             ),
             Failure::Ended(status) => (
                 match status {
