@@ -65,20 +65,6 @@ fn the_index_of_the_search_has_at_most_500_kilobytes() {
     assert!(bytes <= 500_000, "{bytes}");
 }
 
-/// In a code span no directive is seen: `{{value …}}` would stand there as it is.
-#[test]
-fn no_directive_is_left() {
-    let begins = [
-        "value", "code", "figure", "chart", "changes", "snapshot", "slip", "symptoms",
-    ];
-    for page in chapters(&pages()) {
-        let text: String = page.all("main").into_iter().map(text_of).collect();
-        for name in begins.map(|name| format!("{{{{{name}")) {
-            assert!(!text.contains(&name), "{name} in {}", page.name);
-        }
-    }
-}
-
 #[test]
 fn each_figure_is_shown() {
     let pages = pages();
