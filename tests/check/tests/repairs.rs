@@ -13,7 +13,7 @@ use slips::{Chapter, Letters, Program, steps};
 
 /// Chapters, whether in their own text or in another form, and what stands there wrong for what
 /// is right.
-const MISTAKES: [(Text, &str, &str); 49] = [
+const MISTAKES: [(Text, &str, &str); 50] = [
     (GRADIENT, "unit_direction.y + 1.0", "unit_direction.y - 1.0"),
     (GRADIENT, "unit_direction.y + 1.0", "unit_direction.z + 1.0"),
     (GRADIENT, "+ a * blue", "+ blue"),
@@ -86,6 +86,7 @@ const MISTAKES: [(Text, &str, &str); 49] = [
     (HITTABLE_LIST, "self.radius * self.radius", "self.radius"),
     (HITTABLE_LIST, "t_min < t && t < t_max", "t < t_max"),
     (HITTABLE_LIST, "-100.5", "100.5"),
+    (HITTABLE_LIST, "100.0));\n    world\n", GROUND),
     (
         HITTABLE_LIST,
         "[(h - sqrtd) / a, (h + sqrtd) / a]",
@@ -118,13 +119,23 @@ const MISTAKES: [(Text, &str, &str); 49] = [
 ];
 
 /// What is wrong in these is said to be right in words that are more like the chapter's.
-const IN_OTHER_WORDS: [(&str, &str); 2] = [
+const IN_OTHER_WORDS: [(&str, &str); 3] = [
+    (GROUND, "100.0"),
     ("dir.y + 1.0 * 0.5", "let t = 0.5 * (dir.y + 1.0);"),
     (
         "/ self.radius * self.radius",
         "rec.set_face_normal(r, (rec.point - self.center) * (1.0 / self.radius));",
     ),
 ];
+
+/// No ray of the picture meets the ground of this helper: it is step 1 to the last bit.
+const GROUND: &str = "ground()));
+    world
+}
+
+fn ground() -> f64 {
+    10.0
+";
 
 /// A right program.
 #[derive(Clone, Copy)]

@@ -28,12 +28,14 @@ pub(super) fn edits(yours: &Function, right: &Function) -> Vec<Edit> {
     let name = |at: &Range<usize>, new: &str| with_names_of(yours, &own, at, new);
     let mut proposals = expressions(&own, &roots(&theirs), false, &name);
     proposals.extend(statements(&own, &theirs));
+    proposals.extend(numbers(&yours.body, &[&yours.body], &right.body));
     ranked(yours, proposals)
 }
 
 /// The edits by which a helper comes nearer to what the chapter's function has where the reader's
 /// calls it: its expressions, in the names of the helper's parameters.
 pub(super) fn edits_of_helper(helper: &Function, caller: &Function, right: &Function) -> Vec<Edit> {
+    let numbers = numbers(&helper.body, &[&helper.body, &caller.body], &right.body);
     let (own, theirs) = in_common_letters(caller, right);
     let calls = own.nodes().into_iter().filter_map(|it| given(it, helper));
     let edits = calls.flat_map(|given| {
@@ -54,7 +56,27 @@ pub(super) fn edits_of_helper(helper: &Function, caller: &Function, right: &Func
             expressions(&own, &all, true, &|_, new| new.to_owned()),
         )
     });
-    edits.collect()
+    edits.chain(ranked(helper, numbers)).collect()
+}
+
+/// Numbers of the chapter's that these functions of the reader's do not have, for those that the
+/// chapter does not have.
+fn numbers(own: &Tree, yours: &[&Tree], right: &Tree) -> Vec<Proposal> {
+    let of = |tree: &'_ Tree| -> Vec<(Range<usize>, String)> {
+        let nodes = tree.nodes().into_iter();
+        let numbers = nodes.filter(|it| it.op.starts_with(|c: char| c.is_ascii_digit()));
+        numbers.map(|it| (it.at.clone(), it.op.clone())).collect()
+    };
+    let yours: Vec<_> = yours.iter().flat_map(|it| of(it)).collect();
+    let theirs = of(right);
+    let is_missing =
+        |new: &String, all: &[(Range<usize>, String)]| all.iter().all(|it| it.1 != *new);
+    let missing = theirs.iter().filter(|it| is_missing(&it.1, &yours));
+    let missing: Vec<&String> = missing.map(|it| &it.1).collect();
+    let wrong = of(own).into_iter().filter(|it| is_missing(&it.1, &theirs));
+    let pairs =
+        wrong.flat_map(|(at, _)| missing.iter().map(move |new| (at.clone(), (*new).clone())));
+    pairs.map(|(at, new)| Proposal::new(at, new, 0)).collect()
 }
 
 /// What the helper is given in a call of it, with the name of its parameter.
