@@ -240,7 +240,7 @@ impl Slip {
     pub fn page_in_words(&self) -> String {
         let (page, heading) = self.page_and_heading();
         format!(
-            "\"{}\", on the page {page} of the book",
+            "\"{}\", page {page} of the book",
             heading.replace('-', " ")
         )
     }

@@ -93,7 +93,7 @@ fn part_as_text(part: &Part, letters: Option<Letters>, style: Style) -> String {
 fn row((label, said): &Row, style: Style) -> String {
     let shown = format!("    {} ", style.dim(&format!("{label:<9}")));
     // A path stays on one line.
-    if ["code", "read"].contains(label) && !said.starts_with('"') {
+    if ["code", "read"].contains(label) {
         return format!("{shown}{said}\n");
     }
     wrapped(said, &shown, &" ".repeat(14))
