@@ -159,12 +159,12 @@ impl Left {
     }
 
     /// Whether nothing is left.
-    pub fn is_nothing(&self) -> bool {
+    pub(crate) fn is_nothing(&self) -> bool {
         self.off == 0
     }
 
     /// Whether all that is left is off by one level.
-    pub fn is_rounding(&self) -> bool {
+    pub(crate) fn is_rounding(&self) -> bool {
         self.off > 0 && self.far == 0
     }
 }

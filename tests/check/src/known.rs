@@ -90,7 +90,7 @@ impl Known<'_> {
     }
 
     /// The reader's line that makes the slip, if it is found.
-    pub fn line_of(&self, slip: &Slip, scene: &Scene) -> Option<Line> {
+    pub(crate) fn line_of(&self, slip: &Slip, scene: &Scene) -> Option<Line> {
         let is_wrong = self.said(slip, scene) == Said::Wrong;
         let line = || self.sources.line_of(self.words(slip, scene));
         is_wrong.then(line).flatten()

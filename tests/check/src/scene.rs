@@ -74,7 +74,7 @@ impl Scene {
     }
 
     /// The chapter's own scene by the same edition.
-    pub fn without_probe(self) -> Self {
+    pub(crate) fn without_probe(self) -> Self {
         self.of_chapter(self.chapter)
     }
 
@@ -208,7 +208,7 @@ impl Scene {
     }
 
     /// Whether the shape is not that of the chapter.
-    pub fn has_another_shape(&self) -> bool {
+    pub(crate) fn has_another_shape(&self) -> bool {
         self.shape.is_some()
     }
 
@@ -282,7 +282,7 @@ impl Scene {
 const GLANCE: u32 = 64;
 
 /// Ratios of width to height that people choose.
-pub(crate) const USUAL_RATIOS: [f64; 7] = [
+const USUAL_RATIOS: [f64; 7] = [
     1.0,
     4.0 / 3.0,
     3.0 / 2.0,

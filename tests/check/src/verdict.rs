@@ -398,7 +398,7 @@ impl Mistakes {
 
 impl Near {
     /// Whether it is right to the last bit: a step on the way.
-    pub fn is_exact(&self) -> bool {
+    pub(crate) fn is_exact(&self) -> bool {
         self.left.is_nothing() && !self.has_own_colors()
     }
 

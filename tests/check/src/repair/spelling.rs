@@ -4,10 +4,13 @@
 use std::borrow::Cow;
 
 use super::tree::{Reader, Tree};
+use crate::sources::lexed;
 
 /// Longer expressions are left alone, and those with more signs that each may be a level deeper.
 const LONGEST: usize = 300;
 const DEEPEST: usize = 40;
+/// Signs of two letters.
+const SIGNS: [&str; 9] = ["->", "**", "&&", "||", "<=", ">=", "==", "!=", "::"];
 
 /// The expression as a tree of Rust, if it can be one.
 pub(super) fn in_rust(text: &str, is_python: bool) -> Option<Tree> {
@@ -25,7 +28,8 @@ pub(super) fn in_rust(text: &str, is_python: bool) -> Option<Tree> {
 }
 
 fn translated(text: &str, is_python: bool) -> String {
-    let mut tokens = tokens(text);
+    let tokens = lexed(text, &SIGNS).into_iter();
+    let mut tokens: Vec<Cow<str>> = tokens.map(Cow::Borrowed).collect();
     if !is_python {
         divide(&mut tokens);
     }
@@ -85,29 +89,6 @@ fn divide(tokens: &mut Vec<Cow<str>>) {
             _ => n += 1,
         }
     }
-}
-
-fn tokens(text: &str) -> Vec<Cow<'_, str>> {
-    const SIGNS: [&str; 9] = ["->", "**", "&&", "||", "<=", ">=", "==", "!=", "::"];
-    let is_word = |c: char| c.is_alphanumeric() || c == '_';
-    let mut tokens = Vec::new();
-    let mut rest = text.trim_start();
-    while let Some(first) = rest.chars().next() {
-        let length = match first {
-            c if c.is_ascii_digit() => rest.find(|c| !is_word(c) && c != '.'),
-            c if is_word(c) => rest.find(|c| !is_word(c)),
-            c => Some(
-                SIGNS
-                    .iter()
-                    .find(|it| rest.starts_with(**it))
-                    .map_or(c.len_utf8(), |it| it.len()),
-            ),
-        };
-        let (token, after) = rest.split_at(length.unwrap_or(rest.len()));
-        tokens.push(Cow::Borrowed(token));
-        rest = after.trim_start();
-    }
-    tokens
 }
 
 /// The same in the fewest words: methods for functions, one name for all vectors, fields for

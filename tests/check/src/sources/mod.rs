@@ -7,6 +7,7 @@ mod tokens;
 
 use slips::{Chapter, Words};
 
+pub(crate) use tokens::lexed;
 use tokens::{Token, is_name, tokens};
 
 /// What a reader wrote, and the chapter as it should be.

@@ -83,34 +83,39 @@ fn words(line: usize, text: &str) -> Vec<Token> {
     for prefix in ["this->", "std::", "math.", "f64::from", "f64::"] {
         code = code.replace(prefix, "");
     }
-    let mut words: Vec<Token> = Vec::new();
-    let mut rest = code.trim_start();
+    let words = lexed(&code, &["::"]);
+    let word = |n: usize| words.get(n).copied().unwrap_or_default();
+    // A vector's own letters have a name before them elsewhere.
+    let is_own = |n: usize| {
+        (word(n), word(n + 1)) == ("self", ".") && !matches!(word(n + 2), "x" | "y" | "z" | "e")
+    };
+    let is_read = |n: &usize| !is_own(*n) && !n.checked_sub(1).is_some_and(is_own);
+    let read = (0..words.len()).filter(is_read);
+    read.map(|n| Token::new(spelled(word(n), word(n + 1)), line))
+        .collect()
+}
+
+/// The words, numbers and signs of a text. A sign is one letter, or one of these.
+pub(crate) fn lexed<'a>(text: &'a str, signs: &[&str]) -> Vec<&'a str> {
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let mut words = Vec::new();
+    let mut rest = text.trim_start();
     while let Some(first) = rest.chars().next() {
-        let is_word = |c: char| c.is_alphanumeric() || c == '_';
-        let is_number = |c: char| is_word(c) || c == '.';
+        let sign = signs.iter().find(|it| rest.starts_with(**it));
         let length = match first {
-            c if c.is_ascii_digit() => rest.find(|c| !is_number(c)),
+            c if c.is_ascii_digit() => rest.find(|c| !is_word(c) && c != '.'),
             c if is_word(c) => rest.find(|c| !is_word(c)),
-            _ if rest.starts_with("::") => Some(2),
-            c => Some(c.len_utf8()),
+            c => Some(sign.map_or(c.len_utf8(), |it| it.len())),
         };
         let (word, after) = rest.split_at(length.unwrap_or(rest.len()));
+        words.push(word);
         rest = after.trim_start();
-        if let Some(after) = rest.strip_prefix('.').filter(|_| word == "self") {
-            let field = after.split(|c| !is_word(c)).next().unwrap_or_default();
-            // A vector's own letters have a name before them elsewhere.
-            if !matches!(field, "x" | "y" | "z" | "e") {
-                rest = after;
-                continue;
-            }
-        }
-        words.push(Token::new(spelled(word, rest), line));
     }
     words
 }
 
-/// As it is written most often, before `rest`.
-fn spelled<'a>(word: &'a str, rest: &str) -> &'a str {
+/// As it is written most often, before `next`.
+fn spelled<'a>(word: &'a str, next: &str) -> &'a str {
     match word {
         "ray" => "r",
         "infinity" | "inf" => "INFINITY",
@@ -124,11 +129,7 @@ fn spelled<'a>(word: &'a str, rest: &str) -> &'a str {
         "ray_tmax" | "tmax" => "t_max",
         "disc" => "discriminant",
         "root" | "sqrt_d" => "sqrtd",
-        "vec3" | "Color" | "color" | "Point3" | "point3"
-            if rest.starts_with('(') || rest.starts_with("::") =>
-        {
-            "Vec3"
-        }
+        "vec3" | "Color" | "color" | "Point3" | "point3" if matches!(next, "(" | "::") => "Vec3",
         _ if word.starts_with(|c: char| c.is_ascii_digit()) => {
             let word = word.trim_end_matches("f64");
             match word.split_once('.') {
@@ -192,7 +193,7 @@ fn operand(tokens: &[Token]) -> usize {
 }
 
 /// Where the bracket was opened that the tokens end with.
-pub(super) fn opening(tokens: &[Token]) -> usize {
+fn opening(tokens: &[Token]) -> usize {
     let mut depth = 0;
     let open = tokens.iter().rposition(|token| {
         depth += i32::from(token.text == ")") - i32::from(token.text == "(");
