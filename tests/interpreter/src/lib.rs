@@ -29,7 +29,7 @@ use read::Refusal;
 pub use run::Sample;
 use run::{Code, Machine};
 use types::{Head, Type};
-use value::{Fields, Value};
+use value::Value;
 
 /// What an answer must add that calls a text right: only the compiler sees the rest.
 pub const UNCHECKED: &str =
@@ -269,7 +269,7 @@ impl Program {
                 *field = value;
             }
         }
-        Value::Own(kind, Fields(fields.into()))
+        Value::Own(kind, fields.into())
     }
 
     fn vec3_of(&self, value: &Value) -> Option<Vec3> {
@@ -279,7 +279,7 @@ impl Program {
         let known = self.code.names.kinds[*kind as usize].known();
         let parts = ["x", "y", "z"].into_iter().enumerate().map(|(n, name)| {
             let place = known.iter().position(|it| it.0 == name).unwrap_or(n);
-            match fields.0.get(place)? {
+            match fields.get(place)? {
                 Value::Float(it) => Some(*it),
                 _ => None,
             }

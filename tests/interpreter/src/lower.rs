@@ -20,9 +20,6 @@ use crate::types::{Head, Int, Type};
 
 type Lowered<T = Typed> = Result<T, Refusal>;
 
-/// No value here is an `f32`; the type is known, so that one is not taken for an `f64`.
-const SINGLES: &str = "numbers of the type `f32`";
-
 /// A function that can be run.
 pub(crate) fn lower(
     names: &Names,
@@ -271,7 +268,6 @@ impl Lowerer<'_> {
             (Head::Int(Int::Any), Head::Int(int)) if int != Int::Any => {
                 self.literal_as(node, ty, at)
             }
-            (Head::Float, Head::F32) => Err(Refusal::unknown(at, SINGLES)),
             _ if typed.ty.is_certain() => Ok(node),
             _ => Ok(Node::Declared(Box::new(node), Box::new(ty.clone()), at)),
         }
@@ -504,7 +500,6 @@ impl Lowerer<'_> {
         let suffixed = |suffix: &str, what: &str| match suffix {
             "" => Ok(None),
             "f64" => Ok(Some(Head::F64)),
-            "f32" => Err(Refusal::unknown(place, SINGLES)),
             name => match self.names.found(self.context.module, &[name.to_owned()]) {
                 Ok(Named::Type(Type(head @ Head::Int(_), _))) => Ok(Some(head)),
                 Ok(Named::Standard(_)) => Err(Refusal::unknown(place, &format!("`{name}`"))),
@@ -648,17 +643,17 @@ impl Lowerer<'_> {
     }
 
     fn range(&mut self, it: &syn::ExprRange) -> Lowered {
-        let mut of = Type::UNKNOWN;
-        let mut end = |own: &mut Self, end: &Option<Box<syn::Expr>>| {
-            let Some(end) = end else { return Ok(None) };
-            let typed = own.expr(end)?;
-            of = own.joined(&typed.ty, &of, "mismatched types", own.at(end))?;
-            Ok(Some(typed.node))
+        let (Some(from), Some(to)) = (&it.start, &it.end) else {
+            let what = "ranges without a beginning or an end";
+            return Err(Refusal::unknown(self.at_any(it), what));
         };
-        let (from, to) = (end(self, &it.start)?, end(self, &it.end)?);
+        let ends = [self.expr(from)?, self.expr(to)?];
+        let [one, other] = [&ends[0].ty, &ends[1].ty];
+        let of = self.joined(other, one, "mismatched types", self.at(to))?;
         let is_closed = matches!(it.limits, syn::RangeLimits::Closed(_));
+        let nodes = ends.map(|it| it.node);
         Ok(Typed::new(
-            Node::Range(Box::new([from, to]), is_closed),
+            Node::Range(Box::new(nodes), is_closed),
             Type::of(Head::Range, of),
         ))
     }
@@ -676,9 +671,6 @@ impl Lowerer<'_> {
         let at = self.at_any(it);
         if !fits {
             return Err(self.names.no_cast(ty, &to, at));
-        }
-        if to.is(Head::F32) {
-            return Err(Refusal::unknown(at, SINGLES));
         }
         Ok(Typed::new(
             Node::Cast(Box::new(from.node), Box::new(to.clone()), at),

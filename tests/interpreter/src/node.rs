@@ -56,7 +56,7 @@ pub(crate) enum Node {
     Some(Box<Node>),
     Many(Vec<Node>),
     Tuple(Vec<Node>),
-    Range(Box<[Option<Node>; 2]>, bool),
+    Range(Box<[Node; 2]>, bool),
     If(Box<[Node; 3]>),
     Match(Box<Node>, Vec<Arm>, At),
     Matches(Box<Pattern>, Box<Node>),
@@ -88,7 +88,6 @@ pub(crate) enum Sign {
     Minus,
     Times,
     Over,
-    Remainder,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -127,7 +126,6 @@ pub(crate) struct Arm {
 pub(crate) enum Pattern {
     Any,
     Bind(usize),
-    Literal(Node),
     None,
     Some(Box<Pattern>),
     /// The fields of a value, by their numbers.

@@ -25,12 +25,10 @@ pub(crate) fn operator(op: &syn::BinOp) -> Option<Operator> {
         Op::Sub(_) => Arithmetic(Sign::Minus, false),
         Op::Mul(_) => Arithmetic(Sign::Times, false),
         Op::Div(_) => Arithmetic(Sign::Over, false),
-        Op::Rem(_) => Arithmetic(Sign::Remainder, false),
         Op::AddAssign(_) => Arithmetic(Sign::Plus, true),
         Op::SubAssign(_) => Arithmetic(Sign::Minus, true),
         Op::MulAssign(_) => Arithmetic(Sign::Times, true),
         Op::DivAssign(_) => Arithmetic(Sign::Over, true),
-        Op::RemAssign(_) => Arithmetic(Sign::Remainder, true),
         Op::Eq(_) => Compare(Order::Equal),
         Op::Ne(_) => Compare(Order::Unequal),
         Op::Lt(_) => Compare(Order::Less),
@@ -51,16 +49,12 @@ impl Sign {
             Self::Minus => ("Sub", "-", "subtract"),
             Self::Times => ("Mul", "*", "multiply"),
             Self::Over => ("Div", "/", "divide"),
-            Self::Remainder => ("Rem", "%", "calculate the remainder of"),
         }
     }
 
     /// What the compiled program says where the result does not fit.
     pub(crate) fn overflow(self) -> String {
-        match self {
-            Self::Remainder => "attempt to calculate the remainder with overflow".to_owned(),
-            _ => format!("attempt to {} with overflow", self.words().2),
-        }
+        format!("attempt to {} with overflow", self.words().2)
     }
 }
 
@@ -109,7 +103,6 @@ impl Names {
 
     /// The type of what comes out, if the two go together.
     pub(crate) fn result_of(&self, sign: Sign, one: &Type, other: &Type) -> Option<Type> {
-        let is_of_vectors = sign != Sign::Remainder;
         if let Some(own) = self.operator(sign, [one, other]) {
             return Some(self.functions[own].result.clone());
         }
@@ -120,13 +113,10 @@ impl Names {
             }
             (Head::Unknown, _) | (_, Head::Unknown) => Some(Type::UNKNOWN),
             (Head::Int(a), Head::Int(b)) => a.joined(b).map(|it| Head::Int(it).into()),
-            (Head::Vec3, Head::Vec3 | Head::F64 | Head::Float) if is_of_vectors => {
-                Some(one.clone())
-            }
-            (Head::F64 | Head::Float, Head::Vec3) if is_of_vectors => Some(other.clone()),
-            (Head::Float, Head::F64 | Head::F32 | Head::Float) => Some(other.clone()),
-            (Head::F64 | Head::F32, Head::Float) => Some(one.clone()),
-            (Head::F64, Head::F64) | (Head::F32, Head::F32) => Some(one.clone()),
+            (Head::Vec3, Head::Vec3 | Head::F64 | Head::Float) => Some(one.clone()),
+            (Head::F64 | Head::Float, Head::Vec3) => Some(other.clone()),
+            (Head::Float, Head::F64 | Head::Float) => Some(other.clone()),
+            (Head::F64, Head::F64 | Head::Float) => Some(one.clone()),
             (Head::Str, Head::Str) if sign == Sign::Plus => Some(one.clone()),
             _ => None,
         }
@@ -139,8 +129,7 @@ impl Names {
         let message = match sign {
             "+" => format!("cannot {verb} `{other}` to `{one}`"),
             "-" => format!("cannot {verb} `{other}` from `{one}`"),
-            "*" | "/" => format!("cannot {verb} `{one}` by `{other}`"),
-            _ => format!("cannot {verb} `{one}` divided by `{other}`"),
+            _ => format!("cannot {verb} `{one}` by `{other}`"),
         };
         let is_number = |it: &Type| it.is_integer() || it.is_float() || it.is(Head::Vec3);
         let is_mixed = types[0].is_integer() != types[1].is_integer();
@@ -154,10 +143,10 @@ impl Names {
         Refusal::new(at, &message, "", help)
     }
 
-    /// The same of bits, which no chapter has: a `^` is meant as a power.
+    /// The same of remainders and bits, which no chapter has: a `^` is meant as a power.
     pub(crate) fn no_bits(&self, sign: &str, types: [&Type; 2], at: At) -> Refusal {
         let has_bits = |it: &Type| it.is_integer() || it.is(Head::Bool) || it.is_unknown();
-        if types.into_iter().all(has_bits) {
+        if sign.starts_with('%') || types.into_iter().all(has_bits) {
             return Refusal::unknown(at, &format!("`{sign}`"));
         }
         let [one, other] = types.map(|it| it.name(self));
@@ -241,10 +230,10 @@ impl Names {
     fn help(&self, wanted: &Type, found: &Type) -> String {
         let is_like = |it: &Type| found.fits(it, self);
         let help = match (wanted.0, found.0) {
-            (Head::F64 | Head::F32, Head::Int(_)) if found.name(self) == "{integer}" => {
+            (Head::F64, Head::Int(_)) if found.name(self) == "{integer}" => {
                 "use a float literal, such as `1.0`"
             }
-            (Head::F64 | Head::F32, Head::Int(_)) => "convert it: `f64::from(…)`, or `… as f64`",
+            (Head::F64, Head::Int(_)) => "convert it: `f64::from(…)`, or `… as f64`",
             (Head::Option, _) if is_like(&wanted.inner()) => {
                 "try wrapping the expression in `Some`: `Some(…)`"
             }

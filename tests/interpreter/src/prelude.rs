@@ -85,20 +85,11 @@ pub(crate) fn native(owner: &str, name: &str) -> Option<&'static Native> {
     BY_NAME.get(&(owner, name)).copied()
 }
 
-/// More than a chapter has pixels is no list of a chapter.
-const LONGEST: usize = 1_000_000;
-const TOO_LONG: &str = "a list of more than a million values";
-/// Nor is more than a picture of 1,500 pixels has as text.
-pub(crate) const LONGEST_TEXT: usize = 20_000_000;
-pub(crate) const TEXT_TOO_LONG: &str = "a text of more than twenty million bytes";
-
 fn rest(machine: &mut Machine<'_>, of: &Value, at: At) -> Eval<Vec<Value>> {
     let mut iterator = machine.iterator(of, at)?;
     let mut all = Vec::new();
     while let Some(value) = iterator.next() {
-        if all.len() == LONGEST {
-            return machine.panic(at, TOO_LONG);
-        }
+        machine.turn(at)?;
         all.push(value);
     }
     Ok(all)
@@ -287,9 +278,9 @@ macro_rules! library {
 
 library! {
     of "f64" float float -> Own {
-        sqrt abs floor ceil round trunc fract signum recip exp exp2 ln log10 log2 cbrt
-        sin cos tan asin acos atan sinh cosh tanh to_radians to_degrees;
-        max min powf atan2 hypot copysign rem_euclid div_euclid log
+        sqrt abs floor ceil round trunc fract signum recip exp ln cbrt
+        sin cos tan asin acos atan to_radians to_degrees;
+        max min powf atan2 hypot copysign
     }
     of "f64" bool float -> bool {
         is_nan is_finite is_infinite is_sign_negative is_sign_positive;
@@ -315,8 +306,6 @@ library! {
                 m.panic(at, "min > max, or either was NaN")
             }
         };
-        fn mul_add(self, a: Own, b: Own) -> Own =>
-            |_, a, _| float(a[0].float().mul_add(a[1].float(), a[2].float()));
         fn from(value: U) -> Own => |m, a, at| match &a[0] {
             Value::Int(it, _) => float(*it as f64),
             Value::Float(it) => float(*it),
@@ -430,19 +419,13 @@ library! {
     }
     "Vec" {
         fn new() -> Vec<T> => |_, _, _| list(Vec::new());
-        fn push(&mut self, value: T) => |m, a, at| {
+        fn push(&mut self, value: T) => |m, a, _| {
             let value = std::mem::take(&mut a[1]);
-            let length = m.change_at(&a[0], |list| {
-                changed(list, |all| {
-                    all.push(value);
-                    all.len()
-                })
+            m.change_at(&a[0], |list| match list {
+                Value::Many(all) => Rc::make_mut(all).push(value),
+                other => unreachable!("types are checked, and {other:?} is no list"),
             });
-            if length < LONGEST {
-                Ok(Value::Unit)
-            } else {
-                m.panic(at, TOO_LONG)
-            }
+            Ok(Value::Unit)
         };
     }
     "list" {
@@ -465,20 +448,13 @@ library! {
         fn to_string(&self) -> String => same;
         fn to_owned(&self) -> String => same;
         fn as_str(&self) -> &str => same;
-        fn push_str(&mut self, more: &str) => |m, a, at| {
+        fn push_str(&mut self, more: &str) => |m, a, _| {
             let more = a[1].text();
-            let length = m.change_at(&a[0], |text| match text {
-                Value::Str(text) => {
-                    Rc::make_mut(text).push_str(&more);
-                    text.len()
-                }
-                _ => LONGEST_TEXT,
+            m.change_at(&a[0], |text| match text {
+                Value::Str(text) => Rc::make_mut(text).push_str(&more),
+                other => unreachable!("types are checked, and {other:?} is no text"),
             });
-            if length < LONGEST_TEXT {
-                Ok(Value::Unit)
-            } else {
-                m.panic(at, TEXT_TOO_LONG)
-            }
+            Ok(Value::Unit)
         };
     }
     "Range" {
@@ -487,13 +463,8 @@ library! {
                 unreachable!("types are checked");
             };
             let is_before = |it: Ordering| it.is_lt() || *is_closed && it.is_eq();
-            let is_after = matches!(ends[0], Value::Unit)
-                || ends[0].compared(&a[1]).is_some_and(Ordering::is_le);
-            bool(
-                is_after
-                    && (matches!(ends[1], Value::Unit)
-                        || a[1].compared(&ends[1]).is_some_and(is_before)),
-            )
+            let is_after = ends[0].compared(&a[1]).is_some_and(Ordering::is_le);
+            bool(is_after && a[1].compared(&ends[1]).is_some_and(is_before))
         };
     }
     "Iterator" {
@@ -547,13 +518,6 @@ library! {
     }
     "any" {
         fn clone(&self) -> Own => same;
-    }
-}
-
-fn changed<R>(list: &mut Value, change: impl FnOnce(&mut Vec<Value>) -> R) -> R {
-    match list {
-        Value::Many(all) => change(Rc::make_mut(all)),
-        other => unreachable!("types are checked, and {other:?} is no list"),
     }
 }
 

@@ -2,20 +2,11 @@
 
 use std::ops::Range;
 
-use proc_macro2::{Delimiter, LexError, Span, TokenStream, TokenTree};
+use proc_macro2::{LexError, Span, TokenStream};
 use syn::spanned::Spanned;
 
 use crate::node::At;
 use crate::{Fault, Place};
-
-/// A text is no longer than this, in bytes: a chapter has some three thousand.
-const LONGEST: usize = 100_000;
-/// No bracket is in more brackets than that, and no expression has more words and signs:
-/// a walk goes as deep as its tree is.
-const DEEPEST: usize = 40;
-const WORDIEST: usize = 240;
-/// So many branches of one `if` follow each other.
-const BRANCHES: usize = 40;
 
 /// What is wrong with a text, and where.
 #[derive(Clone, Debug)]
@@ -139,22 +130,10 @@ pub(crate) fn at_expr(file: u32, it: &syn::Expr) -> At {
 /// The tree of a file.
 pub(crate) fn parse(file: usize, text: &str) -> Result<syn::File, Refusal> {
     let file = file as u32;
-    if text.len() > LONGEST {
-        let message = format!("this text is longer than {LONGEST} bytes");
-        let help = "the page runs a chapter";
-        return Err(Refusal::new(At::default(), &message, "", help));
-    }
     let code = plain(text);
     let tokens: TokenStream = code
         .parse()
         .map_err(|error: LexError| no_token(file, text, &code, error.span()))?;
-    let mut limits = Limits {
-        file,
-        words: 0,
-        branches: 0,
-        signs: 0,
-    };
-    limits.walk(tokens.clone(), 0)?;
     syn::parse2(tokens).map_err(|error| no_tree(file, text, &error))
 }
 
@@ -248,64 +227,3 @@ const LOOKALIKES: [(char, &str); 14] = [
     ('½', "0.5"),
     ('\u{a0}', " "),
 ];
-
-struct Limits {
-    file: u32,
-    words: usize,
-    branches: usize,
-    /// Signs before a value that follow each other: each is a level deeper.
-    signs: usize,
-}
-
-impl Limits {
-    fn walk(&mut self, tokens: TokenStream, depth: usize) -> Result<(), Refusal> {
-        // A statement in brackets is as deep as these are, and then as it has words.
-        let around = self.words;
-        for token in tokens {
-            let span = token.span();
-            match token {
-                TokenTree::Group(group) => {
-                    let words = self.words;
-                    self.check(depth < DEEPEST, span)?;
-                    self.walk(group.stream(), depth + 1)?;
-                    self.words = match group.delimiter() {
-                        Delimiter::Brace => around,
-                        _ => words + 1,
-                    };
-                    continue;
-                }
-                TokenTree::Punct(sign) if matches!(sign.as_char(), ',' | ';') => {
-                    (self.words, self.branches, self.signs) = (around, 0, 0);
-                }
-                TokenTree::Punct(sign) if matches!(sign.as_char(), '-' | '!' | '*' | '&') => {
-                    self.signs += 1;
-                    self.check(self.signs < DEEPEST, span)?;
-                    self.words += 1;
-                    continue;
-                }
-                TokenTree::Ident(word) if word == "else" => self.branches += 1,
-                TokenTree::Ident(word) if word == "fn" || word == "let" => {
-                    (self.words, self.branches) = (around, 0);
-                }
-                _ => {}
-            }
-            self.signs = 0;
-            self.words += 1;
-            self.check(self.words < WORDIEST && self.branches < BRANCHES, span)?;
-        }
-        Ok(())
-    }
-
-    fn check(&self, is_small: bool, span: Span) -> Result<(), Refusal> {
-        if is_small {
-            return Ok(());
-        }
-        let message = "this is nested too deeply for the page";
-        Err(Refusal::new(
-            at_span(self.file, span),
-            message,
-            "",
-            "give a part of it a name",
-        ))
-    }
-}

@@ -12,10 +12,10 @@ use common::rtweekend::Vec3 as DVec3;
 use crate::lower::miscounted;
 use crate::names::Names;
 use crate::node::{Arm, At, Closure, Function, Node, Order, Pattern, Root, Sign, Target};
-use crate::prelude::{LONGEST_TEXT, Native, TEXT_TOO_LONG};
+use crate::prelude::Native;
 use crate::read::Refusal;
 use crate::types::{Head, Int, Type};
-use crate::value::{Address, Fields, Frame, Iter, Value};
+use crate::value::{Address, Frame, Iter, Value};
 
 /// What runs.
 #[derive(Debug)]
@@ -450,22 +450,19 @@ impl<'c> Machine<'c> {
         let mut all = match base.map(|base| self.eval(base)).transpose()? {
             Some(Value::Own(_, fields)) => fields,
             Some(other) => unreachable!("it is declared, and this is {other:?}"),
-            None => Fields(iter::repeat_n(Value::Unit, fields.len()).collect()),
+            None => iter::repeat_n(Value::Unit, fields.len()).collect(),
         };
         for (n, node) in fields {
             let value = self.eval(node)?;
-            Rc::make_mut(&mut all.0)[*n] = value;
+            Rc::make_mut(&mut all)[*n] = value;
         }
         Ok(Value::Own(kind, all))
     }
 
     #[inline(never)]
-    fn range(&mut self, ends: &[Option<Node>; 2], is_closed: bool) -> Eval {
-        let mut end = |n: usize| match &ends[n] {
-            Some(node) => self.eval(node),
-            None => Ok(Value::Unit),
-        };
-        Ok(Value::Range(Rc::new([end(0)?, end(1)?]), is_closed))
+    fn range(&mut self, ends: &[Node; 2], is_closed: bool) -> Eval {
+        let ends = [self.eval(&ends[0])?, self.eval(&ends[1])?];
+        Ok(Value::Range(Rc::new(ends), is_closed))
     }
 
     #[inline(never)]
@@ -476,9 +473,6 @@ impl<'c> Machine<'c> {
         let text: String = pieces
             .flat_map(|(before, value)| [before.clone(), value])
             .collect();
-        if text.len() >= LONGEST_TEXT {
-            return self.panic(At::default(), TEXT_TOO_LONG);
-        }
         Ok(Value::Str(Rc::new(text)))
     }
 
@@ -617,7 +611,7 @@ impl<'c> Machine<'c> {
         let right = self.operand(&nodes[1])?;
         match (left, right) {
             (Float(a), Float(b)) => Ok(Float(of_floats(sign, a, b))),
-            (Vec3(a), Vec3(b)) if has_vectors(sign) => Ok(Vec3(of_vectors(sign, a, b))),
+            (Vec3(a), Vec3(b)) => Ok(Vec3(of_vectors(sign, a, b))),
             (left, right) => self.arithmetic(sign, left, right, at),
         }
     }
@@ -704,19 +698,13 @@ impl<'c> Machine<'c> {
     pub(crate) fn iterator(&mut self, of: &Value, at: At) -> Eval<Iter> {
         Ok(match self.followed(of) {
             Value::Many(all) => Iter::List(all, 0),
-            Value::Range(ends, is_closed) => {
-                let end = match &ends[1] {
-                    Value::Int(it, int) => Some((it + i128::from(is_closed), *int)),
-                    Value::Unit => Some((i128::MAX, Int::Any)),
-                    _ => None,
-                };
-                match (&ends[0], end) {
-                    (Value::Int(from, int), Some((to, other))) => {
-                        Iter::Range(*from, to, int.joined(other).unwrap_or(*int))
-                    }
-                    _ => return self.no_iterator(of, at),
+            Value::Range(ends, is_closed) => match &*ends {
+                [Value::Int(from, int), Value::Int(to, other)] => {
+                    let int = int.joined(*other).unwrap_or(*int);
+                    Iter::Range(*from, to + i128::from(is_closed), int)
                 }
-            }
+                _ => return self.no_iterator(of, at),
+            },
             _ => return self.no_iterator(of, at),
         })
     }
@@ -823,7 +811,6 @@ impl<'c> Machine<'c> {
             return self.binds(pattern, &value);
         }
         Ok(match (pattern, value) {
-            (Pattern::Literal(literal), _) => self.eval(literal)?.equals(value),
             (Pattern::None, value) => matches!(value, Value::None),
             (Pattern::Some(pattern), Value::Some(value)) => self.binds(pattern, value)?,
             (Pattern::Fields(fields), value) => self.all_bind(fields, |n| value.field(n))?,
@@ -856,13 +843,9 @@ impl<'c> Machine<'c> {
     pub(crate) fn arithmetic(&mut self, sign: Sign, left: Value, right: Value, at: At) -> Eval {
         use Value::{Float, Vec3};
         Ok(match (sign, left, right) {
-            (sign, Vec3(a), Vec3(b)) if has_vectors(sign) => Vec3(of_vectors(sign, a, b)),
-            (sign, Vec3(a), Float(b)) if has_vectors(sign) => {
-                Vec3(of_vectors(sign, a, DVec3::splat(b)))
-            }
-            (sign, Float(a), Vec3(b)) if has_vectors(sign) => {
-                Vec3(of_vectors(sign, DVec3::splat(a), b))
-            }
+            (sign, Vec3(a), Vec3(b)) => Vec3(of_vectors(sign, a, b)),
+            (sign, Vec3(a), Float(b)) => Vec3(of_vectors(sign, a, DVec3::splat(b))),
+            (sign, Float(a), Vec3(b)) => Vec3(of_vectors(sign, DVec3::splat(a), b)),
             (sign, Float(a), Float(b)) => Float(of_floats(sign, a, b)),
             (Sign::Plus, Value::Str(a), Value::Str(b)) => Value::Str(Rc::new(format!("{a}{b}"))),
             (sign, Value::Int(a, one), Value::Int(b, other)) => {
@@ -901,15 +884,10 @@ impl<'c> Machine<'c> {
     fn integer(&mut self, sign: Sign, int: Int, a: i128, b: i128, at: At) -> Eval<i128> {
         let result = match sign {
             Sign::Over if b == 0 => return self.panic(at, "attempt to divide by zero"),
-            Sign::Remainder if b == 0 => {
-                let message = "attempt to calculate the remainder with a divisor of zero";
-                return self.panic(at, message);
-            }
             Sign::Plus => a + b,
             Sign::Minus => a - b,
             Sign::Times => a.saturating_mul(b),
             Sign::Over => a / b,
-            Sign::Remainder => a % b,
         };
         if int.fits(result) {
             Ok(result)
@@ -936,7 +914,7 @@ impl<'c> Machine<'c> {
                 None => {
                     let fields = code.names.kinds[kind].fields.iter();
                     let fields = fields.map(|it| self.default(&it.ty)).collect::<Eval<_>>()?;
-                    Value::Own(kind as u32, Fields(fields))
+                    Value::Own(kind as u32, fields)
                 }
             },
             _ => {
@@ -950,17 +928,12 @@ impl<'c> Machine<'c> {
     }
 }
 
-fn has_vectors(sign: Sign) -> bool {
-    sign != Sign::Remainder
-}
-
 fn of_floats(sign: Sign, a: f64, b: f64) -> f64 {
     match sign {
         Sign::Plus => a + b,
         Sign::Minus => a - b,
         Sign::Times => a * b,
         Sign::Over => a / b,
-        _ => a % b,
     }
 }
 
@@ -969,6 +942,6 @@ fn of_vectors(sign: Sign, a: DVec3, b: DVec3) -> DVec3 {
         Sign::Plus => a + b,
         Sign::Minus => a - b,
         Sign::Times => a * b,
-        _ => a / b,
+        Sign::Over => a / b,
     }
 }

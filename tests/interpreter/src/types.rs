@@ -18,7 +18,6 @@ pub(crate) enum Head {
     Bool,
     Str,
     F64,
-    F32,
     /// A number with a point of which nothing more is said.
     Float,
     Int(Int),
@@ -140,7 +139,7 @@ impl Type {
     }
 
     pub(crate) fn is_float(&self) -> bool {
-        matches!(self.0, Head::F64 | Head::F32 | Head::Float)
+        matches!(self.0, Head::F64 | Head::Float)
     }
 
     pub(crate) fn is_integer(&self) -> bool {
@@ -196,7 +195,7 @@ impl Type {
         };
         match (self.0, wanted.0) {
             (Head::Unknown | Head::Never, _) | (_, Head::Unknown | Head::Param(_)) => true,
-            (Head::Float, Head::F64 | Head::F32) | (Head::F64 | Head::F32, Head::Float) => true,
+            (Head::Float, Head::F64) | (Head::F64, Head::Float) => true,
             (Head::Int(one), Head::Int(other)) => one.joined(other).is_some(),
             (Head::Ref | Head::RefMut, Head::Ref) | (Head::RefMut, Head::RefMut) => {
                 self.inner().fits_behind(&wanted.inner(), names)
@@ -242,7 +241,6 @@ impl Type {
             Head::Bool => "bool",
             Head::Str => "str",
             Head::F64 => "f64",
-            Head::F32 => "f32",
             Head::Float => "{float}",
             Head::Int(int) => int.name(),
             Head::Vec3 => "Vec3",

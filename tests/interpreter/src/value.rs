@@ -4,7 +4,6 @@
 //! box. A mutable reference is an address: a slot of the stack and the way from there to a part.
 
 use std::cmp::Ordering;
-use std::mem;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -31,7 +30,7 @@ pub(crate) enum Value {
     None,
     Some(Rc<Value>),
     /// One of the reader's structs, and its fields.
-    Own(u32, Fields),
+    Own(u32, Rc<[Value]>),
     Tuple(Rc<[Value]>),
     /// A list, an array, or what an iterator gives.
     Many(Rc<Vec<Value>>),
@@ -41,39 +40,6 @@ pub(crate) enum Value {
     Closure(Arc<Closure>, Frame),
     Function(usize),
     Native(&'static Native, At),
-}
-
-/// The values of the fields of one of the reader's kinds, which alone may hold each other
-/// without end.
-#[derive(Clone, Debug)]
-pub(crate) struct Fields(pub(crate) Rc<[Value]>);
-
-/// One after the other, since a chain may be longer than calls may be deep.
-impl Drop for Fields {
-    fn drop(&mut self) {
-        let mut left = Vec::new();
-        self.give(&mut left);
-        while let Some(value) = left.pop() {
-            match value {
-                Value::Own(_, mut fields) => fields.give(&mut left),
-                Value::Some(inner) => left.extend(Rc::try_unwrap(inner)),
-                Value::Many(all) => left.extend(Rc::try_unwrap(all).into_iter().flatten()),
-                _ => {}
-            }
-        }
-    }
-}
-
-impl Fields {
-    /// Takes out what holds others, if nothing else needs it.
-    fn give(&mut self, left: &mut Vec<Value>) {
-        let holds = |it: &Value| matches!(it, Value::Own(..) | Value::Some(_) | Value::Many(_));
-        if !self.0.iter().any(holds) {
-            return;
-        }
-        let fields = Rc::get_mut(&mut self.0).into_iter().flatten();
-        left.extend(fields.filter(|it| holds(it)).map(mem::take));
-    }
 }
 
 /// The place of a value: a slot of the stack, and the way from there to a part.
@@ -207,8 +173,7 @@ impl Value {
     /// A part of a value that has parts, by its number.
     pub(crate) fn field(&self, n: usize) -> Self {
         match self {
-            Self::Own(_, fields) => fields.0[n].clone(),
-            Self::Tuple(fields) => fields[n].clone(),
+            Self::Own(_, fields) | Self::Tuple(fields) => fields[n].clone(),
             Self::Many(fields) => fields[n].clone(),
             Self::Vec3(vector) => Self::Float(vector[n]),
             Self::Ray(ray) => Self::Vec3([ray.origin, ray.direction][n]),
@@ -229,7 +194,7 @@ impl Value {
             (Self::Str(one), Self::Str(other)) => one == other,
             (Self::None, Self::None) | (Self::Unit, Self::Unit) => true,
             (Self::Some(one), Self::Some(other)) => one.equals(other),
-            (Self::Own(_, fields), Self::Own(_, others)) => all_equal(&fields.0, &others.0),
+            (Self::Own(_, fields), Self::Own(_, others)) => all_equal(fields, others),
             (Self::Tuple(fields), Self::Tuple(others)) => all_equal(fields, others),
             (Self::Many(fields), Self::Many(others)) => all_equal(fields, others),
             (one, other) => one.compared(other).is_some_and(Ordering::is_eq),
@@ -268,8 +233,9 @@ impl Value {
             return change(self);
         };
         match self {
-            Self::Own(_, fields) => Rc::make_mut(&mut fields.0)[first].reach(rest, change),
-            Self::Tuple(fields) => Rc::make_mut(fields)[first].reach(rest, change),
+            Self::Own(_, fields) | Self::Tuple(fields) => {
+                Rc::make_mut(fields)[first].reach(rest, change);
+            }
             Self::Many(fields) => Rc::make_mut(fields)[first].reach(rest, change),
             Self::Some(inner) => Rc::make_mut(inner).reach(rest, change),
             Self::Vec3(vector) => {

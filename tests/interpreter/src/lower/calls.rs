@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use common::rtweekend::Vec3;
 
-use super::{Lowered, Lowerer, SINGLES, Typed};
+use super::{Lowered, Lowerer, Typed};
 use crate::names::{Callee, Named, Signature, names, there_is};
 use crate::node::{At, Closure, Node};
 use crate::prelude;
@@ -207,9 +207,9 @@ impl Lowerer<'_> {
         let Some(owner) = owner else {
             return Ok(None);
         };
-        if name == "from" && (owner.is_float() || owner.is_integer()) && it.args.len() == 1 {
+        if name == "from" && owner.is(Head::F64) && it.args.len() == 1 {
             let from = self.expr(&it.args[0])?;
-            return self.converted(from, owner, at).map(Some);
+            return self.as_f64(from, at).map(Some);
         }
         let is_written = self.names.method(owner, "default", None).is_some();
         if name != "default" || !it.args.is_empty() || is_written {
@@ -233,27 +233,21 @@ impl Lowerer<'_> {
         Ok(Some(Typed::new(node, owner.clone())))
     }
 
-    /// A number as a type that has room for all of its type.
-    fn converted(&self, from: Typed, wanted: &Type, at: At) -> Lowered {
-        let fits = match (from.ty.0, wanted.0) {
-            (_, Head::F32) => return Err(Refusal::unknown(at, SINGLES)),
-            (Head::Unknown | Head::Never, _) => true,
-            (Head::Int(Int::Any) | Head::Float, Head::F64) => true,
-            (Head::Int(int), Head::F64) => int.ends().1 < 1 << 32,
-            (Head::F32, Head::F64) | (Head::Bool, Head::Int(_)) => true,
-            (Head::Int(int), Head::Int(wanted)) => {
-                let (least, most) = int.ends();
-                int == Int::Any || int == wanted || wanted.fits(least) && wanted.fits(most)
-            }
-            (one, other) => one == other,
+    /// A number as an `f64`, if that has room for all of its type.
+    fn as_f64(&self, from: Typed, at: At) -> Lowered {
+        let fits = match from.ty.0 {
+            Head::Int(int) => int == Int::Any || int.ends().1 < 1 << 32,
+            Head::Unknown | Head::Never => true,
+            _ => from.ty.is_float(),
         };
         if !fits {
-            let [one, other] = [wanted, &from.ty].map(|it| it.name(self.names));
-            let message = format!("the trait bound `{one}: From<{other}>` is not satisfied");
-            return self.fault(at, &message, "", &format!("`… as {one}`"));
+            let name = from.ty.name(self.names);
+            let message = format!("the trait bound `f64: From<{name}>` is not satisfied");
+            return self.fault(at, &message, "", "`… as f64`");
         }
-        let node = Node::Cast(Box::new(from.node), Box::new(wanted.clone()), at);
-        Ok(Typed::new(node, wanted.clone()))
+        let f64 = Type::from(Head::F64);
+        let node = Node::Cast(Box::new(from.node), Box::new(f64.clone()), at);
+        Ok(Typed::new(node, f64))
     }
 
     fn call_value(&mut self, function: Typed, it: &syn::ExprCall, at: At) -> Lowered {

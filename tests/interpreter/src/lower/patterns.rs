@@ -26,11 +26,6 @@ impl Lowerer<'_> {
                 let label = format!("expected {}, found reference", ty.said(self.names));
                 self.fault(at, "mismatched types", &label, "leave the `&` out")
             }
-            syn::Pat::Lit(it) => {
-                let literal = self.literal(&it.lit)?;
-                let literal = self.declared(literal, ty.stripped(), at)?;
-                Ok(Pattern::Literal(literal))
-            }
             syn::Pat::TupleStruct(it) if it.path.is_ident("Some") && it.elems.len() == 1 => {
                 self.option(ty, it.elems.first(), at)
             }
