@@ -105,7 +105,7 @@ impl Pixels {
         };
         for n in spread(LOOK, reading.pixels.len() as u32) {
             let (i, j) = (program.order)(n, reading.width, reading.height);
-            let ray = (program.ray)(program, &camera, i, j);
+            let ray = program.ray(&camera, i, j);
             let found = reading.pixels[n as usize];
             if program.search(&ray).is_some() {
                 pixels.hits.push(found);

@@ -40,7 +40,7 @@ pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &Pixel) -> V
 impl Pixel {
     /// The ray that a program casts.
     pub fn ray_by(&self, program: &Program) -> Ray {
-        (program.ray)(program, &program.camera(self.width), self.i, self.j)
+        program.ray(&program.camera(self.width), self.i, self.j)
     }
 
     fn right(&self) -> Ray {

@@ -100,7 +100,6 @@ const CPP: Phrases = &[
     ("record.", "rec."),
     ("r.direction", "r.direction()"),
     ("r.origin", "r.origin()"),
-    ("direction().y", "direction().y()"),
     ("unit_direction.x", "unit_direction.x()"),
     ("unit_direction.y", "unit_direction.y()"),
     ("f64::from(i)", "i"),
@@ -110,10 +109,6 @@ const CPP: Phrases = &[
     (
         " * (1.0 / f64::from(image_width - 1))",
         " / (image_width - 1)",
-    ),
-    (
-        " * (1.0 / f64::from(image_height - 1))",
-        " / (image_height - 1)",
     ),
     (" * (1.0 / radius)", " / radius"),
     ("f64::from(image_width - 1)", "(image_width - 1)"),
@@ -168,7 +163,6 @@ const PYTHON: Phrases = &[
     (".origin()", ".origin"),
     (".direction()", ".direction"),
     ("&&", "and"),
-    ("||", "or"),
     ("(!", "(not "),
     ("true", "True"),
     ("false", "False"),

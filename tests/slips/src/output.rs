@@ -62,7 +62,7 @@ impl Output {
         let (width, height) = (camera.image_width, camera.image_height);
         (0..width * height).map(move |n| {
             let (i, j) = (program.order)(n, width, height);
-            let ray = (program.ray)(program, camera, i, j);
+            let ray = program.ray(camera, i, j);
             program.search(&ray).is_some()
         })
     }

@@ -101,8 +101,6 @@ pub struct Program {
     pub blue: f64,
     /// The color of the pixel in a column and row.
     pub color: fn(&Program, &Camera, u32, u32) -> Color,
-    /// The ray through the pixel in a column and row.
-    pub ray: fn(&Program, &Camera, u32, u32) -> Ray,
     /// The ray that is cast, from the right one.
     pub aim: fn(&Program, Ray) -> Ray,
     /// The vector of length 1 in the same direction.
@@ -298,14 +296,15 @@ impl Program {
         (self.divisors)(f64::from(width) - self.last, f64::from(height) - self.last)
     }
 
-    fn through(&self, camera: &Camera, i: u32, j: u32) -> Ray {
+    /// The ray that is cast for the pixel in a column and row.
+    pub fn ray(&self, camera: &Camera, i: u32, j: u32) -> Ray {
         let [mut u, mut v] = self.seen(camera, i, j);
         if self.edition.counts_from_below() {
             let [across, up] = self.divided(camera.image_width, camera.image_height);
             [u, v] = [u / across, v / up];
         }
         let point = camera.pixel00 + u * camera.pixel_delta_u + v * camera.pixel_delta_v;
-        Ray::new(camera.center, point - camera.center)
+        (self.aim)(self, Ray::new(camera.center, point - camera.center))
     }
 
     /// The color of a pixel in a chapter without rays.
@@ -375,8 +374,7 @@ const HITTABLE_LIST: Program = Program {
     place: |place| place,
     ramp: |[i, j], [width, height]| [i / width, j / height],
     blue: 0.0,
-    color: |program, camera, i, j| program.ray_color(&(program.ray)(program, camera, i, j)),
-    ray: |program, camera, i, j| (program.aim)(program, program.through(camera, i, j)),
+    color: |program, camera, i, j| program.ray_color(&program.ray(camera, i, j)),
     aim: |_, ray| ray,
     unit: Vec3::normalize,
     sky_direction: |program, direction| (program.unit)(direction),

@@ -113,13 +113,13 @@ const STEPS: [&[Step]; 6] = [
 
 /// Red is the x of each ray's direction, and green is the y.
 fn direction(program: &Program, camera: &Camera, i: u32, j: u32) -> Color {
-    let ray = (program.ray)(program, camera, i, j);
+    let ray = program.ray(camera, i, j);
     Color::new(ray.direction.x, ray.direction.y, 0.0)
 }
 
 /// Each point of the sphere in the gray of its t.
 fn gray_of_t(program: &Program, camera: &Camera, i: u32, j: u32) -> Color {
-    let ray = (program.ray)(program, camera, i, j);
+    let ray = program.ray(camera, i, j);
     match program.search(&ray) {
         Some((t, _)) => t * Color::ONE,
         None => program.ray_color(&ray),

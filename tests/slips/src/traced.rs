@@ -17,7 +17,7 @@ impl Program {
         let levels = self.channels.map(|it| (self.level)(color.to_array()[it]));
         let mut rows = Vec::new();
         if self.chapter != Chapter::BuildTest {
-            rows = self.traced_ray(&(self.ray)(self, &camera, column, row));
+            rows = self.traced_ray(&self.ray(&camera, column, row));
         }
         let [r, g, b] = levels;
         rows.push(("color".into(), vector(color)));

@@ -58,7 +58,7 @@ impl View<'_> {
         let program = self.program();
         let camera = program.camera(self.reading.width);
         let (i, j) = (n % self.reading.width, n / self.reading.width);
-        let ray = (program.ray)(&program, &camera, i, j);
+        let ray = program.ray(&camera, i, j);
         program.search(&ray).is_some()
     }
 }
