@@ -3,7 +3,6 @@
 use std::error::Error;
 use std::io;
 use std::num::NonZeroUsize;
-use std::path::Path;
 
 use clap::Parser;
 use common::engine::output;
@@ -52,9 +51,5 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn keep<Row: Record>(mut table: Table<Row>) -> Result<(), io::Error> {
     let command = "cargo bench -p measure --bench accuracy -- --record";
     table.about.insert("command".to_owned(), command.to_owned());
-    // Cargo runs this in the folder of its package.
-    let notes = Path::new("../notes");
-    output::to_file(&notes.join(Row::FILE), |out| {
-        out.write_all(table.text().as_bytes())
-    })
+    measure::keep(&table)
 }

@@ -10,7 +10,7 @@ use std::{env, io};
 use clap::Parser;
 use common::engine::output;
 use figures::records::Race;
-use figures::table::{Record, Table};
+use figures::table::Table;
 use measure::spread::Spread;
 use measure::{machine, rival};
 use slips::Chapter;
@@ -65,7 +65,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     if arguments.record && rival.is_some() {
-        record(machine, races)?;
+        let about = [("machine".to_owned(), machine)].into();
+        measure::keep(&Table { about, rows: races })?;
     }
     Ok(())
 }
@@ -163,17 +164,6 @@ fn shown(race: &Race) -> String {
         race.cpp_greatest_ms,
         race.ratio
     )
-}
-
-/// Writes the numbers, which the book shows.
-fn record(machine: String, rows: Vec<Race>) -> Result<(), io::Error> {
-    let about = [("machine".to_owned(), machine)].into();
-    let text = Table { about, rows }.text();
-    // Cargo runs this in the folder of its package.
-    let notes = Path::new("../notes");
-    output::to_file(&notes.join(Race::FILE), |out| {
-        out.write_all(text.as_bytes())
-    })
 }
 
 fn say(what: &str) -> Result<(), io::Error> {

@@ -2,10 +2,10 @@
 //!
 //! Other programs disturb a clock, and a processor changes its pace. So nothing
 //! is measured at a stretch: in each round everyone of a group has a short turn,
-//! and is compared with the first one in the same round. Where the system tells how
-//! long a thread has had a processor, what others took of it does not count.
+//! and is compared with the first one in the same round: what is disturbed is a round,
+//! and the median of all does not change.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use figures::records::Timing;
 use speed_vs_accuracy::Precision;
@@ -66,40 +66,25 @@ impl Runner {
 
     /// Nanoseconds for one test, from so many runs.
     fn take_turn(&mut self, runs: usize) -> f64 {
-        let start = now();
+        let start = Instant::now();
         for _ in 0..runs {
             (self.run)();
         }
-        1e9 * (now() - start).as_secs_f64() / (runs * self.row.n) as f64
+        1e9 * start.elapsed().as_secs_f64() / (runs * self.row.n) as f64
     }
 
     /// How many runs make a turn. The first of them also warm up.
     fn runs_in(&mut self, turn: Duration) -> usize {
         let mut runs = 1;
         loop {
-            let start = now();
+            let start = Instant::now();
             self.take_turn(runs);
-            if now() - start >= turn {
+            if start.elapsed() >= turn {
                 return runs;
             }
             runs *= 2;
         }
     }
-}
-
-/// How long this thread has had a processor.
-#[cfg(unix)]
-fn now() -> Duration {
-    let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
-    time.try_into().expect("it counts from 0")
-}
-
-#[cfg(not(unix))]
-fn now() -> Duration {
-    use std::time::Instant;
-
-    static START: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);
-    START.elapsed()
 }
 
 impl Group {

@@ -13,3 +13,19 @@ pub mod scene_file;
 pub mod spread;
 pub mod truth;
 pub mod wrong_pixels;
+
+use std::io;
+use std::path::Path;
+
+use common::engine::output;
+use figures::table::{Record, Table};
+
+/// Writes the numbers where the book shows them, seen from the folder in which cargo runs
+/// a benchmark.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn keep<Row: Record>(table: &Table<Row>) -> io::Result<()> {
+    let file = Path::new("../notes").join(Row::FILE);
+    output::to_file(&file, |out| out.write_all(table.text().as_bytes()))
+}

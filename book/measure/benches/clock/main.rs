@@ -5,12 +5,11 @@ mod instructions;
 mod one_by_one;
 
 use std::error::Error;
-use std::path::Path;
 
 use clap::Parser;
 use common::engine::output;
 use figures::records::Timing;
-use figures::table::{Record, Table};
+use figures::table::Table;
 
 use measure::contest::{Effort, Group};
 
@@ -56,12 +55,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     for row in &mut timings.rows[..with_count] {
         row.instructions = instructions::of(row);
     }
-    let text = timings.text();
-    output::to_stdout(|out| out.write_all(text.as_bytes()))?;
+    output::to_stdout(|out| out.write_all(timings.text().as_bytes()))?;
     if arguments.record {
-        // Cargo runs this in the folder of its package.
-        let path = Path::new("../notes").join(Timing::FILE);
-        output::to_file(&path, |out| out.write_all(text.as_bytes()))?;
+        measure::keep(&timings)?;
     }
     Ok(())
 }
