@@ -1,6 +1,6 @@
 //! Editions of the book: the signs of two of them, and what becomes of every mixture.
 //!
-//! The page `book/notes/editions.md` shows some of these tests.
+//! The page `book/notes/editions.md` says what these tests confirm.
 
 use common::rtweekend::*;
 use laws::Case;
