@@ -119,6 +119,7 @@ fn spelled<'a>(word: &'a str, next: &str) -> &'a str {
     match word {
         "ray" => "r",
         "infinity" | "inf" => "INFINITY",
+        "camera_center" => "center",
         "orig" => "origin",
         "dir" => "direction",
         "unit_vector" | "normalized" | "unit" => "normalize",
