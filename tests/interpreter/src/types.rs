@@ -53,21 +53,17 @@ pub(crate) enum Int {
     Any,
     U8,
     U32,
-    U64,
     Usize,
     I32,
-    I64,
 }
 
 /// Each with its name and its ends. `usize` is that of a machine with 64 bits, also where a
 /// page has 32.
-const INTEGERS: [(Int, &str, i128, i128); 6] = [
+const INTEGERS: [(Int, &str, i128, i128); 4] = [
     (Int::U8, "u8", 0, u8::MAX as i128),
     (Int::U32, "u32", 0, u32::MAX as i128),
-    (Int::U64, "u64", 0, u64::MAX as i128),
     (Int::Usize, "usize", 0, u64::MAX as i128),
     (Int::I32, "i32", i32::MIN as i128, i32::MAX as i128),
-    (Int::I64, "i64", i64::MIN as i128, i64::MAX as i128),
 ];
 
 impl Int {

@@ -177,7 +177,6 @@ impl Value {
             Self::Many(fields) => fields[n].clone(),
             Self::Vec3(vector) => Self::Float(vector[n]),
             Self::Ray(ray) => Self::Vec3([ray.origin, ray.direction][n]),
-            Self::Some(it) => Self::clone(it),
             other => unreachable!("types are checked, and {other:?} has no fields"),
         }
     }
@@ -236,8 +235,6 @@ impl Value {
             Self::Own(_, fields) | Self::Tuple(fields) => {
                 Rc::make_mut(fields)[first].reach(rest, change);
             }
-            Self::Many(fields) => Rc::make_mut(fields)[first].reach(rest, change),
-            Self::Some(inner) => Rc::make_mut(inner).reach(rest, change),
             Self::Vec3(vector) => {
                 let mut part = Self::Float(vector[first]);
                 part.reach(rest, change);

@@ -9,6 +9,13 @@ impl Lowerer<'_> {
     /// The pattern for a value of that type. Its names are variables from now on.
     pub(super) fn pattern(&mut self, it: &syn::Pat, ty: &Type, is_late: bool) -> Lowered<Pattern> {
         let at = self.at_any(it);
+        let is_name = matches!(
+            it,
+            syn::Pat::Wild(_) | syn::Pat::Ident(_) | syn::Pat::Type(_)
+        );
+        if ty.is(Head::RefMut) && !is_name {
+            return Err(Refusal::unknown(at, "patterns for what is behind `&mut`"));
+        }
         match it {
             syn::Pat::Wild(_) => Ok(Pattern::Any),
             syn::Pat::Paren(it) => self.pattern(&it.pat, ty, is_late),
@@ -112,9 +119,6 @@ impl Lowerer<'_> {
 
     pub(super) fn matching(&mut self, it: &syn::ExprMatch) -> Lowered {
         let of = self.expr(&it.expr)?;
-        if of.ty.is(Head::RefMut) {
-            return Err(Refusal::unknown(self.at(&it.expr), "`match` on `&mut`"));
-        }
         let mut arms: Vec<Arm> = Vec::new();
         let mut ty = Type::from(Head::Never);
         for arm in &it.arms {

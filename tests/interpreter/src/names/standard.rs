@@ -35,8 +35,8 @@ pub(super) fn everywhere(name: &str) -> Option<Named> {
         "Vec" => Some(Named::Generic(Head::Vec)),
         "Default" | "Clone" | "Copy" | "PartialEq" | "PartialOrd" | "Debug" | "Send" | "Sync"
         | "Sized" | "From" | "Into" | "Iterator" | "IntoIterator" | "Eq" | "Ord" | "Drop"
-        | "ToString" | "Result" | "Err" | "char" | "f32" | "u16" | "i8" | "i16" | "isize"
-        | "i128" | "u128" | "drop" => Some(Named::Standard(name.to_owned())),
+        | "ToString" | "Result" | "Err" | "char" | "f32" | "u16" | "u64" | "i64" | "i8" | "i16"
+        | "isize" | "i128" | "u128" | "drop" => Some(Named::Standard(name.to_owned())),
         _ => Int::named(name).and_then(|int| plain(Head::Int(int))),
     }
 }
