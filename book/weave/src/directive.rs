@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::code::{self, Listed};
 use crate::ground::{read, split};
-use crate::{changes, controls, figure, measured, picture, slip, step, time};
+use crate::{changes, controls, figure, measured, slip, step, time};
 
 /// What stands in a page in place of a directive or a formula.
 pub(crate) enum Woven {
@@ -26,7 +26,6 @@ pub(crate) enum Woven {
 /// | `{{chart NAME}}` | the chart, and a table of its numbers |
 /// | `{{changes NAME}}` | what changed from the chapter before to this one |
 /// | `{{editions}}` | what each edition of the book draws |
-/// | `{{picture CHAPTER QUESTION IMAGE}}` | this image, under the question |
 /// | `{{slip NAME CHAPTER}}` | the wrong picture that this slip draws |
 /// | `{{slips LOOK}}` | all slips that look like that; `{{slips LOOK NAMES}}`, `{{slips LOOK not NAMES}}` |
 /// | `{{symptoms PAGES}}` | a picture from each of these pages of slips, and all slips by their names |
@@ -50,7 +49,6 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
         "chart" => figure::chart(folder, rest),
         "changes" => changes::changes(rest),
         "editions" => Ok(slip::editions()),
-        "picture" => picture::picture(second),
         "slip" => slip::slip(first, second),
         "slips" => slip::gallery(rest),
         "symptoms" => slip::symptoms(folder, rest),
@@ -58,7 +56,7 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
         "step" => step::step(first, second),
         _ => Err(format!(
             "there is no directive `{name}`: choose code, traced, figure, live, chart, changes, \
-             editions, picture, slip, slips, step, snapshot, symptoms, time or value"
+             editions, slip, slips, step, snapshot, symptoms, time or value"
         )),
     };
     block.map(Woven::Block)

@@ -14,7 +14,6 @@ mod ground;
 mod maths;
 mod measured;
 mod page;
-mod picture;
 mod slip;
 mod source;
 mod step;
