@@ -239,10 +239,7 @@ impl Slip {
     /// The page and its heading in words, where it can't be opened.
     pub fn page_in_words(&self) -> String {
         let (page, heading) = self.page_and_heading();
-        format!(
-            "\"{}\", page {page} of the book",
-            heading.replace('-', " ")
-        )
+        format!("\"{}\", page {page} of the book", heading.replace('-', " "))
     }
 
     /// Whether the line is in a chapter, and not in what all of them share.
