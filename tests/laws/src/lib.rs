@@ -26,7 +26,7 @@
 //! ```
 //!
 //! A [`Trial`] puts a function of a reader's under all laws of its kind, by proptest's
-//! `TestRunner`, and names the mistake where [`causes`] knows it.
+//! `TestRunner`, and names the mistakes that [`causes`] knows to give the same answers.
 
 pub mod answers;
 pub mod any_language;

@@ -1,5 +1,5 @@
 //! A trial: a function is put under all laws that there are for its kind, and found
-//! wrong with one report, which names the cause.
+//! wrong with one report, which names the known mistakes that give the same answers.
 //!
 //! Cases are made and made smaller by proptest: see its book on `TestRunner`.
 
@@ -17,7 +17,7 @@ use crate::answers::{self, ANSWERS, Answers};
 use crate::camera::{Pixel, the_ray_of_a_pixel_goes_through_its_center};
 use crate::causes::Cause;
 use crate::list::{Search, World, the_nearest_of_all_members_is_returned};
-use crate::nearer_root::{self, CAUSE, NEARER_ROOT, Solver};
+use crate::nearer_root::{self, NEARER_ROOT, Solver};
 use crate::prelude::{Asked, FUNCTIONS, Prelude, small_numbers_are_worked_out_by_head};
 use crate::question::{Question, WithInterval, of_ray};
 use crate::ray_color::{a_ray_has_its_color_from_anywhere, looks_right};
@@ -32,7 +32,7 @@ pub type Outcome = Result<(), Box<Report>>;
 pub struct Report {
     /// The law, as the smallest case that was found breaks it.
     broken: String,
-    /// What makes it so.
+    /// Which known mistakes give the same answers.
     pub cause: Cause,
     /// The test that asks about this case again.
     test: String,
@@ -46,21 +46,16 @@ impl Report {
             .expect("it begins so")
     }
 
-    /// The law, the value, the bound, the cause and the page, a line or more each. What is known
-    /// `besides`, or by all answers, takes the place of what fits this one.
+    /// The law, the value, the bound and the page, a line or more each. Before the page stands what
+    /// is known `besides`, or else which known mistakes give the same answers.
     pub fn message(&self, besides: Option<&str>) -> String {
-        let known = match besides {
-            Some(besides) => besides.to_owned(),
-            None => self.cause.lines().join("\n          "),
-        };
+        let alike = self.cause.lines().join("\n          ");
+        let (label, known) = besides.map_or(("same as:  ", &*alike), |it| ("besides:  ", it));
         if known.is_empty() {
             return self.broken.clone();
         }
-        let lines = self.broken.lines();
-        let lines: Vec<&str> = lines.filter(|line| !line.starts_with(CAUSE)).collect();
-        lines
-            .join("\n")
-            .replacen("\nread:", &format!("\n{CAUSE}{known}\nread:"), 1)
+        let known = format!("\n{label}{known}\nread:");
+        self.broken.replacen("\nread:", &known, 1)
     }
 }
 

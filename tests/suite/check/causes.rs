@@ -1,4 +1,5 @@
-//! The first report about a function names the mistake that was made in it.
+//! The first report about a function names the mistake that was made in it, where its
+//! answers are those of a known one.
 
 use laws::Trial;
 use slips::{Chapter, Edition, Letters};
@@ -16,8 +17,7 @@ fn the_first_broken_law_names_the_slip() {
     let reported = in_rust.filter_map(|it| Some((it, it.report.as_deref()?)));
     let (named, missed): (Vec<_>, Vec<_>) = reported.partition(|(outcome, report)| {
         let mut mistakes = report.cause.mistakes.iter();
-        let explains_all = report.cause.explained == report.cause.asked;
-        explains_all && mistakes.any(|it| it.name == outcome.slip.name)
+        mistakes.any(|it| it.name == outcome.slip.name)
     });
     let all = named.len() + missed.len();
     let missed = missed.iter().map(|(it, report)| {
