@@ -23,7 +23,7 @@ pub(crate) struct Arguments {
     #[arg(value_name = "TEXT", allow_hyphen_values = true, value_parser = NonEmptyStringValueParser::new())]
     text: Vec<String>,
 
-    /// The folder of the list [default: this one if it has a list, or else mine]
+    /// The folder of the list [default: mine in this workspace or where it is, or else this one]
     #[arg(long = "in", value_name = "FOLDER")]
     in_folder: Option<PathBuf>,
 }
@@ -60,17 +60,16 @@ impl Done {
         Self { file }
     }
 
-    /// The list in the chosen folder; in the current one if there is one; in `mine`, if
-    /// that is there.
-    fn find(chosen: Option<&Path>) -> Self {
-        let here = Self::in_folder(Path::new("."));
+    /// The list in the chosen folder; or else in `mine`, in this workspace and wherever that
+    /// is there; or else in the current one.
+    pub(crate) fn find(chosen: Option<&Path>) -> Self {
+        let mine = Mine::find(None);
         match chosen {
             Some(folder) => Self::in_folder(folder),
-            None if here.file.is_file() => here,
-            None => match Mine::find(None).folder() {
-                mine if mine.is_dir() => Self::in_folder(mine),
-                _ => here,
-            },
+            None if mine.is_of_workspace() || mine.folder().is_dir() => {
+                Self::in_folder(mine.folder())
+            }
+            None => Self::in_folder(Path::new(".")),
         }
     }
 

@@ -29,7 +29,7 @@ impl Mine {
     /// of the nearest folder above that has one with a crate, or here.
     pub(crate) fn find(chosen: Option<&Path>) -> Self {
         let here = env::current_dir().unwrap_or_default();
-        let workspace = workspace::workspace().filter(|workspace| here.starts_with(workspace));
+        let workspace = workspace_around(&here);
         let has_one = |folder: &&Path| {
             TYPED
                 .iter()
@@ -48,6 +48,13 @@ impl Mine {
     /// The folder itself, which may not exist yet.
     pub(crate) fn folder(&self) -> &Path {
         &self.folder
+    }
+
+    /// Whether it is the usual folder of the workspace that the reader is in.
+    pub(crate) fn is_of_workspace(&self) -> bool {
+        let workspace = env::current_dir().ok();
+        let workspace = workspace.and_then(|here| workspace_around(&here));
+        workspace.is_some_and(|it| self.folder == it.join("mine"))
     }
 
     /// The command that makes the crate of `chapter` there.
@@ -72,6 +79,11 @@ impl Mine {
     pub(crate) fn of(&self, chapter: Chapter) -> PathBuf {
         self.folder.join(chapter.name())
     }
+}
+
+/// The workspace, if this folder is in it.
+fn workspace_around(here: &Path) -> Option<&'static Path> {
+    workspace::workspace().filter(|workspace| here.starts_with(workspace))
 }
 
 /// A word of a command line, in quotation marks where a shell wants them.

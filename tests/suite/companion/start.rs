@@ -225,6 +225,24 @@ fn the_list_of_done_things_has_what_came_out_right_once_and_the_readers_own_line
     assert_snapshot!(list + "\n" + &undated(&desk.transcript("rtrace done")));
 }
 
+#[cfg(unix)]
+#[test]
+fn in_the_workspace_a_watched_program_adds_to_the_list_of_the_crates() {
+    let desk = Desk::default();
+    for part in ["common/Cargo.toml", "tests/laws/Cargo.toml", "book/notes/"] {
+        desk.write(part, "");
+    }
+    let white = Picture::from_rgb(32, 18, vec![255; 3 * 32 * 18]);
+    desk.write_picture("white.ppm", &white.expect("three bytes a pixel"));
+    desk.run("rtrace watch gradient --once -- cat white.ppm");
+    assert!(desk.read("mine/done.md").contains("gradient: step 1"));
+    assert!(
+        desk.transcript("rtrace done")
+            .starts_with("$ rtrace done\nDone, in mine/done.md")
+    );
+    assert!(!desk.path("done.md").exists());
+}
+
 /// A report ends with a test to paste, which compiles there and fails.
 fn paste_the_tests_of_reports(mine: &Mine, prelude: &[&str]) {
     let of_prelude = ("gradient", "+ self.z * other.z", "");

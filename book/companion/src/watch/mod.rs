@@ -113,9 +113,7 @@ impl Subject {
         let (folder, done) = if arguments.program.is_empty() {
             (mine.of(chapter), Done::in_folder(mine.folder()))
         } else {
-            let here = env::current_dir()?;
-            let done = Done::in_folder(&here);
-            (here, done)
+            (env::current_dir()?, Done::find(None))
         };
         if !folder.is_dir() {
             let make = if TYPED.contains(&chapter) {
