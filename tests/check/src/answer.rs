@@ -237,6 +237,7 @@ impl Judged<'_> {
         let all = u64::from(right.width) * u64::from(right.height);
         let (width, height, off) = (right.width, right.height, right.off);
         match right.levels {
+            0 if all == 1 => format!("the one pixel of {name}, to the last bit"),
             0 => format!("all {all} pixels of {name} at {width} × {height}, to the last bit"),
             levels => format!(
                 "{off} of {all} pixels of {name} are off, by no more than {levels}, which is tolerated"

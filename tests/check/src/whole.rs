@@ -161,7 +161,10 @@ impl Evidence<'_> {
             Check::Wrong(finding) => self.of_wrong_picture(finding),
             Check::Another { cause, .. } => Verdict {
                 headline: sentence(&cause.problem),
-                next: cause.fix.split_whitespace().collect::<Vec<_>>().join(" "),
+                next: (cause.fix.split_whitespace().collect::<Vec<_>>().join(" ")).replace(
+                    &format!("and then: {}", self.scene.command()),
+                    "and then save",
+                ),
                 ..Verdict::default()
             },
             Check::WrongShape { cause, finding, .. } => {

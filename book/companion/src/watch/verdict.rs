@@ -14,8 +14,10 @@ use super::laws::Asked;
 pub(super) fn not_built(problem: &Problem) -> Verdict {
     let printed = problem.first.lines();
     let printed = printed.map(|line| Line::Printed(line.to_owned())).collect();
+    let number = problem.first.split_once("[E").and_then(|it| it.1.get(..4));
+    let more = number.map(|number| format!("; rustc --explain E{number} tells more"));
     Verdict {
-        next: "put this right; rustc --explain tells more of an error with a number".to_owned(),
+        next: format!("put this right{}", more.unwrap_or_default()),
         ..Verdict::not_compiled(problem.more + 1, printed)
     }
 }
@@ -55,6 +57,13 @@ pub(super) fn not_written(chapter: Chapter, place: &str, asked: Option<Asked>) -
     let Some(asked) = asked else {
         return Verdict::not_written(chapter, place);
     };
+    let files = skeletons::plain(chapter);
+    let is_there = |place: &&str, name: &str| place.starts_with(&format!("{name}:"));
+    let places = || asked.unwritten.iter().map(String::as_str).chain([place]);
+    let mut first = files
+        .iter()
+        .filter_map(|(name, _)| places().find(|place| is_there(place, name)));
+    let place = first.next().unwrap_or(place);
     if let Laws::Broken(report) | Laws::BrokenPrelude(report) = &asked.outcome {
         return Verdict {
             headline: "A law is broken in what is written so far.".to_owned(),
@@ -63,17 +72,11 @@ pub(super) fn not_written(chapter: Chapter, place: &str, asked: Option<Asked>) -
             ..Verdict::default()
         };
     }
-    let files = skeletons::plain(chapter);
-    let is_there = |place: &&str, name: &str| place.starts_with(&format!("{name}:"));
-    let places = || asked.unwritten.iter().map(String::as_str).chain([place]);
-    let mut first = files
-        .iter()
-        .filter_map(|(name, _)| places().find(|place| is_there(place, name)));
     let obeyed = asked.obeyed.join(", ");
     let so_far = || Line::Labeled("so far".to_owned(), format!("the laws hold for {obeyed}"));
     Verdict {
         cause: (!obeyed.is_empty()).then(so_far).into_iter().collect(),
-        ..Verdict::not_written(chapter, first.next().unwrap_or(place))
+        ..Verdict::not_written(chapter, place)
     }
 }
 
