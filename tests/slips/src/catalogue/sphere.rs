@@ -165,7 +165,7 @@ pub(super) const SLIPS: &[Slip] = &[
         name: "tangent-missed",
         cpp: "discriminant >= 0",
         edits: &[">=→>", "<→<="],
-        why: "A ray that touches has one root, and the discriminant is 0. None here is exact.",
+        why: "A ray that touches has one root: the discriminant is 0. No ray here does so exactly.",
         reported: &["#110", "#1057", "#1058", "PR #1124"],
         unseen_in: SPHERES,
         law: "A tangent is a hit.",
@@ -190,7 +190,7 @@ pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "a-taken-as-one",
         edits: &["ray.direction.dot(ray.direction)→1.0"],
-        why: "That holds for unit directions only. Here every ray hits, as the one in the middle.",
+        why: "That holds for unit directions only. With a too small, every ray here hits.",
         alter: |p| p.a = |_, _| 1.0,
         ..A
     },
