@@ -138,7 +138,8 @@ impl<'a> Evidence<'a> {
 
     /// What makes the reader's program right.
     pub(crate) fn repair(&self) -> Option<&Repair> {
-        let repair = || Repair::of(&self.scene, self.reading, &self.known.sources);
+        let before = self.known.steps.len().saturating_sub(1);
+        let repair = || Repair::of(&self.scene, self.reading, &self.known.sources, before);
         self.repair.get_or_init(repair).as_ref()
     }
 

@@ -277,14 +277,17 @@ impl Finding {
     fn repaired(mut self, evidence: &Evidence) -> Self {
         let (sources, known) = (&evidence.known.sources, evidence.known);
         let is_exact = |it: &Self| it.near.as_ref().is_some_and(Near::is_exact);
-        if self.scene.step().is_some()
+        let step = evidence.repair().and_then(|it| it.step);
+        if self.scene.step() != step
             && (sources.is_written() || !is_exact(&self))
             && evidence.repair().is_some_and(Repair::is_of_lines)
         {
-            // All is written, and a line of it is wrong: it is no step on the way.
-            self = Self::beside(evidence, &candidates::rights(evidence)[0]);
+            // A line is wrong in what is written: in all of the chapter, or as far as a step.
+            let rights = candidates::rights(evidence);
+            let right = rights.iter().find(|it| it.scene.step() == step);
+            self = Self::beside(evidence, right.unwrap_or(&rights[0]));
         }
-        if self.scene.step().is_some() || is_exact(&self) && self.is_answered {
+        if self.scene.step() != step || is_exact(&self) && self.is_answered {
             return self;
         }
         // A slip's line in another language is said in that.

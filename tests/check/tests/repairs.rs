@@ -13,7 +13,7 @@ use slips::{Chapter, Letters, Program, steps};
 
 /// Chapters, whether in their own text or in another form, and what stands there wrong for what
 /// is right.
-const MISTAKES: [(Text, &str, &str); 50] = [
+const MISTAKES: [(Text, &str, &str); 56] = [
     (GRADIENT, "unit_direction.y + 1.0", "unit_direction.y - 1.0"),
     (GRADIENT, "unit_direction.y + 1.0", "unit_direction.z + 1.0"),
     (GRADIENT, "+ a * blue", "+ blue"),
@@ -43,6 +43,12 @@ const MISTAKES: [(Text, &str, &str); 50] = [
         ";\n        return",
     ),
     (NORMALS, "normal + Vec3::ONE", "normal"),
+    (RED_NORMALS, "-2.0 * ray", "2.0 * ray"),
+    (RED_NORMALS, "-b - disc", "-b + disc"),
+    (RED_NORMALS, "/ (2.0 * a)", "/ 2.0 * a"),
+    (GRAY_NORMALS, "-2.0 * ray", "2.0 * ray"),
+    (GRAY_NORMALS, "-b - disc", "-b + disc"),
+    (GRAY_NORMALS, "/ (2.0 * a)", "/ 2.0 * a"),
     (OTHER_NORMALS, "t > 0.0", "t < 0.0"),
     (OTHER_NORMALS, "n.y + 1.0", "n.z + 1.0"),
     (OTHER_NORMALS, "* -2.0", "* 2.0"),
@@ -143,6 +149,8 @@ struct Text {
     chapter: Chapter,
     /// The text in another form than the chapter's.
     other: Option<&'static str>,
+    /// What the sphere's color is in the place of the chapter's, as far as a step.
+    color: Option<&'static str>,
     /// Whether the prelude is the reader's own, too.
     has_a_prelude: bool,
 }
@@ -153,6 +161,7 @@ const fn own(chapter: Chapter) -> Text {
     Text {
         chapter,
         other: None,
+        color: None,
         has_a_prelude: false,
     }
 }
@@ -161,6 +170,7 @@ const fn other(chapter: Chapter, text: &'static str) -> Text {
     Text {
         chapter,
         other: Some(text),
+        color: None,
         has_a_prelude: false,
     }
 }
@@ -169,6 +179,14 @@ const GRADIENT: Text = own(Chapter::Gradient);
 const OTHER_GRADIENT: Text = other(Chapter::Gradient, include_str!("forms/gradient.rs"));
 const RED_SPHERE: Text = own(Chapter::RedSphere);
 const NORMALS: Text = own(Chapter::Normals);
+const RED_NORMALS: Text = Text {
+    color: Some("Color::new(1.0, 0.0, 0.0)"),
+    ..NORMALS
+};
+const GRAY_NORMALS: Text = Text {
+    color: Some("t * Color::ONE"),
+    ..NORMALS
+};
 const OTHER_NORMALS: Text = other(Chapter::Normals, include_str!("forms/normals.rs"));
 const HALF_B_SPHERE: Text = own(Chapter::HalfBSphere);
 const OWN_PRELUDE: Text = Text {
@@ -237,6 +255,10 @@ impl Text {
             Some(text) => vec![("src/lib.rs".to_owned(), text.to_owned())],
             None => self.chapter.files().iter().map(owned).collect(),
         };
+        if let Some(color) = self.color {
+            let text = files[0].1.replace("0.5 * (normal + Vec3::ONE)", color);
+            files[0].1 = text.replace("let normal = (ray.at(t) - center).normalize();", "");
+        }
         if self.has_a_prelude {
             let import = "mod rtweekend;\nuse crate::rtweekend";
             files[0].1 = files[0].1.replace("use common::rtweekend", import);
@@ -256,7 +278,9 @@ fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<che
     read.sort_by_key(|(name, _)| *name != "src/lib.rs");
     let program = interpreter::read(&read).unwrap_or_else(|faults| panic!("{}", faults[0]));
     let picture = program.draw(WIDTH).expect("it draws");
-    let is_hidden = is_wrong && picture == chapter.picture(WIDTH);
+    // Step 1 of the normals shows the red sphere.
+    let mut shown = [chapter, Chapter::RedSphere].into_iter();
+    let is_hidden = is_wrong && shown.any(|it| picture == it.picture(WIDTH));
     let unlike = |_: &Program| (1, 1);
     let known = Known {
         answers: is_hidden.then_some(&unlike),

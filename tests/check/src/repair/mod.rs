@@ -35,6 +35,8 @@ pub struct Repair {
     pub(crate) files: Files,
     /// Whether the picture was right before.
     pub(crate) is_hidden: bool,
+    /// The step of the chapter, counted from 0, for which it is right, if it is not the last.
+    pub(crate) step: Option<usize>,
 }
 
 /// A place in the reader's files, and what is right there.
@@ -75,11 +77,18 @@ impl Repair {
             changes: vec![Change { yours, right }],
             files: Files::new(),
             is_hidden: false,
+            step: None,
         })
     }
 
-    /// What makes a program right that draws this picture of the scene.
-    pub(crate) fn of(scene: &Scene, reading: &Reading, sources: &Sources) -> Option<Self> {
+    /// What makes a program right that draws this picture of the scene, or of one of so many
+    /// steps on the way to it.
+    pub(crate) fn of(
+        scene: &Scene,
+        reading: &Reading,
+        sources: &Sources,
+        steps: usize,
+    ) -> Option<Self> {
         let files = sources.in_rust();
         if sources.is_empty() || files.is_empty() && scene.probe.is_some() {
             return None;
@@ -97,25 +106,47 @@ impl Repair {
         if !(goal::draws(&yours, reading, goal::LOOKED) || has_a_loop && draws()) {
             return None;
         }
-        let right = scene.right(reading.width, scene.height(reading.width));
-        let is_hidden = right == reading.picture();
         let theirs = right_files(scene.chapter);
-        let mut goal = Goal::new(scene.chapter, &right, reading);
-        // Of another scene only the picture is known.
-        if scene.probe.is_none() {
-            let chapter = &theirs[..scene.chapter.files().len()];
-            goal = goal.asking(&program(chapter)?);
-        }
-        if has_a_loop && yours.draw(1).is_ok() {
-            goal = goal.looping(scene);
-        }
+        let (own, chapter) = (functions(&files), functions(&theirs));
+        let loops = has_a_loop && yours.draw(1).is_ok();
+        let right = |scene: &Scene| scene.right(reading.width, scene.height(reading.width));
+        let goal_of = |scene: &Scene| {
+            let goal = Goal::new(scene.chapter, &right(scene), reading);
+            if loops { goal.looping(scene) } else { goal }
+        };
+        // With one function of the chapter's, a program on the way shows what its step does.
+        let on_the_way = (0..steps).find_map(|step| {
+            let scene = scene.at_step(step);
+            let goal = goal_of(&scene);
+            let pairs = own
+                .iter()
+                .flat_map(|it| chapter.iter().map(move |right| (it, right)));
+            let swapped = pairs
+                .filter(|(it, right)| it.name == right.name)
+                .filter_map(|(it, right)| program(&with(&files, &[(it, &right.text)])));
+            let mut goals = swapped
+                .filter(|it| goal.is_met_by(it))
+                .map(|it| goal_of(&scene).asking(&it));
+            let goal = goals.find(|goal| !goal.is_met_by(&yours))?;
+            Some((scene, goal))
+        });
+        let (scene, goal) = match on_the_way {
+            Some(found) => found,
+            // Of another scene only the picture is known.
+            None if scene.probe.is_some() => (*scene, goal_of(scene)),
+            None => {
+                let right = program(&theirs[..scene.chapter.files().len()])?;
+                (*scene, goal_of(scene).asking(&right))
+            }
+        };
+        let is_hidden = right(&scene) == reading.picture();
         if is_hidden && goal.is_answered_by(&yours) {
             return None;
         }
         let search = Search {
             files: &files,
-            yours: &functions(&files),
-            chapter: &functions(&theirs),
+            yours: &own,
+            chapter: &chapter,
             goal: &goal,
             read: Cell::default(),
         };
@@ -126,6 +157,7 @@ impl Repair {
             changes: changes.collect(),
             files: with(&files, &texts),
             is_hidden,
+            step: scene.step(),
         })
     }
 }
