@@ -295,7 +295,8 @@ fn notes_on(scene: &Scene) -> Vec<String> {
         Edition::V4 => Vec::new(),
         _ => vec![
             format!(
-                "What it has otherwise than version 4, which this workspace follows: {differs}."
+                "It is compared with {}. That has otherwise than version 4, which this workspace follows: {differs}.",
+                scene.edition
             ),
             "To be judged by version 4 alone: --edition 4.".to_owned(),
         ],

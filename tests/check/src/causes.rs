@@ -94,7 +94,7 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
         _ => format!("above 255, up to {highest}"),
     };
     let far = if outside.lowest == i16::MIN {
-        " So far below 0 is what no number becomes: is 0 / 0 taken, the root of a negative number, or what was never set?"
+        " This is what NaN turns into: is 0 / 0 taken, the root of a negative number, or a number that was never set?"
     } else {
         ""
     };

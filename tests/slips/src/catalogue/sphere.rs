@@ -116,7 +116,7 @@ pub(super) const SLIPS: &[Slip] = &[
         older: "half_b = dot(oc, r.direction())",
         edits: &["half_b =→half_b = 2.0 *", "h =→h = -2.0 *"],
         why: "That is b, and the formula is the one for half of it: the discriminant is far \
-              too large, and every root is behind the camera.",
+              too large.",
         alter: |p| {
             p.linear = match p.edition {
                 Edition::V4 => |d_oc| -2.0 * d_oc,
