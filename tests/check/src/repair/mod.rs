@@ -16,6 +16,7 @@ mod tree;
 
 use std::cell::Cell;
 
+use interpreter::Program;
 use slips::Chapter;
 
 use crate::reading::Reading;
@@ -96,39 +97,21 @@ impl Repair {
         if files.is_empty() {
             return Self::in_rust(scene.chapter, reading, sources);
         }
-        let yours = program(&files)?;
-        let has_a_loop = files.iter().any(|(_, text)| text.contains("struct Ray"));
-        let draws = || {
-            yours
-                .draw(reading.width)
-                .is_ok_and(|it| it == reading.picture())
-        };
-        if !(goal::draws(&yours, reading, goal::LOOKED) || has_a_loop && draws()) {
-            return None;
-        }
+        let (yours, loops) = drawing(&files, reading)?;
         let theirs = right_files(scene.chapter);
         let (own, chapter) = (functions(&files), functions(&theirs));
-        let loops = has_a_loop && yours.draw(1).is_ok();
         let right = |scene: &Scene| scene.right(reading.width, scene.height(reading.width));
         let goal_of = |scene: &Scene| {
             let goal = Goal::new(scene.chapter, &right(scene), reading);
             if loops { goal.looping(scene) } else { goal }
         };
-        // With one function of the chapter's, a program on the way shows what its step does.
+        let swapped = || with_one_of_the_chapter(&files, &own, &chapter);
         let on_the_way = (0..steps).find_map(|step| {
             let scene = scene.at_step(step);
             let goal = goal_of(&scene);
-            let pairs = own
-                .iter()
-                .flat_map(|it| chapter.iter().map(move |right| (it, right)));
-            let swapped = pairs
-                .filter(|(it, right)| it.name == right.name)
-                .filter_map(|(it, right)| program(&with(&files, &[(it, &right.text)])));
-            let mut goals = swapped
-                .filter(|it| goal.is_met_by(it))
-                .map(|it| goal_of(&scene).asking(&it));
-            let goal = goals.find(|goal| !goal.is_met_by(&yours))?;
-            Some((scene, goal))
+            let there = swapped().filter(|it| goal.is_met_by(it));
+            let mut goals = there.map(|it| goal_of(&scene).asking(&it));
+            Some((scene, goals.find(|goal| !goal.is_met_by(&yours))?))
         });
         let (scene, goal) = match on_the_way {
             Some(found) => found,
@@ -160,6 +143,34 @@ impl Repair {
             step: scene.step(),
         })
     }
+}
+
+/// The program of these files, if it draws this picture, and whether its own loop over the pixels
+/// does.
+fn drawing(files: &Files, reading: &Reading) -> Option<(Program, bool)> {
+    let yours = program(files)?;
+    let has_a_loop = files.iter().any(|(_, text)| text.contains("struct Ray"));
+    let draws = || {
+        let picture = yours.draw(reading.width);
+        picture.is_ok_and(|it| it == reading.picture())
+    };
+    let is_it = goal::draws(&yours, reading, goal::LOOKED) || has_a_loop && draws();
+    let loops = has_a_loop && yours.draw(1).is_ok();
+    is_it.then_some((yours, loops))
+}
+
+/// The reader's program with one function of the chapter's in place of the reader's: on the way
+/// to the chapter, it shows what its step does.
+fn with_one_of_the_chapter<'a>(
+    files: &'a Files,
+    yours: &'a [Function],
+    right: &'a [Function],
+) -> impl Iterator<Item = Program> + 'a {
+    let pairs = yours
+        .iter()
+        .flat_map(move |own| right.iter().map(move |it| (own, it)));
+    let same = pairs.filter(|(own, it)| own.name == it.name);
+    same.filter_map(|(own, it)| program(&with(files, &[(own, &it.text)])))
 }
 
 /// What is right, by the files of this workspace: the chapter, its root first, and the prelude.
