@@ -161,10 +161,7 @@ impl Evidence<'_> {
             Check::Wrong(finding) => self.of_wrong_picture(finding),
             Check::Another { cause, .. } => Verdict {
                 headline: sentence(&cause.problem),
-                next: (cause.fix.split_whitespace().collect::<Vec<_>>().join(" ")).replace(
-                    &format!("and then: {}", self.scene.command()),
-                    "and then save",
-                ),
+                next: cause.fix.split_whitespace().collect::<Vec<_>>().join(" "),
                 ..Verdict::default()
             },
             Check::WrongShape { cause, finding, .. } => {
