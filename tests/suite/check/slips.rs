@@ -25,7 +25,7 @@ fn a_program_without_a_slip_is_the_chapter_to_the_last_bit() {
                     &Program::right(chapter).run(width).picture()
                 ),
                 Comparison::Equal,
-                "{} at {width} wide: the steps in tests/slips/src/program.rs are not those of the \
+                "{} at {width} wide: the steps in book/judge/slips/src/program.rs are not those of the \
                  chapter. If another test fails too, it is the chapter that is wrong",
                 chapter.name()
             );

@@ -310,7 +310,7 @@ fn a_reference_where_a_value_is_wanted_has_the_help_of_the_compiler() {
 #[ignore = "asks the compiler of a hundred texts"]
 fn most_faults_are_in_the_line_and_the_words_of_the_compiler() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("refused");
-    let common = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../common");
+    let common = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../common");
     fs::create_dir_all(folder.join("src")).expect("a folder");
     let manifest = format!(
         "[package]\nname = \"refused\"\nedition = \"2024\"\n\n[dependencies]\n\

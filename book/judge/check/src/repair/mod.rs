@@ -184,15 +184,15 @@ fn right_files(chapter: Chapter) -> Files {
     let more = [
         (
             "common/src/color.rs",
-            include_str!("../../../../common/src/color.rs"),
+            include_str!("../../../../../common/src/color.rs"),
         ),
         (
             "common/src/ray.rs",
-            include_str!("../../../../common/src/ray.rs"),
+            include_str!("../../../../../common/src/ray.rs"),
         ),
         (
             "common/src/camera.rs",
-            include_str!("../../../../common/src/camera.rs"),
+            include_str!("../../../../../common/src/camera.rs"),
         ),
     ];
     files.extend(more.map(|(name, text)| (name.to_owned(), text.to_owned())));
