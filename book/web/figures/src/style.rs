@@ -2,7 +2,7 @@
 
 /// The style sheet of all drawings, which pages load: a color for each idea,
 /// for light and for dark, and a class for each way to show it.
-pub const CSS: &str = include_str!("../../theme/figures.css");
+pub const CSS: &str = include_str!("../../../theme/figures.css");
 
 /// The drawing `svg` as a file of its own: it brings the style sheet and the
 /// paper, and follows the reader's light or dark preference.
