@@ -106,7 +106,7 @@ impl Chapter {
     pub fn files(self) -> &'static [(&'static str, &'static str)] {
         macro_rules! files {
             ($folder:literal: $($name:literal),*) => {
-                &[$(($name, include_str!(concat!("../../../chapters/", $folder, "/", $name)))),*]
+                &[$(($name, include_str!(concat!("../../../../chapters/", $folder, "/", $name)))),*]
             };
         }
         match self {
