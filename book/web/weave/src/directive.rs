@@ -28,7 +28,7 @@ pub(crate) enum Woven {
 /// | `{{editions}}` | what each edition of the book draws |
 /// | `{{slip NAME CHAPTER}}` | the wrong picture that this slip draws |
 /// | `{{slips LOOK}}` | all slips that look like that; `{{slips LOOK NAMES}}`, `{{slips LOOK not NAMES}}` |
-/// | `{{symptoms PAGES}}` | a picture from each of these pages of slips, and all slips by their names |
+/// | `{{symptoms SLIPS}}` | the parts of the page of slips, each as the picture of its slip, and all slips by their names |
 /// | `{{step CHAPTER NUMBER}}` | the picture after this step on the way to the chapter |
 /// | `{{snapshot PATH}}` | the Markdown in a snapshot |
 /// | `{{time CHAPTER}}` | how long its page is to read, and its program to type |

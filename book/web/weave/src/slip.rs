@@ -1,6 +1,5 @@
 //! Pictures of slips and of editions, drawn while the book is woven.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::LazyLock;
 
@@ -20,7 +19,7 @@ pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
     let picture = slip.program(chapter).run(chapter.book_width()).picture();
     let why = slip.words(Letters::Book(Edition::V4), chapter).why;
     Ok(format!(
-        "<figure>{}<figcaption><a href=\"slips.html#{name}\">{name}</a> in <code>{}</code></figcaption></figure>",
+        "<figure>{}<figcaption><a href=\"{PAGE}.html#{name}\">{name}</a> in <code>{}</code></figcaption></figure>",
         image(&picture, &format!("What {name} draws: {why}")),
         chapter.name()
     ))
@@ -64,39 +63,50 @@ pub(crate) fn gallery(chosen: &str) -> Result<String, String> {
     Ok(sights(chosen)?.into_iter().map(tile).collect())
 }
 
-/// From each of the `pages` of slips, `PAGE:SLIP`, the picture of that slip, which leads there; and
-/// each slip by its name.
-pub(crate) fn symptoms(notes: &Path, pages: &str) -> Result<String, String> {
-    let mut cards = String::new();
-    let mut names = BTreeMap::new();
-    for page in pages.split(' ') {
-        let (page, shown) = page.split_once(':').unwrap_or((page, ""));
-        let text = read(&notes.join(page).with_extension("md"))?;
-        let title = text.lines().next().unwrap_or_default();
-        let chosen = text.lines().filter_map(|line| {
-            let line = line.strip_prefix("{{slips ")?;
-            line.strip_suffix("}}").filter(|look| *look != "Right")
-        });
-        let seen = chosen.map(sights).collect::<Result<Vec<_>, _>>()?.concat();
-        let has = |sight: &&&Sight| sight.slips.iter().any(|slip| slip.name == shown);
-        let first = seen.iter().find(has);
-        let first = first.ok_or_else(|| format!("{page} shows no slip `{shown}`"))?;
-        cards += &format!(
-            "<a class=\"symptom\" href=\"{page}.html\">{}<span>{}</span></a>",
-            image(&first.picture, ""),
-            escaped(title.trim_start_matches("# "))
-        );
-        for sight in seen {
-            let address = |slip: &&Slip| (slip.name, format!("{page}.html#{}", id(slip, sight)));
-            names.extend(sight.slips.iter().map(address));
-        }
+/// The parts of the page of slips in the folder `notes`, each as one of its pictures, that of the
+/// slip in its place in `shown`; and below them each slip by its name.
+pub(crate) fn symptoms(notes: &Path, shown: &str) -> Result<String, String> {
+    let text = read(&notes.join(PAGE).with_extension("md"))?;
+    let parts = text.split("\n## ").filter(|part| part.contains(GALLERY));
+    let shown: Vec<&str> = shown.split(' ').collect();
+    let parts: Vec<&str> = parts.collect();
+    if parts.len() != shown.len() {
+        return Err(format!("{PAGE} has {} parts with slips", parts.len()));
     }
-    let in_full = |(name, address)| format!("<a id=\"{name}\" href=\"{address}\">{name}</a>");
-    names.extend(unseen().map(|slip| (slip.name, format!("slips_right.html#{}", slip.name))));
-    let names: Vec<String> = names.into_iter().map(in_full).collect();
+    let cards: Result<String, String> = parts.into_iter().zip(shown).map(card).collect();
+    let mut names: Vec<&str> = slips::all().map(|slip| slip.name).collect();
+    names.sort_unstable();
+    let links = names.iter().map(|name| format!("<a href=\"#{name}\">{name}</a>"));
+    let links: Vec<String> = links.collect();
     Ok(format!(
-        "<div class=\"symptoms\">{cards}</div>\n\n## By name\n\n<p>{}</p>",
-        names.join(" · ")
+        "<div class=\"symptoms\">{}</div>\n\n## By name\n\n<p>{}</p>",
+        cards?,
+        links.join(" · ")
+    ))
+}
+
+/// The page of slips, and how the line begins in which it asks for those of a look.
+const PAGE: &str = "slips";
+const GALLERY: &str = "{{slips ";
+
+/// A part of the page as the picture of the slip `shown`, which leads there.
+fn card((part, shown): (&str, &str)) -> Result<String, String> {
+    let (title, rest) = part.split_once(" {#").unwrap_or((part, ""));
+    let (id, _) = rest.split_once('}').unwrap_or_default();
+    let galleries = part.lines().filter_map(|line| line.strip_prefix(GALLERY));
+    let galleries = galleries.filter_map(|line| line.strip_suffix("}}"));
+    let seen = galleries
+        .filter(|look| *look != "Right")
+        .map(sights)
+        .collect::<Result<Vec<_>, _>>()?
+        .concat();
+    let has = |sight: &&&Sight| sight.slips.iter().any(|slip| slip.name == shown);
+    let first = seen.iter().find(has);
+    let first = first.ok_or_else(|| format!("\"{title}\" shows no slip `{shown}`"))?;
+    Ok(format!(
+        "<a class=\"symptom\" href=\"#{id}\">{}<span>{}</span></a>",
+        image(&first.picture, ""),
+        escaped(title)
     ))
 }
 
@@ -151,9 +161,13 @@ fn tile(sight: &Sight) -> String {
     )
 }
 
-/// What a page calls the slip where it has this look: it may have several, in other chapters.
+/// What the page calls the slip where it has this look: its name, where it is seen first.
 fn id(slip: &Slip, sight: &Sight) -> String {
-    format!("{}-in-{}", slip.name, sight.chapter.name())
+    let has = |sight: &&Sight| sight.slips.iter().any(|it| it.name == slip.name);
+    match SIGHTS.iter().find(has) {
+        Some(first) if std::ptr::eq(first, sight) => slip.name.to_owned(),
+        _ => format!("{}-in-{}", slip.name, sight.chapter.name()),
+    }
 }
 
 /// The slip in words, as an item of a list.
