@@ -19,8 +19,18 @@ use crate::color::Color;
 pub struct Picture {
     width: u32,
     height: u32,
-    paint: Box<Paint>,
-    rgb: OnceLock<Vec<u8>>,
+    source: Source,
+}
+
+/// Where the bytes of a picture come from.
+enum Source {
+    /// They are painted when they are asked for, and kept.
+    Recipe {
+        paint: Box<Paint>,
+        painted: OnceLock<Vec<u8>>,
+    },
+    /// They are known.
+    Bytes(Vec<u8>),
 }
 
 /// Paints a block of pixels: from a column and row on, so many of them.
@@ -41,14 +51,16 @@ impl Picture {
         Self {
             width,
             height,
-            paint: Box::new(move |i, j, columns| {
-                Block::paint(
-                    columns,
-                    #[inline(always)]
-                    |k| color_at(i + k as u32, j),
-                )
-            }),
-            rgb: OnceLock::new(),
+            source: Source::Recipe {
+                paint: Box::new(move |i, j, columns| {
+                    Block::paint(
+                        columns,
+                        #[inline(always)]
+                        |k| color_at(i + k as u32, j),
+                    )
+                }),
+                painted: OnceLock::new(),
+            },
         }
     }
 
@@ -57,8 +69,7 @@ impl Picture {
         (rgb.len() == 3 * width as usize * height as usize).then(|| Self {
             width,
             height,
-            paint: Box::new(|_, _, _| unreachable!("nothing is painted where the bytes are known")),
-            rgb: OnceLock::from(rgb),
+            source: Source::Bytes(rgb),
         })
     }
 
@@ -74,8 +85,12 @@ impl Picture {
 
     /// All bytes: three a pixel, row by row from the top.
     pub fn rgb(&self) -> &[u8] {
-        self.rgb
-            .get_or_init(|| self.rgb_with_threads(self.threads()))
+        match &self.source {
+            Source::Recipe { painted, .. } => {
+                painted.get_or_init(|| self.rgb_with_threads(self.threads()))
+            }
+            Source::Bytes(rgb) => rgb,
+        }
     }
 
     /// The same bytes, painted anew by that many threads.
@@ -145,11 +160,14 @@ impl Picture {
         (strip * STRIP..end).map(move |n| {
             let (i, j) = (n % in_row * BLOCK, n / in_row);
             let columns = BLOCK.min(self.width as usize - i);
-            let block = match self.rgb.get() {
-                Some(rgb) => {
-                    Block::from_rgb(&rgb[3 * (j * self.width as usize + i)..][..3 * columns])
+            let block = match &self.source {
+                Source::Recipe { paint, painted } if painted.get().is_none() => {
+                    paint(i as u32, j as u32, columns)
                 }
-                None => (self.paint)(i as u32, j as u32, columns),
+                _ => {
+                    let first = 3 * (j * self.width as usize + i);
+                    Block::from_rgb(&self.rgb()[first..][..3 * columns])
+                }
             };
             (block, columns)
         })
