@@ -13,7 +13,7 @@ pub fn picture(width: u32) -> Picture {
 /// The unit normal as a color where the sphere is in front, sky elsewhere.
 ///
 /// Each component of the normal, from −1 to 1, is mapped to 0 to 1.
-#[inline(always)] // Lets the compiler trace several rays at once.
+#[inline]
 pub fn ray_color(ray: &Ray) -> Color {
     let center = Point3::new(0.0, 0.0, -1.0);
     if let Some(t) = hit_sphere(center, 0.5, ray)
