@@ -27,14 +27,14 @@ fn a_chapter_explains_itself_when_asked_and_when_misunderstood() {
     assert_snapshot!(help.clone() + &said.replace(usage, "(the same)"));
 }
 
-/// Each command of the companion is listed by the first command, which builds it, and hands on
-/// odd words, and words that only the companion knows.
+/// The first command builds the companion, and hands on odd words, and words that only the
+/// companion knows.
 #[test]
 fn the_first_command_hands_on_what_it_does_not_do_itself() {
     let desk = Desk::default();
     for line in [
-        "--help",
         "help watch",
+        "watch --help",
         "check normals -- echo -- * \u{1b}",
         "probes no-such",
         "hit --origin -1,0,0",

@@ -6,49 +6,26 @@ use std::error::Error;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::{Args, Parser, Subcommand};
-use course::names::companion;
-use rtrace::cargo::{COMPANION, become_program};
-use rtrace::misuse;
+use clap::Args;
+use launcher::cargo::{COMPANION, become_program};
+use launcher::command_line::{Command, CommandLine, Companion};
+use launcher::{book, misuse, show};
 
-/// The pictures of Ray Tracing in One Weekend, chapter by chapter.
-///
-/// Without a command: draws all of them into target/pictures, as PNG and as
-/// PPM files, and weaves the book into target/book.
-#[derive(Parser)]
-#[command(name = "rtrace", bin_name = companion(), disable_help_subcommand = true)]
-struct Cli {
-    #[command(subcommand)]
-    command: Option<Command>,
+/// Hands all words on to the companion.
+struct HandOn;
+
+impl Companion for HandOn {
+    type Check = Words;
+    type Start = Words;
+    type Watch = Words;
+    type Laws = Words;
+    type Done = Words;
+    type Hit = Words;
+    type Needs = Words;
+    type Probes = Words;
 }
 
-/// The names and words of the companion's commands are written there as well: a test
-/// compares what both say to `--help`.
-#[derive(Subcommand)]
-enum Command {
-    #[command(flatten)]
-    Own(rtrace::Command),
-    /// Check your own picture, and learn which mistake draws it
-    Check(Words),
-    /// Make a crate of your own for a chapter, ready to be typed into
-    Start(Words),
-    /// Judge your crate or program whenever you save it
-    Watch(Words),
-    /// Put a function of any program, in any language, under the laws
-    Laws(Words),
-    /// Show the list of what you have done, or add a line to it
-    Done(Words),
-    /// Look at one ray and one sphere through every method of chapter 6
-    Hit(Words),
-    /// Find the least that a scene of your own needs, of all methods of chapter 6
-    Needs(Words),
-    /// List the small scenes that show what the book's picture can't
-    Probes(Words),
-    /// Print this message or the help of the given subcommand(s)
-    Help(Words),
-}
-
-/// What the companion is to read.
+/// Words that are for the companion to read.
 #[derive(Args)]
 #[command(disable_help_flag = true)]
 struct Words {
@@ -57,11 +34,18 @@ struct Words {
 }
 
 fn main() -> ExitCode {
-    misuse::exit_code_of(match misuse::command_line::<Cli>().command {
-        None => rtrace::run_without_command(),
-        Some(Command::Own(command)) => command.run(),
+    // The companion knows the words behind each command, and so its help.
+    let asks_for_help = env::args_os().nth(1).is_some_and(|word| word == "help");
+    misuse::exit_code_of(if asks_for_help { hand_on() } else { run() })
+}
+
+fn run() -> Result<ExitCode, Box<dyn Error>> {
+    match misuse::command_line::<CommandLine<HandOn>>().command {
+        None => launcher::run_without_command(),
+        Some(Command::Book(arguments)) => book::book(&arguments),
+        Some(Command::Show(arguments)) => show::show(&arguments).map(|()| ExitCode::SUCCESS),
         Some(_) => hand_on(),
-    })
+    }
 }
 
 /// Becomes the companion, with the same words.

@@ -9,8 +9,8 @@ use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
-use rtrace::files;
-use rtrace::misuse::{exit_code, misuse};
+use launcher::files;
+use launcher::misuse::{exit_code, misuse};
 
 fn main() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 use check::names;
-use rtrace::cargo;
+use launcher::cargo;
 use serde_json::Value;
 
 use crate::terminal::Palette;

@@ -1,0 +1,66 @@
+//! The command line of both programs, stated once: it is generic over the types that read
+//! the words behind the companion's commands.
+
+use clap::{Args, Parser, Subcommand};
+use course::names::companion;
+
+use crate::{book, show};
+
+/// The pictures of Ray Tracing in One Weekend, chapter by chapter.
+///
+/// Without a command: draws all of them into target/pictures, as PNG and as
+/// PPM files, and weaves the book into target/book.
+#[derive(Parser)]
+#[command(name = "rtrace", bin_name = companion())]
+pub struct CommandLine<C: Companion> {
+    /// A command, if there is one.
+    #[command(subcommand)]
+    pub command: Option<Command<C>>,
+}
+
+/// The types that read the words behind the companion's commands.
+///
+/// The companion has one for each; the launcher hands all words on unread.
+pub trait Companion {
+    /// Reads the words behind `check`.
+    type Check: Args;
+    /// Reads the words behind `start`.
+    type Start: Args;
+    /// Reads the words behind `watch`.
+    type Watch: Args;
+    /// Reads the words behind `laws`.
+    type Laws: Args;
+    /// Reads the words behind `done`.
+    type Done: Args;
+    /// Reads the words behind `hit`.
+    type Hit: Args;
+    /// Reads the words behind `needs`.
+    type Needs: Args;
+    /// Reads the words behind `probes`.
+    type Probes: Args;
+}
+
+/// A command, with the words behind it.
+#[derive(Subcommand)]
+pub enum Command<C: Companion> {
+    /// Weave the book: the notes with the code, the pictures and the figures
+    Book(book::Arguments),
+    /// Draw one picture: in the terminal, into a file, or into a viewer
+    Show(show::Arguments),
+    /// Check your own picture, and learn which mistake draws it
+    Check(C::Check),
+    /// Make a crate of your own for a chapter, ready to be typed into
+    Start(C::Start),
+    /// Judge your crate or program whenever you save it
+    Watch(C::Watch),
+    /// Put a function of any program, in any language, under the laws
+    Laws(C::Laws),
+    /// Show the list of what you have done, or add a line to it
+    Done(C::Done),
+    /// Look at one ray and one sphere through every method of chapter 6
+    Hit(C::Hit),
+    /// Find the least that a scene of your own needs, of all methods of chapter 6
+    Needs(C::Needs),
+    /// List the small scenes that show what the book's picture can't
+    Probes(C::Probes),
+}
