@@ -8,6 +8,7 @@ use clap::Parser;
 use common::engine::output;
 use figures::table::{Record, Table};
 use measure::accuracy;
+use speed_vs_accuracy::METHODS;
 
 /// How exact each method of chapter 6 is.
 #[derive(Parser)]
@@ -38,10 +39,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         ..
     } = Arguments::parse();
     if record {
-        keep(accuracy::table(1_000_000, usize::MAX, seed))?;
+        keep(accuracy::table(METHODS, 1_000_000, usize::MAX, seed))?;
         return Ok(keep(accuracy::sweeps(100_000, seed))?);
     }
-    let table = accuracy::table(cases.get(), cases.get(), seed);
+    let table = accuracy::table(METHODS, cases.get(), cases.get(), seed);
     Ok(output::to_stdout(|out| {
         out.write_all(table.text().as_bytes())
     })?)

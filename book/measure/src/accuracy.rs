@@ -15,17 +15,17 @@ use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime};
 
 use crate::population::Population;
 
-/// All methods in all regimes, in both precisions: so many `cases` of each, and of
+/// These methods in all regimes, each in its precision: so many `cases` of each, and of
 /// the book so many `pixels`, or all.
-pub fn table(cases: usize, pixels: usize, seed: u64) -> Table<Accuracy> {
+pub fn table(methods: &[Method], cases: usize, pixels: usize, seed: u64) -> Table<Accuracy> {
     let mut rows = Vec::new();
     for precision in Precision::ALL {
-        rows.extend(of_the_book(precision, pixels));
+        rows.extend(of_the_book(methods, precision, pixels));
     }
     for regime in REGIMES.into_iter().skip_while(is_the_book) {
         for precision in Precision::ALL {
             let asked = Population::of_cases(precision, regime.cases(precision, seed, cases));
-            let found = of_all_methods(&asked);
+            let found = errors_of(methods, &asked);
             rows.extend(found.map(|(method, errors)| row(regime.name, method, errors)));
         }
     }
@@ -51,7 +51,7 @@ pub fn sweeps(cases: usize, seed: u64) -> Table<Level> {
                 p999_ulps: quantile(&found.ulps, 0.999),
                 answers: found.answers,
             };
-            rows.extend(of_all_methods(&asked).map(row));
+            rows.extend(errors_of(METHODS, &asked).map(row));
         }
     }
     rows.into()
@@ -62,10 +62,10 @@ fn is_the_book(regime: &Regime) -> bool {
 }
 
 /// The ball, the ground, and both together under the name of the regime.
-fn of_the_book(precision: Precision, pixels: usize) -> Vec<Accuracy> {
+fn of_the_book(methods: &[Method], precision: Precision, pixels: usize) -> Vec<Accuracy> {
     let [ball, ground] =
         ["ball", "ground"].map(|sphere| Population::of_pixels(sphere, precision, pixels));
-    let both = of_all_methods(&ball).zip(of_all_methods(&ground));
+    let both = errors_of(methods, &ball).zip(errors_of(methods, &ground));
     both.flat_map(|((method, of_ball), (_, of_ground))| {
         let together = Errors::sum((of_ball.clone(), of_ground.clone())).sorted();
         [
@@ -157,9 +157,12 @@ impl Errors {
     }
 }
 
-/// The errors of each method of that precision, on all threads.
-fn of_all_methods(asked: &Population) -> impl Iterator<Item = (&'static Method, Errors)> {
-    let mut methods: Vec<&Method> = METHODS.iter().collect();
+/// The errors of each of these methods that has that precision, on all threads.
+fn errors_of<'a>(
+    methods: &'a [Method],
+    asked: &Population,
+) -> impl Iterator<Item = (&'a Method, Errors)> + use<'a> {
+    let mut methods: Vec<&Method> = methods.iter().collect();
     methods.retain(|method| method.precision() == asked.precision);
     let none = || vec![Errors::default(); methods.len()];
     let note = |mut found: Vec<Errors>, number| {

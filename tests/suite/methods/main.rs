@@ -9,6 +9,7 @@ mod methods;
 mod neighbors;
 mod pictures;
 mod proofs;
+mod rejected;
 mod several_spheres;
 mod speed_vs_accuracy;
 mod thresholds;

@@ -10,7 +10,10 @@ use figures::records::{Accuracy, Level};
 use figures::table::{Record, Table};
 use insta::assert_binary_snapshot;
 use measure::{accuracy, wrong_pixels};
+use speed_vs_accuracy::METHODS;
 use suite::drawn::shown_in;
+
+use crate::rejected::REJECTED;
 
 /// The book shows these files, so they stand where the book finds them.
 const MEASURED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/measured");
@@ -28,6 +31,11 @@ mod the_snapshot_holds {
     fn scenes() {
         assert_measured("scenes", &wrong_pixels::table(WIDTH));
     }
+
+    #[test]
+    fn rejected() {
+        assert_measured("rejected", &accuracy::table(REJECTED, 20_000, 20_000, SEED));
+    }
 }
 
 mod a_part_of_the_questions_asked_again {
@@ -38,7 +46,7 @@ mod a_part_of_the_questions_asked_again {
 
     #[test]
     fn has_the_answers_and_the_errors_that_were_recorded() {
-        let again = accuracy::table(CASES, CASES, SEED).rows;
+        let again = accuracy::table(METHODS, CASES, CASES, SEED).rows;
         let recorded = recorded();
         assert_eq!(recorded.len(), again.len(), "rows of {}", Accuracy::FILE);
         for (old, new) in recorded.iter().zip(&again) {
