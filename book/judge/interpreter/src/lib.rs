@@ -6,10 +6,13 @@
 //! they are written, so a picture is that of the compiled program to the last bit. What is not
 //! known here is refused by its name. What is not checked at all, [`UNCHECKED`] says.
 
+mod asked;
+mod canvas;
 mod lower;
 mod names;
 mod node;
 mod operators;
+mod patch;
 mod prelude;
 mod read;
 mod run;
@@ -22,9 +25,11 @@ use std::rc::Rc;
 use std::sync::{Arc, OnceLock};
 
 use common::rtweekend::*;
-use slips::{Ball, Hit, Interpreted};
 
+pub use asked::{Ball, Hit, Interpreted};
+pub use canvas::{Canvas, Note};
 use names::{Names, Signature};
+use patch::Written;
 use read::Refusal;
 pub use run::Sample;
 use run::{Code, Machine};
@@ -62,7 +67,7 @@ pub struct Place {
 }
 
 /// A text that can be run.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Program {
     code: Arc<Code>,
     roles: Roles,
@@ -70,7 +75,7 @@ pub struct Program {
 }
 
 /// The functions of a chapter, by their numbers, and its types.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct Roles {
     picture: Option<usize>,
     ray_color: Option<usize>,
@@ -85,7 +90,7 @@ struct Roles {
     own_vec3: Option<u32>,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct List {
     ty: Type,
     new: Option<usize>,
@@ -97,6 +102,8 @@ struct List {
 const TURNS: u32 = 200_000;
 /// A reader's own loop over all pixels takes more.
 const TURNS_OF_A_PICTURE: u32 = 20_000_000;
+/// The widest and the highest picture that is drawn whole.
+const WIDEST: u32 = 4096;
 
 /// Reads the files of a crate: their names, such as `src/lib.rs`, and their texts. The
 /// root is `lib.rs`, or the first.
@@ -124,8 +131,9 @@ pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
         return Err(refused(faults));
     }
     let (names, bodies) = names::collect(&trees).map_err(refused)?;
-    let mut functions = Vec::new();
+    let (mut functions, mut written) = (Vec::new(), Vec::new());
     for (signature, body) in names.functions.iter().zip(&bodies) {
+        written.push(Written::of(&names, signature, *body, &texts));
         match lower::lower(&names, signature, *body) {
             Ok(function) => functions.push(Arc::new(function)),
             Err(fault) => faults.push(fault),
@@ -137,9 +145,12 @@ pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
     Ok(Program {
         roles: Roles::of(&names),
         code: Arc::new(Code {
-            names,
+            names: Arc::new(names),
             functions,
-            texts,
+            written,
+            texts: Arc::new(texts),
+            is_single: false,
+            instead: Vec::new(),
         }),
         refused: OnceLock::new(),
     })
@@ -152,23 +163,16 @@ impl Program {
     /// Where the program stops by itself: a panic, an overflow, too many turns of a loop; and
     /// where the compiler would refuse it, which is seen when it runs.
     pub fn draw(&self, width: u32) -> Result<Picture, Fault> {
-        let turns = match self.roles.own_ray {
-            Some(_) => TURNS_OF_A_PICTURE,
-            None => TURNS,
-        };
-        let mut machine = Machine::new(&self.code, turns);
-        if let Some(picture) = self.roles.picture {
-            let drawn = self.ran(machine.call(picture, &[u32_value(width)]))?;
-            return prelude::picture(&drawn).ok_or_else(|| missing("a picture"));
+        let mut canvas = self.canvas(width)?;
+        let (width, height) = canvas.size();
+        if ![width, height].iter().all(|it| (1..=WIDEST).contains(it)) {
+            return Err(missing("a picture that is 1 to 4096 pixels wide and high"));
         }
-        let camera = Camera::new(width);
-        let size = (camera.image_width, camera.image_height);
-        let mut color = self.coloring(&mut machine)?;
-        let mut rgb = Vec::with_capacity(3 * size.0 as usize * size.1 as usize);
-        for (j, i) in (0..size.1).flat_map(|j| (0..size.0).map(move |i| (j, i))) {
-            rgb.extend(color(&camera.ray(i, j))?);
+        let mut rgb = Vec::with_capacity(3 * width as usize * height as usize);
+        for (j, i) in (0..height).flat_map(|j| (0..width).map(move |i| (j, i))) {
+            rgb.extend(canvas.levels(i, j)?);
         }
-        Picture::from_rgb(size.0, size.1, rgb).ok_or_else(|| missing("a picture"))
+        Picture::from_rgb(width, height, rgb).ok_or_else(|| missing("a picture"))
     }
 
     /// How many of these pixels are right, up to the first that is not.
@@ -176,40 +180,18 @@ impl Program {
     /// # Errors
     /// As for the picture.
     pub fn matches(&self, width: u32, pixels: &Rc<Sample>) -> Result<usize, Fault> {
-        let mut machine = self.machine();
         // A reader's own loop over all pixels can't be asked for some.
-        let picture = self.roles.picture.filter(|_| self.roles.own_ray.is_none());
-        if let Some(picture) = picture {
-            machine.sample = Some(Rc::clone(pixels));
-            self.ran(machine.call(picture, &[u32_value(width)]))?;
-            return Ok(machine.matched);
-        }
-        let camera = Camera::new(width);
-        let mut color = self.coloring(&mut machine)?;
+        let mut canvas = match self.roles.own_ray {
+            Some(_) => self.by_ray_color(self.machine(), width)?,
+            None => self.canvas(width)?,
+        };
+        let (width, height) = canvas.size();
         for (n, (at, right)) in pixels.iter().enumerate() {
-            if color(&camera.ray(at % width, at / width))? != *right {
+            if *at >= width * height || canvas.levels(at % width, at / width)? != *right {
                 return Ok(n);
             }
         }
         Ok(pixels.len())
-    }
-
-    /// What `ray_color` makes of rays, as levels.
-    fn coloring<'m>(
-        &'m self,
-        machine: &'m mut Machine<'_>,
-    ) -> Result<impl FnMut(&Ray) -> Result<[u8; 3], Fault>, Fault> {
-        let color = self.roles.ray_color.ok_or_else(|| missing("`ray_color`"))?;
-        let world = self.roles.world.map(|it| self.ran(machine.call(it, &[])));
-        let world = world.transpose()?;
-        Ok(move |ray: &Ray| {
-            machine.begin();
-            let given: Vec<Value> = [self.ray(ray)].into_iter().chain(world.clone()).collect();
-            let colored = self.ran(machine.call(color, &given))?;
-            let mut pixel = [0; 3];
-            write_color(&mut pixel, self.vec3_of(&colored).unwrap_or(Color::NAN));
-            Ok(pixel)
-        })
     }
 
     /// What the compiler refuses and was seen only when functions were asked by themselves.
@@ -218,7 +200,11 @@ impl Program {
     }
 
     fn machine(&self) -> Machine<'_> {
-        Machine::new(&self.code, TURNS)
+        let turns = match self.roles.own_ray {
+            Some(_) => TURNS_OF_A_PICTURE,
+            None => TURNS,
+        };
+        Machine::new(&self.code, turns)
     }
 
     fn call(&self, function: usize, given: &[Value]) -> Option<Value> {
@@ -359,69 +345,6 @@ fn own_kind(ty: &Type) -> Option<u32> {
     match ty.stripped().0 {
         Head::Own(kind) => Some(kind as u32),
         _ => None,
-    }
-}
-
-impl Interpreted for Program {
-    fn ray_color(&self, ray: &Ray) -> Color {
-        let color = || {
-            let mut machine = self.machine();
-            let world = self.roles.world.map(|it| self.asked(machine.call(it, &[])));
-            let mut given = vec![Self::ray(self, ray)];
-            if let Some(world) = world {
-                given.push(world?);
-            }
-            let color = self.asked(machine.call(self.roles.ray_color?, &given))?;
-            self.vec3_of(&color)
-        };
-        color().unwrap_or(Color::NAN)
-    }
-
-    fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
-        let given = [
-            self.vec3(center),
-            Value::Float(radius),
-            Self::ray(self, ray),
-        ];
-        match self.call(self.roles.hit_sphere?, &given)? {
-            Value::Bool(is_hit) => is_hit.then_some(0.0),
-            Value::Float(t) => Some(t),
-            it => it.option().map(|t| t.float()),
-        }
-    }
-
-    fn record(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
-        let (new, hit) = self.roles.sphere?;
-        let sphere = self.call(new, &[self.vec3(ball.center), Value::Float(ball.radius)])?;
-        let ray = Self::ray(self, ray);
-        let given = [sphere, ray, Value::Float(t_min), Value::Float(t_max)];
-        let record = self.call(hit, &given)?.option()?;
-        let [t, point, normal, front_face] = self.roles.record?.map(|n| record.field(n));
-        Some(Hit {
-            t: t.float(),
-            point: self.vec3_of(&point)?,
-            normal: self.vec3_of(&normal)?,
-            front_face: front_face.truth(),
-        })
-    }
-
-    fn nearest(&self, balls: &[Ball], ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
-        let (list, (new, _)) = (self.roles.list.as_ref()?, self.roles.sphere?);
-        let mut machine = self.machine();
-        let made = match list.new {
-            Some(new) => self.asked(machine.call(new, &[]))?,
-            None => machine.default(&list.ty).ok()?,
-        };
-        let mut spheres = Vec::new();
-        for ball in balls {
-            let given = [self.vec3(ball.center), Value::Float(ball.radius)];
-            spheres.push(self.asked(machine.call(new, &given))?);
-        }
-        let filled = self.asked(machine.filled(list.add, made, spheres))?;
-        let ray = Self::ray(self, ray);
-        let given = [filled, ray, Value::Float(t_min), Value::Float(t_max)];
-        let record = self.asked(machine.call(list.hit, &given))?.option()?;
-        Some(record.field(self.roles.record?[0]).float())
     }
 }
 

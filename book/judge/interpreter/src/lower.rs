@@ -8,6 +8,7 @@ mod patterns;
 
 pub(crate) use calls::miscounted;
 
+use std::mem;
 use std::sync::Arc;
 
 use syn::spanned::Spanned;
@@ -36,6 +37,7 @@ pub(crate) fn lower(
         },
         locals: Vec::new(),
         slots: 0,
+        slot_names: Vec::new(),
         loops: Vec::new(),
         result: signature.result.clone(),
     };
@@ -83,6 +85,7 @@ struct Lowerer<'n> {
     context: Context,
     locals: Vec<Local>,
     slots: usize,
+    slot_names: Vec<String>,
     /// Of each loop around whether it is ever left.
     loops: Vec<bool>,
     result: Type,
@@ -120,6 +123,7 @@ impl Lowerer<'_> {
         Ok(Function {
             slots: self.slots,
             body,
+            names: mem::take(&mut self.slot_names),
         })
     }
 
@@ -189,6 +193,9 @@ impl Lowerer<'_> {
     }
 
     fn named(&mut self, name: &str, slot: usize, ty: Type, is_mut: bool) {
+        let slots = self.slot_names.len().max(slot + 1);
+        self.slot_names.resize(slots, String::new());
+        name.clone_into(&mut self.slot_names[slot]);
         self.locals.push(Local {
             name: name.to_owned(),
             slot,

@@ -138,6 +138,8 @@ pub(crate) enum Pattern {
 pub(crate) struct Function {
     pub(crate) slots: usize,
     pub(crate) body: Node,
+    /// The names of the slots.
+    pub(crate) names: Vec<String>,
 }
 
 /// The parameters of a closure, and its body.

@@ -8,8 +8,9 @@ use std::collections::HashMap;
 use std::rc::Rc;
 use std::sync::LazyLock;
 
-use common::rtweekend::{Camera, Picture, Ray, Vec3, sky, write_color};
+use common::rtweekend::{Camera, Picture, Ray, Vec3, sky};
 
+use crate::canvas::Brush;
 use crate::names::{Context, Names, Signature};
 use crate::node::{At, Node};
 use crate::run::{Eval, Machine};
@@ -138,48 +139,13 @@ fn least(machine: &mut Machine<'_>, a: &[Value], at: At) -> Eval {
     Ok(Value::of(best))
 }
 
-/// A picture whose pixels a function colors.
-fn painted(
-    machine: &mut Machine<'_>,
-    (width, height): (u32, u32),
-    mut color: impl FnMut(&mut Machine<'_>, u32, u32) -> Eval<Vec3>,
-) -> Eval {
-    let mut levels = |machine: &mut Machine<'_>, i, j| {
-        machine.begin();
-        let mut pixel = [0; 3];
-        write_color(&mut pixel, color(machine, i, j)?);
-        Ok(pixel)
-    };
-    let mut rgb = Vec::new();
-    if let Some(sample) = machine.sample.clone() {
-        let inside = sample.iter().take_while(|it| it.0 < width * height);
-        machine.matched = 0;
-        for (at, right) in inside {
-            if levels(machine, at % width, at / width)? != *right {
-                break;
-            }
-            machine.matched += 1;
-        }
-    } else {
-        rgb.reserve(3 * width as usize * height as usize);
-        for (j, i) in (0..height).flat_map(|j| (0..width).map(move |i| (j, i))) {
-            rgb.extend(levels(machine, i, j)?);
-        }
-    }
-    Ok(Value::Picture(Rc::new((width, height, rgb))))
+/// A picture whose pixels are colored when they are asked for.
+fn painted(size: (u32, u32), brush: Brush) -> Eval {
+    Ok(Value::Picture(Rc::new((size, Rc::new(brush)))))
 }
 
-/// The widest picture that is drawn here.
-const WIDEST: i128 = 4096;
-
-fn width(machine: &mut Machine<'_>, value: &Value, at: At) -> Eval<u32> {
-    match value.int() {
-        it @ 1..=WIDEST => Ok(it as u32),
-        _ => {
-            let message = format!("a picture here is 1 to {WIDEST} pixels wide and high");
-            machine.panic(at, &message)
-        }
-    }
+fn size(value: &Value) -> u32 {
+    value.int().clamp(0, u32::MAX.into()) as u32
 }
 
 /// What a function comes to that is given to another.
@@ -201,10 +167,6 @@ impl Machine<'_> {
     fn ordered(&mut self, f: &Value, given: [&Value; 2], at: At) -> Eval<Ordering> {
         let mut given = given.map(Value::clone);
         Ok(self.applied(f, &mut given, Head::Ordering, at)?.ordering())
-    }
-
-    fn colored(&mut self, f: &Value, given: &mut [Value], at: At) -> Eval<Vec3> {
-        Ok(self.applied(f, given, Head::Vec3, at)?.vec3())
     }
 }
 
@@ -353,20 +315,13 @@ library! {
     }
     "Picture" {
         fn paint(width: u32, height: u32, color: impl Fn(u32, u32) -> Vec3) -> Picture =>
-            |m, a, at| {
-                let size = (width(m, &a[0], at)?, width(m, &a[1], at)?);
-                painted(m, size, |m, i, j| {
-                    let pixel = [i, j].map(|it| Value::Int(it.into(), Int::U32));
-                    m.colored(&a[2], &mut { pixel }, at)
-                })
-            };
+            |m, a, _| painted((size(&a[0]), size(&a[1])), Brush::Pixel(m.kept(&a[2])));
     }
     "" {
-        fn render(width: u32, color: impl Fn(&Ray) -> Vec3) -> Picture => |m, a, at| {
-            let camera = Camera::new(width(m, &a[0], at)?);
-            painted(m, (camera.image_width, camera.image_height), |m, i, j| {
-                m.colored(&a[1], &mut [Value::Ray(Rc::new(camera.ray(i, j)))], at)
-            })
+        fn render(width: u32, color: impl Fn(&Ray) -> Vec3) -> Picture => |m, a, _| {
+            let camera = Camera::new(size(&a[0]).max(1));
+            let size = (camera.image_width, camera.image_height);
+            painted(size, Brush::Ray(camera, m.kept(&a[1])))
         };
         fn sky(ray: &Ray) -> Vec3 => |_, a, _| vector(sky(&a[0].ray()));
     }
@@ -521,22 +476,16 @@ library! {
     }
 }
 
-/// The picture that a text has drawn: by our `render`, or as the text of a P3 file.
-pub(crate) fn picture(value: &Value) -> Option<Picture> {
-    match value {
-        Value::Picture(it) => Picture::from_rgb(it.0, it.1, it.2.clone()),
-        Value::Str(text) => {
-            let mut words = text
-                .strip_prefix("P3")?
-                .split_whitespace()
-                .map(str::parse::<u32>);
-            let [width, height, most] = [(); 3].map(|()| words.next().and_then(Result::ok));
-            let levels = words.map(|it| u8::try_from(it.ok()?).ok());
-            most.filter(|&it| it == 255)?;
-            Picture::from_rgb(width?, height?, levels.collect::<Option<_>>()?)
-        }
-        _ => None,
-    }
+/// The picture that a text has printed as a P3 file.
+pub(crate) fn printed(text: &str) -> Option<Picture> {
+    let mut words = text
+        .strip_prefix("P3")?
+        .split_whitespace()
+        .map(str::parse::<u32>);
+    let [width, height, most] = [(); 3].map(|()| words.next().and_then(Result::ok));
+    let levels = words.map(|it| u8::try_from(it.ok()?).ok());
+    most.filter(|&it| it == 255)?;
+    Picture::from_rgb(width?, height?, levels.collect::<Option<_>>()?)
 }
 
 /// The names and the types of what a type of the library has.

@@ -12,17 +12,24 @@ use common::rtweekend::Vec3 as DVec3;
 use crate::lower::miscounted;
 use crate::names::Names;
 use crate::node::{Arm, At, Closure, Function, Node, Order, Pattern, Root, Sign, Target};
+use crate::patch::Written;
 use crate::prelude::Native;
 use crate::read::Refusal;
 use crate::types::{Head, Int, Type};
 use crate::value::{Address, Frame, Iter, Value};
 
 /// What runs.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Code {
-    pub(crate) names: Names,
+    pub(crate) names: Arc<Names>,
     pub(crate) functions: Vec<Arc<Function>>,
-    pub(crate) texts: Vec<String>,
+    /// The functions as they are written, in the same order.
+    pub(crate) written: Vec<Option<Written>>,
+    pub(crate) texts: Arc<Vec<String>>,
+    /// Whether floats have 24 bits.
+    pub(crate) is_single: bool,
+    /// Functions of the text that are called in place of those of the library.
+    pub(crate) instead: Vec<(&'static str, usize)>,
 }
 
 /// Why what follows is not run. What is brought along is kept by the machine.
@@ -55,8 +62,10 @@ pub(crate) struct Machine<'c> {
     left: Value,
     fault: Option<Refusal>,
     constants: Vec<Option<Value>>,
-    pub(crate) sample: Option<Rc<Sample>>,
-    pub(crate) matched: usize,
+    /// The function that runs, by its number.
+    function: usize,
+    /// What was bound to the slots of which functions, if that is asked for.
+    pub(crate) notes: Option<Vec<(usize, usize, Value)>>,
 }
 
 impl<'c> Machine<'c> {
@@ -72,8 +81,8 @@ impl<'c> Machine<'c> {
             left: Value::Unit,
             fault: None,
             constants: Vec::new(),
-            sample: None,
-            matched: 0,
+            function: 0,
+            notes: None,
         }
     }
 
@@ -105,7 +114,12 @@ impl<'c> Machine<'c> {
     /// Calls a function from outside; what stops it is a refusal.
     pub(crate) fn call(&mut self, function: usize, arguments: &[Value]) -> Result<Value, Refusal> {
         self.run(function, arguments, At::default())
-            .map_err(|_| self.fault.take().expect("functions catch what leaves them"))
+            .map_err(|_| self.fault())
+    }
+
+    /// What has stopped the text.
+    pub(crate) fn fault(&mut self) -> Refusal {
+        self.fault.take().expect("functions catch what leaves them")
     }
 
     /// What becomes of a value of which a method takes each of these, one after the other.
@@ -132,9 +146,12 @@ impl<'c> Machine<'c> {
     /// Runs a function whose arguments are on the stack.
     fn enter(&mut self, function: usize, start: usize, at: At) -> Eval {
         let code = self.code;
+        let caller = mem::replace(&mut self.function, function);
         let function = &code.functions[function];
         let size = start + function.slots;
-        self.in_frame(start, size, at, |own| own.eval(&function.body))
+        let result = self.in_frame(start, size, at, |own| own.eval(&function.body));
+        self.function = caller;
+        result
     }
 
     /// Runs a body in a frame of its own.
@@ -272,7 +289,7 @@ impl<'c> Machine<'c> {
             Node::Unit => Ok(Value::Unit),
             Node::Bool(it) => Ok(Value::Bool(*it)),
             Node::Int(it, int) => Ok(Value::Int(*it, *int)),
-            Node::Float(it) => Ok(Value::Float(*it)),
+            Node::Float(it) => Ok(Value::Float(self.rounded(*it))),
             Node::Vec3(it) => Ok(Value::Vec3(*it)),
             Node::Str(it) => Ok(Value::Str(Rc::new(it.to_string()))),
             Node::None => Ok(Value::None),
@@ -325,7 +342,7 @@ impl<'c> Machine<'c> {
     #[inline]
     fn operand(&mut self, node: &Node) -> Eval {
         match node {
-            Node::Float(it) => return Ok(Value::Float(*it)),
+            Node::Float(it) => return Ok(Value::Float(self.rounded(*it))),
             Node::Local(slot) => match &self.stack[self.base + slot] {
                 Value::Float(it) => return Ok(Value::Float(*it)),
                 Value::Vec3(it) => return Ok(Value::Vec3(*it)),
@@ -345,6 +362,18 @@ impl<'c> Machine<'c> {
             Frame::At(self.base as u32, slots as u32)
         };
         Value::Closure(Arc::clone(closure), frame)
+    }
+
+    /// A function that may be called when the one that made it is over.
+    pub(crate) fn kept(&self, function: &Value) -> Value {
+        match function {
+            Value::Closure(closure, Frame::At(base, slots)) => {
+                let start = *base as usize;
+                let frame = self.stack[start..start + *slots as usize].to_vec();
+                Value::Closure(Arc::clone(closure), Frame::Taken(Rc::new(frame)))
+            }
+            other => other.clone(),
+        }
     }
 
     #[inline(never)]
@@ -559,6 +588,9 @@ impl<'c> Machine<'c> {
         let value = self.operand(value)?;
         match pattern {
             Pattern::Bind(slot) => {
+                if let Some(notes) = &mut self.notes {
+                    notes.push((self.function, *slot, value.clone()));
+                }
                 let slot = self.base + slot;
                 self.stack[slot] = value;
             }
@@ -586,8 +618,30 @@ impl<'c> Machine<'c> {
         }
     }
 
+    /// A result as floats have it here.
+    #[inline]
+    pub(crate) fn rounded(&self, it: f64) -> f64 {
+        if self.code.is_single {
+            f64::from(it as f32)
+        } else {
+            it
+        }
+    }
+
+    #[inline]
+    fn all_rounded(&self, it: DVec3) -> DVec3 {
+        if self.code.is_single {
+            DVec3::from_array(it.to_array().map(|it| f64::from(it as f32)))
+        } else {
+            it
+        }
+    }
+
     #[inline(never)]
     fn native(&mut self, native: &Native, nodes: &[Node], at: At) -> Eval {
+        if !self.code.instead.is_empty() {
+            return self.native_or_own(native, nodes, at);
+        }
         match nodes {
             [one] => {
                 let mut arguments = [self.operand(one)?];
@@ -604,14 +658,28 @@ impl<'c> Machine<'c> {
         }
     }
 
+    /// A function of the library, or that of the text which takes its place.
+    fn native_or_own(&mut self, native: &Native, nodes: &[Node], at: At) -> Eval {
+        let mut arguments = self.all(nodes)?;
+        let is_of_vectors = ["Vec3", "Ray"].contains(&native.owner);
+        let mut instead = self.code.instead.iter().filter(|_| is_of_vectors);
+        if let Some((_, own)) = instead.find(|it| it.0 == native.signature.name) {
+            return self.run(*own, &arguments, at);
+        }
+        match (native.run)(self, &mut arguments, at)? {
+            Value::Float(it) => Ok(Value::Float(self.rounded(it))),
+            other => Ok(other),
+        }
+    }
+
     #[inline(never)]
     fn operation(&mut self, sign: Sign, nodes: &[Node; 2], at: At) -> Eval {
         use Value::{Float, Vec3};
         let left = self.operand(&nodes[0])?;
         let right = self.operand(&nodes[1])?;
         match (left, right) {
-            (Float(a), Float(b)) => Ok(Float(of_floats(sign, a, b))),
-            (Vec3(a), Vec3(b)) => Ok(Vec3(of_vectors(sign, a, b))),
+            (Float(a), Float(b)) => Ok(Float(self.rounded(of_floats(sign, a, b)))),
+            (Vec3(a), Vec3(b)) => Ok(Vec3(self.all_rounded(of_vectors(sign, a, b)))),
             (left, right) => self.arithmetic(sign, left, right, at),
         }
     }
@@ -843,10 +911,14 @@ impl<'c> Machine<'c> {
     pub(crate) fn arithmetic(&mut self, sign: Sign, left: Value, right: Value, at: At) -> Eval {
         use Value::{Float, Vec3};
         Ok(match (sign, left, right) {
-            (sign, Vec3(a), Vec3(b)) => Vec3(of_vectors(sign, a, b)),
-            (sign, Vec3(a), Float(b)) => Vec3(of_vectors(sign, a, DVec3::splat(b))),
-            (sign, Float(a), Vec3(b)) => Vec3(of_vectors(sign, DVec3::splat(a), b)),
-            (sign, Float(a), Float(b)) => Float(of_floats(sign, a, b)),
+            (sign, Vec3(a), Vec3(b)) => Vec3(self.all_rounded(of_vectors(sign, a, b))),
+            (sign, Vec3(a), Float(b)) => {
+                Vec3(self.all_rounded(of_vectors(sign, a, DVec3::splat(b))))
+            }
+            (sign, Float(a), Vec3(b)) => {
+                Vec3(self.all_rounded(of_vectors(sign, DVec3::splat(a), b)))
+            }
+            (sign, Float(a), Float(b)) => Float(self.rounded(of_floats(sign, a, b))),
             (Sign::Plus, Value::Str(a), Value::Str(b)) => Value::Str(Rc::new(format!("{a}{b}"))),
             (sign, Value::Int(a, one), Value::Int(b, other)) => {
                 let Some(int) = one.joined(other) else {

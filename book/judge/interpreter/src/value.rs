@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use common::rtweekend::{Ray, Vec3};
 
+use crate::canvas::Brush;
 use crate::names::Names;
 use crate::node::{At, Closure};
 use crate::prelude::Native;
@@ -23,8 +24,8 @@ pub(crate) enum Value {
     Float(f64),
     Vec3(Vec3),
     Ray(Rc<Ray>),
-    /// Width, height, and three bytes a pixel.
-    Picture(Rc<(u32, u32, Vec<u8>)>),
+    /// Width and height, and what colors its pixels.
+    Picture(Rc<((u32, u32), Rc<Brush>)>),
     Str(Rc<String>),
     Ordering(Ordering),
     None,

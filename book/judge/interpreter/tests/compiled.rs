@@ -68,6 +68,29 @@ fn mistakes_draw_what_they_draw_when_they_are_compiled() {
     assert!(drawn > 100, "{drawn} mistakes are drawn");
 }
 
+/// Two functions with other texts, one after the other, and one that does not go with the rest.
+#[test]
+fn a_function_that_is_read_anew_draws_what_the_whole_text_does() {
+    let (_, text) = Chapter::Normals.files()[0];
+    let mistakes = [
+        ("hit_sphere", "discriminant < 0.0", "discriminant > 0.0"),
+        ("ray_color", "0.5 * (normal + Vec3::ONE)", "normal"),
+    ];
+    let right = program_of(&[("src/lib.rs", text)]).expect("rustc compiles it");
+    let (mut patched, mut text) = (right.clone(), text.to_owned());
+    for (function, line, wrong) in mistakes {
+        let old = patched.functions().find(|it| it.0 == function);
+        let new = old.expect("it is there").1.replace(line, wrong);
+        patched = patched.patched(function, &new).expect("rustc compiles it");
+        text = text.replace(line, wrong);
+        let whole = program_of(&[("src/lib.rs", &text)]).expect("rustc compiles it");
+        assert_eq!(patched.draw(63), whole.draw(63), "{function}");
+        assert_ne!(patched.draw(63), right.draw(63), "{function}");
+    }
+    let refused = right.patched("ray_color", "fn ray_color(ray: &Ray) -> Color { ray }");
+    assert!(refused.is_err_and(|it| it.message == "mismatched types"));
+}
+
 /// What readers have beside the chapter's text, or in its place.
 #[test]
 fn what_the_compiler_reads_is_read() {

@@ -1,61 +1,13 @@
 //! A chapter as a table of functions, so that one step of it can be replaced.
 
-use std::fmt::Debug;
-
 use common::rtweekend::*;
+pub use interpreter::{Ball, Hit, Interpreted};
 
 use crate::chapter::Chapter;
 use crate::edition::Edition;
 
-/// A sphere.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ball {
-    /// Its center.
-    pub center: Point3,
-    /// Its radius.
-    pub radius: f64,
-}
-
-impl Ball {
-    /// The sphere at (`x`, `y`, `z`).
-    pub const fn new(x: f64, y: f64, z: f64, radius: f64) -> Self {
-        Self {
-            center: Point3::new(x, y, z),
-            radius,
-        }
-    }
-}
-
 /// The sphere of chapters 2 to 4.
 pub(super) const BALL: Ball = Ball::new(0.0, 0.0, -1.0, 0.5);
-
-/// What there is to know about a hit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
-    /// The ray parameter, in lengths of the ray's direction.
-    pub t: f64,
-    /// The point on the sphere.
-    pub point: Point3,
-    /// The normal, which should be a unit vector against the ray.
-    pub normal: Vec3,
-    /// Whether the ray came from outside.
-    pub front_face: bool,
-}
-
-/// A chapter that is run from its text, and not from a table of steps.
-pub trait Interpreted: Debug + Send + Sync {
-    /// The chapter's `ray_color`.
-    fn ray_color(&self, ray: &Ray) -> Color;
-
-    /// The `hit_sphere` of chapters 2 to 4; any `t` where it only says yes.
-    fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64>;
-
-    /// The `hit` of a sphere in chapter 5.
-    fn record(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit>;
-
-    /// The `hit` of a list in chapter 5.
-    fn nearest(&self, balls: &[Ball], ray: &Ray, t_min: f64, t_max: f64) -> Option<f64>;
-}
 
 /// Chooses one of all hits, by its ray parameter and its sphere.
 pub(super) type Search = fn(&Program, &[Ball], &Ray) -> Option<(f64, Ball)>;

@@ -75,8 +75,14 @@ fn every_hidden_mistake_is_shown_by_the_same_probes() {
             }
             let probes = PROBES.iter().filter(|probe| probe.tells(slip, chapter));
             let probes: Vec<&str> = probes.map(|probe| probe.name).collect();
-            writeln!(shown, "{} {} {}", chapter.name(), slip.name, probes.join(" "))
-                .expect("memory takes it");
+            writeln!(
+                shown,
+                "{} {} {}",
+                chapter.name(),
+                slip.name,
+                probes.join(" ")
+            )
+            .expect("memory takes it");
         }
     }
     insta::assert_snapshot!("shown_by", shown);

@@ -1,0 +1,118 @@
+//! Function calls from outside: what a chapter's functions answer to a ray and a sphere.
+
+use std::fmt::Debug;
+
+use common::rtweekend::*;
+
+use crate::Program;
+use crate::value::Value;
+
+/// A sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball {
+    /// Its center.
+    pub center: Point3,
+    /// Its radius.
+    pub radius: f64,
+}
+
+impl Ball {
+    /// The sphere at (`x`, `y`, `z`).
+    pub const fn new(x: f64, y: f64, z: f64, radius: f64) -> Self {
+        Self {
+            center: Point3::new(x, y, z),
+            radius,
+        }
+    }
+}
+
+/// What there is to know about a hit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// The ray parameter, in lengths of the ray's direction.
+    pub t: f64,
+    /// The point on the sphere.
+    pub point: Point3,
+    /// The normal, which should be a unit vector against the ray.
+    pub normal: Vec3,
+    /// Whether the ray came from outside.
+    pub front_face: bool,
+}
+
+/// A chapter that is run from its text, and not from a table of steps.
+pub trait Interpreted: Debug + Send + Sync {
+    /// The chapter's `ray_color`.
+    fn ray_color(&self, ray: &Ray) -> Color;
+
+    /// The `hit_sphere` of chapters 2 to 4; any `t` where it only says yes.
+    fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64>;
+
+    /// The `hit` of a sphere in chapter 5.
+    fn record(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit>;
+
+    /// The `hit` of a list in chapter 5.
+    fn nearest(&self, balls: &[Ball], ray: &Ray, t_min: f64, t_max: f64) -> Option<f64>;
+}
+
+impl Interpreted for Program {
+    fn ray_color(&self, ray: &Ray) -> Color {
+        let color = || {
+            let mut machine = self.machine();
+            let world = self.roles.world.map(|it| self.asked(machine.call(it, &[])));
+            let mut given = vec![Self::ray(self, ray)];
+            if let Some(world) = world {
+                given.push(world?);
+            }
+            let color = self.asked(machine.call(self.roles.ray_color?, &given))?;
+            self.vec3_of(&color)
+        };
+        color().unwrap_or(Color::NAN)
+    }
+
+    fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
+        let given = [
+            self.vec3(center),
+            Value::Float(radius),
+            Self::ray(self, ray),
+        ];
+        match self.call(self.roles.hit_sphere?, &given)? {
+            Value::Bool(is_hit) => is_hit.then_some(0.0),
+            Value::Float(t) => Some(t),
+            it => it.option().map(|t| t.float()),
+        }
+    }
+
+    fn record(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
+        let (new, hit) = self.roles.sphere?;
+        let sphere = self.call(new, &[self.vec3(ball.center), Value::Float(ball.radius)])?;
+        let ray = Self::ray(self, ray);
+        let given = [sphere, ray, Value::Float(t_min), Value::Float(t_max)];
+        let record = self.call(hit, &given)?.option()?;
+        let [t, point, normal, front_face] = self.roles.record?.map(|n| record.field(n));
+        Some(Hit {
+            t: t.float(),
+            point: self.vec3_of(&point)?,
+            normal: self.vec3_of(&normal)?,
+            front_face: front_face.truth(),
+        })
+    }
+
+    fn nearest(&self, balls: &[Ball], ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
+        let (list, (new, _)) = (self.roles.list.as_ref()?, self.roles.sphere?);
+        let mut machine = self.machine();
+        let made = match list.new {
+            Some(new) => self.asked(machine.call(new, &[]))?,
+            None => machine.default(&list.ty).ok()?,
+        };
+        let mut spheres = Vec::new();
+        for ball in balls {
+            let given = [self.vec3(ball.center), Value::Float(ball.radius)];
+            spheres.push(self.asked(machine.call(new, &given))?);
+        }
+        let filled = self.asked(machine.filled(list.add, made, spheres))?;
+        let ray = Self::ray(self, ray);
+        let given = [filled, ray, Value::Float(t_min), Value::Float(t_max)];
+        let record = self.asked(machine.call(list.hit, &given))?.option()?;
+        Some(record.field(self.roles.record?[0]).float())
+    }
+}

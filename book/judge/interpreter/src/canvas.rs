@@ -1,0 +1,181 @@
+//! Lazy evaluation: a picture whose pixels are traced when they are asked for.
+
+use std::rc::Rc;
+
+use common::rtweekend::*;
+
+use crate::node::At;
+use crate::read::Refusal;
+use crate::run::{Eval, Machine};
+use crate::types::{Head, Int};
+use crate::value::Value;
+use crate::{Fault, Program, missing, prelude};
+
+/// What colors the pixels of a picture.
+#[derive(Debug)]
+pub(crate) enum Brush {
+    /// A function of column and row.
+    Pixel(Value),
+    /// A function of the ray that our camera casts.
+    Ray(Camera, Value),
+    /// A reader's `ray_color`, with a world if it takes one.
+    Role(Camera, usize, Option<Value>),
+    /// A picture that the text has printed by itself.
+    Printed(Picture),
+}
+
+/// A picture that a program draws, pixel by pixel.
+pub struct Canvas<'p> {
+    program: &'p Program,
+    machine: Machine<'p>,
+    size: (u32, u32),
+    brush: Rc<Brush>,
+}
+
+/// What a `let` has given a name to, on the way to a color: the function, the name, the value.
+pub type Note = (String, String, String);
+
+impl Program {
+    /// The picture that wide, before any of its pixels is traced.
+    ///
+    /// # Errors
+    /// As for the picture.
+    pub fn canvas(&self, width: u32) -> Result<Canvas<'_>, Fault> {
+        let mut machine = self.machine();
+        let Some(picture) = self.roles.picture else {
+            return self.by_ray_color(machine, width);
+        };
+        let drawn = self.ran(machine.call(picture, &[crate::u32_value(width)]))?;
+        let (size, brush) = match drawn {
+            Value::Picture(it) => (it.0, Rc::clone(&it.1)),
+            Value::Str(text) => {
+                let printed = prelude::printed(&text).ok_or_else(|| missing("a picture"))?;
+                let size = (printed.width(), printed.height());
+                (size, Rc::new(Brush::Printed(printed)))
+            }
+            _ => return Err(missing("a picture")),
+        };
+        Ok(Canvas {
+            program: self,
+            machine,
+            size,
+            brush,
+        })
+    }
+
+    /// The picture of `ray_color` alone, by our camera.
+    pub(crate) fn by_ray_color<'p>(
+        &'p self,
+        mut machine: Machine<'p>,
+        width: u32,
+    ) -> Result<Canvas<'p>, Fault> {
+        let color = self.roles.ray_color.ok_or_else(|| missing("`ray_color`"))?;
+        let world = self.roles.world.map(|it| self.ran(machine.call(it, &[])));
+        let camera = Camera::new(width);
+        Ok(Canvas {
+            program: self,
+            machine,
+            size: (camera.image_width, camera.image_height),
+            brush: Rc::new(Brush::Role(camera, color, world.transpose()?)),
+        })
+    }
+}
+
+impl Canvas<'_> {
+    /// Width and height.
+    pub fn size(&self) -> (u32, u32) {
+        self.size
+    }
+
+    /// The color of the pixel in a column and row.
+    ///
+    /// # Errors
+    /// Where the program stops by itself, or the compiler would refuse it.
+    pub fn color(&mut self, i: u32, j: u32) -> Result<Color, Fault> {
+        let Self {
+            program, machine, ..
+        } = self;
+        machine.begin();
+        let at = At::default();
+        let colored = match &*self.brush {
+            Brush::Pixel(color) => {
+                let pixel = [i, j].map(|it| Value::Int(it.into(), Int::U32));
+                machine.asked_for(|own| own.colored(color, &mut { pixel }, at))
+            }
+            Brush::Ray(camera, color) => {
+                let ray = Value::Ray(Rc::new(camera.ray(i, j)));
+                machine.asked_for(|own| own.colored(color, &mut [ray], at))
+            }
+            Brush::Role(camera, color, world) => {
+                let ray = [program.ray(&camera.ray(i, j))].into_iter();
+                let given: Vec<Value> = ray.chain(world.clone()).collect();
+                let colored = program.ran(machine.call(*color, &given))?;
+                return Ok(program.vec3_of(&colored).unwrap_or(Color::NAN));
+            }
+            Brush::Printed(picture) => {
+                let at = 3 * (j * self.size.0 + i) as usize;
+                let levels = <[u8; 3]>::try_from(&picture.rgb()[at..at + 3]);
+                let levels = levels.expect("three levels").map(f64::from);
+                return Ok(Color::from_array(levels.map(|it| (it + 0.5) / 255.999)));
+            }
+        };
+        program.ran(colored)
+    }
+
+    /// The levels of the pixel in a column and row.
+    ///
+    /// # Errors
+    /// As for its color.
+    pub fn levels(&mut self, i: u32, j: u32) -> Result<[u8; 3], Fault> {
+        let mut levels = [0; 3];
+        write_color(&mut levels, self.color(i, j)?);
+        Ok(levels)
+    }
+
+    /// What each `let` comes to on the way to the color of a pixel, in the order in which they
+    /// run.
+    pub fn notes(&mut self, i: u32, j: u32) -> Vec<Note> {
+        self.machine.notes = Some(Vec::new());
+        let _ = self.color(i, j);
+        let notes = self.machine.notes.take().unwrap_or_default();
+        let code = self.machine.code;
+        let said = notes.into_iter().filter_map(|(function, slot, value)| {
+            let name = code.functions[function].names.get(slot)?;
+            let within = code.written[function].as_ref()?.name.to_string();
+            Some((within, name.clone(), said(&value)?))
+        });
+        said.collect()
+    }
+}
+
+impl Machine<'_> {
+    /// What becomes of a question from outside.
+    fn asked_for<T>(&mut self, ask: impl FnOnce(&mut Self) -> Eval<T>) -> Result<T, Refusal> {
+        ask(self).map_err(|_| self.fault())
+    }
+
+    fn colored(&mut self, color: &Value, given: &mut [Value], at: At) -> Eval<Color> {
+        let value = self.apply(color, given, at)?;
+        Ok(self.declared(value, &Head::Vec3.into(), at)?.vec3())
+    }
+}
+
+/// A number or a vector to a millionth, or with four digits that count if it is smaller.
+fn said(value: &Value) -> Option<String> {
+    let number = |it: f64| match it.abs() {
+        small if small != 0.0 && small < 1e-3 => format!("{it:.3e}"),
+        _ => format!("{}", (it * 1e6).round() / 1e6),
+    };
+    Some(match value {
+        Value::Float(it) => number(*it),
+        Value::Int(it, _) => it.to_string(),
+        Value::Bool(it) => it.to_string(),
+        Value::Vec3(it) => {
+            let [x, y, z] = it.to_array().map(number);
+            format!("({x}, {y}, {z})")
+        }
+        Value::Some(it) => return said(it),
+        Value::None => "none".to_owned(),
+        _ => return None,
+    })
+}

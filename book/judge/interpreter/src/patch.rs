@@ -1,0 +1,122 @@
+//! Incremental reading: a program with another text of one function, of which only that is read.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use crate::lower;
+use crate::names::{Inside, Names, Signature};
+use crate::read::Refusal;
+use crate::run::Code;
+use crate::types::Head;
+use crate::{Fault, Program};
+
+/// A function as it is written: from its first word to its closing bracket.
+#[derive(Clone, Debug)]
+pub(crate) struct Written {
+    /// Its name, behind that of its type if it has one: `Sphere::hit`.
+    pub(crate) name: Arc<str>,
+    pub(crate) text: Arc<str>,
+}
+
+impl Written {
+    /// The function as it stands in a file, unless it is a constant or only promised.
+    pub(crate) fn of(
+        names: &Names,
+        signature: &Signature,
+        body: Option<Inside>,
+        texts: &[String],
+    ) -> Option<Self> {
+        let Some(Inside::Function(syntax, block)) = body else {
+            return None;
+        };
+        let of = match signature.of.as_ref().map(|it| it.0) {
+            Some(Head::Own(kind)) => format!("{}::", names.kinds[kind].name),
+            _ => String::new(),
+        };
+        let start = syntax.fn_token.span.byte_range().start;
+        let at: Range<usize> = start..block.brace_token.span.close().byte_range().end;
+        let text = texts[names.file(signature.module) as usize].get(at)?;
+        Some(Self {
+            name: format!("{of}{}", signature.name).into(),
+            text: text.into(),
+        })
+    }
+}
+
+impl Program {
+    /// The functions by their names, `hit_sphere` or `Sphere::hit`, with their texts.
+    pub fn functions(&self) -> impl Iterator<Item = (&str, &str)> {
+        let written = self.code.written.iter().flatten();
+        written.map(|it| (&*it.name, &*it.text))
+    }
+
+    /// The same program with another text of one function. Its parameters and its result are
+    /// those that were declared.
+    ///
+    /// # Errors
+    /// What the compiler would refuse and reading shows.
+    pub fn patched(&self, function: &str, text: &str) -> Result<Self, Fault> {
+        // Places of an earlier text are not needed any more.
+        proc_macro2::extra::invalidate_current_thread_spans();
+        let code = &*self.code;
+        let is_it = |it: &Option<Written>| it.as_ref().is_some_and(|it| &*it.name == function);
+        let found = code.written.iter().position(is_it);
+        let n = found.ok_or_else(|| missing(&format!("function `{function}`")))?;
+        let refused = |it: Refusal| it.fault(&[]);
+        let item: syn::ImplItemFn =
+            syn::parse_str(text).map_err(|error| missing(&error.to_string()))?;
+        let signature = &code.names.functions[n];
+        if item.sig.inputs.len() != signature.parameters.len() {
+            return Err(missing("change of the parameters"));
+        }
+        let inside = Inside::Function(&item.sig, &item.block);
+        let lowered = lower::lower(&code.names, signature, Some(inside)).map_err(refused)?;
+        let mut code = Code::clone(code);
+        code.functions[n] = Arc::new(lowered);
+        if let Some(it) = &mut code.written[n] {
+            it.text = text.into();
+        }
+        Ok(self.running(code))
+    }
+
+    /// The same program as floats of single precision have it: with every result of an
+    /// operation, and every number in the text, rounded to 24 bits. What is done by functions of
+    /// the library should be [in the text](Self::instead_of_the_library), too.
+    pub fn in_single_precision(&self) -> Self {
+        self.running(Code {
+            is_single: true,
+            ..Code::clone(&self.code)
+        })
+    }
+
+    /// The same program with those functions of its text in place of the methods of vectors and
+    /// rays that have their names.
+    pub fn instead_of_the_library(&self, functions: &[&'static str]) -> Self {
+        let code = &*self.code;
+        let numbered = |&name: &&'static str| {
+            let is_it = |it: &Option<Written>| it.as_ref().is_some_and(|it| &*it.name == name);
+            Some((name, code.written.iter().position(is_it)?))
+        };
+        self.running(Code {
+            instead: functions.iter().filter_map(numbered).collect(),
+            ..Code::clone(code)
+        })
+    }
+
+    fn running(&self, code: Code) -> Self {
+        Self {
+            code: Arc::new(code),
+            ..self.clone()
+        }
+    }
+}
+
+fn missing(what: &str) -> Fault {
+    Fault {
+        place: None,
+        message: format!("there is no {what}"),
+        label: String::new(),
+        help: String::new(),
+        is_refused: true,
+    }
+}
