@@ -1,11 +1,12 @@
 //! In SIMD lanes, a method answers to the bit as it does alone, whatever the other lanes
 //! of the block are asked.
 
-use laws::Case;
 use laws::strategies::samples;
+use laws::{Case, WithInterval};
+use proptest::prelude::*;
+use proptest::test_runner::TestCaseResult;
 use speed_vs_accuracy::{
-    BLOCK, Method, adaptive_q, certified_hit, certified_in_lanes, certified_t, cross_q, half_b,
-    half_b_q, in_lanes,
+    BLOCK, Method, adaptive_q, certified_in_lanes, cross_q, half_b, half_b_q, in_lanes,
 };
 
 use crate::hostile::hostile;
@@ -14,31 +15,36 @@ use crate::hostile::hostile;
 fn the_certified_methods_answer_in_lanes_as_they_do_alone() {
     let ranges = [
         (0.0, f64::INFINITY),
+        (-0.0, 1.0),
         (0.001, 1.0),
+        (f64::NEG_INFINITY, -0.0),
         (1.0, 0.0),
         (0.0, f64::NAN),
     ];
     for cases in blocks() {
         for (t_min, t_max) in ranges {
-            let mut answers = [[0.0; BLOCK]; 2];
-            certified_in_lanes::<false>(&mut answers[0], |k| cases[k], t_min, t_max);
-            certified_in_lanes::<true>(&mut answers[1], |k| cases[k], t_min, t_max);
-            for (
-                k,
-                Case {
-                    center,
-                    radius,
-                    ray,
-                },
-            ) in cases.iter().enumerate()
-            {
-                let alone = [certified_hit, certified_t]
-                    .map(|solve| solve(*center, *radius, ray, t_min, t_max));
-                let found = answers.map(|row| (row[k] < f64::INFINITY).then_some(row[k]));
-                assert_eq!(found, alone, "{}, {t_min} to {t_max}", cases[k]);
-            }
+            certified(&cases, t_min, t_max).expect("alike");
         }
     }
+}
+
+/// One question in each of the lanes.
+pub(crate) fn answers_as_alone(asked: &WithInterval) -> TestCaseResult {
+    let WithInterval { case, t_min, t_max } = *asked;
+    certified(&[case; BLOCK], t_min, t_max)
+}
+
+fn certified(cases: &[Case; BLOCK], t_min: f64, t_max: f64) -> TestCaseResult {
+    let mut answers = [[0.0; BLOCK]; 2];
+    certified_in_lanes::<false>(&mut answers[0], |k| cases[k], t_min, t_max);
+    certified_in_lanes::<true>(&mut answers[1], |k| cases[k], t_min, t_max);
+    for (k, case) in cases.iter().enumerate() {
+        let alone = [Method::CERTIFIED_HIT, Method::CERTIFIED_T]
+            .map(|method| case.put_to(&method, t_min, t_max));
+        let found = answers.map(|row| (row[k] < f64::INFINITY).then_some(row[k]));
+        prop_assert_eq!(found, alone, "{}, {} to {}", case, t_min, t_max);
+    }
+    Ok(())
 }
 
 /// Rounding is the same in every version that the compiler makes of the loop.

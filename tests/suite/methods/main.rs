@@ -1,5 +1,6 @@
 //! Chapter 6: is each method as right, as exact and as it is said to be?
 
+mod bands;
 mod contract;
 mod happened;
 mod hostile;

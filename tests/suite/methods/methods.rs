@@ -12,13 +12,13 @@ use laws::question::RangeSolver;
 use laws::strategies::{self, samples};
 use laws::{Case, WithInterval, config, intervals};
 use proptest::prelude::*;
-use proptest::test_runner::{TestCaseError, TestCaseResult};
+use proptest::test_runner::{RngSeed, TestCaseError, TestCaseResult, TestRunner};
 use speed_vs_accuracy::{
     METHODS, Method, Precision, Stage, certified_hit, certified_t, double_double, exact, half_b,
     stage_of_hit,
 };
 
-use crate::hostile;
+use crate::{bands, hostile, lanes};
 
 const CASES: u32 = 4000;
 
@@ -149,6 +149,33 @@ mod the_certified_methods {
                 prop_assert!(near.contains(&t) && t_min < t && t < t_max, "{t}, not {right}");
             }
         }
+    }
+
+    /// Where a bound is tight, and random cases never come. A filter was wrong here, one case
+    /// in a hundred, that had answered a hundred million others rightly.
+    #[test]
+    fn are_right_at_the_edges_of_the_filter_s_bands() {
+        at_the_edges(100_000, 11);
+    }
+
+    #[test]
+    #[ignore = "ten million questions take minutes"]
+    fn are_right_at_the_edges_for_ten_million_questions() {
+        at_the_edges(10_000_000, 12);
+    }
+
+    fn at_the_edges(cases: u32, seed: u64) {
+        let rng_seed = RngSeed::Fixed(seed);
+        let mut runner = TestRunner::new(ProptestConfig {
+            cases,
+            rng_seed,
+            ..config()
+        });
+        let result = runner.run(&bands::at_a_band(), |asked| {
+            is_certified(&asked)?;
+            lanes::answers_as_alone(&asked)
+        });
+        result.unwrap_or_else(|failure| panic!("{failure}"));
     }
 
     /// In which order they are asked, and that each is needed: the narrower a bound, the more

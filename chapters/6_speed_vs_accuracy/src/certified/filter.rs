@@ -18,8 +18,14 @@ const C_BAND: f64 = 8.0 * U;
 /// Bound D: |D̂ − D| ≤ 24u·a·M.
 const D_BAND: f64 = 24.0 * U;
 
-/// Bound T: |t̂ − t|·√D̂ ≤ 64u·M where D̂ > 48u·a·M.
+/// Bound T: |t̂ − t|·√D̂ ≤ 34u·M where D̂ > 48u·a·M. A root so far from an end of the range is
+/// in it, or out.
 const T_BAND: f64 = 64.0 * U;
+
+/// Bound T, one more product included: 38u·M. A nearer root so far before the range is out. One
+/// that is not is found, once divided, less than [`T_BAND`] before it: so the two tests never
+/// contradict each other.
+const BEFORE_BAND: f64 = 48.0 * U;
 
 /// Bound R: where D̂ > 2⁻¹⁶·a·M and |t̂|·√D̂ > 2⁻¹⁵·M, the refined t is less than
 /// 0.8 ulp off.
@@ -74,7 +80,8 @@ pub(crate) fn filter<const ULP: bool>(
     let q = h + sqrtd.copysign(h);
     let c_is_nearer = h.is_sign_positive();
     let (numerator, denominator) = if c_is_nearer { (c, q) } else { (q, a) };
-    let is_before = (numerator - t_min * denominator) * sqrtd <= -band * denominator;
+    let before_band = BEFORE_BAND * m * denominator;
+    let is_before = (numerator - t_min * denominator) * sqrtd <= -before_band;
     let takes_c = c_is_nearer ^ is_before;
     let (numerator, denominator) = if takes_c { (c, q) } else { (q, a) };
     let t = numerator / denominator;
