@@ -14,6 +14,7 @@ mod watch;
 mod wrap;
 
 use std::process::ExitCode;
+use std::thread;
 
 use launcher::command_line::{Command, CommandLine, Companion};
 use launcher::{book, chapter, files, misuse, show, terminal};
@@ -32,7 +33,18 @@ impl Companion for Here {
     type Probes = probes::Arguments;
 }
 
+/// What parses and runs a reader's text calls itself for each level of it. Of this much only
+/// what is used takes memory; where a program has less from its system, it takes this from us.
+const STACK: usize = 1 << 26;
+
 fn main() -> ExitCode {
+    let named = thread::Builder::new().stack_size(STACK);
+    let ended = named.spawn(run).map(thread::JoinHandle::join);
+    // What panics has said so.
+    ended.map_or_else(|_| run(), |code| code.unwrap_or(ExitCode::from(101)))
+}
+
+fn run() -> ExitCode {
     let done = match misuse::command_line::<CommandLine<Here>>().command {
         None => return misuse::exit_code_of(launcher::run_without_command()),
         Some(Command::Book(arguments)) => return misuse::exit_code_of(book::book(&arguments)),

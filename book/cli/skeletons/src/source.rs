@@ -10,10 +10,14 @@ use syn::{Block, Ident, ImplItem, Item};
 /// # Errors
 /// The line that is not Rust, and why.
 pub fn items(source: &str) -> Result<Vec<(String, Range<usize>)>, String> {
-    let file = syn::parse_file(source)
-        .map_err(|cause| format!("line {}: {cause}", cause.span().start().line))?;
+    let file = syn::parse_file(source).map_err(|cause| said(&cause))?;
     let named = |item: &Item| Some((name(item, source)?, item.span().byte_range()));
     Ok(file.items.iter().filter_map(named).collect())
+}
+
+/// Says why a source can't be read, with the line.
+pub fn said(cause: &syn::Error) -> String {
+    format!("line {}: {cause}", cause.span().start().line)
 }
 
 /// What an item goes by: an impl block by its type, so that it stays with that.

@@ -10,6 +10,7 @@ mod asked;
 mod canvas;
 mod lower;
 mod names;
+pub mod nesting;
 mod node;
 mod operators;
 mod patch;

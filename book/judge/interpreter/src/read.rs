@@ -5,6 +5,7 @@ use std::ops::Range;
 use proc_macro2::{LexError, Span, TokenStream};
 use syn::spanned::Spanned;
 
+use crate::nesting::{self, DEEPEST};
 use crate::node::At;
 use crate::{Fault, Place};
 
@@ -134,6 +135,10 @@ pub(crate) fn parse(file: usize, text: &str) -> Result<syn::File, Refusal> {
     let tokens: TokenStream = code
         .parse()
         .map_err(|error: LexError| no_token(file, text, &code, error.span()))?;
+    nesting::check(tokens.clone()).map_err(|span| {
+        let what = format!("what is nested more than {DEEPEST} deep");
+        Refusal::unknown(at_span(file, span), &what)
+    })?;
     syn::parse2(tokens).map_err(|error| no_tree(file, text, &error))
 }
 

@@ -6,6 +6,7 @@ use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use interpreter::nesting;
 use skeletons::{How, source};
 use slips::Chapter;
 
@@ -26,7 +27,10 @@ impl Written {
         let chapter = folder.file_name().unwrap_or_default();
         Self {
             chapter: chapter.to_string_lossy().into_owned(),
-            items: items.and_then(|text| items_of(&text)),
+            items: items.and_then(|text| {
+                nesting::parse_file(&text).map_err(|it| source::said(&it))?;
+                items_of(&text)
+            }),
             folder: folder.to_owned(),
             files: other_files(folder, Path::new("src")),
         }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use interpreter::nesting;
 use syn::spanned::Spanned;
 use syn::{Block, FnArg, ImplItem, Item, Signature, TraitItem};
 
@@ -37,7 +38,7 @@ pub(super) fn functions(files: &[(String, String)]) -> Vec<Function> {
 }
 
 fn of_file(file: usize, text: &str) -> Vec<Function> {
-    let Ok(parsed) = syn::parse_file(text) else {
+    let Ok(parsed) = nesting::parse_file(text) else {
         return Vec::new();
     };
     let read = |of: &str, signature: &Signature, body: &Block| {

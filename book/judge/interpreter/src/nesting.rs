@@ -1,0 +1,88 @@
+//! A limit of depth for recursive descent: how deep a tree can become, seen from its tokens.
+//!
+//! One would ask before a parser that calls itself for what is in brackets, and behind a sign:
+//! without a limit it ends where its stack does.
+
+use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
+
+/// No text of these chapters is half as deep. A level takes up to 60 kB of the stack of what
+/// reads it, if that is not optimized, and up to 3 kB of what runs it, for each call.
+pub const DEEPEST: usize = 200;
+
+/// Parses the text of a file.
+///
+/// # Errors
+/// If it is no Rust, or nested deeper than [`DEEPEST`].
+pub fn parse_file(text: &str) -> syn::Result<syn::File> {
+    // What is no token is refused there, in the parser's words.
+    if let Ok(tokens) = text.trim_start_matches('\u{feff}').parse() {
+        let message = format!("this is nested more than {DEEPEST} deep, and can't be read here");
+        check(tokens).map_err(|at| syn::Error::new(at, message))?;
+    }
+    syn::parse_file(text)
+}
+
+/// Checks that the tokens are not nested too deep.
+///
+/// # Errors
+/// The first place that is deeper than [`DEEPEST`].
+pub(crate) fn check(tokens: TokenStream) -> Result<(), Span> {
+    depth(tokens, DEEPEST).map(drop)
+}
+
+/// Returns how deep a tree of the tokens is at most, or where it is deeper than `room`.
+///
+/// Each bracket is a level, and so is each sign and each word after a word, until a comma, the
+/// statement or the item ends. A comma between angles, or between the parameters of a closure,
+/// ends nothing.
+fn depth(tokens: TokenStream, room: usize) -> Result<usize, Span> {
+    let (mut deepest, mut level, mut held, mut inside) = (0, 0, 0_usize, 0);
+    let mut tokens = tokens.into_iter().peekable();
+    let mut last = None;
+    while let Some(token) = tokens.next() {
+        match &token {
+            TokenTree::Group(group) => {
+                level += 1;
+                let room = room.checked_sub(level + held).ok_or(group.span_open())?;
+                inside = inside.max(depth(group.stream(), room)?);
+            }
+            TokenTree::Punct(sign) => match sign.as_char() {
+                ';' => (level, held, inside) = (0, 0, 0),
+                ',' => (level, inside) = (0, 0),
+                '<' | '|' => held += 1,
+                '>' if held > 0 && !is_sign(last.as_ref(), "-=") => held -= 1,
+                ':' | '\'' => {}
+                _ => level += 1,
+            },
+            TokenTree::Ident(_) => level += usize::from(matches!(last, Some(TokenTree::Ident(_)))),
+            TokenTree::Literal(_) => {}
+        }
+        deepest = deepest.max(level + held + inside);
+        if deepest > room {
+            return Err(token.span());
+        }
+        if is_block(&token) && !goes_on(tokens.peek()) {
+            (level, held, inside) = (0, 0, 0);
+        }
+        last = Some(token);
+    }
+    Ok(deepest)
+}
+
+fn is_sign(token: Option<&TokenTree>, signs: &str) -> bool {
+    matches!(token, Some(TokenTree::Punct(sign)) if signs.contains(sign.as_char()))
+}
+
+fn is_block(token: &TokenTree) -> bool {
+    matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace)
+}
+
+/// Whether what comes after a block may belong to it.
+fn goes_on(next: Option<&TokenTree>) -> bool {
+    match next {
+        Some(TokenTree::Ident(word)) => word == "else" || word == "as",
+        Some(TokenTree::Punct(_)) => !is_sign(next, "#"),
+        Some(TokenTree::Group(_)) => true,
+        Some(TokenTree::Literal(_)) | None => false,
+    }
+}

@@ -1,0 +1,53 @@
+//! Limits: a text that is nested deeper than any reader's is refused, and takes no stack.
+
+use std::thread;
+
+/// What opens a level, what is inside, and what closes it; and how many levels are taken.
+const NESTED: [(&str, &str, &str, usize); 19] = [
+    ("(", "x", ")", 194),
+    ("", "x", " + x", 194),
+    ("-", "x", "", 194),
+    ("", "x", ".abs()", 97),
+    ("", "x", " as f64", 97),
+    ("f64::max(x, ", "x", ")", 194),
+    ("{", "x", "}", 194),
+    ("if x < 1.0 { x } else ", "{ x }", "", 48),
+    ("if x < 2.0 { ", "x", " } else { x }", 48),
+    ("match x { _ => ", "x", " }", 48),
+    ("loop { break ", "x", " }", 97),
+    ("*&", "x", "", 97),
+    ("vec![", "x", "][0]", 64),
+    ("(x, ", "x", ").1", 97),
+    ("return ", "x", "", 194),
+    ("(|a: f64, b: f64| ", "x", ")(x, x)", 48),
+    ("{ let y: Vec<", "f64", "> = Vec::new(); x }", 48),
+    ("{ let y: Vec<fn(f64) -> ", "f64", "> = Vec::new(); x }", 27),
+    ("{ fn f<A, B: Fn(A) -> ", "f64", ">() {} x }", 32),
+];
+
+/// How many levels are far more than a stack has room for.
+const MANY: usize = 120_000;
+
+#[test]
+fn what_is_nested_too_deep_is_refused_with_its_line() {
+    // That of a program, and not the small one of a test.
+    let read = thread::Builder::new().stack_size(1 << 26).spawn(|| {
+        for (open, inside, close, most) in NESTED {
+            let said = |n: usize| {
+                let nested = open.repeat(n) + inside + &close.repeat(n);
+                let text = format!("pub fn f(x: f64) -> f64 {{\n    {nested}\n}}\n");
+                let read = interpreter::read(&[("src/lib.rs", &text)]);
+                read.map_or_else(|faults| faults[0].to_string(), |_| String::new())
+            };
+            let refused = "line 2: this page does not know what is nested more than 200 deep";
+            assert!(
+                !said(most).starts_with(refused),
+                "{open}: {most} are too many"
+            );
+            for n in [most + 1, MANY] {
+                assert!(said(n).starts_with(refused), "{open}: {n}: {}", said(n));
+            }
+        }
+    });
+    read.expect("a thread").join().expect("no panic");
+}
