@@ -31,6 +31,13 @@ skip.href = "#text";
 skip.textContent = "Skip to the text";
 document.body.prepend(skip);
 
+// The list of pages scrolls to this one, and Chromium then begins there with Tab.
+if (!location.hash) {
+    document.body.tabIndex = -1;
+    document.body.focus({ preventScroll: true });
+    document.body.removeAttribute("tabindex");
+}
+
 // The arrows turn the page, unless something has the keyboard: what scrolls, what a figure
 // has, or a button that was pressed. mdBook listens at the document, behind the body.
 document.body.addEventListener("keydown", (event) => {
@@ -108,12 +115,46 @@ if (document.getElementById("check")) {
     load("judge", "worker", "inspector", "pixels", "check");
 }
 
-// What a reader types can be typed beside its listing, and a known mistake be seen there.
+// A search finds the lesson first, which is the first part of the list of pages, and the sources
+// last: what a page says counts so many times. mdBook ranks pages by their words alone.
+const LESSON = 4;
+const SOURCES = 0.1;
+if (window.elasticlunr) {
+    const { search } = elasticlunr.Index.prototype;
+    elasticlunr.Index.prototype.search = function (...asked) {
+        const [, ...entries] = document.querySelectorAll("mdbook-sidebar-scrollbox :is(.part-title, a[href])");
+        const end = entries.findIndex((it) => it.matches(".part-title"));
+        const lesson = new Set(entries.slice(0, end).map((link) => link.pathname.split("/").at(-1)));
+        const found = search.apply(this, asked);
+        for (const result of found) {
+            const [page] = window.search.doc_urls[result.ref].split("#");
+            result.score *= lesson.has(page) ? LESSON : page === "bibliography.html" ? SOURCES : 1;
+        }
+        return found.sort((one, other) => other.score - one.score);
+    };
+    // A link to a search may have been faster; mdBook does not search for the same words twice.
+    const bar = document.getElementById("mdbook-searchbar");
+    if (window.search.index && bar.value) {
+        for (const words of [`${bar.value} again`, bar.value]) {
+            bar.value = words;
+            bar.dispatchEvent(new Event("keyup"));
+        }
+    }
+}
+
+// What a reader types can be typed beside its listing, and a known mistake be seen there. The
+// editor is loaded when it is first asked for, which takes seconds on a slow line.
 let editor = null;
-async function type(tools, slip) {
+async function type(tools, slip, asked = tools) {
+    const sign = document.createElement("p");
+    sign.className = "loading";
+    sign.role = "status";
+    sign.textContent = "The editor is loading …";
+    editor || asked.after(sign);
     editor ??= load("judge", "worker", "editor");
     await editor;
-    openEditor(tools.parentElement, tools.dataset.chapter, slip);
+    await openEditor(tools.parentElement, tools.dataset.chapter, slip);
+    sign.remove();
 }
 const allTools = document.querySelectorAll(".listing > .tools");
 for (const tools of allTools) {
@@ -127,13 +168,17 @@ for (const tools of allTools) {
     });
 }
 
-// The page of a chapter begins with a way to type it.
+// The page of a chapter begins with a way to type it, and the chapter before leads there.
 const [first] = allTools;
 if (first && location.pathname.endsWith(`/${first.dataset.chapter}.html`)) {
     const door = first.querySelector("button").cloneNode(true);
     door.className = "door";
-    door.addEventListener("click", () => type(first));
+    door.id = "type";
+    door.addEventListener("click", () => type(first, undefined, door));
     document.querySelector("main > ul")?.after(door);
+    if (location.hash === "#type") {
+        document.fonts.ready.then(() => door.click());
+    }
 }
 
 // Whoever has typed a chapter has drawn its picture.

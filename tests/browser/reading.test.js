@@ -12,7 +12,7 @@ const FOUND = {
     "delta u": "gradient.html#the-grid-of-pixels",
     "b^2-4ac": "red_sphere.html#what-the-discriminant-says",
     "tangent": "red_sphere.html#what-the-discriminant-says",
-    "shadow acne": "hittable_list.html#the-range-t_min-and-t_max",
+    "shadow acne": "speed_vs_accuracy.html#shadow-acne-and-why-0001",
     "epsilon": "hittable_list.html#the-range-t_min-and-t_max",
     "front face": "hittable_list.html#outward-or-against-the-ray",
     "lerp": "gradient.html#the-color-of-the-sky",
@@ -20,8 +20,14 @@ const FOUND = {
     "t_min": "hittable_list.html#the-range-t_min-and-t_max",
     "trait": "hittable_list.html#anything-that-a-ray-can-hit",
     "NaN": "setup.html#a-picture-is-text",
+    "quadratic": "red_sphere.html",
+    "proof": "proofs.html#proofs",
+    "error": "speed_vs_accuracy.html",
+    "f32": "methods.html",
+    "errata": "errata.html#errata",
+    "C++ to Rust": "cpp_to_rust.html",
 };
-inBrowsers("the first that the search finds is the lesson", async (page) => {
+inBrowsers("the first that the search finds is the lesson, or the page about the very word", async (page) => {
     for (const [words, place] of Object.entries(FOUND)) {
         await open(page, `introduction.html?search=${encodeURIComponent(words)}`);
         await page.waitForSelector("#mdbook-searchresults a");

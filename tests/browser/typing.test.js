@@ -16,6 +16,7 @@ inBrowsers("a chapter is typed in its page", async (page) => {
     assert.equal(await page.evaluate(() => document.activeElement.localName), "button");
     await page.click(".typing [data-action=full]");
     assert.match(await answer(page), /to the last bit\. The laws hold\./);
+    assert.match(await page.$eval(".typing .rest a.door", (it) => it.href), /half_b_sphere\.html#type$/);
     assert.deepEqual(await page.evaluate(faults), []);
 
     // A wrong sign, with the reader's own line and the chapter's.
@@ -67,6 +68,27 @@ inBrowsers("a listing opens in its own file, and breaks where a mistake is chose
     await page.waitForSelector(".typing:not(.broken)");
     assert.equal(await answer(page), typed);
     assert.deepEqual(complaintsSoFar(), []);
+});
+
+inBrowsers("on a phone the line that is typed is seen, and indented as rustfmt has it", async (page) => {
+    await open(page, "normals.html#type", 375);
+    await page.setViewport({ width: 375, height: 460 });
+    await page.waitForSelector(".typing");
+    await page.$eval(".typing [data-action=empty]", (button) => button.click());
+    await page.$eval(AREA, (area) => area.setSelectionRange(area.value.indexOf("todo!()"), area.value.indexOf("todo!()") + 7));
+    const typed = ["if let Some(t) = hit_sphere(center, 0.5, ray)", "&& t > 0.0", "{", "let normal = ray.at(t) - center;", "}", "sky(ray)"];
+    for (const [n, line] of typed.entries()) {
+        await page.keyboard.type((n ? "\n" : "") + line);
+        const [above, line_end, below] = await page.evaluate((selector) => {
+            const box = (it) => document.querySelector(`.typing ${it}`).getBoundingClientRect();
+            const area = document.querySelector(selector);
+            const lines = area.value.slice(0, area.selectionStart).split("\n").length;
+            return [box(".said").bottom, box("textarea").top + 10 + 19.5 * lines, box(".controls").top];
+        }, AREA);
+        assert.ok(above <= line_end - 19 && line_end <= below + 1, `${line}: ${above}, ${line_end}, ${below}`);
+    }
+    const indented = await page.$eval(AREA, (area) => area.value);
+    assert.match(indented, /\n    if let .*\n        && t > 0\.0\n    \{\n        let normal.*\n    \}\n    sky\(ray\)\n/);
 });
 
 const PASTED = ["[".repeat(1 << 20), `fn f() { ${"-".repeat(90000)}`, "\0", "fn <img src=x onerror=alert(1)>() {}",

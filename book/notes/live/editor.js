@@ -111,7 +111,7 @@ class Editor {
     show(listing, slip) {
         this.listing = listing;
         listing.before(this.desk);
-        this.desk.querySelector(".beside").append(listing);
+        this.desk.querySelector(".listed").append(listing);
         const [name] = listing.querySelector(".file").textContent.match(/src\/\w+\.rs$/);
         const file = this.files.find((it) => it.name === name);
         if (slip) {
@@ -121,19 +121,14 @@ class Editor {
         this.choose(file);
         const code = listing.querySelector("pre code").textContent;
         file.select(...slip ? [file.full.indexOf(slip.right), slip.wrong.length] : file.toType(code));
-        this.scroll(file.area);
+        this.scroll(file);
         this.changed();
     }
 
-    // Below the header, with the selected line in the upper part of the window.
-    scroll(area) {
-        const lines = (text) => text.split("\n").length;
-        const part = lines(area.value.slice(0, area.selectionStart)) / lines(area.value);
-        const { top } = this.desk.getBoundingClientRect();
-        const line = area.getBoundingClientRect().top + part * area.offsetHeight;
-        // On a phone the picture stays below the text.
-        const lowest = (innerWidth > 700 ? 0.85 : 0.5) * innerHeight;
-        scrollBy(0, Math.max(top - HEADER, line - lowest));
+    // The desk goes below the header, or as much higher as the selected line needs.
+    scroll(file) {
+        scrollBy(0, this.desk.getBoundingClientRect().top - HEADER);
+        file.reveal();
     }
 
     close() {
@@ -250,7 +245,10 @@ class Editor {
             .catch((error) => refusal(gaveUp(error)));
         if (turn === this.turn) {
             this.say(said);
-            said.headline.includes("is-right") && this.remember();
+            if (said.headline.includes("is-right")) {
+                this.remember();
+                this.leadOn();
+            }
         }
     }
 
@@ -260,6 +258,18 @@ class Editor {
             localStorage.setItem(`drawn ${this.name}`, this.yours.toDataURL());
         } catch {
             // It has the chapter's picture.
+        }
+    }
+
+    // To the desk of the next page of the book.
+    leadOn() {
+        const next = document.querySelector("a[rel~=next]");
+        if (next) {
+            const link = document.createElement("a");
+            link.className = "door";
+            link.href = `${next.href}#type`;
+            link.textContent = "Type the next chapter";
+            this.rest.append(link);
         }
     }
 
@@ -364,6 +374,9 @@ class TypedFile {
         this.area.ariaLabel = name;
         this.area.setAttribute("aria-describedby", `said-${editor.name}`);
         this.area.addEventListener("input", () => this.changed());
+        // Also the keyboard of a phone comes and goes.
+        this.area.addEventListener("keyup", () => this.reveal());
+        visualViewport?.addEventListener("resize", () => document.activeElement === this.area && this.reveal());
         this.area.addEventListener("keydown", (event) => this.press(event));
     }
 
@@ -389,23 +402,49 @@ class TypedFile {
         }
     }
 
-    // A new line keeps the indentation, and a closing brace ends it. Tab leads out of the text,
-    // as it leads out of any field.
+    // A new line keeps the indentation, a closing brace ends it, and a line that goes on with a
+    // condition has more of it: as rustfmt has it. Tab leads out of the text, as it leads out of
+    // any field.
     press(event) {
         const { value, selectionStart: at } = this.area;
         if (event.isComposing || event.ctrlKey || event.metaKey || event.altKey) {
             return;
         }
-        const before = value.slice(value.lastIndexOf("\n", at - 1) + 1, at);
-        const [indent] = before.match(/^ */);
+        const lines = value.slice(0, at).split("\n");
+        const line = lines.pop();
+        const [indent] = line.match(/^ */);
+        const type = (spaces, letter) => {
+            event.preventDefault();
+            this.area.setSelectionRange(at - indent.length, this.area.selectionEnd);
+            document.execCommand("insertText", false, " ".repeat(spaces) + letter);
+        };
         if (event.key === "Enter") {
             event.preventDefault();
-            document.execCommand("insertText", false, `\n${indent}${/[{([]\s*$/.test(before) ? "    " : ""}`);
-        } else if (event.key === "}" && indent.length >= 4 && before === indent) {
-            event.preventDefault();
-            this.area.setSelectionRange(at - 4, this.area.selectionEnd);
-            document.execCommand("insertText", false, "}");
+            document.execCommand("insertText", false, `\n${indent}${/[{([]\s*$/.test(line) ? "    " : ""}`);
+        } else if (line !== indent) {
+            return;
+        } else if (event.key === "}" && indent.length >= 4) {
+            type(indent.length - 4, "}");
+        } else if (event.key === "{" || event.key === "&" || event.key === "|") {
+            const start = indentOfCondition(lines);
+            start !== null && type(start + (event.key === "{" ? 0 : 4), event.key);
         }
+    }
+
+    // Scrolls until the line that is typed is seen: below the answer, which stays on the screen
+    // of a phone, and above what helps and the keyboard.
+    reveal() {
+        const { value, selectionStart } = this.area;
+        const height = parseFloat(getComputedStyle(this.area).lineHeight);
+        const line = value.slice(0, selectionStart).split("\n").length;
+        const below = this.area.getBoundingClientRect().top + parseFloat(getComputedStyle(this.area).paddingTop) + line * height;
+        const [said, controls] = [".said", ".controls"].map((it) => this.editor.desk.querySelector(it).getBoundingClientRect());
+        const isBeside = said.right <= this.area.getBoundingClientRect().left;
+        const highest = isBeside ? HEADER : said.height;
+        const lowest = (visualViewport?.height ?? innerHeight) - controls.height;
+        const away = Math.max(below - lowest, 0) || Math.min(below - 2 * height - highest, 0);
+        // While all of the text is on the screen the page stays as it is.
+        away && scrollBy(0, away);
     }
 
     color() {
@@ -485,6 +524,14 @@ class TypedFile {
     }
 }
 
+// How far the condition is indented that goes on in the last of these lines; null if none does.
+function indentOfCondition(lines) {
+    const isMore = (line) => /^\s*(&&|\|\|)/.test(line);
+    const start = lines.findLast((line) => !isMore(line)) ?? "";
+    const isOpen = /^\s*(\} else )?(if|while)\b/.test(start) && !lines.at(-1).trimEnd().endsWith("{");
+    return isOpen ? start.match(/^ */)[0].length : null;
+}
+
 const until = (time) => new Promise((done) => setTimeout(done, time - performance.now()));
 
 const refusal = (words) => {
@@ -515,7 +562,6 @@ const PANEL = `<pre aria-hidden="true"><code class="hljs"></code></pre><pre clas
 
 const DESK = `<fieldset class="names"><legend>File</legend></fieldset>
 <div class="sides">
-<div class="beside">
 <div class="said">
 <div class="pictures">
 <figure><canvas role="img" aria-label="Your picture"></canvas><figcaption>yours</figcaption></figure>
@@ -524,13 +570,8 @@ const DESK = `<fieldset class="names"><legend>File</legend></fieldset>
 <p class="verdict" role="status" id="said-NAME"></p>
 <div class="rest"></div>
 </div>
-</div>
+<div class="written">
 <div class="files"></div>
-</div>
-<p class="unkept" hidden>This browser keeps nothing for this page: take your text home before you leave.</p>
-<div class="home" hidden><p>Unpack it in the folder of the workspace: nothing that is there is written over.</p>
-<pre><code>tar -xkf NAME.tar
-cargo rtrace watch NAME</code></pre></div>
 <p class="controls">
 <button type="button" data-action="hint">Hint</button>
 <button type="button" data-action="next">Show the next line</button>
@@ -539,10 +580,17 @@ cargo rtrace watch NAME</code></pre></div>
 <button type="button" data-action="home">Take it home</button>
 <button type="button" data-action="close">Close</button>
 </p>
+</div>
+</div>
+<p class="unkept" hidden>This browser keeps nothing for this page: take your text home before you leave.</p>
+<div class="home" hidden><p>Unpack it in the folder of the workspace: nothing that is there is written over.</p>
+<pre><code>tar -xkf NAME.tar
+cargo rtrace watch NAME</code></pre></div>
 <dialog aria-label="Start again"><p>Begin with empty functions? What you have typed goes; undo (Ctrl+Z) brings it back.</p>
 <p class="controls"><button type="button" data-action="empty">Start again</button>
 <button type="button" data-action="stay">Keep it</button></p></dialog>
 <details open><summary>The steps</summary><ol class="steps"></ol></details>
+<details class="listed"><summary>The chapter's own lines</summary></details>
 <p class="small">What you type is kept in this browser, and nowhere else.</p>`;
 
 // The editors that were opened on this page, by their chapters.

@@ -68,23 +68,13 @@ function judging(rust, { bytes, text, give }) {
         const answer = said(rust.check(give(question, bytes)));
         // A WebP begins with RIFF. It loses levels in ways that the judge does not know.
         const isWebP = bytes[0] === 0x52 && bytes[1] === 0x49;
-        const isForeign = answer.cause === "other-format" && !isWebP;
-        return isForeign ? await decoded(question, bytes) ?? answer : answer;
+        return { ...answer, isForeign: answer.cause === "other-format" && !isWebP };
     }
 
-    // What the browser makes of a format that Rust does not read, with its colors as they are.
-    async function decoded(question, bytes) {
-        const options = { colorSpaceConversion: "none", premultiplyAlpha: "none" };
-        const bitmap = await createImageBitmap(new Blob([bytes]), options).catch(() => null);
-        // Rust says no to more, and a canvas may not hold it.
-        if (!bitmap || bitmap.width * bitmap.height > 2 ** 24) {
-            return null;
-        }
-        const { width, height } = bitmap;
-        const canvas = new OffscreenCanvas(width, height).getContext("2d");
-        canvas.drawImage(bitmap, 0, 0);
-        const why = bytes.subarray(0, 64);
-        const { data } = canvas.getImageData(0, 0, width, height);
+    // Of a format that Rust does not read: the pixels that the browser has made of it.
+    async function judgePixels({ file, asked, pixels: { width, height, data } }) {
+        const question = [file.name, ...asked].join("\0");
+        const why = new Uint8Array(await file.slice(0, 64).arrayBuffer());
         return said(rust.decoded(give(question, why, data), why.length, width, height));
     }
 
@@ -102,11 +92,37 @@ function judging(rust, { bytes, text, give }) {
     return {
         start: () => text(rust.choices()).split("\n").map((line) => line.split("\t")),
         async judge(question) {
-            const answer = await judge(question);
+            const answer = await (question.pixels ? judgePixels : judge)(question);
             return { ...answer, pictures: await pictures(answer) };
         },
         inspect: ({ column, row }) => text(rust.inspect(column, row)),
     };
+}
+
+// What the browser makes of a picture, with its colors as they are; null if it can't read it.
+// It is a worker's whole life: Firefox 140 computes slowly in a thread that has drawn.
+function decoding() {
+    onmessage = async ({ data: file }) => {
+        const options = { colorSpaceConversion: "none", premultiplyAlpha: "none" };
+        const bitmap = await createImageBitmap(file, options).catch(() => null);
+        // Rust says no to more, and a canvas may not hold it.
+        if (!bitmap || bitmap.width * bitmap.height > 2 ** 24) {
+            postMessage(null);
+            return;
+        }
+        const { width, height } = bitmap;
+        const canvas = new OffscreenCanvas(width, height).getContext("2d");
+        canvas.drawImage(bitmap, 0, 0);
+        postMessage({ width, height, data: canvas.getImageData(0, 0, width, height).data });
+    };
+}
+
+// A worker that does what such a function does.
+function workerOf(code) {
+    const url = URL.createObjectURL(new Blob([code]));
+    const worker = new Worker(url);
+    URL.revokeObjectURL(url);
+    return worker;
 }
 
 // Asks a worker. What has trapped or takes too long can't be called again, and is replaced: a
@@ -123,9 +139,7 @@ class Asked {
         this.waiting?.forEach(({ reject }) => reject(new Error("replaced")));
         this.waiting = new Map();
         this.last = 0;
-        const url = URL.createObjectURL(new Blob([this.code]));
-        this.worker = new Worker(url);
-        URL.revokeObjectURL(url);
+        this.worker = workerOf(this.code);
         this.worker.onmessage = ({ data }) => {
             const { resolve, reject } = this.waiting.get(data.id) ?? {};
             this.waiting.delete(data.id);
@@ -187,10 +201,26 @@ class Judge extends Asked {
         if (this.waiting.size > 0) {
             this.start();
         }
-        return this.within(Judge.PATIENCE, "judge", question);
+        const answer = await this.within(Judge.PATIENCE, "judge", question);
+        const pixels = answer.isForeign && await pixelsOf(question.file);
+        return pixels ? this.within(Judge.PATIENCE, "judge", { ...question, pixels }) : answer;
     }
 
     inspect(column, row) {
         return this.ask("inspect", { column, row });
+    }
+}
+
+// The width, the height and the bytes of a picture that the browser reads, or null.
+async function pixelsOf(file) {
+    const worker = workerOf(`(${decoding})()`);
+    try {
+        return await new Promise((resolve) => {
+            worker.onmessage = ({ data }) => resolve(data);
+            worker.onerror = () => resolve(null);
+            worker.postMessage(file);
+        });
+    } finally {
+        worker.terminate();
     }
 }

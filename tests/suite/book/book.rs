@@ -55,14 +55,14 @@ fn mdbooks_own_program_makes_the_same_book() {
     }
 }
 
-/// It is read as a whole by whoever searches for the first time.
+/// It has all pages, and is read as a whole by whoever searches for the first time.
 #[test]
-fn the_index_of_the_search_has_at_most_500_kilobytes() {
+fn the_index_of_the_search_has_at_most_1200_kilobytes() {
     let names = names_in(woven()).into_iter();
     let mut index = names.filter(|name| name.starts_with("searchindex"));
     let index = woven().join(index.next().expect("an index"));
     let bytes = fs::metadata(index).expect("a file").len();
-    assert!(bytes <= 500_000, "{bytes}");
+    assert!(bytes <= 1_200_000, "{bytes}");
 }
 
 #[test]
