@@ -192,7 +192,7 @@ class CheckPage {
         entry.append(time, " ", this.given.file.name, ": ", verdict);
         if (answer.width) {
             entry.append(`, ${answer.width} × ${answer.height}`);
-            answer.different && entry.append(`, ${answer.different} pixels differ`);
+            answer.different && entry.append(`, ${answer.different} ${answer.different === 1 ? "pixel differs" : "pixels differ"}`);
         }
         const isLike = before?.width === answer.width && before?.height === answer.height && answer.width;
         const less = isLike ? before.different - answer.different : 0;

@@ -181,7 +181,7 @@ fn every_other_cause_has_its_name() {
             }
         })
         .collect();
-    let cases: [(&[u8], &str); 42] = [
+    let cases: [(&[u8], &str); 45] = [
         (b"", "empty"),
         (b" \r\n\t", "empty"),
         (
@@ -190,6 +190,9 @@ fn every_other_cause_has_its_name() {
         ),
         (b"\xff\xd8\xff\xe0 JFIF", "other-format"),
         (b"P2\n1 1\n255\n0\n", "other-format"),
+        (b"\x1f\x8b\x08\0", "other-format"),
+        (b"P\0\0\x003\0\0\0\n\0\0\0", "other-format"),
+        (b"\0\0\xfe\xff\0\0\0P\0\0\x003", "other-format"),
         (b"\nP3\n1 1\n255\n0 0 0\n", "header"),
         (b"p3\n1 1\n255\n0 0 0\n", "header"),
         (b"P31 1 255 0 0 0", "header"),
@@ -238,6 +241,11 @@ fn every_other_cause_has_its_name() {
         let shown = String::from_utf8_lossy(bytes);
         assert_eq!(cause(bytes), expected, "{shown:?}");
     }
+    let refused = read(b"P3\n99999999999999999999 1\n255\n0 0 0\n").expect_err("too large");
+    assert!(
+        refused.problem.contains("99999999999999999999 × 1"),
+        "{refused}"
+    );
     assert_eq!(
         cause(&[&b"P6"[..], &long_text[2..]].concat()),
         "p6-over-text"

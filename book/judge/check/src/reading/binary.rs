@@ -17,7 +17,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
             "Write P3 in the first line.",
         ));
     }
-    if header[2] != 255 {
+    if header.maximum() != 255 {
         return Err(header::wrong_maximum(header, body.len() as u64));
     }
     let (width, height) = header::size(header)?;
@@ -36,7 +36,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
 
 /// Whether the body has the bytes that the header promises. A dark picture may
 /// look like text, but only by chance like text of just this length.
-fn fits([width, height, _]: header::Header, body: &[u8]) -> bool {
+fn fits(header: header::Header, body: &[u8]) -> bool {
+    let [width, height, _] = header.numbers;
     let pixels = width
         .checked_mul(height)
         .and_then(|pixels| pixels.checked_mul(3));

@@ -34,13 +34,13 @@ impl Cause {
         )
     }
 
-    pub(super) fn absurd_size(width: i64, height: i64) -> Self {
+    pub(super) fn absurd_size([width, height]: [String; 2]) -> Self {
         Self::new(
             "absurd-size",
             format!(
                 "the header promises {width} × {height} pixels, and no more than {MOST_PIXELS} are read"
             ),
-            "The header is \"P3\", then width and height, then 255. Are the first two numbers what they should be?",
+            "The book's pictures are 400 pixels wide. If yours should be, look at the first two numbers of the header.",
         )
     }
 }

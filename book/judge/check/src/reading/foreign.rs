@@ -8,6 +8,7 @@ const REDIRECT: &str = "PowerShell before 7.4 does this to what > writes. Let th
 /// letter of two bytes, or a mark before the first.
 pub(super) fn before_a_shell(bytes: &[u8]) -> Option<(Vec<u8>, Cause)> {
     let (text, name, problem) = match bytes {
+        [0xff, 0xfe, 0, 0, ..] | [b'P', 0, 0, ..] => return None,
         [0xff, 0xfe, words @ ..] | words @ [b'P', 0, ..] => {
             let text = narrow(words, u16::from_le_bytes);
             (text, "utf-16", "is text in UTF-16")
@@ -34,7 +35,7 @@ fn narrow(words: &[u8], unit: fn([u8; 2]) -> u16) -> Vec<u8> {
 }
 
 /// Formats that are recognized only to say that they are not read.
-const FORMATS: [(&[u8], &str); 9] = [
+const FORMATS: [(&[u8], &str); 14] = [
     (b"\xff\xd8\xff", "JPEG, which changes colors"),
     (b"GIF8", "GIF, which has no more than 256 colors"),
     (b"BM", "BMP"),
@@ -44,6 +45,11 @@ const FORMATS: [(&[u8], &str); 9] = [
     (b"%PDF", "PDF"),
     (b"qoif", "QOI"),
     (b"PF", "PFM"),
+    (b"\x1f\x8b", "a file that gzip has packed"),
+    (b"\xff\xfe\0\0", "text in UTF-32"),
+    (b"\0\0\xfe\xff", "text in UTF-32"),
+    (b"P\0\0\0", "text in UTF-32"),
+    (b"\0\0\0P", "text in UTF-32"),
 ];
 
 /// Why bytes that begin like neither P3, P6 nor PNG are no picture.

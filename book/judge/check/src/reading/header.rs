@@ -2,13 +2,25 @@
 
 use super::cause::Cause;
 use super::limits::MOST_PIXELS;
-use super::tokens::Tokens;
+use super::tokens::{Token, Tokens};
 
-/// Width, height and maximum as they stand in the file.
-pub(super) type Header = [i64; 3];
+/// Width, height and maximum.
+#[derive(Clone, Copy)]
+pub(super) struct Header<'a> {
+    pub(super) numbers: [i64; 3],
+    /// The numbers as they stand in the file, which may be too long for the above.
+    words: [Token<'a>; 3],
+}
+
+impl Header<'_> {
+    /// The highest level that the file says it has.
+    pub(super) fn maximum(&self) -> i64 {
+        self.numbers[2]
+    }
+}
 
 /// Reads the three numbers.
-pub(super) fn read(bytes: &[u8], tokens: &mut Tokens) -> Result<Header, Cause> {
+pub(super) fn read<'a>(bytes: &[u8], tokens: &mut Tokens<'a>) -> Result<Header<'a>, Cause> {
     if bytes.get(2).is_some_and(u8::is_ascii_alphanumeric) {
         return Err(Cause::new(
             "header",
@@ -16,8 +28,7 @@ pub(super) fn read(bytes: &[u8], tokens: &mut Tokens) -> Result<Header, Cause> {
             ORDER,
         ));
     }
-    let mut header = [0; 3];
-    for (number, what) in header.iter_mut().zip(["width", "height", "maximum"]) {
+    let mut next = |what| {
         let token = tokens.next().ok_or_else(|| {
             Cause::new(
                 "header",
@@ -25,13 +36,19 @@ pub(super) fn read(bytes: &[u8], tokens: &mut Tokens) -> Result<Header, Cause> {
                 ORDER,
             )
         })?;
-        *number = token.number().ok_or_else(|| token.cause(bytes))?;
-    }
-    Ok(header)
+        let number = token.number().ok_or_else(|| token.cause(bytes))?;
+        Ok((number, token))
+    };
+    let [width, height, maximum] = [next("width")?, next("height")?, next("maximum")?];
+    Ok(Header {
+        numbers: [width.0, height.0, maximum.0],
+        words: [width.1, height.1, maximum.1],
+    })
 }
 
 /// The size that the header promises, if a picture can have it.
-pub(super) fn size([width, height, _]: Header) -> Result<(u32, u32), Cause> {
+pub(super) fn size(header: Header) -> Result<(u32, u32), Cause> {
+    let [width, height, _] = header.numbers;
     if width < 0 || height < 0 {
         return Err(Cause::new(
             "negative-size",
@@ -50,13 +67,16 @@ pub(super) fn size([width, height, _]: Header) -> Result<(u32, u32), Cause> {
         (Ok(width), Ok(height)) if u64::from(width) * u64::from(height) <= MOST_PIXELS => {
             Ok((width, height))
         }
-        _ => Err(Cause::absurd_size(width, height)),
+        _ => {
+            let [width, height, _] = header.words.map(|word| word.shown());
+            Err(Cause::absurd_size([width, height]))
+        }
     }
 }
 
 /// Why the third number is not 255, from how many numbers follow it.
 pub(super) fn wrong_maximum(header: Header, following: u64) -> Cause {
-    let [first, second, third] = header;
+    let [first, second, third] = header.numbers;
     let pixels = |width: i64, height: i64| match (u64::try_from(width), u64::try_from(height)) {
         (Ok(width), Ok(height)) => width.saturating_mul(height),
         _ => 0,
@@ -89,7 +109,10 @@ pub(super) fn wrong_maximum(header: Header, following: u64) -> Cause {
     }
     Cause::new(
         "wrong-maximum",
-        format!("the highest level is said to be {third}"),
+        format!(
+            "the highest level is said to be {}",
+            header.words[2].shown()
+        ),
         "Write 255 after the size, and levels from 0 to 255: int(255.999 * r).",
     )
 }

@@ -12,7 +12,7 @@ const LEAST_TEXT: usize = 6;
 pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     let mut tokens = Tokens::after_magic(bytes);
     let header = header::read(bytes, &mut tokens)?;
-    if header[2] != 255 {
+    if header.maximum() != 255 {
         return Err(header::wrong_maximum(header, tokens.count() as u64));
     }
     let (width, height) = header::size(header)?;

@@ -24,7 +24,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     if let Some([width, height]) = size(bytes)
         && u64::from(width) * u64::from(height) > MOST_PIXELS
     {
-        return Err(Cause::absurd_size(width.into(), height.into()));
+        return Err(Cause::absurd_size([width, height].map(|it| it.to_string())));
     }
     let mut limits = Limits::default();
     limits.max_alloc = Some(8 * MOST_PIXELS);

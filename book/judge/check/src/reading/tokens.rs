@@ -82,7 +82,7 @@ impl Token<'_> {
         token.number().map(|_| token)
     }
 
-    /// The number that the word is; far beyond 16 bits it stops growing, since
+    /// Returns the number that the word is; one beyond 64 bits is the largest, since
     /// no size and no level is that large.
     pub(super) fn number(&self) -> Option<i64> {
         let (negative, digits) = match self.word {
@@ -98,7 +98,8 @@ impl Token<'_> {
             if !digit.is_ascii_digit() {
                 return None;
             }
-            number = (10 * number + i64::from(digit - b'0')).min(i64::from(u32::MAX));
+            let digit = i64::from(digit - b'0');
+            number = number.saturating_mul(10).saturating_add(digit);
         }
         Some(if negative { -number } else { number })
     }
@@ -205,7 +206,7 @@ impl Token<'_> {
             Cause::new(
                 "binary-in-text",
                 problem("is not text"),
-                "P3 is followed by numbers as text: does something else print to standard output, as \"press any key\" in another language? For bytes the header is P6.",
+                "P3 is followed by numbers as text: does something else print to standard output, as \"press any key\" in another language? Print the numbers as text, with spaces between them.",
             )
         } else if let [b'0'..=b'9', .., b'n'] = self.word[..] {
             Cause::new(
