@@ -36,19 +36,6 @@ inBrowsers("a chapter is typed in its page", async (page) => {
     assert.deepEqual(complaintsSoFar(), []);
 });
 
-inBrowsers("the button Start of the introduction leads to where one types", async (page) => {
-    await open(page, "introduction.html");
-    await page.$eval(".doors a", (start) => start.click());
-    await page.waitForSelector(".typing");
-    assert.match(await answer(page), /^Not written yet: todo!\(\)/);
-    const selected = await page.evaluate(() => document.activeElement.value.slice(
-        document.activeElement.selectionStart, document.activeElement.selectionEnd));
-    assert.equal(selected, "todo!()");
-    const box = await page.$eval(AREA, (area) => area.getBoundingClientRect().top);
-    assert.ok(box < 800, `the text begins at ${box}`);
-    assert.deepEqual(complaintsSoFar(), []);
-});
-
 inBrowsers("a listing opens in its own file, and breaks where a mistake is chosen", async (page) => {
     await open(page, "hittable_list.html");
     const listing = await page.$(".listing:has(> #listing-impl-Hittable-for-HittableList)");

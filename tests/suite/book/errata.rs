@@ -1,7 +1,6 @@
 //! What the notes or the book say that is not so, and what is so instead.
 //!
-//! The page `book/notes/errata.md` shows these tests beside its sentences, and answers to
-//! exercises where they show the same.
+//! The page `book/notes/errata.md` shows some of these tests beside its sentences.
 
 use check::comparison::differing_pixels;
 use common::rtweekend::*;
@@ -23,17 +22,6 @@ fn two_real_roots_may_both_lie_behind_the_ray() {
 }
 
 #[test]
-fn the_real_ratio_is_16_to_9_at_every_sixteenth_width_and_above_it_elsewhere() {
-    // At a width of 1 the height is not rounded down, but kept at 1.
-    for width in 2..=2000 {
-        let Camera { image_height, .. } = Camera::new(width);
-        let (ideal, real) = (16 * image_height, 9 * width);
-        assert_eq!(real == ideal, width % 16 == 0, "width {width}");
-        assert!(real >= ideal, "width {width}");
-    }
-}
-
-#[test]
 fn a_ratio_typed_as_1_7778_loses_a_row() {
     let height = |aspect_ratio: f64| (400.0 / aspect_ratio) as u32;
     assert_eq!(height(16.0 / 9.0), 225);
@@ -49,15 +37,6 @@ fn a_square_picture_hides_what_a_wide_one_shows() {
     };
     assert!(draws_the_right_picture(Chapter::BuildTest));
     assert!(!draws_the_right_picture(Chapter::Gradient));
-}
-
-#[test]
-fn rows_run_downwards_while_y_points_up() {
-    let camera = Camera::new(400);
-    let height = |row| camera.ray(0, row).direction.y;
-    assert!(height(0) > 0.0);
-    assert!(height(224) < 0.0);
-    assert!((0..224).all(|row| height(row) > height(row + 1)));
 }
 
 #[test]

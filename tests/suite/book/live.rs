@@ -65,15 +65,15 @@ fn the_values_beside_a_listing_end_with_the_chapters_own_answer() {
         let ray = Ray::new(Point3::new(q_x, q_y, 0.0), Vec3::new(d_x, d_y, 0.0));
         normals::hit_sphere(Point3::ZERO, 1.6, &ray)
     };
-    let projection = |numbers: &[f64]| {
-        let &[c_x, c_y, length] = numbers else {
+    let walk = |numbers: &[f64]| {
+        let &[c_x, c_y, radius, length] = numbers else {
             panic!("its numbers: {numbers:?}");
         };
         let ray = Ray::new(Point3::ZERO, length * Vec3::X);
-        half_b_sphere::hit_sphere(Point3::new(c_x, c_y, 0.0), 1.0, &ray)
+        half_b_sphere::hit_sphere(Point3::new(c_x, c_y, 0.0), radius, &ray)
     };
     type Hit<'a> = &'a dyn Fn(&[f64]) -> Option<f64>;
-    for (name, hit) in [("normal", &normal as Hit), ("projection", &projection)] {
+    for (name, hit) in [("normal", &normal as Hit), ("walk", &walk)] {
         let live = figure(name);
         for numbers in questions(live, 60) {
             let says = live.answer(&numbers).says;

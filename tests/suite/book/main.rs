@@ -10,7 +10,7 @@ mod programs;
 mod typed;
 mod typing;
 
-/// The answers to the exercises of the book, which shows them.
+/// The answers to the exercises of the book, and two stairs of chapter 5. The pages show them.
 mod exercises {
     mod build_test;
     mod gradient;
@@ -19,4 +19,5 @@ mod exercises {
     mod normals;
     mod red_sphere;
     mod speed_vs_accuracy;
+    mod stairs;
 }

@@ -35,7 +35,7 @@ fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
         let own = first.replace("build_test", chapter.name());
         write(&main(chapter), &own.replace("256", &width));
     }
-    let tested = cargo_in(&folder, &["test", "--test", "exercises"]);
+    let tested = cargo_in(&folder, &["test", "--tests"]);
     assert_built(&tested, "what the pages list is wrong, or an answer is");
     for chapter in Chapter::OF_THE_BOOK {
         let program = folder.join("target/debug").join(chapter.name());
@@ -49,7 +49,7 @@ fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
 }
 
 /// What a page lists, in its order: the file of each listing, and its text. The answers to
-/// exercises are a test of their chapter.
+/// exercises are tests of their chapter, and so are its stairs.
 fn listings_of(chapter: Chapter) -> Vec<(PathBuf, String)> {
     let pages = book::pages();
     let page = pages.iter().find(|page| page.name == page_of(chapter));
@@ -59,24 +59,19 @@ fn listings_of(chapter: Chapter) -> Vec<(PathBuf, String)> {
             let part = listing.select(&book::select(part)).next();
             text_of(part.expect("a listing has its file and its code"))
         };
-        let file = part(".file");
-        let file = if file.starts_with("tests/suite/book/exercises/") {
-            answers_to(chapter)
-        } else {
-            PathBuf::from(file)
-        };
+        let file = PathBuf::from(part(".file"));
+        let answer = file.strip_prefix("tests/suite/book/exercises");
+        let tests = folder_of(chapter).join("tests");
+        let file = answer.map_or(file.clone(), |name| tests.join(name));
         (file, part("code"))
     };
     listings.into_iter().map(listing).collect()
 }
 
-fn answers_to(chapter: Chapter) -> PathBuf {
-    folder_of(chapter).join("tests/exercises.rs")
-}
-
 /// Types a listing below what is in its file already.
 fn type_below(file: &Path, code: &str) {
-    let file = OpenOptions::new().append(true).open(file);
+    let is_a_test = file.parent().is_some_and(|folder| folder.ends_with("tests"));
+    let file = OpenOptions::new().append(true).create(is_a_test).open(file);
     let mut file = file.unwrap_or_else(|cause| panic!("{cause}: there is no file for\n{code}"));
     writeln!(file, "{code}").expect("the target folder takes it");
 }
@@ -100,8 +95,9 @@ fn empty_workspace() -> PathBuf {
     write(&folder.join("Cargo.toml"), &manifest);
     // The same versions, which are there already.
     write(&folder.join("Cargo.lock"), &read(Path::new("Cargo.lock")));
-    for package in Chapter::OF_THE_BOOK.map(folder_of) {
-        write(&folder.join(package).join("tests/exercises.rs"), "");
+    for tests in Chapter::OF_THE_BOOK.map(|it| folder.join(folder_of(it)).join("tests")) {
+        let _ = fs::remove_dir_all(&tests);
+        fs::create_dir_all(tests).expect("a folder");
     }
     let packages = Chapter::OF_THE_BOOK.map(folder_of).into_iter();
     for package in packages.chain([PathBuf::from("common")]) {

@@ -4,7 +4,9 @@
 //! grid by the camera, the roots by `hit_sphere`, the turned normal by
 //! `set_face_normal`. So a figure cannot drift from the code.
 
+mod arrows;
 mod axis;
+mod backwards;
 mod camera_frame;
 mod cancellation;
 mod charts;
@@ -21,7 +23,6 @@ pub mod number;
 mod parameters;
 mod pixels;
 mod plane;
-mod projection;
 mod ray;
 pub mod records;
 mod style;
@@ -31,6 +32,7 @@ mod text;
 mod traced;
 mod viewport_grid;
 mod vocabulary;
+mod walk;
 
 pub use charts::{CHARTS, Chart, Drawn};
 pub use figure::Figure;
@@ -42,13 +44,15 @@ pub use text::{escape, html};
 
 /// The figures of the lesson, in reading order. A page names them by their place.
 pub static LESSON: &[&dyn Movable] = &[
+    &backwards::LIVE,
+    &arrows::LIVE,
     &ray::LIVE,
     &camera_frame::LIVE,
     &viewport_grid::LIVE,
+    &walk::LIVE,
     &discriminant::LIVE,
     &normal::LIVE,
     &normal_colors::LIVE,
-    &projection::LIVE,
     &nearest::LIVE,
     &face_normal::LIVE,
 ];

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::code::{self, Listed};
 use crate::ground::{read, split};
-use crate::{changes, controls, figure, measured, slip, step, time};
+use crate::{changes, controls, figure, measured, slip, step};
 
 /// What stands in a page in place of a directive or a formula.
 pub(crate) enum Woven {
@@ -31,14 +31,12 @@ pub(crate) enum Woven {
 /// | `{{symptoms SLIPS}}` | the parts of the page of slips, each as the picture of its slip, and all slips by their names |
 /// | `{{step CHAPTER NUMBER}}` | the picture after this step on the way to the chapter |
 /// | `{{snapshot PATH}}` | the Markdown in a snapshot |
-/// | `{{time CHAPTER}}` | how long its page is to read, and its program to type |
 /// | `{{value FILE KEY}}` | a number that was measured |
 pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<Woven, String> {
     let (name, rest) = split(text.trim());
     let (first, second) = split(rest);
     let block = match name {
         "live" => return controls::number(first, second).map(Woven::Inline),
-        "time" => return time::time(folder, rest).map(Woven::Inline),
         "value" => return measured::value(&folder.join(first), second).map(Woven::Inline),
         "code" => code::listing(folder, first, second, listed, None),
         "traced" => {
@@ -56,7 +54,7 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
         "step" => step::step(first, second),
         _ => Err(format!(
             "there is no directive `{name}`: choose code, traced, figure, live, chart, changes, \
-             editions, slip, slips, step, snapshot, symptoms, time or value"
+             editions, slip, slips, step, snapshot, symptoms or value"
         )),
     };
     block.map(Woven::Block)

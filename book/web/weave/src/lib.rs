@@ -18,7 +18,6 @@ mod slip;
 mod source;
 mod step;
 mod symbols;
-mod time;
 mod warnings;
 
 use std::error::Error;

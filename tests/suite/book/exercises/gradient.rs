@@ -28,6 +28,19 @@ fn range_of(width: u32, number: impl Fn(&Ray) -> f64) -> (f64, f64) {
 }
 
 #[test]
+fn the_pixel_that_the_page_works_through_has_these_numbers() {
+    let direction = Camera::new(400).ray(300, 50).direction;
+    let height = direction.normalize().y;
+    let numbers = [direction.x, direction.y, direction.length(), height];
+    let said = numbers.map(|number| format!("{number:.5}"));
+    assert_eq!(said, ["0.89333", "0.55111", "1.44975", "0.38014"]);
+    assert_eq!(format!("{:.5}", 0.5 * (height + 1.0)), "0.69007");
+    let first = 3 * (50 * 400 + 300);
+    let picture = gradient::picture(400);
+    assert_eq!(picture.rgb()[first..first + 3], [167, 203, 255]);
+}
+
+#[test]
 fn t_is_1_for_every_pixel_and_the_distance_is_not() {
     let (nearest, farthest) = distances_at_1(400);
     assert_eq!(format!("{nearest:.2} {farthest:.2}"), "1.00 2.27");

@@ -3,33 +3,12 @@
 use common::rtweekend::*;
 use hittable_list::{HitRecord, Hittable, HittableList, Sphere, ray_color, world};
 
-/// A world of nothing but spheres.
-struct Spheres(Vec<Sphere>);
-
-impl Hittable for Spheres {
-    fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
-        let mut nearest: Option<HitRecord> = None;
-        for sphere in &self.0 {
-            let closest_so_far = nearest.map_or(t_max, |record| record.t);
-            nearest = sphere.hit(ray, t_min, closest_so_far).or(nearest);
-        }
-        nearest
-    }
-}
-
 /// The two spheres of the chapter, in its order.
 fn ball_and_ground() -> [Sphere; 2] {
     [
         Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5),
         Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0),
     ]
-}
-
-#[test]
-fn a_world_of_spheres_needs_no_box_and_draws_the_same_picture() {
-    let spheres = Spheres(ball_and_ground().to_vec());
-    let picture = render(400, move |ray| ray_color(ray, &spheres));
-    assert_eq!(picture, hittable_list::picture(400));
 }
 
 /// A list in which the first hit wins, which is wrong.

@@ -1,0 +1,136 @@
+//! Vector arithmetic in five small drawings: two arrows, sum, difference, multiples, and the dot
+//! product as a shadow. Both arrows move, and all drawings follow.
+
+use crate::vocabulary::*;
+
+parameters! {
+    u: Vec3 =
+        Number::new("u, to the right", -2.0, 2.0, 2.0),
+        Number::new("u, upwards", -1.0, 1.0, 0.5);
+    v: Vec3 =
+        Number::new("v, to the right", -2.0, 2.0, 0.5),
+        Number::new("v, upwards", -1.0, 1.0, 1.0);
+}
+
+/// The figure, as a reader moves it.
+pub(crate) static LIVE: Live<Parameters> = Live {
+    figure: Figure {
+        name: "arrows",
+        title: "Adding, subtracting, stretching arrows, and a shadow",
+        description: "Five small drawings of the arrows u and v, which start at one point. Their sum u plus v \
+            leads along u and then along v. Their difference v minus u leads from the tip of u to the tip of v. \
+            2u is twice as long as u, minus u points the other way. In the last drawing a dashed line goes from \
+            the tip of v to the line of u, at a right angle: from the start to there is the shadow of v.",
+        caption: "**v** − **u** leads from the tip of **u** to the tip of **v**. The shadow of **v** on the line of \
+            **u** is **u**·**v** divided by the length of **u**.",
+        question: "When is **u**·**v** zero, and when is it negative? Drag the two tips.",
+        solution: "Zero if the two make a right angle, negative if they point apart: then the shadow falls behind \
+            the start. How long they are does not change that.",
+    },
+    handles: &[point!(PANELS[0], u), point!(PANELS[0], v)],
+    actions: &[
+        ("A right angle", |it| (it.u, it.v) = (xy(2.0, 0.5), xy(-0.25, 1.0))),
+        ("Apart", |it| (it.u, it.v) = (xy(2.0, 0.5), xy(-1.5, 0.5))),
+        ("v on u", |it| (it.u, it.v) = (xy(1.5, 0.5), xy(1.5, 0.5))),
+    ],
+    answer,
+};
+
+/// The start of the arrows in each small drawing.
+const PANELS: [Plane; 5] = [
+    Plane::new(100.0, 84.0, 24.0),
+    Plane::new(300.0, 84.0, 24.0),
+    Plane::new(100.0, 212.0, 24.0),
+    Plane::new(300.0, 212.0, 24.0),
+    Plane::new(100.0, 340.0, 24.0),
+];
+
+/// Above the start of a drawing its title stands so far.
+const TITLE: f64 = -58.0;
+
+fn answer(&Parameters { u, v }: &Parameters) -> Answer {
+    let (product, length) = (u.dot(v), u.length());
+    let [product_said, length_said] = [product, length].map(spoken);
+    let shadow = spoken((product / length).abs());
+    let sentence = if length == 0.0 {
+        "**u** has no length, so it has no line to throw a shadow on.".to_owned()
+    } else if product == 0.0 {
+        "**u**·**v** = 0: the two make a right angle, and there is no shadow.".to_owned()
+    } else {
+        let side = if product < 0.0 { "behind the start" } else { "ahead" };
+        format!(
+            "The shadow of **v** is {shadow} long, {side}, and **u** is {length_said} long: \
+             **u**·**v** = {product_said}."
+        )
+    };
+    Answer::new(draw(u, v), sentence, vec![("product", product_said)])
+}
+
+fn draw(u: Vec3, v: Vec3) -> Svg {
+    let mut svg = LIVE.figure.sheet(404.0);
+    let [both, sum, difference, multiples, shadow] = PANELS;
+    title(&mut svg, &both, "**u** and **v**");
+    named(&mut svg, &both, u, "ray bold", "**u**");
+    named(&mut svg, &both, v, "sphere bold", "**v**");
+    title(&mut svg, &sum, "**u** + **v**");
+    svg.arrow("ray thin", sum.origin, sum.point(u));
+    svg.arrow("sphere thin", sum.point(u), sum.point(u + v));
+    svg.arrow("normal bold", sum.origin, sum.point(u + v));
+    title(&mut svg, &difference, "**v** − **u**");
+    svg.arrow("ray thin", difference.origin, difference.point(u));
+    svg.arrow("sphere thin", difference.origin, difference.point(v));
+    svg.arrow("normal bold", difference.point(u), difference.point(v));
+    title(&mut svg, &multiples, "2**u** and −**u**");
+    svg.arrow("ray line", multiples.origin, multiples.point(2.0 * u));
+    svg.arrow("normal bold", multiples.origin, multiples.point(-u));
+    draw_shadow(&mut svg, &shadow, u, v);
+    draw_numbers(&mut svg, u, v);
+    svg
+}
+
+fn title(svg: &mut Svg, panel: &Plane, words: &str) {
+    svg.label("ink", panel.origin.down(TITLE), Middle, words);
+    svg.circle("ink solid", panel.origin, 2.5);
+}
+
+/// An arrow from the start, with its name beyond its tip.
+fn named(svg: &mut Svg, panel: &Plane, arrow: Vec3, class: &str, name: &str) {
+    let (tip, along) = (panel.point(arrow), panel.vector(arrow).normalize_or_zero());
+    svg.arrow(class, panel.origin, tip);
+    let idea = class.split(' ').next().unwrap_or_default();
+    svg.label(idea, (tip + 13.0 * along).down(5.0), Middle, name);
+}
+
+/// The light falls onto the line of u at a right angle.
+fn draw_shadow(svg: &mut Svg, panel: &Plane, u: Vec3, v: Vec3) {
+    title(svg, panel, "the shadow of **v**");
+    let line = ray(Point3::ZERO, u);
+    let foot = panel.point(line.at(nearest(&line, v)));
+    let reach = 92.0 * panel.vector(u).normalize_or_zero();
+    svg.line("grid thin", panel.origin - reach, panel.origin + reach);
+    svg.line("faint dashed", panel.point(v), foot);
+    svg.arrow("ray line", panel.origin, panel.point(u));
+    svg.arrow("sphere line", panel.origin, panel.point(v));
+    svg.line("normal bold", panel.origin, foot);
+    svg.circle("normal solid", foot, 4.0);
+}
+
+/// The arrows in numbers, beside the shadow.
+fn draw_numbers(svg: &mut Svg, u: Vec3, v: Vec3) {
+    let pair = |it: Vec3| format!("({}, {})", spoken(it.x), spoken(it.y));
+    let product = |one: f64, other: f64| format!("{} · {}", spoken(one), bracketed(other));
+    let lines = [
+        format!("**u** = {}", pair(u)),
+        format!("**v** = {}", pair(v)),
+        format!("**u**·**v** = {}", product(u.x, v.x)),
+        format!("   + {}", product(u.y, v.y)),
+        format!("   = {}", spoken(u.dot(v))),
+    ];
+    svg.readout(spot(232.0, 298.0), &lines);
+}
+
+/// A factor: a negative one in brackets.
+fn bracketed(value: f64) -> String {
+    let said = spoken(value);
+    if value < 0.0 { format!("({said})") } else { said }
+}

@@ -1,0 +1,128 @@
+//! Backward ray tracing: a lamp, a ball, a pane and an eye. The ray goes from square to square
+//! of the pane.
+
+use normals::hit_sphere;
+
+use crate::vocabulary::*;
+
+parameters! {
+    square: f64 = Number {
+        downwards: true,
+        ..Number::whole("Square", 1.0, SQUARES as f64, 5.0)
+    };
+}
+
+/// The figure, as a reader moves it.
+pub(crate) static LIVE: Live<Parameters> = Live {
+    figure: Figure {
+        name: "backwards",
+        title: "Light from the lamp, and a ray from the eye",
+        description: "Seen from the side: an eye at the left, an upright pane of nine squares, behind it a \
+            ball, and a lamp above. Lines leave the lamp in all directions, and nearly all miss the eye. \
+            From the eye one ray goes through the middle of a square and meets the ball. There an arrow \
+            arrives from the lamp.",
+        caption: "The lamp throws light everywhere. Only what happens to go along the ray, the other way \
+            round, enters the eye through this square.",
+        question: "Which squares become part of the ball? Drag the ray from square to square.",
+        solution: "Squares 4 to 7. The ray through each of them meets the ball; the others meet nothing, and \
+            show the sky.",
+    },
+    handles: &[Handle {
+        field: "square",
+        at: |it| PLANE.point(middle(it.square)),
+        drag: |it, to| it.square = 0.5 + (TOP - PLANE.place(to).y) / SIDE,
+    }],
+    actions: &[],
+    answer,
+};
+
+/// The scene in the plane, with the eye at 0.
+const LAMP: Point3 = xy(2.0, 1.25);
+const BALL: Point3 = xy(3.0, -0.25);
+const RADIUS: f64 = 0.8;
+
+/// The pane: how far ahead it is, where it begins, and how many squares of which side it has.
+const AHEAD: f64 = 1.4;
+const TOP: f64 = 1.08;
+const SIDE: f64 = 0.24;
+const SQUARES: u32 = 9;
+
+/// Where the scene is on the sheet, and its size.
+const PLANE: Plane = Plane::new(34.0, 138.0, 80.0);
+const SIZE: DVec2 = spot(400.0, 246.0);
+
+/// The middle of a square, counted from the top.
+fn middle(square: f64) -> Point3 {
+    xy(AHEAD, TOP - (square - 0.5) * SIDE)
+}
+
+/// The ray from the eye through the middle of a square, and where it meets the ball.
+fn seen(square: f64) -> (Ray, Option<Point3>) {
+    let ray = Ray::new(Point3::ZERO, middle(square));
+    let hit = hit_sphere(BALL, RADIUS, &ray).map(|t| ray.at(t));
+    (ray, hit)
+}
+
+fn answer(&Parameters { square }: &Parameters) -> Answer {
+    let (ray, hit) = seen(square);
+    let meets = match hit {
+        Some(_) => "meets the ball, and the square gets the color of the ball there",
+        None => "meets nothing, and the square gets the color of the sky",
+    };
+    let sentence = format!("The ray through square {square} {meets}.");
+    Answer::new(draw(square, &ray, hit), sentence, vec![])
+}
+
+fn draw(square: f64, ray: &Ray, hit: Option<Point3>) -> Svg {
+    let mut svg = LIVE.figure.sheet(SIZE.y);
+    draw_lamp(&mut svg);
+    svg.circle("sphere area", PLANE.point(BALL), PLANE.scale * RADIUS);
+    svg.label("sphere", PLANE.point(BALL), Middle, "ball");
+    draw_pane(&mut svg, square);
+    let end = hit.unwrap_or(ray.at(2.9));
+    if let Some(point) = hit
+        && is_lit(point)
+    {
+        svg.arrow("normal line", PLANE.point(LAMP), PLANE.point(point));
+    }
+    svg.arrow("ray bold", PLANE.point(ray.origin), PLANE.point(end));
+    svg.dot("ink", PLANE.point(ray.origin), Below, "eye");
+    svg
+}
+
+/// Whether light comes from the lamp to that point of the ball: nothing of it is nearer.
+fn is_lit(point: Point3) -> bool {
+    let light = Ray::new(LAMP, point - LAMP);
+    hit_sphere(BALL, RADIUS, &light).is_some_and(|t| t > 1.0 - 1e-9)
+}
+
+/// The lamp, and some of the ways that its light goes: up to the ball, or to the rim.
+fn draw_lamp(svg: &mut Svg) {
+    let lamp = PLANE.point(LAMP);
+    for n in 0..20 {
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(n) / 20.0).sin_cos();
+        let light = Ray::new(LAMP, xy(cos, sin));
+        let rim = PLANE.on_sheet(&light, SIZE).map_or(0.0, |(_, last)| last);
+        let end = hit_sphere(BALL, RADIUS, &light).filter(|&t| t > 0.0);
+        svg.line("grid thin", lamp, PLANE.point(light.at(end.unwrap_or(rim))));
+    }
+    svg.circle("normal solid", lamp, 9.0);
+    svg.label("normal", lamp, UpperRight, "lamp");
+}
+
+/// The squares of the pane: those are filled whose ray meets the ball.
+fn draw_pane(svg: &mut Svg, chosen: f64) {
+    let (wide, high) = (10.0, PLANE.scale * SIDE);
+    for square in (1..=SQUARES).map(f64::from) {
+        let corner = PLANE.point(middle(square)) - 0.5 * spot(wide, high);
+        let class = match seen(square).1 {
+            Some(_) => "sphere wash",
+            None => "paper",
+        };
+        svg.rect(class, corner, spot(wide, high));
+        let class = if square == chosen { "viewport bold" } else { "viewport thin" };
+        svg.rect(class, corner, spot(wide, high));
+    }
+    let below = PLANE.point(xy(AHEAD, TOP - f64::from(SQUARES) * SIDE));
+    svg.label("viewport", below.down(18.0), Middle, "pane");
+}
