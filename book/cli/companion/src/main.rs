@@ -38,6 +38,9 @@ impl Companion for Here {
 const STACK: usize = 1 << 26;
 
 fn main() -> ExitCode {
+    if subprocess::guard::has_guarded() {
+        return ExitCode::SUCCESS;
+    }
     let named = thread::Builder::new().stack_size(STACK);
     let ended = named.spawn(run).map(thread::JoinHandle::join);
     // What panics has said so.

@@ -1,12 +1,12 @@
 //! A dialogue with a subprocess by pipes: each line that it is asked is answered by one line,
 //! within its time.
 //!
-//! A thread reads, so that no program can keep us waiting. What it writes to standard error
-//! appears at once.
+//! A thread reads, so that no program can keep us waiting. Another shows what is written to
+//! standard error, as it comes.
 
 use std::ffi::OsString;
 use std::io::{self, BufRead, BufReader, Read, Write};
-use std::process::{ChildStdin, ChildStdout, ExitStatus, Stdio};
+use std::process::{ChildStdout, ExitStatus, Stdio};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -16,8 +16,8 @@ use crate::subprocess::{self, Running};
 /// A program that is asked.
 pub(super) struct Dialogue {
     program: Running,
-    /// Where questions go; without it, the input of the program has ended.
-    questions: Option<ChildStdin>,
+    /// Comes when all that it says beside its answers has been shown.
+    said: Receiver<String>,
     answers: Receiver<String>,
     limit: Duration,
     start: Instant,
@@ -56,11 +56,12 @@ impl Dialogue {
     pub(super) fn start(words: &[OsString], limit: Duration) -> io::Result<Self> {
         let mut command = subprocess::command(words);
         command.stdin(Stdio::piped()).stdout(Stdio::piped());
-        let mut program = Running(command.spawn()?);
-        let piped = "both are piped";
+        let mut program = Running::start(command.stderr(Stdio::piped()))?;
+        let piped = "it is piped";
+        let errors = program.errors.take().expect(piped);
         Ok(Self {
-            questions: Some(program.0.stdin.take().expect(piped)),
-            answers: reader(program.0.stdout.take().expect(piped)),
+            said: subprocess::in_a_thread(move || subprocess::shown(errors)),
+            answers: reader(program.printed.take().expect(piped)),
             program,
             limit,
             start: Instant::now(),
@@ -73,7 +74,7 @@ impl Dialogue {
         if self.start.elapsed() > ALL * self.limit {
             return Err(Failure::Slow(ALL * self.limit));
         }
-        if let Some(questions) = &mut self.questions {
+        if let Some(questions) = &mut self.program.input {
             // A pipe has room for a line, whether it is read or not; where nothing reads, nothing
             // answers.
             let _ = questions.write_all(format!("{line}\n").as_bytes());
@@ -87,7 +88,8 @@ impl Dialogue {
 
     /// Ends its input, and says whether it had said more than it was asked.
     pub(super) fn end(&mut self) -> Result<(), Failure> {
-        self.questions = None;
+        // Its input ends.
+        self.program.input = None;
         self.says_no_more(FAREWELL)
     }
 
@@ -98,7 +100,8 @@ impl Dialogue {
     }
 
     fn late(&mut self) -> Failure {
-        self.questions = None;
+        // Its input ends.
+        self.program.input = None;
         let late = self.answers.recv_timeout(FAREWELL);
         late.map_or(Failure::Silent, |_| Failure::Late)
     }
@@ -108,12 +111,19 @@ impl Dialogue {
         const TICK: Duration = Duration::from_millis(2);
         let start = Instant::now();
         while start.elapsed() < FAREWELL {
-            if let Some(status) = self.program.0.try_wait().ok()? {
+            if let Some(status) = self.program.ended().ok()? {
                 return Some(status);
             }
             thread::sleep(TICK);
         }
         None
+    }
+}
+
+impl Drop for Dialogue {
+    fn drop(&mut self) {
+        self.program.end();
+        let _ = self.said.recv_timeout(FAREWELL);
     }
 }
 

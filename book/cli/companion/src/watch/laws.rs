@@ -41,11 +41,12 @@ pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration
     // One after the other, by name: all add to one file.
     command.args(["--nocapture", "--test-threads=1"]);
     command.current_dir(folder).env(ANSWERS, &file);
-    let (status, printed, errors) = match subprocess::run(command, limit, &mut || false) {
-        Ok((End::Itself(status, printed), errors)) => (status, printed, errors),
-        Ok(_) => return unknown(format!("the laws were not done within {limit:?}")),
-        Err(cause) => return unknown(cause.to_string()),
-    };
+    let (status, printed, errors) =
+        match subprocess::run(command, limit, subprocess::last, &mut || false) {
+            Ok((End::Itself(status, printed), errors)) => (status, printed, errors),
+            Ok(_) => return unknown(format!("the laws were not done within {limit:?}")),
+            Err(cause) => return unknown(cause.to_string()),
+        };
     let answers = Answers::read(chapter, &fs::read_to_string(&file).unwrap_or_default());
     let printed = String::from_utf8_lossy(&printed);
     let passed = |line: &str| {

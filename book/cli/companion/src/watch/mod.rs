@@ -161,27 +161,29 @@ impl Subject {
         };
         let mut command = subprocess::command(&words);
         command.current_dir(&self.folder);
-        Some(match subprocess::run(command, self.limit, is_old) {
-            Ok((End::Interrupted, _)) => return None,
-            Ok((End::Itself(status, bytes), _)) if status.success() => {
-                self.of_picture(&bytes, built)
-            }
-            Ok((End::Full(bytes), _)) => self.of_picture(&bytes, built),
-            Ok((End::Itself(status, _), errors)) => {
-                match verdict::not_written_yet(&errors).next() {
-                    Some(place) if !is_crate || self.scene.chapter == Chapter::RedSphere => {
-                        verdict::not_written(self.scene.chapter, place, None)
-                    }
-                    Some(place) => match self.laws() {
-                        Ok(asked) => verdict::not_written(self.scene.chapter, place, asked),
-                        Err(problem) => verdict::not_built(&problem),
-                    },
-                    None => verdict::failed(&status, &errors),
+        Some(
+            match subprocess::run(command, self.limit, subprocess::last, is_old) {
+                Ok((End::Interrupted, _)) => return None,
+                Ok((End::Itself(status, bytes), _)) if status.success() => {
+                    self.of_picture(&bytes, built)
                 }
-            }
-            Ok((End::TooSlow, errors)) => verdict::too_slow(self.limit, &errors),
-            Err(cause) => verdict::not_started(&words[0], &cause),
-        })
+                Ok((End::Full(bytes), _)) => self.of_picture(&bytes, built),
+                Ok((End::Itself(status, _), errors)) => {
+                    match verdict::not_written_yet(&errors).next() {
+                        Some(place) if !is_crate || self.scene.chapter == Chapter::RedSphere => {
+                            verdict::not_written(self.scene.chapter, place, None)
+                        }
+                        Some(place) => match self.laws() {
+                            Ok(asked) => verdict::not_written(self.scene.chapter, place, asked),
+                            Err(problem) => verdict::not_built(&problem),
+                        },
+                        None => verdict::failed(&status, &errors),
+                    }
+                }
+                Ok((End::TooSlow, errors)) => verdict::too_slow(self.limit, &errors),
+                Err(cause) => verdict::not_started(&words[0], &cause),
+            },
+        )
     }
 
     /// What the test says that puts the crate under the laws.

@@ -1,0 +1,89 @@
+//! A watchdog: a second process of this program, which ends what was started when the first
+//! one is gone.
+//!
+//! It reads from a pipe that the first one holds open. Whatever ends that, a signal, a panic or
+//! the closed terminal, the system closes the pipe, and so no signal need be caught.
+
+use std::collections::BTreeSet;
+use std::env;
+use std::hash::{BuildHasher, Hasher, RandomState};
+use std::io::{self, Write, stdin};
+use std::path::Path;
+use std::process::{self, ChildStdin, Command, Stdio};
+use std::sync::{LazyLock, Mutex, PoisonError};
+
+use super::tree;
+
+/// What marks a reader's program and all that it starts, in their environments.
+pub(crate) const MARK: &str = "RTRACE_STARTED_BY";
+
+/// What tells a process that it is the guard, of programs with that mark.
+const GUARDS: &str = "RTRACE_GUARDS";
+
+/// The mark, which no other run of this program has.
+pub(crate) fn mark() -> &'static str {
+    static MARKED: LazyLock<String> = LazyLock::new(|| {
+        // The standard library asks the system for a random number to seed its hash tables.
+        let number = RandomState::new().build_hasher().finish();
+        format!("{}.{number:016x}", process::id())
+    });
+    &MARKED
+}
+
+/// What the guard reads.
+static PIPE: Mutex<Option<ChildStdin>> = Mutex::new(None);
+
+/// Starts the guard, unless it is there.
+///
+/// # Errors
+/// If it does not start.
+pub(super) fn is_there() -> io::Result<()> {
+    let mut pipe = PIPE.lock().unwrap_or_else(PoisonError::into_inner);
+    if pipe.is_none() {
+        let own = env::current_exe()?;
+        // Also if cargo has replaced that file since.
+        let running = Path::new("/proc/self/exe");
+        let mut guard = Command::new(if running.exists() { running } else { &own });
+        guard.env(GUARDS, mark()).env_remove(MARK);
+        guard.stdin(Stdio::piped());
+        guard.stdout(Stdio::null()).stderr(Stdio::null());
+        (*pipe, ..) = tree::pipes(&mut tree::grown(&mut guard)?);
+    }
+    Ok(())
+}
+
+/// Tells the guard of a program that has begun.
+pub(super) fn begins(program: u32) {
+    tell(&format!("{program}\n"));
+}
+
+/// Tells the guard that all that the program had started has ended.
+pub(super) fn ended(program: u32) {
+    tell(&format!("-{program}\n"));
+}
+
+fn tell(line: &str) {
+    let mut pipe = PIPE.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(pipe) = &mut *pipe {
+        // Without a guard there is nobody to tell.
+        let _ = pipe.write_all(line.as_bytes());
+    }
+}
+
+/// Guards until the first process is gone, if this one is to guard.
+pub(crate) fn has_guarded() -> bool {
+    let Ok(mark) = env::var(GUARDS) else {
+        return false;
+    };
+    let mut programs = BTreeSet::new();
+    for line in stdin().lines().map_while(Result::ok) {
+        match line.strip_prefix('-') {
+            Some(ended) => drop(programs.remove(ended)),
+            None => drop(programs.insert(line)),
+        }
+    }
+    let left = programs.iter().filter_map(|it| it.parse().ok());
+    left.for_each(tree::felled);
+    tree::swept(&mark);
+    true
+}

@@ -1,0 +1,63 @@
+//! A program that runs, and a promise: it ends when this is dropped.
+
+use std::io;
+use std::process::{ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus};
+
+use super::{guard, tree};
+
+/// A program that ends when this is dropped, with all that it has started.
+pub(crate) struct Running {
+    tree: tree::Tree,
+    /// Whether it has the mark of a reader's program.
+    is_marked: bool,
+    /// Its input, output and errors, as far as they are piped.
+    pub(crate) input: Option<ChildStdin>,
+    pub(crate) printed: Option<ChildStdout>,
+    pub(crate) errors: Option<ChildStderr>,
+}
+
+impl Running {
+    /// Starts the program.
+    ///
+    /// # Errors
+    /// If it does not start, or can't be guarded.
+    pub(crate) fn start(command: &mut Command) -> io::Result<Self> {
+        guard::is_there()?;
+        let is_marked = command.get_envs().any(|(name, _)| name == guard::MARK);
+        let mut tree = tree::grown(command)?;
+        guard::begins(tree.id());
+        let (input, printed, errors) = tree::pipes(&mut tree);
+        Ok(Self {
+            tree,
+            is_marked,
+            input,
+            printed,
+            errors,
+        })
+    }
+
+    /// Gives way to everything else that runs here.
+    pub(crate) fn gives_way(&self) {
+        tree::gives_way(self.tree.id());
+    }
+
+    /// How it has ended, if it has.
+    pub(crate) fn ended(&mut self) -> io::Result<Option<ExitStatus>> {
+        self.tree.try_wait()
+    }
+
+    /// Ends it, with all that it has started.
+    pub(crate) fn end(&mut self) {
+        tree::ended(&mut self.tree);
+        if self.is_marked {
+            tree::swept(guard::mark());
+        }
+        guard::ended(self.tree.id());
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        self.end();
+    }
+}

@@ -1,0 +1,77 @@
+//! Process groups: a signal to a group reaches all that its leader has started.
+//!
+//! What has left the group, as `setsid` does, is found on Linux by a mark in its environment,
+//! which is handed on to whatever starts. Build servers end what they have started like that.
+
+use std::fs;
+use std::io;
+use std::os::unix::process::CommandExt;
+use std::process::{ChildStderr, ChildStdin, ChildStdout, Command};
+use std::thread;
+use std::time::Duration;
+
+use rustix::process::{Pid, Signal, kill_process, kill_process_group, setpriority_pgrp};
+
+/// A program and what it starts.
+pub(super) use std::process::Child as Tree;
+
+/// Starts the program as the leader of a group.
+pub(super) fn grown(command: &mut Command) -> io::Result<Tree> {
+    command.process_group(0).spawn()
+}
+
+/// Its input, output and errors, as far as they are piped.
+pub(super) fn pipes(
+    tree: &mut Tree,
+) -> (Option<ChildStdin>, Option<ChildStdout>, Option<ChildStderr>) {
+    (tree.stdin.take(), tree.stdout.take(), tree.stderr.take())
+}
+
+/// Ends the program and its group.
+pub(super) fn ended(tree: &mut Tree) {
+    felled(tree.id());
+    let _ = tree.wait();
+}
+
+/// Ends the group of that leader.
+pub(super) fn felled(leader: u32) {
+    if let Some(group) = pid(leader) {
+        let _ = kill_process_group(group, Signal::KILL);
+    }
+}
+
+/// Has the group run where nothing else does.
+pub(super) fn gives_way(leader: u32) {
+    const LAST: i32 = 19;
+    let _ = setpriority_pgrp(pid(leader), LAST);
+}
+
+/// Ends whatever has the mark in its environment, also what it starts meanwhile.
+pub(super) fn swept(mark: &str) {
+    const ROUNDS: usize = 200;
+    let mark = format!("{}={mark}", super::guard::MARK);
+    for _ in 0..ROUNDS {
+        let marked = processes().filter(|it| has(*it, mark.as_bytes()));
+        let killed = marked.map(|it| kill_process(it, Signal::KILL)).count();
+        if killed == 0 {
+            break;
+        }
+        thread::sleep(Duration::from_millis(1));
+    }
+}
+
+/// All processes, where the system shows them as folders.
+fn processes() -> impl Iterator<Item = Pid> {
+    let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
+    entries.filter_map(|entry| pid(entry.file_name().to_str()?.parse().ok()?))
+}
+
+/// Whether the process began with that in its environment. One that has ended has none.
+fn has(process: Pid, mark: &[u8]) -> bool {
+    let environment = fs::read(format!("/proc/{}/environ", process.as_raw_nonzero()));
+    environment.is_ok_and(|it| it.split(|&byte| byte == 0).any(|it| it == mark))
+}
+
+fn pid(number: u32) -> Option<Pid> {
+    Pid::from_raw(number.try_into().ok()?)
+}

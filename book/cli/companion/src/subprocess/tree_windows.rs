@@ -1,0 +1,49 @@
+//! Job objects: a job ends with all that its first process has started.
+
+use std::io;
+use std::mem;
+use std::process::{ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
+
+use process_wrap::std::{ChildWrapper, CommandWrap, JobObject};
+
+/// A program and what it starts.
+pub(super) type Tree = Box<dyn ChildWrapper>;
+
+/// Starts the program in a job.
+pub(super) fn grown(command: &mut Command) -> io::Result<Tree> {
+    let command = mem::replace(command, Command::new(""));
+    CommandWrap::from(command).wrap(JobObject).spawn()
+}
+
+/// Its input, output and errors, as far as they are piped.
+pub(super) fn pipes(
+    tree: &mut Tree,
+) -> (Option<ChildStdin>, Option<ChildStdout>, Option<ChildStderr>) {
+    (
+        tree.stdin().take(),
+        tree.stdout().take(),
+        tree.stderr().take(),
+    )
+}
+
+/// Ends the job.
+pub(super) fn ended(tree: &mut Tree) {
+    // What has ended already can't be ended once more.
+    let _ = tree.kill();
+}
+
+/// Ends what the process has started, as far as its parents still run: the job of a program
+/// that was started here is ended by its handle, which the guard does not have.
+pub(super) fn felled(leader: u32) {
+    let leader = leader.to_string();
+    let mut kill = Command::new("taskkill");
+    kill.args(["/T", "/F", "/PID", &leader])
+        .stdin(Stdio::null());
+    let _ = kill.stdout(Stdio::null()).stderr(Stdio::null()).status();
+}
+
+/// Nothing: a job runs as other programs do.
+pub(super) fn gives_way(_leader: u32) {}
+
+/// Nothing: whatever starts in a job stays in it.
+pub(super) fn swept(_mark: &str) {}
