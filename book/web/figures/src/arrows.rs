@@ -5,10 +5,10 @@ use crate::vocabulary::*;
 
 parameters! {
     u: Vec3 =
-        Number::new("u, to the right", -2.0, 2.0, 2.0),
+        Number::new("u, to the right", -1.5, 1.5, 1.5),
         Number::new("u, upwards", -1.0, 1.0, 0.5);
     v: Vec3 =
-        Number::new("v, to the right", -2.0, 2.0, 0.5),
+        Number::new("v, to the right", -1.5, 1.5, 0.5),
         Number::new("v, upwards", -1.0, 1.0, 1.0);
 }
 
@@ -27,26 +27,31 @@ pub(crate) static LIVE: Live<Parameters> = Live {
         solution: "Zero if the two make a right angle, negative if they point apart: then the shadow falls behind \
             the start. How long they are does not change that.",
     },
-    handles: &[point!(PANELS[0], u), point!(PANELS[0], v)],
+    handles: &[point!(BOTH, u), point!(BOTH, v)],
     actions: &[
-        ("A right angle", |it| (it.u, it.v) = (xy(2.0, 0.5), xy(-0.25, 1.0))),
-        ("Apart", |it| (it.u, it.v) = (xy(2.0, 0.5), xy(-1.5, 0.5))),
+        ("A right angle", |it| {
+            (it.u, it.v) = (xy(1.5, 0.5), xy(-0.25, 0.75))
+        }),
+        ("Apart", |it| (it.u, it.v) = (xy(1.5, 0.5), xy(-1.0, 0.25))),
         ("v on u", |it| (it.u, it.v) = (xy(1.5, 0.5), xy(1.5, 0.5))),
     ],
     answer,
 };
 
-/// The start of the arrows in each small drawing.
-const PANELS: [Plane; 5] = [
-    Plane::new(100.0, 84.0, 24.0),
-    Plane::new(300.0, 84.0, 24.0),
-    Plane::new(100.0, 212.0, 24.0),
-    Plane::new(300.0, 212.0, 24.0),
-    Plane::new(100.0, 340.0, 24.0),
-];
+/// The two arrows as they are dragged.
+const BOTH: Plane = Plane::new(100.0, 92.0, SCALE);
 
-/// Above the start of a drawing its title stands so far.
-const TITLE: f64 = -58.0;
+/// Units of the sheet for each unit of an arrow.
+const SCALE: f64 = 40.0;
+
+/// A drawing around that place of the sheet, of arrows from 0 to these points.
+fn around(x: f64, y: f64, points: &[Vec3]) -> Plane {
+    let all = || points.iter().copied().chain([Vec3::ZERO]);
+    let least = all().fold(Vec3::ZERO, Vec3::min);
+    let most = all().fold(Vec3::ZERO, Vec3::max);
+    let middle = 0.5 * (least + most);
+    Plane::new(x - SCALE * middle.x, y + SCALE * middle.y, SCALE)
+}
 
 fn answer(&Parameters { u, v }: &Parameters) -> Answer {
     let (product, length) = (u.dot(v), u.length());
@@ -57,7 +62,11 @@ fn answer(&Parameters { u, v }: &Parameters) -> Answer {
     } else if product == 0.0 {
         "**u**·**v** = 0: the two make a right angle, and there is no shadow.".to_owned()
     } else {
-        let side = if product < 0.0 { "behind the start" } else { "ahead" };
+        let side = if product < 0.0 {
+            "behind the start"
+        } else {
+            "ahead"
+        };
         format!(
             "The shadow of **v** is {shadow} long, {side}, and **u** is {length_said} long: \
              **u**·**v** = {product_said}."
@@ -67,46 +76,55 @@ fn answer(&Parameters { u, v }: &Parameters) -> Answer {
 }
 
 fn draw(u: Vec3, v: Vec3) -> Svg {
-    let mut svg = LIVE.figure.sheet(404.0);
-    let [both, sum, difference, multiples, shadow] = PANELS;
-    title(&mut svg, &both, "**u** and **v**");
-    named(&mut svg, &both, u, "ray bold", "**u**");
-    named(&mut svg, &both, v, "sphere bold", "**v**");
-    title(&mut svg, &sum, "**u** + **v**");
+    let mut svg = LIVE.figure.sheet(472.0);
+    start(&mut svg, &BOTH, spot(100.0, 22.0), "**u** and **v**");
+    named(&mut svg, u, "ray bold", "**u**");
+    named(&mut svg, v, "sphere bold", "**v**");
+    let sum = around(300.0, 92.0, &[u, u + v]);
+    start(&mut svg, &sum, spot(300.0, 22.0), "**u** + **v**");
     svg.arrow("ray thin", sum.origin, sum.point(u));
     svg.arrow("sphere thin", sum.point(u), sum.point(u + v));
     svg.arrow("normal bold", sum.origin, sum.point(u + v));
-    title(&mut svg, &difference, "**v** − **u**");
+    let difference = around(100.0, 252.0, &[u, v]);
+    start(&mut svg, &difference, spot(100.0, 182.0), "**v** − **u**");
     svg.arrow("ray thin", difference.origin, difference.point(u));
     svg.arrow("sphere thin", difference.origin, difference.point(v));
     svg.arrow("normal bold", difference.point(u), difference.point(v));
-    title(&mut svg, &multiples, "2**u** and −**u**");
+    let multiples = around(300.0, 252.0, &[2.0 * u, -u]);
+    start(
+        &mut svg,
+        &multiples,
+        spot(300.0, 182.0),
+        "2**u** and −**u**",
+    );
     svg.arrow("ray line", multiples.origin, multiples.point(2.0 * u));
     svg.arrow("normal bold", multiples.origin, multiples.point(-u));
-    draw_shadow(&mut svg, &shadow, u, v);
+    draw_shadow(&mut svg, u, v);
     draw_numbers(&mut svg, u, v);
     svg
 }
 
-fn title(svg: &mut Svg, panel: &Plane, words: &str) {
-    svg.label("ink", panel.origin.down(TITLE), Middle, words);
-    svg.circle("ink solid", panel.origin, 2.5);
+/// The title of a drawing, and where its arrows start.
+fn start(svg: &mut Svg, plane: &Plane, title: DVec2, words: &str) {
+    svg.label("ink", title, Middle, words);
+    svg.circle("ink solid", plane.origin, 2.5);
 }
 
 /// An arrow from the start, with its name beyond its tip.
-fn named(svg: &mut Svg, panel: &Plane, arrow: Vec3, class: &str, name: &str) {
-    let (tip, along) = (panel.point(arrow), panel.vector(arrow).normalize_or_zero());
-    svg.arrow(class, panel.origin, tip);
+fn named(svg: &mut Svg, arrow: Vec3, class: &str, name: &str) {
+    let (tip, along) = (BOTH.point(arrow), BOTH.vector(arrow).normalize_or_zero());
+    svg.arrow(class, BOTH.origin, tip);
     let idea = class.split(' ').next().unwrap_or_default();
-    svg.label(idea, (tip + 13.0 * along).down(5.0), Middle, name);
+    svg.label(idea, (tip + 20.0 * along).down(5.0), Middle, name);
 }
 
 /// The light falls onto the line of u at a right angle.
-fn draw_shadow(svg: &mut Svg, panel: &Plane, u: Vec3, v: Vec3) {
-    title(svg, panel, "the shadow of **v**");
+fn draw_shadow(svg: &mut Svg, u: Vec3, v: Vec3) {
+    let panel = around(100.0, 400.0, &[u, v]);
+    start(svg, &panel, spot(100.0, 330.0), "the shadow of **v**");
     let line = ray(Point3::ZERO, u);
     let foot = panel.point(line.at(nearest(&line, v)));
-    let reach = 92.0 * panel.vector(u).normalize_or_zero();
+    let reach = 64.0 * panel.vector(u).normalize_or_zero();
     svg.line("grid thin", panel.origin - reach, panel.origin + reach);
     svg.line("faint dashed", panel.point(v), foot);
     svg.arrow("ray line", panel.origin, panel.point(u));
@@ -126,11 +144,15 @@ fn draw_numbers(svg: &mut Svg, u: Vec3, v: Vec3) {
         format!("   + {}", product(u.y, v.y)),
         format!("   = {}", spoken(u.dot(v))),
     ];
-    svg.readout(spot(232.0, 298.0), &lines);
+    svg.readout(spot(232.0, 352.0), &lines);
 }
 
 /// A factor: a negative one in brackets.
 fn bracketed(value: f64) -> String {
     let said = spoken(value);
-    if value < 0.0 { format!("({said})") } else { said }
+    if value < 0.0 {
+        format!("({said})")
+    } else {
+        said
+    }
 }

@@ -23,7 +23,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
             arrives from the lamp.",
         caption: "The lamp throws light everywhere. Only what happens to go along the ray, the other way \
             round, enters the eye through this square.",
-        question: "Which squares become part of the ball? Drag the ray from square to square.",
+        question: "Which squares show the ball? Drag the ray from square to square.",
         solution: "Squares 4 to 7. The ray through each of them meets the ball; the others meet nothing, and \
             show the sky.",
     },
@@ -120,7 +120,11 @@ fn draw_pane(svg: &mut Svg, chosen: f64) {
             None => "paper",
         };
         svg.rect(class, corner, spot(wide, high));
-        let class = if square == chosen { "viewport bold" } else { "viewport thin" };
+        let class = if square == chosen {
+            "viewport bold"
+        } else {
+            "viewport thin"
+        };
         svg.rect(class, corner, spot(wide, high));
     }
     let below = PLANE.point(xy(AHEAD, TOP - f64::from(SQUARES) * SIDE));

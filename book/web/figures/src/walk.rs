@@ -8,7 +8,7 @@ use crate::vocabulary::*;
 
 parameters! {
     c: Point3 =
-        Number::new("h: C, along the ray", 0.0, 1.7, 1.0),
+        Number::new("h: C, along the ray", 0.0, 1.7, 1.6),
         Number::new("l: C, beside the ray", 0.0, 0.6, 0.3);
     radius: f64 = Number::new("r", 0.1, 0.7, 0.5);
     length: f64 = Number::new("|d|", 0.5, 2.0, 1.0);

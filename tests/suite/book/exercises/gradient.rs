@@ -58,18 +58,3 @@ fn the_sky_is_bluest_above_the_middle_and_not_in_the_corners() {
     assert!((0..400).all(|i| blue(i) <= blue(199)));
     assert!(blue(0) < 0.85 * blue(199));
 }
-
-/// Whether a height that is rounded to the nearest integer has a row more than
-/// one that is rounded down.
-fn rounding_matters(width: u32) -> bool {
-    let ideal = f64::from(width) / (16.0 / 9.0);
-    ideal.round() as u32 > Camera::new(width).image_height
-}
-
-#[test]
-fn rounding_matters_at_half_of_all_widths_and_not_at_400() {
-    assert!(rounding_matters(401));
-    assert!(!rounding_matters(400));
-    let count = (1..=2000).filter(|&width| rounding_matters(width)).count();
-    assert_eq!(count, 999);
-}
