@@ -9,8 +9,8 @@ use common::rtweekend::*;
 use laws::camera::Pixel;
 use laws::nearer_root::{Solver, obeys_every_law};
 use laws::prelude::Prelude;
-use laws::trial::Outcome;
-use laws::{Case, Chapter, Trial, WithInterval, face, functions_of_a_list, holds};
+use laws::{Case, Outcome, Scene, Trial, WithInterval, functions_of_a_list, holds};
+use slips::{Chapter, Letters, lawful};
 
 use crate::more;
 
@@ -21,7 +21,7 @@ mod obeys_its_laws {
     fn gradient() {
         assert_lawful(Chapter::Gradient, |trial| {
             rays_are_lawful(trial)?;
-            trial.ray_color(&gradient::ray_color)
+            trial.ray_color(Scene::Sky, &gradient::ray_color)
         });
     }
 
@@ -29,7 +29,7 @@ mod obeys_its_laws {
     fn red_sphere() {
         assert_lawful(Chapter::RedSphere, |trial| {
             trial.decision(&red_sphere::hit_sphere)?;
-            trial.ray_color(&red_sphere::ray_color)
+            trial.ray_color(Scene::Disc, &red_sphere::ray_color)
         });
     }
 
@@ -37,7 +37,7 @@ mod obeys_its_laws {
     fn normals() {
         assert_lawful(Chapter::Normals, |trial| {
             trial.nearer_root(&normals::hit_sphere)?;
-            trial.ray_color(&normals::ray_color)
+            trial.ray_color(Scene::Ball, &normals::ray_color)
         });
     }
 
@@ -45,17 +45,17 @@ mod obeys_its_laws {
     fn half_b_sphere() {
         assert_lawful(Chapter::HalfBSphere, |trial| {
             trial.nearer_root(&half_b_sphere::hit_sphere)?;
-            trial.ray_color(&half_b_sphere::ray_color)
+            trial.ray_color(Scene::Ball, &half_b_sphere::ray_color)
         });
     }
 
     #[test]
     fn hittable_list() {
-        face::is_turned_against_the_ray(&set_face_normal);
         assert_lawful(Chapter::HittableList, |trial| {
+            trial.set_face_normal(&set_face_normal)?;
             trial.record(&record)?;
-            trial.list(&nearest)?;
-            trial.ray_color(&ray_color)
+            trial.list(&record, &nearest)?;
+            trial.ray_color(Scene::List, &ray_color)
         });
     }
 }
@@ -64,9 +64,10 @@ functions_of_a_list!(hittable_list, Ray, identity, identity, identity);
 
 /// Fails with the first law that is broken, and says where there is more to see.
 fn assert_lawful(chapter: Chapter, attempt: impl Fn(&Trial) -> Outcome) {
-    if let Err(report) = attempt(&Trial::of(chapter)) {
+    let outcome = lawful::explained(attempt(&Trial::default()), chapter, Letters::Rust);
+    if let Err(complaint) = outcome {
         panic!(
-            "\n\nChapter `{}` breaks a law.\n\n{report}\n\n{}",
+            "\n\nChapter `{}` breaks a law.\n\n{complaint}\n\n{}",
             chapter.name(),
             more(chapter.name())
         );
@@ -95,8 +96,7 @@ pub(crate) fn rays_are_lawful(trial: &Trial) -> Outcome {
 fn what_was_once_special_is_solved() {
     let on_the_line = |center, radius, ray: &Ray| {
         let case = Case::new(center, radius, *ray);
-        let (t_min, t_max) = (f64::NEG_INFINITY, f64::INFINITY);
-        record(&WithInterval { case, t_min, t_max }).map(|hit| hit.t)
+        record(&WithInterval::on_the_line(case)).map(|hit| hit.t)
     };
     let solvers: [&Solver; 3] = [
         &normals::hit_sphere,

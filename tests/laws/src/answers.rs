@@ -1,150 +1,209 @@
-//! Answers as evidence: what a function said to the telling questions, kept in a file, so
-//! that a judge can weigh them beside a picture.
+//! Answers as evidence: what a function said to the telling questions, and what came of its laws,
+//! kept in a file, so that a judge in another process can weigh them beside a picture.
 //!
-//! Each line is an answer: the kind of the question, then numbers that read back to the
-//! bit. A function that panics or never returns leaves what it answered before.
+//! Each line of the file is a JSON object: an answer, or the verdict on one function behind its
+//! answers. Numbers are text, which reads back to the bit, NaN and infinity as well. A function
+//! that never returns leaves what it answered before.
 
 use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::Path;
 
-use slips::{Chapter, Program};
+use tinyjson::JsonValue;
 
-use crate::prelude::FUNCTIONS;
-use crate::question::Question;
-use crate::{prelude, strategies};
+use crate::question::{Functions, Question};
+use crate::verdict::{Broken, Complaint, Outcome, Report};
 
 /// The environment variable that names the file.
 pub const ANSWERS: &str = "LAWS_ANSWERS";
 
-/// What the functions of a chapter answered.
-#[derive(Debug)]
+/// What functions answered.
+#[derive(Clone, Debug, Default)]
 pub struct Answers {
-    pub(crate) chapter: Chapter,
-    pub(crate) given: Vec<(Box<dyn Question>, Vec<f64>)>,
+    /// Questions and answers, in their order.
+    pub given: Vec<(Question, Vec<f64>)>,
 }
 
 impl Answers {
-    /// The answers in the text of a file. A text without any is no answers.
-    pub fn read(chapter: Chapter, text: &str) -> Self {
-        // What a program was about to write when it ended has no end of its own.
-        let whole = text.rsplit_once('\n').map_or("", |(whole, _)| whole);
-        let mut lines = whole.lines().peekable();
-        let answered = |question: Box<dyn Question>| {
-            let is_answer = |line: &&str| line.split(' ').next() == Some(question.kind());
-            let numbers = lines.next_if(is_answer)?.split(' ').skip(1).map(str::parse);
-            let answer = numbers.collect::<Result<_, _>>().ok()?;
-            Some((question, answer))
-        };
-        Self {
-            chapter,
-            given: telling(chapter).into_iter().filter_map(answered).collect(),
-        }
-    }
-
-    /// What the functions of a program answer, as its chapter has them.
-    pub fn of(program: &Program) -> Self {
-        let answered = |question: Box<dyn Question>| {
-            let answer = question.answer_of(program);
+    /// The answers of a program.
+    pub fn of(program: &dyn Functions, questions: Vec<Question>) -> Self {
+        let questions = questions.into_iter();
+        let answered = questions.map(|question| {
+            let answer = question.put_to(program);
             (question, answer)
-        };
-        let questions = telling(program.chapter).into_iter();
+        });
         Self {
-            chapter: program.chapter,
-            given: questions.map(answered).collect(),
+            given: answered.collect(),
         }
     }
 
-    /// Whether a function of the prelude is wrong, on which all others may stand.
-    pub fn has_wrong_prelude(&self) -> bool {
-        let right = Program::right(self.chapter);
-        let mut given = self.given.iter();
-        given.any(|(question, answer)| {
-            let is_of_prelude = FUNCTIONS.iter().any(|it| it.name() == question.kind());
-            is_of_prelude && !question.same(answer, &question.answer_of(&right))
-        })
-    }
-
-    /// Whether the last answer is that of the program: a mistake that does not give it is not what
-    /// it comes from.
-    pub(crate) fn ends_as(&self, program: &Program) -> bool {
+    /// Whether the program gives the last answer, too.
+    pub fn ends_as(&self, program: &dyn Functions) -> bool {
         let last = self.given.last();
-        last.is_none_or(|(question, answer)| question.same(answer, &question.answer_of(program)))
+        last.is_none_or(|(question, answer)| question.same(answer, &question.put_to(program)))
     }
 
     /// Of how many answers how many are not those of the program. After `most` of them no
-    /// more are counted. A program of another chapter has other functions: of none.
-    pub fn unlike(&self, program: &Program, most: usize) -> (usize, usize) {
-        if program.chapter != self.chapter {
-            return (0, 0);
-        }
+    /// more are counted.
+    pub fn unlike(&self, program: &dyn Functions, most: usize) -> (usize, usize) {
         let given = self.given.iter();
         let unlike =
-            given.filter(|(question, answer)| !question.same(answer, &question.answer_of(program)));
+            given.filter(|(question, answer)| !question.same(answer, &question.put_to(program)));
         (self.given.len(), unlike.take(most).count())
     }
 }
 
-/// The telling questions to all functions of the chapter, in the order in which they are put.
-fn telling(chapter: Chapter) -> Vec<Box<dyn Question>> {
-    let mut all = Vec::new();
-    if chapter > Chapter::BuildTest {
-        all.extend(boxed(prelude::telling()));
-    }
-    if chapter > Chapter::Gradient {
-        all.extend(boxed(strategies::telling(&strategies::ordinary_asked())));
-    }
-    if chapter == Chapter::HittableList {
-        all.extend(boxed(strategies::telling(&strategies::worlds())));
-    }
-    if chapter > Chapter::BuildTest {
-        all.extend(boxed(strategies::telling(&strategies::rays())));
-    }
-    all
+/// What a file of answers tells.
+#[derive(Debug, Default)]
+pub struct Told {
+    /// All answers.
+    pub answers: Answers,
+    /// What came of each function, by its name.
+    pub outcomes: Vec<(String, Outcome)>,
 }
 
-fn boxed(questions: Vec<impl Question>) -> impl Iterator<Item = Box<dyn Question>> {
-    questions.into_iter().map(|it| Box::new(it) as _)
-}
-
-/// Adds the answer to the file.
-///
-/// # Panics
-/// If that can't be written.
-pub(crate) fn keep(file: &Path, question: &dyn Question, answer: &[f64]) {
-    let opened = OpenOptions::new().create(true).append(true).open(file);
-    opened
-        .and_then(|mut opened| opened.write_all(line(question, answer).as_bytes()))
-        .unwrap_or_else(|cause| panic!("{}: {cause}", file.display()));
-}
-
-fn line(question: &dyn Question, answer: &[f64]) -> String {
-    let numbers = answer.iter().map(|number| format!(" {number:?}"));
-    format!("{}{}\n", question.kind(), numbers.collect::<String>())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_kept_reads_back_as_far_as_it_goes() {
-        let chapter = Chapter::HittableList;
-        let right = Program::right(chapter);
-        let all = telling(chapter).into_iter();
-        let lines = all.map(|it| line(it.as_ref(), &it.answer_of(&right)));
-        let lines: Vec<String> = lines.collect();
-        // The last line breaks off.
-        let text = lines[..700].concat() + &lines[700][..3];
-        let answers = Answers::read(chapter, &text);
-        assert_eq!(answers.unlike(&right, usize::MAX), (700, 0));
-        let slip = slips::find("minus-h")
-            .expect("it is known")
-            .program(chapter);
-        assert!(answers.unlike(&slip, usize::MAX).1 > 100);
-        assert_eq!(
-            Answers::read(chapter, "sphere three\n").unlike(&slip, 1),
-            (0, 0)
-        );
+impl Told {
+    /// Reads as far as there are whole lines: a program may have ended before it wrote the rest.
+    pub fn read(text: &str) -> Self {
+        let mut told = Self::default();
+        let mut since = 0;
+        for line in text.lines() {
+            let Ok(line) = line.parse::<JsonValue>() else {
+                break;
+            };
+            if let Some(given) = answer(&line) {
+                told.answers.given.push(given);
+            } else if let Some((of, mut outcome)) = verdict(&line) {
+                if let Err(Complaint::Broken(report)) = &mut outcome {
+                    let before = &told.answers.given[since..];
+                    report.answers.given.splice(0..0, before.iter().cloned());
+                }
+                since = told.answers.given.len();
+                told.outcomes.push((of, outcome));
+            }
+        }
+        told
     }
+}
+
+/// What is written to the file.
+pub(crate) enum Line<'a> {
+    Answer(&'a Question, &'a [f64]),
+    /// What came of the function of that name.
+    Verdict(&'static str, &'a Outcome),
+}
+
+impl Line<'_> {
+    /// Adds the line to the file.
+    ///
+    /// # Panics
+    /// If that can't be written.
+    pub(crate) fn keep(&self, file: &Path) {
+        let line = self.text() + "\n";
+        let opened = OpenOptions::new().create(true).append(true).open(file);
+        opened
+            .and_then(|mut opened| opened.write_all(line.as_bytes()))
+            .unwrap_or_else(|cause| panic!("{}: {cause}", file.display()));
+    }
+
+    fn text(&self) -> String {
+        let mut fields = match self {
+            Self::Answer(question, answer) => asked(question, answer).to_vec(),
+            Self::Verdict(of, outcome) => {
+                let mut fields = vec![("of", JsonValue::from((*of).to_owned()))];
+                match outcome {
+                    Ok(()) => {}
+                    Err(Complaint::NotWritten(place)) => {
+                        fields.push(("not_written", place.clone().into()));
+                    }
+                    Err(Complaint::Broken(report)) => fields.extend(broken(report)),
+                }
+                fields
+            }
+        };
+        let fields = fields.drain(..).map(|(name, it)| (name.to_owned(), it));
+        let object = JsonValue::Object(fields.collect());
+        object.stringify().expect("no text here is a number")
+    }
+}
+
+fn asked(question: &Question, answer: &[f64]) -> [(&'static str, JsonValue); 3] {
+    let numbers =
+        |all: &[f64]| -> Vec<JsonValue> { all.iter().map(|it| format!("{it:?}").into()).collect() };
+    [
+        ("kind", question.kind().to_owned().into()),
+        ("question", numbers(&question.numbers()).into()),
+        ("answer", numbers(answer).into()),
+    ]
+}
+
+fn broken(report: &Report) -> Vec<(&'static str, JsonValue)> {
+    let Broken {
+        law,
+        found,
+        allowed,
+        read,
+    } = report.broken.clone();
+    let mut fields = vec![
+        ("law", law.into_owned().into()),
+        ("found", found.into()),
+        ("allowed", allowed.into()),
+        ("read", read.into_owned().into()),
+        ("test", report.test.clone().into()),
+    ];
+    let smallest = report.answers.given.last();
+    fields.extend(
+        smallest
+            .iter()
+            .flat_map(|(question, answer)| asked(question, answer)),
+    );
+    fields
+}
+
+fn text(line: &JsonValue, name: &str) -> Option<String> {
+    line.get::<std::collections::HashMap<String, JsonValue>>()?
+        .get(name)?
+        .get::<String>()
+        .cloned()
+}
+
+fn numbers(line: &JsonValue, name: &str) -> Option<Vec<f64>> {
+    let object: &std::collections::HashMap<String, JsonValue> = line.get()?;
+    let numbers: &Vec<JsonValue> = object.get(name)?.get()?;
+    let number = |it: &JsonValue| it.get::<String>()?.parse().ok();
+    numbers.iter().map(number).collect()
+}
+
+fn question(line: &JsonValue) -> Option<(Question, Vec<f64>)> {
+    let question = Question::read(&text(line, "kind")?, &numbers(line, "question")?)?;
+    Some((question, numbers(line, "answer")?))
+}
+
+/// What a line tells of a question, if it is about no verdict.
+fn answer(line: &JsonValue) -> Option<(Question, Vec<f64>)> {
+    text(line, "of").is_none().then(|| question(line)).flatten()
+}
+
+fn verdict(line: &JsonValue) -> Option<(String, Outcome)> {
+    let of = text(line, "of")?;
+    if let Some(place) = text(line, "not_written") {
+        return Some((of, Err(Complaint::NotWritten(place))));
+    }
+    let Some(law) = text(line, "law") else {
+        return Some((of, Ok(())));
+    };
+    let report = Report {
+        broken: Broken {
+            law: law.into(),
+            found: text(line, "found")?,
+            allowed: text(line, "allowed")?,
+            read: text(line, "read")?.into(),
+        },
+        answers: Answers {
+            given: question(line).into_iter().collect(),
+        },
+        same_as: Vec::new(),
+        test: text(line, "test")?,
+    };
+    Some((of, Err(Complaint::Broken(Box::new(report)))))
 }

@@ -4,12 +4,10 @@
 //! The range is open: a root at `t_min` or `t_max` does not count. The bounds
 //! are those of [`nearer_root`](crate::nearer_root).
 
-use proptest::prelude::*;
-
-use crate::Verdict;
 use crate::nearer_root::{BAND, root_bound, said};
 use crate::oracle::Exact;
 use crate::question::{RangeSolver, WithInterval};
+use crate::verdict::{Broken, Verdict};
 
 /// A `t` that is returned lies between the ends. So it is never NaN.
 ///
@@ -19,22 +17,20 @@ pub fn no_t_outside_the_interval_is_returned(solve: &RangeSolver, asked: &WithIn
     let WithInterval { case, t_min, t_max } = *asked;
     let is_silent = !case.is_well_scaled() || t_min.is_nan() || t_max.is_nan();
     let found = asked.solve(solve);
-    let Some(t) = found.filter(|_| !is_silent) else {
-        return Ok(());
-    };
-    prop_assert!(
-        t_min < t && t < t_max,
-        "the law:  a hit lies inside the open interval (t_min, t_max)\n\
-         found:    t = {t:?}\n\
-         allowed:  {t_min:?} < t < {t_max:?}, or a miss\n\
-         read:     chapter 5: both roots are tried, and each must lie in the range"
-    );
-    Ok(())
+    match found {
+        Some(t) if !is_silent && !(t_min < t && t < t_max) => Err(Broken {
+            law: "a hit lies inside the open interval (t_min, t_max)".into(),
+            found: format!("t = {t:?}"),
+            allowed: format!("{t_min:?} < t < {t_max:?}, or a miss"),
+            read: "chapter 5: both roots are tried, and each must lie in the range".into(),
+        }),
+        _ => Ok(()),
+    }
 }
 
 /// The root that is returned is the nearest in the interval, and it is found
-/// if there is one. Silent where rounding may carry a root across an end, or
-/// decide about the hit.
+/// if there is one. Makes no claim where rounding could move a root across an end of
+/// the interval, or decide between hit and miss.
 pub fn the_nearest_root_in_the_interval_is_returned(
     solve: &RangeSolver,
     asked: &WithInterval,
@@ -54,17 +50,18 @@ pub fn the_nearest_root_in_the_interval_is_returned(
     let found = asked.solve(solve);
     let root = exact.nearest_root_in(t_min, t_max);
     let expected = root.map(|root| root.rounded());
-    prop_assert!(
-        match (found, expected) {
-            (Some(t), Some(root)) => (t - root).abs() <= bound,
-            (found, expected) => found.is_none() && expected.is_none(),
-        },
-        "the law:  the nearest root in the open interval (t_min, t_max) is returned\n\
-         found:    {}\n\
-         allowed:  {} ± {bound:.1e}\n\
-         read:     chapter 5: both roots are tried, the nearer one first",
-        said(found),
-        said(expected)
-    );
-    Ok(())
+    let is_right = match (found, expected) {
+        (Some(t), Some(root)) => (t - root).abs() <= bound,
+        (found, expected) => found.is_none() && expected.is_none(),
+    };
+    if is_right {
+        return Ok(());
+    }
+    let rounding = expected.map_or(String::new(), |_| format!(" ± {bound:.1e}"));
+    Err(Broken {
+        law: "the nearest root in the open interval (t_min, t_max) is returned".into(),
+        found: said(found),
+        allowed: format!("{}{rounding}, in ({t_min:?}, {t_max:?})", said(expected)),
+        read: "chapter 5: both roots are tried, the nearer one first".into(),
+    })
 }

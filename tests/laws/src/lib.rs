@@ -1,8 +1,8 @@
 //! The laws: properties of a ray-sphere intersection, to be tested on any function that
 //! computes one.
 //!
-//! A law is a plain function: it takes a function under test and a case, and says by
-//! `prop_assert!` whether the law holds. [`strategies`] make the cases and [`oracle`] knows
+//! A law is a plain function: it takes a function under test and a case, and says whether the law
+//! holds, or else what was found and what is allowed. [`strategies`] make the cases and [`oracle`] knows
 //! their exact answers, so a law is tested as any property is:
 //!
 //! ```
@@ -26,16 +26,17 @@
 //! ```
 //!
 //! A [`Trial`] puts a function of a reader's under all laws of its kind, by proptest's
-//! `TestRunner`, and names the mistakes that [`causes`] knows to give the same answers.
+//! `TestRunner`. What shows its [`Report`] asks which known mistakes give the same answers:
+//! a reader's own crate builds this package, and nothing of what judges.
 
 pub mod answers;
 pub mod any_language;
 pub mod camera;
-pub mod causes;
 pub mod face;
 mod functions;
 pub mod intervals;
 pub mod list;
+pub mod manner;
 pub mod nearer_root;
 pub mod oracle;
 pub mod prelude;
@@ -44,14 +45,12 @@ pub mod ray_color;
 pub mod record;
 pub mod strategies;
 pub mod trial;
+pub mod verdict;
 
 pub use common::rtweekend::{Color, Point3, Ray};
-pub use question::WithInterval;
-pub use slips::Chapter;
+pub use question::{Functions, Question, WithInterval};
+pub use ray_color::Scene;
 pub use speed_vs_accuracy::Case;
 pub use strategies::config;
-pub use trial::{Trial, all_succeed, holds};
-
-/// Whether a law holds, and if not, what there is to say. In a test by proptest, `?` makes
-/// that the reason of the failure.
-pub type Verdict = proptest::test_runner::TestCaseResult;
+pub use trial::Trial;
+pub use verdict::{Broken, Complaint, Outcome, Report, Verdict, holds};

@@ -1,11 +1,12 @@
 //! The law for the search of a list of spheres.
 
 use common::rtweekend::*;
-use proptest::prelude::*;
-use slips::{Ball, Chapter, Program};
+use speed_vs_accuracy::Case;
 
-use crate::Verdict;
-use crate::question::{Question, code, of_ray, vector};
+use crate::nearer_root::said;
+use crate::question::{WithInterval, code, of_ray, vector};
+use crate::record::Recorder;
+use crate::verdict::{Broken, Verdict};
 
 /// Spheres, a ray, and a range of `t`.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,41 +24,35 @@ pub struct World {
 /// Searches a world for the nearest `t` in its range.
 pub type Search<'a> = dyn Fn(&World) -> Option<f64> + 'a;
 
-/// The answer of a list is the least of its members' own answers, in whatever order they
-/// are added.
-pub fn the_nearest_of_all_members_is_returned(search: &Search, world: &World) -> Verdict {
-    let alone = world.spheres.iter().filter_map(|&sphere| {
-        search(&World {
-            spheres: vec![sphere],
-            ..world.clone()
-        })
+/// The answer of a list is the least of its spheres' own answers, in whatever order they
+/// are added. The spheres are asked themselves: a list of one may be wrong, too.
+pub fn the_nearest_of_all_members_is_returned(
+    record: &Recorder,
+    search: &Search,
+    world: &World,
+) -> Verdict {
+    let alone = world.spheres.iter().filter_map(|&(center, radius)| {
+        let World {
+            ray, t_min, t_max, ..
+        } = *world;
+        let case = Case::new(center, radius, ray);
+        Some(record(&WithInterval { case, t_min, t_max })?.t)
     });
     let (found, expected) = (search(world), alone.reduce(f64::min));
-    prop_assert!(
-        found == expected,
-        "the law:  of all that a ray hits, the nearest counts\n\
-         found:    {found:?}\n\
-         allowed:  {expected:?}, the least of the members' own answers\n\
-         read:     chapter 5: closest_so_far"
-    );
-    Ok(())
+    if found == expected {
+        return Ok(());
+    }
+    Err(Broken {
+        law: "of all that a ray hits, the nearest counts".into(),
+        found: said(found),
+        allowed: format!("{}, the least of the spheres' own answers", said(expected)),
+        read: "chapter 5: closest_so_far".into(),
+    })
 }
 
 impl World {
-    /// What the list of a program finds.
-    pub(crate) fn nearest_of(&self, program: &Program) -> Option<f64> {
-        let ball = |&(center, radius): &(Point3, f64)| Ball { center, radius };
-        let balls: Vec<Ball> = self.spheres.iter().map(ball).collect();
-        program.search_among(&balls, &self.ray, self.t_min, self.t_max)
-    }
-}
-
-impl Question for World {
-    fn kind(&self) -> &'static str {
-        "list"
-    }
-
-    fn as_test(&self, _: Chapter) -> String {
+    /// The body of a test that asks this.
+    pub(crate) fn as_test(&self) -> String {
         let sphere = |&(center, radius): &_| format!("({}, {radius:?})", vector(center));
         let spheres: Vec<String> = self.spheres.iter().map(sphere).collect();
         let spheres = spheres.join(",\n    ");
@@ -66,11 +61,35 @@ impl Question for World {
         format!(
             "let spheres = vec![\n    {spheres},\n];\nlet ray = {ray};\n\
              let world = laws::list::World {{ spheres, ray, t_min: {t_min}, t_max: {t_max} }};\n\
-             laws::holds(laws::list::the_nearest_of_all_members_is_returned(&nearest, &world));"
+             let law = laws::list::the_nearest_of_all_members_is_returned;\n\
+             laws::holds(law(&record, &nearest, &world));"
         )
     }
 
-    fn answer_of(&self, program: &Program) -> Vec<f64> {
-        self.nearest_of(program).into_iter().collect()
+    /// Its numbers: the ray, the range, and then center and radius of each sphere.
+    pub(crate) fn numbers(&self) -> Vec<f64> {
+        let spheres = self.spheres.iter();
+        let spheres = spheres.flat_map(|(center, radius)| [center.x, center.y, center.z, *radius]);
+        let ends = [self.t_min, self.t_max];
+        of_ray(self.ray)
+            .into_iter()
+            .chain(ends)
+            .chain(spheres)
+            .collect()
+    }
+
+    /// The world with these numbers.
+    pub(crate) fn read(numbers: &[f64]) -> Option<Self> {
+        let (&[x, y, z, dx, dy, dz, t_min, t_max], spheres) = numbers.split_first_chunk()?;
+        let (spheres, []) = spheres.as_chunks() else {
+            return None;
+        };
+        let sphere = |&[x, y, z, radius]: &[f64; 4]| (Point3::new(x, y, z), radius);
+        Some(Self {
+            spheres: spheres.iter().map(sphere).collect(),
+            ray: Ray::new(Point3::new(x, y, z), Vec3::new(dx, dy, dz)),
+            t_min,
+            t_max,
+        })
     }
 }

@@ -24,11 +24,14 @@
 //! bounds. They hold for a [`Case::is_well_scaled`].
 
 use common::rtweekend::*;
-use proptest::prelude::*;
+use proptest::strategy::Strategy;
 use speed_vs_accuracy::Case;
 
-use crate::Verdict;
 use crate::oracle::Exact;
+use crate::question::{Question, telling};
+use crate::strategies::{anywhere, integers, ordinary};
+use crate::trial::Exam;
+use crate::verdict::{Broken, Verdict};
 
 /// A function of the kind of `hit_sphere`: center, radius and ray to nearer root.
 pub type Solver<'a> = dyn Fn(Point3, f64, &Ray) -> Option<f64> + 'a;
@@ -62,6 +65,33 @@ pub fn obeys_every_law(solve: &Solver, case: &Case) -> Verdict {
     NEARER_ROOT.iter().try_for_each(|law| law(solve, case))
 }
 
+/// What a nearer root is asked, law by law. What whole numbers show can be checked by hand, so
+/// they come first; and what ordinary cases show comes before what only rounding or an overflow
+/// does.
+pub(crate) fn exam<'a>(solve: &'a Solver<'a>) -> Exam<'a, Case> {
+    let law = |law: Law| Box::new(move |case: &Case| law(solve, case)) as _;
+    Exam {
+        of: "hit_sphere",
+        kinds: vec![integers().boxed(), ordinary().boxed(), anywhere().boxed()],
+        telling: telling(&ordinary()),
+        question: Question::Root,
+        answer: &|_| Vec::new(),
+        laws: NEARER_ROOT.map(law).into(),
+        test: &|case| {
+            format!(
+                "{case}\nlet case = laws::Case::new(center, radius, ray);\n\
+                 laws::holds(laws::nearer_root::obeys_every_law(&hit_sphere, &case));"
+            )
+        },
+    }
+}
+
+/// The body of a test that asks a function that only decides.
+pub(crate) fn decision_as_test(case: &Case) -> String {
+    let is_hit = Exact::of(case).nearer_root().is_some();
+    format!("{case}\nassert_eq!(hit_sphere(center, radius, &ray), {is_hit});")
+}
+
 /// A decision as a solver that finds the exact root wherever it says that there is one, and
 /// the point closest to the center where only rounding said so.
 pub fn decision(
@@ -79,14 +109,15 @@ pub fn decision(
 /// that are written the other way round.
 fn t_is_a_number(solve: &Solver, case: &Case) -> Verdict {
     let is_nan = case.solve(solve).is_some_and(f64::is_nan);
-    prop_assert!(
-        !is_nan || !case.is_well_scaled(),
-        "the law:  t is a number\n\
-         found:    t = NaN\n\
-         allowed:  a number, or a miss\n\
-         read:     chapter 2: a negative discriminant has no root"
-    );
-    Ok(())
+    if !is_nan || !case.is_well_scaled() {
+        return Ok(());
+    }
+    Err(Broken {
+        law: "t is a number".into(),
+        found: "t = NaN".into(),
+        allowed: "a number, or a miss".into(),
+        read: "chapter 2: a negative discriminant has no root".into(),
+    })
 }
 
 /// Outside the band where rounding may decide, a root is returned exactly where there is
@@ -96,21 +127,19 @@ fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -> Ve
     let margin = exact.discriminant_margin();
     let is_silent = !case.is_well_scaled() || margin.abs() <= BAND;
     let found = case.solve(solve);
-    prop_assert!(
-        is_silent || found.is_some() == (margin > 0.0),
-        "the law:  the line hits the sphere exactly when the discriminant is not negative\n\
-         found:    {}\n\
-         allowed:  {}: the discriminant is {}, by more than rounding changes\n\
-         read:     chapter 2, and equations (12) to (15) of the notes",
-        named(found.is_some()),
-        named(margin > 0.0),
-        if margin > 0.0 { "positive" } else { "negative" }
-    );
-    Ok(())
-}
-
-fn named(hit: bool) -> &'static str {
-    if hit { "a hit" } else { "a miss" }
+    if is_silent || found.is_some() == (margin > 0.0) {
+        return Ok(());
+    }
+    let (found, allowed) = match found {
+        Some(_) => ("a hit", "a miss: the discriminant is negative"),
+        None => ("a miss", "a hit: the discriminant is positive"),
+    };
+    Err(Broken {
+        law: "the line hits the sphere exactly when the discriminant is not negative".into(),
+        found: found.into(),
+        allowed: format!("{allowed}, by more than rounding changes"),
+        read: "chapter 2, and equations (12) to (15) of the notes".into(),
+    })
 }
 
 /// What a solver returned, in any language.
@@ -126,15 +155,15 @@ fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> Verdict {
     let is_inside = Exact::of(case).origin_margin() < 0.0;
     let is_silent = !case.is_well_scaled() || case.h() != 0.0 || !is_inside;
     let found = case.solve(solve);
-    prop_assert!(
-        is_silent || found.is_some_and(|t| t.is_finite() && t != 0.0),
-        "the law:  where h is 0, no root is lost\n\
-         found:    {}\n\
-         allowed:  −√D/a, which is behind the ray\n\
-         read:     equation (12) of the notes, with both signs",
-        said(found)
-    );
-    Ok(())
+    if is_silent || found.is_some_and(|t| t.is_finite() && t != 0.0) {
+        return Ok(());
+    }
+    Err(Broken {
+        law: "where h is 0, no root is lost".into(),
+        found: said(found),
+        allowed: "−√D/a, which is behind the ray".into(),
+        read: "equation (12) of the notes, with both signs".into(),
+    })
 }
 
 /// |P(t) − C| is r, up to rounding. This law needs no oracle: it puts the root
@@ -151,14 +180,15 @@ pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> Verdict {
     let from_center = t * case.ray.direction - (case.center - case.ray.origin);
     let (squared, r_squared) = (from_center.length_squared(), case.radius * case.radius);
     let bound = 96.0 * U * case.m();
-    prop_assert!(
-        (squared - r_squared).abs() <= bound || !case.is_well_scaled(),
-        "the law:  the point at t lies on the sphere\n\
-         found:    |P(t) − C|² = {squared:?} at t = {t:?}\n\
-         allowed:  r² = {r_squared:?} ± {bound:.1e}, for rounding\n\
-         read:     equation (7) of the notes: it defines what a root is"
-    );
-    Ok(())
+    if (squared - r_squared).abs() <= bound || !case.is_well_scaled() {
+        return Ok(());
+    }
+    Err(Broken {
+        law: "the point at t lies on the sphere".into(),
+        found: format!("|P(t) − C|² = {squared:?} at t = {t:?}"),
+        allowed: format!("r² = {r_squared:?} ± {bound:.1e}, for rounding"),
+        read: "equation (7) of the notes: it defines what a root is".into(),
+    })
 }
 
 /// `t` is the nearer root, up to the error that its coefficients bring.
@@ -171,16 +201,15 @@ fn the_root_is_the_nearer_one_to_the_digits_that_remain(solve: &Solver, case: &C
         return Ok(());
     };
     let bound = root_bound(case, exact.discriminant_margin());
-    prop_assert!(
-        (t - root.rounded()).abs() <= bound || !case.is_well_scaled(),
-        "the law:  t is the nearer root\n\
-         found:    t = {t:?}, off by {:.1e} last digits\n\
-         allowed:  {:?} ± {bound:.1e}\n\
-         read:     chapter 3, and equation (12) of the notes: the nearer root takes −√",
-        root.error_in_ulps(t),
-        root.rounded()
-    );
-    Ok(())
+    if (t - root.rounded()).abs() <= bound || !case.is_well_scaled() {
+        return Ok(());
+    }
+    Err(Broken {
+        law: "t is the nearer root".into(),
+        found: format!("t = {t:?}"),
+        allowed: format!("{:?} ± {bound:.1e}", root.rounded()),
+        read: "chapter 3, and equation (12) of the notes: the nearer root takes −√".into(),
+    })
 }
 
 /// How far from the exact root (h ∓ √D)/a rounding may take `t`, where
@@ -207,15 +236,15 @@ fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> Verd
         return Ok(());
     };
     let found = case.solve(solve);
-    prop_assert!(
-        found == Some(root),
-        "the law:  a tangent is a hit, and its root is exact where no operation rounds\n\
-         found:    {}\n\
-         allowed:  a hit, at t = {root:?}\n\
-         read:     chapter 2: what happens at a discriminant of zero",
-        said(found)
-    );
-    Ok(())
+    if found == Some(root) {
+        return Ok(());
+    }
+    Err(Broken {
+        law: "a tangent is a hit, and its root is exact where no operation rounds".into(),
+        found: said(found),
+        allowed: format!("a hit, at t = {root:?}"),
+        read: "chapter 2: what happens at a discriminant of zero".into(),
+    })
 }
 
 /// The root of a case of small integers with D = 0 and a root that is an
@@ -247,15 +276,15 @@ fn a_scene_in_another_unit_and_a_mirror_has_the_same_digits(
     let (found, expected) = (seen.solve(solve), case.solve(solve).map(|t| 128.0 * t));
     let is_silent = case.h() == 0.0 || !case.is_well_scaled() || !seen.is_well_scaled();
     // −0 and 0 are the same place on a ray, so == is what is meant here.
-    prop_assert!(
-        found == expected || is_silent,
-        "the law:  t scales with the scene, also in a mirror: lengths × 8 and directions ÷ 16 \
-         make it t × 128\n\
-         found:    {}\n\
-         allowed:  {}, and no other bit\n\
-         read:     chapter 4: multiplying by a power of two never rounds",
-        said(found),
-        said(expected)
-    );
-    Ok(())
+    if found == expected || is_silent {
+        return Ok(());
+    }
+    Err(Broken {
+        law: "t scales with the scene, also in a mirror: lengths × 8 and directions ÷ 16 make it \
+              t × 128"
+            .into(),
+        found: said(found),
+        allowed: format!("{}, and no other bit", said(expected)),
+        read: "chapter 4: multiplying by a power of two never rounds".into(),
+    })
 }

@@ -4,25 +4,177 @@
 use std::fmt::{self, Debug};
 
 use common::rtweekend::*;
-use slips::{Chapter, Program};
+use proptest::strategy::Strategy;
 use speed_vs_accuracy::Case;
 
-/// What a function under test is asked.
-pub trait Question: Debug + Send + Sync + 'static {
-    /// What questions of this kind are called in a file of answers.
-    fn kind(&self) -> &'static str;
+use crate::camera::Pixel;
+use crate::list::World;
+use crate::oracle::Exact;
+use crate::prelude::{Asked, FUNCTIONS, Prelude};
+use crate::record::Hit;
+use crate::strategies::{self, samples};
 
-    /// What the program of a chapter that has such a function answers.
-    fn answer_of(&self, program: &Program) -> Vec<f64>;
+/// What a function is asked.
+#[derive(Clone, Debug)]
+pub enum Question {
+    /// A function of the prelude, about small numbers.
+    Prelude(Asked),
+    /// `hit_sphere` of chapter 2: whether the line meets the sphere.
+    Decision(Case),
+    /// `hit_sphere` of chapters 3 and 4: the nearer root.
+    Root(Case),
+    /// `hit` of a sphere in chapter 5.
+    Record(WithInterval),
+    /// `hit` of a list in chapter 5.
+    Nearest(World),
+    /// `ray_color`.
+    RayColor(Ray),
+    /// The ray of a pixel.
+    PixelRay(Pixel),
+}
 
-    /// Whether two answers are the same, but for roundings.
-    fn same(&self, one: &[f64], other: &[f64]) -> bool {
-        same(one, other)
+/// The functions of a program, which can be asked. Those of the prelude are right if nothing else
+/// is said.
+#[allow(missing_docs)] // Each is named after the function that it calls.
+pub trait Functions {
+    fn hit_sphere(&self, case: &Case) -> Option<f64>;
+    fn record(&self, asked: &WithInterval) -> Option<Hit>;
+    fn nearest(&self, world: &World) -> Option<f64>;
+    fn ray_color(&self, ray: &Ray) -> Color;
+
+    fn pixel_ray(&self, pixel: &Pixel) -> Ray {
+        pixel.right_ray()
+    }
+    fn dot(&self, u: Vec3, v: Vec3) -> f64 {
+        u.dot(v)
+    }
+    fn length_squared(&self, v: Vec3) -> f64 {
+        v.length_squared()
+    }
+    fn normalize(&self, v: Vec3) -> Vec3 {
+        v.normalize()
+    }
+}
+
+/// How many questions tell mistakes in one function apart: with fewer, some answer as others do.
+const TELLING: u32 = 250;
+
+impl Question {
+    /// Questions about a prelude to which different mistakes give different answers, always the
+    /// same ones. So it is with those of the next functions.
+    pub fn of_prelude() -> Vec<Self> {
+        let telling = FUNCTIONS.iter().flat_map(|function| function.telling());
+        telling.map(Self::Prelude).collect()
     }
 
-    /// The body of a test that asks the function of the chapter this again. It stands where
-    /// the function has its name, so it need not guess from where to import it.
-    fn as_test(&self, chapter: Chapter) -> String;
+    /// Questions about one ray and one sphere, as `kind` asks them.
+    pub fn of_sphere(kind: fn(Case) -> Self) -> Vec<Self> {
+        of(kind, &strategies::ordinary())
+    }
+
+    /// Questions about one sphere and a range.
+    pub fn of_record() -> Vec<Self> {
+        of(Self::Record, &strategies::ordinary_asked())
+    }
+
+    /// Questions about a list.
+    pub fn of_list() -> Vec<Self> {
+        of(Self::Nearest, &strategies::worlds())
+    }
+
+    /// Questions about the color of a ray.
+    pub fn of_ray_color() -> Vec<Self> {
+        of(Self::RayColor, &strategies::rays())
+    }
+
+    /// The answer of a program.
+    pub fn put_to(&self, program: &dyn Functions) -> Vec<f64> {
+        match self {
+            Self::Prelude(asked) => Prelude::of(program, |prelude| asked.put_to(prelude)),
+            Self::Decision(case) => decided(program.hit_sphere(case).is_some()),
+            Self::Root(case) => program.hit_sphere(case).into_iter().collect(),
+            Self::Record(asked) => of_hit(asked, program.record(asked)),
+            Self::Nearest(world) => program.nearest(world).into_iter().collect(),
+            Self::RayColor(ray) => program.ray_color(ray).to_array().to_vec(),
+            Self::PixelRay(pixel) => of_ray(program.pixel_ray(pixel)),
+        }
+    }
+
+    /// Whether two answers are the same, but for roundings.
+    pub fn same(&self, one: &[f64], other: &[f64]) -> bool {
+        match self {
+            Self::Prelude(asked) => asked.same(one, other),
+            _ => same(one, other),
+        }
+    }
+
+    /// What questions of this kind are called.
+    pub(crate) fn kind(&self) -> &'static str {
+        match self {
+            Self::Prelude(asked) => asked.function.name(),
+            Self::Decision(_) => "decision",
+            Self::Root(_) => "root",
+            Self::Record(_) => "record",
+            Self::Nearest(_) => "nearest",
+            Self::RayColor(_) => "ray_color",
+            Self::PixelRay(_) => "pixel_ray",
+        }
+    }
+
+    /// The numbers of which it consists.
+    pub fn numbers(&self) -> Vec<f64> {
+        match self {
+            Self::Prelude(Asked { u, v, t, .. }) => {
+                [&u.to_array()[..], &v.to_array(), &[*t]].concat()
+            }
+            Self::Decision(case) | Self::Root(case) => case.numbers().to_vec(),
+            Self::Record(WithInterval { case, t_min, t_max }) => {
+                [&case.numbers()[..], &[*t_min, *t_max]].concat()
+            }
+            Self::Nearest(world) => world.numbers(),
+            Self::RayColor(ray) => of_ray(*ray),
+            Self::PixelRay(Pixel { width, i, j }) => [width, i, j].map(|&it| it.into()).to_vec(),
+        }
+    }
+
+    /// The question of that kind with these numbers; `None` if there is none.
+    pub(crate) fn read(kind: &str, numbers: &[f64]) -> Option<Self> {
+        let case = || Some(Case::from_numbers(numbers.try_into().ok()?));
+        Some(match (kind, numbers) {
+            ("decision", _) => Self::Decision(case()?),
+            ("root", _) => Self::Root(case()?),
+            ("record", [case @ .., t_min, t_max]) => Self::Record(WithInterval {
+                case: Case::from_numbers(case.try_into().ok()?),
+                t_min: *t_min,
+                t_max: *t_max,
+            }),
+            ("nearest", _) => Self::Nearest(World::read(numbers)?),
+            ("ray_color", &[x, y, z, dx, dy, dz]) => {
+                Self::RayColor(Ray::new(Vec3::new(x, y, z), Vec3::new(dx, dy, dz)))
+            }
+            ("pixel_ray", numbers) => {
+                let numbers: [f64; 3] = numbers.try_into().ok()?;
+                let [width, i, j] = numbers.map(|it| it as u32);
+                Self::PixelRay(Pixel { width, i, j })
+            }
+            (name, &[x, y, z, vx, vy, vz, t]) => Self::Prelude(Asked {
+                function: FUNCTIONS.iter().find(|it| it.name() == name)?,
+                u: Vec3::new(x, y, z),
+                v: Vec3::new(vx, vy, vz),
+                t,
+            }),
+            _ => return None,
+        })
+    }
+}
+
+fn of<T: Debug>(kind: fn(T) -> Question, strategy: &impl Strategy<Value = T>) -> Vec<Question> {
+    telling(strategy).into_iter().map(kind).collect()
+}
+
+/// The first cases of a strategy, as many as tell mistakes apart.
+pub(crate) fn telling<T: Debug>(strategy: &impl Strategy<Value = T>) -> Vec<T> {
+    samples(strategy, TELLING)
 }
 
 /// Whether two answers are the same, but for a thousand times as much rounding as they
@@ -36,7 +188,24 @@ pub fn same(one: &[f64], other: &[f64]) -> bool {
     one.len() == other.len() && one.iter().zip(other).all(near)
 }
 
-/// A case with a range of `t`, as a sphere of chapter 5 takes it. Before, the range is left out.
+/// A decision in numbers: a hit is 0, and a miss is none.
+pub(crate) fn decided(is_hit: bool) -> Vec<f64> {
+    is_hit.then_some(0.0).into_iter().collect()
+}
+
+/// The numbers of a record. Which side of a tangent is hit is a matter of rounding.
+pub(crate) fn of_hit(asked: &WithInterval, hit: Option<Hit>) -> Vec<f64> {
+    let Some(hit) = hit else {
+        return Vec::new();
+    };
+    if Exact::of(&asked.case).discriminant().is_eq() {
+        return vec![hit.t];
+    }
+    let vectors = [hit.point.to_array(), hit.normal.to_array()].concat();
+    [vec![hit.t, f64::from(hit.front_face)], vectors].concat()
+}
+
+/// A case with a range of `t`, as a sphere of chapter 5 takes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithInterval {
     /// The ray and the sphere.
@@ -52,6 +221,12 @@ pub struct WithInterval {
 pub type RangeSolver<'a> = dyn Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 'a;
 
 impl WithInterval {
+    /// A case about the whole line.
+    pub fn on_the_line(case: Case) -> Self {
+        let (t_min, t_max) = (f64::NEG_INFINITY, f64::INFINITY);
+        Self { case, t_min, t_max }
+    }
+
     /// The answer of `solve` to this case.
     pub fn solve(&self, solve: &RangeSolver) -> Option<f64> {
         let Case {

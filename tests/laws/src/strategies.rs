@@ -52,19 +52,6 @@ pub fn samples<T: std::fmt::Debug>(strategy: &impl Strategy<Value = T>, count: u
     (0..count).map(sample).collect()
 }
 
-/// Questions to which different mistakes give different answers, always the same ones: enough
-/// for every slip. With fewer, some answer as others do.
-pub(crate) fn telling<T: std::fmt::Debug>(ordinary: &impl Strategy<Value = T>) -> Vec<T> {
-    samples(ordinary, 250)
-}
-
-/// One kind after the other. What whole numbers show can be checked by hand, so they come
-/// first; and what ordinary cases show comes before what only rounding or an overflow does.
-pub(crate) fn kinds() -> [BoxedStrategy<WithInterval>; 3] {
-    let kinds = [integers().boxed(), ordinary().boxed(), anywhere().boxed()];
-    kinds.map(|kind| with_interval(kind).boxed())
-}
-
 /// Ordinary cases, each with an interval.
 pub(crate) fn ordinary_asked() -> impl Strategy<Value = WithInterval> {
     with_interval(ordinary())
@@ -80,6 +67,7 @@ pub fn ordinary() -> impl Strategy<Value = Case> {
         2 => grazing(0.3..=1.5),
         2 => inside(),
         1 => tangents(),
+        1 => on_the_surface(),
     ]
 }
 
@@ -89,6 +77,7 @@ pub fn anywhere() -> impl Strategy<Value = Case> {
         integers(),
         book_rays(),
         tangents(),
+        on_the_surface(),
         across(),
         inside(),
         grazing(0.0..=15.0),
@@ -237,6 +226,27 @@ pub fn tangents() -> impl Strategy<Value = Case> {
             let ray = Ray::new(origin, direction);
             Case::new(center, f64::from(k) * hypotenuse, ray)
         })
+}
+
+/// A ray that starts on the sphere and goes inside: the nearer root is 0 exactly, and no operation
+/// rounds.
+pub fn on_the_surface() -> impl Strategy<Value = Case> {
+    // The sides of boxes whose diagonal is a whole number.
+    let boxes = vec![
+        Vec3::new(1.0, 0.0, 0.0),
+        Vec3::new(1.0, 2.0, 2.0),
+        Vec3::new(2.0, 3.0, 6.0),
+    ];
+    (whole_vector(9), select(boxes), 1..=9, whole_vector(9)).prop_map(
+        |(origin, sides, size, direction)| {
+            let oc = f64::from(size) * sides;
+            let inside = match direction.dot(oc) {
+                0.0 => oc,
+                h => h.signum() * direction,
+            };
+            Case::new(origin + oc, oc.length(), Ray::new(origin, inside))
+        },
+    )
 }
 
 /// Each number from 2⁻²⁰ to 2²⁰ in size, all sizes equally likely.

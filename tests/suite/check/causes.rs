@@ -1,8 +1,8 @@
 //! The first report about a function names the mistake that was made in it, where its
 //! answers are those of a known one.
 
-use laws::Trial;
-use slips::{Chapter, Edition, Letters};
+use laws::{Report, Scene, Trial};
+use slips::{Chapter, Letters, Slip, lawful};
 
 use crate::caught::{OUTCOMES, first_report};
 use suite::slip;
@@ -16,7 +16,7 @@ fn the_first_broken_law_names_the_slip() {
         .filter(|it| it.slip.can_be_made_in(Letters::Rust));
     let reported = in_rust.filter_map(|it| Some((it, it.report.as_deref()?)));
     let (named, missed): (Vec<_>, Vec<_>) = reported.partition(|(outcome, report)| {
-        let mut mistakes = report.cause.mistakes.iter();
+        let mut mistakes = mistakes(report, outcome.chapter).into_iter();
         mistakes.any(|it| it.name == outcome.slip.name)
     });
     let all = named.len() + missed.len();
@@ -36,20 +36,23 @@ fn the_first_broken_law_names_the_slip() {
 fn a_mistake_without_a_name_is_found_too() {
     for mistake in slips::unnamed() {
         for &chapter in mistake.chapters {
-            let report = first_report(&mistake.program(chapter));
-            let mistakes = report.map_or(Vec::new(), |report| report.cause.mistakes);
-            let wrong = mistake.words(Letters::Book(Edition::V4), chapter).wrong;
-            let is_found = mistakes.iter().any(|it| std::ptr::eq(*it, mistake));
-            assert!(is_found, "{wrong} in {chapter:?}");
+            let report = first_report(&mistake.program(chapter)).expect("a law is broken");
+            let mut mistakes = mistakes(&report, chapter).into_iter();
+            let is_found = mistakes.any(|it| std::ptr::eq(it, mistake));
+            assert!(is_found, "{report} in {chapter:?}");
         }
     }
+}
+
+fn mistakes(report: &Report, chapter: Chapter) -> Vec<&'static Slip> {
+    lawful::that_answer_so(&report.answers, chapter, Letters::Rust)
 }
 
 /// A step on the way, for example, which has another color on purpose.
 #[test]
 fn a_color_that_the_picture_shows_is_left_to_it() {
-    let trial = Trial::of(Chapter::Normals);
-    assert!(trial.ray_color(&red_sphere::ray_color).is_ok());
+    let outcome = Trial::default().ray_color(Scene::Ball, &red_sphere::ray_color);
+    assert!(outcome.is_ok());
 }
 
 #[test]

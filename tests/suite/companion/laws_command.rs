@@ -39,6 +39,24 @@ fn the_lines_of_the_page_put_a_function_in_cpp_under_the_laws() {
     is_judged(&CPP);
 }
 
+/// In C++ -1 is a miss, or a root that is there by mistake.
+#[test]
+fn an_answer_that_may_be_a_miss_or_a_root_hides_no_mistake() {
+    let desk = Desk::default();
+    let program = CPP.functions.concat() + &on_the_page(CPP.fence, 1);
+    desk.write(CPP.file, program.replace("auto b = -2.0", "auto b = 2.0"));
+    let mut compile = Command::new("g++");
+    compile
+        .args(["-o", "hit", "hit.cc"])
+        .current_dir(desk.path(""));
+    match compile.output() {
+        Ok(output) => assert!(output.status.success(), "{}", text(&output.stderr)),
+        Err(cause) => return left_out(&format!("no C++ compiler: -1 is not asked for ({cause})")),
+    }
+    let said = text(&desk.run("rtrace laws normals --timeout 60 -- ./hit").stdout);
+    assert!(said.contains("b-sign: "), "{said}");
+}
+
 #[test]
 fn the_lines_of_the_page_put_a_function_in_javascript_under_the_laws() {
     is_judged(&JAVASCRIPT);
@@ -110,6 +128,8 @@ fn on_the_page(fence: &str, which: usize) -> String {
 fn a_program_that_can_not_be_asked_is_told_what_to_do() {
     let desk = Desk::default();
     desk.write("none.sh", "while read line; do echo None; done");
+    desk.write("comma.sh", "while read line; do echo 0,5; done");
+    desk.write("slow.sh", "sleep 2.5; while read line; do echo miss; done");
     desk.write("empty.sh", "while read line; do echo; done");
     desk.write(
         "twice.sh",
@@ -125,6 +145,8 @@ fn a_program_that_can_not_be_asked_is_told_what_to_do() {
     desk.write("closes.sh", "exec >&-; exec sleep 60");
     assert_snapshot!(desk.transcript(
         "rtrace laws normals -- sh none.sh
+         rtrace laws normals -- sh comma.sh
+         rtrace laws normals --timeout 2 -- sh slow.sh
          rtrace laws red_sphere -- sh empty.sh
          rtrace laws normals -- sh twice.sh
          rtrace laws normals --timeout 0.5 -- sh at_end.sh

@@ -93,9 +93,9 @@ pub(crate) fn word(word: impl AsRef<OsStr>) -> String {
     if !word.is_empty() && word.chars().all(is_plain) {
         word
     } else if cfg!(windows) {
-        // A backslash stands for itself there.
         format!("\"{word}\"")
     } else {
-        format!("{word:?}")
+        // Nothing is expanded between single quotation marks.
+        format!("'{}'", word.replace('\'', r"'\''"))
     }
 }

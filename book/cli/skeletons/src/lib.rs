@@ -4,7 +4,7 @@
 
 pub mod source;
 
-use slips::Chapter;
+use slips::{Chapter, lawful};
 
 /// The files of the chapter with nothing in the functions that are to be typed, in the order in
 /// which they are typed: the same as those that the page lists.
@@ -173,11 +173,11 @@ pub fn test(chapter: Chapter, own: bool) -> String {
     };
     let test = format!("{test}{list}{prelude}")
         .replace("my_chapter", &format!("my_{}", chapter.name()))
-        .replace("MyChapter", &format!("{chapter:?}"));
+        .replace("MyScene", &format!("{:?}", lawful::scene(chapter)));
     match chapter {
         // It only decides whether there is a root.
         Chapter::RedSphere => test
-            .replace("trial.nearer_root", "trial.decision")
+            .replace(".nearer_root(", ".decision(")
             .replace("Option<f64>", "bool"),
         _ => test,
     }

@@ -2,6 +2,7 @@
 //! lines come to one cause, and one thing to do next.
 
 use common::rtweekend::Picture;
+use laws::Report;
 use slips::{Chapter, Edition, Probe, Slip, steps};
 
 use crate::blind_spots;
@@ -42,10 +43,14 @@ pub enum Line {
 pub enum Laws {
     /// All of them do.
     Obeyed,
-    /// The first broken one: its report, line by line.
-    Broken(Vec<String>),
-    /// The same of the reader's own prelude, on which all else stands.
-    BrokenPrelude(Vec<String>),
+    /// One is broken.
+    Broken(Box<Report>),
+    /// One is broken by the reader's own prelude, on which all else stands.
+    BrokenPrelude(Box<Report>),
+    /// A function has a `todo!()` at this place.
+    NotWritten(String),
+    /// A function of the reader's own prelude has.
+    UnwrittenPrelude(String),
     /// They were not tried to the end, or nothing is said of a law.
     Unknown(String),
 }
@@ -92,21 +97,6 @@ impl Verdict {
         self.headline += " The laws hold. They ask your functions about rays of all kinds.";
         self.done.push(format!("{}: the laws hold", chapter.name()));
         self
-    }
-}
-
-impl Laws {
-    /// The laws that a trial's report tells of, from the first to the page where it is
-    /// explained.
-    pub fn reported(report: &str) -> Option<Vec<String>> {
-        let from_law = report
-            .lines()
-            .skip_while(|line| !line.starts_with("the law:"));
-        let lines: Vec<String> = from_law
-            .take_while(|line| !line.is_empty())
-            .map(str::to_owned)
-            .collect();
-        (!lines.is_empty()).then_some(lines)
     }
 }
 
@@ -193,6 +183,16 @@ impl Evidence<'_> {
                 "a law is broken, which must hold for every ray",
                 law(report),
             ),
+            Some(Laws::NotWritten(place) | Laws::UnwrittenPrelude(place)) => {
+                return Verdict {
+                    headline: format!(
+                        "The picture is right, but not all is written. {}",
+                        todo_at(place)
+                    ),
+                    next: WRITE_IT.to_owned(),
+                    ..verdict
+                };
+            }
             Some(Laws::Unknown(errors)) => ("the laws can't be tried", printed(errors)),
             Some(Laws::Obeyed) | None => {
                 let headline = format!(
@@ -269,6 +269,16 @@ impl Evidence<'_> {
             };
         }
         let all = steps.len();
+        if let Some(Laws::UnwrittenPrelude(place)) = self.laws {
+            return Verdict {
+                headline: format!(
+                    "Step {number} of {all} is right, but for the prelude. {}",
+                    todo_at(place)
+                ),
+                next: WRITE_IT.to_owned(),
+                ..Verdict::default()
+            };
+        }
         Verdict {
             headline: if self.known.steps[step] {
                 format!("This is what step {number} of {all} shows, again.")
@@ -373,16 +383,20 @@ impl Evidence<'_> {
     }
 }
 
-/// A report on a law, whose lines have a label, or go on with the one before.
-pub fn law(report: &[String]) -> Vec<Line> {
-    let line = |line: &String| match line.split_once(":  ") {
-        Some((label, text)) if !label.contains("  ") => {
-            labeled(label, text.trim_start().to_owned())
-        }
-        _ => labeled("", line.trim_start().to_owned()),
-    };
-    report.iter().map(line).collect()
+/// The rows of a report on a broken law.
+pub fn law(report: &Report) -> Vec<Line> {
+    let rows = report.rows().into_iter();
+    rows.map(|(label, text)| labeled(label, text.to_owned()))
+        .collect()
 }
+
+/// Where a function waits to be written.
+fn todo_at(place: &str) -> String {
+    format!("There is a todo!() at {place}.")
+}
+
+/// What to do with a `todo!()` that no picture needs.
+const WRITE_IT: &str = "write that as well: the laws ask for it, and a later picture needs it";
 
 /// With a large letter, and a full stop.
 fn sentence(text: &str) -> String {

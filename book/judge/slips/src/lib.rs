@@ -29,6 +29,7 @@
 
 mod catalogue;
 mod edition;
+pub mod lawful;
 mod letters;
 mod look;
 mod output;

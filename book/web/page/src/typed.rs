@@ -13,9 +13,9 @@ use check::verdict;
 use check::whole::{Evidence, Laws, Line, Verdict};
 use common::rtweekend::*;
 use interpreter::Fault;
-use laws::Trial;
 use laws::answers::Answers;
-use slips::{Chapter, Letters, Program, Slip, steps};
+use laws::{Complaint, Trial};
+use slips::{Chapter, Letters, Program, Slip, lawful, steps};
 
 use crate::html;
 
@@ -131,8 +131,9 @@ impl Text {
         let scene = Scene::new(self.chapter, None).expect("without a probe it is a scene");
         let asked = self.in_place_of_ours(program);
         let laws = laws_of(&asked);
-        let answers = Answers::of(&asked);
-        let unlike = |program: &Program| answers.unlike(program, MOST_UNLIKE);
+        let answers = Answers::of(&asked, lawful::questions(self.chapter));
+        let unlike =
+            |program: &Program| lawful::unlike(&answers, self.chapter, program, MOST_UNLIKE);
         let can_be_made =
             |slip: &Slip| slip.can_be_made_in(Letters::Rust) && slip.is_in_a_chapter();
         let known = Known {
@@ -225,10 +226,14 @@ fn laws_of(program: &Program) -> Option<Laws> {
     }
     let trial = Trial {
         cases: CASES,
-        ..Trial::of(program.chapter)
+        ..Trial::default()
     };
-    let broken = trial.program(program).err();
-    Some(broken.map_or(Laws::Obeyed, |report| {
-        Laws::Broken(Laws::reported(&report.to_string()).unwrap_or_default())
-    }))
+    let outcome = program.tried(&trial);
+    Some(
+        match lawful::explained(outcome, program.chapter, Letters::Rust) {
+            Ok(()) => Laws::Obeyed,
+            Err(Complaint::Broken(report)) => Laws::Broken(report),
+            Err(Complaint::NotWritten(place)) => Laws::NotWritten(place),
+        },
+    )
 }

@@ -11,6 +11,8 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use ::laws::any_language::NoAnswer;
+
 use crate::subprocess::{self, Running};
 
 /// A program that is asked.
@@ -28,6 +30,8 @@ const ALL: u32 = 20;
 
 /// Why a program can't be asked any more.
 pub(super) enum Failure {
+    /// It did not answer in time, but after twice the time.
+    Tardy,
     /// It did not answer in time, but when its input ended.
     Late,
     /// It did not answer in time, nor later.
@@ -39,7 +43,7 @@ pub(super) enum Failure {
     /// It said one more line than it was asked.
     TooMuch(String),
     /// It said what is no answer.
-    NoAnswer(String),
+    NoAnswer(String, NoAnswer),
 }
 
 /// How long a program whose input has ended may take to say the rest, and to end.
@@ -100,6 +104,9 @@ impl Dialogue {
     }
 
     fn late(&mut self) -> Failure {
+        if self.answers.recv_timeout(self.limit).is_ok() {
+            return Failure::Tardy;
+        }
         // Its input ends.
         self.program.input = None;
         let late = self.answers.recv_timeout(FAREWELL);

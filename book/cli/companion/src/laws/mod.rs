@@ -9,14 +9,15 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 use std::time::Duration;
 
-use ::laws::any_language::{self, Broken};
+use ::laws::any_language::{Function, NoAnswer, Told};
 use ::laws::record::Hit;
-use ::laws::{Case, Trial, WithInterval};
+use ::laws::verdict::laid_out;
+use ::laws::{Case, Complaint, Question, Report, Trial, WithInterval};
 use check::names;
 use clap::Args;
 use common::engine::output;
 use common::rtweekend::*;
-use slips::{Chapter, Edition, Letters};
+use slips::{Chapter, Edition, Letters, lawful};
 
 use crate::chapter::OneOf;
 use crate::check::seconds;
@@ -86,6 +87,7 @@ struct Asked<'a> {
     answers: RefCell<HashMap<String, Answer>>,
     /// Why it is asked no more, and at which question.
     failure: RefCell<Option<(Failure, String)>>,
+    function: Function,
 }
 
 /// A line, and what it means.
@@ -101,24 +103,28 @@ impl<'a> Asked<'a> {
             dialogue: RefCell::new(dialogue),
             answers: RefCell::default(),
             failure: RefCell::default(),
+            function: match arguments.chapter {
+                Chapter::RedSphere => Function::Decision,
+                Chapter::HittableList => Function::Record,
+                _ => Function::Root,
+            },
         }
     }
 
     /// The exit code, and what there is to say.
     fn judged(&self) -> (u8, String) {
         let trial = Trial {
-            letters: self.letters(),
             answers: None,
-            ..Trial::of(self.arguments.chapter)
+            ..Trial::default()
         };
         let line = self.greet();
-        let outcome = trial.any_language(&|asked| self.answer(asked));
+        let told = trial.any_language(self.function, &|asked| self.answer(asked));
         let ended = || Some((self.dialogue.borrow_mut().end().err()?, line));
         let failed = self.failure.take().or_else(ended);
-        match (failed, outcome) {
+        match (failed, &told.outcome) {
             (Some((failure, line)), _) => (2, self.failed(&failure, &line)),
-            (None, Err(broken)) => (1, self.broken(&broken)),
-            (None, Ok(())) => (0, self.obeyed()),
+            (None, Err(Complaint::Broken(report))) => (1, self.broken(report, &told.last)),
+            (None, _) => (0, self.obeyed(&told)),
         }
     }
 
@@ -160,11 +166,10 @@ impl<'a> Asked<'a> {
             return None;
         }
         let said = self.dialogue.borrow_mut().ask(&line).and_then(|said| {
-            let known = self.answers.borrow();
-            let says_minus_one = !known.values().any(|it| it.said == "miss");
-            match any_language::read(self.arguments.chapter, asked, &said, says_minus_one) {
-                Some(hit) => Ok(Answer { said, hit }),
-                None => Err(Failure::NoAnswer(said)),
+            let read = self.function.read(asked, &said, self.says_minus_one());
+            match read {
+                Ok(hit) => Ok(Answer { said, hit }),
+                Err(why) => Err(Failure::NoAnswer(said, why)),
             }
         });
         match said {
@@ -181,17 +186,57 @@ impl<'a> Asked<'a> {
     }
 
     fn line(&self, asked: &WithInterval) -> String {
-        any_language::line(self.arguments.chapter, asked)
+        self.function.line(asked)
     }
 
-    fn obeyed(&self) -> String {
-        let (program, answers) = (self.program(), self.answers.borrow());
-        let all = answers.len();
-        format!("The laws hold: {program} gave {all} answers, each as it should be.\n")
+    /// Whether -1 may stand for a miss, as in the book: until the program says `miss`.
+    fn says_minus_one(&self) -> bool {
+        let answers = self.answers.borrow();
+        self.function == Function::Root && !answers.values().any(|it| it.said == "miss")
     }
 
-    fn broken(&self, (report, last): &Broken) -> String {
+    fn obeyed(&self, told: &Told) -> String {
+        let (program, all) = (self.program(), self.answers.borrow().len());
+        let manners = told.manners.iter().map(|manner| {
+            let says = manner.says();
+            format!("besides:  {says}; no picture of these chapters shows that\n")
+        });
+        format!(
+            "The laws hold: {program} gave {all} answers, each as it should be.\n{}",
+            manners.collect::<String>()
+        )
+    }
+
+    /// The rows of the report, with what is wrong with all answers, or else with the mistakes
+    /// that give the same ones.
+    fn rows(&self, report: &Report) -> String {
+        let mut report = report.clone();
         let besides = self.printed_short();
+        if besides.is_none() {
+            report
+                .answers
+                .given
+                .retain(|(question, _)| !self.may_be_both(question));
+            lawful::explain(&mut report, self.arguments.chapter, self.letters());
+        }
+        let mut rows = report.rows();
+        if let Some(besides) = &besides {
+            rows.insert(rows.len() - 1, ("besides", besides));
+        }
+        laid_out(rows)
+    }
+
+    /// Whether the answer may be a miss or a root: -1.
+    fn may_be_both(&self, question: &Question) -> bool {
+        let Question::Root(case) = question else {
+            return false;
+        };
+        let answers = self.answers.borrow();
+        let answer = answers.get(&self.line(&WithInterval::on_the_line(*case)));
+        self.says_minus_one() && answer.is_some_and(|it| it.said.parse() == Ok(-1.0))
+    }
+
+    fn broken(&self, report: &Report, last: &[WithInterval]) -> String {
         let answers = self.answers.borrow();
         let by_hand = last.iter().map(|asked| {
             let line = self.line(asked);
@@ -205,7 +250,7 @@ impl<'a> Asked<'a> {
         format!(
             "{} breaks a law, which should hold for every ray and every sphere.\n\n{}\n{}",
             self.program(),
-            report.message(besides.as_deref()),
+            self.rows(report),
             by_hand.collect::<String>()
         )
     }
@@ -241,8 +286,14 @@ impl<'a> Asked<'a> {
 
     fn failed(&self, failure: &Failure, line: &str) -> String {
         let (problem, to_do) = self.explained(failure);
-        let (program, by_hand) = (self.program(), self.by_hand(line));
-        format!("{program} {problem}.\nto do:    {to_do}\n{by_hand}\n")
+        let by_hand = match failure {
+            Failure::Tardy | Failure::Slow(_) => String::new(),
+            _ => self.by_hand(line) + "\n",
+        };
+        format!(
+            "{} {problem}.\nto do:    {to_do}\n{by_hand}",
+            self.program()
+        )
     }
 
     /// What is wrong with the dialogue, and what to do.
@@ -255,6 +306,10 @@ impl<'a> Asked<'a> {
         };
         let shown = |said: &str| format!("`{}`", names::visible(said));
         match failure {
+            Failure::Tardy => (
+                format!("did not answer within {limit:?}, but later"),
+                "give it more time, if it is slow to start: --timeout SECONDS".to_owned(),
+            ),
             Failure::Late => (
                 format!("did not answer within {limit:?}, but when its input ended"),
                 format!("answer before the next line comes: {AT_ONCE}"),
@@ -281,11 +336,15 @@ impl<'a> Asked<'a> {
                 format!("says more than one line for a line: {}", shown(said)),
                 format!("print nothing but {wanted}; the rest can go to standard error"),
             ),
-            Failure::NoAnswer(said) if said.is_empty() => (
+            Failure::NoAnswer(said, NoAnswer::DecimalComma) => (
+                format!("answers {}", shown(said)),
+                "print numbers with a decimal point: 0.5, not 0,5".to_owned(),
+            ),
+            Failure::NoAnswer(said, _) if said.is_empty() => (
                 "answers with an empty line".to_owned(),
                 format!("print {wanted}"),
             ),
-            Failure::NoAnswer(said) => (
+            Failure::NoAnswer(said, _) => (
                 format!("answers {}", shown(said)),
                 format!("print nothing but {wanted}"),
             ),

@@ -1,4 +1,4 @@
-//! The laws, which the reader's crate puts its own functions under.
+//! The laws, which the reader's crate puts its own functions under, in a process of its own.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -6,11 +6,11 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
 
-use ::laws::answers::{ANSWERS, Answers};
+use ::laws::answers::{ANSWERS, Answers, Told};
+use ::laws::{Complaint, Outcome};
 use check::whole::Laws;
-use slips::Chapter;
+use slips::{Chapter, Letters, lawful};
 
-use super::verdict::not_written_yet;
 use crate::subprocess::{self, End};
 
 /// What came of the test of a reader's crate.
@@ -28,7 +28,7 @@ pub(super) struct Asked {
 /// Runs the test of a reader's crate.
 pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration) -> Asked {
     let unknown = |why| Asked {
-        answers: Answers::read(chapter, ""),
+        answers: Answers::default(),
         outcome: Laws::Unknown(why),
         obeyed: Vec::new(),
         unwritten: Vec::new(),
@@ -38,31 +38,53 @@ pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration
     };
     let file = kept.path().join("answers");
     let mut command = Command::new(test);
-    // One after the other, by name: all add to one file.
+    // One after the other: all add to one file.
     command.args(["--nocapture", "--test-threads=1"]);
     command.current_dir(folder).env(ANSWERS, &file);
-    let (status, printed, errors) =
-        match subprocess::run(command, limit, subprocess::last, &mut || false) {
-            Ok((End::Itself(status, printed), errors)) => (status, printed, errors),
-            Ok(_) => return unknown(format!("the laws were not done within {limit:?}")),
-            Err(cause) => return unknown(cause.to_string()),
-        };
-    let answers = Answers::read(chapter, &fs::read_to_string(&file).unwrap_or_default());
-    let printed = String::from_utf8_lossy(&printed);
-    let passed = |line: &str| {
-        let name = line.strip_prefix("test ")?;
-        let name = name.strip_suffix("_obeys_the_laws ... ok")?;
-        Some(name.trim_start_matches("a_").to_owned())
+    let (status, errors) = match subprocess::run(command, limit, subprocess::last, &mut || false) {
+        Ok((End::Itself(status, _), errors)) => (status, errors),
+        Ok(_) => return unknown(format!("the laws were not done within {limit:?}")),
+        Err(cause) => return unknown(cause.to_string()),
     };
+    let Told { answers, outcomes } = Told::read(&fs::read_to_string(&file).unwrap_or_default());
+    let (obeyed, complaints): (Vec<_>, Vec<_>) = outcomes
+        .into_iter()
+        .partition(|(_, outcome)| outcome.is_ok());
+    let unwritten = complaints.iter().filter_map(|(_, outcome)| match outcome {
+        Err(Complaint::NotWritten(place)) => Some(place.clone()),
+        _ => None,
+    });
     Asked {
-        obeyed: printed.lines().filter_map(passed).collect(),
-        unwritten: not_written_yet(&errors).map(str::to_owned).collect(),
-        outcome: match Laws::reported(&errors) {
-            _ if status.success() => Laws::Obeyed,
-            Some(lines) if answers.has_wrong_prelude() => Laws::BrokenPrelude(lines),
-            Some(lines) => Laws::Broken(lines),
+        answers,
+        obeyed: obeyed.into_iter().map(|(of, _)| of).collect(),
+        unwritten: unwritten.collect(),
+        outcome: match worst(complaints) {
+            Some((of, outcome)) => {
+                of_first(&of, lawful::explained(outcome, chapter, Letters::Rust))
+            }
+            None if status.success() => Laws::Obeyed,
             None => Laws::Unknown(errors),
         },
-        answers,
+    }
+}
+
+/// What is told first: a broken law before what is not written, and the prelude before the rest.
+fn worst(complaints: Vec<(String, Outcome)>) -> Option<(String, Outcome)> {
+    complaints.into_iter().min_by_key(|(of, outcome)| {
+        let is_broken = matches!(outcome, Err(Complaint::Broken(_)));
+        (!is_broken, of != PRELUDE)
+    })
+}
+
+/// What a trial calls a prelude.
+const PRELUDE: &str = "prelude";
+
+fn of_first(of: &str, outcome: Outcome) -> Laws {
+    match outcome {
+        Ok(()) => Laws::Obeyed,
+        Err(Complaint::Broken(report)) if of == PRELUDE => Laws::BrokenPrelude(report),
+        Err(Complaint::Broken(report)) => Laws::Broken(report),
+        Err(Complaint::NotWritten(place)) if of == PRELUDE => Laws::UnwrittenPrelude(place),
+        Err(Complaint::NotWritten(place)) => Laws::NotWritten(place),
     }
 }

@@ -21,7 +21,7 @@ use check::whole::{Evidence, Line, Verdict, step_is_done};
 use clap::Args;
 use common::engine::output;
 use common::rtweekend::Picture;
-use slips::{Chapter, Letters, Probe, Program, Slip, steps};
+use slips::{Chapter, Letters, Probe, Program, Slip, lawful, steps};
 
 use crate::chapter::OneOf;
 use crate::check::{probe_parser, seconds};
@@ -225,8 +225,9 @@ impl Subject {
             Err(problem) => return verdict::not_built(&problem),
         };
         let answers = asked.as_ref().map(|it| &it.answers);
-        let unlike =
-            answers.map(|answers| |program: &Program| answers.unlike(program, MOST_UNLIKE));
+        let unlike = answers.map(|answers| {
+            |program: &Program| lawful::unlike(answers, chapter, program, MOST_UNLIKE)
+        });
         let is_done = |step| self.done.has(&step_is_done(chapter, step));
         let known = Known {
             letters,

@@ -2,7 +2,6 @@
 
 use std::convert::identity;
 
-use laws::face;
-use laws::{Chapter, Trial, all_succeed};
+use laws::{Scene, Trial, holds};
 
 laws::functions_of_a_list!(my_chapter, common::rtweekend::Ray, identity, identity, identity);

@@ -2,13 +2,12 @@
 
 use common::rtweekend as ours;
 use laws::prelude::Prelude;
-use laws::{Chapter, Trial, all_succeed};
+use laws::{Scene, Trial, holds};
 use my_chapter::rtweekend::{Ray, Vec3};
 
 #[test]
 fn ray_color_obeys_the_laws() {
-    let trial = Trial::of(Chapter::MyChapter);
-    all_succeed([trial.ray_color(&ray_color)]);
+    holds(Trial::default().ray_color(Scene::MyScene, &ray_color));
 }
 
 fn ray_color(ray: &ours::Ray) -> ours::Color {

@@ -2,19 +2,17 @@
 
 use common::rtweekend as ours;
 use laws::prelude::Prelude;
-use laws::{Chapter, Trial, all_succeed};
+use laws::{Scene, Trial, holds};
 use my_chapter::rtweekend::{Ray, Vec3};
 
 #[test]
 fn hit_sphere_obeys_the_laws() {
-    let trial = Trial::of(Chapter::MyChapter);
-    all_succeed([trial.nearer_root(&hit_sphere)]);
+    holds(Trial::default().nearer_root(&hit_sphere));
 }
 
 #[test]
 fn ray_color_obeys_the_laws() {
-    let trial = Trial::of(Chapter::MyChapter);
-    all_succeed([trial.ray_color(&ray_color)]);
+    holds(Trial::default().ray_color(Scene::MyScene, &ray_color));
 }
 
 fn hit_sphere(center: ours::Point3, radius: f64, ray: &ours::Ray) -> Option<f64> {

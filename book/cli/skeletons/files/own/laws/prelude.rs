@@ -1,8 +1,7 @@
 
 #[test]
 fn a_prelude_obeys_the_laws() {
-    let trial = Trial::of(Chapter::MyChapter);
-    all_succeed([trial.prelude(&prelude())]);
+    holds(Trial::default().prelude(&prelude()));
 }
 
 fn prelude() -> Prelude<'static> {

@@ -1,0 +1,196 @@
+//! Fault localization by hypotheses: from wrong answers to the known mistakes that give
+//! all of them.
+//!
+//! A wrong function is seldom random. It answers another question rightly, and the
+//! mistakes that lead there are known: each [`Slip`] is a program that makes one. Named is
+//! a slip that gives the same answer as the function under test to every question of a few
+//! hundred. One that fits a single case is not: by chance many do, where a is 1 or the
+//! radius is 0.
+
+use std::cmp::Reverse;
+
+use common::rtweekend::*;
+use laws::answers::Answers;
+use laws::camera::Pixel;
+use laws::list::World;
+use laws::prelude::Prelude;
+use laws::record::Hit;
+use laws::{Case, Complaint, Functions, Outcome, Question, Report, Scene, Trial, WithInterval};
+
+use crate::chapter::Chapter;
+use crate::letters::Letters;
+use crate::program::{Ball, Program};
+use crate::slip::Slip;
+use crate::{all, unnamed};
+
+/// How many mistakes a message names at most: in four places a root can lose its sign.
+const NAMED: usize = 4;
+
+/// Finds the mistakes, among those that can be made in the chapter, that give all the answers:
+/// none, if a right program gives them too. Each of them alone does, and no question tells them
+/// apart. Those that are made most often come first.
+pub fn that_answer_so(answers: &Answers, chapter: Chapter, letters: Letters) -> Vec<&'static Slip> {
+    let gives_all =
+        |program: &Program| answers.ends_as(program) && answers.unlike(program, 1).1 == 0;
+    if gives_all(&Program::right(chapter)) {
+        return Vec::new();
+    }
+    let mut mistakes: Vec<&'static Slip> = all()
+        .chain(unnamed())
+        .filter(|slip| slip.chapters.contains(&chapter) && slip.can_be_made_in(letters))
+        .filter(|slip| gives_all(&slip.program(chapter)))
+        .collect();
+    mistakes.sort_by_key(|slip| Reverse(slip.reports()));
+    mistakes.truncate(NAMED);
+    mistakes
+}
+
+/// Adds to a report the mistakes that give the same answers, in the reader's letters.
+pub fn explain(report: &mut Report, chapter: Chapter, letters: Letters) {
+    let mistakes = that_answer_so(&report.answers, chapter, letters);
+    let in_a_line = |slip: &&Slip| {
+        let [(_, wrong), (should_be, right), _] = slip.rows(letters, chapter);
+        let name = match slip.name {
+            "" => String::new(),
+            name => format!("{name}: "),
+        };
+        format!("{name}{wrong}; {should_be}: {right}")
+    };
+    report.same_as = mistakes.iter().map(in_a_line).collect();
+    report.same_as.extend(match mistakes.len() {
+        0 => None,
+        1 => Some("it gives the same answer to every question".to_owned()),
+        _ => Some("each of these gives the same answer to every question".to_owned()),
+    });
+}
+
+/// The outcome with the mistakes that give the same answers.
+///
+/// # Errors
+/// Those of the outcome.
+pub fn explained(mut outcome: Outcome, chapter: Chapter, letters: Letters) -> Outcome {
+    if let Err(Complaint::Broken(report)) = &mut outcome {
+        explain(report, chapter, letters);
+    }
+    outcome
+}
+
+/// Counts the answers to a chapter's functions, and those of them that the program does not give,
+/// up to `most`. A program of another chapter has other functions: of none.
+pub fn unlike(
+    answers: &Answers,
+    chapter: Chapter,
+    program: &Program,
+    most: usize,
+) -> (usize, usize) {
+    match program.chapter == chapter {
+        true => answers.unlike(program, most),
+        false => (0, 0),
+    }
+}
+
+/// The questions to all functions of a chapter that tell mistakes apart, in the order in which
+/// they are put.
+pub fn questions(chapter: Chapter) -> Vec<Question> {
+    let sphere = match chapter {
+        Chapter::BuildTest | Chapter::SpeedVsAccuracy => return Vec::new(),
+        Chapter::Gradient => Vec::new(),
+        Chapter::RedSphere => Question::of_sphere(Question::Decision),
+        Chapter::Normals | Chapter::HalfBSphere => Question::of_sphere(Question::Root),
+        Chapter::HittableList => [Question::of_record(), Question::of_list()].concat(),
+    };
+    let others = [Question::of_prelude(), sphere, Question::of_ray_color()];
+    others.concat()
+}
+
+/// The scene that the `ray_color` of a chapter draws.
+pub fn scene(chapter: Chapter) -> Scene {
+    match chapter {
+        Chapter::BuildTest | Chapter::Gradient => Scene::Sky,
+        Chapter::RedSphere => Scene::Disc,
+        Chapter::Normals | Chapter::HalfBSphere => Scene::Ball,
+        Chapter::HittableList | Chapter::SpeedVsAccuracy => Scene::List,
+    }
+}
+
+impl Program {
+    /// Puts the functions of the program, as its chapter has them, under the laws: the
+    /// intersection, and what becomes of a hit.
+    ///
+    /// # Errors
+    /// If a law is broken.
+    pub fn tried(&self, trial: &Trial) -> Outcome {
+        let solve = |center, radius, ray: &Ray| self.hit_sphere(center, radius, ray);
+        let record = |asked: &WithInterval| Functions::record(self, asked);
+        match self.chapter {
+            Chapter::RedSphere => {
+                trial.decision(&|center, radius, ray| solve(center, radius, ray).is_some())?;
+            }
+            Chapter::Normals | Chapter::HalfBSphere => trial.nearer_root(&solve)?,
+            Chapter::HittableList => {
+                trial.record(&record)?;
+                trial.list(&record, &|world| self.nearest(world))?;
+            }
+            _ => {}
+        }
+        trial.ray_color(scene(self.chapter), &|ray| self.ray_color(ray))
+    }
+
+    /// Puts all functions of the program under the laws, those that it shares with other chapters
+    /// first.
+    ///
+    /// # Errors
+    /// If a law is broken.
+    pub fn tried_with_prelude(&self, trial: &Trial) -> Outcome {
+        Prelude::of(self, |prelude| trial.prelude(prelude))?;
+        trial.pixel_ray(&|pixel| self.pixel_ray(pixel))?;
+        self.tried(trial)
+    }
+}
+
+impl Functions for Program {
+    fn hit_sphere(&self, case: &Case) -> Option<f64> {
+        self.hit_sphere(case.center, case.radius, &case.ray)
+    }
+
+    fn record(&self, asked: &WithInterval) -> Option<Hit> {
+        let WithInterval { case, t_min, t_max } = asked;
+        let ball = Ball {
+            center: case.center,
+            radius: case.radius,
+        };
+        let hit = self.record(ball, &case.ray, *t_min, *t_max)?;
+        Some(Hit {
+            t: hit.t,
+            point: hit.point,
+            normal: hit.normal,
+            front_face: hit.front_face,
+        })
+    }
+
+    fn nearest(&self, world: &World) -> Option<f64> {
+        let ball = |&(center, radius): &(Point3, f64)| Ball { center, radius };
+        let balls: Vec<Ball> = world.spheres.iter().map(ball).collect();
+        self.search_among(&balls, &world.ray, world.t_min, world.t_max)
+    }
+
+    fn ray_color(&self, ray: &Ray) -> Color {
+        self.ray_color(ray)
+    }
+
+    fn pixel_ray(&self, pixel: &Pixel) -> Ray {
+        self.ray(&self.camera(pixel.width), pixel.i, pixel.j)
+    }
+
+    fn dot(&self, u: Vec3, v: Vec3) -> f64 {
+        (self.dot)(u, v)
+    }
+
+    fn length_squared(&self, v: Vec3) -> f64 {
+        (self.squared)(self, v)
+    }
+
+    fn normalize(&self, v: Vec3) -> Vec3 {
+        (self.unit)(v)
+    }
+}

@@ -1,0 +1,130 @@
+//! Manners: answers of other editions and of other derivations, which no picture of these chapters
+//! tells from those of version 4.
+
+use speed_vs_accuracy::Case;
+
+use crate::any_language::{Ask, Function};
+use crate::nearer_root::{BAND, root_bound};
+use crate::oracle::Exact;
+use crate::question::{WithInterval, telling};
+use crate::record::Hit;
+use crate::strategies::{ordinary, ordinary_asked};
+
+/// A manner in which a function answers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Manner {
+    /// A root at an end of the range counts.
+    EndsCount,
+    /// A tangent is a miss.
+    TangentsMiss,
+    /// Only what is in front of the eye is hit.
+    NothingBehind,
+}
+
+impl Manner {
+    /// The sentence that tells of it, with its origin.
+    pub fn says(self) -> &'static str {
+        match self {
+            Self::EndsCount => "a root at an end of the range counts, as in version 3 of the book",
+            Self::TangentsMiss => "a tangent is a miss, as in version 1 of the book",
+            Self::NothingBehind => "nothing behind the eye is hit, as in a geometric solution",
+        }
+    }
+
+    /// The manners that a function keeps wherever one would show.
+    pub(crate) fn of(function: Function, ask: &Ask) -> Vec<Self> {
+        let asked = match function {
+            Function::Record => telling(&ordinary_asked()),
+            _ => {
+                let cases = telling(&ordinary()).into_iter();
+                cases.map(WithInterval::on_the_line).collect()
+            }
+        };
+        let is_kept = |manner: &Self| {
+            let mut concerned = asked
+                .iter()
+                .filter(|it| manner.shows(function, it))
+                .peekable();
+            concerned.peek().is_some()
+                && concerned.all(|it| match (manner, ask(it)) {
+                    // Whether it is the right root is the matter of the laws.
+                    (Self::NothingBehind, found) => {
+                        found.is_none_or(|hit| hit.t >= 0.0 && function != Function::Decision)
+                    }
+                    (_, found) => manner.meant(function, it, found.as_ref()).is_some(),
+                })
+        };
+        let all = [Self::EndsCount, Self::TangentsMiss, Self::NothingBehind];
+        all.into_iter().filter(is_kept).collect()
+    }
+
+    /// Whether a function with this manner must answer otherwise than one without, whatever else
+    /// its manners are.
+    fn shows(self, function: Function, asked: &WithInterval) -> bool {
+        let WithInterval { case, t_min, t_max } = *asked;
+        let exact = Exact::of(&case);
+        let roots = [exact.nearer_root(), exact.farther_root()];
+        let [first, last] = roots;
+        match self {
+            Self::EndsCount => {
+                let mut roots = roots.into_iter().flatten();
+                let counts = roots.find(|root| *root >= t_min && *root <= t_max);
+                let is_at_an_end = counts.filter(|root| *root == t_min || *root == t_max);
+                function == Function::Record && is_at_an_end.is_some_and(|root| root > 0.0)
+            }
+            Self::TangentsMiss => {
+                let is_tangent = exact.discriminant().is_eq();
+                is_tangent && first.is_some_and(|it| it > 0.0 && it > t_min && it < t_max)
+            }
+            Self::NothingBehind => {
+                let right = exact.nearest_root_in(t_min, t_max);
+                let is_behind = match function {
+                    Function::Decision => last.is_some_and(|root| root < 0.0),
+                    Function::Root | Function::Record => right.is_some_and(|root| root < 0.0),
+                };
+                is_behind && exact.discriminant_margin() > BAND
+            }
+        }
+    }
+
+    /// The right answer, if what was found differs from that by this manner alone.
+    pub(crate) fn meant(
+        self,
+        function: Function,
+        asked: &WithInterval,
+        found: Option<&Hit>,
+    ) -> Option<Option<Hit>> {
+        let WithInterval { case, t_min, t_max } = asked;
+        let exact = Exact::of(case);
+        let roots = [exact.nearer_root(), exact.farther_root()];
+        let mut roots = roots.into_iter().flatten().map(|root| root.rounded());
+        let farther = roots.clone().next_back();
+        let right = roots.find(|root| t_min < root && root < t_max);
+        let is_meant = match self {
+            Self::EndsCount => found.is_some_and(|hit| hit.t == *t_min || hit.t == *t_max),
+            Self::TangentsMiss => found.is_none() && exact.discriminant().is_eq(),
+            Self::NothingBehind => {
+                let ahead = farther.filter(|&root| root >= 0.0);
+                let bound = root_bound(case, exact.discriminant_margin());
+                let is_ahead = |hit: &Hit| ahead.is_some_and(|root| (hit.t - root).abs() <= bound);
+                let may_miss = function != Function::Decision || ahead.is_none();
+                right.is_some_and(|root| root <= 0.0) && found.map_or(may_miss, is_ahead)
+            }
+        };
+        is_meant.then(|| right.map(|root| right_record(case, root)))
+    }
+}
+
+/// The record of a hit at `t`, as chapter 5 fills it.
+pub(crate) fn right_record(case: &Case, t: f64) -> Hit {
+    let point = case.ray.at(t);
+    let outward = (point - case.center) * (1.0 / case.radius);
+    let front_face = case.ray.direction.dot(outward) < 0.0;
+    let normal = if front_face { outward } else { -outward };
+    Hit {
+        t,
+        point,
+        normal,
+        front_face,
+    }
+}

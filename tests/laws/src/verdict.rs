@@ -1,0 +1,132 @@
+//! Verdicts as data: the law that a case breaks, and what comes of a function under all its laws.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use proptest::test_runner::TestCaseError;
+
+use crate::answers::Answers;
+
+/// Whether a law holds for a case. In a test by proptest, `?` makes what breaks it the reason of
+/// the failure.
+pub type Verdict = Result<(), Broken>;
+
+/// A law that a case breaks.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Broken {
+    /// The sentence of the law.
+    pub law: Cow<'static, str>,
+    /// What the function answered.
+    pub found: String,
+    /// What the law allows in its place.
+    pub allowed: String,
+    /// Where that is explained.
+    pub read: Cow<'static, str>,
+}
+
+/// What comes of a function under all its laws: `Ok` if they hold.
+pub type Outcome = Result<(), Complaint>;
+
+/// Why a function is not right.
+#[derive(Clone, Debug)]
+pub enum Complaint {
+    /// It breaks a law.
+    Broken(Box<Report>),
+    /// It comes upon a `todo!()` at this place: file, line and column.
+    NotWritten(String),
+}
+
+/// The smallest case that breaks a law, and what there is to say of it.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// How the case breaks the law.
+    pub broken: Broken,
+    /// What the function answered, the smallest case last.
+    pub answers: Answers,
+    /// The known mistakes that give the same answers, a line each. What shows the report asks for
+    /// them: nothing here knows a mistake.
+    pub same_as: Vec<String>,
+    /// The body of a test that asks about this case again, if there is one.
+    pub test: String,
+}
+
+impl Broken {
+    /// The parts by their labels, in the order in which they are read.
+    fn rows(&self) -> [(&'static str, &str); 4] {
+        [
+            ("the law", &self.law),
+            ("found", &self.found),
+            ("allowed", &self.allowed),
+            ("read", &self.read),
+        ]
+    }
+}
+
+impl Report {
+    /// The parts by their labels, in the order in which they are read. A part without a label
+    /// goes on with the one before.
+    pub fn rows(&self) -> Vec<(&'static str, &str)> {
+        let labels = ["same as", "", "", "", ""];
+        let same_as = labels
+            .into_iter()
+            .zip(self.same_as.iter().map(String::as_str));
+        let [law, found, allowed, read] = self.broken.rows();
+        let rows = [law, found, allowed].into_iter().chain(same_as);
+        rows.chain([read]).collect()
+    }
+}
+
+/// The rows as text, a line each.
+pub fn laid_out<'a>(rows: impl IntoIterator<Item = (&'a str, &'a str)>) -> String {
+    let line = |(label, text): (&str, &str)| match label {
+        "" => format!("          {text}"),
+        _ => format!("{:<10}{text}", format!("{label}:")),
+    };
+    rows.into_iter().map(line).collect::<Vec<_>>().join("\n")
+}
+
+impl fmt::Display for Broken {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&laid_out(self.rows()))
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}", laid_out(self.rows()))?;
+        if self.test.is_empty() {
+            return Ok(());
+        }
+        let body = self.test.replace('\n', "\n    ");
+        write!(
+            f,
+            "\n// Beside the test that failed:\n\
+             #[test]\nfn this_case_is_right() {{\n    use common::rtweekend::*;\n    {body}\n}}"
+        )
+    }
+}
+
+impl fmt::Display for Complaint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Broken(report) => report.fmt(f),
+            Self::NotWritten(place) => write!(f, "not written yet: todo!() at {place}"),
+        }
+    }
+}
+
+impl From<Broken> for TestCaseError {
+    fn from(broken: Broken) -> Self {
+        Self::fail(broken.to_string())
+    }
+}
+
+/// Panics with what there is to say, if a law is broken.
+///
+/// # Panics
+/// If it is an error.
+pub fn holds<E: fmt::Display>(outcome: Result<(), E>) {
+    if let Err(complaint) = outcome {
+        panic!("\n\n{complaint}\n");
+    }
+}
