@@ -71,24 +71,3 @@ fn with_a_unit_direction_t_is_the_distance() {
         }
     }
 }
-
-/// The ray with a direction twice as long: another `t`, and the same point.
-fn twice_as_long(ray: &Ray) -> Ray {
-    Ray::new(ray.origin, 2.0 * ray.direction)
-}
-
-#[test]
-fn a_direction_twice_as_long_halves_t_and_keeps_the_point_to_the_bit() {
-    let camera = Camera::new(80);
-    for j in 0..camera.image_height {
-        for i in 0..camera.image_width {
-            let ray = camera.ray(i, j);
-            let longer = twice_as_long(&ray);
-            let t = half_b_sphere::hit_sphere(CENTER, 0.5, &ray);
-            let shorter_t = half_b_sphere::hit_sphere(CENTER, 0.5, &longer);
-            assert_eq!(shorter_t, t.map(|t| t / 2.0));
-            let points = (t.map(|t| ray.at(t)), shorter_t.map(|t| longer.at(t)));
-            assert_eq!(points.0, points.1);
-        }
-    }
-}

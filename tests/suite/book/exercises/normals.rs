@@ -17,19 +17,6 @@ fn t_is_a_half_in_the_middle_of_the_ball_and_three_quarters_at_its_rim() {
     assert!((t - 0.75).abs() < 1e-5, "{t}");
 }
 
-/// The bytes of a pixel in the picture of this chapter.
-fn pixel(i: usize, j: usize) -> [u8; 3] {
-    let picture = normals::picture(400);
-    let (pixels, _) = picture.rgb().as_chunks::<3>();
-    pixels[400 * j + i]
-}
-
-#[test]
-fn the_two_pixels_in_the_middle_differ_in_red() {
-    assert_eq!(pixel(199, 112), [127, 127, 255]);
-    assert_eq!(pixel(200, 112), [128, 127, 255]);
-}
-
 /// The share of a sphere's surface that an eye sees from `distance` to the
 /// center: the part where the normal points towards the eye.
 fn visible_share(radius: f64, distance: f64) -> f64 {
