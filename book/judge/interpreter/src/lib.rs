@@ -151,6 +151,7 @@ pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
             written,
             texts: Arc::new(texts),
             is_single: false,
+            mutant: 0,
             instead: Vec::new(),
         }),
         refused: OnceLock::new(),

@@ -70,6 +70,8 @@ pub(crate) enum Node {
     /// What is done one after the other, and whether the last is what it comes to.
     Block(Vec<Node>, bool),
     Panic(String, At),
+    /// The first, or that of the mutant that runs: the others are those counted from this number.
+    Mutants(u32, Box<[Node]>),
     /// Words, and the values between them.
     Format(Vec<String>, Vec<Node>),
 }

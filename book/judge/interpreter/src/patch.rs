@@ -79,6 +79,16 @@ impl Program {
         Ok(self.running(code))
     }
 
+    /// The same program in which that one of the mutants runs that are written into its text:
+    /// `mutants!(7, right, one, other)` has the mutants 7 and 8. All mutants are read at once so
+    /// (mutant schemata: Untch, Offutt and Harrold, 1993).
+    pub fn with_mutant(&self, number: u32) -> Self {
+        self.running(Code {
+            mutant: number,
+            ..Code::clone(&self.code)
+        })
+    }
+
     /// The same program as floats of single precision have it: with every result of an
     /// operation, and every number in the text, rounded to 24 bits. What is done by functions of
     /// the library should be [in the text](Self::instead_of_the_library), too.

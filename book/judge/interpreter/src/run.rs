@@ -28,6 +28,8 @@ pub(crate) struct Code {
     pub(crate) texts: Arc<Vec<String>>,
     /// Whether floats have 24 bits.
     pub(crate) is_single: bool,
+    /// Which of all mutants runs, or 0.
+    pub(crate) mutant: u32,
     /// Functions of the text that are called in place of those of the library.
     pub(crate) instead: Vec<(&'static str, usize)>,
 }
@@ -335,6 +337,11 @@ impl<'c> Machine<'c> {
             Node::Return(value) => self.left_with(value, Stop::Return),
             Node::Try(of) => self.tried(of),
             Node::Panic(message, at) => self.panic(*at, message),
+            Node::Mutants(first, all) => {
+                let number = self.code.mutant.checked_sub(*first);
+                let mutant = number.and_then(|n| all.get(n as usize + 1));
+                self.eval(mutant.unwrap_or(&all[0]))
+            }
         }
     }
 

@@ -93,6 +93,33 @@ fn a_function_that_is_read_anew_draws_what_the_whole_text_does() {
 
 /// What readers have beside the chapter's text, or in its place.
 #[test]
+fn a_mutant_runs_by_its_number_and_one_that_is_refused_is_lost_alone() {
+    const ROWS: [(&str, &str); 2] = [
+        ("unit_direction.y + 1.0", "unit_direction.y - 1.0"),
+        (
+            "(1.0 - a) * white + a * blue",
+            "a * white + (1.0 - a) * blue",
+        ),
+    ];
+    let mutants = "let a = mutants!(4, 0.5 * mutants!(7, (unit_direction.y + 1.0), \
+         (unit_direction.y - 1.0)), unit_direction);";
+    let sum = "mutants!(9, (1.0 - a) * white + a * blue, white, a * white + (1.0 - a) * blue)";
+    let text = Chapter::Gradient.files()[0].1;
+    let text = text.replace("let a = 0.5 * (unit_direction.y + 1.0);", mutants);
+    let text = text.replace(ROWS[1].0, sum);
+    let all = program_of(&[("src/lib.rs", &text)]).expect("it is read");
+    let is_same = |number, other: &Program| all.with_mutant(number).draw(40) == other.draw(40);
+    let typed = |row: usize| with(Chapter::Gradient, ROWS[row].0, ROWS[row].1).expect("once");
+    let right = program_of(Chapter::Gradient.files()).expect("rustc compiles it");
+    for nothing in [0, 5, 8, 11] {
+        assert!(is_same(nothing, &right), "{nothing}");
+    }
+    assert!(is_same(7, &typed(0).expect("it is read")));
+    assert!(is_same(10, &typed(1).expect("it is read")));
+    assert!(all.with_mutant(4).draw(40).is_err());
+}
+
+#[test]
 fn what_the_compiler_reads_is_read() {
     let (_, normals) = Chapter::Normals.files()[0];
     let sky = "fn sky(ray: &Ray) -> Color {\n    Color::new(0.0, ray.direction.y, 1.0)\n}\n";

@@ -41,10 +41,38 @@ impl Lowerer<'_> {
                 let text = self.formatted(&arguments, "", at)?;
                 Ok(Typed::new(Node::Block(vec![text], false), Type::UNIT))
             }
+            "mutants" => self.mutants(&arguments, at),
             "write" => self.written(&arguments, "", at),
             "writeln" => self.written(&arguments, "\n", at),
             name => Err(Refusal::unknown(at, &format!("`{name}!`"))),
         }
+    }
+
+    /// An expression and the mutants that may run in its place, behind the number of the first. One
+    /// that is refused is lost, and no other with it.
+    fn mutants(&mut self, arguments: &[syn::Expr], at: At) -> Lowered {
+        let [number, right, others @ ..] = arguments else {
+            return self.refused(at, "requires a number and an expression");
+        };
+        let Node::Int(first, _) = self.expr(number)?.node else {
+            return self.refused(at, "requires a number");
+        };
+        let right = self.expr(right)?;
+        let mut nodes = vec![right.node];
+        for other in others {
+            let (locals, loops) = (self.locals.len(), self.loops.clone());
+            let lowered = match right.ty.0 {
+                Head::Never => self.expr(other).map(|it| it.node),
+                _ => self.given(other, &right.ty),
+            };
+            self.locals.truncate(locals);
+            self.loops = loops;
+            nodes.push(lowered.unwrap_or(Node::Panic("no program".to_owned(), at)));
+        }
+        Ok(Typed::new(
+            Node::Mutants(first as u32, nodes.into()),
+            right.ty,
+        ))
     }
 
     /// What is added to a text.
