@@ -66,7 +66,6 @@ impl Told {
     /// Reads as far as there are whole lines: a program may have ended before it wrote the rest.
     pub fn read(text: &str) -> Self {
         let mut told = Self::default();
-        let mut since = 0;
         for line in text.lines() {
             let Ok(line) = line.parse::<JsonValue>() else {
                 break;
@@ -75,10 +74,9 @@ impl Told {
                 told.answers.given.push(given);
             } else if let Some((of, mut outcome)) = verdict(&line) {
                 if let Err(Complaint::Broken(report)) = &mut outcome {
-                    let before = &told.answers.given[since..];
-                    report.answers.given.splice(0..0, before.iter().cloned());
+                    let before = told.answers.given.iter().cloned();
+                    report.answers.given.splice(0..0, before);
                 }
-                since = told.answers.given.len();
                 told.outcomes.push((of, outcome));
             }
         }

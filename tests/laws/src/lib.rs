@@ -30,13 +30,11 @@
 //! a reader's own crate builds this package, and nothing of what judges.
 
 pub mod answers;
-pub mod any_language;
 pub mod camera;
 pub mod face;
 mod functions;
 pub mod intervals;
 pub mod list;
-pub mod manner;
 pub mod nearer_root;
 pub mod oracle;
 pub mod prelude;

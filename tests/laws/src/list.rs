@@ -93,3 +93,48 @@ impl World {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::Hit;
+    use crate::{Complaint, Trial};
+
+    fn record(asked: &WithInterval) -> Option<Hit> {
+        let t = asked.solve(&speed_vs_accuracy::half_b)?;
+        let point = asked.case.ray.at(t);
+        Some(Hit {
+            t,
+            point,
+            normal: point,
+            front_face: true,
+        })
+    }
+
+    /// The least answer of the spheres but for the first few.
+    fn without(few: usize, world: &World) -> Option<f64> {
+        let spheres = world.spheres.iter().skip(few);
+        let cases = spheres.map(|&(center, radius)| Case::new(center, radius, world.ray));
+        let World { t_min, t_max, .. } = *world;
+        let hits = cases.filter_map(|case| record(&WithInterval { case, t_min, t_max }));
+        hits.map(|hit| hit.t).reduce(f64::min)
+    }
+
+    fn found_and_allowed(search: &Search) -> Option<[String; 2]> {
+        match Trial::default().list(&record, search) {
+            Err(Complaint::Broken(report)) => Some([report.broken.found, report.broken.allowed]),
+            outcome => outcome.map(|()| None).expect("all is written"),
+        }
+    }
+
+    #[test]
+    fn a_sphere_that_the_list_forgets_is_what_is_allowed() {
+        assert_eq!(found_and_allowed(&|world| without(0, world)), None);
+        let searches: [&Search; 2] = [&|world| without(1, world), &|_| None];
+        for search in searches {
+            let [found, allowed] = found_and_allowed(search).expect("the law is broken");
+            assert_eq!(found, "a miss");
+            assert_eq!(allowed, "t = 1.0, the least of the spheres' own answers");
+        }
+    }
+}

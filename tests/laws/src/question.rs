@@ -172,8 +172,8 @@ fn of<T: Debug>(kind: fn(T) -> Question, strategy: &impl Strategy<Value = T>) ->
     telling(strategy).into_iter().map(kind).collect()
 }
 
-/// The first cases of a strategy, as many as tell mistakes apart.
-pub(crate) fn telling<T: Debug>(strategy: &impl Strategy<Value = T>) -> Vec<T> {
+/// The first cases of a strategy, as many as tell mistakes in a function apart.
+pub fn telling<T: Debug>(strategy: &impl Strategy<Value = T>) -> Vec<T> {
     samples(strategy, TELLING)
 }
 

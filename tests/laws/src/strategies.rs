@@ -53,7 +53,7 @@ pub fn samples<T: std::fmt::Debug>(strategy: &impl Strategy<Value = T>, count: u
 }
 
 /// Ordinary cases, each with an interval.
-pub(crate) fn ordinary_asked() -> impl Strategy<Value = WithInterval> {
+pub fn ordinary_asked() -> impl Strategy<Value = WithInterval> {
     with_interval(ordinary())
 }
 
@@ -288,6 +288,17 @@ pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value 
             (false, false) => [high, low],
         };
         WithInterval { case, t_min, t_max }
+    })
+}
+
+/// Up to three spheres around the eye with whole numbers, which can be checked by hand.
+pub fn whole_worlds() -> impl Strategy<Value = World> {
+    let radius = (1..=3).prop_map(f64::from);
+    (vec((whole_vector(4), radius), 1..4), whole_vector(3)).prop_map(|(spheres, direction)| World {
+        spheres,
+        ray: Ray::new(Point3::ZERO, ahead_if_zero(direction)),
+        t_min: 0.0,
+        t_max: f64::INFINITY,
     })
 }
 

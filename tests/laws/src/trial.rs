@@ -119,9 +119,12 @@ impl Trial {
     /// A list that is searched for the nearest hit of its spheres, whose own answers are the
     /// records.
     pub fn list(&self, record: &Recorder, search: &Search) -> Outcome {
-        self.put(&Exam {
+        let mut outcome = self.outcome(&Exam {
             of: "list",
-            kinds: vec![strategies::worlds().boxed()],
+            kinds: vec![
+                strategies::whole_worlds().boxed(),
+                strategies::worlds().boxed(),
+            ],
             telling: telling(&strategies::worlds()),
             question: Question::Nearest,
             answer: &|world| search(world).into_iter().collect(),
@@ -129,7 +132,17 @@ impl Trial {
                 the_nearest_of_all_members_is_returned(record, search, world)
             })],
             test: &World::as_test,
-        })
+        });
+        if let Err(Complaint::Broken(report)) = &mut outcome {
+            // What is wrong with the list alone is no mistake of its spheres.
+            let asked = telling(&strategies::ordinary_asked()).into_iter();
+            let own = asked.map(|asked| {
+                let answer = of_hit(&asked, record(&asked));
+                (Question::Record(asked), answer)
+            });
+            report.answers.given.splice(0..0, own);
+        }
+        self.kept("list", outcome)
     }
 
     /// The functions of a prelude, up to the first that is wrong: what follows may be built

@@ -5,9 +5,11 @@
 //! reader's own program right, and the [`verdict`] is laid out as an [`answer`] to a picture,
 //! as the [`whole`] verdict on a program that is being typed, or as a [`report`] on a page. If
 //! the picture is right, [`blind_spots`] knows what it hides. Of a picture without a chapter's
-//! name [`guess`] says which chapter it is.
+//! name [`guess`] says which chapter it is. [`any_language`] puts a function under the laws that is
+//! asked by lines of text.
 
 pub mod answer;
+pub mod any_language;
 pub mod blind_spots;
 mod candidate;
 mod candidates;

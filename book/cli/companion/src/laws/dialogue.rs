@@ -11,7 +11,7 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use ::laws::any_language::NoAnswer;
+use check::any_language::NoAnswer;
 
 use crate::subprocess::{self, Running};
 

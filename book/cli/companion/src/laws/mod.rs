@@ -9,10 +9,10 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 use std::time::Duration;
 
-use ::laws::any_language::{Function, NoAnswer, Told};
 use ::laws::record::Hit;
 use ::laws::verdict::laid_out;
 use ::laws::{Case, Complaint, Question, Report, Trial, WithInterval};
+use check::any_language::{self, Function, NoAnswer, Told};
 use check::names;
 use clap::Args;
 use common::engine::output;
@@ -118,7 +118,7 @@ impl<'a> Asked<'a> {
             ..Trial::default()
         };
         let line = self.greet();
-        let told = trial.any_language(self.function, &|asked| self.answer(asked));
+        let told = any_language::tried(&trial, self.function, &|asked| self.answer(asked));
         let ended = || Some((self.dialogue.borrow_mut().end().err()?, line));
         let failed = self.failure.take().or_else(ended);
         match (failed, &told.outcome) {

@@ -1,14 +1,13 @@
 //! Manners: answers of other editions and of other derivations, which no picture of these chapters
 //! tells from those of version 4.
 
-use speed_vs_accuracy::Case;
-
-use crate::any_language::{Ask, Function};
-use crate::nearer_root::{BAND, root_bound};
-use crate::oracle::Exact;
-use crate::question::{WithInterval, telling};
-use crate::record::Hit;
-use crate::strategies::{ordinary, ordinary_asked};
+use super::{Ask, Function};
+use laws::nearer_root::{BAND, root_bound};
+use laws::oracle::Exact;
+use laws::question::telling;
+use laws::record::Hit;
+use laws::strategies::{ordinary, ordinary_asked};
+use laws::{Case, WithInterval};
 
 /// A manner in which a function answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,7 +31,7 @@ impl Manner {
     }
 
     /// The manners that a function keeps wherever one would show.
-    pub(crate) fn of(function: Function, ask: &Ask) -> Vec<Self> {
+    pub(super) fn of(function: Function, ask: &Ask) -> Vec<Self> {
         let asked = match function {
             Function::Record => telling(&ordinary_asked()),
             _ => {
@@ -88,7 +87,7 @@ impl Manner {
     }
 
     /// The right answer, if what was found differs from that by this manner alone.
-    pub(crate) fn meant(
+    pub(super) fn meant(
         self,
         function: Function,
         asked: &WithInterval,
@@ -116,7 +115,7 @@ impl Manner {
 }
 
 /// The record of a hit at `t`, as chapter 5 fills it.
-pub(crate) fn right_record(case: &Case, t: f64) -> Hit {
+pub(super) fn right_record(case: &Case, t: f64) -> Hit {
     let point = case.ray.at(t);
     let outward = (point - case.center) * (1.0 / case.radius);
     let front_face = case.ray.direction.dot(outward) < 0.0;
