@@ -41,33 +41,6 @@ fn a_quarter_of_the_ball_is_seen() {
     assert!((0.75..0.76).contains(&least_blue), "{least_blue}");
 }
 
-/// The nearest root in front of the ray: the farther one, where the nearer one
-/// lies behind.
-fn first_root_ahead(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
-    let oc = center - ray.origin;
-    let a = ray.direction.dot(ray.direction);
-    let b = -2.0 * ray.direction.dot(oc);
-    let c = oc.dot(oc) - radius * radius;
-    let discriminant = b * b - 4.0 * a * c;
-    if discriminant < 0.0 {
-        return None;
-    }
-    let nearer = (-b - discriminant.sqrt()) / (2.0 * a);
-    let farther = (-b + discriminant.sqrt()) / (2.0 * a);
-    [nearer, farther].into_iter().find(|&t| t > 0.0)
-}
-
-#[test]
-fn from_inside_only_the_farther_root_is_ahead() {
-    let ahead = Ray::new(Point3::ZERO, Vec3::NEG_Z);
-    assert_eq!(hit_sphere(CENTER, 2.0, &ahead), Some(-1.0));
-    assert_eq!(first_root_ahead(CENTER, 2.0, &ahead), Some(3.0));
-    // From outside it is the nearer one.
-    assert_eq!(first_root_ahead(CENTER, 0.5, &ahead), Some(0.5));
-    let away = Ray::new(Point3::ZERO, Vec3::Z);
-    assert_eq!(first_root_ahead(CENTER, 0.5, &away), None);
-}
-
 /// How far from 1 the length of the normal gets, if the way from the center to
 /// the point is divided by the radius. The sphere is `radii` of its own radii
 /// away, and a hundred rays aim at it.
