@@ -2,9 +2,10 @@
 //! kept in a file, so that a judge in another process can weigh them beside a picture.
 //!
 //! Each line of the file is a JSON object: an answer, or the verdict on one function behind its
-//! answers. Numbers are text, which reads back to the bit, NaN and infinity as well. A function
+//! answers. Numbers are text, for which JSON has no NaN and no infinity. A function
 //! that never returns leaves what it answered before.
 
+use std::collections::HashMap;
 use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::Path;
@@ -158,16 +159,16 @@ fn broken(report: &Report) -> Vec<(&'static str, JsonValue)> {
     fields
 }
 
+fn field<'a>(line: &'a JsonValue, name: &str) -> Option<&'a JsonValue> {
+    line.get::<HashMap<String, JsonValue>>()?.get(name)
+}
+
 fn text(line: &JsonValue, name: &str) -> Option<String> {
-    line.get::<std::collections::HashMap<String, JsonValue>>()?
-        .get(name)?
-        .get::<String>()
-        .cloned()
+    field(line, name)?.get::<String>().cloned()
 }
 
 fn numbers(line: &JsonValue, name: &str) -> Option<Vec<f64>> {
-    let object: &std::collections::HashMap<String, JsonValue> = line.get()?;
-    let numbers: &Vec<JsonValue> = object.get(name)?.get()?;
+    let numbers: &Vec<JsonValue> = field(line, name)?.get()?;
     let number = |it: &JsonValue| it.get::<String>()?.parse().ok();
     numbers.iter().map(number).collect()
 }
@@ -204,4 +205,80 @@ fn verdict(line: &JsonValue) -> Option<(String, Outcome)> {
         test: text(line, "test")?,
     };
     Some((of, Err(Complaint::Broken(Box::new(report)))))
+}
+
+#[cfg(test)]
+mod tests {
+    use common::rtweekend::*;
+
+    use super::*;
+    use crate::{Case, Scene, Trial};
+
+    fn lines(trial: impl Fn(&Trial) -> Outcome) -> (String, Outcome) {
+        let folder = std::env::temp_dir().join(format!("laws-{}", std::process::id()));
+        let _ = std::fs::remove_file(&folder);
+        let outcome = trial(&Trial {
+            answers: Some(folder.clone()),
+            ..Trial::default()
+        });
+        let text = std::fs::read_to_string(&folder).expect("it is kept");
+        std::fs::remove_file(&folder).expect("it is there");
+        (text, outcome)
+    }
+
+    #[test]
+    fn what_is_kept_reads_back_as_far_as_it_goes() {
+        let no_number = |case: &Case| Some(1.0 / 0.0 * case.h()).filter(|_| case.a() > 1.0);
+        let (text, outcome) = lines(|trial| {
+            trial.ray_color(Scene::Sky, &sky)?;
+            trial.nearer_root(&|center, radius, ray| no_number(&Case::new(center, radius, *ray)))
+        });
+        let Err(Complaint::Broken(report)) = outcome else {
+            panic!("t is not finite");
+        };
+        let told = Told::read(&text);
+        let [
+            (ray_color, Ok(())),
+            (hit_sphere, Err(Complaint::Broken(read))),
+        ] = &told.outcomes[..]
+        else {
+            panic!("{:?}", told.outcomes);
+        };
+        assert_eq!((&**ray_color, &**hit_sphere), ("ray_color", "hit_sphere"));
+        assert_eq!((&read.broken, &read.test), (&report.broken, &report.test));
+        // The smallest case stands behind all that was answered.
+        let all = told.answers.given.iter().chain(read.answers.given.last());
+        // A NaN has many bits.
+        let said = |(question, answer): &(Question, Vec<f64>)| {
+            format!("{} {:?} {answer:?}", question.kind(), question.numbers())
+        };
+        let read: Vec<_> = read.answers.given.iter().map(said).collect();
+        assert_eq!(all.map(said).collect::<Vec<_>>(), read);
+        let given = report.answers.given.iter().map(said);
+        assert!(
+            given.eq(read[read.len() - report.answers.given.len()..]
+                .iter()
+                .cloned())
+        );
+        // A program may end before it has written a line.
+        let (whole, _) = text.split_at(text.len() / 2);
+        let answers = Told::read(whole).answers.given;
+        assert_eq!(answers.len(), whole.lines().count() - 2);
+    }
+
+    #[test]
+    fn questions_of_all_kinds_read_back() {
+        let kinds = [
+            Question::of_prelude(),
+            Question::of_sphere(Question::Decision),
+            Question::of_record(),
+            Question::of_list(),
+            Question::of_ray_color(),
+        ];
+        for question in kinds.concat() {
+            let numbers = question.numbers();
+            let read = Question::read(question.kind(), &numbers).expect("it is a question");
+            assert_eq!((read.kind(), read.numbers()), (question.kind(), numbers));
+        }
+    }
 }

@@ -17,8 +17,9 @@ pub fn no_t_outside_the_interval_is_returned(solve: &RangeSolver, asked: &WithIn
     let WithInterval { case, t_min, t_max } = *asked;
     let is_silent = !case.is_well_scaled() || t_min.is_nan() || t_max.is_nan();
     let found = asked.solve(solve);
-    match found {
-        Some(t) if !is_silent && !(t_min < t && t < t_max) => Err(Broken {
+    let is_outside = |t: &f64| !(t_min < *t && *t < t_max);
+    match found.filter(is_outside) {
+        Some(t) if !is_silent => Err(Broken {
             law: "a hit lies inside the open interval (t_min, t_max)".into(),
             found: format!("t = {t:?}"),
             allowed: format!("{t_min:?} < t < {t_max:?}, or a miss"),

@@ -11,6 +11,7 @@ use crate::camera::Pixel;
 use crate::list::World;
 use crate::oracle::Exact;
 use crate::prelude::{Asked, FUNCTIONS, Prelude};
+use crate::ray_color;
 use crate::record::Hit;
 use crate::strategies::{self, samples};
 
@@ -84,7 +85,7 @@ impl Question {
 
     /// Questions about the color of a ray.
     pub fn of_ray_color() -> Vec<Self> {
-        of(Self::RayColor, &strategies::rays())
+        of(Self::RayColor, &ray_color::rays())
     }
 
     /// The answer of a program.

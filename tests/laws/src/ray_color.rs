@@ -2,6 +2,8 @@
 //! book's camera never casts, because its eye is at the origin and outside of everything.
 
 use common::rtweekend::*;
+use proptest::prelude::*;
+use proptest::sample::select;
 use speed_vs_accuracy::Case;
 
 use crate::nearer_root::{BAND, U};
@@ -130,4 +132,29 @@ impl Scene {
 fn sky(ray: &Ray) -> Color {
     let a = 0.5 * (ray.direction.y / ray.direction.length() + 1.0);
     (1.0 - a) * Vec3::ONE + a * Vec3::new(0.5, 0.7, 1.0)
+}
+
+/// What a `ray_color` is asked. From in front of the sphere, from behind, beside and above it, from
+/// inside, and from far away, past it and at it, with directions so long that t is small, and so
+/// short that it is in the thousands.
+pub(crate) fn rays() -> impl Strategy<Value = Ray> {
+    let v = Vec3::new;
+    let from = vec![
+        v(0.0, 0.0, -3.0),
+        v(2.0, 1.0, 0.5),
+        v(-3.0, 0.5, -1.5),
+        v(0.5, 4.0, -1.0),
+        v(0.1, 0.2, -1.1),
+        v(300.0, 200.0, 4000.0),
+    ];
+    let to = vec![
+        v(0.0, 0.0, -1.0),
+        v(0.25, 0.125, -1.0),
+        v(-0.125, -0.25, -0.875),
+        v(0.0, 1.0, -1.0),
+        v(2.0, -0.5, -3.0),
+    ];
+    let lengths = vec![1.0, -1.0, 3.0, 0.25, -0.5, 2.0, f64::exp2(-12.0)];
+    (select(from), select(to), select(lengths))
+        .prop_map(|(from, to, length)| Ray::new(from, length * (to - from)))
 }

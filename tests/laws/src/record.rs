@@ -9,7 +9,7 @@ use crate::intervals::{
 };
 use crate::nearer_root::{self, U};
 use crate::oracle::Exact;
-use crate::question::{Question, WithInterval, telling};
+use crate::question::{Question, WithInterval, of_hit, telling};
 use crate::strategies::{anywhere, integers, ordinary, ordinary_asked, with_interval};
 use crate::trial::Exam;
 use crate::verdict::{Broken, Verdict};
@@ -64,7 +64,7 @@ pub(crate) fn exam<'a>(record: &'a Recorder<'a>) -> Exam<'a, WithInterval> {
         kinds: kinds.map(|kind| with_interval(kind).boxed()).into(),
         telling: telling(&ordinary_asked()),
         question: Question::Record,
-        answer: &|_| Vec::new(),
+        answer: Box::new(|asked| of_hit(asked, record(asked))),
         laws: vec![Box::new(|asked| obeys_every_law(record, asked))],
         test: &|asked| {
             format!(

@@ -329,31 +329,6 @@ pub fn worlds() -> impl Strategy<Value = World> {
     })
 }
 
-/// What a `ray_color` is asked. From in front of the sphere, from behind, beside and above it, from
-/// inside, and from far away, past it and at it, with directions so long that t is small, and so
-/// short that it is in the thousands.
-pub(crate) fn rays() -> impl Strategy<Value = Ray> {
-    let v = Vec3::new;
-    let from = vec![
-        v(0.0, 0.0, -3.0),
-        v(2.0, 1.0, 0.5),
-        v(-3.0, 0.5, -1.5),
-        v(0.5, 4.0, -1.0),
-        v(0.1, 0.2, -1.1),
-        v(300.0, 200.0, 4000.0),
-    ];
-    let to = vec![
-        v(0.0, 0.0, -1.0),
-        v(0.25, 0.125, -1.0),
-        v(-0.125, -0.25, -0.875),
-        v(0.0, 1.0, -1.0),
-        v(2.0, -0.5, -3.0),
-    ];
-    let lengths = vec![1.0, -1.0, 3.0, 0.25, -0.5, 2.0, f64::exp2(-12.0)];
-    (select(from), select(to), select(lengths))
-        .prop_map(|(from, to, length)| Ray::new(from, length * (to - from)))
-}
-
 /// From the nearer root at 0 to the farther one at 1, or as far as roots may be if there are
 /// none.
 fn on_the_way(case: &Case, share: f64) -> f64 {

@@ -21,7 +21,7 @@ use crate::list::{Search, World, the_nearest_of_all_members_is_returned};
 use crate::nearer_root::{self, Solver};
 use crate::prelude::{Asked, FUNCTIONS, Prelude, small_numbers_are_worked_out_by_head};
 use crate::question::{Question, decided, of_hit, of_ray, telling};
-use crate::ray_color::{Scene, a_ray_has_its_color_from_anywhere};
+use crate::ray_color::{self, Scene, a_ray_has_its_color_from_anywhere};
 use crate::record::{self, Recorder};
 use crate::strategies::{self, config};
 use crate::verdict::{Broken, Complaint, Outcome, Report, Verdict};
@@ -80,7 +80,7 @@ pub(crate) struct Exam<'a, Q> {
     /// Questions to which different mistakes give different answers.
     pub(crate) telling: Vec<Q>,
     pub(crate) question: fn(Q) -> Question,
-    pub(crate) answer: &'a dyn Fn(&Q) -> Vec<f64>,
+    pub(crate) answer: Box<dyn Fn(&Q) -> Vec<f64> + 'a>,
     pub(crate) laws: Vec<Law<'a, Q>>,
     /// The body of a test that asks this again. It stands where the function has its name, so it
     /// need not guess from where to import it.
@@ -93,7 +93,7 @@ impl Trial {
         let solve = nearer_root::decision(decide);
         self.put(&Exam {
             question: Question::Decision,
-            answer: &|case: &Case| decided(case.solve(&solve).is_some()),
+            answer: Box::new(|case: &Case| decided(case.solve(&solve).is_some())),
             test: &nearer_root::decision_as_test,
             ..nearer_root::exam(&solve)
         })
@@ -101,19 +101,13 @@ impl Trial {
 
     /// A function that returns the nearer root, as in chapters 3 and 4.
     pub fn nearer_root(&self, solve: &Solver) -> Outcome {
-        self.put(&Exam {
-            answer: &|case: &Case| case.solve(solve).into_iter().collect(),
-            ..nearer_root::exam(solve)
-        })
+        self.put(&nearer_root::exam(solve))
     }
 
     /// A function that returns the record of the nearest hit between `t_min` and `t_max`, as
     /// the sphere of chapter 5. On the whole line, its `t` is the nearer root.
     pub fn record(&self, record: &Recorder) -> Outcome {
-        self.put(&Exam {
-            answer: &|asked| of_hit(asked, record(asked)),
-            ..record::exam(record)
-        })
+        self.put(&record::exam(record))
     }
 
     /// A list that is searched for the nearest hit of its spheres, whose own answers are the
@@ -127,7 +121,7 @@ impl Trial {
             ],
             telling: telling(&strategies::worlds()),
             question: Question::Nearest,
-            answer: &|world| search(world).into_iter().collect(),
+            answer: Box::new(|world| search(world).into_iter().collect()),
             laws: vec![Box::new(|world: &World| {
                 the_nearest_of_all_members_is_returned(record, search, world)
             })],
@@ -155,7 +149,7 @@ impl Trial {
                 kinds: vec![function.questions().boxed()],
                 telling: function.telling(),
                 question: Question::Prelude,
-                answer: &|asked| asked.put_to(prelude),
+                answer: Box::new(|asked| asked.put_to(prelude)),
                 laws: vec![Box::new(|asked: &Asked| {
                     small_numbers_are_worked_out_by_head(prelude, asked)
                 })],
@@ -178,7 +172,7 @@ impl Trial {
             kinds: vec![strategies::pixels().boxed()],
             telling: telling(&strategies::pixels()),
             question: Question::PixelRay,
-            answer: &|pixel| of_ray(ray(pixel)),
+            answer: Box::new(|pixel| of_ray(ray(pixel))),
             laws: vec![Box::new(|pixel: &Pixel| {
                 the_ray_of_a_pixel_goes_through_its_center(&ray(pixel), pixel)
             })],
@@ -192,10 +186,10 @@ impl Trial {
         let law = |ray: &Ray| a_ray_has_its_color_from_anywhere(scene, ray_color(ray), ray);
         let exam = Exam {
             of: "ray_color",
-            kinds: vec![strategies::rays().boxed()],
-            telling: telling(&strategies::rays()),
+            kinds: vec![ray_color::rays().boxed()],
+            telling: telling(&ray_color::rays()),
             question: Question::RayColor,
-            answer: &|ray| ray_color(ray).to_array().to_vec(),
+            answer: Box::new(|ray| ray_color(ray).to_array().to_vec()),
             laws: vec![Box::new(law)],
             test: &|ray| scene.as_test(ray),
         };

@@ -54,6 +54,7 @@ pub fn explain(report: &mut Report, chapter: Chapter, letters: Letters) {
             "" => String::new(),
             name => format!("{name}: "),
         };
+        let wrong = wrong.trim_end_matches(';');
         format!("{name}{wrong}; {should_be}: {right}")
     };
     report.same_as = mistakes.iter().map(in_a_line).collect();

@@ -287,8 +287,11 @@ impl<'a> Asked<'a> {
     fn failed(&self, failure: &Failure, line: &str) -> String {
         let (problem, to_do) = self.explained(failure);
         let by_hand = match failure {
-            Failure::Tardy | Failure::Slow(_) => String::new(),
-            _ => self.by_hand(line) + "\n",
+            Failure::Ended(_) | Failure::TooMuch(_) | Failure::NoAnswer(..) => {
+                self.by_hand(line) + "\n"
+            }
+            // By hand, its input ends at once: that shows another thing.
+            Failure::Tardy | Failure::Late | Failure::Silent | Failure::Slow(_) => String::new(),
         };
         format!(
             "{} {problem}.\nto do:    {to_do}\n{by_hand}",
