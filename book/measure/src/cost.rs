@@ -129,7 +129,7 @@ macro_rules! loops {
 }
 
 loops! {
-    in f64: double, half_b half_b_q cross_q adaptive_q certified_hit certified_t double_double exact;
+    in f64: double, half_b half_b_q cross_q compensated certified_hit certified_t double_double exact;
     in f32: single, half_b_f32 widened_half_b_q_f32 certified_f32;
 }
 

@@ -17,28 +17,28 @@ type Block<T> = ([[T; BLOCK]; 6], [T; 4]);
 
 /// The block's questions with one method: the certified ones have lanes of their own.
 macro_rules! ask {
-    (certified_hit $answers:ident $number:ident $center:expr, $radius:expr, $ray:expr) => {
-        ask!(@certified false $answers $center, $radius, $ray)
+    (certified_hit $answers:ident $number:ident $t_min:ident $center:expr, $radius:expr, $ray:expr) => {
+        ask!(@certified false $answers $t_min $center, $radius, $ray)
     };
-    (certified_t $answers:ident $number:ident $center:expr, $radius:expr, $ray:expr) => {
-        ask!(@certified true $answers $center, $radius, $ray)
+    (certified_t $answers:ident $number:ident $t_min:ident $center:expr, $radius:expr, $ray:expr) => {
+        ask!(@certified true $answers $t_min $center, $radius, $ray)
     };
-    (@certified $ulp:literal $answers:ident $center:expr, $radius:expr, $ray:expr) => {
+    (@certified $ulp:literal $answers:ident $t_min:ident $center:expr, $radius:expr, $ray:expr) => {
         certified_in_lanes::<$ulp>(
             &mut $answers,
             #[inline(always)]
             |k| Case::new($center, $radius, $ray(k)),
-            0.0,
+            $t_min,
             f64::INFINITY,
         )
     };
-    ($method:ident $answers:ident $number:ident $center:expr, $radius:expr, $ray:expr) => {
+    ($method:ident $answers:ident $number:ident $t_min:ident $center:expr, $radius:expr, $ray:expr) => {
         in_lanes(
             &mut $answers,
             #[inline(always)]
             |k| {
                 let (end, ray) = ($number::INFINITY, $ray(k));
-                speed_vs_accuracy::$method($center, $radius, &ray, 0.0, end).unwrap_or(end)
+                speed_vs_accuracy::$method($center, $radius, &ray, $t_min, end).unwrap_or(end)
             },
         )
     };
@@ -46,8 +46,9 @@ macro_rules! ask {
 
 /// A loop for each method.
 macro_rules! runners {
-    ($blocks:ident, $($method:ident $number:ident $ray:ident $point:ident $precision:ident;)*) => {
+    ($blocks:ident, $place:literal, $from:expr, $($method:ident $number:ident $ray:ident $point:ident $precision:ident;)*) => {
         vec![$({
+            let t_min: $number = black_box($from);
             let blocks: Vec<Block<$number>> = $blocks.iter().map(|(rays, sphere)| (
                 rays.map(|row| row.map(|x| x as $number)), sphere.map(|x| x as $number)
             )).collect();
@@ -58,22 +59,29 @@ macro_rules! runners {
                     let [qx, qy, qz, dx, dy, dz] = rays.each_ref().map(|row| row[k]);
                     $ray::new($point::new(qx, qy, qz), $point::new(dx, dy, dz))
                 };
-                ask!($method answers $number $point::new(*x, *y, *z), *radius, ray);
+                ask!($method answers $number t_min $point::new(*x, *y, *z), *radius, ray);
                 black_box(&answers);
             };
-            Runner::new(["rays", stringify!($method), "book"], Precision::$precision, count, run)
+            Runner::new(["rays", stringify!($method), $place], Precision::$precision, count, run)
         }),*]
     };
 }
 
-/// The methods in lanes.
-pub fn group() -> Group {
+/// The methods in lanes: from 0 on, where signs decide, and those that a certificate is compared
+/// with from another `t_min` on.
+pub fn groups() -> [Group; 2] {
     let blocks = blocks();
-    let mut runners = runners! { blocks,
+    let in_any_range = runners! { blocks, "any_range", 0.001,
+        half_b f64 Ray Point3 Double;
+        half_b_q f64 Ray Point3 Double;
+        certified_hit f64 Ray Point3 Double;
+        certified_t f64 Ray Point3 Double;
+    };
+    let mut runners = runners! { blocks, "book", 0.0,
         half_b f64 Ray Point3 Double;
         half_b_q f64 Ray Point3 Double;
         cross_q f64 Ray Point3 Double;
-        adaptive_q f64 Ray Point3 Double;
+        compensated f64 Ray Point3 Double;
         certified_hit f64 Ray Point3 Double;
         certified_t f64 Ray Point3 Double;
         double_double f64 Ray Point3 Double;
@@ -85,7 +93,7 @@ pub fn group() -> Group {
     runners.push(limit("divider", blocks.clone(), divided));
     let read = |[x, y, z, dx, dy, dz]: [f64; 6]| ((x + y) + (z + dx)) + (dy + dz);
     runners.push(limit("memory", blocks, read));
-    Group(runners)
+    [Group(runners), Group(in_any_range)]
 }
 
 /// What a question in lanes cannot do without: the same blocks, with so little to compute.

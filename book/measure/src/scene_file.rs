@@ -195,6 +195,6 @@ fn spheres<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Ball>, D::Error> {
 /// Below 0 too: the same sphere, with the normal inwards.
 fn radius<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     let radius = f64::deserialize(from)?;
-    let otherwise = "a radius is a finite number, and not 0: no picture shows a point";
-    checked(radius, radius.is_finite() && radius != 0.0, otherwise)
+    let otherwise = "a radius is a finite number above 0: no picture shows a point";
+    checked(radius, radius.is_finite() && radius > 0.0, otherwise)
 }

@@ -1,5 +1,7 @@
 //! Image comparison: how many pixels each method gets wrong.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use common::rtweekend::*;
 use figures::records::WrongPixels;
 use figures::table::Table;
@@ -15,7 +17,9 @@ pub fn table(width: u32) -> Table<WrongPixels> {
 }
 
 fn rows(scene: &Scene, width: u32) -> impl Iterator<Item = WrongPixels> {
-    let Drawn { right, by_method } = drawn(scene, METHODS, width);
+    let Drawn {
+        right, by_method, ..
+    } = drawn(scene, METHODS, width, &|_, _| ());
     let pixels = right.rgb().len() / 3;
     by_method.into_iter().map(move |view| WrongPixels {
         scene: scene.name.clone(),
@@ -30,6 +34,9 @@ fn rows(scene: &Scene, width: u32) -> impl Iterator<Item = WrongPixels> {
 pub struct Drawn {
     /// The right picture.
     pub right: Picture,
+    /// How many of its pixels lie in the shadow of the very surface that they show, though it
+    /// faces the sun: the ray to the sun starts at a rounded point, and hits where it starts.
+    pub with_acne: usize,
     /// What each method draws, in their order.
     pub by_method: Vec<View>,
 }
@@ -74,9 +81,15 @@ impl Off {
     }
 }
 
-/// Draws `scene` by all `methods`, on all threads.
-pub fn drawn(scene: &Scene, methods: &[Method], width: u32) -> Drawn {
-    let camera = Camera::new(width);
+/// Draws `scene` by all `methods`, on all threads, and says after each row how many of how many
+/// are drawn.
+pub fn drawn(
+    scene: &Scene,
+    methods: &[Method],
+    width: u32,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Drawn {
+    let (camera, done) = (Camera::new(width), AtomicUsize::new(0));
     let rows = (0..camera.image_height).into_par_iter().map(|j| {
         let sights = |eye| -> Vec<Sight> {
             let columns = 0..camera.image_width;
@@ -93,9 +106,13 @@ pub fn drawn(scene: &Scene, methods: &[Method], width: u32) -> Drawn {
             (bytes(&seen), off, misjudged.count())
         };
         let seen: Vec<_> = methods.iter().map(of_method).collect();
-        (bytes(&right), seen)
+        let with_acne = right.iter().filter(|sight| has_acne(scene, sight)).count();
+        let done = 1 + done.fetch_add(1, Ordering::Relaxed);
+        progress(done, camera.image_height as usize);
+        ((bytes(&right), with_acne), seen)
     });
-    let (right, seen): (Vec<Vec<u8>>, Vec<Vec<_>>) = rows.unzip();
+    let (right, seen): (Vec<(Vec<u8>, usize)>, Vec<Vec<_>>) = rows.unzip();
+    let (right, with_acne): (Vec<Vec<u8>>, Vec<usize>) = right.into_iter().unzip();
     let picture = |rgb: Vec<u8>| {
         Picture::from_rgb(camera.image_width, camera.image_height, rgb).expect("all rows are there")
     };
@@ -109,6 +126,7 @@ pub fn drawn(scene: &Scene, methods: &[Method], width: u32) -> Drawn {
     });
     Drawn {
         by_method: views.collect(),
+        with_acne: with_acne.iter().sum(),
         right,
     }
 }
@@ -119,6 +137,13 @@ fn bytes(sights: &[Sight]) -> Vec<u8> {
         write_color(pixel, sight.color);
     }
     rgb
+}
+
+fn has_acne(scene: &Scene, sight: &Sight) -> bool {
+    sight.hit.zip(scene.sun).is_some_and(|(hit, sun)| {
+        let (center, _) = scene.spheres[hit.sphere];
+        hit.shaded_by == Some(hit.sphere) && sun.dot(hit.point - center) > 0.0
+    })
 }
 
 /// The farthest that hits are off, where both are on one sphere.

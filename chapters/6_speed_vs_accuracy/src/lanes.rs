@@ -9,7 +9,7 @@
 
 use multiversion::multiversion;
 
-use crate::certified::{filter, later_stages};
+use crate::certified::{Choice, Rounded, later_stages};
 use crate::workload::Case;
 
 /// Questions in a block: so few that they stay near the processor, and a multiple of the
@@ -20,18 +20,19 @@ pub const BLOCK: usize = 64;
 ///
 /// The compiler makes three versions, for any processor, for AVX2 and for AVX-512, and the
 /// program chooses when it runs. An operation rounds alike in all of them.
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl+fma", "x86_64+avx2+fma"))]
 pub fn in_lanes<T, F: Fn(usize) -> T>(answers: &mut [T; BLOCK], answer: F) {
     for (k, place) in answers.iter_mut().enumerate() {
         *place = answer(k);
     }
 }
 
-/// What [`certified_hit`](crate::certified_hit), or if `ULP` [`certified_t`](crate::certified_t),
-/// answers to each case; infinity for a miss.
+/// Answers each case as [`certified_hit`](crate::certified_hit) does, or if `ULP` as
+/// [`certified_t`](crate::certified_t), to the bit; infinity for a miss.
 ///
-/// The filter decides in lanes. It is nearly always certain of all; what it leaves open is
-/// asked one by one, in integers.
+/// The filter decides in lanes, for the whole block in the way that its range allows: alone, a
+/// question is decided in the same way. It is nearly always certain of all; what it leaves open
+/// is asked one by one, in integers.
 #[inline]
 pub fn certified_in_lanes<const ULP: bool>(
     answers: &mut [f64; BLOCK],
@@ -39,32 +40,52 @@ pub fn certified_in_lanes<const ULP: bool>(
     t_min: f64,
     t_max: f64,
 ) {
-    in_lanes(
-        answers,
-        #[inline(always)]
-        |k| {
-            let Case {
-                center,
-                radius,
-                ray,
-            } = case(k);
-            filter::<ULP>(center, radius, &ray, t_min, t_max)
-        },
-    );
-    if some_are_nan(answers) {
+    let has_numbers = t_min < t_max;
+    let some_are_open = if !has_numbers {
+        answers.fill(f64::INFINITY);
+        false
+    } else if t_min == 0.0 && t_max == f64::INFINITY {
+        filtered(answers, by::<ULP>(&case, |rounded| rounded.by_signs(None)))
+    } else if t_min == 0.0 {
+        filtered(
+            answers,
+            by::<ULP>(&case, |rounded| rounded.by_signs(Some(t_max))),
+        )
+    } else {
+        filtered(
+            answers,
+            by::<ULP>(&case, |rounded| rounded.by_gaps(t_min, t_max)),
+        )
+    };
+    if some_are_open {
         for (k, t) in answers.iter_mut().enumerate().filter(|(_, t)| t.is_nan()) {
-            let Case {
-                center,
-                radius,
-                ray,
-            } = case(k);
-            let (answer, _) = later_stages(center, radius, &ray, t_min, t_max);
+            let (answer, _) = later_stages(case(k).numbers(), t_min, t_max);
             *t = answer.unwrap_or(f64::INFINITY);
         }
     }
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))]
-fn some_are_nan(answers: &[f64; BLOCK]) -> bool {
-    answers.iter().fold(false, |any, t| any | t.is_nan())
+/// A filter that chooses in this way.
+#[inline(always)]
+fn by<const ULP: bool>(
+    case: impl Fn(usize) -> Case,
+    choice: impl Fn(&Rounded) -> Choice,
+) -> impl Fn(usize) -> f64 {
+    #[inline(always)]
+    move |k| {
+        let case = case(k);
+        let rounded = Rounded::of(&case);
+        rounded.answer::<ULP>(&case, choice(&rounded))
+    }
+}
+
+/// As [`in_lanes`], and says whether some are NaN.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl+fma", "x86_64+avx2+fma"))]
+fn filtered<F: Fn(usize) -> f64>(answers: &mut [f64; BLOCK], answer: F) -> bool {
+    let mut some_are_nan = false;
+    for (k, place) in answers.iter_mut().enumerate() {
+        *place = answer(k);
+        some_are_nan |= place.is_nan();
+    }
+    some_are_nan
 }

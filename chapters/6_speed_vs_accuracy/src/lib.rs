@@ -17,7 +17,7 @@ pub use certified::{
 pub use lanes::{BLOCK, certified_in_lanes, in_lanes};
 pub use method::{Method, Solve};
 pub use methods::{
-    adaptive_q, cross_q, double_double, half_b, half_b_f32, half_b_q, widened_half_b_q_f32,
+    compensated, cross_q, double_double, half_b, half_b_f32, half_b_q, widened_half_b_q_f32,
 };
 pub use nearest::certified_nearest;
 pub use precision::{Precision, SingleRay};
@@ -39,7 +39,7 @@ pub const METHODS: &[Method] = &[
     Method::HALF_B,
     Method::HALF_B_Q,
     Method::CROSS_Q,
-    Method::ADAPTIVE_Q,
+    Method::COMPENSATED,
     Method::CERTIFIED_HIT,
     Method::CERTIFIED_T,
     Method::DOUBLE_DOUBLE,

@@ -44,6 +44,12 @@ const ROWS: &[Row] = &[
         it.case.radius = 0.0;
         it.case.ray.origin.y = 1.0;
     }),
+    ("$r = 0$, from the center", |it| {
+        (it.case.radius, it.case.center.z) = (0.0, 0.0);
+    }),
+    ("$r$ is subnormal, 2⁻¹⁰⁶⁰", |it| {
+        it.case.radius = 8.095e-320;
+    }),
     ("$r = -½$", |it| it.case.radius = -0.5),
     ("$r$ is NaN", |it| it.case.radius = NAN),
     ("$r = ∞$", |it| it.case.radius = INF),
@@ -52,6 +58,9 @@ const ROWS: &[Row] = &[
     }),
     ("the direction is subnormal, 2⁻¹⁰⁶⁰ long", |it| {
         it.case.ray.direction.z = -8.095e-320;
+    }),
+    ("the direction is 10⁻¹⁷⁰ long", |it| {
+        it.case.ray.direction.z = -1e-170;
     }),
     ("the direction is 10²⁰⁰ long", |it| {
         it.case.ray.direction.z = -1e200;
@@ -77,6 +86,23 @@ const ROWS: &[Row] = &[
     }),
     ("$t_{min}$ is the nearer root", |it| it.t_min = 0.5),
     ("$t_{max}$ is the nearer root", |it| it.t_max = 0.5),
+    ("$t_{min} = -0$, from the surface, outwards", |it| {
+        it.unit_ball([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]);
+        it.t_min = -0.0;
+    }),
+    ("$t_{max}$ is between the roots", |it| it.t_max = 1.0),
+    ("$t_{max}$ is before the wall, from inside", |it| {
+        it.unit_ball([0.0, 0.0, 0.5], [0.0, 0.0, -1.0]);
+        it.t_max = 1.0;
+    }),
+    ("$t_{min} = -∞$, the sphere is behind", |it| {
+        it.case.ray.direction.z = 1.0;
+        it.t_min = -INF;
+    }),
+    ("no number is between the ends, but the root is", |it| {
+        (it.case.center.z, it.case.radius) = (-2.0, 1.0_f64.next_down());
+        (it.t_min, it.t_max) = (1.0, 1.0_f64.next_up());
+    }),
     ("$t_{min}$ is NaN", |it| it.t_min = NAN),
     ("$t_{max}$ is NaN", |it| it.t_max = NAN),
     ("$t_{min} > t_{max}$", |it| {
@@ -93,6 +119,10 @@ const ROWS: &[Row] = &[
     ("$h^2$ overflows, $a$ and $c$ do not", |it| {
         it.ahead(1e100);
         it.case.ray.direction.z = -1e100;
+    }),
+    ("$h^2$ overflows, from inside, $t_{min} = -1$", |it| {
+        it.unit_ball([0.25, 0.0, 0.0], [-1e160, 0.0, 0.0]);
+        it.t_min = -1.0;
     }),
     ("$c$ overflows", |it| it.ahead(1e160)),
     ("$c$ underflows", |it| it.ahead(1e-170)),

@@ -6,7 +6,7 @@ use laws::{Case, WithInterval};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
 use speed_vs_accuracy::{
-    BLOCK, Method, adaptive_q, certified_in_lanes, cross_q, half_b, half_b_q, in_lanes,
+    BLOCK, Method, certified_in_lanes, compensated, cross_q, half_b, half_b_q, in_lanes,
 };
 
 use crate::hostile::hostile;
@@ -62,7 +62,7 @@ fn the_plain_methods_answer_in_lanes_as_they_do_alone() {
                 assert_eq!(answers, std::array::from_fn(answer));
             )*};
         }
-        assert_alike!(half_b half_b_q cross_q adaptive_q);
+        assert_alike!(half_b half_b_q cross_q compensated);
         let mut answers = [0.0; BLOCK];
         let answer = |k: usize| {
             let found = cases[k].put_to(&Method::HALF_B_F32, 0.0, f64::INFINITY);

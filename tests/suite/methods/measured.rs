@@ -9,6 +9,7 @@ use std::fs;
 use figures::records::{Accuracy, Level};
 use figures::table::{Record, Table};
 use insta::assert_binary_snapshot;
+use measure::spread::Spread;
 use measure::{accuracy, wrong_pixels};
 use speed_vs_accuracy::METHODS;
 use suite::drawn::shown_in;
@@ -55,8 +56,12 @@ mod a_part_of_the_questions_asked_again {
             assert_eq!((&old.regime, &old.method), (&new.regime, &new.method));
             // What misses nearly all that it should hit leaves no median of a part.
             if old.wrong_per_million < 4e5 {
-                assert_near(&row, [old.median_ulps, new.median_ulps]);
-                assert_near(&row, [old.surface_median_radii, new.surface_median_radii]);
+                assert_near(&row, 2.0, [old.median_ulps, new.median_ulps]);
+                assert_near(
+                    &row,
+                    2.0,
+                    [old.surface_median_radii, new.surface_median_radii],
+                );
             }
             // A part has no error that all have not. What is written has three digits.
             let [all, part] = [old.largest_ulps, new.largest_ulps];
@@ -81,7 +86,8 @@ mod a_part_of_the_questions_asked_again {
             assert_same_answers(&row, [old.answers, new.answers]);
             // Where decisions are made by chance, medians are too.
             if old.wrong_per_million < 1e5 {
-                assert_near(&row, [old.median_ulps, new.median_ulps]);
+                // At 10⁷ radii half of the answers of `certified_hit` are the filter's.
+                assert_near(&row, 4.0, [old.median_ulps, new.median_ulps]);
             }
         }
     }
@@ -94,16 +100,24 @@ mod a_part_of_the_questions_asked_again {
         );
     }
 
-    /// Medians of a part and of all are within a factor of two.
-    fn assert_near(row: &str, medians: [Option<f64>; 2]) {
+    /// Medians of a part and of all are within that factor.
+    fn assert_near(row: &str, factor: f64, medians: [Option<f64>; 2]) {
         let [Some(all), Some(part)] = medians else {
             panic!("{row} has no median: {medians:?}");
         };
         assert!(
-            (0.5 * all..=2.0 * all).contains(&part),
+            (all / factor..=all * factor).contains(&part),
             "{row}: {part} of {all}"
         );
     }
+}
+
+#[test]
+fn noise_takes_all_digits_of_a_median_but_one() {
+    let agreed = |numbers: [f64; 3]| Spread::of(numbers.to_vec()).agreed();
+    assert_eq!(agreed([5.61, 5.628, 5.63]), 5.63);
+    assert_eq!(agreed([1.0, 2.628, 90.0]), 3.0);
+    assert_eq!(agreed([0.0, 0.0312, 7.0]), 0.03);
 }
 
 fn levels() -> Vec<Level> {

@@ -26,7 +26,7 @@ pub(crate) struct Arguments {
     center: Vec3,
 
     /// The radius of the sphere
-    #[arg(long, value_name = "R", value_parser = finite, allow_hyphen_values = true)]
+    #[arg(long, value_name = "R", value_parser = radius, allow_hyphen_values = true)]
     radius: f64,
 
     /// A hit must have a greater t than this
@@ -122,6 +122,14 @@ fn finite(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
         _ => Err("is not a finite number; write one such as 0.5, -3 or 1e-9".to_owned()),
+    }
+}
+
+/// A finite number that is not negative.
+fn radius(text: &str) -> Result<f64, String> {
+    match finite(text)? {
+        radius if radius >= 0.0 => Ok(radius),
+        _ => Err("is negative: since version 4, the book takes such a radius for 0".to_owned()),
     }
 }
 

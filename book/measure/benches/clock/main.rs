@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let effort = Effort::new(arguments.quick);
     let mut groups = counted();
     let with_count: usize = groups.iter().map(|group| group.0.len()).sum();
-    groups.push(one_by_one::far());
+    groups.extend(one_by_one::elsewhere());
     let mut timings = Table::<Timing> {
         about: about::about(&effort),
         rows: measure::contest::run(groups, &effort),
@@ -65,5 +65,5 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The loops whose instructions are counted, too.
 fn counted() -> Vec<Group> {
     let groups = one_by_one::in_order().into_iter();
-    groups.chain([measure::lanes::group()]).collect()
+    groups.chain(measure::lanes::groups()).collect()
 }

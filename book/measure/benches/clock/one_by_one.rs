@@ -4,7 +4,7 @@ use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
 use measure::contest::{Group, Runner};
 use measure::cost::{Double, group, of_cases, of_pixels, throughput};
-use speed_vs_accuracy::{Precision, Regime, certified_hit};
+use speed_vs_accuracy::{Precision, REGIMES, Regime, certified_hit};
 
 /// So many that no processor learns them by heart.
 pub(crate) const CASES: usize = 16_384;
@@ -33,13 +33,18 @@ pub(crate) fn in_order() -> [Group; 2] {
     })
 }
 
-/// All methods where spheres are far away.
-pub(crate) fn far() -> Group {
-    let [double, single] = Precision::ALL.map(|precision| {
-        let cases = Regime::FAR.cases(precision, SEED, CASES).into_iter();
-        cases.map(|case| (case, 0.0)).collect::<Vec<_>>()
-    });
-    group(Regime::FAR.name, &of_cases(&double, &single))
+/// All methods in each situation but that of the book.
+pub(crate) fn elsewhere() -> impl Iterator<Item = Group> {
+    let regimes = REGIMES
+        .into_iter()
+        .filter(|regime| regime.name != Regime::BOOK.name);
+    regimes.map(|regime| {
+        let [double, single] = Precision::ALL.map(|precision| {
+            let cases = regime.cases(precision, SEED, CASES).into_iter();
+            cases.map(|case| (case, 0.0)).collect::<Vec<_>>()
+        });
+        group(regime.name, &of_cases(&double, &single))
+    })
 }
 
 /// The camera of the book.

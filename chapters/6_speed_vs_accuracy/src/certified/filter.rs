@@ -1,30 +1,20 @@
 //! A static filter: plain `f64` with an error bound that holds for all questions alike.
 //!
-//! The first stage, and the words in which all stages say that they are not certain.
-
-use common::rtweekend::*;
+//! The first stage. Each comparison is a step of the proof, whose letter stands beside it; and
+//! each step alone is proven, so that none relies on how another one rounded.
 
 use super::refined::refined;
+use crate::workload::Case;
 
 /// The largest relative error of one operation.
 pub(super) const U: f64 = f64::EPSILON / 2.0;
 
-/// Bound E: a and M are from 2⁻⁴⁵⁰ to 2⁴⁵⁰.
-const E_EXPONENT: u64 = 450;
+/// One band for all: u·M times this. Bound C, |ĉ − c| ≤ 8u·M, bound D, |D̂ − D| ≤ 24u·a·M, and
+/// bound T, |t̂ − t|·√D̂ ≤ 34u·M where D̂ is twice bound D or more, all fit into it.
+const BAND: f64 = 64.0 * U;
 
-/// Bound C: |ĉ − c| ≤ 8u·M.
-const C_BAND: f64 = 8.0 * U;
-
-/// Bound D: |D̂ − D| ≤ 24u·a·M.
-const D_BAND: f64 = 24.0 * U;
-
-/// Bound T: |t̂ − t|·√D̂ ≤ 34u·M where D̂ > 48u·a·M. A root so far from an end of the range is
-/// in it, or out.
-const T_BAND: f64 = 64.0 * U;
-
-/// Bound T, one more product included: 38u·M. A nearer root so far before the range is out. One
-/// that is not is found, once divided, less than [`T_BAND`] before it: so the two tests never
-/// contradict each other.
+/// Bound T before the division: there it is 38u·M, and 48u·M are out. What is not is found, once
+/// divided, at most 55u·M before the range: so the two tests never contradict each other.
 const BEFORE_BAND: f64 = 48.0 * U;
 
 /// Bound R: where D̂ > 2⁻¹⁶·a·M and |t̂|·√D̂ > 2⁻¹⁵·M, the refined t is less than
@@ -37,67 +27,158 @@ pub(super) struct Unclear;
 
 /// The first stage: `t`, infinity for a miss, and NaN if it is not certain. `ULP` asks for a
 /// `t` within one ulp.
-///
-/// A block of questions is asked in SIMD lanes, which all take the same way: so this is one
-/// number instead of nested options, and both roots are divided at the same time.
 #[inline(always)]
-pub(crate) fn filter<const ULP: bool>(
-    center: Point3,
-    radius: f64,
-    ray: &Ray,
-    t_min: f64,
-    t_max: f64,
-) -> f64 {
+pub(super) fn filter<const ULP: bool>(case: &Case, t_min: f64, t_max: f64) -> f64 {
     let has_numbers = t_min < t_max;
-    if !has_numbers {
+    let rounded = Rounded::of(case);
+    if !has_numbers || rounded.is_missed(t_min) {
         return f64::INFINITY;
     }
-    let oc = center - ray.origin;
-    let a = ray.direction.length_squared();
-    let h = ray.direction.dot(oc);
-    let (oc_squared, r_squared) = (oc.length_squared(), radius * radius);
-    let (c, m) = (oc_squared - r_squared, oc_squared + r_squared);
-    let discriminant = h * h - a * c;
-    // No comparison with NaN holds, so none here is certain then.
-    let m = if is_ordinary(a) & is_ordinary(m) {
-        m
+    let choice = if t_min == 0.0 {
+        rounded.by_signs((t_max < f64::INFINITY).then_some(t_max))
     } else {
-        f64::NAN
+        rounded.by_gaps(t_min, t_max)
     };
-    let am = a * m;
-    // From outside, a ray that does not turn towards the center meets nothing.
-    let turns_away = (h <= 0.0) & (c > C_BAND * m) & (t_min >= 0.0);
-    if (discriminant < -D_BAND * am) | turns_away {
-        return f64::INFINITY;
+    rounded.answer::<ULP>(case, choice)
+}
+
+/// The coefficients of a·t² − 2h·t + c, as they are rounded, and what bounds their errors.
+#[derive(Clone, Copy)]
+pub(crate) struct Rounded {
+    a: f64,
+    h: f64,
+    c: f64,
+    m: f64,
+    discriminant: f64,
+    /// Bound E.
+    is_ordinary: bool,
+}
+
+/// A root, or infinity for a miss.
+#[derive(Clone, Copy)]
+pub(crate) struct Choice {
+    t: f64,
+    is_farther: bool,
+    is_certain: bool,
+}
+
+impl Rounded {
+    #[inline(always)]
+    pub(crate) fn of(case: &Case) -> Self {
+        let Case {
+            center,
+            radius,
+            ray,
+        } = *case;
+        let oc = center - ray.origin;
+        let a = ray.direction.length_squared();
+        let h = ray.direction.dot(oc);
+        let (oc_squared, r_squared) = (oc.length_squared(), radius * radius);
+        let (c, m) = (oc_squared - r_squared, oc_squared + r_squared);
+        Self {
+            a,
+            h,
+            c,
+            m,
+            discriminant: h * h - a * c,
+            is_ordinary: are_ordinary(a, m),
+        }
     }
-    let is_clear = discriminant > if ULP { R_BANDS[0] } else { 2.0 * D_BAND } * am;
-    if !is_clear {
-        return f64::NAN;
+
+    /// A miss that needs no root: by D the line meets nothing, or by C the ray starts outside
+    /// and does not turn towards the center. In lanes, where all take the same way, the exit
+    /// saves nothing.
+    #[inline(always)]
+    fn is_missed(&self, t_min: f64) -> bool {
+        let band = BAND * self.m;
+        let meets_nothing = self.discriminant < -(self.a * band);
+        let turns_away = (self.h <= 0.0) & (self.c > band) & (t_min >= 0.0);
+        self.is_ordinary & (meets_nothing | turns_away)
     }
-    let (sqrtd, band) = (discriminant.sqrt(), T_BAND * m);
-    // The roots as in `half_b_q`. The nearer one counts, unless it lies before the range: both
-    // sides of that are multiplied by its denominator, so that one division is enough.
-    let q = h + sqrtd.copysign(h);
-    let c_is_nearer = h.is_sign_positive();
-    let (numerator, denominator) = if c_is_nearer { (c, q) } else { (q, a) };
-    let before_band = BEFORE_BAND * m * denominator;
-    let is_before = (numerator - t_min * denominator) * sqrtd <= -before_band;
-    let takes_c = c_is_nearer ^ is_before;
-    let (numerator, denominator) = if takes_c { (c, q) } else { (q, a) };
-    let t = numerator / denominator;
-    let gap = lesser(t - t_min, t_max - t) * sqrtd;
-    if gap <= -band {
-        return f64::INFINITY;
+
+    /// From 0 on no root need be known to choose one: from inside it is the farther one, and
+    /// from outside the nearer one, which is behind if both are. Step S of the proof; T for an
+    /// end, if the range has one.
+    #[inline(always)]
+    pub(crate) fn by_signs(&self, end: Option<f64>) -> Choice {
+        let Self { a, h, c, m, .. } = *self;
+        let sqrtd = self.discriminant.sqrt();
+        let q = h + sqrtd.copysign(h);
+        let is_inside = c < 0.0;
+        let by_q = is_inside & h.is_sign_positive();
+        let (numerator, denominator) = if by_q { (q, a) } else { (c, q) };
+        let t = numerator / denominator;
+        let band = BAND * m;
+        let (is_below, is_end_clear) = match end.map(|t_max| (t_max - t) * sqrtd) {
+            Some(gap) => (gap > 0.0, is_far(gap, band)),
+            None => (true, true),
+        };
+        Choice {
+            t: if (t > 0.0) & is_below {
+                t
+            } else {
+                f64::INFINITY
+            },
+            is_farther: is_inside,
+            is_certain: self.is_clear() & (c.abs() > band) & is_end_clear,
+        }
     }
-    let is_clear = (gap > band) & (!ULP | ((t * sqrtd).abs() > R_BANDS[1] * m));
-    if !is_clear {
-        return f64::NAN;
+
+    /// In any range the nearer root counts, unless it lies before: both sides of that are
+    /// multiplied by its denominator, so that one division is enough. Step T of the proof.
+    #[inline(always)]
+    pub(crate) fn by_gaps(&self, t_min: f64, t_max: f64) -> Choice {
+        let Self { a, h, c, m, .. } = *self;
+        let sqrtd = self.discriminant.sqrt();
+        let q = h + sqrtd.copysign(h);
+        let c_is_nearer = h.is_sign_positive();
+        let (numerator, denominator) = if c_is_nearer { (c, q) } else { (q, a) };
+        let before = BEFORE_BAND * m * denominator;
+        let is_farther = (numerator - t_min * denominator) * sqrtd <= -before;
+        let takes_c = c_is_nearer ^ is_farther;
+        let (numerator, denominator) = if takes_c { (c, q) } else { (q, a) };
+        let t = numerator / denominator;
+        let gap = lesser(t - t_min, t_max - t) * sqrtd;
+        Choice {
+            t: if gap > 0.0 { t } else { f64::INFINITY },
+            is_farther,
+            is_certain: self.is_clear() & is_far(gap, BAND * m),
+        }
     }
-    if !ULP {
-        return t;
+
+    /// Step D: there are two roots, or none.
+    #[inline(always)]
+    fn is_clear(&self) -> bool {
+        (self.discriminant.abs() > self.a * (BAND * self.m)) & self.is_ordinary
     }
-    let slope = if is_before { sqrtd } else { -sqrtd };
-    refined(center, radius, ray, m, t, |t| (a * t - h) + slope)
+
+    /// The root that was chosen: refined, if its last digit counts, and NaN if it is not certain.
+    #[inline(always)]
+    pub(crate) fn answer<const ULP: bool>(&self, case: &Case, choice: Choice) -> f64 {
+        let (Self { a, h, m, .. }, t) = (*self, choice.t);
+        if !choice.is_certain {
+            return f64::NAN;
+        }
+        if !ULP | (t == f64::INFINITY) {
+            return t;
+        }
+        let sqrtd = self.discriminant.sqrt();
+        let has_digits =
+            (self.discriminant > R_BANDS[0] * (a * m)) & ((t * sqrtd).abs() > R_BANDS[1] * m);
+        if !has_digits {
+            return f64::NAN;
+        }
+        let slope = if choice.is_farther { sqrtd } else { -sqrtd };
+        refined(case, m, t, |t| (a * t - h) + slope)
+    }
+}
+
+/// Whether the root is in the range or out, for certain. The gap is NaN if there is no root,
+/// which is certain, too.
+#[inline(always)]
+fn is_far(gap: f64, band: f64) -> bool {
+    let is_near = gap.abs() <= band;
+    !is_near
 }
 
 /// The lesser of the two, the first if one is NaN: a single instruction.
@@ -106,12 +187,13 @@ fn lesser(a: f64, b: f64) -> f64 {
     if b < a { b } else { a }
 }
 
-/// Whether `x` is from 2⁻⁴⁵⁰ to 2⁴⁵⁰. If a and M are, nothing overflows on the
+/// Whether both are at least 2⁻²⁵⁶ and less than 2²⁵⁶. If a and M are, nothing overflows on the
 /// way, and what underflow takes away is far below every bound here (bound E).
 #[inline(always)]
-fn is_ordinary(x: f64) -> bool {
-    const LEAST: u64 = (1023 - E_EXPONENT) << 52;
-    const SPAN: u64 = (2 * E_EXPONENT) << 52;
-    // One comparison for both ends and NaN: neither x nor its bits are negative.
-    x.to_bits().wrapping_sub(LEAST) < SPAN
+fn are_ordinary(a: f64, m: f64) -> bool {
+    const LEAST: u64 = (1023 - 256) << 52;
+    // Both ends and NaN in one test: less LEAST, an exponent has 9 digits, and none above.
+    const TOO_MANY: u64 = 7 << 61;
+    let [a, m] = [a, m].map(|x| x.to_bits().wrapping_sub(LEAST));
+    (a | m) & TOO_MANY == 0
 }

@@ -1,15 +1,24 @@
 //! Filtered predicates: answers that are proven, ray by ray, while they are computed.
 //!
-//! A filter computes as `half_b_q` does, and knows how far off it can be. Nearly
-//! always that is enough. If not, the question is asked again in integers, where
-//! nothing is rounded. So the answer is right for every input, and nearly as fast
-//! as one that is not.
+//! A filter computes as `half_b_q` does, and knows how far off it can be. Nearly always that is
+//! enough. If not, the question is asked again in integers, where nothing is rounded. Source of
+//! the idea: Fortune and Van Wyk, *Efficient Exact Arithmetic for Computational Geometry*, 1993.
 //!
-//! Each bound is proven in the book, in `proofs.md`, under the letter that stands
-//! beside it here. The proofs assume that operations round to nearest and that
-//! tiny results are not flushed to zero. Source of the idea: Shewchuk, *Adaptive
-//! Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates*,
-//! 1997.
+//! # The theorem
+//!
+//! Let center, radius, origin and direction be finite, the direction not zero, and let an `f64`
+//! lie between `t_min` and `t_max`. Then [`certified_hit`] and [`certified_t`] return a `t`
+//! exactly if the sphere and the ray, as they are stored, have a root between the two, both ends
+//! excluded. It stands for the least such root, and lies between the ends itself. The `t` of
+//! [`certified_t`] is less than 0.8 ulp from that root, before one that rounds to an end gives
+//! way to the next number inwards, and one beyond the largest `f64` becomes that. The `t` of
+//! [`certified_hit`] has the digits of `half_b_q`. Of all other input the answer is `None`.
+//!
+//! *What it takes.* Operations round to nearest, and tiny results are not flushed to zero: Rust
+//! promises both, unless other code in the program sets the processor otherwise. Not on x86
+//! without SSE2 (the `i586` targets), which rounds twice. Rust fuses no `a * b + c` by itself.
+//!
+//! Each bound has a letter, which stands beside it here and in the book, in `proofs.md`.
 
 mod exact;
 mod filter;
@@ -22,12 +31,13 @@ use glam::Vec3 as SingleVec3;
 use crate::method::Method;
 use crate::methods::widened;
 use crate::precision::SingleRay;
-use filter::Unclear;
-pub(crate) use filter::filter;
+use crate::workload::Case;
+use filter::{Unclear, filter};
 use fixed_width::fixed_width;
 
 pub(crate) use exact::comes_before;
 pub use exact::{exact, exact_discriminant};
+pub(crate) use filter::{Choice, Rounded};
 
 impl Method {
     /// The decision is certain, the digits of t are those of `half_b_q`.
@@ -49,15 +59,14 @@ impl Method {
     };
 }
 
-/// Whether the ray hits within the range is right for every input, and so is the
-/// choice between the two roots.
+/// The nearest root in the range: hit or miss, and which of the two roots, as the [theorem](self)
+/// says.
 ///
 /// Cost: 1 √, 1 ÷, and a few + and × more than `half_b_q`. Some thirty times as much
 /// where `half_b_q` could decide wrongly, because the sphere is far, or the ray starts
 /// on its surface or nearly touches it; and that of [`exact`] if lengths differ by a
 /// factor of 2⁶⁷. Error of t: that of `half_b_q`, and half an ulp where integers were
-/// asked. Fails: never. Input that is infinite or NaN is a miss,
-/// and so is every range between whose ends no `f64` lies.
+/// asked.
 #[inline]
 pub fn certified_hit(
     center: Point3,
@@ -66,30 +75,26 @@ pub fn certified_hit(
     t_min: f64,
     t_max: f64,
 ) -> Option<f64> {
-    staged::<false>(center, radius, ray, t_min, t_max).0
+    staged::<false>(Case::new(center, radius, *ray), t_min, t_max).0
 }
 
-/// As [`certified_hit`], and `t` is within one ulp of the exact root.
+/// As [`certified_hit`], and `t` is less than 0.8 ulp from the root, as the [theorem](self) says.
 ///
 /// Cost: that of `certified_hit`, and for a hit 1 ÷ and 90 + or × more. Integers
 /// are asked also if D or c is small: from some 250 radii away, and close to the
-/// surface. Error: less than 0.8 ulp is proven. As with [`exact`], a root
-/// beyond the largest `f64` becomes that. Fails: never.
-/// A radius < 0 counts by its size. NaN, ∞ or a direction of 0: `None`.
+/// surface.
 #[inline]
 pub fn certified_t(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
-    staged::<true>(center, radius, ray, t_min, t_max).0
+    staged::<true>(Case::new(center, radius, *ray), t_min, t_max).0
 }
 
-/// [`certified_t`] on numbers that are stored in `f32`.
+/// [`certified_t`] on numbers that are stored in `f32`: the [theorem](self) with `f32` for `f64`,
+/// about the sphere and the ray as they are after that.
 ///
-/// The decision is right for every input, and so is the choice between the roots.
-/// Cost: that of `certified_t`, and the conversions. Error: less than 0.51 ulp of an
-/// `f32`, before a root in range that rounds to an end gives way inwards. Fails:
-/// never. A filter in `f32` would be silent from 600 radii on, 48u·a·M being all of
-/// D there, and for the last digit of t it takes wider numbers anyway: so they are
+/// Cost: that of `certified_t`, and the conversions. Error: less than 0.51 ulp of an `f32`, with
+/// the theorem's exceptions. A filter in `f32` would be silent from 600 radii on, 48u·a·M being
+/// all of D there, and for the last digit of t it takes wider numbers anyway: so they are
 /// widened first.
-/// A radius < 0 counts by its size. NaN, ∞ or a direction of 0: `None`.
 #[inline]
 pub fn certified_f32(
     center: SingleVec3,
@@ -113,40 +118,32 @@ pub enum Stage {
 }
 
 /// The stage at which [`certified_hit`] has its answer.
-pub fn stage_of_hit(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Stage {
-    staged::<false>(center, radius, ray, t_min, t_max).1
+pub fn stage_of_hit(case: &Case, t_min: f64, t_max: f64) -> Stage {
+    staged::<false>(*case, t_min, t_max).1
 }
 
 /// The answer, and the stage that has it.
 #[inline(always)]
-fn staged<const ULP: bool>(
-    center: Point3,
-    radius: f64,
-    ray: &Ray,
-    t_min: f64,
-    t_max: f64,
-) -> (Option<f64>, Stage) {
-    let t = filter::<ULP>(center, radius, ray, t_min, t_max);
+fn staged<const ULP: bool>(case: Case, t_min: f64, t_max: f64) -> (Option<f64>, Stage) {
+    let t = filter::<ULP>(&case, t_min, t_max);
     if t.is_nan() {
-        // A copy: a ray whose address is asked for would be kept in memory, and the
-        // filter would wait until one that was just made is written there.
-        let ray = Ray::new(ray.origin, ray.direction);
-        return later_stages(center, radius, &ray, t_min, t_max);
+        return later_stages(case.numbers(), t_min, t_max);
     }
     ((t < f64::INFINITY).then_some(t), Stage::Filter)
 }
 
+/// What the filter leaves open. The numbers come as they are: if a center or a ray were asked for
+/// by its address, it would be kept in memory, and the filter would wait until it is there.
 #[cold]
 #[inline(never)]
-pub(crate) fn later_stages(
-    center: Point3,
-    radius: f64,
-    ray: &Ray,
-    t_min: f64,
-    t_max: f64,
-) -> (Option<f64>, Stage) {
-    match fixed_width(center, radius, ray, t_min, t_max) {
+pub(crate) fn later_stages(numbers: [f64; 10], t_min: f64, t_max: f64) -> (Option<f64>, Stage) {
+    let Case {
+        center,
+        radius,
+        ray,
+    } = Case::from_numbers(numbers);
+    match fixed_width(center, radius, &ray, t_min, t_max) {
         Ok(t) => (t, Stage::FixedWidth),
-        Err(Unclear) => (exact(center, radius, ray, t_min, t_max), Stage::Exact),
+        Err(Unclear) => (exact(center, radius, &ray, t_min, t_max), Stage::Exact),
     }
 }

@@ -1,7 +1,8 @@
 //! Iterative refinement, one step: the last digits of a root that is nearly right.
 
-use common::rtweekend::*;
 use glam::DVec4;
+
+use crate::workload::Case;
 
 /// The root near `t`, off by less than 0.8 ulp under the conditions of bound R.
 ///
@@ -15,14 +16,12 @@ use glam::DVec4;
 /// are so small that their rounding does not matter. The radius rides along as a
 /// fourth coordinate, whose square is subtracted.
 #[inline(always)]
-pub(super) fn refined(
-    center: Point3,
-    radius: f64,
-    ray: &Ray,
-    m: f64,
-    t: f64,
-    divisor: impl Fn(f64) -> f64,
-) -> f64 {
+pub(super) fn refined(case: &Case, m: f64, t: f64, divisor: impl Fn(f64) -> f64) -> f64 {
+    let Case {
+        center,
+        radius,
+        ray,
+    } = *case;
     let shifter = shifter(m);
 
     // The point t·d: 26 digits times 26 digits, and the rest.

@@ -1,18 +1,13 @@
-//! The discriminant by a cross product, without the division that a distance takes; alone,
-//! and beside a source of c that keeps its digits near the surface.
+//! The discriminant by a cross product, without the division that a distance takes.
 
 use common::rtweekend::*;
 
-use super::error_free;
 use super::half_b_q::nearest_by_q;
 use crate::method::Method;
 
 impl Method {
     /// The distance of the line by a cross product.
     pub const CROSS_Q: Self = Self::double("cross_q", cross_q);
-
-    /// The cross product far away, and near the surface a c with all its digits.
-    pub const ADAPTIVE_Q: Self = Self::double("adaptive_q", adaptive_q);
 }
 
 /// The discriminant by the identity of Lagrange: (d·oc)² + |d × oc|² is
@@ -33,26 +28,4 @@ pub fn cross_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -
     let discriminant = a * r_squared - ray.direction.cross(oc).length_squared();
     let c = oc.length_squared() - r_squared;
     nearest_by_q(a, h, c, discriminant, t_min, t_max)
-}
-
-/// [`cross_q`] where the sphere is far, and near its surface [`half_b_q`](crate::half_b_q) with a
-/// c that has all its digits.
-///
-/// Cost: 1 √, 1 ÷, and near the surface some 110 + or × more. Error: that of
-/// the discriminant only, 24u·a·M near the surface. Fails: at grazing rays, as
-/// every method must that rounds D; at |d|·|oc| above 1e150 or below 1e-150.
-/// Near means that c is less than 1/32 of oc·oc: there h² is at least as good a
-/// source of D as |d × oc|², and c begins to lose digits.
-/// A radius < 0 counts by its size. NaN, ∞, a direction of 0 or an overflow: `None`.
-#[inline]
-pub fn adaptive_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
-    let oc = center - ray.origin;
-    let c = oc.length_squared() - radius * radius;
-    if c.abs() >= oc.length_squared() / 32.0 {
-        return cross_q(center, radius, ray, t_min, t_max);
-    }
-    let a = ray.direction.length_squared();
-    let h = ray.direction.dot(oc);
-    let c = error_free::c(center, radius, ray.origin);
-    nearest_by_q(a, h, c, h * h - a * c, t_min, t_max)
 }

@@ -33,17 +33,30 @@ pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
     (product, error)
 }
 
-/// c = |C − Q|² − r², off by no more than u·|c| + 64u²·(|C − Q|² + r²).
-pub(crate) fn c(center: Point3, radius: f64, origin: Point3) -> f64 {
-    let (mut sum, mut error) = two_product(radius, -radius);
-    for (to, from) in center.to_array().into_iter().zip(origin.to_array()) {
-        let (oc, oc_error) = two_sum(to, -from);
-        let (square, square_error) = two_product(oc, oc);
+/// c = |C − Q|² − r², off by no more than u·|c| + 64u²·(|C − Q|² + r²); C − Q, rounded; and what
+/// rounding took from that.
+#[inline(always)]
+pub(crate) fn c_and_differences(center: Point3, radius: f64, origin: Point3) -> (f64, Vec3, Vec3) {
+    let [mut oc, mut oc_error] = [[0.0; 3]; 2];
+    let mut sum = -(radius * radius);
+    let mut error = -radius.mul_add(radius, sum);
+    for k in 0..3 {
+        let (x, x_error) = two_sum(center[k], -origin[k]);
+        let square = x * x;
+        let square_error = x.mul_add(x, -square);
         let sum_error;
         (sum, sum_error) = two_sum(sum, square);
-        error += sum_error + (square_error + 2.0 * oc * oc_error);
+        error += sum_error + (square_error + 2.0 * x * x_error);
+        (oc[k], oc_error[k]) = (x, x_error);
     }
-    sum + error
+    (sum + error, oc.into(), oc_error.into())
+}
+
+/// a·b − c·d, off by no more than 1.5 ulp (Kahan).
+#[inline(always)]
+pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
+    let product = c * d;
+    a.mul_add(b, -product) + (-c).mul_add(d, product)
 }
 
 /// x as a sum of two numbers of 26 digits or fewer, so that the products of

@@ -9,10 +9,11 @@ impl Method {
     pub const HALF_B_Q: Self = Self::double("half_b_q", half_b_q);
 }
 
-/// The same discriminant; each root by the division that does not cancel.
+/// The same discriminant; each root by the division that does not cancel, and only the one that
+/// counts is divided. The plain method to begin with.
 ///
-/// Cost: 1 √, 1 ÷ for the root that is returned. Error: 24u·a·M in D as before,
-/// but t keeps the digits that c has. Fails: where `half_b` does, save that a
+/// Cost: 1 √, 1 ÷; neither for a miss, or a ray from outside that turns away. Error: 24u·a·M in D
+/// as before, but t keeps the digits that c has. Fails: where `half_b` does, save that a
 /// large sphere costs no digit as long as c is exact. Source: Numerical Recipes,
 /// §5.6; Forsythe, *How do you solve a quadratic equation?*, 1966.
 /// A radius < 0 counts by its size. NaN, ∞, a direction of 0 or an overflow: `None`.
@@ -25,8 +26,12 @@ pub fn half_b_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) 
     nearest_by_q(a, h, c, h * h - a * c, t_min, t_max)
 }
 
-/// The nearest root of a·t² − 2h·t + c in the range, each by the division that
-/// does not cancel; divides no sooner than it must.
+/// The nearest root of a·t² − 2h·t + c in the range, by one division.
+///
+/// The sum q = h ± √D with the sign of h cancels nothing. One root is q/a, and since the product
+/// of the two is c/a, the other is c/q. Which of them is before `t_min` is asked before it is
+/// divided: with both sides times its denominator, which is not negative. One that rounding could
+/// take to `t_min` itself counts as before, so that the farther root is not lost with it.
 #[inline]
 pub(crate) fn nearest_by_q(
     a: f64,
@@ -36,29 +41,18 @@ pub(crate) fn nearest_by_q(
     t_min: f64,
     t_max: f64,
 ) -> Option<f64> {
-    let [nearer, farther] = roots_by_q(a, h, c, discriminant)?;
-    let root = |(numerator, denominator)| {
-        let t = numerator / denominator;
-        (t_min < t && t < t_max).then_some(t)
-    };
-    root(nearer).or_else(|| root(farther))
-}
-
-/// Both roots as numerator and denominator, the nearer one first.
-///
-/// The sum q = h ± √D with the sign of h cancels nothing. One root is q/a, and
-/// since the product of the two is c/a, the other is c/q. Should q be 0, the
-/// ray starts at a tangent's point of contact: q/a is 0 and comes first, and c/q
-/// is NaN, which lies in no range.
-#[inline]
-fn roots_by_q(a: f64, h: f64, c: f64, discriminant: f64) -> Option<[(f64, f64); 2]> {
-    if discriminant < 0.0 {
+    let turns_away = h <= 0.0 && c > 0.0 && t_min >= 0.0;
+    // What is divided by a q that overflows would be 0.
+    if !(0.0..f64::INFINITY).contains(&discriminant) || turns_away {
         return None;
     }
     let q = h + discriminant.sqrt().copysign(h);
-    Some(if q > 0.0 {
-        [(c, q), (q, a)]
-    } else {
-        [(q, a), (c, q)]
-    })
+    let c_is_nearer = q > 0.0;
+    let (numerator, denominator) = if c_is_nearer { (c, q) } else { (q, a) };
+    let start = t_min * denominator;
+    let is_before = numerator <= start + f64::EPSILON * start.abs();
+    let takes_c = c_is_nearer != is_before;
+    let (numerator, denominator) = if takes_c { (c, q) } else { (q, a) };
+    let t = numerator / denominator;
+    (t_min < t && t < t_max).then_some(t)
 }

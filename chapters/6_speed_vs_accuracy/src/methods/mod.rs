@@ -9,6 +9,7 @@
 //! cell is tested. Where h², a·c or c underflows, t may be wrong; the certified methods and
 //! `exact` are right there too.
 
+mod compensated;
 mod cross_q;
 mod double_double;
 mod error_free;
@@ -16,7 +17,8 @@ mod half_b;
 mod half_b_q;
 mod single;
 
-pub use cross_q::{adaptive_q, cross_q};
+pub use compensated::compensated;
+pub use cross_q::cross_q;
 pub use double_double::double_double;
 pub use half_b::half_b;
 pub use half_b_q::half_b_q;

@@ -150,15 +150,14 @@ fn near_surface(random: &mut Random, level: i32) -> Case {
     Case::new(center, radius, ray)
 }
 
-/// In any direction, from 0.01 to 10 above a sphere as large as an Earth.
+/// In any direction, from 0.01 to 10 above a sphere as large as an Earth, which may be on any side
+/// of the eye: straight below it, |oc| would be a coordinate, and exact.
 fn ground(random: &mut Random, level: i32) -> Case {
     let radius = power_of_ten(level);
     let height = random.between(0.01, 10.0);
-    Case {
-        center: Point3::new(0.0, -(radius + height), 0.0),
-        radius,
-        ray: Ray::new(Point3::ZERO, random.direction()),
-    }
+    let eye = Point3::new(0.25, 1.5, -0.75);
+    let center = eye + (radius + height) * random.direction();
+    Case::new(center, radius, Ray::new(eye, random.direction()))
 }
 
 /// In any direction, from the center or from a little below the surface.

@@ -8,7 +8,9 @@ mod text;
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::sync::atomic::AtomicU64;
+use std::sync::atomic::Ordering::Relaxed;
+use std::time::{Duration, Instant};
 
 use check::names;
 use clap::{Args, value_parser};
@@ -74,25 +76,43 @@ const EFFORT: Effort = Effort {
 pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut scene = read(&arguments.scene)?;
     scene.width = arguments.width.unwrap_or(scene.width);
-    let said = text::text(&scene, &look_into(&scene));
+    let (found, with_acne) = look_into(&scene);
+    let said = text::text(&scene, &found, with_acne);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 
-/// What there is to say in each precision that has the numbers of the scene, `f64` first.
-fn look_into(scene: &Scene) -> Vec<Found> {
+/// What there is to say in each precision that has the numbers of the scene, `f64` first; and how
+/// many pixels of the right picture have shadow acne.
+fn look_into(scene: &Scene) -> (Vec<Found>, usize) {
     let mut precisions = Precision::ALL.to_vec();
     precisions.retain(|precision| scene.fits(*precision));
     let mut methods = METHODS.to_vec();
     methods.retain(|method| precisions.contains(&method.precision()));
     let times = cost::times(scene, &EFFORT);
-    let drawn = wrong_pixels::drawn(scene, &methods, scene.width);
+    let drawn = wrong_pixels::drawn(scene, &methods, scene.width, &progress());
     let (double, single) = drawn
         .by_method
         .into_iter()
         .partition(|view| view.method.precision() == Precision::Double);
     let found = precisions.into_iter().zip([double, single]);
     let found = found.map(|(precision, views)| Found::new(scene, precision, views, &times, WITHIN));
-    found.collect()
+    (found.collect(), drawn.with_acne)
+}
+
+/// Says how much is drawn, every two seconds.
+fn progress() -> impl Fn(usize, usize) + Sync {
+    const SECONDS: u64 = 2;
+    let (start, next) = (Instant::now(), AtomicU64::new(SECONDS));
+    move |done, rows| {
+        let (now, due) = (start.elapsed().as_secs(), next.load(Relaxed));
+        let says = |due| {
+            next.compare_exchange(due, now + SECONDS, Relaxed, Relaxed)
+                .is_ok()
+        };
+        if now >= due && says(due) {
+            eprintln!("{} % of the picture is drawn", 100 * done / rows);
+        }
+    }
 }
 
 /// The scene that the file at `path` describes, under the name of the file.

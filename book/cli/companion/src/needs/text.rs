@@ -11,10 +11,10 @@ use speed_vs_accuracy::{Method, Precision, Scene};
 use super::WITHIN;
 use crate::hit;
 use crate::wrap::hanging;
-use measure::needs::{Culprit, Found, Row};
+use measure::needs::{Culprit, Found, Row, least_of_all};
 
-/// All that there is to say.
-pub(super) fn text(scene: &Scene, found: &[Found]) -> String {
+/// All that there is to say, the method to take first.
+pub(super) fn text(scene: &Scene, found: &[Found], with_acne: usize) -> String {
     let camera = Camera::new(scene.width);
     let (width, height) = (camera.image_width, camera.image_height);
     let spheres = match scene.spheres.len() {
@@ -23,8 +23,10 @@ pub(super) fn text(scene: &Scene, found: &[Found]) -> String {
     };
     let sun = scene.sun.map_or("", |_| " and a sun");
     let name = names::visible(&scene.name);
-    let mut text = format!("{name}: {spheres}{sun}, {width} × {height} pixels\n");
+    let mut text = paragraph(&advice(scene, found, with_acne));
+    text += &format!("\n{name}: {spheres}{sun}, {width} × {height} pixels\n");
     text += &assumed(scene);
+    text += &warnings(scene);
     let mut rows = found.iter().flat_map(|found| &found.rows);
     if rows.all(|row| row.view.off.is_none()) {
         text += "No ray meets a sphere: the picture shows only sky.\n";
@@ -55,8 +57,63 @@ fn assumed(scene: &Scene) -> String {
         None => String::new(),
     };
     paragraph(&format!(
-        "A hit counts at t above {eye:?}{shadows}. A distance is right if at most {WITHIN:?} of t is wrong."
+        "A hit counts at t above {eye:?}{shadows}. A distance is right if at most {WITHIN:?} of t is wrong. \
+         Another width asks other rays, and may show what this one does not. Rays that mirrors or \
+         glass would send on are not asked: they start on a surface, as those to the sun do."
     ))
+}
+
+/// One method and why, or what else helps.
+fn advice(scene: &Scene, found: &[Found], with_acne: usize) -> String {
+    if with_acne > 0 {
+        let [_, t_min] = scene.t_min;
+        return format!(
+            "Raise t_min: above {t_min:?}, {with_acne} pixels are in their own shadow, also by \
+             exact arithmetic. Their rays to the sun start at rounded points, and hit there."
+        );
+    }
+    let failing = |it: &Found| Some(it.rows[it.failing.as_ref()?.0].view.method.name);
+    match least_of_all(found).map(|(it, row)| (row.view.method.name, failing(it))) {
+        Some((name, Some(failing))) => {
+            format!("Take {name}: it draws this picture right, and {failing} does not.")
+        }
+        Some((name, None)) => {
+            format!("Take {name}: it draws this picture right, and nothing is cheaper.")
+        }
+        None => match found.first().and_then(|it| it.failing.as_ref()) {
+            Some((_, culprit)) if needs_order(culprit) => "Take certified_nearest: two spheres \
+                 are nearer to each other than an f64 can tell, and it compares their roots."
+                .to_owned(),
+            _ => "No method draws every pixel of this picture right.".to_owned(),
+        },
+    }
+}
+
+/// Where a range begins too late for the scene.
+fn warnings(scene: &Scene) -> String {
+    let radii = scene.spheres.iter().map(|(_, radius)| *radius);
+    let least = radii.fold(f64::INFINITY, f64::min);
+    let [eye, sun] = scene.t_min;
+    let late = |t_min: f64, what: &str| {
+        let text = format!(
+            "WARNING: {what} {t_min:?} on, and the smallest radius is {least:?}. Set a t_min that is \
+             small beside it."
+        );
+        if t_min > least {
+            paragraph(&text)
+        } else {
+            String::new()
+        }
+    };
+    let of_sun = scene
+        .sun
+        .map(|_| late(sun, "things cast a shadow only from a distance of"));
+    late(eye, "things are seen only from t =") + &of_sun.unwrap_or_default()
+}
+
+/// Whether t is right, or as good as can be, where a pixel is wrong.
+fn needs_order(culprit: &Culprit) -> bool {
+    !culprit.is_shadow && culprit.error <= hit::ORDINARY
 }
 
 fn one_precision(found: &Found) -> String {

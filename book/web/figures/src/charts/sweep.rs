@@ -123,7 +123,7 @@ const DRAWN: [Method; 5] = [
     Method::HALF_B,
     Method::HALF_B_Q,
     Method::CROSS_Q,
-    Method::ADAPTIVE_Q,
+    Method::COMPENSATED,
     Method::CERTIFIED_T,
 ];
 
