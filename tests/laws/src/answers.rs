@@ -26,7 +26,7 @@ pub struct Answers {
 }
 
 impl Answers {
-    /// The answers of a program.
+    /// Asks a program.
     pub fn of(program: &dyn Functions, questions: Vec<Question>) -> Self {
         let questions = questions.into_iter();
         let answered = questions.map(|question| {
@@ -38,14 +38,13 @@ impl Answers {
         }
     }
 
-    /// Whether the program gives the last answer, too.
+    /// Returns true if the program gives the last answer, too.
     pub fn ends_as(&self, program: &dyn Functions) -> bool {
         let last = self.given.last();
         last.is_none_or(|(question, answer)| question.same(answer, &question.put_to(program)))
     }
 
-    /// Of how many answers how many are not those of the program. After `most` of them no
-    /// more are counted.
+    /// Counts all answers, and those that the program does not give, up to `most`.
     pub fn unlike(&self, program: &dyn Functions, most: usize) -> (usize, usize) {
         let given = self.given.iter();
         let unlike =
@@ -178,7 +177,7 @@ fn question(line: &JsonValue) -> Option<(Question, Vec<f64>)> {
     Some((question, numbers(line, "answer")?))
 }
 
-/// What a line tells of a question, if it is about no verdict.
+/// Reads an answer, if the line is about no verdict.
 fn answer(line: &JsonValue) -> Option<(Question, Vec<f64>)> {
     text(line, "of").is_none().then(|| question(line)).flatten()
 }

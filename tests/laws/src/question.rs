@@ -61,34 +61,34 @@ pub trait Functions {
 const TELLING: u32 = 250;
 
 impl Question {
-    /// Questions about a prelude to which different mistakes give different answers, always the
+    /// Lists questions about a prelude to which different mistakes give different answers, always the
     /// same ones. So it is with those of the next functions.
     pub fn of_prelude() -> Vec<Self> {
         let telling = FUNCTIONS.iter().flat_map(|function| function.telling());
         telling.map(Self::Prelude).collect()
     }
 
-    /// Questions about one ray and one sphere, as `kind` asks them.
+    /// Lists questions about one ray and one sphere, as `kind` asks them.
     pub fn of_sphere(kind: fn(Case) -> Self) -> Vec<Self> {
         of(kind, &strategies::ordinary())
     }
 
-    /// Questions about one sphere and a range.
+    /// Lists questions about one sphere and a range.
     pub fn of_record() -> Vec<Self> {
         of(Self::Record, &strategies::ordinary_asked())
     }
 
-    /// Questions about a list.
+    /// Lists questions about a list.
     pub fn of_list() -> Vec<Self> {
         of(Self::Nearest, &strategies::worlds())
     }
 
-    /// Questions about the color of a ray.
+    /// Lists questions about the color of a ray.
     pub fn of_ray_color() -> Vec<Self> {
         of(Self::RayColor, &ray_color::rays())
     }
 
-    /// The answer of a program.
+    /// Returns the answer of a program.
     pub fn put_to(&self, program: &dyn Functions) -> Vec<f64> {
         match self {
             Self::Prelude(asked) => Prelude::of(program, |prelude| asked.put_to(prelude)),
@@ -101,7 +101,7 @@ impl Question {
         }
     }
 
-    /// Whether two answers are the same, but for roundings.
+    /// Returns true if two answers are the same, but for roundings.
     pub fn same(&self, one: &[f64], other: &[f64]) -> bool {
         match self {
             Self::Prelude(asked) => asked.same(one, other),
@@ -109,7 +109,7 @@ impl Question {
         }
     }
 
-    /// What questions of this kind are called.
+    /// Returns the name of this kind of questions.
     pub(crate) fn kind(&self) -> &'static str {
         match self {
             Self::Prelude(asked) => asked.function.name(),
@@ -122,7 +122,7 @@ impl Question {
         }
     }
 
-    /// The numbers of which it consists.
+    /// Lists the numbers of which it consists.
     pub fn numbers(&self) -> Vec<f64> {
         match self {
             Self::Prelude(Asked { u, v, t, .. }) => {
@@ -138,7 +138,7 @@ impl Question {
         }
     }
 
-    /// The question of that kind with these numbers; `None` if there is none.
+    /// Finds the question of that kind with these numbers; `None` if there is none.
     pub(crate) fn read(kind: &str, numbers: &[f64]) -> Option<Self> {
         let case = || Some(Case::from_numbers(numbers.try_into().ok()?));
         Some(match (kind, numbers) {
@@ -173,7 +173,7 @@ fn of<T: Debug>(kind: fn(T) -> Question, strategy: &impl Strategy<Value = T>) ->
     telling(strategy).into_iter().map(kind).collect()
 }
 
-/// The first cases of a strategy, as many as tell mistakes in a function apart.
+/// Draws the first cases of a strategy, as many as tell mistakes in a function apart.
 pub fn telling<T: Debug>(strategy: &impl Strategy<Value = T>) -> Vec<T> {
     samples(strategy, TELLING)
 }

@@ -54,7 +54,7 @@ pub fn a_ray_has_its_color_from_anywhere(scene: Scene, color: Color, ray: &Ray) 
 }
 
 impl Scene {
-    /// Whether the rays of the book's own picture have the right colors: where they don't,
+    /// Returns true if the rays of the book's own picture have the right colors: where they don't,
     /// the picture says so, and a step on the way may want it so.
     pub(crate) fn looks_right(self, ray_color: &dyn Fn(&Ray) -> Color) -> bool {
         let camera = Camera::new(32);
@@ -63,7 +63,7 @@ impl Scene {
         rays.all(|ray| a_ray_has_its_color_from_anywhere(self, ray_color(&ray), &ray).is_ok())
     }
 
-    /// The body of a test that asks this.
+    /// Writes the body of a test that asks this.
     pub(crate) fn as_test(self, ray: &Ray) -> String {
         let ray = code(&of_ray(*ray));
         format!(
@@ -85,7 +85,7 @@ impl Scene {
         }
     }
 
-    /// The color of the nearest hit, by exact arithmetic; `None` where rounding decides.
+    /// Finds the color of the nearest hit, by exact arithmetic; `None` where rounding decides.
     fn expected(self, ray: &Ray) -> Option<Expected> {
         let mut nearest: Option<(f64, Case)> = None;
         for &(center, radius) in self.spheres() {

@@ -51,7 +51,7 @@ pub struct Report {
 }
 
 impl Broken {
-    /// The parts by their labels, in the order in which they are read.
+    /// Lists the parts by their labels, in the order in which they are read.
     fn rows(&self) -> [(&'static str, &str); 4] {
         [
             ("the law", &self.law),
@@ -63,7 +63,7 @@ impl Broken {
 }
 
 impl Report {
-    /// The parts by their labels, in the order in which they are read. A part without a label
+    /// Lists the parts by their labels, in the order in which they are read. A part without a label
     /// goes on with the one before.
     pub fn rows(&self) -> Vec<(&'static str, &str)> {
         let labels = ["same as", "", "", "", ""];
@@ -76,7 +76,7 @@ impl Report {
     }
 }
 
-/// The rows as text, a line each.
+/// Lays out the rows as text, a line each.
 pub fn laid_out<'a>(rows: impl IntoIterator<Item = (&'a str, &'a str)>) -> String {
     let line = |(label, text): (&str, &str)| match label {
         "" => format!("          {text}"),

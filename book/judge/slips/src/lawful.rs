@@ -65,7 +65,7 @@ pub fn explain(report: &mut Report, chapter: Chapter, letters: Letters) {
     });
 }
 
-/// The outcome with the mistakes that give the same answers.
+/// Adds to an outcome the mistakes that give the same answers.
 ///
 /// # Errors
 /// Those of the outcome.
@@ -90,8 +90,8 @@ pub fn unlike(
     }
 }
 
-/// The questions to all functions of a chapter that tell mistakes apart, in the order in which
-/// they are put.
+/// Lists the questions to all functions of a chapter that tell mistakes apart, in the order in
+/// which they are put.
 pub fn questions(chapter: Chapter) -> Vec<Question> {
     let sphere = match chapter {
         Chapter::BuildTest | Chapter::SpeedVsAccuracy => return Vec::new(),
@@ -104,7 +104,7 @@ pub fn questions(chapter: Chapter) -> Vec<Question> {
     others.concat()
 }
 
-/// The scene that the `ray_color` of a chapter draws.
+/// Returns the scene that the `ray_color` of a chapter draws.
 pub fn scene(chapter: Chapter) -> Scene {
     match chapter {
         Chapter::BuildTest | Chapter::Gradient => Scene::Sky,

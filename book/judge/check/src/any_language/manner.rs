@@ -21,7 +21,7 @@ pub enum Manner {
 }
 
 impl Manner {
-    /// The sentence that tells of it, with its origin.
+    /// Returns the sentence that tells of it, with its origin.
     pub fn says(self) -> &'static str {
         match self {
             Self::EndsCount => "a root at an end of the range counts, as in version 3 of the book",
@@ -30,7 +30,7 @@ impl Manner {
         }
     }
 
-    /// The manners that a function keeps wherever one would show.
+    /// Finds the manners that a function keeps wherever one would show.
     pub(super) fn of(function: Function, ask: &Ask) -> Vec<Self> {
         let asked = match function {
             Function::Record => telling(&ordinary_asked()),
@@ -57,7 +57,7 @@ impl Manner {
         all.into_iter().filter(is_kept).collect()
     }
 
-    /// Whether a function with this manner must answer otherwise than one without, whatever else
+    /// Returns true if a function with this manner must answer otherwise than one without, whatever else
     /// its manners are.
     fn shows(self, function: Function, asked: &WithInterval) -> bool {
         let WithInterval { case, t_min, t_max } = *asked;
@@ -86,7 +86,7 @@ impl Manner {
         }
     }
 
-    /// The right answer, if what was found differs from that by this manner alone.
+    /// Returns the right answer, if what was found differs from that by this manner alone.
     pub(super) fn meant(
         self,
         function: Function,
@@ -114,7 +114,7 @@ impl Manner {
     }
 }
 
-/// The record of a hit at `t`, as chapter 5 fills it.
+/// Fills the record of a hit at `t`, as chapter 5 fills it.
 pub(super) fn right_record(case: &Case, t: f64) -> Hit {
     let point = case.ray.at(t);
     let outward = (point - case.center) * (1.0 / case.radius);

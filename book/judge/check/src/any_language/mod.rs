@@ -54,7 +54,7 @@ pub enum NoAnswer {
 }
 
 impl Function {
-    /// The question as a line: center, radius, origin, direction, and for a record the range, as
+    /// Writes the question as a line: center, radius, origin, direction, and for a record the range, as
     /// decimal numbers that read back to the same bits.
     pub fn line(self, asked: &WithInterval) -> String {
         let range = [asked.t_min, asked.t_max].map(|end| end.clamp(-FAR, FAR));
@@ -71,7 +71,7 @@ impl Function {
         words.collect::<Vec<_>>().join(" ")
     }
 
-    /// What a line answers.
+    /// Reads the answer of a line.
     ///
     /// For a record, the normal and `front` or `back` may stand behind `t`; without them, they
     /// count as right. If a program `says_minus_one` for a miss, as the book's C++ in chapters 3
@@ -107,7 +107,7 @@ impl Function {
     }
 }
 
-/// A number as any language prints it: NaN also as `-nan(ind)`.
+/// Reads a number as any language prints it: NaN also as `-nan(ind)`.
 fn number(word: &str) -> Result<f64, NoAnswer> {
     let is_nan = word.to_ascii_lowercase().contains("nan");
     let has_comma = || word.replace(',', ".").parse::<f64>().is_ok();
@@ -119,7 +119,7 @@ fn number(word: &str) -> Result<f64, NoAnswer> {
     }
 }
 
-/// Whether `t` is the nearer root, as far as rounding lets it be known.
+/// Returns true if `t` is the nearer root, as far as rounding lets it be known.
 fn is_root(case: &Case, t: f64) -> bool {
     let exact = Exact::of(case);
     let bound = root_bound(case, exact.discriminant_margin());
