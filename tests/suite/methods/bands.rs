@@ -65,31 +65,21 @@ pub(crate) fn at_a_band() -> impl Strategy<Value = WithInterval> {
 }
 
 /// From a little below the surface, and so nearly across that the nearer root is a band before
-/// 0. The direction has a tiny component there, of which each last digit counts.
+/// 0. The direction has a tiny component there, of which each last digit counts. A `t_min` that is
+/// nearly 0 asks the same of the filter for any range.
 fn across_from_below() -> impl Strategy<Value = WithInterval> {
     let band = prop_oneof![1 => Just(-64.0), 1 => select(vec![-34.0, -38.0, -48.0])];
-    (
-        number(0.5..=2.0),
-        number(1.0..=2.0),
-        any::<bool>(),
-        band,
-        -3..=3,
-    )
-        .prop_map(|(radius, times, is_whole, band, ulps)| {
-            let radius = if is_whole {
-                (4.0 * radius).round() / 4.0
-            } else {
-                radius
-            };
+    let radius = prop_oneof![number(0.5..=2.0), (2..=8).prop_map(|n| f64::from(n) / 4.0)];
+    let t_min = select(vec![0.0, -0.0, 1e-300]);
+    (radius, number(1.0..=2.0), t_min, band, -3..=3).prop_map(
+        |(radius, times, t_min, band, ulps)| {
             let origin = radius * (1.0 + times * band * U) * Vec3::Y;
             let case = Case::new(Point3::ZERO, radius, Ray::new(origin, Vec3::X));
-            let asked = WithInterval {
-                case,
-                t_min: 0.0,
-                t_max: f64::INFINITY,
-            };
+            let t_max = f64::INFINITY;
+            let asked = WithInterval { case, t_min, t_max };
             moved(asked, 8, -1e-6, (Above { is_nearer: true }, band), ulps)
-        })
+        },
+    )
 }
 
 /// The question with one of its numbers moved towards another, until what is compared is equal

@@ -65,15 +65,10 @@ pub(crate) struct Choice {
 impl Rounded {
     #[inline(always)]
     pub(crate) fn of(case: &Case) -> Self {
-        let Case {
-            center,
-            radius,
-            ray,
-        } = *case;
-        let oc = center - ray.origin;
-        let a = ray.direction.length_squared();
-        let h = ray.direction.dot(oc);
-        let (oc_squared, r_squared) = (oc.length_squared(), radius * radius);
+        let oc = case.center - case.ray.origin;
+        let a = case.ray.direction.length_squared();
+        let h = case.ray.direction.dot(oc);
+        let (oc_squared, r_squared) = (oc.length_squared(), case.radius * case.radius);
         let (c, m) = (oc_squared - r_squared, oc_squared + r_squared);
         Self {
             a,

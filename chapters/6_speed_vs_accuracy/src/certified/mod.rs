@@ -137,13 +137,9 @@ fn staged<const ULP: bool>(case: Case, t_min: f64, t_max: f64) -> (Option<f64>, 
 #[cold]
 #[inline(never)]
 pub(crate) fn later_stages(numbers: [f64; 10], t_min: f64, t_max: f64) -> (Option<f64>, Stage) {
-    let Case {
-        center,
-        radius,
-        ray,
-    } = Case::from_numbers(numbers);
-    match fixed_width(center, radius, &ray, t_min, t_max) {
+    let case = Case::from_numbers(numbers);
+    match fixed_width(case.center, case.radius, &case.ray, t_min, t_max) {
         Ok(t) => (t, Stage::FixedWidth),
-        Err(Unclear) => (exact(center, radius, &ray, t_min, t_max), Stage::Exact),
+        Err(Unclear) => (case.put_to(&Method::EXACT, t_min, t_max), Stage::Exact),
     }
 }

@@ -17,23 +17,18 @@ use crate::workload::Case;
 /// fourth coordinate, whose square is subtracted.
 #[inline(always)]
 pub(super) fn refined(case: &Case, m: f64, t: f64, divisor: impl Fn(f64) -> f64) -> f64 {
-    let Case {
-        center,
-        radius,
-        ray,
-    } = *case;
     let shifter = shifter(m);
 
     // The point t·d: 26 digits times 26 digits, and the rest.
     let t = upper_digits(t);
-    let d = ray.direction.extend(0.0);
-    let d_high = ray.direction.map(upper_digits).extend(0.0);
+    let d = case.ray.direction.extend(0.0);
+    let d_high = case.ray.direction.map(upper_digits).extend(0.0);
     let point = t * d_high;
     let point_high = on_grid(point, shifter);
     let point_low = (point - point_high) + t * (d - d_high);
 
     // C − Q with r as its fourth coordinate: the part on the grid, and the rest.
-    let (oc, error) = difference(center.extend(radius), ray.origin.extend(0.0));
+    let (oc, error) = difference(case.center.extend(case.radius), case.ray.origin.extend(0.0));
     let oc_high = on_grid(oc, shifter);
     let oc_low = (oc - oc_high) + error;
     let residual = square(point_high - oc_high, point_low - oc_low);

@@ -1,8 +1,8 @@
 //! Single precision: methods in `f32`.
 //!
 //! The same formulas as in `f64`, with u = 2⁻²⁴ instead of 2⁻⁵³ and exponents
-//! up to 1e38: all that fails in `f64` fails here at the square root of the
-//! distance.
+//! up to 1e38: all that fails in `f64` fails here too, and much nearer. The bound of
+//! `half_b` for D is all of it at 836 radii, and in `f64` at 1.9·10⁷.
 
 use common::rtweekend::{Point3, Ray};
 use glam::Vec3;
