@@ -1,7 +1,8 @@
 //! A static filter: plain `f64` with an error bound that holds for all questions alike.
 //!
-//! The first stage. Each comparison is a step of the proof, whose letter stands beside it; and
-//! each step alone is proven, so that none relies on how another one rounded.
+//! The first stage. Each comparison is a step of the proof, whose letter stands beside it. Only
+//! one thing is asked twice, whether the nearer root lies before `t_min`: `BEFORE_BAND` says why
+//! the two answers agree.
 
 use super::refined::refined;
 use crate::workload::Case;
