@@ -6,7 +6,7 @@
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::io::{self, BufWriter, ErrorKind, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Writes to standard output.
 ///
@@ -49,16 +49,42 @@ pub fn to_file(
     written.map_err(|cause| named(&format!("{path:?}"), &cause))
 }
 
+/// Where what will be at `target` can be made: beside it, by a name that nothing else has.
+///
+/// # Errors
+/// If the target has no name.
+pub fn partial(target: &Path) -> io::Result<PathBuf> {
+    let name = target.file_name().ok_or(ErrorKind::InvalidInput)?;
+    // The standard library asks the system for a random number to seed its hash tables.
+    let random = RandomState::new().build_hasher().finish();
+    Ok(target.with_file_name(format!(".{}.{random:016x}.partial", name.display())))
+}
+
+/// Removes what an interrupted program has left beside `target`.
+pub fn forget_partials(target: &Path) {
+    let is_partial = |path: &PathBuf| {
+        let [name, own] =
+            [path, target].map(|it| it.file_name().unwrap_or_default().to_string_lossy());
+        let random = name.strip_prefix(&format!(".{own}."));
+        let random = random.and_then(|it| it.strip_suffix(".partial"));
+        random.is_some_and(|it| it.len() == 16 && u64::from_str_radix(it, 16).is_ok())
+    };
+    let folder = target.parent().filter(|it| !it.as_os_str().is_empty());
+    let entries = fs::read_dir(folder.unwrap_or(Path::new(".")))
+        .into_iter()
+        .flatten();
+    for path in entries.flatten().map(|it| it.path()).filter(is_partial) {
+        // Of these two, one fits. Where neither can, it stays.
+        let _ = fs::remove_file(&path).or_else(|_| fs::remove_dir_all(&path));
+    }
+}
+
 fn replace(
     target: &Path,
     permissions: Option<Permissions>,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
-    let name = target.file_name().ok_or(ErrorKind::InvalidInput)?;
-    // The standard library asks the system for a random number to seed its hash tables.
-    let random = RandomState::new().build_hasher().finish();
-    let partial =
-        target.with_file_name(format!(".{}.{random:016x}.partial", name.to_string_lossy()));
+    let partial = partial(target)?;
     let file = File::create_new(&partial)?;
     let done = permissions
         // Before anything is in it that is for nobody else's eyes.

@@ -70,7 +70,9 @@ fn listings_of(chapter: Chapter) -> Vec<(PathBuf, String)> {
 
 /// Types a listing below what is in its file already.
 fn type_below(file: &Path, code: &str) {
-    let is_a_test = file.parent().is_some_and(|folder| folder.ends_with("tests"));
+    let is_a_test = file
+        .parent()
+        .is_some_and(|folder| folder.ends_with("tests"));
     let file = OpenOptions::new().append(true).create(is_a_test).open(file);
     let mut file = file.unwrap_or_else(|cause| panic!("{cause}: there is no file for\n{code}"));
     writeln!(file, "{code}").expect("the target folder takes it");

@@ -61,6 +61,11 @@ fn a_report_takes_the_place_of_the_last_one_and_of_nothing_else() {
     desk.write("page/.index.html.0123456789abcdef.partial", "half");
     fs::remove_file(desk.path("page/yours.png")).expect("it was not there yet");
     report(&desk, 1);
+    assert!(
+        !desk
+            .path("page/.index.html.0123456789abcdef.partial")
+            .exists()
+    );
     let [ours, others] = [all, vec!["drafts".to_owned()]];
     let names = names_in(&desk.path("page"));
     assert!(ours.iter().chain(&others).all(|name| names.contains(name)));
@@ -77,14 +82,34 @@ fn a_file_of_the_readers_is_never_written_over() {
     let desk = reported();
     desk.write("thesis.txt", "mine");
     let list = desk.read(LIST);
-    desk.write(LIST, list.clone() + "\"../thesis.txt\"\n\"..\"\n");
+    desk.write(
+        LIST,
+        list.clone() + &listed("../thesis.txt") + "..\n\"..\"\n",
+    );
     report(&desk, 1);
     assert_eq!(desk.read("thesis.txt"), "mine");
 
-    desk.write(LIST, list.replace("\"yours.png\"\n", ""));
+    let others = list.lines().filter(|line| !line.contains("yours.png"));
+    desk.write(
+        LIST,
+        others.map(|line| format!("{line}\n")).collect::<String>(),
+    );
     let before = desk.contents();
     report(&desk, 2);
     assert_eq!(desk.contents(), before);
+
+    // Nor what was ours until the reader changed it.
+    desk.write(LIST, list);
+    desk.write("page/index.html", "mine");
+    let before = desk.contents();
+    report(&desk, 2);
+    assert_eq!(desk.contents(), before);
+}
+
+/// A line of a list, as a file that says `mine` would have it.
+fn listed(name: &str) -> String {
+    const MINE: u32 = 0x69a8_d393;
+    format!("{MINE:08x} {name:?}\n")
 }
 
 #[cfg(unix)]
@@ -145,6 +170,24 @@ mod on_unix {
             assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
             assert_eq!(names_in(&desk.path("")), ["kept.ppm"]);
             assert_eq!(desk.read("kept.ppm"), "mine");
+        }
+    }
+
+    #[test]
+    fn no_link_in_a_folder_of_ours_is_followed() {
+        let desk = reported();
+        desk.write("home/notes.txt", "mine");
+        symlink(desk.path("home"), desk.path("page/sub")).expect("a link");
+        desk.write(LIST, desk.read(LIST) + &listed("sub/notes.txt"));
+        report(&desk, 1);
+        assert_eq!(desk.read("home/notes.txt"), "mine");
+        for name in [LIST, "page/index.html"] {
+            let desk = reported();
+            fs::rename(desk.path(name), desk.path("precious")).expect("it is moved");
+            symlink(desk.path("precious"), desk.path(name)).expect("a link");
+            let before = desk.contents();
+            report(&desk, 2);
+            assert_eq!(desk.contents(), before, "{name}");
         }
     }
 

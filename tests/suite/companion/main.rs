@@ -11,6 +11,8 @@ mod laws_command;
 mod needs_command;
 mod start;
 #[cfg(unix)]
+mod stops;
+#[cfg(unix)]
 mod terminal;
 mod typed;
 #[cfg(unix)]

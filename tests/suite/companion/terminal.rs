@@ -10,14 +10,17 @@ use std::sync::{Arc, LazyLock, Mutex};
 use std::thread::{self, JoinHandle};
 
 use rustix::fs::{Mode, OFlags};
+use rustix::io::{FdFlags, fcntl_setfd};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{Winsize, tcsetwinsize};
 use suite::command::{assert_success, path_of, program, program_with, text};
 
 /// A terminal of 80 columns and 24 lines: what it shows can be read from the first end,
 /// and a program writes to the second.
-fn open() -> (File, OwnedFd) {
+pub(crate) fn open() -> (File, OwnedFd) {
     let controller = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).expect("a terminal");
+    // What is started may not hold it, too: it is closed when we close it.
+    fcntl_setfd(&controller, FdFlags::CLOEXEC).expect("it is ours alone");
     grantpt(&controller).expect("access to the terminal");
     unlockpt(&controller).expect("the terminal is unlocked");
     let name = ptsname(&controller, Vec::new()).expect("the terminal has a name");

@@ -23,6 +23,8 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
     mine.make("red_sphere", &[]);
     let started = mine.desk.run("rtrace start normals");
     keep("start", &text(&started.stdout));
+    // The laws are built before: else the first screens come without them.
+    mine.watch_once("normals");
     let mut watch = Watched::start(&mine.rtrace(&["watch", "normals"]));
     watch.see("Not written yet");
 

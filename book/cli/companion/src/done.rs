@@ -14,6 +14,7 @@ use common::engine::output;
 use slips::{Chapter, steps};
 
 use crate::mine::{Mine, TYPED};
+use crate::short;
 use crate::wrap::hanging;
 
 /// The words behind `cargo rtrace done`.
@@ -45,6 +46,9 @@ pub(crate) fn done(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         lines.try_for_each(|line| writeln!(out, "{line}"))
     })?)
 }
+
+/// No list is longer.
+const MOST_BYTES: u64 = 1 << 22;
 
 /// The name of the list.
 pub(crate) const DONE: &str = "done.md";
@@ -95,6 +99,7 @@ impl Done {
         if let Some(folder) = self.file.parent() {
             fs::create_dir_all(folder)?;
         }
+        let length = fs::metadata(&self.file).map_or(0, |it| it.len());
         // The day of a time such as 2026-11-23T17:41:00Z.
         let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
         let line = format!("{before}- {}  {thing}\n", &now[..10]);
@@ -102,13 +107,18 @@ impl Done {
             .append(true)
             .create(true)
             .open(&self.file);
-        let added = file.and_then(|mut file| file.write_all(line.as_bytes()));
+        let added = file.and_then(|mut file| {
+            file.write_all(line.as_bytes()).inspect_err(|_| {
+                // A full disk leaves no half of a line.
+                let _ = file.set_len(length);
+            })
+        });
         added.map_err(|cause| self.named(&cause))
     }
 
     /// What the reader has made of it; nothing, if there is no list yet.
     fn text(&self) -> io::Result<String> {
-        match fs::read(&self.file) {
+        match short::bytes(&self.file, MOST_BYTES) {
             Ok(bytes) => Ok(String::from_utf8_lossy(&bytes).into_owned()),
             Err(cause) if cause.kind() == io::ErrorKind::NotFound => Ok(String::new()),
             Err(cause) => Err(self.named(&cause)),

@@ -17,7 +17,7 @@ use std::process::ExitCode;
 use std::thread;
 
 use launcher::command_line::{Command, CommandLine, Companion};
-use launcher::{book, chapter, files, misuse, show, terminal};
+use launcher::{book, chapter, files, misuse, short, show, terminal};
 
 /// Reads the words behind each command.
 struct Here;

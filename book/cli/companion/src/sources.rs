@@ -7,6 +7,8 @@ use std::path::Path;
 use check::sources::Sources;
 use slips::{Chapter, Edition, Letters};
 
+use crate::short;
+
 /// The files of a crate that `start` made, beside those of the chapter.
 pub(crate) fn of_crate(folder: &Path, chapter: Chapter) -> Sources {
     Sources::of_chapter(files_in(&folder.join("src"), "src/"), chapter)
@@ -56,9 +58,8 @@ pub(crate) fn is_source(path: &Path) -> bool {
     language(path).is_some()
 }
 
-/// No program of these chapters has more files, or a longer one.
+/// No program of these chapters has more files.
 const MOST_FILES: usize = 40;
-const MOST_BYTES: u64 = 1 << 17;
 
 /// The sources in the folder itself, by their names, with `before` before them.
 fn files_in(folder: &Path, before: &str) -> Vec<(String, String)> {
@@ -71,8 +72,7 @@ fn files_in(folder: &Path, before: &str) -> Vec<(String, String)> {
 }
 
 fn file(path: &Path, before: &str) -> Option<(String, String)> {
-    let is_short = fs::metadata(path).is_ok_and(|it| it.is_file() && it.len() <= MOST_BYTES);
-    let text = fs::read_to_string(path).ok().filter(|_| is_short)?;
+    let text = short::text(path).ok()?;
     Some((format!("{before}{}", path.file_name()?.display()), text))
 }
 

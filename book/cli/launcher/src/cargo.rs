@@ -123,17 +123,25 @@ pub fn run(mut cargo: Command, first: &str) -> io::Result<Run> {
 }
 
 /// Reads to the end what cargo says, and shows it from the first line on that tells of work.
-fn show(errors: impl BufRead, first: &str) -> String {
-    let mut said = String::new();
-    let mut is_shown = false;
-    for line in errors.split(b'\n').map_while(Result::ok) {
-        let line = String::from_utf8_lossy(&line);
-        if !is_shown && is_work(&line) {
-            is_shown = true;
+pub fn show(errors: impl BufRead, first: &str) -> String {
+    listen(errors, |line, is_first| {
+        if is_first {
             complain(first);
         }
-        if is_shown {
-            complain(&line);
+        complain(line);
+    })
+}
+
+/// Reads to the end what cargo says. From the first line on that tells of work, each is heard,
+/// with whether it is the first.
+pub fn listen(errors: impl BufRead, mut heard: impl FnMut(&str, bool)) -> String {
+    let mut said = String::new();
+    let mut is_heard = false;
+    for line in errors.split(b'\n').map_while(Result::ok) {
+        let line = String::from_utf8_lossy(&line);
+        if is_heard || is_work(&line) {
+            heard(&line, !is_heard);
+            is_heard = true;
         }
         said += &format!("{line}\n");
     }

@@ -1,7 +1,8 @@
 //! A manifest: a folder is ours to fill if it has a list of what an earlier program wrote there.
 //!
-//! Files are written where they will be, each of them whole. The list comes first, with
-//! the names of old and new, so what an interrupted program leaves is known to the next.
+//! Files are written where they will be, each of them whole. The list comes first, with the names
+//! and checksums of old and new, so what an interrupted program leaves is known to the next. A
+//! file is ours if its name and its bytes are on the list, and no link leads to it.
 
 use std::collections::BTreeSet;
 use std::error::Error;
@@ -12,9 +13,13 @@ use common::engine::output;
 use course::names::{companion, from_here, spelled};
 
 use crate::misuse::misuse;
+use crate::short;
 
 /// Files by their names as seen from a folder, with a slash between parts.
 pub type Files = Vec<(String, Vec<u8>)>;
+
+/// Lines, each with the checksum of a file and its name.
+type List = BTreeSet<String>;
 
 /// Makes `folder` hold these `files`, which are a `kind` of thing, in the place of an earlier
 /// one. All else in it stays.
@@ -23,22 +28,23 @@ pub type Files = Vec<(String, Vec<u8>)>;
 /// If one of the files would take the place of a reader's, or can't be written.
 pub fn fill(folder: &Path, kind: &str, files: &Files) -> Result<(), Box<dyn Error>> {
     let old = ours(folder, kind)?;
-    let new: BTreeSet<String> = files.iter().map(|(name, _)| name.clone()).collect();
-    let is_taken = |name: &&String| {
-        let found = folder.join(name).symlink_metadata();
-        found.is_ok_and(|found| !found.is_file() || !old.contains(*name))
-    };
-    if let Some(name) = new.iter().find(is_taken) {
+    let new: List = files
+        .iter()
+        .map(|(name, bytes)| line(name, bytes))
+        .collect();
+    let mut names = files.iter().map(|(name, _)| name);
+    if let Some(name) = names.find(|name| !is_missing(folder, name) && !is_ours(folder, name, &old))
+    {
         return Err(refused(folder, kind, name));
     }
     create(folder)?;
+    output::forget_partials(&folder.join(LIST));
     write_list(folder, kind, old.union(&new))?;
-    for name in old.difference(&new) {
-        // It may have been removed before.
-        let _ = fs::remove_file(folder.join(name));
-        for above in Path::new(name).ancestors().skip(1) {
-            // It fails for a folder with something in it, which stays.
-            let _ = fs::remove_dir(folder.join(above));
+    let names: BTreeSet<&str> = new.iter().filter_map(|it| name(it)).collect();
+    for name in old.iter().filter_map(|it| name(it)) {
+        output::forget_partials(&folder.join(name));
+        if !names.contains(name) && is_ours(folder, name, &old) {
+            remove(folder, name);
         }
     }
     for (name, bytes) in files {
@@ -47,6 +53,55 @@ pub fn fill(folder: &Path, kind: &str, files: &Files) -> Result<(), Box<dyn Erro
         output::to_file(&path, |out| out.write_all(bytes))?;
     }
     Ok(write_list(folder, kind, new.iter())?)
+}
+
+/// Removes the file, and the folders that it leaves empty.
+fn remove(folder: &Path, name: &str) {
+    // It may have been removed before.
+    let _ = fs::remove_file(folder.join(name));
+    for above in Path::new(name).ancestors().skip(1) {
+        // It fails for a folder with something in it, which stays.
+        let _ = fs::remove_dir(folder.join(above));
+    }
+}
+
+/// Whether nothing is there, and no link on the way to it.
+fn is_missing(folder: &Path, name: &str) -> bool {
+    let found = folder.join(name).symlink_metadata();
+    found.is_err_and(|cause| cause.kind() == io::ErrorKind::NotFound) && has_no_link(folder, name)
+}
+
+/// Whether a file is there that is on the list, and no link on the way to it.
+fn is_ours(folder: &Path, name: &str, list: &List) -> bool {
+    let path = folder.join(name);
+    let is_file = path.symlink_metadata().is_ok_and(|it| it.is_file());
+    let is_listed =
+        || short::bytes(&path, LONGEST).is_ok_and(|bytes| list.contains(&line(name, &bytes)));
+    is_file && has_no_link(folder, name) && is_listed()
+}
+
+/// Whether only folders are on the way to the file, or nothing yet.
+fn has_no_link(folder: &Path, name: &str) -> bool {
+    let mut above = Path::new(name).ancestors().skip(1);
+    above.all(|above| {
+        let found = folder.join(above).symlink_metadata();
+        above.as_os_str().is_empty() || found.map_or(true, |found| found.is_dir())
+    })
+}
+
+/// The file as the list has it.
+fn line(name: &str, bytes: &[u8]) -> String {
+    format!("{:08x} {name:?}", crc32fast::hash(bytes))
+}
+
+/// The name on a line of the list, if it leads to a place in the folder: anybody may have written
+/// into the list.
+fn name(line: &str) -> Option<&str> {
+    let (_, name) = line.split_once(' ')?;
+    let name = name.trim_matches('"');
+    let mut parts = Path::new(name).components();
+    let is_inside = parts.all(|part| matches!(part, Component::Normal(_)));
+    is_inside.then_some(name)
 }
 
 /// Refuses now a folder that [`fill`] would refuse in the end: until then much may be computed.
@@ -72,19 +127,28 @@ pub fn read(folder: &Path) -> io::Result<Files> {
     Ok(files)
 }
 
-/// The name of the list.
+/// The name of the list, and how long it may be.
 const LIST: &str = ".rtrace-manifest";
+const MOST_BYTES: u64 = 1 << 20;
 
-/// The files in `folder` that an earlier program wrote there as a `kind` of thing. A folder
-/// without their list must be new, or hold nothing but what is hidden.
-fn ours(folder: &Path, kind: &str) -> Result<BTreeSet<String>, Box<dyn Error>> {
-    let list = fs::read_to_string(folder.join(LIST)).unwrap_or_default();
-    if let Some(names) = list.strip_prefix(&heading(kind)) {
-        let names = names.lines().map(|line| line.trim_matches('"'));
-        return Ok(names.filter(is_inside).map(str::to_owned).collect());
+/// No file that is written here is longer.
+const LONGEST: u64 = 1 << 26;
+
+/// The list of what an earlier program wrote into `folder` as a `kind` of thing. A folder without
+/// it must be new, or hold nothing but what is hidden.
+fn ours(folder: &Path, kind: &str) -> Result<List, Box<dyn Error>> {
+    let list = folder.join(LIST);
+    if let Ok(found) = list.symlink_metadata() {
+        let text = short::bytes(&list, MOST_BYTES)
+            .ok()
+            .filter(|_| found.is_file());
+        let text = text.and_then(|bytes| String::from_utf8(bytes).ok());
+        let lines = text.as_ref().and_then(|it| it.strip_prefix(&heading(kind)));
+        let lines = lines.ok_or_else(|| refused(folder, kind, LIST))?;
+        return Ok(lines.lines().map(str::to_owned).collect());
     }
     let entries = match fs::read_dir(folder) {
-        Err(cause) if cause.kind() == io::ErrorKind::NotFound => return Ok(BTreeSet::new()),
+        Err(cause) if cause.kind() == io::ErrorKind::NotFound => return Ok(List::new()),
         entries => {
             entries.map_err(|cause| format!("cannot look into {}: {cause}", from_here(folder)))?
         }
@@ -92,14 +156,8 @@ fn ours(folder: &Path, kind: &str) -> Result<BTreeSet<String>, Box<dyn Error>> {
     let names = entries.flatten().map(|entry| spelled(entry.file_name()));
     match names.filter(|name| !name.starts_with('.')).min() {
         Some(name) => Err(refused(folder, kind, &name)),
-        None => Ok(BTreeSet::new()),
+        None => Ok(List::new()),
     }
-}
-
-/// Whether the name leads to a place in the folder: anybody may have written into the list.
-fn is_inside(name: &&str) -> bool {
-    let mut parts = Path::new(name).components();
-    parts.all(|part| matches!(part, Component::Normal(_)))
 }
 
 fn refused(folder: &Path, kind: &str, name: &str) -> Box<dyn Error> {
@@ -114,9 +172,9 @@ fn refused(folder: &Path, kind: &str, name: &str) -> Box<dyn Error> {
 fn write_list<'a>(
     folder: &Path,
     kind: &str,
-    names: impl Iterator<Item = &'a String>,
+    lines: impl Iterator<Item = &'a String>,
 ) -> io::Result<()> {
-    let lines: String = names.map(|name| format!("{name:?}\n")).collect();
+    let lines: String = lines.map(|line| format!("{line}\n")).collect();
     let list = heading(kind) + &lines;
     output::to_file(&folder.join(LIST), |out| out.write_all(list.as_bytes()))
 }

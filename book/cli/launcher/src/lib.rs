@@ -11,6 +11,7 @@ pub mod draw;
 pub mod files;
 pub mod misuse;
 pub mod save;
+pub mod short;
 pub mod show;
 pub mod terminal;
 

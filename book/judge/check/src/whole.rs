@@ -53,6 +53,8 @@ pub enum Laws {
     UnwrittenPrelude(String),
     /// They were not tried to the end, or nothing is said of a law.
     Unknown(String),
+    /// They are still being built.
+    Coming,
 }
 
 /// What is known of a picture and the program behind it.
@@ -194,6 +196,13 @@ impl Evidence<'_> {
                 };
             }
             Some(Laws::Unknown(errors)) => ("the laws can't be tried", printed(errors)),
+            Some(Laws::Coming) => {
+                return Verdict {
+                    headline: "The picture is right. The laws are still being built.".to_owned(),
+                    next: "as soon as they are, they ask your functions".to_owned(),
+                    ..verdict
+                };
+            }
             Some(Laws::Obeyed) | None => {
                 let headline = format!(
                     "Right{}: all {width} × {height} pixels, to the last bit.",

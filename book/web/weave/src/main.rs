@@ -5,10 +5,11 @@
 
 use std::error::Error;
 use std::ffi::OsString;
-use std::io;
 use std::path::Path;
 use std::process::ExitCode;
+use std::{fs, io};
 
+use common::engine::output;
 use launcher::files;
 use launcher::misuse::{exit_code, misuse};
 
@@ -29,7 +30,11 @@ const KIND: &str = "book";
 /// Weaves beside the old book, which stays until the new one is whole.
 fn replace(source: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     files::refuse_strangers(folder, KIND)?;
-    let woven = tempfile::tempdir()?;
-    weave::weave(source, woven.path())?;
-    files::fill(folder, KIND, &files::read(woven.path())?)
+    let new = folder.join("new");
+    output::forget_partials(&new);
+    let woven = output::partial(&new)?;
+    fs::create_dir_all(&woven).map_err(|cause| format!("cannot write {folder:?}: {cause}"))?;
+    let read = weave::weave(source, &woven).and_then(|()| Ok(files::read(&woven)?));
+    fs::remove_dir_all(&woven)?;
+    files::fill(folder, KIND, &read?)
 }

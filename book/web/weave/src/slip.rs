@@ -76,7 +76,9 @@ pub(crate) fn symptoms(notes: &Path, shown: &str) -> Result<String, String> {
     let cards: Result<String, String> = parts.into_iter().zip(shown).map(card).collect();
     let mut names: Vec<&str> = slips::all().map(|slip| slip.name).collect();
     names.sort_unstable();
-    let links = names.iter().map(|name| format!("<a href=\"#{name}\">{name}</a>"));
+    let links = names
+        .iter()
+        .map(|name| format!("<a href=\"#{name}\">{name}</a>"));
     let links: Vec<String> = links.collect();
     Ok(format!(
         "<div class=\"symptoms\">{}</div>\n\n## By name\n\n<p>{}</p>",

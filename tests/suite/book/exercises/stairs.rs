@@ -4,13 +4,7 @@ use common::rtweekend::*;
 use hittable_list::HitRecord;
 
 /// The nearest hit with `t_min` < `t` < `t_max`, if there is one.
-fn hit_sphere(
-    center: Point3,
-    radius: f64,
-    ray: &Ray,
-    t_min: f64,
-    t_max: f64,
-) -> Option<HitRecord> {
+fn hit_sphere(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
     let oc = center - ray.origin;
     let a = ray.direction.length_squared();
     let h = ray.direction.dot(oc);

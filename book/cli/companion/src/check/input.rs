@@ -5,11 +5,14 @@ use std::fmt;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
 use std::time::Duration;
 
 use check::names;
 use check::reading::{Cause, MOST_BYTES};
 
+use crate::misuse::complain;
 use crate::subprocess;
 
 /// A place to read a picture from.
@@ -36,7 +39,7 @@ impl<'a> Source<'a> {
     /// not take longer than `limit`.
     pub(crate) fn read(&self, limit: Duration) -> Result<Vec<u8>, Cause> {
         match self {
-            Self::File(path) => File::open(path).and_then(limited).map_err(|cause| {
+            Self::File(path) => opened(path).and_then(limited).map_err(|cause| {
                 let problem = format!("it can't be read: {cause}");
                 Cause::new("unreadable", problem, "Is this the name of your picture?")
             }),
@@ -60,6 +63,23 @@ impl fmt::Display for Source<'_> {
             }
         }
     }
+}
+
+/// Opens the file. A pipe is waited for until somebody writes into it, and that is said.
+fn opened(path: &Path) -> io::Result<File> {
+    const PATIENCE: Duration = Duration::from_secs(1);
+    let (opened, ends) = mpsc::channel::<()>();
+    let name = names::spelled(path);
+    thread::spawn(move || {
+        if ends.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+            complain(&format!(
+                "{name} is a pipe: it waits until a program writes into it"
+            ));
+        }
+    });
+    let file = File::open(path);
+    drop(opened);
+    file
 }
 
 /// Reads to the end, or one byte more than a picture may have, so that the

@@ -6,7 +6,6 @@
 mod text;
 
 use std::error::Error;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicU64;
 use std::sync::atomic::Ordering::Relaxed;
@@ -23,6 +22,7 @@ use measure::wrong_pixels;
 use speed_vs_accuracy::{METHODS, Precision, Scene};
 
 use crate::misuse::misuse;
+use crate::short;
 
 /// The words behind `cargo rtrace needs`.
 #[derive(Args)]
@@ -121,7 +121,7 @@ fn progress() -> impl Fn(usize, usize) + Sync {
 /// If it can't be read; or its first mistake, with line and column.
 fn read(path: &Path) -> Result<Scene, Box<dyn Error>> {
     let shown = names::spelled(path);
-    let text = fs::read_to_string(path).map_err(|cause| {
+    let text = short::text(path).map_err(|cause| {
         misuse(&format!(
             "cannot read {shown}: {cause}\nA scene is a TOML file; --help shows an example."
         ))

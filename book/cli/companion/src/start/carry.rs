@@ -10,6 +10,8 @@ use interpreter::nesting;
 use skeletons::{How, source};
 use slips::Chapter;
 
+use crate::short;
+
 /// The crate that a reader wrote for a chapter.
 pub(super) struct Written {
     chapter: String,
@@ -22,7 +24,7 @@ pub(super) struct Written {
 
 impl Written {
     pub(super) fn read(folder: &Path) -> Self {
-        let text = fs::read_to_string(folder.join("src/lib.rs"));
+        let text = short::text(&folder.join("src/lib.rs"));
         let items = text.map_err(|cause| format!("src/lib.rs: {cause}"));
         let chapter = folder.file_name().unwrap_or_default();
         Self {

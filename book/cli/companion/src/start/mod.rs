@@ -4,9 +4,10 @@ mod carry;
 mod settings;
 
 use std::error::Error;
+use std::fs::{self, File};
 use std::hash::{BuildHasher, Hasher, RandomState};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 use carry::Written;
 use check::names::from_here;
@@ -60,7 +61,7 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let before = TYPED.into_iter().rev().filter(|&it| it < chapter);
     let before = before.map(|it| mine.of(it)).find(|it| it.is_dir());
     let new = New::compose(arguments, before.as_deref(), &folder)?;
-    new.write(&folder).map_err(failed)?;
+    new.make(&folder).map_err(failed)?;
     let said = new.as_text(&mine);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
@@ -68,6 +69,8 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 /// A crate that is about to be written.
 struct New {
     chapter: Chapter,
+    /// The crate of the chapter before.
+    before: Option<PathBuf>,
     /// Files to be copied as they are, each with the name that it gets.
     copies: Vec<(PathBuf, PathBuf)>,
     /// The other files, by their names. One of the chapter takes the place of a copy.
@@ -108,13 +111,28 @@ impl New {
         });
         Ok(Self {
             chapter,
+            before: before.map(Path::to_owned),
             copies,
             files: files.filter(|(_, text)| !text.is_empty()).collect(),
             carried: carried.said,
         })
     }
 
-    /// Writes all files into the folder.
+    /// Makes the whole folder beside its place, and moves it there.
+    fn make(&self, folder: &Path) -> io::Result<()> {
+        output::forget_partials(folder);
+        let partial = output::partial(folder)?;
+        let made = self
+            .write(&partial)
+            .and_then(|()| fs::rename(&partial, folder));
+        if made.is_err() {
+            // The first failure is the one to report, whether or not this works.
+            let _ = fs::remove_dir_all(&partial);
+        }
+        made
+    }
+
+    /// Writes all files into the folder. What was private stays so.
     fn write(&self, folder: &Path) -> io::Result<()> {
         let place = |name: &Path| {
             let path = folder.join(name);
@@ -125,8 +143,32 @@ impl New {
             fs::copy(file, place(name)?)?;
         }
         for (name, text) in &self.files {
-            fs::write(place(name.as_ref())?, text)?;
+            let mut file = File::create(place(name.as_ref())?)?;
+            self.keep_private(&file, name)?;
+            file.write_all(text.as_bytes())?;
         }
+        #[cfg(unix)]
+        self.keep_private(&File::open(folder)?, "")?;
+        Ok(())
+    }
+
+    /// Lets a file be read by nobody who can't read that of the chapter before; what is new there,
+    /// by nobody who can't read `src/lib.rs`.
+    #[cfg(unix)]
+    fn keep_private(&self, file: &File, name: &str) -> io::Result<()> {
+        use std::os::unix::fs::PermissionsExt;
+        let Some(before) = &self.before else {
+            return Ok(());
+        };
+        let names = [name, "src/lib.rs"].map(|it| before.join(it));
+        let old = names.iter().find_map(|it| fs::metadata(it).ok());
+        let may = file.metadata()?.permissions().mode();
+        let may_before = old.map_or(may, |it| it.permissions().mode());
+        file.set_permissions(fs::Permissions::from_mode(may & (may_before | 0o700)))
+    }
+
+    #[cfg(not(unix))]
+    fn keep_private(&self, _file: &File, _name: &str) -> io::Result<()> {
         Ok(())
     }
 

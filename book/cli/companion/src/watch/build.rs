@@ -1,13 +1,18 @@
 //! Cargo as a subprocess, whose messages are JSON: what was built, or why not.
 
 use std::ffi::OsString;
+use std::io::BufReader;
 use std::path::Path;
-use std::process::Command;
+use std::process::{ChildStderr, Command, Stdio};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::time::Duration;
 
 use check::names;
 use launcher::cargo;
 use serde_json::Value;
 
+use crate::subprocess::{self, End};
 use crate::terminal::Palette;
 
 /// The programs of a reader's crate.
@@ -32,43 +37,93 @@ const PRELUDE: &str = "\nBuilding the prelude for all your crates: once, about a
 const LAWS: &str =
     "\nBuilding the laws, which test your functions, for all your crates: once, about a minute";
 
-/// Builds the crate in `folder`.
-pub(super) fn build(folder: &Path) -> Result<Built, Problem> {
-    let messages = cargo_says(folder, &["build"], PRELUDE)?;
+/// Why there is nothing to judge.
+pub(super) enum Stop {
+    /// Something newer was saved.
+    Old,
+    /// Cargo has not built it.
+    NotBuilt(Problem),
+}
+
+/// Builds the crate in `folder`, unless `is_old` says that there is a newer one.
+pub(super) fn build(folder: &Path, is_old: &mut dyn FnMut() -> bool) -> Result<Built, Stop> {
+    let show = |errors| cargo::show(errors, PRELUDE);
+    let messages = cargo_says(folder, &["build"], show, is_old)?;
     let missing = "the crate has no program: src/main.rs is missing";
+    let problem = || Stop::NotBuilt(problem(&[], missing));
     Ok(Built {
-        program: executable(&messages, "bin").ok_or_else(|| problem(&[], missing))?,
+        program: executable(&messages, "bin").ok_or_else(problem)?,
         warnings: warnings(&messages),
     })
 }
 
 /// Builds the test that puts under the laws what the crate computes, if it computes something.
-pub(super) fn laws(folder: &Path) -> Result<Option<OsString>, Problem> {
-    if !folder.join("tests/laws.rs").is_file() {
-        return Ok(None);
-    }
-    let messages = cargo_says(folder, &["test", "--no-run", "--test", "laws"], LAWS)?;
+pub(super) fn laws(
+    folder: &Path,
+    is_old: &mut dyn FnMut() -> bool,
+) -> Result<Option<OsString>, Stop> {
+    let show = |errors| cargo::show(errors, LAWS);
+    let messages = cargo_says(folder, &TEST, show, is_old)?;
     Ok(executable(&messages, "test"))
 }
 
-/// What cargo says of this, if it succeeds, and `first` before it if it takes its time.
-fn cargo_says(folder: &Path, words: &[&str], first: &str) -> Result<Vec<Value>, Problem> {
+/// The same if cargo has nothing else to build than the crate.
+pub(super) fn laws_at_once(
+    folder: &Path,
+    is_old: &mut dyn FnMut() -> bool,
+) -> Result<Option<OsString>, Stop> {
+    let (works, is_heard) = (Arc::new(AtomicBool::new(false)), AtomicBool::load);
+    let heard = Arc::clone(&works);
+    let listen = move |errors| cargo::listen(errors, |_, _| heard.store(true, Relaxed));
+    let mut ends = || is_heard(&works, Relaxed) || is_old();
+    match cargo_says(folder, &TEST, listen, &mut ends) {
+        Err(Stop::Old) if is_heard(&works, Relaxed) => Ok(None),
+        messages => Ok(executable(&messages?, "test")),
+    }
+}
+
+/// What builds the test that asks the laws.
+const TEST: [&str; 4] = ["test", "--no-run", "--test", "laws"];
+
+/// The command that has cargo do this for the crate in `folder`.
+pub(super) fn command(folder: &Path, words: &[&str]) -> Command {
     let mut command = Command::new(cargo::cargo());
-    command.args(words);
+    command.args(words).current_dir(folder);
+    command
+        .env("CARGO_TERM_COLOR", "never")
+        .stdin(Stdio::null());
+    command
+}
+
+/// What cargo says of this, if it succeeds; what it says besides, `listen` hears.
+fn cargo_says(
+    folder: &Path,
+    words: &[&str],
+    listen: impl FnOnce(BufReader<ChildStderr>) -> String + Send + 'static,
+    is_old: &mut dyn FnMut() -> bool,
+) -> Result<Vec<Value>, Stop> {
+    let mut command = command(folder, words);
     command.arg(match Palette::of_stdout() {
         Some(_) => "--message-format=json-diagnostic-rendered-ansi",
         None => "--message-format=json",
     });
-    command.current_dir(folder);
-    let run = cargo::run(command, first)
-        .map_err(|cause| problem(&[], &format!("cargo does not start: {cause}")))?;
-    let printed = String::from_utf8_lossy(&run.printed);
-    let messages = printed.lines().map(serde_json::from_str);
-    let messages: Vec<Value> = messages.filter_map(Result::ok).collect();
-    if !run.status.success() {
-        return Err(problem(&messages, &run.said));
+    let listen = |errors| listen(BufReader::new(errors));
+    let failed = |messages: &[Value], said: &str| Err(Stop::NotBuilt(problem(messages, said)));
+    match subprocess::run(command, Duration::MAX, listen, is_old) {
+        Ok((End::Itself(status, printed), said)) => {
+            let printed = String::from_utf8_lossy(&printed);
+            let messages = printed.lines().map(serde_json::from_str);
+            let messages: Vec<Value> = messages.filter_map(Result::ok).collect();
+            if status.success() {
+                Ok(messages)
+            } else {
+                failed(&messages, &said)
+            }
+        }
+        Ok((End::Interrupted, _)) => Err(Stop::Old),
+        Ok((End::Full(_) | End::TooSlow, _)) => failed(&[], "cargo says too much"),
+        Err(cause) => failed(&[], &format!("cargo does not start: {cause}")),
     }
-    Ok(messages)
 }
 
 /// The compiler's warnings, each with its file and line. A program and its test have some in common.

@@ -55,9 +55,9 @@ impl Changes {
         changed(&self.judged, &now).any(|path| self.is_typed(path))
     }
 
-    /// Waits for a save, or returns at once if there was one since the program was
-    /// started; `false` if the folder is gone.
-    pub(super) fn wait(&mut self) -> bool {
+    /// Waits for a save, or until `has_ended` says that there is nothing to wait for; returns at
+    /// once if there was a save since the program was started. `false` if the folder is gone.
+    pub(super) fn wait(&mut self, has_ended: &mut dyn FnMut() -> bool) -> bool {
         let now = files_in(&self.folder);
         let mut again = changed(&self.judged, &now).any(|path| self.is_typed(path));
         self.judged = now;
@@ -68,7 +68,7 @@ impl Changes {
                 return false;
             }
             let saved: Vec<PathBuf> = changed(&self.judged, &now).cloned().collect();
-            again = !saved.is_empty();
+            again = !saved.is_empty() || has_ended();
             self.typed.extend(saved);
             self.judged = now;
         }

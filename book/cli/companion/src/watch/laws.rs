@@ -3,7 +3,6 @@
 use std::ffi::OsStr;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 use std::time::Duration;
 
 use ::laws::answers::{ANSWERS, Answers, Told};
@@ -11,6 +10,7 @@ use ::laws::{Complaint, Outcome};
 use check::whole::Laws;
 use slips::{Chapter, Letters, lawful};
 
+use crate::short;
 use crate::subprocess::{self, End};
 
 /// What came of the test of a reader's crate.
@@ -25,6 +25,14 @@ pub(super) struct Asked {
     pub(super) unwritten: Vec<String>,
 }
 
+/// Reads what the test has written into the file of its answers, which then goes.
+fn answered(file: &Path) -> String {
+    const MOST_BYTES: u64 = 1 << 26;
+    let bytes = short::bytes(file, MOST_BYTES).unwrap_or_default();
+    let _ = fs::remove_file(file);
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
 /// Runs the test of a reader's crate.
 pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration) -> Asked {
     let unknown = |why| Asked {
@@ -33,11 +41,10 @@ pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration
         obeyed: Vec::new(),
         unwritten: Vec::new(),
     };
-    let Ok(kept) = tempfile::tempdir() else {
-        return unknown("there is no room for a folder of answers".to_owned());
-    };
-    let file = kept.path().join("answers");
-    let mut command = Command::new(test);
+    // Among what cargo builds: what an interrupted run leaves there is written over by the next.
+    let file = Path::new(test).with_extension("answers");
+    let _ = fs::remove_file(&file);
+    let mut command = subprocess::command(&[test.to_owned()]);
     // One after the other: all add to one file.
     command.args(["--nocapture", "--test-threads=1"]);
     command.current_dir(folder).env(ANSWERS, &file);
@@ -46,7 +53,7 @@ pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration
         Ok(_) => return unknown(format!("the laws were not done within {limit:?}")),
         Err(cause) => return unknown(cause.to_string()),
     };
-    let Told { answers, outcomes } = Told::read(&fs::read_to_string(&file).unwrap_or_default());
+    let Told { answers, outcomes } = Told::read(&answered(&file));
     let (obeyed, complaints): (Vec<_>, Vec<_>) = outcomes
         .into_iter()
         .partition(|(_, outcome)| outcome.is_ok());

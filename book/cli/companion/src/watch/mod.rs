@@ -1,11 +1,13 @@
 //! `watch`: a loop from each save to a verdict, one screen long.
 
+mod background;
 mod build;
 mod changes;
 mod laws;
 mod screen;
 mod verdict;
 
+use std::cell::Cell;
 use std::env;
 use std::error::Error;
 use std::ffi::OsString;
@@ -17,7 +19,7 @@ use check::known::Known;
 use check::names::{companion, from_here};
 use check::reading::read;
 use check::scene::Scene;
-use check::whole::{Evidence, Line, Verdict, step_is_done};
+use check::whole::{Evidence, Laws, Line, Verdict, step_is_done};
 use clap::Args;
 use common::engine::output;
 use common::rtweekend::Picture;
@@ -31,7 +33,8 @@ use crate::mine::{self, Mine, TYPED};
 use crate::misuse::misuse;
 use crate::sources;
 use crate::subprocess::{self, End};
-use build::{Built, Problem};
+use background::Background;
+use build::{Built, Stop};
 use changes::Changes;
 use laws::Asked;
 
@@ -68,12 +71,21 @@ pub(crate) struct Arguments {
 pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     let subject = Subject::of(arguments)?;
     let mut changes = Changes::below(&subject.folder);
+    let mut laws = Background::default();
     loop {
+        laws.pause();
         let start = Instant::now();
         if screen::replaces_the_last() {
             output::to_stdout(|out| out.write_all("judging …".as_bytes()))?;
         }
-        let verdict = subject.judge(&mut || !arguments.once && changes.has_a_save());
+        let waits = arguments.once || laws.is_done();
+        let mut is_old = || !arguments.once && (changes.has_a_save() || screen::is_closed());
+        let verdict = subject.judge(waits, &mut is_old);
+        let verdict = match verdict {
+            Ok(verdict) => Some(verdict),
+            Err(Stop::NotBuilt(problem)) => Some(verdict::not_built(&problem)),
+            Err(Stop::Old) => None,
+        };
         if let Some(verdict) = &verdict {
             let news = subject.done.add_all(&verdict.done);
             let news = news.unwrap_or_else(|problem| vec![problem.to_string()]);
@@ -84,8 +96,17 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
             let is_right = verdict.is_some_and(|it| it.is_right);
             return Ok(ExitCode::from(u8::from(!is_right)));
         }
-        if !changes.wait() {
+        if verdict.is_some() && subject.program.is_empty() {
+            laws.go_on(&subject.folder);
+        }
+        // Once they are built, they are asked if they were missed.
+        let mut has_ended =
+            || screen::is_closed() || laws.has_ended() && subject.misses_laws.take();
+        if !changes.wait(&mut has_ended) {
             return Err(format!("{} is not there any more", from_here(&subject.folder)).into());
+        }
+        if screen::is_closed() {
+            return Ok(ExitCode::SUCCESS);
         }
     }
 }
@@ -102,6 +123,8 @@ struct Subject {
     limit: Duration,
     done: Done,
     mine: Mine,
+    /// Whether the last verdict came without the laws.
+    misses_laws: Cell<bool>,
 }
 
 impl Subject {
@@ -136,6 +159,7 @@ impl Subject {
             limit,
             done,
             mine,
+            misses_laws: Cell::new(false),
         })
     }
 
@@ -147,48 +171,55 @@ impl Subject {
         }
     }
 
-    /// Builds, draws and compares; `None` if `is_old` says meanwhile that there is something
-    /// newer to judge.
-    fn judge(&self, is_old: &mut dyn FnMut() -> bool) -> Option<Verdict> {
+    /// Builds, draws and compares, and waits for the laws if it `waits`, unless `is_old` says
+    /// meanwhile that there is something newer to judge.
+    fn judge(&self, waits: bool, is_old: &mut dyn FnMut() -> bool) -> Result<Verdict, Stop> {
+        self.misses_laws.set(false);
         let is_crate = self.program.is_empty();
-        let built = match is_crate.then(|| build::build(&self.folder)).transpose() {
-            Ok(built) => built,
-            Err(problem) => return Some(verdict::not_built(&problem)),
-        };
+        let built = is_crate.then(|| build::build(&self.folder, is_old));
+        let built = built.transpose()?;
         let words = match &built {
             Some(built) => vec![built.program.clone(), "-".into()],
             None => self.program.clone(),
         };
         let mut command = subprocess::command(&words);
         command.current_dir(&self.folder);
-        Some(
-            match subprocess::run(command, self.limit, subprocess::last, is_old) {
-                Ok((End::Interrupted, _)) => return None,
-                Ok((End::Itself(status, bytes), _)) if status.success() => {
-                    self.of_picture(&bytes, built)
-                }
-                Ok((End::Full(bytes), _)) => self.of_picture(&bytes, built),
-                Ok((End::Itself(status, _), errors)) => {
-                    match verdict::not_written_yet(&errors).next() {
-                        Some(place) if !is_crate || self.scene.chapter == Chapter::RedSphere => {
-                            verdict::not_written(self.scene.chapter, place, None)
-                        }
-                        Some(place) => match self.laws() {
-                            Ok(asked) => verdict::not_written(self.scene.chapter, place, asked),
-                            Err(problem) => verdict::not_built(&problem),
-                        },
-                        None => verdict::failed(&status, &errors),
+        let ran = match subprocess::run(command, self.limit, subprocess::last, is_old) {
+            Ok(ran) => ran,
+            Err(cause) => return Ok(verdict::not_started(&words[0], &cause)),
+        };
+        let mut ask = || self.laws(waits, is_old);
+        match ran {
+            (End::Interrupted, _) => Err(Stop::Old),
+            (End::Itself(status, bytes), _) if status.success() => {
+                self.of_picture(&bytes, built, &mut ask)
+            }
+            (End::Full(bytes), _) => self.of_picture(&bytes, built, &mut ask),
+            (End::Itself(status, _), errors) => {
+                let chapter = self.scene.chapter;
+                Ok(match verdict::not_written_yet(&errors).next() {
+                    Some(place) if !is_crate || chapter == Chapter::RedSphere => {
+                        verdict::not_written(chapter, place, None)
                     }
-                }
-                Ok((End::TooSlow, errors)) => verdict::too_slow(self.limit, &errors),
-                Err(cause) => verdict::not_started(&words[0], &cause),
-            },
-        )
+                    Some(place) => verdict::not_written(chapter, place, ask()?),
+                    None => verdict::failed(&status, &errors),
+                })
+            }
+            (End::TooSlow, errors) => Ok(verdict::too_slow(self.limit, &errors)),
+        }
     }
 
-    /// What the test says that puts the crate under the laws.
-    fn laws(&self) -> Result<Option<Asked>, Problem> {
-        let test = build::laws(&self.folder)?;
+    /// What the test says that puts the crate under the laws, if it is built.
+    fn laws(&self, waits: bool, is_old: &mut dyn FnMut() -> bool) -> Result<Option<Asked>, Stop> {
+        if !self.folder.join("tests/laws.rs").is_file() {
+            return Ok(None);
+        }
+        let test = if waits {
+            build::laws(&self.folder, is_old)?
+        } else {
+            build::laws_at_once(&self.folder, is_old)?
+        };
+        self.misses_laws.set(test.is_none());
         Ok(test.map(|test| laws::ask(&test, self.scene.chapter, &self.folder, self.limit)))
     }
 
@@ -203,7 +234,12 @@ impl Subject {
     }
 
     /// The verdict on a picture, with all that is known of the program.
-    fn of_picture(&self, bytes: &[u8], built: Option<Built>) -> Verdict {
+    fn of_picture(
+        &self,
+        bytes: &[u8],
+        built: Option<Built>,
+        ask: &mut dyn FnMut() -> Result<Option<Asked>, Stop>,
+    ) -> Result<Verdict, Stop> {
         let chapter = self.scene.chapter;
         let is_crate = built.is_some();
         let (sources, letters) = if is_crate {
@@ -219,11 +255,7 @@ impl Subject {
         };
         let warnings = built.map_or_else(Vec::new, |it| it.warnings);
         let asks = is_crate && !self.is_before_the_laws(bytes);
-        let asked = asks.then(|| self.laws()).transpose().map(Option::flatten);
-        let asked = match asked {
-            Ok(asked) => asked,
-            Err(problem) => return verdict::not_built(&problem),
-        };
+        let asked = asks.then(ask).transpose()?.flatten();
         let answers = asked.as_ref().map(|it| &it.answers);
         let unlike = answers.map(|answers| {
             |program: &Program| lawful::unlike(answers, chapter, program, MOST_UNLIKE)
@@ -243,7 +275,10 @@ impl Subject {
         let evidence = Evidence {
             scene: &self.scene,
             known: &known,
-            laws: asked.as_ref().map(|it| &it.outcome),
+            laws: match &asked {
+                None if self.misses_laws.get() => Some(&Laws::Coming),
+                asked => asked.as_ref().map(|it| &it.outcome),
+            },
             watch: &|probe| self.watch(probe),
             start: &|chapter| self.start(chapter),
         };
@@ -256,7 +291,7 @@ impl Subject {
                 .cause
                 .push(Line::Labeled("the laws".to_owned(), text));
         }
-        verdict
+        Ok(verdict)
     }
 
     /// The command that watches this, or a probe of it.

@@ -47,6 +47,21 @@ pub(super) fn replaces_the_last() -> bool {
         && env::var_os("TERM").is_some_and(|term| term != "dumb" && !term.is_empty())
 }
 
+/// Whether nobody reads any more what is printed, as behind `| head -1`.
+pub(super) fn is_closed() -> bool {
+    #[cfg(unix)]
+    {
+        use rustix::event::{PollFd, PollFlags, Timespec, poll};
+        let stdout = stdout();
+        let mut asked = [PollFd::new(&stdout, PollFlags::empty())];
+        let at_once = Timespec::default();
+        let broken = PollFlags::ERR | PollFlags::NVAL | PollFlags::HUP;
+        poll(&mut asked, Some(&at_once)).is_ok() && asked[0].revents().intersects(broken)
+    }
+    #[cfg(not(unix))]
+    false
+}
+
 /// What is judged, and how long that took.
 fn head(title: &str, took: Duration) -> String {
     let style = Style::of_stdout();

@@ -1,0 +1,68 @@
+//! A background build: while a reader types, cargo builds the laws at the lowest priority.
+//!
+//! It stops for each save, since cargo builds one thing at a time in a folder, and goes on from
+//! there. So nobody waits for the laws who has typed for some minutes.
+
+use std::io::BufReader;
+use std::path::Path;
+use std::process::Stdio;
+use std::thread;
+
+use launcher::cargo;
+
+use super::build;
+use crate::misuse::complain;
+use crate::subprocess::Running;
+
+const MEANWHILE: &str = "Meanwhile, the laws are built, which test your functions: about a minute, once, and no save waits";
+
+/// Cargo, as it builds all that the tests of a reader's crate stand on.
+#[derive(Default)]
+pub(super) struct Background {
+    running: Option<Running>,
+    /// Whether all is built that can be.
+    is_done: bool,
+}
+
+impl Background {
+    /// Begins, or goes on, unless all is built.
+    pub(super) fn go_on(&mut self, folder: &Path) {
+        if self.is_done {
+            return;
+        }
+        // What the crate lacks to be compiled keeps nothing else from it.
+        let mut cargo = build::command(folder, &["build", "--tests", "--keep-going"]);
+        cargo.stdout(Stdio::null()).stderr(Stdio::piped());
+        // Without it, the laws are built when they are asked.
+        self.running = Running::start(&mut cargo).ok();
+        if let Some(running) = &mut self.running {
+            running.gives_way();
+            let errors = running.errors.take().expect("it is piped");
+            let say = |_: &str, is_first| {
+                if is_first {
+                    complain(MEANWHILE);
+                }
+            };
+            thread::spawn(move || cargo::listen(BufReader::new(errors), say));
+        }
+    }
+
+    /// Whether it has just ended by itself.
+    pub(super) fn has_ended(&mut self) -> bool {
+        let ended = |it: &mut Running| it.ended().ok().flatten().is_some();
+        let has_ended = self.running.as_mut().is_some_and(ended);
+        self.is_done |= has_ended;
+        has_ended
+    }
+
+    /// Stops at once.
+    pub(super) fn pause(&mut self) {
+        self.has_ended();
+        self.running = None;
+    }
+
+    /// Whether all is built that can be.
+    pub(super) fn is_done(&self) -> bool {
+        self.is_done
+    }
+}

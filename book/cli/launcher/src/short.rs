@@ -1,0 +1,43 @@
+//! Reading with limits: what is read is a file, and short. Its type and its size come before the
+//! first byte, and to open it waits for nobody.
+
+use std::fs::OpenOptions;
+use std::io::{self, Read};
+use std::path::Path;
+
+/// No source, manifest, list or scene of these chapters is longer.
+pub const MOST_BYTES: u64 = 1 << 17;
+
+/// Reads the text of a file.
+///
+/// # Errors
+/// If it is no file, such as a folder or a pipe, if it has more than [`MOST_BYTES`], if it is no
+/// text, and if it can't be read.
+pub fn text(path: &Path) -> io::Result<String> {
+    io::read_to_string(&*bytes(path, MOST_BYTES)?)
+}
+
+/// Reads a file.
+///
+/// # Errors
+/// If it is no file, such as a folder or a pipe, if it has more than `most` bytes, and if it can't
+/// be read.
+pub fn bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+    let mut options = OpenOptions::new();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        // A pipe would wait for somebody who writes into it.
+        options.custom_flags(rustix::fs::OFlags::NONBLOCK.bits() as i32);
+    }
+    let file = options.read(true).open(path)?;
+    if !file.metadata()?.is_file() {
+        return Err(io::Error::other("it is no file"));
+    }
+    let mut bytes = Vec::new();
+    file.take(most + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > most {
+        return Err(io::Error::other(format!("it has more than {most} bytes")));
+    }
+    Ok(bytes)
+}

@@ -1,0 +1,215 @@
+//! Stops: whatever ends a program of a reader's, or us, nothing of it runs on and no file is left.
+
+use std::fs;
+use std::os::unix::process::CommandExt;
+use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use rustix::process::{Pid, Signal, kill_process};
+
+use crate::terminal;
+use suite::desk::Desk;
+use suite::drawn::p3;
+
+/// What starts all that a shell can start: children, orphans, what ignores signals, and what has
+/// left its group.
+const TREE: &str = "sleep 600 &
+(sleep 600 &)
+setsid sleep 600 &
+nohup sleep 600 >/dev/null 2>&1 &
+sh -c 'trap \"\" INT TERM HUP; sleep 600; sleep 600' &
+yes >/dev/null &
+";
+
+/// How a program is run, and how it is stopped, if it does not stop by itself.
+const STOPS: [(&str, &str, Stop); 13] = [
+    (
+        "its time is over",
+        "rtrace check normals --timeout 0.3 -- sh waits.sh",
+        Stop::Itself,
+    ),
+    (
+        "it ends",
+        "rtrace check normals -- sh draws.sh",
+        Stop::Itself,
+    ),
+    (
+        "it prints too much",
+        "rtrace check normals -- sh floods.sh",
+        Stop::Itself,
+    ),
+    (
+        "it is judged once",
+        "rtrace watch normals --once --timeout 0.3 -- sh waits.sh",
+        Stop::Itself,
+    ),
+    (
+        "it does not answer",
+        "rtrace laws normals --timeout 0.1 -- sh waits.sh",
+        Stop::Itself,
+    ),
+    (
+        "Ctrl-C",
+        "rtrace check normals -- sh waits.sh",
+        Stop::Signal(Signal::INT),
+    ),
+    (
+        "SIGTERM",
+        "rtrace watch normals -- sh waits.sh",
+        Stop::Signal(Signal::TERM),
+    ),
+    (
+        "SIGTERM in a dialogue",
+        "rtrace laws normals -- sh waits.sh",
+        Stop::Signal(Signal::TERM),
+    ),
+    (
+        "SIGHUP",
+        "rtrace check normals -- sh waits.sh",
+        Stop::Signal(Signal::HUP),
+    ),
+    (
+        "SIGKILL",
+        "rtrace watch normals -- sh waits.sh",
+        Stop::Signal(Signal::KILL),
+    ),
+    (
+        "a newer save",
+        "rtrace watch normals -- sh waits.sh",
+        Stop::Saves,
+    ),
+    (
+        "nobody reads",
+        "rtrace watch normals -- sh draws.sh",
+        Stop::Closed,
+    ),
+    (
+        "the terminal is closed",
+        "rtrace watch normals -- sh waits.sh",
+        Stop::Terminal,
+    ),
+];
+
+#[derive(Clone, Copy)]
+enum Stop {
+    Itself,
+    Signal(Signal),
+    /// Three saves, and a signal.
+    Saves,
+    /// The pipe is closed that it prints into.
+    Closed,
+    Terminal,
+}
+
+#[test]
+fn nothing_runs_on_and_nothing_is_left() {
+    if !cfg!(target_os = "linux") {
+        return suite::left_out::left_out("only Linux shows what runs by its environment");
+    }
+    let left: String = thread::scope(|scope| {
+        let stops = STOPS.map(|stop| scope.spawn(move || left_behind(stop)));
+        let left = stops.map(|it| it.join().expect("it is stopped"));
+        left.into_iter().collect()
+    });
+    assert!(left.is_empty(), "{left}");
+}
+
+/// What is left behind of one stop, in words.
+fn left_behind((name, line, stop): (&str, &str, Stop)) -> String {
+    let desk = Desk::default();
+    desk.write("tmp/", "");
+    desk.write("n.ppm", p3(&normals::picture(64)));
+    // That it has started is shown by a file.
+    for (file, then) in [
+        ("waits.sh", "sleep 600"),
+        ("draws.sh", "cat n.ppm"),
+        ("floods.sh", "cat /dev/zero"),
+    ] {
+        desk.write(file, format!("{TREE}touch started\n{then}\n"));
+    }
+    let mut command = desk.command(line);
+    command.env("TMPDIR", desk.path("tmp"));
+    // Ours, all of them: the environment says whose they are.
+    command.env("STOPPED_BY", desk.path(""));
+    stopped(&desk, &mut command, stop);
+    let patience = Instant::now() + Duration::from_secs(5);
+    let mut running = marked(&desk);
+    while !running.is_empty() && Instant::now() < patience {
+        thread::sleep(Duration::from_millis(20));
+        running = marked(&desk);
+    }
+    for process in &running {
+        let _ = kill_process(*process, Signal::KILL);
+    }
+    let files = fs::read_dir(desk.path("tmp")).expect("a folder").count();
+    match (running.len(), files) {
+        (0, 0) => String::new(),
+        (running, files) => format!("{name}: {running} programs and {files} files\n"),
+    }
+}
+
+/// Runs the command until it is stopped, once its program has started.
+fn stopped(desk: &Desk, command: &mut Command, stop: Stop) {
+    command.stdin(Stdio::null()).stderr(Stdio::null());
+    if let Stop::Terminal = stop {
+        let (controller, end) = terminal::open();
+        let mut child = command.stdout(end).spawn().expect("it starts");
+        command.stdout(Stdio::null());
+        wait_for(|| desk.path("started").exists());
+        drop(controller);
+        return ended(&mut child);
+    }
+    command.stdout(Stdio::piped()).process_group(0);
+    let mut child = command.spawn().expect("it starts");
+    wait_for(|| desk.path("started").exists());
+    thread::sleep(Duration::from_millis(100));
+    let pid = Pid::from_child(&child);
+    match stop {
+        Stop::Itself | Stop::Terminal => {}
+        Stop::Signal(signal) => kill_process(pid, signal).expect("it runs"),
+        Stop::Saves => {
+            for n in 0..3 {
+                fs::remove_file(desk.path("started")).expect("it is there");
+                desk.write("new.py", "#".repeat(n + 1));
+                wait_for(|| desk.path("started").exists());
+            }
+            kill_process(pid, Signal::TERM).expect("it runs");
+        }
+        Stop::Closed => drop(child.stdout.take()),
+    }
+    ended(&mut child);
+}
+
+fn ended(child: &mut Child) {
+    // What it prints is not looked at, but read.
+    let printed = child.stdout.take();
+    let read = printed.map(|it| thread::spawn(move || std::io::read_to_string(it)));
+    child.wait().expect("it ends");
+    if let Some(read) = read {
+        let _ = read.join().expect("it is read");
+    }
+}
+
+fn wait_for(is_there: impl Fn() -> bool) {
+    let patience = Instant::now() + Duration::from_secs(60);
+    while !is_there() {
+        assert!(Instant::now() < patience, "it has not started");
+        thread::sleep(Duration::from_millis(10));
+    }
+}
+
+/// All processes that this desk has brought about.
+fn marked(desk: &Desk) -> Vec<Pid> {
+    let mark = format!("STOPPED_BY={}\0", desk.path("").display());
+    let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
+    let has_mark = |pid: &Pid| {
+        let environment = fs::read(format!("/proc/{}/environ", pid.as_raw_nonzero()));
+        let environment = environment.unwrap_or_default();
+        environment
+            .windows(mark.len())
+            .any(|it| it == mark.as_bytes())
+    };
+    let pids = entries.filter_map(|it| it.file_name().to_str()?.parse().ok());
+    pids.filter_map(Pid::from_raw).filter(has_mark).collect()
+}
