@@ -126,10 +126,10 @@ fn a_t_min_that_does_not_fit_the_scene_is_named() {
 }
 
 #[test]
-fn the_scene_on_the_page_is_read() {
-    let page = include_str!("../../../book/notes/speed_vs_accuracy.md");
-    let block = page.split("```toml\n").nth(1).expect("the page has one");
-    let scene = read(block.split("```").next().unwrap_or_default());
+fn the_scene_in_its_help_is_read() {
+    let help = text(&Desk::default().run("rtrace needs --help").stdout);
+    let scene = help.split("are needed:\n").nth(1).expect("a scene");
+    let scene = read(scene.split("\n\nWhat").next().unwrap_or_default());
     assert_eq!((scene.width, scene.spheres.len()), (400, 1));
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use figures::CHARTS;
+use figures::{CHARTS, Chart};
 
 use crate::controls;
 use crate::ground::named;
@@ -19,7 +19,8 @@ pub(crate) fn chart(notes: &Path, name: &str) -> Result<String, String> {
     let chart = named("chart", name, CHARTS, |chart| chart.name)?;
     let drawn = chart.draw_from(notes)?;
     let figure = on_one_line(&format!(
-        "<figure id=\"{name}\"><div class=\"panels\">{}</div><figcaption>{}</figcaption></figure>",
+        "<figure id=\"{name}\">{}<div class=\"panels\">{}</div><figcaption>{}</figcaption></figure>",
+        choice(chart),
         drawn.panels.concat(),
         chart.caption
     ));
@@ -27,6 +28,20 @@ pub(crate) fn chart(notes: &Path, name: &str) -> Result<String, String> {
         "{figure}\n\n<details class=\"numbers\"><summary>The numbers of this chart</summary>\n\n{}\n\n</details>",
         drawn.table
     ))
+}
+
+/// Buttons of which one is pressed: the style sheet shows the panel in the same place.
+fn choice(chart: &Chart) -> String {
+    let button = |(n, words): (usize, &&str)| {
+        let checked = if n == 0 { " checked" } else { "" };
+        let name = chart.name;
+        format!("<label><input type=\"radio\" name=\"{name}\"{checked}> {words}</label>")
+    };
+    let buttons: String = chart.choices.iter().enumerate().map(button).collect();
+    match chart.choices {
+        [] => buttons,
+        _ => format!("<fieldset class=\"choice\"><legend>Choose</legend>{buttons}</fieldset>"),
+    }
 }
 
 /// An empty line would end the HTML in a page of Markdown.

@@ -16,6 +16,8 @@ pub struct Chart {
     pub description: &'static str,
     /// What stands below it on the page.
     pub caption: &'static str,
+    /// The names of its panels, if a reader sees one at a time and chooses which.
+    pub choices: &'static [&'static str],
     /// Its files, as paths from the folder `book/notes`.
     pub files: &'static [&'static str],
     /// Draws it from the text of these files, in this order.
@@ -28,8 +30,7 @@ pub struct Chart {
 /// A chart that was drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
-    /// An `<svg>` element in one line for each panel: a page sets them beside each other
-    /// where there is room.
+    /// An `<svg>` element in one line for each panel.
     pub panels: Vec<String>,
     /// The same numbers as a table in Markdown.
     pub table: String,

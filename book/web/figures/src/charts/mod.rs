@@ -1,10 +1,7 @@
 //! The charts of the book, drawn from the files that hold what was measured.
 
 mod chart;
-mod labels;
-mod methods;
-mod panel;
-mod pareto;
+mod marks;
 mod speed_accuracy;
 mod sweep;
 mod wrong_pixels;
@@ -12,4 +9,4 @@ mod wrong_pixels;
 pub use chart::{Chart, Drawn};
 
 /// All charts, in reading order.
-pub const CHARTS: &[Chart] = &[speed_accuracy::BOOK, sweep::DISTANCE, wrong_pixels::CHART];
+pub const CHARTS: &[Chart] = &[sweep::CHART, speed_accuracy::CHART, wrong_pixels::CHART];

@@ -1,99 +1,230 @@
-//! Speed against accuracy: every method on the rays of the book.
+//! Dot plots: what each method costs, and how exact it is, in a situation that a reader chooses.
+
+use glam::DVec2;
+use speed_vs_accuracy::{Method, find};
 
 use super::chart::{Chart, Drawn, table};
-use super::methods::{Measured, Point, in_lanes, lanes, legend, read};
-use super::pareto::{Plot, range};
-use crate::number::printed;
+use super::marks::{digits, idea, mark};
+use crate::axis::{Axis, ticks};
+use crate::number::{number, printed};
 use crate::records::{Accuracy, Timing};
-use crate::svg::{Anchor, Svg, spot};
-use crate::table::Record;
+use crate::svg::{Anchor, Step, Svg, spot};
+use crate::table::{Record, Table};
 
-const FILES: &[&str] = &[Accuracy::FILE, Timing::FILE];
+/// The situations: as a reader chooses them, and as the files call them.
+const SITUATIONS: [&str; 6] = ["book", "far", "ground", "grazing", "near_surface", "inside"];
 
-/// The book's own rays.
-pub(super) const BOOK: Chart = Chart {
+/// Speed against accuracy, in each situation.
+pub(super) const CHART: Chart = Chart {
     name: "speed_accuracy",
-    title: "Speed against accuracy, on the rays of the book",
-    description: "A point for each method: how long a test takes, from left to right, and how many \
-        digits of t are right, upwards. The methods in f32 lie far below those in f64. A line joins \
-        the methods that no other beats in both; all others lie below it or to its right. The \
-        same methods in SIMD lanes, where that is faster, stand to the left with a line of their own.",
-    caption: "Left is faster, up is more exact. No method is both faster and more exact than one \
-        on the line: the left line for questions in lanes, the right one for one at a time. The \
-        dashed lines meet in half_b; a method that is much slower is at the right edge, with its \
-        time.",
-    files: FILES,
-    draw: |files| {
-        let mut shown = with_hits(&read(files[0], files[1])?);
-        shown.retain(|(row, _)| row.regime == "book");
-        let in_lanes = in_lanes(&shown, files[1])?;
-        let table = with_lanes(&shown, &in_lanes);
-        // Where lanes are lost, there is nothing to see.
-        let is_faster = |lane: &Measured| {
-            let alone = shown.iter().find(|(row, _)| row.method == lane.0.method);
-            alone.is_some_and(|(_, time)| lane.1.median_ns < time.median_ns)
-        };
-        let in_lanes: Vec<_> = in_lanes.into_iter().filter(is_faster).collect();
-        shown.extend(in_lanes);
-        let mut svg = BOOK.sheet(720.0);
-        let key = spot(262.0, 33.5);
-        lanes(&mut svg, "ink", key);
-        svg.small_label("ink", key + spot(18.0, 4.5), Anchor::Start, "in lanes");
-        Ok(Drawn {
-            panels: vec![one_panel(svg, &points(&shown))],
-            table,
-        })
-    },
+    title: "Speed against accuracy",
+    description: "A row for each method, the fastest at the top. At the left a mark on a logarithmic \
+        axis says how long a question takes, where that of half_b takes 1. At the right, on an axis \
+        of decimal digits, a mark says how many digits of t are right for half of the hits, a thick \
+        bar reaches down to those that 999 of 1000 hits have, and a thin line to those of the worst \
+        hit. Beside its name stands how many of its decisions are wrong.",
+    caption: "Farther to the left is faster, farther to the right more exact. ✗: so many decisions \
+        are wrong, a hit for a miss or a miss for a hit. Hollow marks are methods in <code>f32</code>, \
+        diamonds are certified. The table below has two more, <code>double_double</code> and \
+        <code>exact</code>, which are far slower.",
+    choices: &[
+        "the book’s rays",
+        "a small sphere far away",
+        "above a huge ground",
+        "grazing rays",
+        "leaving a surface",
+        "from inside",
+    ],
+    files: &[Accuracy::FILE, Timing::FILE],
+    draw: |files| draw(files[0], files[1]),
 };
 
-fn one_panel(mut svg: Svg, shown: &[Point]) -> String {
-    legend(&mut svg);
-    // More room for the fast ones: what is much slower stands at the right edge.
-    let [fastest, slowest] = range(shown);
-    let one_by_one = shown.iter().filter(|one| !one.in_lanes);
-    let least = one_by_one.map(|one| one.ns).fold(f64::INFINITY, f64::min);
-    Plot::new([fastest, slowest.min(8.0 * least)], shown).draw(&mut svg);
+/// How exact a method is in a situation, and how long it takes there.
+type Measured = (Accuracy, Timing);
+
+fn draw(accuracy: &str, timings: &str) -> Result<Drawn, String> {
+    let (accuracy, timings) = (Table::read(accuracy)?, Table::read(timings)?);
+    let situations = SITUATIONS.map(|situation| read(situation, &accuracy, &timings));
+    let situations: Vec<_> = situations.into_iter().collect::<Result<_, _>>()?;
+    let all = situations.iter().zip(CHART.choices);
+    Ok(Drawn {
+        panels: all
+            .clone()
+            .zip(1..)
+            .map(|((rows, shows), place)| panel(place, shows, rows))
+            .collect(),
+        table: numbers(all),
+    })
+}
+
+/// What was measured in a situation, the fastest method first.
+fn read(
+    situation: &str,
+    accuracy: &Table<Accuracy>,
+    timings: &Table<Timing>,
+) -> Result<Vec<Measured>, String> {
+    let errors = accuracy.rows.iter().filter(|row| row.regime == situation);
+    let with_time = |row: &Accuracy| {
+        let time = timings.find("method", &row.method, situation);
+        let time = time.ok_or_else(|| format!("no time of {} in {situation}", row.method))?;
+        Ok((row.clone(), time.clone()))
+    };
+    let mut rows: Vec<Measured> = errors.map(with_time).collect::<Result<_, String>>()?;
+    rows.sort_by(|(_, one), (_, other)| one.ratio.total_cmp(&other.ratio));
+    Ok(rows)
+}
+
+/// Where the rows begin, how far one is from the next, and where they end.
+const TOP: f64 = 66.0;
+const PITCH: f64 = 36.0;
+
+/// What a chart has no room for: it takes so long that all else would be one heap.
+const SLOW: [Method; 2] = [Method::DOUBLE_DOUBLE, Method::EXACT];
+
+fn panel(place: usize, shows: &str, rows: &[Measured]) -> String {
+    let is_drawn = |(row, _): &&Measured| SLOW.iter().all(|method| method.name != row.method);
+    let drawn: Vec<&Measured> = rows.iter().filter(is_drawn).collect();
+    let high = PITCH * drawn.len() as f64;
+    let mut svg = CHART.panel(place, shows, TOP + high + 44.0);
+    let [costs, right] = [costs(&drawn), digits_axis(&drawn)];
+    for (axis, title) in [
+        (&costs, "time, if half_b takes 1"),
+        (&right, "decimal digits of *t* that are right"),
+    ] {
+        let from = axis.start.down(-20.0);
+        svg.small_label("ink", from, Anchor::Start, title);
+        axis.draw_ticks(&mut svg, "grid thin", spot(0.0, high + 14.0), &marked(axis));
+    }
+    let half_b = costs.point(1.0);
+    svg.line(
+        "reference dashed",
+        half_b.down(24.0),
+        half_b.down(high + 14.0),
+    );
+    for (row, n) in drawn.iter().zip(0_u8..) {
+        draw_row(&mut svg, TOP + PITCH * f64::from(n), [&costs, &right], row);
+    }
+    key(&mut svg, spot(right.start.x, TOP + high + 20.0));
     svg.finish()
 }
 
-fn points(shown: &[Measured]) -> Vec<Point> {
-    shown.iter().map(Point::of).collect()
+/// An axis of times that holds all of them.
+fn costs(rows: &[&Measured]) -> Axis {
+    let ratios = rows.iter().map(|(_, time)| time.ratio);
+    let [least, most] = ratios.fold([1.0; 2], |[least, most], it| [it.min(least), it.max(most)]);
+    Axis {
+        is_logarithmic: true,
+        ..Axis::new(10.0, 30.0, 140.0, 0.9 * least, 1.6 * most)
+    }
 }
 
-/// What has hit anything.
-fn with_hits(measured: &[Measured]) -> Vec<Measured> {
-    let has_hit = |(row, _): &&Measured| row.p999_ulps.is_some();
-    measured.iter().filter(has_hit).cloned().collect()
+/// An axis of digits that holds all of them.
+fn digits_axis(rows: &[&Measured]) -> Axis {
+    let least = rows.iter().map(|(row, _)| right_digits(row)[2]);
+    let least = least.fold(12.0, f64::min);
+    Axis::new(176.0, 30.0, 216.0, 2.0 * (0.5 * least).floor(), 16.0)
 }
 
-/// The numbers of one question at a time, and of the same in lanes.
-fn with_lanes(shown: &[Measured], in_lanes: &[Measured]) -> String {
+/// The numbers with a line: powers of ten, among few also 2 and 5 times these; or every
+/// second or fourth digit.
+fn marked(axis: &Axis) -> Vec<(f64, String)> {
+    let holds = |it: &f64| (axis.least..=axis.most).contains(it);
+    if !axis.is_logarithmic {
+        let step = if axis.most - axis.least > 8.0 { 4 } else { 2 };
+        return ticks((0..=16).step_by(step).map(f64::from).filter(holds), number);
+    }
+    let factors: &[f64] = if axis.most > 20.0 {
+        &[1.0]
+    } else {
+        &[1.0, 2.0, 5.0]
+    };
+    let all = [1.0, 10.0, 100.0].into_iter();
+    let all = all.flat_map(|power| factors.iter().map(move |factor| factor * power));
+    ticks(all.filter(holds), number)
+}
+
+fn draw_row(svg: &mut Svg, y: f64, [costs, right]: [&Axis; 2], (row, time): &Measured) {
+    let idea = idea(&row.method);
+    svg.small_label(idea, spot(10.0, y), Anchor::Start, &row.method);
+    if row.wrong_per_million > 0.0 {
+        let words = format!("✗ {}", one_in(row.wrong_per_million));
+        svg.small_label("wrong", spot(392.0, y), Anchor::End, &words);
+    }
+    let at = |axis: &Axis, value| spot(axis.point(value).x, y + 13.0);
+    let cost = at(costs, time.ratio);
+    mark(svg, idea, row.precision, cost);
+    svg.small_label(
+        idea,
+        cost + spot(9.0, 4.0),
+        Anchor::Start,
+        &printed(time.ratio),
+    );
+    let [typical, nearly_all, all] = right_digits(row).map(|digits| at(right, digits));
+    svg.line(&format!("{idea} thin"), all, typical);
+    svg.line(&format!("{idea} thin"), all.down(-4.0), all.down(4.0));
+    svg.line(&format!("{idea} bold"), nearly_all, typical);
+    mark(svg, idea, row.precision, typical);
+}
+
+/// Explains the bars.
+fn key(svg: &mut Svg, at: DVec2) {
+    let [all, nearly_all, half] = [20.0, 96.0, 180.0].map(|x| at.right(x));
+    svg.line("faint thin", all, half);
+    svg.line("faint thin", all.down(-4.0), all.down(4.0));
+    svg.line("faint bold", nearly_all, half);
+    svg.circle("faint solid", half, 4.5);
+    for (at, words) in [
+        (all, "all hits"),
+        (nearly_all, "999 of 1000"),
+        (half, "half"),
+    ] {
+        svg.small_label("faint", at.down(17.0), Anchor::Middle, words);
+    }
+}
+
+/// How many digits of t are right for half of the hits, for 999 of 1000, and for all.
+fn right_digits(row: &Accuracy) -> [f64; 3] {
+    [row.median_ulps, row.p999_ulps, row.largest_ulps].map(|ulps| digits(ulps, row.precision))
+}
+
+/// How often that is, in words and two digits.
+fn one_in(per_million: f64) -> String {
+    let times = format!("{:.1e}", 1e6 / per_million)
+        .parse()
+        .unwrap_or(f64::NAN);
+    format!("wrong in 1 of {}", number(times))
+}
+
+/// All numbers of all methods.
+fn numbers<'a>(all: impl Iterator<Item = (&'a Vec<Measured>, &'a &'static str)>) -> String {
     let heads = [
+        "situation",
         "method",
         "ns",
         "÷ half_b",
         "instructions",
-        "ns in lanes",
-        "÷ half_b in lanes",
-        "instructions in lanes",
-        "digits",
+        "wrong of 10⁶",
+        "digits: half",
+        "999 of 1000",
+        "all",
     ];
-    let times = |time: Option<&Timing>| {
-        let count = time.and_then(|time| time.instructions);
-        [
-            time.map(|time| time.median_ns),
-            time.map(|time| time.ratio),
-            count,
-        ]
-        .map(|number| number.map_or("–".to_owned(), printed))
-    };
-    let row = |one: &Measured| {
-        let lane = in_lanes.iter().find(|lane| lane.0.method == one.0.method);
-        let mut cells = vec![format!("`{}`", one.0.method)];
-        cells.extend(times(Some(&one.1)));
-        cells.extend(times(lane.map(|(_, time)| time)));
-        cells.push(format!("{:.1}", Point::of(one).digits));
-        cells
-    };
-    table(1, &heads.map(str::to_owned), shown.iter().map(row))
+    let rows = all.flat_map(|(rows, shows)| rows.iter().map(move |row| cells(shows, row)));
+    table(2, &heads.map(str::to_owned), rows)
+}
+
+fn cells(shows: &str, (row, time): &Measured) -> Vec<String> {
+    let name = find(&row.method).map_or("", |method| method.name);
+    let numbers = [
+        Some(time.median_ns),
+        Some(time.ratio),
+        time.instructions,
+        Some(row.wrong_per_million),
+    ];
+    let numbers = numbers.map(|number| number.map_or("–".to_owned(), printed));
+    let digits = right_digits(row).map(|digits| format!("{digits:.1}"));
+    [shows.to_owned(), format!("`{name}`")]
+        .into_iter()
+        .chain(numbers)
+        .chain(digits)
+        .collect()
 }

@@ -4,30 +4,28 @@ use glam::DVec2;
 use speed_vs_accuracy::{METHODS, Method, Precision};
 
 use super::chart::{Chart, Drawn, table};
-use super::labels::spread;
-use super::methods::{cross, digits, idea};
-use super::panel::{Measure, Panel};
-use crate::axis::ticks;
-use crate::number::{power_of_ten, printed};
+use super::marks::{cross, digits, idea};
+use crate::axis::{Axis, ticks};
+use crate::number::{number, power_of_ten, printed};
 use crate::records::Level;
 use crate::svg::{Anchor, Step, Svg, spot};
 use crate::table::{Record, Table};
 use crate::text::SMALL;
 
-const FILES: &[&str] = &[Level::FILE];
-
 /// Error against distance.
-pub(super) const DISTANCE: Chart = Chart {
+pub(super) const CHART: Chart = Chart {
     name: "distance",
     title: "Digits that are left when the sphere is far away",
     description: "Lines for some methods, f64 at the left and f32 at the right: how many digits of t \
-        are right when the ray starts ever more radii away. The lines of half_b and half_b_q fall \
-        steadily, a digit for each factor of ten, and end in wrong decisions. The lines of the \
-        methods that measure the distance of the ray from the center stay level.",
-    caption: "The sphere moves away. half_b and half_b_q lose a digit for each factor of ten, and from the \
-        cross on they decide wrongly. The methods that compute how far from the center the ray \
-        passes lose no digits. The table below has all methods.",
-    files: FILES,
+        are right when the ray starts ever more radii away. The lines of half_b and half_b_q lose a \
+        digit for each factor of ten. From ten million radii on, in f64, they decide wrongly, and keep \
+        seven digits. The lines of the methods that measure the distance of the ray from the center \
+        stay level.",
+    caption: "The sphere moves away. half_b and half_b_q lose a digit for each factor of ten, until \
+        they decide wrongly (✗). The methods that compute how far from the center the ray passes \
+        lose no digits. The table below has all methods.",
+    choices: &[],
+    files: &[Level::FILE],
     draw: |files| draw(files[0]),
 };
 
@@ -39,7 +37,7 @@ fn draw(file: &str) -> Result<Drawn, String> {
     let panels = [Precision::Double, Precision::Single].map(|precision| {
         let is_drawn = |line: &&Line| line[0].precision == precision && is_drawn(&line[0]);
         let shown: Vec<&Line> = lines.iter().filter(is_drawn).collect();
-        draw_panel(precision, &shown)
+        panel(precision, &shown)
     });
     Ok(Drawn {
         panels: panels.into(),
@@ -47,30 +45,40 @@ fn draw(file: &str) -> Result<Drawn, String> {
     })
 }
 
-fn draw_panel(precision: Precision, lines: &[&Line]) -> String {
+/// The size of the grid.
+const WIDE: f64 = 196.0;
+const HIGH: f64 = 310.0;
+
+fn panel(precision: Precision, lines: &[&Line]) -> String {
     let name = precision.name();
-    let mut svg = DISTANCE.panel(1 + precision as usize, name, 420.0);
+    let mut svg = CHART.panel(1 + precision as usize, name, 420.0);
     cross(&mut svg, spot(12.0, 16.0));
     let words = "from here on, it confuses hits and misses";
     svg.small_label("ink", spot(26.0, 20.5), Anchor::Start, words);
-    let title = format!("{name}: digits of *t* that are right, in 999 of 1000 hits");
-    let digits = Measure::linear(&title, 0.0, 16.0, 4.0);
-    let (corner, size) = (spot(28.0, 62.0), spot(196.0, 310.0));
-    let panel = Panel::new(corner, size, levels(lines), digits);
-    panel.draw(&mut svg);
-    plot(&mut svg, &panel, lines);
-    svg.finish()
-}
-
-/// All levels of `lines`, with some of them marked.
-fn levels(lines: &[&Line]) -> Measure {
+    let low = spot(28.0, 62.0 + HIGH);
     let last = last(lines.iter().copied());
-    let marked = (0..=last).step_by(last as usize / 3).map(f64::from);
-    let title = "the ray starts so many radii away";
-    Measure {
-        ticks: ticks(marked, |level| power_of_ten(level as i32)),
-        ..Measure::linear(title, 0.0, f64::from(last), 1.0)
-    }
+    let [least, most] = [[6, 16], [2, 8]][precision as usize];
+    let levels = Axis::new(low.x, low.y, WIDE, 0.0, f64::from(last));
+    let right = Axis {
+        end: low.down(-HIGH),
+        ..Axis::new(low.x, low.y, 0.0, f64::from(least), f64::from(most))
+    };
+    let powers = (0..=last).step_by(last as usize / 3).map(f64::from);
+    let powers = ticks(powers, |level| power_of_ten(level as i32));
+    levels.draw_ticks(&mut svg, "grid thin", spot(0.0, -HIGH), &powers);
+    let numbers = ticks((least..=most).step_by(2).map(f64::from), number);
+    right.draw_ticks(&mut svg, "grid thin", spot(WIDE, 0.0), &numbers);
+    let below = low + spot(WIDE, 36.0);
+    svg.small_label(
+        "ink",
+        below,
+        Anchor::End,
+        "the ray starts so many radii away",
+    );
+    let title = format!("{name}: digits of *t* that are right, in 999 of 1000 hits");
+    svg.small_label("ink", spot(4.0, 50.0), Anchor::Start, &title);
+    plot(&mut svg, [&levels, &right], lines);
+    svg.finish()
 }
 
 /// The last level, which not every line has.
@@ -78,14 +86,17 @@ fn last<'a>(lines: impl Iterator<Item = &'a Line>) -> i32 {
     lines.flatten().map(|row| row.level).fold(1, i32::max)
 }
 
-/// Draws the lines, and their names beside the panel. A cross on a line may lie on several:
+/// Draws the lines, and their names beside the grid. A cross on a line may lie on several:
 /// the name of its method has one too.
-fn plot(svg: &mut Svg, panel: &Panel, lines: &[&Line]) {
+fn plot(svg: &mut Svg, [levels, right]: [&Axis; 2], lines: &[&Line]) {
     let mut ends: Vec<(DVec2, &Line)> = Vec::new();
     for (idea, stroke) in STROKES {
         let has_it = |line: &&&Line| self::idea(&line[0].method) == idea;
         for line in lines.iter().filter(has_it) {
-            let at = |row: &Level| panel.at(f64::from(row.level), right_digits(row));
+            let at = |row: &Level| {
+                let x = levels.point(f64::from(row.level)).x;
+                spot(x, right.point(right_digits(row)).y)
+            };
             let points: Vec<DVec2> = line.iter().map(at).collect();
             svg.path(&format!("{idea} {stroke}"), &points);
             if let Some(row) = first_wrong(line) {
@@ -95,14 +106,13 @@ fn plot(svg: &mut Svg, panel: &Panel, lines: &[&Line]) {
         }
     }
     ends.sort_by(|one, other| one.0.y.total_cmp(&other.0.y));
-    draw_names(svg, panel, &ends);
+    draw_names(svg, levels.end, &ends);
 }
 
-/// The names of lines, in the order in which these end.
-fn draw_names(svg: &mut Svg, panel: &Panel, ends: &[(DVec2, &Line)]) {
+/// The names of lines, in the order in which these end, beside the grid with this corner.
+fn draw_names(svg: &mut Svg, low: DVec2, ends: &[(DVec2, &Line)]) {
     let heights: Vec<f64> = ends.iter().map(|(end, _)| end.y).collect();
-    let low = panel.corner + panel.size;
-    let places = spread(&heights, SMALL + 4.0, panel.corner.y - 6.0, low.y);
+    let places = spread(&heights, SMALL + 4.0, low.y - HIGH - 6.0, low.y);
     for ((end, line), y) in ends.iter().zip(places) {
         let beside = spot(low.x + 12.0, y);
         svg.line("faint thin", *end, beside);
@@ -114,16 +124,32 @@ fn draw_names(svg: &mut Svg, panel: &Panel, ends: &[(DVec2, &Line)]) {
     }
 }
 
+/// Moves `places`, in rising order, so that no two are nearer than `gap` and all
+/// lie between `least` and `most`, each as little as is needed.
+fn spread(places: &[f64], gap: f64, least: f64, most: f64) -> Vec<f64> {
+    let mut moved = places.to_vec();
+    let mut next = least;
+    for place in &mut moved {
+        *place = place.max(next);
+        next = *place + gap;
+    }
+    let mut next = most;
+    for place in moved.iter_mut().rev() {
+        *place = place.min(next);
+        next = *place - gap;
+    }
+    moved
+}
+
 /// How the lines of an idea are drawn. The bold ones come first, so that they hide no other.
 const STROKES: [(&str, &str); 3] = [("certain", "bold"), ("ink", "thin"), ("reference", "line")];
 
 /// Too many lines hide each other. In `f64` these are the methods that the lesson of chapter 6
 /// is about, and what is right; in `f32` there are few.
-const DRAWN: [Method; 5] = [
+const DRAWN: [Method; 4] = [
     Method::HALF_B,
     Method::HALF_B_Q,
     Method::CROSS_Q,
-    Method::COMPENSATED,
     Method::CERTIFIED_T,
 ];
 

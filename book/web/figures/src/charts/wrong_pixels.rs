@@ -22,6 +22,7 @@ pub(super) const CHART: Chart = Chart {
     caption: "Pixels of a thousand that differ from the exact picture. Methods are in order of \
         the instructions that they take for a ray of the book. Framed: the first one without a wrong \
         pixel, in f32 and in f64, which is the least that this scene needs.",
+    choices: &[],
     files: &[WrongPixels::FILE, Timing::FILE],
     draw: |files| draw(files[0], files[1]),
 };
