@@ -4,8 +4,9 @@ use std::fmt::Debug;
 
 use common::rtweekend::*;
 
-use crate::Program;
-use crate::value::Value;
+use crate::program::Program;
+use crate::refusal::At;
+use crate::value::Data;
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,25 +71,22 @@ impl Interpreted for Program {
     }
 
     fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
-        let given = [
-            self.vec3(center),
-            Value::Float(radius),
-            Self::ray(self, ray),
-        ];
-        match self.call(self.roles.hit_sphere?, &given)? {
-            Value::Bool(is_hit) => is_hit.then_some(0.0),
-            Value::Float(t) => Some(t),
-            it => it.option().map(|t| t.float()),
+        let given = [self.vec3(center), radius.into(), Self::ray(self, ray)];
+        let answer = self.call(self.roles.hit_sphere?, &given)?;
+        match answer.data {
+            Data::Bool(is_hit) => is_hit.then_some(0.0),
+            Data::Float(t) => Some(t),
+            _ => answer.option().map(|t| t.float()),
         }
     }
 
     fn record(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
         let (new, hit) = self.roles.sphere?;
-        let sphere = self.call(new, &[self.vec3(ball.center), Value::Float(ball.radius)])?;
+        let sphere = self.call(new, &[self.vec3(ball.center), ball.radius.into()])?;
         let ray = Self::ray(self, ray);
-        let given = [sphere, ray, Value::Float(t_min), Value::Float(t_max)];
+        let given = [sphere, ray, t_min.into(), t_max.into()];
         let record = self.call(hit, &given)?.option()?;
-        let [t, point, normal, front_face] = self.roles.record?.map(|n| record.field(n));
+        let [t, point, normal, front_face] = self.roles.record?.map(|n| record.part(n));
         Some(Hit {
             t: t.float(),
             point: self.vec3_of(&point)?,
@@ -102,17 +100,17 @@ impl Interpreted for Program {
         let mut machine = self.machine();
         let made = match list.new {
             Some(new) => self.asked(machine.call(new, &[]))?,
-            None => machine.default(&list.ty).ok()?,
+            None => machine.default(&list.ty, At::default()).ok()?,
         };
         let mut spheres = Vec::new();
         for ball in balls {
-            let given = [self.vec3(ball.center), Value::Float(ball.radius)];
+            let given = [self.vec3(ball.center), ball.radius.into()];
             spheres.push(self.asked(machine.call(new, &given))?);
         }
         let filled = self.asked(machine.filled(list.add, made, spheres))?;
         let ray = Self::ray(self, ray);
-        let given = [filled, ray, Value::Float(t_min), Value::Float(t_max)];
+        let given = [filled, ray, t_min.into(), t_max.into()];
         let record = self.asked(machine.call(list.hit, &given))?.option()?;
-        Some(record.field(self.roles.record?[0]).float())
+        Some(record.part(self.roles.record?[0]).float())
     }
 }

@@ -4,25 +4,14 @@ use std::rc::Rc;
 
 use common::rtweekend::*;
 
-use crate::node::At;
-use crate::read::Refusal;
-use crate::run::{Eval, Machine};
-use crate::types::{Head, Int};
-use crate::value::Value;
-use crate::{Fault, Program, missing, prelude};
-
-/// What colors the pixels of a picture.
-#[derive(Debug)]
-pub(crate) enum Brush {
-    /// A function of column and row.
-    Pixel(Value),
-    /// A function of the ray that our camera casts.
-    Ray(Camera, Value),
-    /// A reader's `ray_color`, with a world if it takes one.
-    Role(Camera, usize, Option<Value>),
-    /// A picture that the text has printed by itself.
-    Printed(Picture),
-}
+use crate::host::Eval;
+use crate::library;
+use crate::machine::Machine;
+use crate::program::{Program, missing};
+use crate::refusal::Fault;
+use crate::refusal::Refusal;
+use crate::types::Int;
+use crate::value::{Brush, Data, Value};
 
 /// A picture that a program draws, pixel by pixel.
 pub struct Canvas<'p> {
@@ -45,11 +34,11 @@ impl Program {
         let Some(picture) = self.roles.picture else {
             return self.by_ray_color(machine, width);
         };
-        let drawn = self.ran(machine.call(picture, &[crate::u32_value(width)]))?;
-        let (size, brush) = match drawn {
-            Value::Picture(it) => (it.0, Rc::clone(&it.1)),
-            Value::Str(text) => {
-                let printed = prelude::printed(&text).ok_or_else(|| missing("a picture"))?;
+        let drawn = self.ran(machine.call(picture, &[crate::program::u32_value(width)]))?;
+        let (size, brush) = match drawn.data {
+            Data::Picture(it) => (it.0, Rc::clone(&it.1)),
+            Data::Str(text) => {
+                let printed = library::printed(&text).ok_or_else(|| missing("a picture"))?;
                 let size = (printed.width(), printed.height());
                 (size, Rc::new(Brush::Printed(printed)))
             }
@@ -96,15 +85,14 @@ impl Canvas<'_> {
             program, machine, ..
         } = self;
         machine.begin();
-        let at = At::default();
         let colored = match &*self.brush {
-            Brush::Pixel(color) => {
-                let pixel = [i, j].map(|it| Value::Int(it.into(), Int::U32));
-                machine.asked_for(|own| own.colored(color, &mut { pixel }, at))
+            Brush::Pixel(color, at) => {
+                let pixel = [i, j].map(|it| Value::whole(it.into(), Int::U32));
+                machine.asked_for(|own| own.colored(color, &mut { pixel }, *at))
             }
-            Brush::Ray(camera, color) => {
-                let ray = Value::Ray(Rc::new(camera.ray(i, j)));
-                machine.asked_for(|own| own.colored(color, &mut [ray], at))
+            Brush::Ray(camera, color, at) => {
+                let ray = Value::from(Data::Ray(Rc::new(camera.ray(i, j)))).lent();
+                machine.asked_for(|own| own.colored(color, &mut [ray], *at))
             }
             Brush::Role(camera, color, world) => {
                 let ray = [program.ray(&camera.ray(i, j))].into_iter();
@@ -153,11 +141,6 @@ impl Machine<'_> {
     fn asked_for<T>(&mut self, ask: impl FnOnce(&mut Self) -> Eval<T>) -> Result<T, Refusal> {
         ask(self).map_err(|_| self.fault())
     }
-
-    fn colored(&mut self, color: &Value, given: &mut [Value], at: At) -> Eval<Color> {
-        let value = self.apply(color, given, at)?;
-        Ok(self.declared(value, &Head::Vec3.into(), at)?.vec3())
-    }
 }
 
 /// A number or a vector to a millionth, or with four digits that count if it is smaller.
@@ -166,16 +149,16 @@ fn said(value: &Value) -> Option<String> {
         small if small != 0.0 && small < 1e-3 => format!("{it:.3e}"),
         _ => format!("{}", (it * 1e6).round() / 1e6),
     };
-    Some(match value {
-        Value::Float(it) => number(*it),
-        Value::Int(it, _) => it.to_string(),
-        Value::Bool(it) => it.to_string(),
-        Value::Vec3(it) => {
+    Some(match &value.data {
+        Data::Float(it) => number(*it),
+        Data::Int(it, _) => it.get().to_string(),
+        Data::Bool(it) => it.to_string(),
+        Data::Vec3(it) => {
             let [x, y, z] = it.to_array().map(number);
             format!("({x}, {y}, {z})")
         }
-        Value::Some(it) => return said(it),
-        Value::None => "none".to_owned(),
+        Data::Some(it) => return said(it),
+        Data::None => "none".to_owned(),
         _ => return None,
     })
 }

@@ -1,35 +1,47 @@
-//! An intermediate representation: what a text says, with its names found.
+//! An intermediate representation: what a text says, with its names found. Which field, method
+//! or operator is meant, the value decides that it is asked of.
 
+use std::cmp::Ordering;
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use common::rtweekend::Vec3;
 
-use crate::prelude::Native;
-use crate::types::{Int, Type};
+use crate::operators::{Order, Sign};
+use crate::refusal::{At, Refusal};
+use crate::types::{Head, Int, Owners, Type};
 
 /// A part of a program, with variables by their slots.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) enum Node {
     #[default]
     Unit,
     Bool(bool),
     Int(i128, Int),
     Float(f64),
+    Single(f32),
     Vec3(Vec3),
+    Ordering(Ordering),
     Str(Arc<str>),
     None,
     Local(usize),
-    /// What a mutable reference leads to.
-    Deref(Box<Node>),
-    Field(Box<Node>, usize),
-    Index(Box<[Node; 2]>, At),
+    /// A shared reference to what that comes to.
+    Lend(Box<Node>),
     /// A mutable reference to a place.
     Address(Box<Target>),
-    Set(Box<Target>, Box<Node>),
+    Deref(Box<Node>, At),
+    Field(Box<Node>, Arc<Field>),
+    Index(Box<[Node; 2]>, At),
+    Set(Box<Target>, Box<Node>, At),
+    /// Several places, whose values come from one.
+    SetAll(Vec<(Option<Target>, At)>, Box<Node>),
     Update(Box<Target>, Sign, Box<Node>, At),
     Let(Box<Pattern>, Box<Node>, Option<Box<Node>>),
     Arithmetic(Sign, Box<[Node; 2]>, At),
-    Compare(Order, Box<[Node; 2]>, At),
+    /// `^` and the like, which no chapter has.
+    Bits(Box<str>, Box<[Node; 2]>, At),
+    /// Both sides, where the comparison stands and where its right side does.
+    Compare(Order, Box<[Node; 2]>, At, At),
     And(Box<[Node; 2]>),
     Or(Box<[Node; 2]>),
     Not(Box<Node>, At),
@@ -37,26 +49,28 @@ pub(crate) enum Node {
     Cast(Box<Node>, Box<Type>, At),
     /// What is declared to be of that type.
     Declared(Box<Node>, Box<Type>, At),
-    Default(Box<Type>),
-    Call(usize, Box<[Node]>, At),
+    Default(Box<Type>, At),
+    Call(usize, Arguments),
     /// A constant is a function that is called once.
     Constant(usize, At),
-    /// Of each of the reader's kinds the function that it has for a trait.
-    Dispatch(Box<[Option<usize>]>, Box<[Node]>, At),
-    Native(&'static Native, Box<[Node]>, At),
+    Method(Box<Method>, Receiver, Arguments),
+    /// A function of the library, by its number.
+    Native(usize, Arguments),
     /// A function that is a value.
-    Apply(Box<Node>, Box<[Node]>, At),
+    Apply(Box<Node>, Arguments),
     /// A closure, and whether it takes what it uses along.
     Closure(Arc<Closure>, bool),
     Function(usize),
-    NativeFunction(&'static Native, At),
+    NativeFunction(usize),
     /// One of the reader's structs, its fields by their numbers, and a value that has the
     /// others.
     New(u32, Vec<(usize, Node)>, Option<Box<Node>>),
     Some(Box<Node>),
-    Many(Vec<Node>),
+    List(Vec<Node>, bool, At),
+    /// A value that is there so many times.
+    Repeat(Box<[Node; 2]>, bool, At),
     Tuple(Vec<Node>),
-    Range(Box<[Node; 2]>, bool),
+    Range(Box<[Node; 2]>, bool, At),
     If(Box<[Node; 3]>),
     Match(Box<Node>, Vec<Arm>, At),
     Matches(Box<Pattern>, Box<Node>),
@@ -66,86 +80,130 @@ pub(crate) enum Node {
     Break(Box<Node>),
     Continue,
     Return(Box<Node>),
-    Try(Box<Node>),
+    Try(Box<Node>, At),
     /// What is done one after the other, and whether the last is what it comes to.
     Block(Vec<Node>, bool),
+    /// Lines that run from here on.
+    Mark(Arc<Mark>),
     Panic(String, At),
     /// The first, or that of the mutant that runs: the others are those counted from this number.
     Mutants(u32, Box<[Node]>),
     /// Words, and the values between them.
-    Format(Vec<String>, Vec<Node>),
+    Format(Vec<String>, Vec<Node>, At),
 }
 
-/// Where something stands in the texts: the file, and the bytes.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct At {
-    pub(crate) file: u32,
-    pub(crate) start: u32,
-    pub(crate) end: u32,
+/// Lines that run together, and whether they ever did.
+#[derive(Debug)]
+pub(crate) struct Mark {
+    pub(crate) at: At,
+    pub(crate) has_run: AtomicBool,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sign {
-    Plus,
-    Minus,
-    Times,
-    Over,
+/// What a call gives, and where each of it and the whole call stand.
+#[derive(Debug)]
+pub(crate) struct Arguments {
+    pub(crate) nodes: Box<[Node]>,
+    pub(crate) places: Box<[At]>,
+    pub(crate) at: At,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Order {
-    Equal,
-    Unequal,
-    Less,
-    AtMost,
-    More,
-    AtLeast,
+/// What a method is called on.
+#[derive(Debug)]
+pub(crate) enum Receiver {
+    Value(Box<Node>),
+    /// A place, which some method of that name would change.
+    Place(Box<Target>),
+}
+
+/// A name after a point, before brackets: what may be meant.
+#[derive(Debug)]
+pub(crate) struct Method {
+    pub(crate) name: String,
+    /// The reader's functions, and whose they are; private ones are left out.
+    pub(crate) own: Vec<(Head, usize)>,
+    /// Those of the library, and on whose values.
+    pub(crate) natives: Vec<(Owners, usize)>,
+    pub(crate) at: At,
+}
+
+/// A name after a point: which of its fields that is of a value.
+#[derive(Debug)]
+pub(crate) struct Field {
+    pub(crate) name: String,
+    /// Of each of the reader's kinds, if it may be seen.
+    pub(crate) own: Box<[Option<u32>]>,
+    /// Of a vector, of a ray and of a tuple.
+    pub(crate) vec3: Option<usize>,
+    pub(crate) ray: Option<usize>,
+    pub(crate) number: Option<usize>,
+    pub(crate) at: At,
 }
 
 /// Something that can be assigned to: a variable, or a part of one.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct Target {
     pub(crate) root: Root,
-    /// The numbers of the fields that lead there.
-    pub(crate) steps: Vec<usize>,
+    pub(crate) steps: Vec<Step>,
+    /// What is said if the root is no mutable reference, since it is not `mut`.
+    pub(crate) fixed: Option<Refusal>,
+    pub(crate) at: At,
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) enum Root {
     Local(usize),
     /// What a mutable reference leads to.
     Through(Node),
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
+pub(crate) enum Step {
+    Field(Arc<Field>),
+    Index(Node, At),
+}
+
+#[derive(Debug)]
 pub(crate) struct Arm {
     pub(crate) pattern: Pattern,
     pub(crate) guard: Option<Node>,
     pub(crate) body: Node,
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) enum Pattern {
     Any,
     Bind(usize),
+    /// What is there, and a pattern for it.
+    BindAs(usize, Box<Pattern>),
     None,
-    Some(Box<Pattern>),
-    /// The fields of a value, by their numbers.
-    Fields(Vec<(usize, Pattern)>),
-    Many(Vec<Pattern>),
+    Some(Box<Pattern>, At),
+    /// A value of that type.
+    Typed(Box<Pattern>, Type, At),
+    Ref(Box<Pattern>, At),
+    /// A struct, or a library type with names.
+    Struct(Head, Vec<(usize, Pattern)>, At),
+    /// Some parts of a tuple of so many.
+    Tuple(usize, Vec<(usize, Pattern)>, At),
+    List(Vec<Pattern>, At),
+    /// What is equal to that.
+    Equal(Node, At),
+    /// From there to there, and whether the end is part of it.
+    Within(Option<Node>, Option<Node>, bool, At),
+    Or(Vec<Pattern>),
 }
 
 /// A function, ready to be run.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Function {
     pub(crate) slots: usize,
-    pub(crate) body: Node,
     /// The names of the slots.
     pub(crate) names: Vec<String>,
+    pub(crate) body: Node,
+    pub(crate) marks: Vec<Arc<Mark>>,
 }
 
 /// The parameters of a closure, and its body.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct Closure {
     pub(crate) parameters: Vec<Pattern>,
     pub(crate) body: Node,
@@ -154,10 +212,12 @@ pub(crate) struct Closure {
 impl Pattern {
     /// Whether every value matches.
     pub(crate) fn is_irrefutable(&self) -> bool {
+        let all = |fields: &[(usize, Self)]| fields.iter().all(|it| it.1.is_irrefutable());
         match self {
             Self::Any | Self::Bind(_) => true,
-            Self::Fields(all) => all.iter().all(|(_, it)| it.is_irrefutable()),
-            Self::Many(all) => all.iter().all(Self::is_irrefutable),
+            Self::BindAs(_, it) | Self::Typed(it, ..) | Self::Ref(it, _) => it.is_irrefutable(),
+            Self::Struct(_, fields, _) | Self::Tuple(_, fields, _) => all(fields),
+            Self::List(all, _) => all.iter().all(Self::is_irrefutable),
             _ => false,
         }
     }

@@ -1,47 +1,13 @@
 //! Incremental reading: a program with another text of one function, of which only that is read.
 
-use std::ops::Range;
 use std::sync::Arc;
 
 use crate::lower;
-use crate::names::{Inside, Names, Signature};
-use crate::read::Refusal;
-use crate::run::Code;
-use crate::types::Head;
-use crate::{Fault, Program};
-
-/// A function as it is written: from its first word to its closing bracket.
-#[derive(Clone, Debug)]
-pub(crate) struct Written {
-    /// Its name, behind that of its type if it has one: `Sphere::hit`.
-    pub(crate) name: Arc<str>,
-    pub(crate) text: Arc<str>,
-}
-
-impl Written {
-    /// The function as it stands in a file, unless it is a constant or only promised.
-    pub(crate) fn of(
-        names: &Names,
-        signature: &Signature,
-        body: Option<Inside>,
-        texts: &[String],
-    ) -> Option<Self> {
-        let Some(Inside::Function(syntax, block)) = body else {
-            return None;
-        };
-        let of = match signature.of.as_ref().map(|it| it.0) {
-            Some(Head::Own(kind)) => format!("{}::", names.kinds[kind].name),
-            _ => String::new(),
-        };
-        let start = syntax.fn_token.span.byte_range().start;
-        let at: Range<usize> = start..block.brace_token.span.close().byte_range().end;
-        let text = texts[names.file(signature.module) as usize].get(at)?;
-        Some(Self {
-            name: format!("{of}{}", signature.name).into(),
-            text: text.into(),
-        })
-    }
-}
+use crate::machine::Code;
+use crate::names::collect::Inside;
+use crate::program::Program;
+use crate::refusal::{Fault, FaultKind, Refusal};
+use crate::written::Written;
 
 impl Program {
     /// The functions by their names, `hit_sphere` or `Sphere::hit`, with their texts.
@@ -70,7 +36,7 @@ impl Program {
             return Err(missing("change of the parameters"));
         }
         let inside = Inside::Function(&item.sig, &item.block);
-        let lowered = lower::lower(&code.names, signature, Some(inside)).map_err(refused)?;
+        let lowered = lower::lower(&code.names, text, signature, Some(inside)).map_err(refused)?;
         let mut code = Code::clone(code);
         code.functions[n] = Arc::new(lowered);
         if let Some(it) = &mut code.written[n] {
@@ -127,6 +93,6 @@ fn missing(what: &str) -> Fault {
         message: format!("there is no {what}"),
         label: String::new(),
         help: String::new(),
-        is_refused: true,
+        kind: FaultKind::Refused,
     }
 }

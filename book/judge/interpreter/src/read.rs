@@ -6,87 +6,7 @@ use proc_macro2::{LexError, Span, TokenStream};
 use syn::spanned::Spanned;
 
 use crate::nesting::{self, DEEPEST};
-use crate::node::At;
-use crate::{Fault, Place};
-
-/// What is wrong with a text, and where.
-#[derive(Clone, Debug)]
-pub(crate) struct Refusal {
-    pub(crate) at: Option<At>,
-    message: String,
-    label: String,
-    help: String,
-    /// Whether the compiler would say so, and not the program when it runs.
-    is_refused: bool,
-    /// Whether the compiler may take it: what it refuses is said before.
-    pub(crate) is_unknown: bool,
-}
-
-impl Refusal {
-    pub(crate) fn new(at: At, message: &str, label: &str, help: &str) -> Self {
-        Self {
-            at: Some(at),
-            message: message.to_owned(),
-            label: label.to_owned(),
-            help: help.to_owned(),
-            is_refused: true,
-            is_unknown: false,
-        }
-    }
-
-    /// What the compiler takes, and is not known here.
-    pub(crate) fn unknown(at: At, what: &str) -> Self {
-        let message = format!("this page does not know {what}");
-        Self {
-            is_unknown: true,
-            ..Self::new(at, &message, "", "cargo does")
-        }
-    }
-
-    /// The same with other help, if there is some.
-    pub(crate) fn or_help(mut self, help: &str) -> Self {
-        if !help.is_empty() {
-            help.clone_into(&mut self.help);
-        }
-        self
-    }
-
-    /// A program that has begun stops.
-    pub(crate) fn stop(at: At, message: &str, help: &str) -> Self {
-        Self {
-            is_refused: false,
-            ..Self::new(at, message, "the program stops here", help)
-        }
-    }
-
-    pub(crate) fn fault(self, texts: &[String]) -> Fault {
-        let at = self.at.filter(|at| at.end > 0);
-        Fault {
-            place: at.and_then(|at| place(texts.get(at.file as usize)?, at)),
-            message: self.message,
-            label: self.label,
-            help: self.help,
-            is_refused: self.is_refused,
-        }
-    }
-}
-
-/// The place in words, as far as its first line goes.
-fn place(text: &str, at: At) -> Option<Place> {
-    let before = text.get(..at.start as usize)?;
-    let said = text.get(at.start as usize..at.end as usize)?;
-    let start = before.chars().rev().take_while(|&it| it != '\n').count();
-    let end = if said.contains('\n') {
-        usize::MAX
-    } else {
-        start + said.chars().count().max(1)
-    };
-    Some(Place {
-        file: at.file as usize,
-        line: before.matches('\n').count() + 1,
-        columns: start..end,
-    })
-}
+use crate::refusal::{At, Refusal};
 
 /// Where a part of a tree stands.
 pub(crate) fn at(file: u32, it: &impl Spanned) -> At {
@@ -124,6 +44,45 @@ pub(crate) fn at_expr(file: u32, it: &syn::Expr) -> At {
             at_span(file, it.path.segments[0].ident.span())
         }
         syn::Expr::Lit(it) => at_span(file, it.lit.span()),
+        syn::Expr::Unary(it) => At {
+            start: at(file, &it.op).start,
+            ..at_expr(file, &it.expr)
+        },
+        syn::Expr::Reference(it) => At {
+            start: at_span(file, it.and_token.span).start,
+            ..at_expr(file, &it.expr)
+        },
+        syn::Expr::If(it) => {
+            let last = match &it.else_branch {
+                Some((_, other)) => at_expr(file, other),
+                None => at_span(file, it.then_branch.brace_token.span.close()),
+            };
+            At {
+                start: at_span(file, it.if_token.span).start,
+                ..last
+            }
+        }
+        syn::Expr::Match(it) => end(
+            at_span(file, it.match_token.span),
+            it.brace_token.span.close(),
+        ),
+        syn::Expr::ForLoop(it) => end(
+            at_span(file, it.for_token.span),
+            it.body.brace_token.span.close(),
+        ),
+        syn::Expr::Block(it) => at_span(file, it.block.brace_token.span.join()),
+        it => at(file, it),
+    }
+}
+
+/// Where a statement stands.
+pub(crate) fn at_statement(file: u32, it: &syn::Stmt) -> At {
+    match it {
+        syn::Stmt::Local(it) => At {
+            end: at_span(file, it.semi_token.span).end,
+            ..at_span(file, it.let_token.span)
+        },
+        syn::Stmt::Expr(it, _) => at_expr(file, it),
         it => at(file, it),
     }
 }
@@ -137,7 +96,7 @@ pub(crate) fn parse(file: usize, text: &str) -> Result<syn::File, Refusal> {
         .map_err(|error: LexError| no_token(file, text, &code, error.span()))?;
     nesting::check(tokens.clone()).map_err(|span| {
         let what = format!("what is nested more than {DEEPEST} deep");
-        Refusal::unknown(at_span(file, span), &what)
+        Refusal::unread(at_span(file, span), &what)
     })?;
     syn::parse2(tokens).map_err(|error| no_tree(file, text, &error))
 }
@@ -167,7 +126,10 @@ fn no_token(file: u32, text: &str, code: &str, span: Span) -> Refusal {
         ..at
     };
     let (message, help) = match sign {
-        '(' | '[' | '{' => ("this file contains an unclosed delimiter", ""),
+        '(' | '[' | '{' => {
+            let message = "this file contains an unclosed delimiter";
+            return Refusal::new(place, message, "", "a bracket is open").unfinished();
+        }
         '"' => ("unterminated double quote string", ""),
         '/' => ("unterminated block comment", ""),
         '\'' => ("this is no character", "text stands between `\"`"),
@@ -176,7 +138,7 @@ fn no_token(file: u32, text: &str, code: &str, span: Span) -> Refusal {
             let message = format!("unknown start of token: {}", sign.escape_unicode());
             let known = LOOKALIKES.iter().find(|it| it.0 == sign);
             let help = known.map(|it| format!("it looks like `{}`, but it is not", it.1));
-            return Refusal::new(place, &message, "", &help.unwrap_or_default());
+            return Refusal::new(place, message, "", &help.unwrap_or_default());
         }
     };
     Refusal::new(place, message, "", help)
@@ -187,11 +149,11 @@ fn no_bracket(sign: char, place: At, before: &str) -> Refusal {
     let open: Result<TokenStream, LexError> = before.parse();
     let Err(open) = open else {
         let message = format!("unexpected closing delimiter: `{sign}`");
-        return Refusal::new(place, &message, "", "");
+        return Refusal::new(place, message, "", "");
     };
     let start = at_span(place.file, open.span()).start as usize;
     let message = format!("mismatched closing delimiter: `{sign}`");
-    Refusal::new(at_bytes(place.file, start..start + 1), &message, "", "")
+    Refusal::new(at_bytes(place.file, start..start + 1), message, "", "")
 }
 
 /// Why the tokens are no tree.
@@ -212,7 +174,7 @@ fn no_tree(file: u32, text: &str, error: &syn::Error) -> Refusal {
     } else {
         ""
     };
-    Refusal::new(found, &message, "", help)
+    Refusal::new(found, message, "", help)
 }
 
 /// Signs that look like others, as books and word processors write them.

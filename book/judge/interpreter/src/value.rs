@@ -1,27 +1,35 @@
-//! Values: numbers, vectors, and what is made of them.
+//! Values: numbers, vectors, and what is made of them, each with what it is.
 //!
-//! A shared reference is the value itself, since nothing changes while it lives, and so is a
-//! box. A mutable reference is an address: a slot of the stack and the way from there to a part.
+//! A shared reference is the value itself with a count of its `&`, since nothing changes while
+//! it lives. A mutable reference is an address: a slot of the stack and the way from there to a
+//! part.
 
+use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use common::rtweekend::{Ray, Vec3};
+use common::rtweekend::{Camera, Picture, Ray, Vec3};
 
-use crate::canvas::Brush;
-use crate::names::Names;
-use crate::node::{At, Closure};
-use crate::prelude::Native;
+use crate::node::Closure;
+use crate::refusal::At;
 use crate::types::{Head, Int, Type};
 
 #[derive(Clone, Debug, Default)]
-pub(crate) enum Value {
+pub(crate) struct Value {
+    /// How many `&` lead to it.
+    pub(crate) lent: u8,
+    pub(crate) data: Data,
+}
+
+#[derive(Clone, Debug, Default)]
+pub(crate) enum Data {
     #[default]
     Unit,
     Bool(bool),
-    Int(i128, Int),
+    Int(Whole, Int),
     Float(f64),
+    Single(f32),
     Vec3(Vec3),
     Ray(Rc<Ray>),
     /// Width and height, and what colors its pixels.
@@ -30,30 +38,62 @@ pub(crate) enum Value {
     Ordering(Ordering),
     None,
     Some(Rc<Value>),
+    Box(Rc<Value>),
     /// One of the reader's structs, and its fields.
     Own(u32, Rc<[Value]>),
     Tuple(Rc<[Value]>),
-    /// A list, an array, or what an iterator gives.
-    Many(Rc<Vec<Value>>),
+    List(Rc<List>),
+    /// From there to there, or on and on, and whether the end is part of it.
     Range(Rc<[Value; 2]>, bool),
+    Iter(Rc<RefCell<Iter>>),
     Mut(Address),
     /// A closure, and the frame that it looks at or has taken along.
     Closure(Arc<Closure>, Frame),
     Function(usize),
-    Native(&'static Native, At),
+    Native(usize),
+}
+
+/// A whole number that has room for those of all types, and takes no more of a value than a
+/// vector.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, packed(8))]
+pub(crate) struct Whole(i128);
+
+impl Whole {
+    pub(crate) fn get(self) -> i128 {
+        self.0
+    }
+}
+
+/// A vector or an array, and of which type its parts are said to be.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct List {
+    pub(crate) all: Vec<Value>,
+    pub(crate) of: Type,
+    pub(crate) is_array: bool,
 }
 
 /// The place of a value: a slot of the stack, and the way from there to a part.
 #[derive(Clone, Debug)]
 pub(crate) struct Address {
-    pub(crate) slot: usize,
-    pub(crate) steps: Vec<usize>,
+    pub(crate) slot: u32,
+    pub(crate) steps: Box<[u32]>,
 }
 
 impl Address {
     pub(crate) fn of(slot: usize) -> Self {
-        let steps = Vec::new();
-        Self { slot, steps }
+        Self {
+            slot: slot as u32,
+            steps: Box::default(),
+        }
+    }
+
+    /// The place of a part.
+    pub(crate) fn part(&self, n: usize) -> Self {
+        Self {
+            slot: self.slot,
+            steps: self.steps.iter().copied().chain([n as u32]).collect(),
+        }
     }
 }
 
@@ -64,26 +104,72 @@ pub(crate) enum Frame {
     Taken(Rc<Vec<Value>>),
 }
 
-/// What gives one value after the other: of a list by its place, or of a range by the next
-/// number and the one after the last.
+/// What gives one value after the other.
+#[derive(Clone, Debug)]
 pub(crate) enum Iter {
-    List(Rc<Vec<Value>>, usize),
+    /// The parts of a list from the first number to before the second, each with more `&`.
+    List(Rc<List>, usize, usize, u8),
+    /// The places of the parts of a list, the next and how many there are.
+    Places(Address, usize, usize),
     Range(i128, i128, Int),
+    /// The other way round.
+    Rev(Box<Iter>),
+    Map(Box<Iter>, Rc<Value>),
+    Filter(Box<Iter>, Rc<Value>),
+    FilterMap(Box<Iter>, Rc<Value>),
+    /// References to values as these.
+    Copied(Box<Iter>),
+    Enumerate(Box<Iter>, usize),
+    Zip(Box<[Iter; 2]>),
+    Chain(Box<[Iter; 2]>),
+    Take(Box<Iter>, i128),
+    Skip(Box<Iter>, i128),
+    StepBy(Box<Iter>, i128, bool),
+    /// An iterator that is somebody else's, too.
+    Shared(Rc<RefCell<Iter>>),
 }
 
-impl Iter {
-    pub(crate) fn next(&mut self) -> Option<Value> {
-        match self {
-            Self::List(all, next) => {
-                *next += 1;
-                all.get(*next - 1).cloned()
-            }
-            Self::Range(next, end, int) => {
-                let is_there = *next < *end;
-                *next += i128::from(is_there);
-                is_there.then(|| Value::Int(*next - 1, *int))
-            }
-        }
+/// What colors the pixels of a picture.
+#[derive(Debug)]
+pub(crate) enum Brush {
+    /// A function of column and row, and where it is given.
+    Pixel(Value, At),
+    /// A function of the ray that our camera casts.
+    Ray(Camera, Value, At),
+    /// A reader's `ray_color`, with a world if it takes one.
+    Role(Camera, usize, Option<Value>),
+    /// A picture that the text has printed by itself.
+    Printed(Picture),
+}
+
+impl From<Data> for Value {
+    fn from(data: Data) -> Self {
+        Self { lent: 0, data }
+    }
+}
+
+impl From<f64> for Value {
+    fn from(number: f64) -> Self {
+        Data::Float(number).into()
+    }
+}
+
+impl From<bool> for Value {
+    fn from(truth: bool) -> Self {
+        Data::Bool(truth).into()
+    }
+}
+
+impl From<Vec3> for Value {
+    fn from(vector: Vec3) -> Self {
+        Data::Vec3(vector).into()
+    }
+}
+
+impl From<Option<Self>> for Value {
+    fn from(option: Option<Self>) -> Self {
+        let data = option.map_or(Data::None, |it| Data::Some(Rc::new(it)));
+        data.into()
     }
 }
 
@@ -91,8 +177,8 @@ impl Iter {
 macro_rules! taken {
     ($name:ident, $variant:ident, $ty:ty) => {
         pub(crate) fn $name(&self) -> $ty {
-            match self {
-                Self::$variant(it, ..) => it.clone(),
+            match &self.data {
+                Data::$variant(it, ..) => it.clone(),
                 other => unreachable!("types are checked, and this is {other:?}"),
             }
         }
@@ -100,86 +186,135 @@ macro_rules! taken {
 }
 
 impl Value {
-    taken!(float, Float, f64);
-    taken!(int, Int, i128);
     taken!(truth, Bool, bool);
     taken!(vec3, Vec3, Vec3);
     taken!(ray, Ray, Rc<Ray>);
-    taken!(many, Many, Rc<Vec<Value>>);
+    taken!(list, List, Rc<List>);
     taken!(ordering, Ordering, Ordering);
     taken!(text, Str, Rc<String>);
 
+    pub(crate) fn float(&self) -> f64 {
+        match self.data {
+            Data::Float(it) => it,
+            Data::Single(it) => it.into(),
+            Data::Int(it, _) => it.get() as f64,
+            ref other => unreachable!("types are checked, and this is {other:?}"),
+        }
+    }
+
+    pub(crate) fn int(&self) -> i128 {
+        match self.data {
+            Data::Int(it, _) => it.get(),
+            ref other => unreachable!("types are checked, and this is {other:?}"),
+        }
+    }
+
+    pub(crate) fn whole(number: i128, int: Int) -> Self {
+        Data::Int(Whole(number), int).into()
+    }
+
     pub(crate) fn usize(number: usize) -> Self {
-        Self::Int(number as i128, Int::Usize)
+        Self::whole(number as i128, Int::Usize)
+    }
+
+    pub(crate) fn str(text: impl Into<String>) -> Self {
+        Data::Str(Rc::new(text.into())).into()
+    }
+
+    pub(crate) fn vector(all: Vec<Self>) -> Self {
+        let of = Type::UNKNOWN;
+        let is_array = false;
+        Data::List(Rc::new(List { all, of, is_array })).into()
+    }
+
+    pub(crate) fn array(all: Vec<Self>) -> Self {
+        let of = Type::UNKNOWN;
+        let is_array = true;
+        Data::List(Rc::new(List { all, of, is_array })).into()
+    }
+
+    pub(crate) fn iter(iter: Iter) -> Self {
+        Data::Iter(Rc::new(RefCell::new(iter))).into()
     }
 
     pub(crate) fn option(&self) -> Option<Self> {
-        match self {
-            Self::Some(it) => Some(Self::clone(it)),
+        match &self.data {
+            Data::Some(it) => Some((**it).clone().more_lent(self.lent.min(1))),
             _ => None,
         }
     }
 
-    pub(crate) fn of(option: Option<Self>) -> Self {
-        option.map_or(Self::None, |it| Self::Some(Rc::new(it)))
-    }
-
-    /// Its type, as far as a value shows it.
-    pub(crate) fn ty(&self) -> Type {
-        let of = |value: Option<&Self>| value.map_or(Type::UNKNOWN, Self::ty);
-        match self {
-            Self::Unit => Type::UNIT,
-            Self::Bool(_) => Head::Bool.into(),
-            Self::Int(_, int) => Head::Int(*int).into(),
-            Self::Float(_) => Head::F64.into(),
-            Self::Vec3(_) => Head::Vec3.into(),
-            Self::Ray(_) => Head::Ray.into(),
-            Self::Picture(_) => Head::Picture.into(),
-            Self::Str(_) => Head::Str.into(),
-            Self::Ordering(_) => Head::Ordering.into(),
-            Self::None => Type::of(Head::Option, Type::UNKNOWN),
-            Self::Some(it) => Type::of(Head::Option, it.ty()),
-            Self::Own(kind, ..) => Head::Own(*kind as usize).into(),
-            Self::Tuple(all) => Type(Head::Tuple, all.iter().map(Self::ty).collect()),
-            Self::Many(all) => Type::of(Head::Vec, of(all.first())),
-            Self::Range(ends, _) => Type::of(Head::Range, ends[0].ty()),
-            Self::Mut(_) => Type::of(Head::RefMut, Type::UNKNOWN),
-            Self::Closure(closure, _) => {
-                let unknown = vec![Type::UNKNOWN; closure.parameters.len() + 1];
-                Type(Head::Fn, unknown)
-            }
-            Self::Function(_) | Self::Native(..) => Type::UNKNOWN,
+    /// The same with so many more `&`.
+    pub(crate) fn more_lent(self, more: u8) -> Self {
+        Self {
+            lent: self.lent.saturating_add(more),
+            ..self
         }
     }
 
-    /// Whether it may be where that type is declared.
-    pub(crate) fn fits(&self, ty: &Type, names: &Names) -> bool {
-        match (self, ty.0) {
-            (Self::Float(_), Head::F64) | (Self::Vec3(_), Head::Vec3) | (_, Head::Unknown) => true,
-            (Self::Mut(_), Head::RefMut) => true,
-            (value, Head::Ref | Head::Box) => value.fits(&ty.1[0], names),
-            (Self::Some(it), Head::Option) => it.fits(&ty.1[0], names),
-            (Self::Many(all), Head::Vec | Head::Slice | Head::Array(_)) => {
-                let is_as_long = !matches!(ty.0, Head::Array(length) if length != all.len());
-                is_as_long && all.first().is_none_or(|it| it.fits(&ty.1[0], names))
-            }
-            (Self::Tuple(all), Head::Tuple) => {
-                let mut both = all.iter().zip(&ty.1);
-                all.len() == ty.1.len() && both.all(|(it, ty)| it.fits(ty, names))
-            }
-            _ => self.ty().fits(ty, names),
+    pub(crate) fn lent(self) -> Self {
+        self.more_lent(1)
+    }
+
+    /// The same without any `&`.
+    pub(crate) fn owned(self) -> Self {
+        Self { lent: 0, ..self }
+    }
+
+    /// A part of a value that has parts, by its number: what a box or `Some` holds is one.
+    pub(crate) fn part(&self, n: usize) -> Self {
+        match &self.data {
+            Data::Own(_, fields) | Data::Tuple(fields) => fields[n].clone(),
+            Data::List(list) => list.all[n].clone(),
+            Data::Vec3(vector) => vector[n].into(),
+            Data::Ray(ray) => [ray.origin, ray.direction][n].into(),
+            Data::Some(it) | Data::Box(it) => (**it).clone(),
+            other => unreachable!("types are checked, and {other:?} has no parts"),
         }
     }
 
-    /// A part of a value that has parts, by its number.
-    pub(crate) fn field(&self, n: usize) -> Self {
-        match self {
-            Self::Own(_, fields) | Self::Tuple(fields) => fields[n].clone(),
-            Self::Many(fields) => fields[n].clone(),
-            Self::Vec3(vector) => Self::Float(vector[n]),
-            Self::Ray(ray) => Self::Vec3([ray.origin, ray.direction][n]),
-            other => unreachable!("types are checked, and {other:?} has no fields"),
+    /// Changes the part that a path leads to.
+    pub(crate) fn reach(&mut self, path: &[u32], change: &mut dyn FnMut(&mut Self)) {
+        let &[first, ref rest @ ..] = path else {
+            return change(self);
+        };
+        let first = first as usize;
+        match &mut self.data {
+            Data::Own(_, fields) | Data::Tuple(fields) => {
+                Rc::make_mut(fields)[first].reach(rest, change);
+            }
+            Data::List(list) => Rc::make_mut(list).all[first].reach(rest, change),
+            Data::Some(it) | Data::Box(it) => Rc::make_mut(it).reach(rest, change),
+            Data::Vec3(vector) => {
+                let mut part = Self::from(vector[first]);
+                part.reach(rest, change);
+                vector[first] = part.float();
+            }
+            Data::Ray(ray) => {
+                let mut part = Self::from([ray.origin, ray.direction][first]);
+                part.reach(rest, change);
+                let ray = Rc::make_mut(ray);
+                *[&mut ray.origin, &mut ray.direction][first] = part.vec3();
+            }
+            other => unreachable!("types are checked, and {other:?} has no parts to change"),
         }
+    }
+
+    /// Whether its type may be that of another, as far as they show it.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        let is_same = match (self.head(), other.head()) {
+            (Head::Int(one), Head::Int(other)) => one.joined(other).is_some(),
+            (one, other) => one == other,
+        };
+        let parts = match (&self.data, &other.data) {
+            (Data::Some(one), Data::Some(other)) => one.is_like(other),
+            (Data::Tuple(one), Data::Tuple(other)) => {
+                one.len() == other.len() && one.iter().zip(&**other).all(|it| it.0.is_like(it.1))
+            }
+            // Boxes may be of what has a trait.
+            _ => true,
+        };
+        self.lent == other.lent && is_same && parts
     }
 
     /// Whether they are equal, as `derive(PartialEq)` has it.
@@ -187,67 +322,74 @@ impl Value {
         let all_equal = |one: &[Self], other: &[Self]| {
             one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one.equals(other))
         };
-        match (self, other) {
-            (Self::Vec3(one), Self::Vec3(other)) => one == other,
-            (Self::Ray(one), Self::Ray(other)) => one == other,
-            (Self::Ordering(one), Self::Ordering(other)) => one == other,
-            (Self::Str(one), Self::Str(other)) => one == other,
-            (Self::None, Self::None) | (Self::Unit, Self::Unit) => true,
-            (Self::Some(one), Self::Some(other)) => one.equals(other),
-            (Self::Own(_, fields), Self::Own(_, others)) => all_equal(fields, others),
-            (Self::Tuple(fields), Self::Tuple(others)) => all_equal(fields, others),
-            (Self::Many(fields), Self::Many(others)) => all_equal(fields, others),
-            (one, other) => one.compared(other).is_some_and(Ordering::is_eq),
+        match (&self.data, &other.data) {
+            (Data::Vec3(one), Data::Vec3(other)) => one == other,
+            (Data::Ray(one), Data::Ray(other)) => one == other,
+            (Data::Ordering(one), Data::Ordering(other)) => one == other,
+            (Data::Str(one), Data::Str(other)) => one == other,
+            (Data::None, Data::None) | (Data::Unit, Data::Unit) => true,
+            (Data::Some(one), Data::Some(other)) | (Data::Box(one), Data::Box(other)) => {
+                one.equals(other)
+            }
+            (Data::Own(_, one), Data::Own(_, other)) | (Data::Tuple(one), Data::Tuple(other)) => {
+                all_equal(one, other)
+            }
+            (Data::List(one), Data::List(other)) => all_equal(&one.all, &other.all),
+            _ => self.compared(other).is_some_and(Ordering::is_eq),
         }
     }
 
     /// How numbers are ordered, unless one is none.
     pub(crate) fn compared(&self, other: &Self) -> Option<Ordering> {
-        match (self, other) {
-            (Self::Float(one), Self::Float(other)) => one.partial_cmp(other),
-            (Self::Int(one, _), Self::Int(other, _)) => one.partial_cmp(other),
-            (Self::Bool(one), Self::Bool(other)) => one.partial_cmp(other),
+        match (&self.data, &other.data) {
+            (Data::Float(one), Data::Float(other)) => one.partial_cmp(other),
+            (Data::Int(..), Data::Int(..)) => self.int().partial_cmp(&other.int()),
+            (Data::Bool(one), Data::Bool(other)) => one.partial_cmp(other),
+            (Data::Single(_), Data::Single(_) | Data::Float(_))
+            | (Data::Float(_), Data::Single(_)) => self.float().partial_cmp(&other.float()),
             _ => None,
         }
     }
 
     /// `as`: rounds towards zero, stays at the ends of integers, and cuts integers off.
     pub(crate) fn cast(&self, ty: &Type) -> Option<Self> {
-        Some(match (self, ty.0) {
-            (Self::Float(it), Head::Int(int)) => {
+        Some(match (&self.data, ty.0) {
+            (Data::Float(_) | Data::Single(_), Head::Int(int)) => {
                 let (least, most) = int.ends();
-                Self::Int((*it as i128).clamp(least, most), int)
+                Self::whole((self.float() as i128).clamp(least, most), int)
             }
-            (Self::Int(it, _), Head::Int(int)) => Self::Int(int.wrapped(*it), int),
-            (Self::Int(it, _), Head::F64) => Self::Float(*it as f64),
-            (Self::Bool(it), Head::Int(int)) => Self::Int((*it).into(), int),
-            (Self::Float(_), Head::F64) => self.clone(),
-            (_, Head::Int(_) | Head::F64) => return None,
-            (value, _) => value.clone(),
+            (Data::Int(it, _), Head::Int(int)) => Self::whole(int.wrapped(it.get()), int),
+            (Data::Bool(it), Head::Int(int)) => Self::whole((*it).into(), int),
+            (Data::Int(it, _), Head::F32) => Data::Single(it.get() as f32).into(),
+            (Data::Float(_) | Data::Single(_) | Data::Int(..), Head::F64) => self.float().into(),
+            (Data::Float(it), Head::F32) => Data::Single(*it as f32).into(),
+            (Data::Single(it), Head::F32) => Data::Single(*it).into(),
+            _ => return None,
         })
     }
 
-    /// Changes the part that a path leads to.
-    pub(crate) fn reach(&mut self, path: &[usize], change: &mut dyn FnMut(&mut Self)) {
-        let &[first, ref rest @ ..] = path else {
-            return change(self);
-        };
-        match self {
-            Self::Own(_, fields) | Self::Tuple(fields) => {
-                Rc::make_mut(fields)[first].reach(rest, change);
-            }
-            Self::Vec3(vector) => {
-                let mut part = Self::Float(vector[first]);
-                part.reach(rest, change);
-                vector[first] = part.float();
-            }
-            Self::Ray(ray) => {
-                let mut part = Self::Vec3([ray.origin, ray.direction][first]);
-                part.reach(rest, change);
-                let ray = Rc::make_mut(ray);
-                *[&mut ray.origin, &mut ray.direction][first] = part.vec3();
-            }
-            other => unreachable!("types are checked, and {other:?} has no parts to change"),
+    /// What its type is apart from those that it is made of.
+    pub(crate) fn head(&self) -> Head {
+        match &self.data {
+            Data::Bool(_) => Head::Bool,
+            Data::Int(_, int) => Head::Int(*int),
+            Data::Float(_) => Head::F64,
+            Data::Single(_) => Head::F32,
+            Data::Vec3(_) => Head::Vec3,
+            Data::Ray(_) => Head::Ray,
+            Data::Picture(_) => Head::Picture,
+            Data::Str(_) => Head::Str,
+            Data::Ordering(_) => Head::Ordering,
+            Data::None | Data::Some(_) => Head::Option,
+            Data::Box(_) => Head::Box,
+            Data::Own(kind, _) => Head::Own(*kind),
+            Data::Unit | Data::Tuple(_) => Head::Tuple,
+            Data::List(list) if list.is_array => Head::Array(list.all.len()),
+            Data::List(_) => Head::Vec,
+            Data::Range(..) => Head::Range,
+            Data::Iter(_) => Head::Iterator,
+            Data::Mut(_) => Head::RefMut,
+            Data::Closure(..) | Data::Function(_) | Data::Native(_) => Head::Fn,
         }
     }
 }

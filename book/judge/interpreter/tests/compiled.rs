@@ -2,12 +2,12 @@
 //! rustc has it.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
 use common::rtweekend::*;
-use interpreter::Program;
+use interpreter::{FaultKind, Program};
 use slips::{Ball, Chapter, Interpreted, Letters};
 
 const WIDTHS: [u32; 3] = [40, 63, 100];
@@ -50,6 +50,11 @@ fn mistakes_draw_what_they_draw_when_they_are_compiled() {
             let Some(Ok(program)) = with(chapter, &words.right, &words.wrong) else {
                 continue;
             };
+            // What the compiler refuses may be seen when it runs.
+            let drawn_first = program.draw(WIDTHS[0]);
+            if drawn_first.is_err_and(|it| it.kind != FaultKind::Stopped) {
+                continue;
+            }
             drawn += 1;
             let is_same = WIDTHS.iter().all(|&width| {
                 let compiled = slip.program(chapter).run(width).picture();
@@ -87,11 +92,11 @@ fn a_function_that_is_read_anew_draws_what_the_whole_text_does() {
         assert_eq!(patched.draw(63), whole.draw(63), "{function}");
         assert_ne!(patched.draw(63), right.draw(63), "{function}");
     }
-    let refused = right.patched("ray_color", "fn ray_color(ray: &Ray) -> Color { ray }");
-    assert!(refused.is_err_and(|it| it.message == "mismatched types"));
+    let patched = right.patched("ray_color", "fn ray_color(ray: &Ray) -> Color { ray }");
+    let drawn = patched.expect("types are seen when it runs").draw(16);
+    assert!(drawn.is_err_and(|it| it.message == "mismatched types"));
 }
 
-/// What readers have beside the chapter's text, or in its place.
 #[test]
 fn a_mutant_runs_by_its_number_and_one_that_is_refused_is_lost_alone() {
     const ROWS: [(&str, &str); 2] = [
@@ -116,9 +121,15 @@ fn a_mutant_runs_by_its_number_and_one_that_is_refused_is_lost_alone() {
     }
     assert!(is_same(7, &typed(0).expect("it is read")));
     assert!(is_same(10, &typed(1).expect("it is read")));
-    assert!(all.with_mutant(4).draw(40).is_err());
+    let other = with(
+        Chapter::Gradient,
+        "0.5 * (unit_direction.y + 1.0)",
+        "unit_direction",
+    );
+    assert!(is_same(4, &other.expect("once").expect("it is read")));
 }
 
+/// What readers have beside the chapter's text, or in its place.
 #[test]
 fn what_the_compiler_reads_is_read() {
     let (_, normals) = Chapter::Normals.files()[0];
@@ -315,12 +326,25 @@ fn said_here(files: &[(&'static str, String)]) -> Option<(String, usize, String)
         .collect();
     let fault = match interpreter::read(&files) {
         Err(faults) => faults[0].clone(),
-        Ok(program) => program.draw(16).err()?,
+        Ok(program) => match program.draw(16) {
+            Err(fault) => fault,
+            Ok(_) => {
+                let (file, lines) = program.unchecked().into_iter().next()?;
+                return Some((
+                    files[file].0.to_owned(),
+                    *lines.start(),
+                    "unchecked".to_owned(),
+                ));
+            }
+        },
     };
     let place = fault.place.clone().unwrap_or_default();
     let said = format!(
         "{}{}: {}",
-        if fault.is_refused { "" } else { "stops: " },
+        match fault.kind {
+            FaultKind::Stopped => "stops: ",
+            _ => "",
+        },
         fault.message,
         fault.label
     );
@@ -352,28 +376,19 @@ fn what_the_compiler_refuses_or_is_not_known_is_refused() {
 fn a_reference_where_a_value_is_wanted_has_the_help_of_the_compiler() {
     let typed =
         with(Chapter::Normals, "direction.dot(oc)", "direction.dot(&oc)").expect("it is there");
-    let said = typed.err().unwrap_or_default();
+    let drawn = typed.expect("types are seen when it runs").draw(16);
+    let said = drawn.expect_err("rustc refuses it").to_string();
     assert!(said.ends_with("; consider removing the borrow"), "{said}");
 }
 
 #[test]
 #[ignore = "asks the compiler of a hundred texts"]
 fn most_faults_are_in_the_line_and_the_words_of_the_compiler() {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("refused");
-    let common = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../common");
-    fs::create_dir_all(folder.join("src")).expect("a folder");
-    let manifest = format!(
-        "[package]\nname = \"refused\"\nedition = \"2024\"\n\n[dependencies]\n\
-         common = {{ path = {common:?} }}\n\n[workspace]\n"
-    );
-    fs::write(folder.join("Cargo.toml"), manifest).expect("a file");
+    let folder = crate_of_ones_own("refused");
     let (mut lines, mut words, mut all) = (0, 0, 0);
     for row in refused() {
         let files = changed(&row);
-        for (name, text) in &files {
-            fs::write(folder.join(name), text).expect("a file");
-        }
-        let compiled = said_of(&folder);
+        let compiled = said_of(&folder, &files);
         assert!(compiled.contains(": error"), "{row:?} compiles");
         let (file, line, said) = said_here(&files).unwrap_or_default();
         let place = format!("{file}:{line}:");
@@ -399,8 +414,38 @@ fn most_faults_are_in_the_line_and_the_words_of_the_compiler() {
     );
 }
 
-/// What the compiler says of the crate.
-fn said_of(folder: &Path) -> String {
+#[test]
+#[ignore = "asks the compiler of a hundred texts"]
+fn what_is_read_or_is_not_known_compiles() {
+    let folder = crate_of_ones_own("read");
+    let unknown = rows::<4>(include_str!("texts/unknown.txt"));
+    let unknown = unknown.iter().map(|row| changed(row));
+    let read = rows::<3>(include_str!("texts/read.txt"));
+    let read = read.iter().map(|row| changed(row));
+    for files in unknown.chain(read) {
+        let compiled = said_of(&folder, &files);
+        assert!(!compiled.contains(": error"), "{files:?}\n{compiled}");
+    }
+}
+
+/// A folder with the manifest of a crate.
+fn crate_of_ones_own(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let common = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../common");
+    fs::create_dir_all(folder.join("src")).expect("a folder");
+    let manifest = format!(
+        "[package]\nname = \"{name}\"\nedition = \"2024\"\n\n[dependencies]\n\
+         common = {{ path = {common:?} }}\n\n[workspace]\n"
+    );
+    fs::write(folder.join("Cargo.toml"), manifest).expect("a file");
+    folder
+}
+
+/// What the compiler says of the crate with these files.
+fn said_of(folder: &Path, files: &[(&'static str, String)]) -> String {
+    for (name, text) in files {
+        fs::write(folder.join(name), text).expect("a file");
+    }
     let check = ["check", "--quiet", "--offline", "--message-format", "short"];
     let cargo = Command::new(env!("CARGO"))
         .args(check)

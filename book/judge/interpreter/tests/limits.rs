@@ -39,7 +39,7 @@ fn what_is_nested_too_deep_is_refused_with_its_line() {
                 let read = interpreter::read(&[("src/lib.rs", &text)]);
                 read.map_or_else(|faults| faults[0].to_string(), |_| String::new())
             };
-            let refused = "line 2: this page does not know what is nested more than 200 deep";
+            let refused = "line 2: this page does not read what is nested more than 200 deep";
             assert!(
                 !said(most).starts_with(refused),
                 "{open}: {most} are too many"
@@ -50,4 +50,57 @@ fn what_is_nested_too_deep_is_refused_with_its_line() {
         }
     });
     read.expect("a thread").join().expect("no panic");
+}
+
+/// What is said of a function with that body.
+fn stopped(body: &str) -> String {
+    let text = format!(
+        "use common::rtweekend::*;\n\nstruct Link {{ next: Option<Box<Link>> }}\n\n\
+         pub fn hit_sphere(_: Point3, _: f64, _: &Ray) -> Option<f64> {{\n    {body}\n}}\n\n\
+         pub fn picture(_: u32) -> String {{\n    \
+         let _ = hit_sphere(Vec3::ONE, 1.0, &Ray::new(Vec3::ONE, Vec3::ONE));\n    \
+         String::from(\"P3\\n1 1\\n255\\n0 0 0\")\n}}\n"
+    );
+    let program = interpreter::read(&[("src/lib.rs", &text)]).unwrap_or_else(|faults| {
+        panic!("{body}: {}", faults[0]);
+    });
+    program
+        .draw(1)
+        .map_or_else(|fault| fault.message, |_| String::new())
+}
+
+#[test]
+fn what_takes_too_much_is_stopped_before_it_is_made() {
+    let memory = "this takes too much memory";
+    let turns = "this takes too many turns of loops and calls";
+    let deep = "this value is nested too deeply";
+    let stops = [
+        (
+            "let mut t = String::from(\"a\"); for _ in 0..60 { t = format!(\"{t}{t}\"); } None",
+            memory,
+        ),
+        (
+            "let mut t = String::from(\"a\"); for _ in 0..60 { let u = t.clone(); t += &u; } None",
+            memory,
+        ),
+        ("let v = vec![1.0; 100_000_000]; Some(v[0])", memory),
+        ("let mut v = Vec::new(); loop { v.push(1.0); }", turns),
+        (
+            "let mut v = Vec::new(); for _ in 0..40_000 { v.push(1.0); } None",
+            "",
+        ),
+        (
+            "let mut n = Link { next: None }; \
+             for _ in 0..200 { n = Link { next: Some(Box::new(n)) }; } None",
+            deep,
+        ),
+        (
+            "let mut n = Link { next: None }; \
+             for _ in 0..30 { n = Link { next: Some(Box::new(n)) }; } None",
+            "",
+        ),
+    ];
+    for (body, said) in stops {
+        assert_eq!(stopped(body), said, "{body}");
+    }
 }

@@ -12,7 +12,7 @@ use check::sources::Sources;
 use check::verdict;
 use check::whole::{Evidence, Laws, Line, Verdict};
 use common::rtweekend::*;
-use interpreter::Fault;
+use interpreter::{Fault, FaultKind};
 use laws::answers::Answers;
 use laws::{Complaint, Trial};
 use slips::{Chapter, Letters, Program, Slip, lawful, steps};
@@ -99,12 +99,9 @@ impl Text {
     /// # Errors
     /// What stops the program.
     pub fn draw(&self, program: &interpreter::Program, width: u32) -> Result<Picture, Said> {
-        program.draw(width).map_err(|fault| {
-            if fault.is_refused {
-                self.not_compiled(&[fault])
-            } else {
-                self.stopped(&fault)
-            }
+        program.draw(width).map_err(|fault| match fault.kind {
+            FaultKind::Stopped => self.stopped(&fault),
+            _ => self.not_compiled(&[fault]),
         })
     }
 
@@ -112,10 +109,30 @@ impl Text {
     pub fn judged(&self, program: interpreter::Program, picture: &Picture) -> Said {
         // What judges keeps programs for good: the page begins with a new worker now and then.
         let program = Box::leak(Box::new(program));
-        let verdict = self.verdict(program, picture);
+        let mut verdict = self.verdict(program, picture);
         // A line that the picture never runs is run by the laws.
-        let refused = self.refused(program);
-        refused.unwrap_or_else(|| Said::new(&verdict, Vec::new()))
+        if let Some(refused) = self.refused(program) {
+            return refused;
+        }
+        if verdict.is_right {
+            verdict.headline += &self.unchecked(program);
+        }
+        Said::new(&verdict, Vec::new())
+    }
+
+    /// The lines that neither the picture nor the laws have run.
+    fn unchecked(&self, program: &interpreter::Program) -> String {
+        let lines = program.unchecked().into_iter().map(|(file, lines)| {
+            let (name, _) = &self.files[self.typed(file)];
+            match (lines.start(), lines.end()) {
+                (from, to) if from == to => format!("{name}:{from}"),
+                (from, to) => format!("{name}:{from} to {to}"),
+            }
+        });
+        match lines.collect::<Vec<_>>().join(", ") {
+            none if none.is_empty() => none,
+            lines => format!(" Not checked, since it never ran: {lines}."),
+        }
     }
 
     /// The chapter's program with what was typed in the place of its code.
@@ -174,7 +191,18 @@ impl Text {
         };
         let first = faults.iter().take(MOST_FAULTS).map(line).collect();
         let places = faults.iter().filter_map(|it| self.columns(it)).collect();
-        Said::new(&Verdict::not_compiled(faults.len(), first), places)
+        let mut verdict = Verdict::not_compiled(faults.len(), first);
+        match faults.first().map(|it| (it.kind, it)) {
+            Some((FaultKind::Unread, fault)) => {
+                let line = fault.place.as_ref().map_or(0, |it| it.line);
+                verdict.headline = format!("This page cannot read line {line}; cargo may.");
+            }
+            Some((FaultKind::Unfinished, fault)) => {
+                verdict.headline = format!("Not finished: {}.", fault.help);
+            }
+            _ => {}
+        }
+        Said::new(&verdict, places)
     }
 
     fn stopped(&self, fault: &Fault) -> Said {
@@ -204,9 +232,13 @@ impl Text {
     /// The file as it is typed, the line from 1, and the columns from 0.
     fn columns(&self, fault: &Fault) -> Option<[usize; 4]> {
         let place = fault.place.as_ref()?;
-        let all = self.files.len();
-        let file = (place.file + all - 1) % all;
+        let file = self.typed(place.file);
         Some([file, place.line, place.columns.start, place.columns.end])
+    }
+
+    /// The number that a file has here: the root is read first, and typed last.
+    fn typed(&self, file: usize) -> usize {
+        (file + self.files.len() - 1) % self.files.len()
     }
 }
 

@@ -1,91 +1,81 @@
 //! Loops: what they go over, and how they are left.
 
-use super::{Lowered, Lowerer, Typed};
-use crate::node::{At, Node};
-use crate::read::{Refusal, at_span};
-use crate::types::{Head, Type};
+use super::{Lowered, Lowerer};
+use crate::node::Node;
+use crate::refusal::At;
+use crate::types::Type;
 
 impl Lowerer<'_> {
     pub(super) fn while_loop(&mut self, it: &syn::ExprWhile) -> Lowered {
         let outside = self.locals.len();
-        let condition = self.given(&it.cond, &Head::Bool.into())?;
+        let condition = self.given(&it.cond, &Type::BOOL)?;
         let (body, _) = self.looped(&it.body, it.label.as_ref())?;
         self.locals.truncate(outside);
         let at = self.at_any(&it.while_token);
-        let node = Node::While(Box::new([condition, body]), at);
-        Ok(Typed::new(node, Type::UNIT))
+        Ok(Node::While(Box::new([condition, body]), at))
     }
 
     pub(super) fn endless_loop(&mut self, it: &syn::ExprLoop) -> Lowered {
         let (body, is_left) = self.looped(&it.body, it.label.as_ref())?;
         let at = self.at_any(&it.loop_token);
         let node = Node::While(Box::new([Node::Bool(true), body]), at);
-        let head = if is_left { Head::Unknown } else { Head::Never };
-        Ok(Typed::new(node, head))
+        if is_left {
+            return Ok(node);
+        }
+        // Nothing comes after it.
+        let end = Node::Panic(String::new(), at);
+        Ok(Node::Block(vec![node, end], true))
     }
 
     pub(super) fn for_loop(&mut self, it: &syn::ExprForLoop) -> Lowered {
         let each = self.expr(&it.expr)?;
-        let (each, of) = self.iterated(each, &it.expr)?;
+        let at = self.at(&it.expr);
         let outside = self.locals.len();
-        let pattern = self.pattern(&it.pat, &of, false)?;
+        let pattern = self.irrefutable(&it.pat)?;
         let (body, _) = self.looped(&it.body, it.label.as_ref())?;
         self.locals.truncate(outside);
-        let at = self.at_any(&it.for_token);
-        let node = Node::For(Box::new(pattern), Box::new([each, body]), at);
-        Ok(Typed::new(node, Type::UNIT))
+        Ok(Node::For(Box::new(pattern), Box::new([each, body]), at))
     }
 
     pub(super) fn leave_loop(&mut self, it: &syn::ExprBreak) -> Lowered {
         self.inside_a_loop(self.at_any(it), "break")?;
+        if it.label.is_some() {
+            return self.unread(self.at_any(it), "labels of loops");
+        }
         let value = match &it.expr {
-            Some(value) => self.expr(value)?.node,
+            Some(value) => self.expr(value)?,
             None => Node::Unit,
         };
+        self.leaves += 1;
         if let Some(is_left) = self.loops.last_mut() {
             *is_left = true;
         }
-        Ok(Typed::new(Node::Break(Box::new(value)), Head::Never))
+        Ok(Node::Break(Box::new(value)))
+    }
+
+    pub(super) fn next_turn(&mut self, it: &syn::ExprContinue) -> Lowered {
+        self.inside_a_loop(self.at_any(it), "continue")?;
+        if it.label.is_some() {
+            return self.unread(self.at_any(it), "labels of loops");
+        }
+        self.leaves += 1;
+        Ok(Node::Continue)
     }
 
     /// The body of a loop, and whether it ever leaves the loop.
     fn looped(&mut self, body: &syn::Block, label: Option<&syn::Label>) -> Lowered<(Node, bool)> {
         if let Some(label) = label {
-            return Err(Refusal::unknown(self.at_any(label), "labels of loops"));
+            return self.unread(self.at_any(label), "labels of loops");
         }
         self.loops.push(false);
-        let typed = self.block(body)?;
-        let place = at_span(self.file, body.brace_token.span.close());
-        let node = self.declared(typed, &Type::UNIT, place)?;
+        let node = self.block_given(body, &Type::UNIT)?;
         Ok((node, self.loops.pop().unwrap_or_default()))
     }
 
-    pub(super) fn inside_a_loop(&self, at: At, word: &str) -> Lowered<()> {
+    fn inside_a_loop(&self, at: At, word: &str) -> Lowered<()> {
         if self.loops.is_empty() {
             return self.refused(at, format!("`{word}` outside of a loop"));
         }
         Ok(())
-    }
-
-    /// What a loop goes over, and the type of each.
-    fn iterated(&mut self, each: Typed, at: &syn::Expr) -> Lowered<(Node, Type)> {
-        let ty = &each.ty;
-        let on = ty.stripped();
-        match (ty.0, on.0) {
-            (Head::RefMut, _) => Err(Refusal::unknown(
-                self.at(at),
-                "loops that change what they go over",
-            )),
-            (_, Head::Unknown | Head::Never) => Ok((each.node, Type::UNKNOWN)),
-            (Head::Range, _) if !on.inner().is_float() => Ok((each.node, on.inner().settled())),
-            (
-                Head::Vec | Head::Array(_) | Head::Iterator | Head::Ref,
-                Head::Vec | Head::Array(_) | Head::Slice | Head::Iterator,
-            ) => {
-                let of = on.inner().behind(ty);
-                Ok((each.node, of))
-            }
-            _ => Err(self.names.no_iterator(ty, self.at(at))),
-        }
     }
 }

@@ -3,20 +3,23 @@
 use syn::parse::Parser;
 use syn::punctuated::Punctuated;
 
-use super::{Lowered, Lowerer, Typed};
-use crate::node::{At, Node};
-use crate::read::Refusal;
-use crate::types::{Head, Type};
+use super::{Lowered, Lowerer};
+use crate::library;
+use crate::node::{Arguments, Node};
+use crate::refusal::{At, Refusal};
+use crate::types::{Owners, Type};
 
 impl Lowerer<'_> {
     pub(super) fn macro_call(&mut self, it: &syn::Macro) -> Lowered {
         let at = self.at_any(&it.path);
         let parser = Punctuated::<syn::Expr, syn::Token![,]>::parse_terminated;
+        let is_repeated = repeated(&it.tokens).is_some();
         let arguments: Vec<syn::Expr> = match parser.parse2(it.tokens.clone()) {
             Ok(arguments) => arguments.into_iter().collect(),
+            Err(_) if is_repeated => Vec::new(),
             Err(error) => return self.refused(at, error.to_string()),
         };
-        let never = |said: &str| Ok(Typed::new(Node::Panic(said.to_owned(), at), Head::Never));
+        let never = |said: &str| Ok(Node::Panic(said.to_owned(), at));
         let name = it.path.segments.last().expect("a path has a name");
         match name.ident.to_string().as_str() {
             "todo" | "unimplemented" => never("not yet implemented"),
@@ -26,53 +29,52 @@ impl Lowerer<'_> {
                 let Some(condition) = arguments.first() else {
                     return self.refused(at, "requires a boolean expression as 1st argument");
                 };
-                let condition = self.given(condition, &Head::Bool.into())?;
+                let condition = self.given(condition, &Type::BOOL)?;
                 let panic = Node::Panic("assertion failed".to_owned(), at);
-                let node = Node::If(Box::new([condition, Node::Unit, panic]));
-                Ok(Typed::new(node, Type::UNIT))
+                Ok(Node::If(Box::new([condition, Node::Unit, panic])))
             }
-            "vec" => {
-                let (nodes, of) = self.listed(&arguments)?;
-                Ok(Typed::new(Node::Many(nodes), Type::of(Head::Vec, of)))
-            }
-            "format" => Ok(Typed::new(self.formatted(&arguments, "", at)?, Head::Str)),
+            "vec" => match repeated(&it.tokens) {
+                Some(it) => {
+                    let nodes = [self.expr(&it.expr)?, self.expr(&it.len)?];
+                    Ok(Node::Repeat(Box::new(nodes), false, at))
+                }
+                None => self.listed(&arguments, &Type::UNKNOWN, false, at),
+            },
+            "format" => self.formatted(&arguments, "", at),
+            "dbg" if arguments.len() == 1 => self.expr(&arguments[0]),
             // Nothing shows what is printed beside the picture.
             "println" | "eprintln" | "print" | "eprint" => {
                 let text = self.formatted(&arguments, "", at)?;
-                Ok(Typed::new(Node::Block(vec![text], false), Type::UNIT))
+                Ok(Node::Block(vec![text], false))
             }
             "mutants" => self.mutants(&arguments, at),
             "write" => self.written(&arguments, "", at),
             "writeln" => self.written(&arguments, "\n", at),
-            name => Err(Refusal::unknown(at, &format!("`{name}!`"))),
+            name => self.unread(at, &format!("`{name}!`")),
         }
     }
 
     /// An expression and the mutants that may run in its place, behind the number of the first. One
     /// that is refused is lost, and no other with it.
     fn mutants(&mut self, arguments: &[syn::Expr], at: At) -> Lowered {
-        let [number, right, others @ ..] = arguments else {
+        let [number, all @ ..] = arguments else {
             return self.refused(at, "requires a number and an expression");
         };
-        let Node::Int(first, _) = self.expr(number)?.node else {
+        let Node::Int(first, _) = self.expr(number)? else {
             return self.refused(at, "requires a number");
         };
-        let right = self.expr(right)?;
-        let mut nodes = vec![right.node];
-        for other in others {
+        let mut nodes = Vec::new();
+        for one in all {
             let (locals, loops) = (self.locals.len(), self.loops.clone());
-            let lowered = match right.ty.0 {
-                Head::Never => self.expr(other).map(|it| it.node),
-                _ => self.given(other, &right.ty),
-            };
+            let lowered = self.expr(one);
             self.locals.truncate(locals);
             self.loops = loops;
-            nodes.push(lowered.unwrap_or(Node::Panic("no program".to_owned(), at)));
+            nodes.push(match lowered {
+                Err(refusal) if nodes.is_empty() => return Err(refusal),
+                lowered => lowered.unwrap_or(Node::Panic("no program".to_owned(), at)),
+            });
         }
-        Ok(Typed::new(
-            Node::Mutants(first as u32, nodes.into()),
-            right.ty,
-        ))
+        Ok(Node::Mutants(first as u32, nodes.into()))
     }
 
     /// What is added to a text.
@@ -80,15 +82,16 @@ impl Lowerer<'_> {
         let Some((to, rest)) = arguments.split_first() else {
             return self.refused(at, "requires at least a format string argument");
         };
-        let typed = self.expr(to)?;
-        let place = match typed.ty.0 {
-            Head::RefMut | Head::Unknown => typed.node,
-            _ => Node::Address(Box::new(self.mutable(typed, to)?)),
+        let place = match self.place(to)? {
+            Some(place) => Node::Address(Box::new(self.mutable(place))),
+            None => self.expr(to)?,
         };
         let text = self.formatted(rest, end, at)?;
-        let written = self.native("str", "push_str", vec![place, text], at);
-        let ty = Type::of(Head::Option, Type::UNIT);
-        Ok(Typed::new(Node::Some(Box::new(written)), ty))
+        let native = library::function(Owners::STR, "push_str").expect("it is listed");
+        let nodes = [place, Node::Lend(Box::new(text))].into();
+        let places = [at; 2].into();
+        let arguments = Arguments { nodes, places, at };
+        Ok(Node::Some(Box::new(Node::Native(native, arguments))))
     }
 
     /// A text with values in its brackets: `{}` and `{name}`. How they are to look,
@@ -117,25 +120,33 @@ impl Lowerer<'_> {
             let Some(value) = value else {
                 return self.refused(at, "this text has more brackets than there are arguments");
             };
-            nodes.push(value?.node);
+            nodes.push(value?);
             pieces.push(plain(before));
             rest = after;
         }
         pieces.push(plain(rest));
         match unnamed.next() {
             Some(_) => self.refused(at, "argument never used"),
-            None => Ok(Node::Format(pieces, nodes)),
+            None => Ok(Node::Format(pieces, nodes, at)),
         }
     }
 
     fn inline(&mut self, name: &str, at: At) -> Lowered {
         if name.starts_with(|it: char| it.is_ascii_digit()) {
-            return Err(Refusal::unknown(at, &format!("`{{{name}}}` in a text")));
+            return self.unread(at, &format!("`{{{name}}}` in a text"));
         }
         let message = format!("cannot find value `{name}` in this scope");
-        let missing = Refusal::new(at, &message, "not found in this scope", "");
-        self.variable(name).ok_or(missing)
+        let missing = Refusal::new(at, message, "not found in this scope", "");
+        let local = self.variable(name).map(|it| Node::Local(it.slot));
+        local.ok_or(missing)
     }
+}
+
+/// The `value; count` of a list.
+fn repeated(tokens: &proc_macro2::TokenStream) -> Option<syn::ExprRepeat> {
+    let tokens = tokens.clone();
+    let group = proc_macro2::Group::new(proc_macro2::Delimiter::Bracket, tokens);
+    syn::parse2(proc_macro2::TokenTree::from(group).into()).ok()
 }
 
 /// What is before the first bracket, in it, and after it.

@@ -1,17 +1,14 @@
-//! Declarations: what each item of the trees is, and the types of its parts.
+//! Definition pass: what each declared item is, and the types of its parts.
 
 use std::mem;
 
-use syn::punctuated::Punctuated;
-
-use super::{
-    Context, Entry, Field, Kind, Module, Named, Names, Signature, Trait, module_key, names,
-};
-use crate::node::At;
-use crate::read::{Refusal, at};
+use super::{Context, Field, Module, Named, Names, Signature, names};
+use crate::operators::Sign;
+use crate::read::at;
+use crate::refusal::{At, Refusal};
 use crate::types::{Head, Type};
 
-type Read<T = ()> = Result<T, Refusal>;
+pub(super) type Read<T = ()> = Result<T, Refusal>;
 
 /// What is in a function.
 #[derive(Clone, Copy)]
@@ -20,8 +17,8 @@ pub(crate) enum Inside<'a> {
     Constant(&'a syn::Expr),
 }
 
-/// What the files declare, each with its name and its tree; the root is `lib.rs`, or the first. Of each
-/// function what is in it, if anything is.
+/// Reads what the files declare, each with its name and its tree; the root is `lib.rs`, or the
+/// first. Of each function what is in it, if anything is.
 pub(crate) fn collect<'a>(
     files: &'a [(String, syn::File)],
 ) -> Result<(Names, Vec<Option<Inside<'a>>>), Vec<Refusal>> {
@@ -30,6 +27,7 @@ pub(crate) fn collect<'a>(
         names: Names::default(),
         items: Vec::new(),
         imports: Vec::new(),
+        blocks: Vec::new(),
         bodies: Vec::new(),
         faults: Vec::new(),
     };
@@ -48,176 +46,31 @@ pub(crate) fn collect<'a>(
     }
 }
 
-struct Collector<'a> {
-    files: &'a [(String, syn::File)],
-    names: Names,
+pub(super) struct Collector<'a> {
+    pub(super) files: &'a [(String, syn::File)],
+    pub(super) names: Names,
     /// Each with its module.
-    items: Vec<(usize, &'a syn::Item)>,
+    pub(super) items: Vec<(usize, &'a syn::Item)>,
     /// The paths of all imports, each with its module and its place.
-    imports: Vec<(usize, Vec<String>, At)>,
-    bodies: Vec<Option<Inside<'a>>>,
-    faults: Vec<Refusal>,
+    pub(super) imports: Vec<(usize, Vec<String>, At)>,
+    /// Functions that declare something, and the modules that they are.
+    pub(super) blocks: Vec<(&'a syn::Block, usize)>,
+    pub(super) bodies: Vec<Option<Inside<'a>>>,
+    pub(super) faults: Vec<Refusal>,
 }
 
 impl<'a> Collector<'a> {
-    fn module(&mut self, module: Module, items: impl IntoIterator<Item = &'a syn::Item>) -> usize {
-        self.names.modules.push(module);
-        let own = self.names.modules.len() - 1;
-        for item in items {
-            if !is_test(item) {
-                self.items.push((own, item));
-                let declared = self.declare(own, item);
-                self.faults.extend(declared.err());
-            }
-        }
-        own
+    pub(super) fn at(&self, module: usize, it: &impl syn::spanned::Spanned) -> At {
+        at(self.names.modules[module].file, it)
     }
 
-    fn at(&self, module: usize, it: &impl syn::spanned::Spanned) -> At {
-        at(self.names.file(module), it)
-    }
-
-    fn declare(&mut self, module: usize, item: &'a syn::Item) -> Read {
-        let (name, visibility, named) = match item {
-            syn::Item::Struct(it) => {
-                let named = self.kind(module, it);
-                self.no_generics(module, &it.generics)?;
-                if !matches!(it.fields, syn::Fields::Named(_)) {
-                    let what = "structs whose fields have no names";
-                    return Err(Refusal::unknown(self.at(module, &it.ident), what));
-                }
-                (&it.ident, &it.vis, named)
-            }
-            syn::Item::Trait(it) => {
-                self.no_generics(module, &it.generics)?;
-                let named = Named::Trait(self.names.traits.len());
-                self.names.traits.push(Trait::called(&it.ident));
-                (&it.ident, &it.vis, named)
-            }
-            syn::Item::Fn(it) => (&it.sig.ident, &it.vis, self.function()),
-            syn::Item::Const(it) => (&it.ident, &it.vis, self.function()),
-            syn::Item::Mod(it) => (&it.ident, &it.vis, self.submodule(module, it)?),
-            syn::Item::Type(it) => (&it.ident, &it.vis, Named::Type(Type::UNKNOWN)),
-            syn::Item::Use(it) => return self.import(module, &it.vis, Vec::new(), &it.tree),
-            syn::Item::Impl(_) => return Ok(()),
-            _ => return Err(Refusal::unknown(self.at(module, item), "this kind of item")),
-        };
-        self.name(module, name, visibility, named)
-    }
-
-    fn name(
-        &mut self,
+    pub(super) fn unread(
+        &self,
         module: usize,
-        name: &syn::Ident,
-        visibility: &syn::Visibility,
-        named: Named,
-    ) -> Read {
-        let entry = Entry {
-            named,
-            is_public: is_public(visibility),
-        };
-        let key = match entry.named {
-            Named::Module(_) => module_key(&name.to_string()),
-            _ => name.to_string(),
-        };
-        match self.names.modules[module].names.insert(key, entry) {
-            None => Ok(()),
-            Some(_) => {
-                let message = format!("the name `{name}` is defined multiple times");
-                Err(Refusal::new(self.at(module, name), &message, "", ""))
-            }
-        }
-    }
-
-    /// A place for a function whose signature is read later.
-    fn function(&mut self) -> Named {
-        self.names.functions.push(Signature::default());
-        self.bodies.push(None);
-        Named::Function(self.names.functions.len() - 1)
-    }
-
-    fn submodule(&mut self, module: usize, it: &'a syn::ItemMod) -> Read<Named> {
-        let name = it.ident.to_string();
-        let mut own = Module {
-            file: self.names.file(module),
-            parent: module,
-            name: name.clone(),
-            ..Module::default()
-        };
-        if let Some((_, items)) = &it.content {
-            return Ok(Named::Module(self.module(own, items)));
-        }
-        let is_it = |(file, _): &(String, syn::File)| {
-            let path = file.trim_end_matches("/mod.rs").trim_end_matches(".rs");
-            path.rsplit('/').next() == Some(&name)
-        };
-        let Some(file) = self.files.iter().position(is_it) else {
-            let message = format!("file not found for module `{name}`");
-            return Err(Refusal::new(self.at(module, &it.ident), &message, "", ""));
-        };
-        own.file = file as u32;
-        let files = self.files;
-        Ok(Named::Module(self.module(own, &files[file].1.items)))
-    }
-
-    fn kind(&mut self, module: usize, it: &syn::ItemStruct) -> Named {
-        let mut derives = Vec::new();
-        for derive in it.attrs.iter().filter(|it| it.path().is_ident("derive")) {
-            let _ = derive.parse_nested_meta(|meta| {
-                derives.extend(meta.path.segments.last().map(|it| it.ident.to_string()));
-                Ok(())
-            });
-        }
-        self.names.kinds.push(Kind {
-            name: it.ident.to_string(),
-            module,
-            fields: Vec::new(),
-            derives,
-        });
-        Named::Type(Head::Own(self.names.kinds.len() - 1).into())
-    }
-
-    fn import(
-        &mut self,
-        module: usize,
-        visibility: &syn::Visibility,
-        mut path: Vec<String>,
-        tree: &syn::UseTree,
-    ) -> Read {
-        let own = match tree {
-            syn::UseTree::Path(it) => {
-                path.push(it.ident.to_string());
-                return self.import(module, visibility, path, &it.tree);
-            }
-            syn::UseTree::Group(it) => {
-                let mut trees = it.items.iter();
-                return trees.try_for_each(|it| self.import(module, visibility, path.clone(), it));
-            }
-            syn::UseTree::Glob(_) => None,
-            syn::UseTree::Name(it) => Some(&it.ident),
-            syn::UseTree::Rename(_) => {
-                let what = "other names for what is imported";
-                return Err(Refusal::unknown(self.at(module, tree), what));
-            }
-        };
-        let mut name = own.cloned();
-        match (own, path.last()) {
-            // `use std::fmt::{self, …}`.
-            (Some(own), Some(last)) if own == "self" => {
-                name = Some(syn::Ident::new(last, own.span()));
-            }
-            _ => path.extend(own.map(ToString::to_string)),
-        }
-        self.imports
-            .push((module, path.clone(), self.at(module, tree)));
-        match name {
-            Some(name) => self.name(module, &name, visibility, Named::Import(path)),
-            None => {
-                let is_public = is_public(visibility);
-                self.names.modules[module].globs.push((path, is_public));
-                Ok(())
-            }
-        }
+        it: &impl syn::spanned::Spanned,
+        what: &str,
+    ) -> Refusal {
+        Refusal::unread(self.at(module, it), what)
     }
 
     /// Finds what all names mean, now that all are known.
@@ -245,8 +98,10 @@ impl<'a> Collector<'a> {
             each(self, Self::functions);
         }
         if self.faults.is_empty() {
-            let complete = self.are_traits_complete();
-            self.faults.extend(complete.err());
+            let checked = self.names.are_traits_complete();
+            let checked = checked.and_then(|()| self.names.do_structs_end());
+            self.faults.extend(checked.err());
+            self.index();
         }
     }
 
@@ -255,9 +110,8 @@ impl<'a> Collector<'a> {
             return Ok(());
         };
         let ty = self.names.ty(&Context::of(module), &it.ty)?;
-        let entry = self.names.modules[module]
-            .names
-            .get_mut(&it.ident.to_string());
+        let names = &mut self.names.modules[module].names;
+        let entry = names.get_mut(&it.ident.to_string());
         entry.expect("it was declared").named = Named::Type(ty);
         Ok(())
     }
@@ -267,9 +121,8 @@ impl<'a> Collector<'a> {
         match item {
             syn::Item::Struct(it) => self.fields(&context, &it.ident, &it.fields),
             syn::Item::Trait(it) => {
-                let own = match self.names.modules[module].names[&it.ident.to_string()].named {
-                    Named::Trait(own) => own,
-                    _ => return Ok(()),
+                let Named::Trait(own) = self.declared(module, &it.ident) else {
+                    return Ok(());
                 };
                 let context = Context {
                     own: Some(Head::Dyn(own).into()),
@@ -277,11 +130,11 @@ impl<'a> Collector<'a> {
                 };
                 for item in &it.items {
                     let syn::TraitItem::Fn(method) = item else {
-                        return Err(Refusal::unknown(self.at(module, item), "this in a trait"));
+                        return Err(self.unread(module, item, "this in a trait"));
                     };
                     if let Some(default) = &method.default {
                         let what = "functions that a trait gives to all";
-                        return Err(Refusal::unknown(self.at(module, default), what));
+                        return Err(self.unread(module, default, what));
                     }
                     let function = self.method(&context, &method.sig, None, true)?;
                     self.names.traits[own].methods.push(function);
@@ -292,42 +145,38 @@ impl<'a> Collector<'a> {
         }
     }
 
+    fn declared(&self, module: usize, name: &syn::Ident) -> Named {
+        let names = &self.names.modules[module].names;
+        names[&name.to_string()].named.clone()
+    }
+
     fn functions(&mut self, module: usize, item: &'a syn::Item) -> Read {
         let context = Context::of(module);
-        let number = |own: &Self, name: &syn::Ident| match own.names.modules[module].names
-            [&name.to_string()]
-            .named
-        {
+        let number = |own: &Self, name: &syn::Ident| match own.declared(module, name) {
             Named::Function(number) => number,
             _ => unreachable!("it was declared as a function"),
         };
         match item {
             syn::Item::Fn(it) => {
+                let number = number(self, &it.sig.ident);
                 let is_public = is_public(&it.vis);
-                self.put(
-                    number(self, &it.sig.ident),
-                    &context,
-                    &it.sig,
-                    Some(&it.block),
-                    is_public,
-                )
+                self.put(number, &context, &it.sig, Some(&it.block), is_public)
             }
-            syn::Item::Const(it) => self.constant(
-                number(self, &it.ident),
-                &context,
-                &it.ident,
-                (&it.ty, &it.expr),
-            ),
+            syn::Item::Const(it) => {
+                let number = number(self, &it.ident);
+                self.constant(number, &context, &it.ident, (&it.ty, &it.expr))
+            }
+            syn::Item::Static(it) => {
+                let number = number(self, &it.ident);
+                self.constant(number, &context, &it.ident, (&it.ty, &it.expr))
+            }
             syn::Item::Impl(it) => self.implementation(context, it),
             _ => Ok(()),
         }
     }
 
     fn fields(&mut self, context: &Context, name: &syn::Ident, fields: &syn::Fields) -> Read {
-        let own = self.names.modules[context.module].names[&name.to_string()]
-            .named
-            .clone();
-        let Named::Type(Type(Head::Own(own), _)) = own else {
+        let Named::Type(Type(Head::Own(own), _)) = self.declared(context.module, name) else {
             return Ok(());
         };
         let fields = fields.iter().enumerate().map(|(n, field)| {
@@ -338,7 +187,7 @@ impl<'a> Collector<'a> {
                 is_public: is_public(&field.vis),
             })
         });
-        self.names.kinds[own].fields = fields.collect::<Read<_>>()?;
+        self.names.kinds[own as usize].fields = fields.collect::<Read<_>>()?;
         Ok(())
     }
 
@@ -351,10 +200,13 @@ impl<'a> Collector<'a> {
         block: Option<&'a syn::Block>,
         is_public: bool,
     ) -> Read {
-        self.names.functions[number] = Signature {
-            is_public,
-            ..self.names.signature(context, it)?
-        };
+        let mut signature = self.names.signature(context, it)?;
+        let is_it = |own: &&(&syn::Block, usize)| block.is_some_and(|it| std::ptr::eq(it, own.0));
+        if let Some((_, module)) = self.blocks.iter().find(is_it) {
+            signature.inside = *module;
+        }
+        signature.is_public = is_public;
+        self.names.functions[number] = signature;
         self.bodies[number] = block.map(|block| Inside::Function(it, block));
         Ok(())
     }
@@ -382,6 +234,7 @@ impl<'a> Collector<'a> {
         self.names.functions[number] = Signature {
             name: name.to_string(),
             module: context.module,
+            inside: context.module,
             at: self.at(context.module, name),
             is_public: true,
             is_constant: true,
@@ -406,12 +259,10 @@ impl<'a> Collector<'a> {
                 }
                 Ok(Named::Standard(name)) => in_standard = Some(name),
                 Err(lost) => {
-                    let at = self.at(module, path);
-                    return Err(self
-                        .names
-                        .not_found(module, at, "trait", &names(path), lost));
+                    let (at, path) = (self.at(module, path), names(path));
+                    return Err(self.names.not_found(module, at, "trait", &path, lost));
                 }
-                Ok(_) => return Err(Refusal::unknown(self.at(module, path), "this trait")),
+                Ok(_) => return Err(self.unread(module, path, "this trait")),
             }
         }
         let mut context = Context {
@@ -424,291 +275,74 @@ impl<'a> Collector<'a> {
                     let ty = self.names.ty(&context, &it.ty)?;
                     context.parameters.insert(format!("Self::{}", it.ident), ty);
                 }
-                syn::ImplItem::Fn(it) => {
-                    let is_public = is_public(&it.vis);
-                    let made = self.method(&context, &it.sig, Some(&it.block), is_public)?;
-                    self.names.functions[made].in_trait = in_trait;
-                    self.names.functions[made]
-                        .in_standard
-                        .clone_from(&in_standard);
+                syn::ImplItem::Fn(method) => {
+                    let is_public = is_public(&method.vis);
+                    if is_public && it.trait_.is_some() {
+                        return Err(self.no_visibility(module, &method.vis));
+                    }
+                    let made =
+                        self.method(&context, &method.sig, Some(&method.block), is_public)?;
+                    let made = &mut self.names.functions[made];
+                    made.in_trait = in_trait;
+                    made.in_standard.clone_from(&in_standard);
                 }
                 syn::ImplItem::Const(it) => {
                     self.function();
                     let made = self.names.functions.len() - 1;
                     self.constant(made, &context, &it.ident, (&it.ty, &it.expr))?;
                 }
-                _ => return Err(Refusal::unknown(self.at(module, item), "this in an `impl`")),
+                _ => return Err(self.unread(module, item, "this in an `impl`")),
             }
         }
         Ok(())
     }
 
-    /// Whether each implementation of a trait has what that promises, and nothing else.
-    fn are_traits_complete(&self) -> Read {
-        let names = &self.names;
-        let refused = |at, message: String| Err(Refusal::new(at, &message, "", ""));
-        for own in &names.functions {
-            let of = own.in_trait.map(|it| &names.traits[it]);
-            if let Some(of) = of.filter(|it| names.method_of(it, &own.name).is_none()) {
-                let message = format!(
-                    "method `{}` is not a member of trait `{}`",
-                    own.name, of.name
-                );
-                return refused(own.at, message);
-            }
-        }
-        for (n, of) in names.traits.iter().enumerate() {
-            let each = |ty| of.methods.iter().map(move |&it| (ty, &names.functions[it]));
-            for (ty, promised) in of.implemented_for.iter().flat_map(each) {
-                let name = &promised.name;
-                match names
-                    .method(ty, name, Some(n))
-                    .map(|it| &names.functions[it])
-                {
-                    None => {
-                        let on = ty.name(names);
-                        let message = format!(
-                            "not all trait items implemented, missing: `{name}` for `{on}`"
-                        );
-                        return refused(promised.at, message);
-                    }
-                    Some(own) if !own.is_as_promised(promised) => {
-                        let message = format!("method `{name}` has an incompatible type for trait");
-                        return refused(own.at, message);
-                    }
-                    _ => {}
+    fn no_visibility(&self, module: usize, visibility: &syn::Visibility) -> Refusal {
+        let message = "visibility qualifiers are not permitted here";
+        let label = "trait items always share the visibility of their trait";
+        let at = self.at(module, visibility);
+        Refusal::new(at, message, label, "leave the `pub` out")
+    }
+
+    /// Keeps by what they are for the functions that no name calls.
+    fn index(&mut self) {
+        let names = &mut self.names;
+        for (n, own) in names.functions.iter().enumerate() {
+            match (own.in_standard.as_deref(), own.of.as_ref().map(|it| it.0)) {
+                (Some("Neg"), _) => names.negations.push(n),
+                (Some("Default"), Some(Head::Own(kind))) => {
+                    names.kinds[kind as usize].default = Some(n);
                 }
+                (Some(name), _) => {
+                    let plain = name.trim_end_matches("Assign");
+                    let sign = Sign::of_trait(plain);
+                    let operator = sign.map(|it| (it, plain != name, n));
+                    names.operators.extend(operator);
+                }
+                (None, Some(Head::Own(kind))) if own.name == "default" => {
+                    names.kinds[kind as usize].default = Some(n);
+                }
+                _ => {}
             }
         }
-        Ok(())
     }
 
-    fn no_generics(&self, module: usize, generics: &syn::Generics) -> Read {
+    pub(super) fn no_generics(&self, module: usize, generics: &syn::Generics) -> Read {
         let mut parameters = generics.params.iter();
         match parameters.find(|it| !matches!(it, syn::GenericParam::Lifetime(_))) {
             None => Ok(()),
-            Some(parameter) => Err(Refusal::unknown(
-                self.at(module, parameter),
-                "type parameters of structs, traits and `impl`s",
-            )),
+            Some(parameter) => {
+                let what = "type parameters of structs, traits and `impl`s";
+                Err(self.unread(module, parameter, what))
+            }
         }
     }
 }
 
-fn is_public(visibility: &syn::Visibility) -> bool {
+pub(super) fn is_public(visibility: &syn::Visibility) -> bool {
     !matches!(visibility, syn::Visibility::Inherited)
 }
 
-fn is_test(item: &syn::Item) -> bool {
+pub(super) fn is_test(item: &syn::Item) -> bool {
     matches!(item, syn::Item::Mod(it) if it.ident == "tests")
-}
-
-impl Signature {
-    fn is_as_promised(&self, promised: &Self) -> bool {
-        let others = |it: &Self| it.parameters[usize::from(it.has_self)..].to_vec();
-        self.has_self == promised.has_self
-            && others(self) == others(promised)
-            && self.result == promised.result
-    }
-}
-
-impl Trait {
-    fn called(name: &syn::Ident) -> Self {
-        Self {
-            name: name.to_string(),
-            methods: Vec::new(),
-            implemented_for: Vec::new(),
-        }
-    }
-}
-
-impl Context {
-    pub(crate) fn of(module: usize) -> Self {
-        Self {
-            module,
-            ..Self::default()
-        }
-    }
-}
-
-impl Names {
-    /// A signature whose type parameters stand for what has their traits.
-    pub(crate) fn signature(&self, context: &Context, it: &syn::Signature) -> Read<Signature> {
-        let file = self.file(context.module);
-        let mut context = context.clone();
-        for parameter in &it.generics.params {
-            let syn::GenericParam::Type(parameter) = parameter else {
-                continue;
-            };
-            let ty = self.bounded(&context, &parameter.bounds)?;
-            context.parameters.insert(parameter.ident.to_string(), ty);
-        }
-        if let Some(clause) = &it.generics.where_clause {
-            return Err(Refusal::unknown(at(file, clause), "`where`"));
-        }
-        let parameters = it.inputs.iter().map(|input| match input {
-            syn::FnArg::Typed(input) => self.ty(&context, &input.ty),
-            syn::FnArg::Receiver(receiver) => {
-                let Some(own) = context.own.clone() else {
-                    let message = "`self` parameter is only allowed in associated functions";
-                    return Err(Refusal::new(at(file, receiver), message, "", ""));
-                };
-                match &receiver.kind {
-                    syn::ReceiverKind::Value => Ok(own),
-                    syn::ReceiverKind::Reference(_, _, Some(_)) => Ok(Type::of(Head::RefMut, own)),
-                    syn::ReceiverKind::Reference(..) => Ok(Type::of(Head::Ref, own)),
-                    syn::ReceiverKind::Typed(_, ty) => self.ty(&context, ty),
-                    _ => Err(Refusal::unknown(at(file, receiver), "this kind of `self`")),
-                }
-            }
-        });
-        Ok(Signature {
-            name: it.ident.to_string(),
-            module: context.module,
-            at: at(file, &it.ident),
-            is_public: true,
-            parameters: parameters.collect::<Read<_>>()?,
-            has_self: matches!(it.inputs.first(), Some(syn::FnArg::Receiver(_))),
-            result: self.result(&context, &it.output)?,
-            of: context.own,
-            ..Signature::default()
-        })
-    }
-
-    pub(crate) fn result(&self, context: &Context, output: &syn::ReturnType) -> Read<Type> {
-        match output {
-            syn::ReturnType::Default => Ok(Type::UNIT),
-            syn::ReturnType::Type(_, ty) => self.ty(context, ty),
-        }
-    }
-
-    /// The type that is written there.
-    pub(crate) fn ty(&self, context: &Context, ty: &syn::Type) -> Read<Type> {
-        let one = |head, of: &syn::Type| Ok(Type::of(head, self.ty(context, of)?));
-        let place = || at(self.file(context.module), ty);
-        match ty {
-            syn::Type::Paren(it) => self.ty(context, &it.elem),
-            syn::Type::Group(it) => self.ty(context, &it.elem),
-            syn::Type::Never(_) => Ok(Head::Never.into()),
-            syn::Type::Infer(_) => Ok(Type::UNKNOWN),
-            syn::Type::Tuple(it) => {
-                let all = it.elems.iter().map(|it| self.ty(context, it));
-                Ok(Type(Head::Tuple, all.collect::<Read<_>>()?))
-            }
-            syn::Type::Reference(it) if it.mutability.is_some() => one(Head::RefMut, &it.elem),
-            syn::Type::Reference(it) => one(Head::Ref, &it.elem),
-            syn::Type::Slice(it) => one(Head::Slice, &it.elem),
-            syn::Type::Array(it) => match literal(&it.len) {
-                Some(length) => one(Head::Array(length), &it.elem),
-                None => Err(Refusal::unknown(place(), "lengths that are no number")),
-            },
-            syn::Type::TraitObject(it) => self.bounded(context, &it.bounds),
-            syn::Type::ImplTrait(it) => self.bounded(context, &it.bounds),
-            syn::Type::FnPtr(it) => {
-                self.function_type(context, it.inputs.iter().map(|it| &it.ty), &it.output)
-            }
-            syn::Type::Path(it) if it.qself.is_none() => self.path(context, &it.path),
-            _ => Err(Refusal::unknown(place(), "this kind of type")),
-        }
-    }
-
-    fn function_type<'t>(
-        &self,
-        context: &Context,
-        inputs: impl Iterator<Item = &'t syn::Type>,
-        output: &syn::ReturnType,
-    ) -> Read<Type> {
-        let mut types = inputs
-            .map(|it| self.ty(context, it))
-            .collect::<Read<Vec<_>>>()?;
-        types.push(self.result(context, output)?);
-        Ok(Type(Head::Fn, types))
-    }
-
-    fn path(&self, context: &Context, path: &syn::Path) -> Read<Type> {
-        let module = context.module;
-        let place = at(self.file(module), path);
-        let last = path.segments.last().expect("a path has a name");
-        let names = names(path);
-        let own = context.own.as_ref().filter(|_| names == ["Self"]);
-        if let Some(ty) = own.or_else(|| context.parameters.get(&names.join("::"))) {
-            return Ok(ty.clone());
-        }
-        let arguments = match &last.arguments {
-            syn::PathArguments::AngleBracketed(it) => {
-                let types = it.args.iter().filter_map(|it| match it {
-                    syn::GenericArgument::Type(ty) => Some(self.ty(context, ty)),
-                    _ => None,
-                });
-                types.collect::<Read<Vec<_>>>()?
-            }
-            _ => Vec::new(),
-        };
-        match self.found(module, &names) {
-            Ok(Named::Type(ty)) => Ok(ty),
-            Ok(Named::Generic(head)) if arguments.len() == 1 => Ok(Type(head, arguments)),
-            Ok(Named::Generic(_)) => {
-                let message = format!("missing generics for `{}`", last.ident);
-                let help = format!("`{}<T>`", last.ident);
-                Err(Refusal::new(
-                    place,
-                    &message,
-                    "expected 1 generic argument",
-                    &help,
-                ))
-            }
-            Ok(Named::Trait(found)) => {
-                let name = &self.traits[found].name;
-                let message = format!("expected a type, found the trait `{name}`");
-                let help = format!("`&dyn {name}`, or `Box<dyn {name}>`");
-                Err(Refusal::new(place, &message, "", &help))
-            }
-            Ok(Named::Standard(name)) => Err(Refusal::unknown(place, &format!("`{name}`"))),
-            Ok(_) => {
-                let message = format!("expected type, found `{}`", last.ident);
-                Err(Refusal::new(place, &message, "not a type", ""))
-            }
-            Err(lost) => Err(self.not_found(module, place, "type", &names, lost)),
-        }
-    }
-
-    /// What has these traits: functions, and whatever has a trait of the reader's.
-    fn bounded(
-        &self,
-        context: &Context,
-        bounds: &Punctuated<syn::TypeParamBound, syn::Token![+]>,
-    ) -> Read<Type> {
-        for bound in bounds {
-            let syn::TypeParamBound::Trait(bound) = bound else {
-                continue;
-            };
-            let last = bound.path.segments.last().expect("a path has a name");
-            match (&last.arguments, last.ident.to_string().as_str()) {
-                (syn::PathArguments::Parenthesized(it), "Fn" | "FnMut" | "FnOnce") => {
-                    let inputs = it.inputs.iter().map(|it| &it.ty);
-                    return self.function_type(context, inputs, &it.output);
-                }
-                _ => match self.found(context.module, &names(&bound.path)) {
-                    Ok(Named::Trait(found)) => return Ok(Head::Dyn(found).into()),
-                    Ok(_) => {}
-                    Err(lost) => {
-                        let (module, path) = (context.module, names(&bound.path));
-                        let place = at(self.file(module), &bound.path);
-                        return Err(self.not_found(module, place, "trait", &path, lost));
-                    }
-                },
-            }
-        }
-        Ok(Type::UNKNOWN)
-    }
-}
-
-fn literal(length: &syn::Expr) -> Option<usize> {
-    match length {
-        syn::Expr::Lit(syn::ExprLit {
-            lit: syn::Lit::Int(it),
-            ..
-        }) => it.base10_parse().ok(),
-        _ => None,
-    }
 }

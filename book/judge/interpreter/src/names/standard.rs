@@ -2,8 +2,8 @@
 
 use std::f64::consts;
 
-use super::{Entry, Module, Named, Names};
-use crate::prelude::number;
+use super::Named;
+use crate::library::number;
 use crate::types::{Head, Int, Type};
 
 /// What `use common::rtweekend::*` brings.
@@ -28,6 +28,7 @@ pub(super) fn everywhere(name: &str) -> Option<Named> {
     let plain = |head: Head| Some(Named::Type(head.into()));
     match name {
         "f64" => plain(Head::F64),
+        "f32" => plain(Head::F32),
         "bool" => plain(Head::Bool),
         "str" | "String" => plain(Head::Str),
         "Option" => Some(Named::Generic(Head::Option)),
@@ -35,8 +36,8 @@ pub(super) fn everywhere(name: &str) -> Option<Named> {
         "Vec" => Some(Named::Generic(Head::Vec)),
         "Default" | "Clone" | "Copy" | "PartialEq" | "PartialOrd" | "Debug" | "Send" | "Sync"
         | "Sized" | "From" | "Into" | "Iterator" | "IntoIterator" | "Eq" | "Ord" | "Drop"
-        | "ToString" | "Result" | "Err" | "char" | "f32" | "u16" | "u64" | "i64" | "i8" | "i16"
-        | "isize" | "i128" | "u128" | "drop" => Some(Named::Standard(name.to_owned())),
+        | "ToString" | "Result" | "Err" | "char" | "i8" | "i16" | "isize" | "i128" | "u128"
+        | "drop" => Some(Named::Standard(name.to_owned())),
         _ => Int::named(name).and_then(|int| plain(Head::Int(int))),
     }
 }
@@ -81,31 +82,9 @@ fn constant(name: &str) -> Option<Named> {
     Some(Named::Number(match name {
         "PI" => consts::PI,
         "TAU" => consts::TAU,
+        "FRAC_PI_2" => consts::FRAC_PI_2,
+        "FRAC_PI_4" => consts::FRAC_PI_4,
+        "SQRT_2" => consts::SQRT_2,
         _ => return Some(Named::Standard(name.to_owned())),
     }))
-}
-
-impl Names {
-    /// What the signatures of the library are read with.
-    pub(crate) fn library() -> Self {
-        let named = [
-            ("Iterator", Named::Generic(Head::Iterator)),
-            ("Range", Named::Generic(Head::Range)),
-            ("Ordering", Named::Type(Head::Ordering.into())),
-        ];
-        let entry = |(name, named): (&str, Named)| {
-            let is_public = true;
-            (name.to_owned(), Entry { named, is_public })
-        };
-        let prelude = ["common", "rtweekend"].map(str::to_owned).to_vec();
-        let module = Module {
-            names: named.map(entry).into(),
-            globs: vec![(prelude, true)],
-            ..Module::default()
-        };
-        Self {
-            modules: vec![module],
-            ..Self::default()
-        }
-    }
 }

@@ -1,0 +1,205 @@
+//! Lowering: trees become nodes, with variables in slots and names found. Where a type is
+//! declared, what shows another one before it runs is refused, and all else is checked when it
+//! gets there.
+
+mod calls;
+mod closures;
+mod declared;
+mod expressions;
+mod loops;
+mod macros;
+mod methods;
+mod paths;
+mod patterns;
+mod places;
+mod statements;
+mod structs;
+
+use std::sync::Arc;
+
+use syn::spanned::Spanned;
+
+use crate::names::collect::Inside;
+use crate::names::{Context, Names, Signature};
+use crate::node::{Function, Mark, Node};
+use crate::read::{at, at_expr, at_span};
+use crate::refusal::{At, Refusal};
+use crate::types::Type;
+
+type Lowered<T = Node> = Result<T, Refusal>;
+
+/// Makes a function of its tree that can be run. Its file has that text.
+pub(crate) fn lower(
+    names: &Names,
+    text: &str,
+    signature: &Signature,
+    body: Option<Inside<'_>>,
+) -> Lowered<Function> {
+    let Some(body) = body else {
+        return Ok(Function::default());
+    };
+    let module = signature.inside;
+    let mut lowerer = Lowerer {
+        names,
+        text,
+        name: &signature.name,
+        file: names.modules[module].file,
+        context: Context {
+            own: signature.of.clone(),
+            ..Context::of(module)
+        },
+        top: None,
+        locals: Vec::new(),
+        alternatives: None,
+        slots: 0,
+        slot_names: Vec::new(),
+        loops: Vec::new(),
+        result: signature.result.clone(),
+        leaves: 0,
+        marks: Vec::new(),
+    };
+    let body = match body {
+        Inside::Constant(value) => {
+            let node = lowerer.given(value, &signature.result)?;
+            lowerer.marked(node, lowerer.at(value))
+        }
+        Inside::Function(syntax, block) => lowerer.function(signature, syntax, block)?,
+    };
+    Ok(Function {
+        slots: lowerer.slots,
+        names: lowerer.slot_names,
+        body,
+        marks: lowerer.marks,
+    })
+}
+
+struct Local {
+    name: String,
+    slot: usize,
+    is_mut: bool,
+    /// Whether nothing says what it is, and the compiler wants to know before it is used.
+    is_open: bool,
+}
+
+struct Lowerer<'n> {
+    names: &'n Names,
+    text: &'n str,
+    /// The name of the function.
+    name: &'n str,
+    file: u32,
+    context: Context,
+    /// The body of the function, whose items are declared.
+    top: Option<*const syn::Block>,
+    locals: Vec<Local>,
+    /// Where the names of a pattern begin that has other ways to match.
+    alternatives: Option<usize>,
+    slots: usize,
+    slot_names: Vec<String>,
+    /// Of each loop around whether it is ever left.
+    loops: Vec<bool>,
+    result: Type,
+    /// How many `return`, `break` and the like there were so far.
+    leaves: usize,
+    marks: Vec<Arc<Mark>>,
+}
+
+impl Lowerer<'_> {
+    fn function(
+        &mut self,
+        signature: &Signature,
+        syntax: &syn::Signature,
+        block: &syn::Block,
+    ) -> Lowered {
+        self.top = Some(block);
+        // The arguments are in the first slots.
+        self.slots = signature.parameters.len();
+        let mut nodes = Vec::new();
+        for (slot, input) in syntax.inputs.iter().enumerate() {
+            match input {
+                syn::FnArg::Receiver(it) => {
+                    self.named("self", slot, it.mutability.is_some());
+                }
+                syn::FnArg::Typed(it) => match &*it.pat {
+                    syn::Pat::Ident(name) if name.subpat.is_none() && name.by_ref.is_none() => {
+                        let is_mut = name.mutability.is_some();
+                        self.named(&name.ident.to_string(), slot, is_mut);
+                    }
+                    pattern => {
+                        let pattern = self.irrefutable(pattern)?;
+                        let value = Box::new(Node::Local(slot));
+                        nodes.push(Node::Let(Box::new(pattern), value, None));
+                    }
+                },
+            }
+        }
+        let body = self.block_given(block, &signature.result)?;
+        if nodes.is_empty() {
+            return Ok(body);
+        }
+        nodes.push(body);
+        Ok(Node::Block(nodes, true))
+    }
+
+    fn at(&self, it: &syn::Expr) -> At {
+        at_expr(self.file, it)
+    }
+
+    fn at_any(&self, it: &impl Spanned) -> At {
+        at(self.file, it)
+    }
+
+    fn at_span(&self, it: proc_macro2::Span) -> At {
+        at_span(self.file, it)
+    }
+
+    fn fault<T>(&self, at: At, message: &str, label: &str, help: &str) -> Lowered<T> {
+        Err(Refusal::new(at, message, label, help))
+    }
+
+    fn refused<T>(&self, at: At, message: impl Into<String>) -> Lowered<T> {
+        Err(Refusal::new(at, message, "", ""))
+    }
+
+    fn unread<T>(&self, at: At, what: &str) -> Lowered<T> {
+        Err(Refusal::unread(at, what))
+    }
+
+    /// Looks a variable up.
+    fn variable(&self, name: &str) -> Option<&Local> {
+        self.locals.iter().rev().find(|it| it.name == name)
+    }
+
+    fn local(&mut self, name: &str, is_mut: bool) -> usize {
+        let slot = self.slots;
+        self.slots += 1;
+        self.named(name, slot, is_mut);
+        slot
+    }
+
+    fn named(&mut self, name: &str, slot: usize, is_mut: bool) {
+        let slots = self.slot_names.len().max(slot + 1);
+        self.slot_names.resize(slots, String::new());
+        name.clone_into(&mut self.slot_names[slot]);
+        self.locals.push(Local {
+            name: name.to_owned(),
+            slot,
+            is_mut,
+            is_open: false,
+        });
+    }
+
+    /// A part of a function that notes that it has run.
+    fn marked(&mut self, node: Node, at: At) -> Node {
+        let mark = self.mark(at);
+        Node::Block(vec![mark, node], true)
+    }
+
+    fn mark(&mut self, at: At) -> Node {
+        let mark = Arc::new(Mark {
+            at,
+            has_run: false.into(),
+        });
+        self.marks.push(Arc::clone(&mark));
+        Node::Mark(mark)
+    }
+}

@@ -1,0 +1,163 @@
+//! A symbol table: modules, what they declare and import, and who may see it.
+
+mod check;
+pub(crate) mod collect;
+mod declare;
+mod resolve;
+mod standard;
+mod types;
+pub(crate) mod words;
+
+use std::collections::HashMap;
+
+use crate::operators::Sign;
+use crate::refusal::At;
+use crate::types::{Head, Type};
+
+/// All that the files declare.
+#[derive(Debug, Default)]
+pub(crate) struct Names {
+    pub(crate) modules: Vec<Module>,
+    pub(crate) kinds: Vec<Kind>,
+    pub(crate) traits: Vec<Trait>,
+    pub(crate) functions: Vec<Signature>,
+    /// The reader's functions for operators: those that change their left side, too.
+    pub(crate) operators: Vec<(Sign, bool, usize)>,
+    pub(crate) negations: Vec<usize>,
+}
+
+/// A file, a part of one in brackets, or a function that declares something.
+#[derive(Debug, Default)]
+pub(crate) struct Module {
+    name: String,
+    pub(crate) file: u32,
+    parent: usize,
+    /// Whether it is a function, which sees all that is around it.
+    is_block: bool,
+    names: HashMap<String, Entry>,
+    /// What it imports by a `*`: names of its own go before these.
+    globs: Vec<(Vec<String>, bool)>,
+}
+
+#[derive(Clone, Debug)]
+struct Entry {
+    named: Named,
+    is_public: bool,
+}
+
+/// What a name can be.
+#[derive(Clone, Debug)]
+pub(crate) enum Named {
+    Module(usize),
+    /// What our chapters import.
+    Prelude,
+    Type(Type),
+    Trait(usize),
+    /// A function, or a constant, which is a function without parameters.
+    Function(usize),
+    /// A type of the library that takes others.
+    Generic(Head),
+    /// A function of the library, by its name.
+    Library(&'static str),
+    /// A constant of the library.
+    Number(f64),
+    /// Something else of the standard library, by its name.
+    Standard(String),
+    /// Whatever that path leads to.
+    Import(Vec<String>),
+}
+
+/// Which part of a path was not found, and whether it is there but private.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lost {
+    part: usize,
+    is_private: bool,
+}
+
+/// A struct of the reader's.
+#[derive(Debug)]
+pub(crate) struct Kind {
+    pub(crate) name: String,
+    pub(crate) module: usize,
+    pub(crate) fields: Vec<Field>,
+    pub(crate) derives: Vec<String>,
+    /// Whether its fields have numbers, or there are none: its name is a value.
+    pub(crate) is_tuple: bool,
+    pub(crate) at: At,
+    /// The reader's own `default`.
+    pub(crate) default: Option<usize>,
+}
+
+impl Kind {
+    pub(crate) fn field(&self, name: &str) -> Option<usize> {
+        self.fields.iter().position(|it| it.name == name)
+    }
+
+    pub(crate) fn derives(&self, name: &str) -> bool {
+        self.derives.iter().any(|it| it == name)
+    }
+}
+
+#[derive(Debug)]
+pub(crate) struct Field {
+    pub(crate) name: String,
+    pub(crate) ty: Type,
+    pub(crate) is_public: bool,
+}
+
+#[derive(Debug)]
+pub(crate) struct Trait {
+    pub(crate) name: String,
+    /// The functions that an implementation has.
+    pub(crate) methods: Vec<usize>,
+    pub(crate) implemented_for: Vec<Type>,
+}
+
+/// What a function is declared to take and to give.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Signature {
+    pub(crate) name: String,
+    pub(crate) module: usize,
+    /// Where its body looks names up: itself, if it declares something.
+    pub(crate) inside: usize,
+    pub(crate) at: At,
+    pub(crate) is_public: bool,
+    pub(crate) parameters: Vec<Type>,
+    /// Whether the first is `self`.
+    pub(crate) has_self: bool,
+    pub(crate) result: Type,
+    /// Whose function it is, if it is in an `impl`.
+    pub(crate) of: Option<Type>,
+    /// In which trait of the reader's it is, or in which of the standard library.
+    pub(crate) in_trait: Option<usize>,
+    pub(crate) in_standard: Option<String>,
+    pub(crate) is_constant: bool,
+}
+
+/// What a type is read with.
+#[derive(Clone, Default)]
+pub(crate) struct Context {
+    pub(crate) module: usize,
+    pub(crate) own: Option<Type>,
+    pub(crate) parameters: HashMap<String, Type>,
+}
+
+impl Context {
+    pub(crate) fn of(module: usize) -> Self {
+        Self {
+            module,
+            ..Self::default()
+        }
+    }
+}
+
+/// By what a module is kept among names.
+fn module_key(name: &str) -> String {
+    format!("{name}::")
+}
+
+/// The names in a path, one after the other.
+pub(crate) fn names(path: &syn::Path) -> Vec<String> {
+    let segments = path.segments.iter();
+    segments.map(|it| it.ident.to_string()).collect()
+}

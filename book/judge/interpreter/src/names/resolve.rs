@@ -1,0 +1,149 @@
+//! Name resolution: what a path means in a module, and who may see it.
+
+use super::{Lost, Named, Names, Signature, module_key, standard};
+use crate::types::Head;
+
+/// So many imports may follow each other.
+const LONGEST: u32 = 8;
+
+impl Names {
+    /// Whether a module is another one or is in it.
+    fn is_within(&self, module: usize, other: usize) -> bool {
+        module == other || module != 0 && self.is_within(self.modules[module].parent, other)
+    }
+
+    /// The module that a function stands in.
+    fn file_module(&self, module: usize) -> usize {
+        match &self.modules[module] {
+            it if it.is_block => self.file_module(it.parent),
+            _ => module,
+        }
+    }
+
+    /// Whether what a module declares may be used in another.
+    pub(crate) fn sees(&self, from: usize, module: usize, is_public: bool) -> bool {
+        is_public || self.is_within(from, module)
+    }
+
+    /// What a path means in the module.
+    pub(crate) fn found(&self, module: usize, path: &[String]) -> Result<Named, Lost> {
+        self.resolved(module, path, 0)
+    }
+
+    fn resolved(&self, from: usize, path: &[String], depth: u32) -> Result<Named, Lost> {
+        let lost = |part, is_private| Lost { part, is_private };
+        if depth > LONGEST {
+            return Err(lost(0, false));
+        }
+        if let Some(named) = standard::by_path(path) {
+            return Ok(named);
+        }
+        // A module and something else may have one name: which is meant, its place says.
+        let keys = |part: usize| {
+            if part + 1 < path.len() {
+                [module_key(&path[part]), path[part].clone()]
+            } else {
+                [path[part].clone(), module_key(&path[part])]
+            }
+        };
+        let mut named = match path[0].as_str() {
+            "crate" => Named::Module(0),
+            "self" => Named::Module(self.file_module(from)),
+            "super" => Named::Module(self.modules[self.file_module(from)].parent),
+            _ => {
+                let mut seen = keys(0).into_iter();
+                let seen = seen.find_map(|name| self.seen(from, &name, depth));
+                seen.ok_or(lost(0, false))?
+            }
+        };
+        for (part, name) in path.iter().enumerate().skip(1) {
+            named = match named {
+                Named::Module(module) => {
+                    let [first, second] =
+                        keys(part).map(|name| self.member(from, module, &name, depth));
+                    let found = first.or_else(|one| second.map_err(|other| one || other));
+                    found.map_err(|is_private| lost(part, is_private))?
+                }
+                Named::Prelude => standard::prelude(name).ok_or(lost(part, false))?,
+                Named::Standard(module) => {
+                    standard::within(&module, name).ok_or(lost(part, false))?
+                }
+                _ => return Err(lost(part, false)),
+            };
+        }
+        Ok(named)
+    }
+
+    /// What a single name means, where nothing says where it is from.
+    fn seen(&self, from: usize, name: &str, depth: u32) -> Option<Named> {
+        let own = self.member(from, from, name, depth).ok();
+        let around = || match &self.modules[from] {
+            it if it.is_block => self.seen(it.parent, name, depth),
+            _ => standard::everywhere(name),
+        };
+        own.or_else(around)
+    }
+
+    /// What a module has by that name; if nothing, whether it is there and private.
+    fn member(&self, from: usize, module: usize, name: &str, depth: u32) -> Result<Named, bool> {
+        let own = &self.modules[module];
+        if let Some(entry) = own.names.get(name) {
+            return match &entry.named {
+                _ if !self.sees(from, module, entry.is_public) => Err(true),
+                Named::Import(path) => self
+                    .resolved(module, path, depth + 1)
+                    .map_err(|it| it.is_private),
+                named => Ok(named.clone()),
+            };
+        }
+        let globs = own.globs.iter().filter(|it| self.sees(from, module, it.1));
+        let mut found =
+            globs.filter_map(|(path, _)| match self.resolved(module, path, depth + 1) {
+                Ok(Named::Prelude) => standard::prelude(name),
+                Ok(Named::Standard(module)) => standard::within(&module, name),
+                Ok(Named::Module(other)) if other != module => {
+                    self.member(module, other, name, depth + 1).ok()
+                }
+                _ => None,
+            });
+        found.next().ok_or(false)
+    }
+
+    /// Whether methods of the trait may be called in the module: it has it by its name.
+    fn has_in_scope(&self, module: usize, of: usize) -> bool {
+        let name = &self.traits[of].name;
+        matches!(self.seen(module, name, 0), Some(Named::Trait(it)) if it == of)
+    }
+
+    /// Whether a method may be called in a module: it is public there, or its trait is known by
+    /// name.
+    pub(crate) fn shows(&self, module: usize, function: usize) -> bool {
+        let own = &self.functions[function];
+        match own.in_trait {
+            Some(of) => self.has_in_scope(module, of),
+            None => own.in_standard.is_some() || self.sees(module, own.module, own.is_public),
+        }
+    }
+
+    /// Whether what is of that type has the trait.
+    pub(crate) fn implements(&self, head: Head, of: usize) -> bool {
+        head == Head::Dyn(of)
+            || self.traits[of]
+                .implemented_for
+                .iter()
+                .any(|it| it.0 == head)
+    }
+
+    /// The function of that name in an `impl` for the type.
+    pub(crate) fn method(&self, head: Head, name: &str) -> Option<usize> {
+        let is_it =
+            |it: &Signature| it.name == name && it.of.as_ref().is_some_and(|of| of.0 == head);
+        self.functions.iter().position(is_it)
+    }
+
+    /// All functions of that name in `impl`s, and whose they are.
+    pub(crate) fn methods(&self, name: &str) -> impl Iterator<Item = (Head, usize)> {
+        let all = self.functions.iter().enumerate();
+        all.filter_map(move |(n, it)| Some((it.of.as_ref().filter(|_| it.name == name)?.0, n)))
+    }
+}

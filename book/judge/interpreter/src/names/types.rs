@@ -1,0 +1,193 @@
+//! Type expressions: which type is written in a signature, a field or a declaration.
+
+use syn::punctuated::Punctuated;
+
+use super::{Context, Named, Names, Signature, names};
+use crate::read::at;
+use crate::refusal::Refusal;
+use crate::types::{Head, Type};
+
+type Read<T> = Result<T, Refusal>;
+
+impl Names {
+    /// A signature whose type parameters stand for what has their traits.
+    pub(crate) fn signature(&self, context: &Context, it: &syn::Signature) -> Read<Signature> {
+        let file = self.modules[context.module].file;
+        let mut context = context.clone();
+        for parameter in &it.generics.params {
+            let syn::GenericParam::Type(parameter) = parameter else {
+                continue;
+            };
+            let ty = self.bounded(&context, &parameter.bounds)?;
+            context.parameters.insert(parameter.ident.to_string(), ty);
+        }
+        if let Some(clause) = &it.generics.where_clause {
+            return Err(Refusal::unread(at(file, clause), "`where`"));
+        }
+        let parameters = it.inputs.iter().map(|input| match input {
+            syn::FnArg::Typed(input) => self.ty(&context, &input.ty),
+            syn::FnArg::Receiver(receiver) => {
+                let Some(own) = context.own.clone() else {
+                    let message = "`self` parameter is only allowed in associated functions";
+                    return Err(Refusal::new(at(file, receiver), message, "", ""));
+                };
+                match &receiver.kind {
+                    syn::ReceiverKind::Value => Ok(own),
+                    syn::ReceiverKind::Reference(_, _, Some(_)) => Ok(Type::of(Head::RefMut, own)),
+                    syn::ReceiverKind::Reference(..) => Ok(Type::of(Head::Ref, own)),
+                    syn::ReceiverKind::Typed(_, ty) => self.ty(&context, ty),
+                    _ => Err(Refusal::unread(at(file, receiver), "this kind of `self`")),
+                }
+            }
+        });
+        Ok(Signature {
+            name: it.ident.to_string(),
+            module: context.module,
+            inside: context.module,
+            at: at(file, &it.ident),
+            is_public: true,
+            parameters: parameters.collect::<Read<_>>()?,
+            has_self: matches!(it.inputs.first(), Some(syn::FnArg::Receiver(_))),
+            result: self.result(&context, &it.output)?,
+            of: context.own,
+            ..Signature::default()
+        })
+    }
+
+    pub(crate) fn result(&self, context: &Context, output: &syn::ReturnType) -> Read<Type> {
+        match output {
+            syn::ReturnType::Default => Ok(Type::UNIT),
+            syn::ReturnType::Type(_, ty) => self.ty(context, ty),
+        }
+    }
+
+    /// The type that is written there.
+    pub(crate) fn ty(&self, context: &Context, ty: &syn::Type) -> Read<Type> {
+        let one = |head, of: &syn::Type| Ok(Type::of(head, self.ty(context, of)?));
+        let place = || at(self.modules[context.module].file, ty);
+        match ty {
+            syn::Type::Paren(it) => self.ty(context, &it.elem),
+            syn::Type::Group(it) => self.ty(context, &it.elem),
+            syn::Type::Never(_) => Ok(Head::Never.into()),
+            syn::Type::Infer(_) => Ok(Type::UNKNOWN),
+            syn::Type::Tuple(it) => {
+                let all = it.elems.iter().map(|it| self.ty(context, it));
+                Ok(Type(Head::Tuple, all.collect::<Read<_>>()?))
+            }
+            syn::Type::Reference(it) if it.mutability.is_some() => one(Head::RefMut, &it.elem),
+            syn::Type::Reference(it) => one(Head::Ref, &it.elem),
+            syn::Type::Slice(it) => one(Head::Slice, &it.elem),
+            syn::Type::Array(it) => match literal(&it.len) {
+                Some(length) => one(Head::Array(length), &it.elem),
+                None => Err(Refusal::unread(place(), "lengths that are no number")),
+            },
+            syn::Type::TraitObject(it) => self.bounded(context, &it.bounds),
+            syn::Type::ImplTrait(it) => self.bounded(context, &it.bounds),
+            syn::Type::FnPtr(it) => {
+                self.function_type(context, it.inputs.iter().map(|it| &it.ty), &it.output)
+            }
+            syn::Type::Path(it) if it.qself.is_none() => self.path(context, &it.path),
+            _ => Err(Refusal::unread(place(), "this kind of type")),
+        }
+    }
+
+    fn function_type<'t>(
+        &self,
+        context: &Context,
+        inputs: impl Iterator<Item = &'t syn::Type>,
+        output: &syn::ReturnType,
+    ) -> Read<Type> {
+        let mut types = inputs
+            .map(|it| self.ty(context, it))
+            .collect::<Read<Vec<_>>>()?;
+        types.push(self.result(context, output)?);
+        Ok(Type(Head::Fn, types))
+    }
+
+    fn path(&self, context: &Context, path: &syn::Path) -> Read<Type> {
+        let module = context.module;
+        let place = at(self.modules[module].file, path);
+        let last = path.segments.last().expect("a path has a name");
+        let names = names(path);
+        let own = context.own.as_ref().filter(|_| names == ["Self"]);
+        if let Some(ty) = own.or_else(|| context.parameters.get(&names.join("::"))) {
+            return Ok(ty.clone());
+        }
+        let arguments = match &last.arguments {
+            syn::PathArguments::AngleBracketed(it) => {
+                let types = it.args.iter().filter_map(|it| match it {
+                    syn::GenericArgument::Type(ty) => Some(self.ty(context, ty)),
+                    _ => None,
+                });
+                types.collect::<Read<Vec<_>>>()?
+            }
+            _ => Vec::new(),
+        };
+        match self.found(module, &names) {
+            Ok(Named::Type(ty)) => Ok(ty),
+            Ok(Named::Generic(head)) if arguments.len() == 1 => Ok(Type(head, arguments)),
+            Ok(Named::Generic(_)) => {
+                let message = format!("missing generics for `{}`", last.ident);
+                let help = format!("`{}<T>`", last.ident);
+                Err(Refusal::new(
+                    place,
+                    message,
+                    "expected 1 generic argument",
+                    &help,
+                ))
+            }
+            Ok(Named::Trait(found)) => {
+                let name = &self.traits[found].name;
+                let message = format!("expected a type, found the trait `{name}`");
+                let help = format!("`&dyn {name}`, or `Box<dyn {name}>`");
+                Err(Refusal::new(place, message, "", &help))
+            }
+            Ok(Named::Standard(name)) => Err(Refusal::unread(place, &format!("`{name}`"))),
+            Ok(_) => {
+                let message = format!("expected type, found `{}`", last.ident);
+                Err(Refusal::new(place, message, "not a type", ""))
+            }
+            Err(lost) => Err(self.not_found(module, place, "type", &names, lost)),
+        }
+    }
+
+    /// What has these traits: functions, and whatever has a trait of the reader's.
+    fn bounded(
+        &self,
+        context: &Context,
+        bounds: &Punctuated<syn::TypeParamBound, syn::Token![+]>,
+    ) -> Read<Type> {
+        for bound in bounds {
+            let syn::TypeParamBound::Trait(bound) = bound else {
+                continue;
+            };
+            let last = bound.path.segments.last().expect("a path has a name");
+            match (&last.arguments, last.ident.to_string().as_str()) {
+                (syn::PathArguments::Parenthesized(it), "Fn" | "FnMut" | "FnOnce") => {
+                    let inputs = it.inputs.iter().map(|it| &it.ty);
+                    return self.function_type(context, inputs, &it.output);
+                }
+                _ => match self.found(context.module, &names(&bound.path)) {
+                    Ok(Named::Trait(found)) => return Ok(Head::Dyn(found).into()),
+                    Ok(_) => {}
+                    Err(lost) => {
+                        let (module, path) = (context.module, names(&bound.path));
+                        let place = at(self.modules[module].file, &bound.path);
+                        return Err(self.not_found(module, place, "trait", &path, lost));
+                    }
+                },
+            }
+        }
+        Ok(Type::UNKNOWN)
+    }
+}
+
+fn literal(length: &syn::Expr) -> Option<usize> {
+    match length {
+        syn::Expr::Lit(syn::ExprLit {
+            lit: syn::Lit::Int(it),
+            ..
+        }) => it.base10_parse().ok(),
+        _ => None,
+    }
+}

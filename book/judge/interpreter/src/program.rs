@@ -1,0 +1,241 @@
+//! A text that can be run: read, drawn, and asked.
+
+use std::ops::RangeInclusive;
+use std::rc::Rc;
+use std::sync::atomic::Ordering::Relaxed;
+use std::sync::{Arc, OnceLock};
+
+use common::rtweekend::*;
+
+use crate::limits::{TURNS, TURNS_OF_A_PICTURE, WIDEST};
+use crate::machine::{Code, Machine};
+use crate::names::collect::collect;
+use crate::refusal::{Fault, FaultKind, Refusal, lines};
+use crate::roles::Roles;
+use crate::types::Int;
+use crate::value::{Data, Value};
+use crate::written::Written;
+use crate::{lower, read as parsing};
+
+/// Pixels, each by its number from the top and the left, with the levels that it should have.
+pub type Sample = [(u32, [u8; 3])];
+
+/// A text that can be run.
+#[derive(Clone, Debug)]
+pub struct Program {
+    pub(crate) code: Arc<Code>,
+    pub(crate) roles: Roles,
+    pub(crate) refused: OnceLock<Fault>,
+}
+
+/// Reads the files of a crate: their names, such as `src/lib.rs`, and their texts. The
+/// root is `lib.rs`, or the first.
+///
+/// # Errors
+/// What the compiler would refuse and reading shows, and what is not read here.
+pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
+    // Places of an earlier text are not needed any more.
+    proc_macro2::extra::invalidate_current_thread_spans();
+    let texts: Vec<String> = files.iter().map(|it| it.1.to_owned()).collect();
+    let refused = |mut all: Vec<Refusal>| {
+        all.sort_by_key(|it| it.kind);
+        let faults = all.into_iter().map(|it| it.fault(&texts));
+        faults.collect::<Vec<_>>()
+    };
+    let (mut trees, mut faults) = (Vec::new(), Vec::new());
+    for (n, (name, text)) in files.iter().enumerate() {
+        match parsing::parse(n, text) {
+            Ok(tree) => trees.push(((*name).to_owned(), tree)),
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(refused(faults));
+    }
+    let (names, bodies) = collect(&trees).map_err(refused)?;
+    let (mut functions, mut written) = (Vec::new(), Vec::new());
+    for (signature, body) in names.functions.iter().zip(&bodies) {
+        written.push(Written::of(&names, signature, *body, &texts));
+        let text = &texts[names.modules[signature.module].file as usize];
+        match lower::lower(&names, text, signature, *body) {
+            Ok(function) => functions.push(Arc::new(function)),
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(refused(faults));
+    }
+    Ok(Program {
+        roles: Roles::of(&names),
+        code: Arc::new(Code {
+            names: Arc::new(names),
+            functions,
+            written,
+            texts: Arc::new(texts),
+            is_single: false,
+            mutant: 0,
+            instead: Vec::new(),
+        }),
+        refused: OnceLock::new(),
+    })
+}
+
+impl Program {
+    /// The picture that the text draws: by `picture`, or by `ray_color` alone.
+    ///
+    /// # Errors
+    /// Where the program stops by itself: a panic, an overflow, too many turns of a loop; and
+    /// where the compiler would refuse it, which is seen when it runs.
+    pub fn draw(&self, width: u32) -> Result<Picture, Fault> {
+        let mut canvas = self.canvas(width)?;
+        let (width, height) = canvas.size();
+        if ![width, height].iter().all(|it| (1..=WIDEST).contains(it)) {
+            return Err(missing("a picture that is 1 to 4096 pixels wide and high"));
+        }
+        let mut rgb = Vec::with_capacity(3 * width as usize * height as usize);
+        for (j, i) in (0..height).flat_map(|j| (0..width).map(move |i| (j, i))) {
+            rgb.extend(canvas.levels(i, j)?);
+        }
+        Picture::from_rgb(width, height, rgb).ok_or_else(|| missing("a picture"))
+    }
+
+    /// How many of these pixels are right, up to the first that is not.
+    ///
+    /// # Errors
+    /// As for the picture.
+    pub fn matches(&self, width: u32, pixels: &Rc<Sample>) -> Result<usize, Fault> {
+        // A reader's own loop over all pixels can't be asked for some.
+        let mut canvas = match self.roles.own_ray {
+            Some(_) => self.by_ray_color(self.machine(), width)?,
+            None => self.canvas(width)?,
+        };
+        let (width, height) = canvas.size();
+        for (n, (at, right)) in pixels.iter().enumerate() {
+            if *at >= width * height || canvas.levels(at % width, at / width)? != *right {
+                return Ok(n);
+            }
+        }
+        Ok(pixels.len())
+    }
+
+    /// What the compiler refuses and was seen only when functions were asked by themselves.
+    pub fn refused(&self) -> Option<&Fault> {
+        self.refused.get()
+    }
+
+    /// The lines that never ran, whose types are not checked: of which files, from where to
+    /// where.
+    pub fn unchecked(&self) -> Vec<(usize, RangeInclusive<usize>)> {
+        let marks = self.code.functions.iter().flat_map(|it| &it.marks);
+        let unrun = marks.filter(|it| !it.has_run.load(Relaxed));
+        let lines = unrun.filter_map(|it| lines(&self.code.texts, it.at));
+        let mut lines: Vec<_> = lines.collect();
+        lines.sort_by_key(|it| (it.0, *it.1.start()));
+        let mut joined: Vec<(usize, RangeInclusive<usize>)> = Vec::new();
+        for (file, lines) in lines {
+            match joined.last_mut() {
+                Some((last, known)) if *last == file && *lines.start() <= known.end() + 1 => {
+                    *known = *known.start()..=*known.end().max(lines.end());
+                }
+                _ => joined.push((file, lines)),
+            }
+        }
+        joined
+    }
+}
+
+pub(crate) fn missing(what: &str) -> Fault {
+    Fault {
+        place: None,
+        message: format!("there is no {what} to draw"),
+        label: String::new(),
+        help: String::new(),
+        kind: FaultKind::Stopped,
+    }
+}
+
+impl Program {
+    pub(crate) fn machine(&self) -> Machine<'_> {
+        let turns = match self.roles.own_ray {
+            Some(_) => TURNS_OF_A_PICTURE,
+            None => TURNS,
+        };
+        Machine::new(&self.code, turns)
+    }
+
+    pub(crate) fn call(&self, function: usize, given: &[Value]) -> Option<Value> {
+        self.asked(self.machine().call(function, given))
+    }
+
+    pub(crate) fn ran<T>(&self, result: Result<T, Refusal>) -> Result<T, Fault> {
+        result.map_err(|it| it.fault(&self.code.texts))
+    }
+
+    /// The answer of a function, or none if it stops.
+    pub(crate) fn asked<T>(&self, result: Result<T, Refusal>) -> Option<T> {
+        match self.ran(result) {
+            Ok(value) => Some(value),
+            Err(fault) => {
+                if fault.kind == FaultKind::Refused {
+                    let _ = self.refused.set(fault);
+                }
+                None
+            }
+        }
+    }
+
+    pub(crate) fn vec3(&self, vector: Vec3) -> Value {
+        let parts = vector.to_array().map(Value::from);
+        match self.roles.own_vec3 {
+            Some(kind) => self.own(kind, ["x", "y", "z"].into_iter().zip(parts)),
+            None => vector.into(),
+        }
+    }
+
+    pub(crate) fn ray(&self, ray: &Ray) -> Value {
+        let parts = [ray.origin, ray.direction].map(|it| self.vec3(it));
+        match self.roles.own_ray {
+            Some(kind) => self.own(kind, ["origin", "direction"].into_iter().zip(parts)),
+            None => Data::Ray(Rc::new(*ray)).into(),
+        }
+    }
+
+    /// One of the reader's kinds, by the names of its fields; what has other names keeps the
+    /// order.
+    pub(crate) fn own<'n>(
+        &self,
+        kind: u32,
+        parts: impl Iterator<Item = (&'n str, Value)>,
+    ) -> Value {
+        let known = &self.code.names.kinds[kind as usize];
+        let mut fields = vec![Value::default(); known.fields.len()];
+        for (n, (name, value)) in parts.enumerate() {
+            let place = known.field(name).unwrap_or(n);
+            if let Some(field) = fields.get_mut(place) {
+                *field = value;
+            }
+        }
+        Data::Own(kind, fields.into()).into()
+    }
+
+    pub(crate) fn vec3_of(&self, value: &Value) -> Option<Vec3> {
+        let Data::Own(kind, fields) = &value.data else {
+            return Some(value.vec3());
+        };
+        let known = &self.code.names.kinds[*kind as usize];
+        let parts = ["x", "y", "z"].into_iter().enumerate().map(|(n, name)| {
+            let place = known.field(name).unwrap_or(n);
+            match fields.get(place)?.data {
+                Data::Float(it) => Some(it),
+                Data::Single(it) => Some(it.into()),
+                _ => None,
+            }
+        });
+        let parts = parts.collect::<Option<Vec<f64>>>()?;
+        Some(Vec3::from_slice(&parts))
+    }
+}
+
+pub(crate) fn u32_value(number: u32) -> Value {
+    Value::whole(number.into(), Int::U32)
+}

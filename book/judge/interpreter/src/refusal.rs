@@ -1,0 +1,175 @@
+//! What is wrong with a text, and where: in bytes until it is said, in lines and columns then.
+
+use std::fmt;
+use std::ops::{Range, RangeInclusive};
+
+/// Why a text does not run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// Where it is, if it is somewhere.
+    pub place: Option<Place>,
+    /// What is wrong, in the words of the compiler where it has some.
+    pub message: String,
+    /// The words below the place, or none.
+    pub label: String,
+    /// What to do, or nothing.
+    pub help: String,
+    /// Who says so.
+    pub kind: FaultKind,
+}
+
+/// What becomes of a text that does not run here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum FaultKind {
+    /// The compiler refuses it.
+    Refused,
+    /// It ends too early: a bracket is open, or a function has no result so far.
+    Unfinished,
+    /// The compiler may take it, and it is not read here.
+    Unread,
+    /// It compiles, and stops when it runs.
+    Stopped,
+}
+
+/// A place in a text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Place {
+    /// Which of the files.
+    pub file: usize,
+    /// The line, counted from 1.
+    pub line: usize,
+    /// The columns, counted in characters from 0. The end may be beyond that of the line.
+    pub columns: Range<usize>,
+}
+
+/// Where something stands in the texts: the file, and the bytes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct At {
+    pub(crate) file: u32,
+    pub(crate) start: u32,
+    pub(crate) end: u32,
+}
+
+/// What is wrong with a text, and where.
+#[derive(Clone, Debug)]
+pub(crate) struct Refusal {
+    at: At,
+    message: String,
+    label: String,
+    help: String,
+    pub(crate) kind: FaultKind,
+}
+
+impl Refusal {
+    /// What the compiler refuses.
+    pub(crate) fn new(at: At, message: impl Into<String>, label: &str, help: &str) -> Self {
+        Self {
+            at,
+            message: message.into(),
+            label: label.to_owned(),
+            help: help.to_owned(),
+            kind: FaultKind::Refused,
+        }
+    }
+
+    /// The same of a text that ends too early.
+    pub(crate) fn unfinished(self) -> Self {
+        Self {
+            kind: FaultKind::Unfinished,
+            ..self
+        }
+    }
+
+    /// What the compiler may take, and is not read here.
+    pub(crate) fn unread(at: At, what: &str) -> Self {
+        Self {
+            kind: FaultKind::Unread,
+            ..Self::new(
+                at,
+                format!("this page does not read {what}"),
+                "",
+                "cargo may",
+            )
+        }
+    }
+
+    /// That a call has too many arguments, or too few.
+    pub(crate) fn miscounted(is_method: bool, wanted: usize, count: usize, at: At) -> Self {
+        let what = if is_method { "method" } else { "function" };
+        let several = |n: usize| if n == 1 { "argument" } else { "arguments" };
+        let was = if count == 1 { "was" } else { "were" };
+        let message = format!(
+            "this {what} takes {wanted} {} but {count} {} {was} supplied",
+            several(wanted),
+            several(count)
+        );
+        Self::new(at, message, "", "")
+    }
+
+    /// The same with other help, if there is some.
+    pub(crate) fn or_help(mut self, help: &str) -> Self {
+        if !help.is_empty() {
+            help.clone_into(&mut self.help);
+        }
+        self
+    }
+
+    /// A program that has begun stops.
+    pub(crate) fn stop(at: At, message: &str, help: &str) -> Self {
+        Self {
+            kind: FaultKind::Stopped,
+            ..Self::new(at, message, "the program stops here", help)
+        }
+    }
+
+    pub(crate) fn fault(self, texts: &[String]) -> Fault {
+        Fault {
+            place: place(texts, self.at),
+            message: self.message,
+            label: self.label,
+            help: self.help,
+            kind: self.kind,
+        }
+    }
+}
+
+/// The place in words, as far as its first line goes.
+pub(crate) fn place(texts: &[String], at: At) -> Option<Place> {
+    let text = texts.get(at.file as usize).filter(|_| at.end > 0)?;
+    let before = text.get(..at.start as usize)?;
+    let said = text.get(at.start as usize..at.end as usize)?;
+    let start = before.chars().rev().take_while(|&it| it != '\n').count();
+    let end = if said.contains('\n') {
+        usize::MAX
+    } else {
+        start + said.chars().count().max(1)
+    };
+    Some(Place {
+        file: at.file as usize,
+        line: before.matches('\n').count() + 1,
+        columns: start..end,
+    })
+}
+
+/// From which line of which file to which a part of a text goes.
+pub(crate) fn lines(texts: &[String], at: At) -> Option<(usize, RangeInclusive<usize>)> {
+    let first = place(texts, at)?;
+    let said = texts[first.file].get(at.start as usize..at.end as usize)?;
+    let last = first.line + said.trim_end().matches('\n').count();
+    Some((first.file, first.line..=last))
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(place) = &self.place {
+            write!(f, "line {}: ", place.line)?;
+        }
+        f.write_str(&self.message)?;
+        for more in [&self.label, &self.help] {
+            if !more.is_empty() {
+                write!(f, "; {more}")?;
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,39 @@
+//! Sizes of values: what they take, and how deep they are nested.
+
+use crate::limits::{DEEPEST_VALUE, VISITS};
+use crate::value::{Data, Value};
+
+impl Value {
+    /// How many bytes it takes with what it is made of, without what it shares.
+    pub(crate) fn size(&self) -> usize {
+        let parts = match &self.data {
+            Data::Own(_, all) | Data::Tuple(all) => all.len(),
+            Data::Some(_) | Data::Box(_) => 1,
+            _ => 0,
+        };
+        (1 + parts) * size_of::<Self>()
+    }
+
+    /// How deep its parts are nested, as far as that is not too deep. Of a list, the first and
+    /// the last tell.
+    pub(crate) fn depth(&self) -> usize {
+        self.depth_within(DEEPEST_VALUE + 1, &mut { VISITS })
+    }
+
+    fn depth_within(&self, most: usize, visits: &mut usize) -> usize {
+        *visits = visits.saturating_sub(1);
+        if most == 0 || *visits == 0 {
+            return DEEPEST_VALUE + 1;
+        }
+        let mut deepest = |all: &mut dyn Iterator<Item = &Self>| {
+            all.map(|it| it.depth_within(most - 1, visits)).max()
+        };
+        let inside = match &self.data {
+            Data::Own(_, all) | Data::Tuple(all) => deepest(&mut all.iter()),
+            Data::Some(it) | Data::Box(it) => deepest(&mut std::iter::once(&**it)),
+            Data::List(list) => deepest(&mut list.all.first().into_iter().chain(list.all.last())),
+            _ => return 0,
+        };
+        1 + inside.unwrap_or(0)
+    }
+}
