@@ -12,8 +12,8 @@ use crate::certified::{certified_t, comes_before};
 
 /// The index of the sphere that the ray hits first in the range, and `t`.
 ///
-/// The sphere is right for every input: its nearest root in the range is the least
-/// of all. Where roots are equal, the first sphere of the list counts, as in the
+/// Under the conditions of the theorem (`certified.md` of the notes) the sphere is right:
+/// its nearest root in the range is the least of all. Where roots are equal, the first sphere of the list counts, as in the
 /// book's loop. `t` is within an ulp of that root; roots beyond the largest `f64`
 /// compare as they are, and become that. Spheres that are not finite are missed,
 /// and so is everything in a range between whose ends no `f64` lies.

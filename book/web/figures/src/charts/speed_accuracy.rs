@@ -1,7 +1,7 @@
 //! Dot plots: what each method costs, and how exact it is, in a situation that a reader chooses.
 
 use glam::DVec2;
-use speed_vs_accuracy::{Method, find};
+use speed_vs_accuracy::Method;
 
 use super::chart::{Chart, Drawn, table};
 use super::marks::{digits, idea, mark};
@@ -74,7 +74,7 @@ fn read(
     Ok(rows)
 }
 
-/// Where the rows begin, how far one is from the next, and where they end.
+/// Where the rows begin, and how far one is from the next.
 const TOP: f64 = 66.0;
 const PITCH: f64 = 36.0;
 
@@ -213,7 +213,6 @@ fn numbers<'a>(all: impl Iterator<Item = (&'a Vec<Measured>, &'a &'static str)>)
 }
 
 fn cells(shows: &str, (row, time): &Measured) -> Vec<String> {
-    let name = find(&row.method).map_or("", |method| method.name);
     let numbers = [
         Some(time.median_ns),
         Some(time.ratio),
@@ -222,7 +221,7 @@ fn cells(shows: &str, (row, time): &Measured) -> Vec<String> {
     ];
     let numbers = numbers.map(|number| number.map_or("–".to_owned(), printed));
     let digits = right_digits(row).map(|digits| format!("{digits:.1}"));
-    [shows.to_owned(), format!("`{name}`")]
+    [shows.to_owned(), format!("`{}`", row.method)]
         .into_iter()
         .chain(numbers)
         .chain(digits)
