@@ -221,16 +221,17 @@ impl Value {
         Data::Str(Rc::new(text.into())).into()
     }
 
-    pub(crate) fn vector(all: Vec<Self>) -> Self {
+    pub(crate) fn listed(all: Vec<Self>, is_array: bool) -> Self {
         let of = Type::UNKNOWN;
-        let is_array = false;
         Data::List(Rc::new(List { all, of, is_array })).into()
     }
 
+    pub(crate) fn vector(all: Vec<Self>) -> Self {
+        Self::listed(all, false)
+    }
+
     pub(crate) fn array(all: Vec<Self>) -> Self {
-        let of = Type::UNKNOWN;
-        let is_array = true;
-        Data::List(Rc::new(List { all, of, is_array })).into()
+        Self::listed(all, true)
     }
 
     pub(crate) fn iter(iter: Iter) -> Self {

@@ -422,10 +422,12 @@ fn what_is_read_or_is_not_known_compiles() {
     let unknown = unknown.iter().map(|row| changed(row));
     let read = rows::<3>(include_str!("texts/read.txt"));
     let read = read.iter().map(|row| changed(row));
-    for files in unknown.chain(read) {
+    let refused = unknown.chain(read).filter_map(|files| {
         let compiled = said_of(&folder, &files);
-        assert!(!compiled.contains(": error"), "{files:?}\n{compiled}");
-    }
+        compiled.contains(": error").then_some(compiled)
+    });
+    let refused: Vec<String> = refused.collect();
+    assert!(refused.is_empty(), "{}", refused.join("\n"));
 }
 
 /// A folder with the manifest of a crate.

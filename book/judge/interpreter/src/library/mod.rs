@@ -72,30 +72,23 @@ impl Native {
 }
 
 impl Take {
-    /// The type that is declared, as far as it does not depend on what it is called on.
-    pub(crate) fn ty(&self) -> Type {
-        let lent = |head: Head| Type::of(Head::Ref, head.into());
+    /// The type that is declared where a method is called on a value of another.
+    pub(crate) fn ty(&self, on: &Type) -> Type {
+        let lent = |ty: Type| Type::of(Head::Ref, ty);
         match self {
-            Self::Any | Self::Own | Self::OwnLent | Self::Array => Type::UNKNOWN,
+            Self::Any => Type::UNKNOWN,
+            Self::Own => on.clone(),
+            Self::OwnLent => lent(on.clone()),
             Self::F64 => Head::F64.into(),
             Self::I32 => Head::Int(Int::I32).into(),
             Self::U32 => Head::Int(Int::U32).into(),
             Self::Usize => Head::Int(Int::Usize).into(),
             Self::Vec3 => Head::Vec3.into(),
-            Self::Ray => lent(Head::Ray),
-            Self::Str => lent(Head::Str),
+            Self::Ray => lent(Head::Ray.into()),
+            Self::Str => lent(Head::Str.into()),
             Self::Option => Type::of(Head::Option, Type::UNKNOWN),
-            Self::Fn(count) => Type(Head::Fn, vec![Type::UNKNOWN; count + 1]),
-        }
-    }
-
-    /// The same where a method is called on a value.
-    pub(crate) fn ty_on(&self, on: Head) -> Type {
-        match self {
-            Self::Own => on.into(),
-            Self::OwnLent => Type::of(Head::Ref, on.into()),
             Self::Array => Type::of(Head::Array(3), Head::F64.into()),
-            _ => self.ty(),
+            Self::Fn(count) => Type(Head::Fn, vec![Type::UNKNOWN; count + 1]),
         }
     }
 

@@ -8,11 +8,8 @@ use crate::refusal::Refusal;
 use crate::types::Int;
 use crate::value::{Data, Value};
 
-fn float(value: f64) -> Eval {
-    Ok(value.into())
-}
-
-fn truth(value: bool) -> Eval {
+/// A number or a truth.
+fn plain(value: impl Into<Value>) -> Eval {
     Ok(value.into())
 }
 
@@ -28,9 +25,9 @@ macro_rules! floats {
     ) => {
         library! {
             F64 {
-                $($one self () => |_, a, _| float(a[0].float().$one());)*
-                $($two self (Own) => |_, a, _| float(a[0].float().$two(a[1].float()));)*
-                $($is self () => |_, a, _| truth(a[0].float().$is());)*
+                $($one self () => |_, a, _| plain(a[0].float().$one());)*
+                $($two self (Own) => |_, a, _| plain(a[0].float().$two(a[1].float()));)*
+                $($is self () => |_, a, _| plain(a[0].float().$is());)*
                 $($rest)*
             }
             F32 {
@@ -68,22 +65,22 @@ pub(super) static FLOATS: &[Native] = floats! {
     { max min powf atan2 hypot copysign rem_euclid log }
     { is_nan is_finite is_infinite is_sign_negative is_sign_positive }
     {
-        powi self (I32) => |_, a, _| float(a[0].float().powi(a[1].int() as i32));
+        powi self (I32) => |_, a, _| plain(a[0].float().powi(a[1].int() as i32));
         mul_add self (Own, Own) =>
-            |_, a, _| float(a[0].float().mul_add(a[1].float(), a[2].float()));
+            |_, a, _| plain(a[0].float().mul_add(a[1].float(), a[2].float()));
         clamp self (Own, Own) => |host, a, at| {
             let [x, least, most] = [0, 1, 2].map(|n| a[n].float());
             if least <= most {
-                float(x.clamp(least, most))
+                plain(x.clamp(least, most))
             } else {
                 host.panic(at, "min > max, or either was NaN")
             }
         };
         from _ (Any) => |host, a, at| match a[0].data {
             Data::Int(_, int) if int == Int::Any || int.ends().1 < 1 << 32 => {
-                float(a[0].float())
+                plain(a[0].float())
             }
-            Data::Float(_) | Data::Single(_) if a[0].lent == 0 => float(a[0].float()),
+            Data::Float(_) | Data::Single(_) if a[0].lent == 0 => plain(a[0].float()),
             _ => no_conversion(host, "f64", &a[0], at),
         };
         total_cmp self (OwnLent) => |_, a, _| order(a[0].float().total_cmp(&a[1].float()));
@@ -132,11 +129,11 @@ pub(super) static OTHERS: &[Native] = library! {
     }
     ORDERING {
         reverse self () => |_, a, _| order(a[0].ordering().reverse());
-        is_lt self () => |_, a, _| truth(a[0].ordering().is_lt());
-        is_gt self () => |_, a, _| truth(a[0].ordering().is_gt());
-        is_le self () => |_, a, _| truth(a[0].ordering().is_le());
-        is_ge self () => |_, a, _| truth(a[0].ordering().is_ge());
-        is_eq self () => |_, a, _| truth(a[0].ordering().is_eq());
+        is_lt self () => |_, a, _| plain(a[0].ordering().is_lt());
+        is_gt self () => |_, a, _| plain(a[0].ordering().is_gt());
+        is_le self () => |_, a, _| plain(a[0].ordering().is_le());
+        is_ge self () => |_, a, _| plain(a[0].ordering().is_ge());
+        is_eq self () => |_, a, _| plain(a[0].ordering().is_eq());
     }
     ANY {
         clone self () => |_, a, _| Ok(match &a[0].data {

@@ -142,11 +142,7 @@ impl Machine<'_> {
             let value = self.end_of(value).owned().lent();
             return self.check(take, &value, on, at, node);
         }
-        let wanted = match take {
-            Take::Own => self.ty(&on.clone().owned()),
-            Take::OwnLent => self.ty(&on.clone().owned().lent()),
-            take => take.ty_on(on.head()),
-        };
+        let wanted = take.ty(&self.ty(&on.clone().owned()));
         self.mismatch(value, &wanted, at, node)
     }
 
@@ -197,7 +193,10 @@ impl Machine<'_> {
     #[inline(never)]
     pub(super) fn applied_to(&mut self, function: &Node, given: &Arguments) -> Eval {
         let function = self.eval(function)?;
-        let function = self.end_of(&function);
+        let mut function = self.end_of(&function);
+        while let Data::Box(inner) = &function.data {
+            function = (**inner).clone();
+        }
         let mut values = self.all(&given.nodes)?;
         let count = values.len();
         let takes = match &function.data {

@@ -170,11 +170,7 @@ impl Machine<'_> {
             let wanted = self.ty(first);
             return self.mismatch(other, &wanted, at, None);
         }
-        Ok(if is_array {
-            Value::array(all)
-        } else {
-            Value::vector(all)
-        })
+        Ok(Value::listed(all, is_array))
     }
 
     #[inline(never)]
@@ -183,12 +179,7 @@ impl Machine<'_> {
         let usize = crate::types::Head::Int(crate::types::Int::Usize).into();
         let count = self.as_declared(count, &usize, at, Some(&nodes[1]))?.int() as usize;
         self.take(count.saturating_mul(value.size()), at)?;
-        let all = vec![value; count];
-        Ok(if is_array {
-            Value::array(all)
-        } else {
-            Value::vector(all)
-        })
+        Ok(Value::listed(vec![value; count], is_array))
     }
 
     #[inline(never)]
