@@ -1,19 +1,21 @@
 //! Error statistics: how exact each method is, in each situation.
 //!
-//! The questions are those of a [`Population`], with t from 0 to infinity, and exact
-//! arithmetic knows the answers. A method in `f32` is given cases whose numbers are
-//! `f32`s, and judged by the exact answer to them: what rounding the scene costs is
-//! not its fault.
+//! The range of t is from 0 to infinity, and exact arithmetic knows the answers. A method
+//! in `f32` is given cases whose numbers are `f32`s, and judged by the exact answer to
+//! them: what rounding the scene costs is not its fault.
+//!
+//! Of the book all rays can be asked, so that the largest error is that of no lucky sample:
+//! each pixel of its picture, 3840 wide, about each of its two spheres. Of the other
+//! situations there is no end, and a number of random cases stands for them.
 
-use crate::truth::Truth;
 use common::rtweekend::*;
 use figures::records::{Accuracy, Level};
 use figures::table::Table;
 use laws::oracle::Exact;
 use rayon::prelude::*;
-use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime};
+use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime, SPHERES};
 
-use crate::population::Population;
+use crate::truth::Truth;
 
 /// These methods in all regimes, each in its precision: so many `cases` of each, and of
 /// the book so many `pixels`, or all.
@@ -24,8 +26,8 @@ pub fn table(methods: &[Method], cases: usize, pixels: usize, seed: u64) -> Tabl
     }
     for regime in REGIMES.into_iter().skip_while(is_the_book) {
         for precision in Precision::ALL {
-            let asked = Population::of_cases(precision, regime.cases(precision, seed, cases));
-            let found = errors_of(methods, &asked);
+            let cases = regime.cases(precision, seed, cases);
+            let found = errors_of(methods, precision, cases.len(), &|n| cases[n]);
             rows.extend(found.map(|(method, errors)| row(regime.name, method, errors)));
         }
     }
@@ -40,7 +42,6 @@ pub fn sweeps(cases: usize, seed: u64) -> Table<Level> {
     for precision in Precision::ALL {
         for level in regime.levels(precision) {
             let cases = regime.cases_at(level, precision, seed, cases);
-            let asked = Population::of_cases(precision, cases);
             let row = |(method, found): (&Method, Errors)| Level {
                 regime: regime.name.to_owned(),
                 level,
@@ -51,7 +52,7 @@ pub fn sweeps(cases: usize, seed: u64) -> Table<Level> {
                 p999_ulps: quantile(&found.ulps, 0.999),
                 answers: found.answers,
             };
-            rows.extend(errors_of(METHODS, &asked).map(row));
+            rows.extend(errors_of(METHODS, precision, cases.len(), &|n| cases[n]).map(row));
         }
     }
     rows.into()
@@ -63,9 +64,14 @@ fn is_the_book(regime: &Regime) -> bool {
 
 /// The ball, the ground, and both together under the name of the regime.
 fn of_the_book(methods: &[Method], precision: Precision, pixels: usize) -> Vec<Accuracy> {
-    let [ball, ground] =
-        ["ball", "ground"].map(|sphere| Population::of_pixels(sphere, precision, pixels));
-    let both = errors_of(methods, &ball).zip(errors_of(methods, &ground));
+    let [ball, ground] = SPHERES.map(|(center, radius)| {
+        errors_of(methods, precision, pixels.min(PIXELS), &|n| {
+            let [column, row] = scattered(n);
+            let ray = Camera::new(WIDTH).ray(column, row);
+            Case::new(center, radius, ray).rounded(precision)
+        })
+    });
+    let both = ball.zip(ground);
     both.flat_map(|((method, of_ball), (_, of_ground))| {
         let together = Errors::sum((of_ball.clone(), of_ground.clone())).sorted();
         [
@@ -75,6 +81,19 @@ fn of_the_book(methods: &[Method], precision: Precision, pixels: usize) -> Vec<A
         ]
     })
     .collect()
+}
+
+/// How wide the picture is of which all pixels are asked, and how many there are.
+const WIDTH: u32 = 3840;
+const PIXELS: usize = 3840 * 2160;
+
+/// A column and a row: others for each number, spread over the picture from the start, so that
+/// the first few are as good a sample as any.
+fn scattered(number: usize) -> [u32; 2] {
+    // It shares no factor with the number of pixels, so it leads to each of them once.
+    const STEP: usize = 5_126_203;
+    let pixel = (number * STEP % PIXELS) as u32;
+    [pixel % WIDTH, pixel / WIDTH]
 }
 
 fn row(name: &str, method: &Method, found: Errors) -> Accuracy {
@@ -157,26 +176,31 @@ impl Errors {
     }
 }
 
-/// The errors of each of these methods that has that precision, on all threads.
+/// The errors of each of these methods that has that precision, in so many cases, on all
+/// threads.
 fn errors_of<'a>(
     methods: &'a [Method],
-    asked: &Population,
+    precision: Precision,
+    count: usize,
+    case: &(dyn Fn(usize) -> Case + Sync),
 ) -> impl Iterator<Item = (&'a Method, Errors)> + use<'a> {
     let mut methods: Vec<&Method> = methods.iter().collect();
-    methods.retain(|method| method.precision() == asked.precision);
+    methods.retain(|method| method.precision() == precision);
     let none = || vec![Errors::default(); methods.len()];
     let note = |mut found: Vec<Errors>, number| {
-        let case = (asked.case)(number);
+        let case = case(number);
         let exact = Exact::of(&case);
-        let truth = Truth::of(&exact, asked.precision, 0.0, f64::INFINITY);
+        let truth = Truth::of(&exact, precision, 0.0, f64::INFINITY);
         for (found, method) in found.iter_mut().zip(&methods) {
             found.note(method, &case, truth, number < FEW);
         }
         found
     };
     let both = |one: Vec<Errors>, other| one.into_iter().zip(other).map(Errors::sum).collect();
-    let numbers = (0..asked.count).into_par_iter();
-    let found: Vec<Errors> = numbers.fold(none, note).reduce(none, both);
+    let found: Vec<Errors> = (0..count)
+        .into_par_iter()
+        .fold(none, note)
+        .reduce(none, both);
     methods
         .into_iter()
         .zip(found.into_iter().map(Errors::sorted))

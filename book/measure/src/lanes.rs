@@ -8,7 +8,7 @@ use std::hint::black_box;
 
 use common::rtweekend::*;
 use glam::Vec3 as SingleVec3;
-use speed_vs_accuracy::{BLOCK, Case, Precision, SingleRay, certified_in_lanes, in_lanes};
+use speed_vs_accuracy::{BLOCK, Case, Precision, SPHERES, SingleRay, certified_in_lanes, in_lanes};
 
 use crate::contest::{Group, Runner};
 
@@ -121,7 +121,7 @@ fn limit(
 /// and with the ground.
 fn blocks() -> Vec<Block<f64>> {
     let camera = Camera::new(400);
-    let spheres = [[0.0, 0.0, -1.0, 0.5], [0.0, -100.5, -1.0, 100.0]];
+    let spheres = SPHERES.map(|(center, radius)| [center.x, center.y, center.z, radius]);
     let rows = (0..camera.image_height).step_by(9);
     let starts = rows.flat_map(|j| (0..400 / BLOCK as u32).map(move |n| (n * BLOCK as u32, j)));
     starts

@@ -7,7 +7,6 @@ pub mod cost;
 pub mod lanes;
 pub mod machine;
 pub mod needs;
-pub mod population;
 pub mod rival;
 pub mod scene_file;
 pub mod spread;

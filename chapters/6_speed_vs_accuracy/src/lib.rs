@@ -22,7 +22,7 @@ pub use methods::{
 pub use nearest::certified_nearest;
 pub use precision::{Precision, SingleRay};
 pub use workload::{
-    Case, Eye, Hit, Lens, REGIMES, Random, Regime, Scene, Sight, USUAL_T_MIN, unit,
+    Case, Eye, Hit, Lens, REGIMES, Random, Regime, SPHERES, Scene, Sight, USUAL_T_MIN, unit,
 };
 
 use common::rtweekend::Picture;

@@ -4,19 +4,13 @@ use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
 use measure::contest::{Group, Runner};
 use measure::cost::{Double, group, of_cases, of_pixels, throughput};
-use speed_vs_accuracy::{Precision, REGIMES, Regime, certified_hit};
+use speed_vs_accuracy::{Precision, REGIMES, Regime, SPHERES, certified_hit};
 
 /// So many that no processor learns them by heart.
 pub(crate) const CASES: usize = 16_384;
 
 /// Which cases.
 const SEED: u64 = 1;
-
-/// The spheres of the book.
-const SPHERES: [(Point3, f64); 2] = [
-    (Point3::new(0.0, 0.0, -1.0), 0.5),
-    (Point3::new(0.0, -100.5, -1.0), 100.0),
-];
 
 /// The rays of the book in the picture's order: all methods, the record, and the rays alone.
 pub(crate) fn in_order() -> [Group; 2] {

@@ -115,6 +115,12 @@ impl Regime {
     }
 }
 
+/// The two spheres of the book: the ball and the ground.
+pub const SPHERES: [(Point3, f64); 2] = [
+    (Point3::new(0.0, 0.0, -1.0), 0.5),
+    (Point3::new(0.0, -100.5, -1.0), 100.0),
+];
+
 /// A pixel of the picture 3840 wide, and one of the two spheres of the book.
 fn book(random: &mut Random) -> Case {
     let camera = Camera::new(3840);
@@ -122,10 +128,7 @@ fn book(random: &mut Random) -> Case {
         random.below(camera.image_width),
         random.below(camera.image_height),
     );
-    let (center, radius) = match random.below(2) {
-        0 => (Point3::new(0.0, 0.0, -1.0), 0.5),
-        _ => (Point3::new(0.0, -100.5, -1.0), 100.0),
-    };
+    let (center, radius) = SPHERES[random.below(2) as usize];
     Case::new(center, radius, ray)
 }
 
