@@ -52,7 +52,12 @@ pub fn fill(folder: &Path, kind: &str, files: &Files) -> Result<(), Box<dyn Erro
         create(path.parent().expect("it is in the folder"))?;
         output::to_file(&path, |out| out.write_all(bytes))?;
     }
-    Ok(write_list(folder, kind, new.iter())?)
+    // What could not be removed stays ours.
+    let is_left = |line: &&String| {
+        name(line).is_some_and(|it| !names.contains(it) && !is_missing(folder, it))
+    };
+    let left: List = old.iter().filter(is_left).cloned().collect();
+    Ok(write_list(folder, kind, new.union(&left))?)
 }
 
 /// Removes the file, and the folders that it leaves empty.

@@ -30,7 +30,8 @@ pub(super) fn config(from_crate: &Path, workspace: &Path) -> String {
         return target;
     }
     let [manifest, built] = paths;
-    let alias = format!("run --manifest-path {manifest} --target-dir {built} --package launcher --");
+    let alias =
+        format!("run --manifest-path {manifest} --target-dir {built} --package launcher --");
     format!("{target}\n[alias]\nrtrace = {alias:?}\n")
 }
 
