@@ -62,6 +62,11 @@ impl Machine<'_> {
     #[inline(never)]
     pub(super) fn native(&mut self, number: usize, given: &Arguments) -> Eval {
         let native = native(number);
+        if let ([node], None) = (&*given.nodes, native.on) {
+            let mut values = [self.operand(node)?];
+            self.check_all(native, &mut values, 0, given)?;
+            return self.run_native(native, &mut values, given.at);
+        }
         let mut values = self.all(&given.nodes)?;
         let is_method = native.on.is_some();
         if let Some(on) = values.first().filter(|_| is_method)

@@ -56,28 +56,24 @@ impl Machine<'_> {
             Node::NativeFunction(native) => Ok(Data::Native(*native).into()),
             Node::New(kind, fields, base) => self.made(*kind, fields, base.as_deref()),
             Node::Some(of) => Ok(Data::Some(Rc::new(self.eval(of)?)).into()),
-            Node::List(nodes, is_array, at) => self.list(nodes, *is_array, *at),
-            Node::Repeat(nodes, is_array, at) => self.repeat(nodes, *is_array, *at),
             Node::Tuple(nodes) => Ok(Data::Tuple(self.all(nodes)?.into()).into()),
-            Node::Range(ends, is_closed, at) => self.range(ends, *is_closed, *at),
-            Node::Format(pieces, nodes, at) => self.formatted(pieces, nodes, *at),
-            node => self.flow(node),
+            Node::If(nodes) => self.choice(nodes),
+            Node::Matches(pattern, of) => self.matches(pattern, of),
+            Node::Return(value) => self.left_with(value, Stop::Return),
+            Node::Block(nodes, has_value) => self.block(nodes, *has_value),
+            node => self.rarer(node),
         }
     }
 
-    /// The same of what says which node comes next.
-    fn flow(&mut self, node: &Node) -> Eval {
+    /// The same of what is evaluated less often.
+    fn rarer(&mut self, node: &Node) -> Eval {
         match node {
-            Node::If(nodes) => self.choice(nodes),
             Node::Match(of, arms, at) => self.matched(of, arms, *at),
-            Node::Matches(pattern, of) => self.matches(pattern, of),
             Node::While(nodes, at) => self.repeated(nodes, *at),
             Node::For(pattern, nodes, at) => self.for_each(pattern, nodes, *at),
             Node::Break(value) => self.left_with(value, Stop::Break),
             Node::Continue => Err(Stop::Continue),
-            Node::Return(value) => self.left_with(value, Stop::Return),
             Node::Try(of, at) => self.tried(of, *at),
-            Node::Block(nodes, has_value) => self.block(nodes, *has_value),
             Node::Mark(mark) => {
                 mark.has_run.store(true, Relaxed);
                 Ok(Value::default())
@@ -88,6 +84,10 @@ impl Machine<'_> {
                 let mutant = number.and_then(|n| all.get(n as usize + 1));
                 self.eval(mutant.unwrap_or(&all[0]))
             }
+            Node::List(nodes, is_array, at) => self.list(nodes, *is_array, *at),
+            Node::Repeat(nodes, is_array, at) => self.repeat(nodes, *is_array, *at),
+            Node::Range(ends, is_closed, at) => self.range(ends, *is_closed, *at),
+            Node::Format(pieces, nodes, at) => self.formatted(pieces, nodes, *at),
             node => unreachable!("each node is listed here or above, and not {node:?}"),
         }
     }

@@ -7,7 +7,7 @@ use common::rtweekend::Vec3 as DVec3;
 
 use super::Machine;
 use crate::host::{Eval, Host};
-use crate::node::{Node, Target};
+use crate::node::{Node, Root, Target};
 use crate::operators::Sign;
 use crate::refusal::{At, Refusal};
 use crate::types::{Head, Type};
@@ -167,8 +167,18 @@ impl Machine<'_> {
     /// `+=` and the like.
     #[inline(never)]
     pub(super) fn update(&mut self, target: &Target, sign: Sign, value: &Node, at: At) -> Eval {
-        let right = self.eval(value)?;
+        let right = self.operand(value)?;
         self.may_change(target)?;
+        if let (Root::Local(slot), []) = (&target.root, &*target.steps)
+            && let (Data::Float(a), Data::Float(b)) =
+                (&self.stack[self.base + slot].data, &right.data)
+            && self.stack[self.base + slot].lent == 0
+        {
+            let result = self.rounded(of_floats(sign, *a, *b));
+            let slot = self.base + slot;
+            self.stack[slot] = result.into();
+            return Ok(Value::default());
+        }
         let address = self.address(target)?;
         let left = self.read(&address);
         if let (Data::Own(..), 0) = (&left.data, left.lent) {
