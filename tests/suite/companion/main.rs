@@ -2,6 +2,8 @@
 
 mod accepted;
 mod anywhere;
+#[cfg(unix)]
+mod broken_off;
 mod check_command;
 mod command_line;
 mod commands;

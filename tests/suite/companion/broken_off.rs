@@ -1,0 +1,243 @@
+//! Fault injection: each system call of what writes is the last one once, and fails once.
+//!
+//! Whatever happens, what was there stays or is replaced as a whole, nothing beside it is touched,
+//! and the next run leaves no trace of the one before.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use suite::command::{run, text};
+use suite::desk::Desk;
+use suite::left_out::left_out;
+
+/// What is there by its path: files with their bytes, and all else.
+type There = BTreeMap<PathBuf, Option<Vec<u8>>>;
+
+/// A command that writes.
+#[derive(Clone, Copy)]
+struct Writer {
+    line: &'static str,
+    /// What it writes: a file or a folder.
+    target: &'static str,
+    /// Whether what is there now was there before, or is there after a whole run, all of it.
+    is_whole: fn(&There, &There, &There) -> bool,
+}
+
+const WRITERS: [Writer; 3] = [
+    Writer {
+        line: "rtrace start red_sphere --into mine",
+        target: "mine/red_sphere",
+        // Each crate has a number of its own.
+        is_whole: |before, now, after| now.keys().eq(before.keys()) || now.keys().eq(after.keys()),
+    },
+    Writer {
+        line: "rtrace done --in list hello",
+        target: "list",
+        is_whole: |before, now, after| {
+            let lines = |it: &There| {
+                it.values()
+                    .flatten()
+                    .flatten()
+                    .filter(|it| **it == b'\n')
+                    .count()
+            };
+            let ends = |it: &There| it.values().flatten().all(|it| it.ends_with(b"  hello\n"));
+            let (before, after) = (lines(before), lines(after));
+            ends(now) && (before..=after).contains(&lines(now))
+        },
+    },
+    Writer {
+        line: "rtrace check normals n.ppm --report page",
+        target: "page",
+        is_whole: each_is_whole,
+    },
+];
+
+/// Whether each file is the old one or the new one. On a picture that could not be read there is
+/// a whole page, and no pictures.
+fn each_is_whole(before: &There, now: &There, after: &There) -> bool {
+    let is_known = |path: &PathBuf| {
+        [before, after]
+            .iter()
+            .any(|it| it.get(path) == now.get(path))
+    };
+    let is_page = |path: &PathBuf| {
+        let bytes = now.get(path).and_then(Option::as_deref);
+        path.ends_with("index.html") && bytes.is_some_and(|it| it.ends_with(b"</html>\n"))
+    };
+    let is_other = now.keys().any(|path| is_page(path) && !is_known(path));
+    let mut paths = now.keys().chain(before.keys()).chain(after.keys());
+    paths.all(|path| is_known(path) || is_other && (is_page(path) || !now.contains_key(path)))
+}
+
+/// How a run is broken off.
+#[derive(Clone, Debug)]
+enum Break {
+    /// What is injected, as strace has it.
+    Injected(String),
+    /// It is killed after that time.
+    Killed(Duration),
+}
+
+#[test]
+#[ignore = "runs three commands some three thousand times"]
+fn what_is_broken_off_leaves_old_or_new_and_nothing_half() {
+    let version = Command::new("strace").arg("-V").output();
+    if !version.is_ok_and(|it| it.status.success()) {
+        return left_out("there is no strace here to have system calls fail");
+    }
+    let wrong: String = thread::scope(|scope| {
+        let all = WRITERS.map(|it| scope.spawn(move || it.wrong()));
+        all.map(|it| it.join().expect("it is tried")).concat()
+    });
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+impl Writer {
+    /// What is wrong after which break, in lines.
+    fn wrong(self) -> String {
+        let desk = Desk::default();
+        desk.write("precious", "mine");
+        self.turn(&desk, 0);
+        desk.run("rtrace start gradient --into mine");
+        let start = Instant::now();
+        let calls = self.calls(&desk);
+        let breaks = self.breaks(&calls, start.elapsed());
+        let breaks = breaks.into_iter().zip(1..);
+        breaks
+            .filter_map(|(it, n)| self.wrong_after(&desk, &it, n))
+            .collect()
+    }
+
+    /// Sees to it that there is something else to be written than the time before.
+    fn turn(self, desk: &Desk, n: usize) {
+        let picture = [gradient::picture, normals::picture, red_sphere::picture][n % 3](16);
+        desk.write_picture("n.ppm", &picture);
+        if self.line.starts_with("rtrace start") {
+            let _ = fs::remove_dir_all(desk.path(self.target));
+        }
+    }
+
+    /// How often each system call is made in a whole run.
+    fn calls(self, desk: &Desk) -> BTreeMap<String, usize> {
+        run(&mut self.traced(desk, &[]));
+        let mut calls = BTreeMap::new();
+        for line in desk.read("calls").lines() {
+            let call = line
+                .split_whitespace()
+                .nth(1)
+                .and_then(|it| it.split_once('('));
+            if let Some((name, _)) = call {
+                *calls.entry(name.to_owned()).or_default() += 1;
+            }
+        }
+        calls
+    }
+
+    fn traced(self, desk: &Desk, more: &[&str]) -> Command {
+        let command = desk.command(self.line);
+        let mut strace = Command::new("strace");
+        strace
+            .args(["-f", "-qq", "-o"])
+            .arg(desk.path("calls"))
+            .args(more);
+        strace.arg(command.get_program()).args(command.get_args());
+        strace.current_dir(desk.path("")).stdin(Stdio::null());
+        strace
+    }
+
+    /// Each call is the last one, or fails if it can; and fifty kills at any time.
+    fn breaks(self, calls: &BTreeMap<String, usize>, took: Duration) -> Vec<Break> {
+        const MAY_FAIL: [&str; 18] = [
+            "openat",
+            "read",
+            "write",
+            "statx",
+            "mkdir",
+            "rename",
+            "unlink",
+            "unlinkat",
+            "rmdir",
+            "fchmod",
+            "chmod",
+            "getdents64",
+            "copy_file_range",
+            "close",
+            "lseek",
+            "ftruncate",
+            "readlink",
+            "fcntl",
+        ];
+        let mut breaks = Vec::new();
+        for (name, count) in calls {
+            for n in 1..=*count {
+                breaks.push(Break::Injected(format!(
+                    "inject={name}:signal=KILL:when={n}"
+                )));
+                if MAY_FAIL.contains(&&**name) {
+                    breaks.push(Break::Injected(format!(
+                        "inject={name}:error=ENOSPC:when={n}"
+                    )));
+                }
+            }
+        }
+        let killed = (0..50).map(|n| Break::Killed(took * (n * 37 % 50) / 50));
+        breaks.into_iter().chain(killed).collect()
+    }
+
+    /// What is wrong after a run that was broken off, and a whole one.
+    fn wrong_after(self, desk: &Desk, how: &Break, n: usize) -> Option<String> {
+        self.turn(desk, n);
+        let [before, outside] = self.there(desk);
+        match how {
+            Break::Injected(injected) => drop(run(&mut self.traced(desk, &["-e", injected]))),
+            Break::Killed(after) => {
+                let mut command = desk.command(self.line);
+                command.stdout(Stdio::null()).stderr(Stdio::null());
+                let mut child = command.spawn().expect("it starts");
+                thread::sleep(*after);
+                child.kill().expect("it can be killed");
+                child.wait().expect("it has ended");
+            }
+        }
+        let [now, outside_now] = self.there(desk);
+        let whole = desk.run(self.line);
+        let [after, outside_after] = self.there(desk);
+        let said = text(&whole.stderr);
+        let is_there = said.contains("is there already");
+        let problem = if whole.status.code().is_none_or(|code| code == 2) && !is_there {
+            format!("the next run fails: {said}")
+        } else if outside != outside_now || outside != outside_after {
+            "something beside it has changed".to_owned()
+        } else if !(self.is_whole)(&before, &now, &after) {
+            "half of it is there".to_owned()
+        } else if desk.contents().iter().any(|it| is_partial(&it.0)) {
+            "the next run leaves what is half".to_owned()
+        } else {
+            return None;
+        };
+        Some(format!("{}, {how:?}: {problem}\n", self.line))
+    }
+
+    /// What is in the target, and outside of it; the list of what is ours and what is half done
+    /// are neither.
+    fn there(self, desk: &Desk) -> [There; 2] {
+        let target = desk.path(self.target);
+        let is_seen = |path: &PathBuf| {
+            !is_partial(path) && !path.ends_with(".rtrace-manifest") && !path.ends_with("calls")
+        };
+        let all = desk.contents().into_iter().filter(|it| is_seen(&it.0));
+        let (inside, outside) = all.partition(|it| it.0.starts_with(&target));
+        [inside, outside]
+    }
+}
+
+/// Whether it is, or is in, what is moved to its place when it is whole.
+fn is_partial(path: &PathBuf) -> bool {
+    path.components()
+        .any(|it| it.as_os_str().to_string_lossy().ends_with(".partial"))
+}
