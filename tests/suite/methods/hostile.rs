@@ -79,12 +79,17 @@ fn whole_number_tangents_an_ulp_off() -> impl Strategy<Value = Case> {
 fn in_another_unit(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = Case> {
     (cases, -500..=500, -500..=500).prop_map(|(case, length, direction)| {
         let [length, direction] = [length, direction].map(|k| f64::exp2(f64::from(k)));
-        Case {
-            center: length * case.center,
-            radius: length * case.radius,
-            ray: Ray::new(length * case.ray.origin, direction * case.ray.direction),
-        }
+        in_units(&case, length, direction)
     })
+}
+
+/// The case with lengths times the first, and the direction times the second.
+pub(crate) fn in_units(case: &Case, length: f64, direction: f64) -> Case {
+    Case {
+        center: length * case.center,
+        radius: length * case.radius,
+        ray: Ray::new(length * case.ray.origin, direction * case.ray.direction),
+    }
 }
 
 /// Sphere and ray together up to 2⁶⁰ away: C and Q have fewer digits in common
