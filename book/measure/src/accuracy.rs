@@ -11,11 +11,9 @@
 use common::rtweekend::*;
 use figures::records::{Accuracy, Level};
 use figures::table::Table;
-use laws::oracle::Exact;
+use laws::oracle::{Exact, Root};
 use rayon::prelude::*;
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime, SPHERES};
-
-use crate::truth::Truth;
 
 /// These methods in all regimes, each in its precision: so many `cases` of each, and of
 /// the book so many `pixels`, or all.
@@ -138,20 +136,20 @@ impl Errors {
         1e6 * self.wrong as f64 / self.cases as f64
     }
 
-    /// Notes what `method` answers to a question whose answer is `truth`.
-    fn note(&mut self, method: &Method, case: &Case, truth: Option<Truth>, is_kept: bool) {
+    /// Notes what `method` answers to a question whose answer is `root`.
+    fn note(&mut self, method: &Method, case: &Case, root: Option<Root>, is_kept: bool) {
         let answer = case.put_to(method, 0.0, f64::INFINITY);
         self.cases += 1;
-        self.hits += usize::from(truth.is_some());
+        self.hits += usize::from(root.is_some());
         if is_kept {
             let bits = answer.map_or(0, f64::to_bits);
             self.answers = self.answers.wrapping_add(bits % 1_000_000_007);
         }
-        match (answer, truth) {
-            (Some(t), Some(truth)) => {
-                self.ulps.push(truth.error_in_ulps(t));
-                self.surface
-                    .push(off_the_surface(case, t, method.precision()));
+        match (answer, root) {
+            (Some(t), Some(root)) => {
+                let precision = method.precision();
+                self.ulps.push(ulps_off(root, precision, t));
+                self.surface.push(off_the_surface(case, t, precision));
             }
             (None, None) => {}
             _ => self.wrong += 1,
@@ -190,9 +188,9 @@ fn errors_of<'a>(
     let note = |mut found: Vec<Errors>, number| {
         let case = case(number);
         let exact = Exact::of(&case);
-        let truth = Truth::of(&exact, precision, 0.0, f64::INFINITY);
+        let root = exact.nearest_root_in(0.0, f64::INFINITY);
         for (found, method) in found.iter_mut().zip(&methods) {
-            found.note(method, &case, truth, number < FEW);
+            found.note(method, &case, root, number < FEW);
         }
         found
     };
@@ -204,6 +202,12 @@ fn errors_of<'a>(
     methods
         .into_iter()
         .zip(found.into_iter().map(Errors::sorted))
+}
+
+/// How far `t` is from the root, in units of the last place that a number of the precision
+/// near the root has.
+pub fn ulps_off(root: Root, precision: Precision, t: f64) -> f64 {
+    root.error_in_ulps(t) / (precision.epsilon() / f64::EPSILON)
 }
 
 /// How far the point at `t`, computed as a program would, is from the sphere, in

@@ -10,7 +10,6 @@ pub mod needs;
 pub mod rival;
 pub mod scene_file;
 pub mod spread;
-pub mod truth;
 pub mod wrong_pixels;
 
 use std::io;

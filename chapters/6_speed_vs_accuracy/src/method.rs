@@ -51,6 +51,14 @@ impl Method {
         Self::plain(name, Solve::Single(solve))
     }
 
+    /// The method with a certificate.
+    pub(crate) const fn certified(self) -> Self {
+        Self {
+            is_certified: true,
+            ..self
+        }
+    }
+
     const fn plain(name: &'static str, solve: Solve) -> Self {
         Self {
             name,

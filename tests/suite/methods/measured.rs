@@ -48,7 +48,8 @@ mod a_part_of_the_questions_asked_again {
     #[test]
     fn has_the_answers_and_the_errors_that_were_recorded() {
         let again = accuracy::table(METHODS, CASES, CASES, SEED).rows;
-        let recorded = recorded();
+        let recorded: Vec<Accuracy> =
+            rows(include_str!("../../../book/notes/measured/accuracy.csv"));
         assert_eq!(recorded.len(), again.len(), "rows of {}", Accuracy::FILE);
         for (old, new) in recorded.iter().zip(&again) {
             let row = format!("{}/{}/{}", old.regime, old.precision.name(), old.method);
@@ -79,7 +80,7 @@ mod a_part_of_the_questions_asked_again {
     #[test]
     fn has_them_at_each_distance_and_each_closeness_too() {
         let again = accuracy::sweeps(400, SEED).rows;
-        let recorded = levels();
+        let recorded: Vec<Level> = rows(include_str!("../../../book/notes/measured/sweeps.csv"));
         assert_eq!(recorded.len(), again.len(), "rows of {}", Level::FILE);
         for (old, new) in recorded.iter().zip(&again) {
             let row = format!("{} {} {}", old.regime, old.level, old.method);
@@ -120,13 +121,7 @@ fn noise_takes_all_digits_of_a_median_but_one() {
     assert_eq!(agreed([0.0, 0.0312, 7.0]), 0.03);
 }
 
-fn levels() -> Vec<Level> {
-    let file = include_str!("../../../book/notes/measured/sweeps.csv");
-    Table::read(file).expect("the file is well-formed").rows
-}
-
-fn recorded() -> Vec<Accuracy> {
-    let file = include_str!("../../../book/notes/measured/accuracy.csv");
+fn rows<Row: Record>(file: &str) -> Vec<Row> {
     Table::read(file).expect("the file is well-formed").rows
 }
 

@@ -89,21 +89,17 @@ fn double_double_takes_no_farther_root_for_one_that_rounds_to_an_end() {
     assert_eq!(found, None);
 }
 
-mod the_exact_method {
-    use super::*;
-
-    #[test]
-    fn is_the_oracle_to_the_last_bit() {
-        let asked = hostile::with_hostile_interval(hostile::hostile());
-        for asked in samples(&asked, 10_000) {
-            let WithInterval { case, t_min, t_max } = asked;
-            let oracle = Exact::of(&case);
-            let expected = oracle
-                .nearest_root_in(t_min, t_max)
-                .filter(|_| t_min.next_up() < t_max)
-                .map(|root| root.rounded().max(t_min.next_up()).min(t_max.next_down()));
-            assert_eq!(asked.solve(&exact), expected, "{asked}");
-        }
+#[test]
+fn the_exact_method_is_the_oracle_to_the_last_bit() {
+    let asked = hostile::with_hostile_interval(hostile::hostile());
+    for asked in samples(&asked, 10_000) {
+        let WithInterval { case, t_min, t_max } = asked;
+        let oracle = Exact::of(&case);
+        let expected = oracle
+            .nearest_root_in(t_min, t_max)
+            .filter(|_| t_min.next_up() < t_max)
+            .map(|root| root.rounded().max(t_min.next_up()).min(t_max.next_down()));
+        assert_eq!(asked.solve(&exact), expected, "{asked}");
     }
 }
 

@@ -8,12 +8,14 @@ use speed_vs_accuracy::{Case, Eye, Lens, Method, Precision, REGIMES, Scene, exac
 mod cases {
     use super::*;
 
+    fn of_all_regimes() -> impl Iterator<Item = Case> {
+        let regimes = REGIMES.iter();
+        regimes.flat_map(|regime| regime.cases(Precision::Double, 4, 300))
+    }
+
     #[test]
     fn have_the_discriminant_of_half_b_to_the_bit() {
-        for case in REGIMES
-            .iter()
-            .flat_map(|regime| regime.cases(Precision::Double, 4, 300))
-        {
+        for case in of_all_regimes() {
             let found = case.put_to(&Method::HALF_B, f64::NEG_INFINITY, f64::INFINITY);
             let discriminant = case.discriminant();
             let expected =
@@ -25,10 +27,7 @@ mod cases {
     /// The oracle of the laws has other code.
     #[test]
     fn have_an_exact_discriminant_that_is_the_oracle_s() {
-        for case in REGIMES
-            .iter()
-            .flat_map(|regime| regime.cases(Precision::Double, 4, 300))
-        {
+        for case in of_all_regimes() {
             let exact = Exact::of(&case);
             let found = exact_discriminant(case.center, case.radius, &case.ray).expect("finite");
             assert_eq!(found.total_cmp(&0.0), exact.discriminant(), "{case}");

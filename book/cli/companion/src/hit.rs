@@ -6,8 +6,8 @@ use clap::Args;
 use common::engine::output;
 use common::rtweekend::*;
 use figures::number::three_digits;
-use laws::oracle::Exact;
-use measure::truth::Truth;
+use laws::oracle::{Exact, Root};
+use measure::accuracy::ulps_off;
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, Solve};
 
 /// The words behind `cargo rtrace hit`.
@@ -66,13 +66,13 @@ pub(crate) fn under_the_microscope(
         Precision::Double => (t_min, f64::MAX),
         Precision::Single => (f64::from(t_min as f32), f64::from(f32::MAX)),
     };
-    let truth = Truth::of(&exact, precision, lower, f64::INFINITY);
+    let root = exact.nearest_root_in(lower, f64::INFINITY);
     let changed = if rounded == *case {
         ""
     } else {
         ", after the numbers are rounded to it"
     };
-    let found = match truth.map(|truth| truth.nearest()) {
+    let found = match root.map(|root| root.rounded()) {
         Some(t) if t.abs() >= greatest => {
             return format!("These numbers do not fit into {name}: t overflows.\n");
         }
@@ -82,17 +82,17 @@ pub(crate) fn under_the_microscope(
         }
         None => "the ray misses".to_owned(),
     };
-    let line = |method| line(method, case.put_to(method, t_min, f64::INFINITY), truth);
+    let line = |method| line(method, case.put_to(method, t_min, f64::INFINITY), root);
     let lines: String = methods.iter().map(line).collect();
     format!("In {name}{changed}, {found}.\n{lines}")
 }
 
-fn line(method: &Method, t: Option<f64>, truth: Option<Truth>) -> String {
+fn line(method: &Method, t: Option<f64>, root: Option<Root>) -> String {
     let answer = t.map_or("miss".to_owned(), |t| {
         format!("hit  {}", shortest(method, t))
     });
-    let verdict = match (t, truth) {
-        (Some(t), Some(truth)) => how_far_off(t, truth),
+    let verdict = match (t, root) {
+        (Some(t), Some(root)) => how_far_off(ulps_off(root, method.precision(), t)),
         (None, None) => "right".to_owned(),
         (Some(_), None) => "WRONG: it misses".to_owned(),
         (None, Some(_)) => "WRONG: it hits".to_owned(),
@@ -100,9 +100,9 @@ fn line(method: &Method, t: Option<f64>, truth: Option<Truth>) -> String {
     format!("  {:<22}{answer:<30}{verdict}\n", method.name)
 }
 
-/// The error of `t` in words.
-fn how_far_off(t: f64, truth: Truth) -> String {
-    match truth.error_in_ulps(t) {
+/// An error in words.
+fn how_far_off(ulps: f64) -> String {
+    match ulps {
         f64::INFINITY => "more than 1e308 ulps off".to_owned(),
         1.0 => "1 ulp off".to_owned(),
         error => format!("{} ulps off", three_digits(error)),

@@ -1,6 +1,6 @@
 //! Blame: from the first wrong pixel to the ray and the sphere at which a method errs.
 
-use crate::truth::Truth;
+use crate::accuracy::ulps_off;
 use crate::wrong_pixels::View;
 use common::rtweekend::*;
 use laws::oracle::Exact;
@@ -90,11 +90,11 @@ fn worst(
 fn error(method: &Method, case: &Case, t_min: f64) -> f64 {
     let precision = method.precision();
     let exact = Exact::of_finite(&case.rounded(precision));
-    let truth = exact
+    let root = exact
         .as_ref()
-        .and_then(|exact| Truth::of(exact, precision, t_min, f64::INFINITY));
-    match (case.put_to(method, t_min, f64::INFINITY), truth) {
-        (Some(t), Some(truth)) => truth.error_in_ulps(t),
+        .and_then(|exact| exact.nearest_root_in(t_min, f64::INFINITY));
+    match (case.put_to(method, t_min, f64::INFINITY), root) {
+        (Some(t), Some(root)) => ulps_off(root, precision, t),
         (None, None) => 0.0,
         _ => f64::INFINITY,
     }

@@ -26,55 +26,31 @@ pub struct Regime {
 /// All regimes, the book’s first.
 pub const REGIMES: [Regime; 6] = [
     Regime::BOOK,
-    Regime::GRAZING,
+    // Near a tangent: the line passes the center at (1 ± 10⁻ᵏ) radii.
+    Regime::new("grazing", [(1, 15), (1, 7)], grazing),
     Regime::FAR,
-    Regime::NEAR_SURFACE,
-    Regime::GROUND,
-    Regime::INSIDE,
+    // From a point of the surface, of a sphere with a radius of 10ᵏ.
+    Regime::new("near_surface", [(0, 9), (0, 4)], near_surface),
+    // Above a ground with a radius of 10ᵏ, up to that of an Earth and beyond.
+    Regime::new("ground", [(2, 9), (2, 6)], ground),
+    // From inside the sphere, (1 − 10⁻ᵏ) radii from the center.
+    Regime::new("inside", [(0, 12), (0, 5)], inside),
 ];
 
 impl Regime {
     /// The camera rays of the book’s own picture.
-    pub const BOOK: Self = Self {
-        name: "book",
-        levels: [(0, 0); 2],
-        case: |random, _| book(random),
-    };
-
-    /// Near a tangent: the line passes the center at (1 ± 10⁻ᵏ) radii.
-    pub const GRAZING: Self = Self {
-        name: "grazing",
-        levels: [(1, 15), (1, 7)],
-        case: grazing,
-    };
+    pub const BOOK: Self = Self::new("book", [(0, 0); 2], |random, _| book(random));
 
     /// Small spheres far away: the ray starts 10ᵏ radii away.
-    pub const FAR: Self = Self {
-        name: "far",
-        levels: [(1, 15), (1, 6)],
-        case: far,
-    };
+    pub const FAR: Self = Self::new("far", [(1, 15), (1, 6)], far);
 
-    /// From a point of the surface, of a sphere with a radius of 10ᵏ.
-    pub const NEAR_SURFACE: Self = Self {
-        name: "near_surface",
-        levels: [(0, 9), (0, 4)],
-        case: near_surface,
-    };
-
-    /// Above a ground with a radius of 10ᵏ, up to that of an Earth and beyond.
-    pub const GROUND: Self = Self {
-        name: "ground",
-        levels: [(2, 9), (2, 6)],
-        case: ground,
-    };
-
-    /// From inside the sphere, (1 − 10⁻ᵏ) radii from the center.
-    pub const INSIDE: Self = Self {
-        name: "inside",
-        levels: [(0, 12), (0, 5)],
-        case: inside,
-    };
+    const fn new(
+        name: &'static str,
+        levels: [(i32, i32); 2],
+        case: fn(&mut Random, level: i32) -> Case,
+    ) -> Self {
+        Self { name, levels, case }
+    }
 
     /// So many cases from all levels alike, always the same for one `seed`.
     pub fn cases(&self, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
