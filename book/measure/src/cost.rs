@@ -8,7 +8,7 @@ use std::hint::black_box;
 
 use common::rtweekend::*;
 use glam::Vec3 as SingleVec3;
-use speed_vs_accuracy::{Case, Eye, METHODS, Method, Scene, SingleRay};
+use speed_vs_accuracy::{Case, Eye, METHODS, Method, Precision, Scene, SingleRay, find};
 
 use crate::contest::{Effort, Group, Runner};
 
@@ -17,21 +17,9 @@ use crate::contest::{Effort, Group, Runner};
 pub fn times(scene: &Scene, effort: &Effort) -> Vec<(Method, Vec<f64>)> {
     let asked = questions(scene);
     let mut group = group(&scene.name, &of_cases(&asked, &asked));
-    METHODS.iter().copied().zip(group.times(effort)).collect()
-}
-
-/// All methods, the reference first: all are asked the same questions.
-pub fn group<D, S>(place: &str, asked: &Questions<D, S>) -> Group
-where
-    D: Fn(usize) -> Double + Clone + 'static,
-    S: Fn(usize) -> Single + Clone + 'static,
-{
-    let runner = |method: &Method| {
-        let key = ["method", method.name, place];
-        let run = run(method, asked);
-        Runner::new(key, method.precision(), asked.count, run)
-    };
-    Group(METHODS.iter().map(runner).collect())
+    let times = group.times(effort);
+    let methods = group.0.iter().filter_map(|runner| find(&runner.row.name));
+    methods.zip(times).collect()
 }
 
 /// Questions that a loop makes, by their number, from 0.
@@ -99,28 +87,23 @@ pub fn of_pixels(
 /// A loop for each method: a function that is called by a pointer would be charged for the
 /// call, and for the ray that is handed over in memory.
 macro_rules! loops {
-    ($(in $number:ident: $question:ident, $($method:ident)*;)*) => {
-        /// # Panics
-        /// If it is none of [`METHODS`].
-        fn run<D, S>(
-            method: &Method,
-            asked: &Questions<D, S>,
-        ) -> Box<dyn FnMut()>
+    ($(in $number:ident $precision:ident: $question:ident, $($method:ident)*;)*) => {
+        /// All methods, the reference first: all are asked the same questions.
+        pub fn group<D, S>(place: &str, asked: &Questions<D, S>) -> Group
         where
             D: Fn(usize) -> Double + Clone + 'static,
             S: Fn(usize) -> Single + Clone + 'static,
         {
-            match method.name {
-                $($(stringify!($method) => {
-                    let question = asked.$question.clone();
-                    Box::new(throughput(asked.count, move |n| {
-                        let ((center, radius), ray, t_min) = question(n);
-                        let end = $number::INFINITY;
-                        speed_vs_accuracy::$method(center, radius, &ray, t_min, end)
-                    }))
-                })*)*
-                other => panic!("name {other} in the list of loops"),
-            }
+            Group(vec![$($({
+                let (question, count) = (asked.$question.clone(), asked.count);
+                let run = throughput(count, move |n| {
+                    let ((center, radius), ray, t_min) = question(n);
+                    let end = $number::INFINITY;
+                    speed_vs_accuracy::$method(center, radius, &ray, t_min, end)
+                });
+                let key = ["method", stringify!($method), place];
+                Runner::new(key, Precision::$precision, count, run)
+            }),*),*])
         }
 
         const LOOPS: usize = [$($(stringify!($method)),*),*].len();
@@ -129,8 +112,8 @@ macro_rules! loops {
 }
 
 loops! {
-    in f64: double, half_b half_b_q cross_q compensated certified_hit certified_t double_double exact;
-    in f32: single, half_b_f32 widened_half_b_q_f32 certified_f32;
+    in f64 Double: double, half_b half_b_q cross_q compensated certified_hit certified_t double_double exact;
+    in f32 Single: single, half_b_f32 widened_half_b_q_f32 certified_f32;
 }
 
 /// Asks all questions, none of which waits for an answer. The compiler must have each answer

@@ -46,25 +46,31 @@ macro_rules! ask {
 
 /// A loop for each method.
 macro_rules! runners {
-    ($blocks:ident, $place:literal, $from:expr, $($method:ident $number:ident $ray:ident $point:ident $precision:ident;)*) => {
-        vec![$({
+    ($blocks:ident, $place:literal, $from:expr, $(in $number:ident $ray:ident $point:ident $precision:ident: $($method:ident)*;)*) => {{
+        let mut runners = Vec::new();
+        $(
             let t_min: $number = black_box($from);
             let blocks: Vec<Block<$number>> = $blocks.iter().map(|(rays, sphere)| (
                 rays.map(|row| row.map(|x| x as $number)), sphere.map(|x| x as $number)
             )).collect();
             let count = blocks.len() * BLOCK;
-            let run = move || for (rays, [x, y, z, radius]) in &blocks {
-                let mut answers = [0.0; BLOCK];
-                let ray = |k: usize| {
-                    let [qx, qy, qz, dx, dy, dz] = rays.each_ref().map(|row| row[k]);
-                    $ray::new($point::new(qx, qy, qz), $point::new(dx, dy, dz))
+            $({
+                let blocks = blocks.clone();
+                let run = move || for (rays, [x, y, z, radius]) in &blocks {
+                    let mut answers = [0.0; BLOCK];
+                    let ray = |k: usize| {
+                        let [qx, qy, qz, dx, dy, dz] = rays.each_ref().map(|row| row[k]);
+                        $ray::new($point::new(qx, qy, qz), $point::new(dx, dy, dz))
+                    };
+                    ask!($method answers $number t_min $point::new(*x, *y, *z), *radius, ray);
+                    black_box(&answers);
                 };
-                ask!($method answers $number t_min $point::new(*x, *y, *z), *radius, ray);
-                black_box(&answers);
-            };
-            Runner::new(["rays", stringify!($method), $place], Precision::$precision, count, run)
-        }),*]
-    };
+                let key = ["rays", stringify!($method), $place];
+                runners.push(Runner::new(key, Precision::$precision, count, run));
+            })*
+        )*
+        runners
+    }};
 }
 
 /// The methods in lanes: from 0 on, where signs decide, and those that a certificate is compared
@@ -72,22 +78,12 @@ macro_rules! runners {
 pub fn groups() -> [Group; 2] {
     let blocks = blocks();
     let in_any_range = runners! { blocks, "any_range", 0.001,
-        half_b f64 Ray Point3 Double;
-        half_b_q f64 Ray Point3 Double;
-        certified_hit f64 Ray Point3 Double;
-        certified_t f64 Ray Point3 Double;
+        in f64 Ray Point3 Double: half_b half_b_q certified_hit certified_t;
     };
     let mut runners = runners! { blocks, "book", 0.0,
-        half_b f64 Ray Point3 Double;
-        half_b_q f64 Ray Point3 Double;
-        cross_q f64 Ray Point3 Double;
-        compensated f64 Ray Point3 Double;
-        certified_hit f64 Ray Point3 Double;
-        certified_t f64 Ray Point3 Double;
-        double_double f64 Ray Point3 Double;
-        half_b_f32 f32 SingleRay SingleVec3 Single;
-        widened_half_b_q_f32 f32 SingleRay SingleVec3 Single;
-        certified_f32 f32 SingleRay SingleVec3 Single;
+        in f64 Ray Point3 Double:
+            half_b half_b_q cross_q compensated certified_hit certified_t double_double;
+        in f32 SingleRay SingleVec3 Single: half_b_f32 widened_half_b_q_f32 certified_f32;
     };
     let divided = |[_, _, _, x, y, z]: [f64; 6]| (1.5 + x * x).sqrt() / (2.0 + y) + x / z;
     runners.push(limit("divider", blocks.clone(), divided));
